@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Colours: 8 bits a channel, sRGB-encoded, and the packings that texels and displays share.
+#pragma once
+
+#include <cstdint>
+
+namespace lumi {
+
+struct Rgb8 {
+    uint8_t r, g, b;
+};
+
+// Premultiplied colour with coverage: a = 0 is a ray that misses the scene, r, g, b <= a.
+struct Rgba8 {
+    uint8_t r, g, b, a;
+};
+
+// Luma of encoded values, ITU-R BT.709 weights in 1/256; the weights sum to 256, so grey stays grey.
+constexpr uint8_t luma(const Rgb8& c)
+{
+    return static_cast<uint8_t>((54u * c.r + 183u * c.g + 19u * c.b + 128u) >> 8);
+}
+
+// 5-6-5 packing, red in the high bits; rounds to nearest: unpack(pack(unpack(v))) = unpack(v).
+constexpr uint16_t pack_rgb565(const Rgb8& c)
+{
+    const uint32_t r = (c.r * 249u + 1014u) >> 11;
+    const uint32_t g = (c.g * 253u + 505u) >> 10;
+    const uint32_t b = (c.b * 249u + 1014u) >> 11;
+    return static_cast<uint16_t>(r << 11 | g << 5 | b);
+}
+
+constexpr Rgb8 unpack_rgb565(uint16_t v)
+{
+    const uint32_t r = v >> 11;
+    const uint32_t g = (v >> 5) & 63u;
+    const uint32_t b = v & 31u;
+    return {static_cast<uint8_t>(r << 3 | r >> 2), static_cast<uint8_t>(g << 2 | g >> 4),
+            static_cast<uint8_t>(b << 3 | b >> 2)};
+}
+
+}  // namespace lumi
