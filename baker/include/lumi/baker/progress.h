@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// How far a long computation is, and when it will end, judged by its recent pace.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <stdexcept>
+
+namespace lumi::baker
+{
+
+struct Progress {
+    uint64_t rays_done = 0;  // camera rays, i.e. whole light paths
+    uint64_t rays_total = 0;
+    double rays_per_second = 0;  // over the trailing window; 0 while unknown
+    double eta_seconds = -1;     // negative while unknown
+    double elapsed_seconds = 0;
+};
+
+// Called from the thread that started the work: once before the first ray, about ten times a second, once at the end.
+// Returning false cancels: the work throws Cancelled and leaves nothing behind.
+using ProgressCallback = std::function<bool(const Progress&)>;
+
+struct Cancelled : std::runtime_error {
+    Cancelled() : std::runtime_error("cancelled") {}
+};
+
+// Pace over a trailing window. Keeps no clock: the caller says what time it is, in seconds, never going backwards.
+class RateMeter
+{
+public:
+    explicit RateMeter(double window_seconds = 10.0) : window_seconds_(window_seconds) {}
+
+    void add(double now_seconds, uint64_t done);
+    // Units per second between the oldest and the newest report of the window; 0 before there are two.
+    double per_second() const;
+    // Seconds until `total` is reached at that pace; negative while the pace is 0.
+    double eta_seconds(uint64_t total) const;
+
+private:
+    struct Report {
+        double seconds;
+        uint64_t done;
+    };
+    double window_seconds_;
+    std::deque<Report> reports_;
+};
+
+}  // namespace lumi::baker
