@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""The demo scene: a desk clock of glossy plastic and brushed steel on a matte plinth, lit from below by its own glow ring.
+
+One unit is about 10 cm; the plinth stands on y = 0 and the dial looks towards +z, leaning back.
+"""
+import math
+
+import dial
+from mesh import Obj
+from shapes import arch, cushion, lathe, prism, profile, textured_disc, torus
+from transform import AXIS_TO_BACK, AXIS_TO_FRONT, AXIS_TO_RIGHT, lean_back, roll, translate
+
+SEGMENTS = 72
+
+PLINTH_RADIUS, PLINTH_HEIGHT = 0.74, 0.10
+GLOW_RADIUS, GLOW_TUBE = 0.285, 0.028
+BODY_HALF, BODY_HALF_DEPTH, BODY_EXPONENT = 0.60, 0.34, 4.5
+LEAN_DEGREES = 10
+BODY_CENTRE = translate(0, 0.83, 0)
+DIAL_RADIUS, DIAL_Z = 0.425, 0.315
+RIM_RADIUS = 0.47  # where the body's shell ends under the bezel, in front and behind
+TIME_HOURS, TIME_MINUTES, TIME_SECONDS = 10, 9, 36
+
+MATERIALS = """# SPDX-License-Identifier: MIT
+# Matte plinth.
+newmtl plinth
+Kd 0.78 0.76 0.72
+Pr 1
+
+# Glossy coral plastic.
+newmtl shell
+Kd 0.80 0.11 0.06
+Ks 0.05 0.05 0.05
+Ns 48
+Pr 0.2
+Pm 0
+
+# Brushed steel.
+newmtl steel
+Kd 0.72 0.72 0.74
+Ks 0.72 0.72 0.74
+Ns 20
+Pr 0.28
+Pm 1
+
+# Printed paper under no glass.
+newmtl dial
+Kd 1 1 1
+map_Kd product_dial.png
+
+# Dark lacquer of the hands.
+newmtl hands
+Kd 0.012 0.016 0.028
+Ks 0.05 0.05 0.05
+Ns 30
+Pr 0.25
+
+newmtl second_hand
+Kd 0.85 0.13 0.03
+
+# Black rubber of the foot and the rear panel.
+newmtl rubber
+Kd 0.025 0.025 0.028
+
+# Tan leather of the handle.
+newmtl leather
+Kd 0.42 0.20 0.085
+
+# The light of the foot.
+newmtl glow
+Kd 0 0 0
+Ke 0.25 3.2 3.6
+"""
+
+
+def _shell_stations(steps):
+    """Outlines from the rear rim over the widest place to the front rim; a circle at the rims, a rounded square between."""
+    stations = []
+    for k in range(steps + 1):
+        a = math.pi * (k / steps - 0.5)
+        c = math.cos(a) if 0 < k < steps else 0.0
+        bulge = c ** 0.8
+        size = RIM_RADIUS + (BODY_HALF - RIM_RADIUS) * bulge
+        z = BODY_HALF_DEPTH * math.copysign(abs(math.sin(a)) ** 0.8, math.sin(a))
+        stations.append((size, z, 2 + (BODY_EXPONENT - 2) * bulge))
+    return stations
+
+
+def _hand(length, tail, half_width, tip_half_width):
+    """Outline of a tapered hand that points to 12, clockwise."""
+    return [(-half_width, -tail), (-tip_half_width, length), (tip_half_width, length), (half_width, -tail)]
+
+
+def _plinth(obj):
+    obj.part("plinth", "plinth")
+    outline = [(0, 0, 0), (PLINTH_RADIUS - 0.03, 0, 0.015), (PLINTH_RADIUS, PLINTH_HEIGHT, 0.035), (0, PLINTH_HEIGHT, 0)]
+    obj.grids(lathe(profile(outline), SEGMENTS))
+
+
+def _foot(obj):
+    obj.part("foot", "rubber")
+    top = PLINTH_HEIGHT
+    obj.grids(lathe(profile([(0.24, top, 0), (0.24, top + 0.03, 0.01), (0.17, top + 0.05, 0.02), (0.17, top + 0.2, 0)]),
+                    SEGMENTS // 2))
+    obj.part("glow_ring", "glow")
+    obj.grids(torus(GLOW_RADIUS, GLOW_TUBE, SEGMENTS // 2, 10), translate(0, PLINTH_HEIGHT + GLOW_TUBE, 0))
+
+
+def _shell(obj, place):
+    obj.part("shell", "shell")
+    obj.grids(cushion(_shell_stations(32), 96), place)
+
+
+def _front(obj, place):
+    front = AXIS_TO_FRONT.then(place)
+    obj.part("bezel", "steel")
+    ring = [(0.50, 0.31, 0), (0.50, 0.375, 0.02), (0.455, 0.395, 0.012), (0.43, 0.34, 0.004), (0.415, 0.31, 0)]
+    obj.grids(lathe(profile(ring), SEGMENTS), front)
+    obj.part("dial", "dial")
+    obj.grids(textured_disc(DIAL_RADIUS, SEGMENTS // 2, 2), translate(0, 0, DIAL_Z).then(place))
+    _hands(obj, place)
+
+
+def _hands(obj, place):
+    minutes = TIME_MINUTES + TIME_SECONDS / 60
+    hours = TIME_HOURS + minutes / 60
+    hands = (("hour_hand", "hands", _hand(0.235, 0.06, 0.024, 0.016), 0.330, 0.342, hours * 30),
+             ("minute_hand", "hands", _hand(0.345, 0.07, 0.018, 0.011), 0.348, 0.358, minutes * 6),
+             ("second_hand", "second_hand", _hand(0.37, 0.11, 0.008, 0.006), 0.363, 0.369, TIME_SECONDS * 6))
+    for name, material, outline, z0, z1, degrees in hands:
+        obj.part(name, material)
+        for face in prism(outline, z0, z1):
+            obj.face(face, roll(degrees).then(place))
+    obj.part("hand_cap", "steel")
+    obj.grids(lathe(profile([(0.03, DIAL_Z, 0), (0.03, 0.378, 0.012), (0, 0.382, 0)]), 24), AXIS_TO_FRONT.then(place))
+
+
+def _back(obj, place):
+    """A rubber panel inside a steel ring, with concentric steel ribs over the loudspeaker."""
+    back = AXIS_TO_BACK.then(place)
+    obj.part("rear_ring", "steel")
+    obj.grids(lathe(profile([(0.50, 0.31, 0), (0.50, 0.36, 0.02), (0.44, 0.36, 0.02), (0.43, 0.30, 0)]), SEGMENTS), back)
+    obj.part("rear_panel", "rubber")
+    obj.grids(lathe(profile([(0.44, 0.315, 0), (0, 0.315, 0)]), SEGMENTS // 2), back)
+    obj.part("rear_ribs", "steel")
+    for radius in (0.11, 0.20, 0.29, 0.38):
+        rib = [(radius + 0.022, 0.31, 0), (radius + 0.022, 0.345, 0.012), (radius - 0.022, 0.345, 0.012),
+               (radius - 0.022, 0.31, 0)]
+        obj.grids(lathe(profile(rib), SEGMENTS // 2), back)
+    obj.grids(lathe(profile([(0.045, 0.31, 0), (0.045, 0.345, 0.015), (0, 0.352, 0)]), 24), back)
+
+
+def _handle(obj, place):
+    obj.part("handle", "leather")
+    obj.grids(arch(0.33, 0.20, 2.6, (0.022, 0.085), 32, 24), translate(0, BODY_HALF - 0.05, 0).then(place))
+    obj.part("crowns", "steel")
+    crown = profile([(0.035, 0, 0), (0.035, 0.05, 0), (0.075, 0.05, 0.008), (0.075, 0.115, 0.02), (0, 0.12, 0)])
+    obj.grids(lathe(crown, 32), AXIS_TO_RIGHT.then(translate(BODY_HALF - 0.02, 0, 0)).then(place))
+
+
+def files():
+    obj = Obj("Desk clock: the demo scene", "product.mtl")
+    body = lean_back(LEAN_DEGREES).then(BODY_CENTRE)
+    _plinth(obj)
+    _foot(obj)
+    _shell(obj, body)
+    _front(obj, body)
+    _back(obj, body)
+    _handle(obj, body)
+    return {"product.obj": obj, "product.mtl": MATERIALS, "product_dial.png": dial.texture()}
