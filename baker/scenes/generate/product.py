@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The demo scene: a desk clock of glossy plastic and brushed steel on a matte plinth, lit from below by its own glow ring.
+"""The demo scene: a desk clock of glossy plastic and brushed steel on a satin plinth, lit from below by its own glow ring.
 
 One unit is about 10 cm; the plinth stands on y = 0 and the dial looks towards +z, leaning back.
 """
@@ -15,25 +15,27 @@ SEGMENTS = 72
 PLINTH_RADIUS, PLINTH_HEIGHT = 0.74, 0.10
 GLOW_RADIUS, GLOW_TUBE = 0.285, 0.028
 BODY_HALF, BODY_HALF_DEPTH, BODY_EXPONENT = 0.60, 0.34, 4.5
+TRIM_HALF_WIDTH, TRIM_HEIGHT = 0.03, 0.007
 LEAN_DEGREES = 10
-BODY_CENTRE = translate(0, 0.83, 0)
+BODY_CENTRE = translate(0, 0.86, 0)
 DIAL_RADIUS, DIAL_Z = 0.425, 0.315
 RIM_RADIUS = 0.47  # where the body's shell ends under the bezel, in front and behind
 TIME_HOURS, TIME_MINUTES, TIME_SECONDS = 10, 9, 36
 
 MATERIALS = """# SPDX-License-Identifier: MIT
-# Matte plinth.
+# Satin plinth.
 newmtl plinth
-Kd 0.78 0.76 0.72
-Pr 1
+Kd 0.40 0.39 0.375
+Ks 0.04 0.04 0.04
+Ns 20
+Pr 0.3
 
-# Glossy coral plastic.
+# Glossy red plastic.
 newmtl shell
-Kd 0.80 0.11 0.06
+Kd 0.42 0.022 0.012
 Ks 0.05 0.05 0.05
-Ns 48
-Pr 0.2
-Pm 0
+Ns 90
+Pr 0.15
 
 # Brushed steel.
 newmtl steel
@@ -45,7 +47,7 @@ Pm 1
 
 # Printed paper under no glass.
 newmtl dial
-Kd 1 1 1
+Kd 0.85 0.85 0.85
 map_Kd product_dial.png
 
 # Dark lacquer of the hands.
@@ -64,12 +66,12 @@ Kd 0.025 0.025 0.028
 
 # Tan leather of the handle.
 newmtl leather
-Kd 0.42 0.20 0.085
+Kd 0.32 0.15 0.06
 
 # The light of the foot.
 newmtl glow
 Kd 0 0 0
-Ke 0.25 3.2 3.6
+Ke 0.3 4.2 4.8
 """
 
 
@@ -109,6 +111,11 @@ def _foot(obj):
 def _shell(obj, place):
     obj.part("shell", "shell")
     obj.grids(cushion(_shell_stations(32), 96), place)
+    obj.part("trim", "steel")
+    proud = BODY_HALF + TRIM_HEIGHT
+    band = [(BODY_HALF, -TRIM_HALF_WIDTH), (proud, -TRIM_HALF_WIDTH + TRIM_HEIGHT), (proud, TRIM_HALF_WIDTH - TRIM_HEIGHT),
+            (BODY_HALF, TRIM_HALF_WIDTH)]
+    obj.grids(cushion([(size, z, BODY_EXPONENT) for size, z in band], 96), place)
 
 
 def _front(obj, place):

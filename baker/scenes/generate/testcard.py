@@ -29,7 +29,7 @@ Ns 200
 Pr 0.08
 
 newmtl white
-Kd 0.9 0.9 0.9
+Kd 0.8 0.8 0.8
 
 newmtl mirror
 Kd 0.95 0.95 0.95
@@ -46,13 +46,13 @@ Pr 0.2
 Pm 1
 
 newmtl red
-Kd 0.9 0 0
+Kd 0.6 0 0
 
 newmtl green
-Kd 0 0.9 0
+Kd 0 0.6 0
 
 newmtl blue
-Kd 0 0 0.9
+Kd 0 0 0.6
 """
 
 BALLS = ("black", "red", "mirror", "green", "white", "blue", "black_gloss", "gold")
