@@ -2,28 +2,29 @@
 // Perspective cameras around the unit sphere, in integers.
 //
 // Frame: the sphere is centred at the origin with radius 1; z is up (the lattice's north pole). Lengths are in units of
-// the radius. Camera axes are right-handed: right × up = -forward... pixels count right (x) and down (y), pixel centres
-// lie at +1/2. The field of view spans the LONGER side of the image.
+// the radius. Axes: right = forward × up. Pixels count to the right (x) and down (y); their centres lie at +1/2. The
+// field of view spans the LONGER side of the image.
 #pragma once
 
 #include "lumi/fixed.h"
 
-namespace lumi {
+namespace lumi
+{
 
-enum class [[nodiscard]] CameraError : uint8_t {
+enum class [[nodiscard]] CameraError : uint8_t{
     none = 0,
     eye_inside_sphere,     // |eye| < 1: a field holds no radiance inside its sphere
     eye_too_far,           // |eye| > kMaxEyeDistance
     field_of_view_range,   // outside kMinFov .. kMaxFov
-    image_size_range,      // a side is < 1 or > kMaxImageSide
+    image_size_range,      // a side is < 1 or > kMaxImageSide, or the shift is more than a side
     axes_not_orthonormal,  // right, up, forward differ from an orthonormal basis by more than 2^-12
 };
 
 const char* describe(CameraError error);
 
 inline constexpr int32_t kMaxEyeDistanceQ20 = 2047 * kOneQ20;
-inline constexpr uint32_t kMinFovTurns32 = 0x00B60B61;  // 1 degree
-inline constexpr uint32_t kMaxFovTurns32 = 0x55555556;  // 120 degrees
+inline constexpr uint32_t kMinFovTurns32 = 11930464;    // 1 degree
+inline constexpr uint32_t kMaxFovTurns32 = 1431655766;  // 120 degrees
 inline constexpr int32_t kMaxImageSide = 8192;
 
 // Where the eye is and how it is turned. right, up, forward are orthonormal; forward points into the scene.
@@ -44,21 +45,30 @@ struct Image {
 // azimuth 0 looks from +x, a quarter turn from +y; elevation from -1/4 to 1/4 turn (as a signed fraction).
 Pose orbit(uint32_t azimuth_turns32, int32_t elevation_turns32, int32_t distance_q20);
 
-// The same pose moved by `offset` along its own right axis: a stereo pair is moved_right(p, -d/2), moved_right(p, +d/2),
-// with parallel axes as a head-mounted display needs.
+// The same pose moved by `offset` along its own right axis: a stereo pair is moved_right(p, -d/2), moved_right(p,
+// +d/2), with parallel axes as a head-mounted display needs.
 Pose moved_right(const Pose& pose, int32_t offset_q20);
 
-// What the renderer needs of a camera. Every quantity is scaled by one positive factor so that a pixel's viewing vector D
-// is at most 1 long. With ê the unit vector towards the eye, e its distance, m = -ê·D and P = e·(D + m·ê), the ray hits
-// the sphere where |P|² + s² = q with q = m² + |P|²/e² and s² = m² - (1 - 1/e²)|P|², at
+// A quantity that is affine in the pixel, Q40.
+struct AffineQ40 {
+    int64_t at_origin;  // at the centre of pixel (0, 0)
+    int64_t step_x, step_y;
+
+    int64_t at(int32_t x, int32_t y) const { return at_origin + x * step_x + y * step_y; }
+};
+
+// What the renderer needs of a camera. Every quantity is scaled by one positive factor so that a pixel's viewing vector
+// D is at most 1 long. With ê the unit vector towards the eye, e its distance, m = -ê·D and P = e·(D + m·ê), the ray
+// hits the sphere where |P|² + s² = q with q = m² + |P|²/e² and s² = m² - (1 - 1/e²)|P|², at
 //     h = ê·(|P|²/e ± s·m)/q + P·(m ∓ s/e)/q      (upper sign: front, lower sign: back).
-// No difference of large numbers appears, from an eye on the sphere (e = 1) to one at infinity. m and P are affine in the pixel.
+// No difference of large numbers appears, from an eye on the sphere (e = 1) to one at infinity. m and P are affine in
+// the pixel.
 struct Camera {
-    Vec3q30 eye_direction;           // ê
-    int32_t inverse_distance_q30;    // 1/e in (0, 1]
-    int32_t perpendicular_q30;       // 1 - 1/e² in [0, 1)
-    int32_t facing_q30[3];           // m at the centre of pixel (0,0), and its steps in x and y
-    int64_t offset_q30[3][3];        // P (x, y, z) likewise: [0] at pixel (0,0), [1] step in x, [2] step in y
+    Vec3q30 eye_direction;         // ê
+    int32_t inverse_distance_q30;  // 1/e in (0, 1]
+    int32_t perpendicular_q30;     // 1 - 1/e² in [0, 1)
+    AffineQ40 facing;              // m
+    AffineQ40 offset[3];           // P (x, y, z)
     int32_t width_px, height_px;
 };
 

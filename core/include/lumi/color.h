@@ -4,7 +4,8 @@
 
 #include <cstdint>
 
-namespace lumi {
+namespace lumi
+{
 
 struct Rgb8 {
     uint8_t r, g, b;

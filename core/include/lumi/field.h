@@ -12,9 +12,10 @@
 #include "lumi/field_format.h"
 #include "lumi/lattice.h"
 
-namespace lumi {
+namespace lumi
+{
 
-enum class [[nodiscard]] FieldError : uint8_t {
+enum class [[nodiscard]] FieldError : uint8_t{
     none = 0,
     truncated,            // fewer bytes than the header says, or than a header takes
     trailing_bytes,       // more bytes than the header says
@@ -29,15 +30,15 @@ enum class [[nodiscard]] FieldError : uint8_t {
     missing_layout,
     missing_texels,
     missing_palette,
-    bad_layout,           // the layout section has the wrong size or its reserved bytes are not zero
-    bad_lattice_size,     // M or N is 0 or above kMaxLatticeSize, or the used origins are not in 1 .. M
+    bad_layout,        // the layout section has the wrong size or its reserved bytes are not zero
+    bad_lattice_size,  // M or N is 0 or above kMaxLatticeSize, or the used origins are not in 1 .. M
     bad_texel_format,
     bad_colour_space,
-    bad_row_stride,       // shorter than a row, or a power of two
-    bad_bounds,           // the sphere's centre is not finite, or its radius not finite and positive
-    bad_texel_size,       // the texel section is not used_origins × row_stride bytes
-    bad_palette,          // the palette section has the wrong size
-    section_crc,          // verify_field only: a section's bytes are damaged
+    bad_row_stride,  // shorter than a row, or a power of two
+    bad_bounds,      // the sphere's centre is not finite, or its radius not finite and positive
+    bad_texel_size,  // the texel section is not used_origins × row_stride bytes
+    bad_palette,     // the palette section has the wrong size, or an entry that is not premultiplied
+    section_crc,     // verify_field only: a section's bytes are damaged
 };
 
 // One short English phrase per error, for logs. Linked only if called.

@@ -6,14 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace lumi::format {
+namespace lumi::format
+{
 
 inline constexpr uint8_t kMagic[8] = {0x89, 'L', 'U', 'M', 'I', 0x0D, 0x0A, 0x1A};
 inline constexpr uint16_t kVersion = 1;
 
 // File header: kHeaderBytes bytes, then section_count entries of kEntryBytes each, then the sections.
 inline constexpr uint32_t kHeaderBytes = 32;
-namespace header {
+namespace header
+{
 inline constexpr uint32_t kMagicAt = 0;          // 8 bytes
 inline constexpr uint32_t kVersionAt = 8;        // u16
 inline constexpr uint32_t kHeaderBytesAt = 10;   // u16, = kHeaderBytes
@@ -27,7 +29,8 @@ inline constexpr uint32_t kHeaderCrcAt = 28;     // u32, CRC-32 of bytes 0 .. 27
 
 inline constexpr uint32_t kEntryBytes = 20;
 inline constexpr uint32_t kMaxSections = 64;
-namespace entry {
+namespace entry
+{
 inline constexpr uint32_t kTypeAt = 0;    // u32, four characters
 inline constexpr uint32_t kFlagsAt = 4;   // u32, kRequired or 0; other bits must be 0
 inline constexpr uint32_t kOffsetAt = 8;  // u32, from the start of the file, a multiple of kSectionAlignment
@@ -48,16 +51,17 @@ inline constexpr uint32_t kTexelSection = four_cc('T', 'E', 'X', 'L');    // req
 inline constexpr uint32_t kPaletteSection = four_cc('P', 'A', 'L', 'T');  // required with palette8, kPaletteBytes
 
 inline constexpr uint32_t kLayoutBytes = 36;
-namespace layout {
-inline constexpr uint32_t kOriginsAt = 0;      // u32, M: points of the origin lattice, 1 .. kMaxLatticeSize
-inline constexpr uint32_t kDirectionsAt = 4;   // u32, N: points of the direction lattice, 1 .. kMaxLatticeSize
-inline constexpr uint32_t kUsedOriginsAt = 8;  // u32, rows present: origins 0 .. used-1, a cap around +z; 1 .. M
-inline constexpr uint32_t kRowStrideAt = 12;   // u32, bytes from row to row, see padded_row_stride
-inline constexpr uint32_t kTexelFormatAt = 16; // u8, TexelFormat
-inline constexpr uint32_t kColourSpaceAt = 17; // u8, ColourSpace
-inline constexpr uint32_t kReservedAt = 18;    // u16, 0
-inline constexpr uint32_t kCentreAt = 20;      // 3 × IEEE binary32: the sphere's centre, scene units, scene axes
-inline constexpr uint32_t kRadiusAt = 32;      // IEEE binary32 > 0: the sphere's radius, scene units
+namespace layout
+{
+inline constexpr uint32_t kOriginsAt = 0;       // u32, M: points of the origin lattice, 1 .. kMaxLatticeSize
+inline constexpr uint32_t kDirectionsAt = 4;    // u32, N: points of the direction lattice, 1 .. kMaxLatticeSize
+inline constexpr uint32_t kUsedOriginsAt = 8;   // u32, rows present: origins 0 .. used-1, a cap around +z; 1 .. M
+inline constexpr uint32_t kRowStrideAt = 12;    // u32, bytes from row to row, see padded_row_stride
+inline constexpr uint32_t kTexelFormatAt = 16;  // u8, TexelFormat
+inline constexpr uint32_t kColourSpaceAt = 17;  // u8, ColourSpace
+inline constexpr uint32_t kReservedAt = 18;     // u16, 0
+inline constexpr uint32_t kCentreAt = 20;       // 3 × IEEE binary32: the sphere's centre, scene units, scene axes
+inline constexpr uint32_t kRadiusAt = 32;       // IEEE binary32 > 0: the sphere's radius, scene units
 }  // namespace layout
 
 enum class TexelFormat : uint8_t { rgb888 = 0, rgb565 = 1, palette8 = 2, luma8 = 3 };

@@ -8,7 +8,8 @@
 
 #include <cstdint>
 
-namespace lumi {
+namespace lumi
+{
 
 inline constexpr int32_t kOneQ30 = int32_t{1} << 30;
 inline constexpr int32_t kOneQ20 = int32_t{1} << 20;

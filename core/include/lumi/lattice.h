@@ -10,14 +10,16 @@
 
 #include "lumi/fixed.h"
 
-namespace lumi {
+namespace lumi
+{
 
 inline constexpr uint32_t kMaxLatticeSize = uint32_t{1} << 20;
-inline constexpr int kMaxNeighbours = 9;
+inline constexpr uint32_t kMaxNeighbours = 9;
 
 // The constants of a point set of `size` points; 1 <= size <= kMaxLatticeSize (asserted by the caller).
 // Construction divides once; everything else is free of division.
-class Lattice {
+class Lattice
+{
 public:
     Lattice() : Lattice(1) {}
     explicit Lattice(uint32_t size);
@@ -28,13 +30,13 @@ public:
     int32_t height_q30(uint32_t i) const;
     // The real-valued index t = n(1-z)/2 - 1/2 at height z, Q10; the inverse of height_q30. In [-1/2, n-1/2].
     int32_t index_at_q10(int32_t z_q30) const;
-    // The square of the mean point spacing, 4π/n, as raw·2^-exponent() of the distances in Neighbour: see there.
+    // The square of the mean point spacing, 4π/n (the area of a point), in the units of Neighbour. In [2^22, 2^24].
     uint32_t spacing2() const { return spacing2_; }
     int distance_shift() const { return distance_shift_; }
 
 private:
     uint32_t size_;
-    uint64_t step_q62_;  // 1/n
+    uint64_t reciprocal_q62_;  // 1/n
     uint32_t spacing2_;
     int distance_shift_;
 };
@@ -46,7 +48,7 @@ uint32_t longitude_turns32(uint32_t i);
 Vec3q30 point(const Lattice& lattice, uint32_t i);
 
 // A lattice point near a query. `distance2` is the squared chord length in units of (2^(shift-30))², with
-// shift = lattice.distance_shift(), so that the mean spacing is between 2^11 and 2^13 units for every n.
+// shift = lattice.distance_shift(), chosen so that the mean spacing is between 2^11 and 2^12 units for every n.
 struct Neighbour {
     uint32_t index;
     uint32_t distance2;
@@ -54,14 +56,18 @@ struct Neighbour {
 
 // The `count` points nearest to the unit vector `direction`, nearest first, by true distance in space; ties by
 // scan order. Returns how many were written: min(count, n). 1 <= count <= kMaxNeighbours. Constant time.
-int neighbours(const Lattice& lattice, const Vec3q30& direction, int count, Neighbour* out);
+uint32_t neighbours(const Lattice& lattice, const Vec3q30& direction, uint32_t count, Neighbour* out);
 
 // The nearest point alone.
 uint32_t nearest(const Lattice& lattice, const Vec3q30& direction);
 
-// The corners of a triangle of the lattice around a direction, with barycentric weights in Q12 that sum to 4096.
-// Corners may repeat, with weight zero, where n < 3.
+// The paper's kernel: weights that fall from 1 at the query to 0 at the mean spacing, R·⁴√5·√(4π/(√5·n)) = R·√(4π/n),
+// as (1 - d²/r²)². Normalised to kWeightOneQ12, the nearest takes what rounding leaves. 1 <= count <= kMaxNeighbours.
 inline constexpr uint32_t kWeightOneQ12 = 4096;
+void kernel_weights(const Lattice& lattice, const Neighbour* near, uint32_t count, uint32_t* weight_q12);
+
+// The corners of the lattice triangle around a direction, with barycentric weights that sum to kWeightOneQ12. Below 64
+// points there is no lattice to speak of: the nearest three by kernel weights, where n < 3 with repeats of weight zero.
 struct Triangle {
     uint32_t index[3];
     uint32_t weight_q12[3];

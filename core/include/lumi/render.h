@@ -18,9 +18,10 @@
 #include "lumi/sphere.h"
 #include "lumi/texel.h"
 
-namespace lumi {
+namespace lumi
+{
 
-enum class [[nodiscard]] RenderError : uint8_t {
+enum class [[nodiscard]] RenderError : uint8_t{
     none = 0,
     wrong_texel_format,  // the field holds another texel format than the policy
 };
@@ -33,9 +34,43 @@ struct Stripe {
     uint32_t stride_bytes;
 };
 
-// Draws every pixel of the stripe: over a constant colour the whole stripe is written, over the stripe's own content
-// only covered pixels are.
+// Draws one row of covered pixels, every pixel evaluated exactly. `pixels` is where pixel span.begin lies. Spans that
+// step between exact pixels take this function's place.
 template <class Reconstruction, class Texel, class Pixel, class Background>
-RenderError render(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe);
+void draw_exact(const Field& field, const Camera& camera, const Background& background, const RowSpan& span, int32_t y,
+                uint8_t* pixels)
+{
+    for (int32_t x = span.begin; x < span.end; ++x, pixels += Pixel::kBytes) {
+        SphereRay ray;
+        if (!ray_at(camera, x, y, ray))
+            continue;
+        const SphereHits hit = hits(camera, ray);
+        const Gathered sums = gather<Reconstruction, Texel>(field, hit.front, hit.back);
+        Pixel::store(pixels, sums.over(background.template under<Pixel>(pixels)));
+    }
+}
+
+// Draws every pixel of the stripe. Over a constant colour the whole stripe is written; over the stripe's own content
+// only pixels that the sphere covers are touched.
+template <class Reconstruction, class Texel, class Pixel, class Background>
+RenderError render(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe)
+{
+    if (field.texel_format != Texel::kFormat)
+        return RenderError::wrong_texel_format;
+    for (int32_t row = 0; row < stripe.height_px; ++row) {
+        uint8_t* pixels = stripe.pixels + static_cast<size_t>(row) * stripe.stride_bytes;
+        if (Background::kFills) {
+            for (int32_t x = 0; x < stripe.width_px; ++x) {
+                Pixel::store(pixels + static_cast<uint32_t>(x) * Pixel::kBytes,
+                             background.template under<Pixel>(nullptr));
+            }
+        }
+        const int32_t y = stripe.y_px + row;
+        const RowSpan span = covered_span(camera, y, stripe.x_px, stripe.x_px + stripe.width_px);
+        uint8_t* first = pixels + static_cast<uint32_t>(span.begin - stripe.x_px) * Pixel::kBytes;
+        draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, span, y, first);
+    }
+    return RenderError::none;
+}
 
 }  // namespace lumi

@@ -9,7 +9,8 @@
 #include "lumi/color.h"
 #include "lumi/field.h"
 
-namespace lumi {
+namespace lumi
+{
 
 struct TexelRgb888 {
     static constexpr format::TexelFormat kFormat = format::TexelFormat::rgb888;

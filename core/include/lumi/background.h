@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What lies behind the object: a constant colour, or what the stripe already holds.
+//
+// A background policy has `kFills` (are uncovered pixels written?) and `under<Pixel>(pointer)`, the colour to blend
+// with.
+#pragma once
+
+#include "lumi/color.h"
+
+namespace lumi
+{
+
+struct OverColour {
+    static constexpr bool kFills = true;
+    Rgb8 colour;
+
+    template <class Pixel>
+    Rgb8 under(const uint8_t*) const
+    {
+        return colour;
+    }
+};
+
+struct OverStripe {
+    static constexpr bool kFills = false;
+
+    template <class Pixel>
+    Rgb8 under(const uint8_t* pixel) const
+    {
+        return Pixel::load(pixel);
+    }
+};
+
+}  // namespace lumi

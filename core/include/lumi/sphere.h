@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Rasterizes the unit sphere: which pixels of a row a camera's sphere covers, and where a pixel's ray enters and
+// leaves.
+#pragma once
+
+#include "lumi/camera.h"
+
+namespace lumi
+{
+
+// The tangent rule: a ray is discarded whose half chord is shorter than 1/64 of the radius. It crosses only a sliver of
+// the sphere's rim (the disc shrinks by 0.012 %), and what is left keeps sqrt(s²) well conditioned.
+inline constexpr int kTangentShift = 12;  // s² >= q / 2^12
+
+// A pixel's ray that hits the sphere; the quantities of camera.h. All at most 1.
+struct SphereRay {
+    int32_t facing_q30;        // m > 0
+    Vec3q30 offset;            // P
+    int32_t offset2_q30;       // |P|²
+    uint64_t half_chord2_q60;  // s²
+};
+
+// The ray through the centre of pixel (x, y); false if it misses the sphere, is tangential or the sphere lies behind.
+bool ray_at(const Camera& camera, int32_t x, int32_t y, SphereRay& out);
+
+// Where a ray enters (front) and leaves (back) the sphere: unit vectors, error below 2^-25.
+struct SphereHits {
+    Vec3q30 front, back;
+};
+SphereHits hits(const Camera& camera, const SphereRay& ray);
+
+// The pixels [begin, end) of a row whose rays hit the sphere, within [x_begin, x_end): exact, as ray_at decides. The
+// sphere's outline is convex, so they are one span. Empty: begin == end.
+struct RowSpan {
+    int32_t begin, end;
+};
+RowSpan covered_span(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end);
+
+}  // namespace lumi

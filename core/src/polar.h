@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The lattice around a pole, where longitude and height stop being usable coordinates.
+//
+// Under Lambert's azimuthal equal-area projection, scaled so that a point covers an area of π, point i of *every*
+// Spherical Fibonacci set lies at radius sqrt(i + 1/2) and longitude i/Φ: one planar pattern for all n. Its Delaunay
+// triangles are therefore constants. tests/core/polar_test.cpp recomputes them by brute force.
+#pragma once
+
+#include <cstdint>
+
+namespace lumi::polar
+{
+
+// Triangles cover the disc of radius sqrt(kCapHeight + 1/2): all directions whose real-valued index is below
+// kCapHeight.
+inline constexpr int32_t kCapHeight = 8;
+inline constexpr uint32_t kPoints = 23;
+inline constexpr int kTriangles = 29;
+
+struct PlanePoint {
+    int16_t x_q12, y_q12;
+};
+
+// Point i < kPoints of the pattern.
+PlanePoint plane_point(uint32_t i);
+
+// Corners of triangle k < kTriangles, counter-clockwise.
+const uint8_t* corners(int k);
+
+}  // namespace lumi::polar

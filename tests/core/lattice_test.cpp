@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/lattice.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "reference.h"
+#include "report.h"
+
+using namespace lumi;
+using reference::Vec3;
+
+namespace {
+
+// Distances of two lattice points may differ by this share of the mean spacing before the wrong one is called wrong:
+// distances are compared in units between 2^-12 and 2^-11 of it, and three squares round.
+constexpr double kTolerance = 1.0 / 512;
+
+// Directions over the sphere, dense at the poles, on the seam, at lattice points and between them.
+class Directions {
+public:
+    explicit Directions(uint32_t n) : n_(n), random_(n) {}
+
+    Vec3 next(uint32_t k)
+    {
+        switch (k % 6) {
+        case 0: return near_pole(1);
+        case 1: return near_pole(-1);
+        case 2: return on_seam();
+        case 3: return between_points();
+        default: return anywhere();
+        }
+    }
+
+private:
+    double uniform() { return std::generate_canonical<double, 32>(random_); }
+
+    static Vec3 at(double z, double turns)
+    {
+        const double radius = std::sqrt(std::fmax(0.0, 1 - z * z));
+        return {radius * std::cos(2 * reference::kPi * turns), radius * std::sin(2 * reference::kPi * turns), z};
+    }
+
+    Vec3 anywhere() { return at(2 * uniform() - 1, uniform()); }
+    Vec3 near_pole(double side) { return at(side * (1 - std::fmin(2.0, uniform() * 80 / n_)), uniform()); }
+    Vec3 on_seam() { return at(2 * uniform() - 1, (uniform() - 0.5) * 1e-8); }
+
+    Vec3 between_points()
+    {
+        const auto i = static_cast<uint32_t>(uniform() * n_);
+        const Vec3 a = reference::point(n_, i);
+        const Vec3 b = anywhere();
+        const Vec3 mixed = a + (reference::spacing(n_) * uniform()) * b;
+        return reference::length(mixed) > 0 ? reference::normalised(mixed) : a;
+    }
+
+    uint32_t n_;
+    std::mt19937 random_;
+};
+
+// How far the k-th found neighbour is beyond the k-th true one, as a share of the spacing; the largest over k.
+double excess(const Lattice& lattice, const std::vector<Vec3>& all, const Vec3q30& query, uint32_t count)
+{
+    const Vec3 q = reference::decoded(query);
+    std::vector<double> truth;
+    truth.reserve(all.size());
+    for (const Vec3& p : all) truth.push_back(reference::dot(p - q, p - q));
+    const uint32_t expected = std::min<uint32_t>(count, lattice.size());
+    std::partial_sort(truth.begin(), truth.begin() + expected, truth.end());
+
+    Neighbour found[kMaxNeighbours];
+    if (neighbours(lattice, query, count, found) != expected) return INFINITY;
+    double worst = 0;
+    for (uint32_t k = 0; k < expected; ++k) {
+        for (uint32_t m = 0; m < k; ++m) {
+            if (found[m].index == found[k].index) return INFINITY;
+        }
+        const double distance = reference::length(all[found[k].index] - q);
+        worst = std::max(worst, (distance - std::sqrt(truth[k])) / reference::spacing(lattice.size()));
+    }
+    return worst;
+}
+
+void sweep(uint32_t n, uint32_t queries, uint32_t count, Worst& worst)
+{
+    const Lattice lattice(n);
+    const std::vector<Vec3> all = reference::points(n);
+    Directions directions(n);
+    for (uint32_t k = 0; k < queries; ++k) {
+        const double e = excess(lattice, all, reference::encoded(directions.next(k)), count);
+        worst.see(e, uint64_t{n} * 1000000 + k);
+    }
+}
+
+#ifdef LUMI_TEST_LIGHT
+constexpr uint32_t kSmallSizes[] = {1, 2, 3, 4, 5, 7, 12, 63, 64, 65, 100, 300};
+constexpr uint32_t kLargeSizes[] = {1024};
+constexpr uint32_t kSmallQueries = 30;
+constexpr uint32_t kLargeQueries = 60;
+#else
+constexpr uint32_t kLargeSizes[] = {377, 500, 610, 1000, 1024, 2048, 4096, 10007, 24576, 65536, 131071, 262144, 1000003, 1u << 20};
+constexpr uint32_t kSmallQueries = 400;
+constexpr uint32_t kLargeQueries = 600;
+#endif
+
+template <class Visit>
+void for_sizes(Visit visit)
+{
+#ifdef LUMI_TEST_LIGHT
+    for (const uint32_t n : kSmallSizes) visit(n, kSmallQueries);
+#else
+    for (uint32_t n = 1; n <= 300; ++n) visit(n, kSmallQueries);
+#endif
+    for (const uint32_t n : kLargeSizes) visit(n, kLargeQueries);
+}
+
+}  // namespace
+
+TEST_CASE("points lie where the definition says, for every size", "[lattice]")
+{
+    Worst worst;
+    for_sizes([&](uint32_t n, uint32_t) {
+        const Lattice lattice(n);
+        const uint32_t step = std::max(1u, n / 20000);
+        for (uint32_t i = 0; i < n; i += step) {
+            worst.see(reference::length(reference::decoded(point(lattice, i)) - reference::point(n, i)), uint64_t{n} * 2000000 + i);
+        }
+    });
+    worst.report("point, distance from the definition");
+    CHECK(worst.error < std::ldexp(1.0, -22));
+}
+
+TEST_CASE("every point is its own nearest", "[lattice]")
+{
+    uint32_t wrong = 0;
+    for_sizes([&](uint32_t n, uint32_t) {
+        const Lattice lattice(n);
+        const uint32_t step = std::max(1u, n / 2000);
+        for (uint32_t i = 0; i < n; i += step) wrong += nearest(lattice, point(lattice, i)) != i;
+    });
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("the nearest 1 to 9 neighbours agree with brute force", "[lattice]")
+{
+    const uint32_t count = GENERATE(1u, 2u, 3u, 4u, 5u, 7u, 9u);
+    Worst worst;
+    for_sizes([&](uint32_t n, uint32_t queries) { sweep(n, queries, count, worst); });
+    worst.report(("neighbours, excess distance in spacings, count " + std::to_string(count)).c_str());
+    CHECK(worst.error < kTolerance);
+}
+
+TEST_CASE("kernel weights sum to one and fall with distance", "[lattice]")
+{
+    bool sums = true;
+    bool falls = true;
+    for_sizes([&](uint32_t n, uint32_t queries) {
+        const Lattice lattice(n);
+        Directions directions(n);
+        for (uint32_t k = 0; k < queries; ++k) {
+            Neighbour near[kMaxNeighbours];
+            uint32_t weight[kMaxNeighbours];
+            const uint32_t count = neighbours(lattice, reference::encoded(directions.next(k)), 1 + k % 9, near);
+            kernel_weights(lattice, near, count, weight);
+            uint32_t sum = 0;
+            for (uint32_t m = 0; m < count; ++m) sum += weight[m];
+            for (uint32_t m = 1; m < count; ++m) falls = falls && weight[m] <= weight[m - 1];
+            sums = sums && sum == kWeightOneQ12;
+        }
+    });
+    CHECK(sums);
+    CHECK(falls);
+}
+
+TEST_CASE("a triangle's corners surround the query and reproduce its position", "[lattice]")
+{
+    // A linear function is reproduced up to the curvature of the sphere over one triangle.
+    Worst worst;
+    for_sizes([&](uint32_t n, uint32_t queries) {
+        if (n < 64) return;
+        const Lattice lattice(n);
+        Directions directions(n);
+        for (uint32_t k = 0; k < queries; ++k) {
+            const Vec3 q = directions.next(k);
+            const Triangle t = triangle(lattice, reference::encoded(q));
+            uint32_t sum = 0;
+            Vec3 mean = {0, 0, 0};
+            for (int m = 0; m < 3; ++m) {
+                REQUIRE(t.index[m] < n);
+                sum += t.weight_q12[m];
+                mean = mean + (t.weight_q12[m] / 4096.0) * reference::point(n, t.index[m]);
+            }
+            REQUIRE(sum == kWeightOneQ12);
+            worst.see(reference::length(mean - q) / reference::spacing(n), uint64_t{n} * 1000000 + k);
+        }
+    });
+    worst.report("triangle, error of the reproduced position in spacings");
+    CHECK(worst.error < 0.25);
+}
