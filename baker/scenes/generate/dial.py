@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The clock's dial: hour batons, a minute track, and in the middle the points of a Fibonacci spiral, the project's lattice."""
+"""The clock's dial: hour batons, a minute track and a Fibonacci spiral, flat kin of the project's lattice."""
 import math
 
 import png

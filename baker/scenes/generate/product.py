@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The demo scene: a desk clock of glossy plastic and brushed steel on a satin plinth, lit from below by its own glow ring.
+"""The demo scene: a desk clock of glossy plastic and brushed steel on a satin plinth, with a glow ring under it.
 
 One unit is about 10 cm; the plinth stands on y = 0 and the dial looks towards +z, leaning back.
 """
@@ -76,7 +76,7 @@ Ke 0.3 4.2 4.8
 
 
 def _shell_stations(steps):
-    """Outlines from the rear rim over the widest place to the front rim; a circle at the rims, a rounded square between."""
+    """Outlines from the rear to the front rim: circles at the rims, a rounded square at the widest place."""
     stations = []
     for k in range(steps + 1):
         a = math.pi * (k / steps - 0.5)
@@ -95,8 +95,8 @@ def _hand(length, tail, half_width, tip_half_width):
 
 def _plinth(obj):
     obj.part("plinth", "plinth")
-    outline = [(0, 0, 0), (PLINTH_RADIUS - 0.03, 0, 0.015), (PLINTH_RADIUS, PLINTH_HEIGHT, 0.035), (0, PLINTH_HEIGHT, 0)]
-    obj.grids(lathe(profile(outline), SEGMENTS))
+    r, h = PLINTH_RADIUS, PLINTH_HEIGHT
+    obj.grids(lathe(profile([(0, 0, 0), (r - 0.03, 0, 0.015), (r, h, 0.035), (0, h, 0)]), SEGMENTS))
 
 
 def _foot(obj):
@@ -112,9 +112,8 @@ def _shell(obj, place):
     obj.part("shell", "shell")
     obj.grids(cushion(_shell_stations(32), 96), place)
     obj.part("trim", "steel")
-    proud = BODY_HALF + TRIM_HEIGHT
-    band = [(BODY_HALF, -TRIM_HALF_WIDTH), (proud, -TRIM_HALF_WIDTH + TRIM_HEIGHT), (proud, TRIM_HALF_WIDTH - TRIM_HEIGHT),
-            (BODY_HALF, TRIM_HALF_WIDTH)]
+    proud, flat = BODY_HALF + TRIM_HEIGHT, TRIM_HALF_WIDTH - TRIM_HEIGHT
+    band = [(BODY_HALF, -TRIM_HALF_WIDTH), (proud, -flat), (proud, flat), (BODY_HALF, TRIM_HALF_WIDTH)]
     obj.grids(cushion([(size, z, BODY_EXPONENT) for size, z in band], 96), place)
 
 
@@ -146,7 +145,8 @@ def _back(obj, place):
     """A rubber panel inside a steel ring, with concentric steel ribs over the loudspeaker."""
     back = AXIS_TO_BACK.then(place)
     obj.part("rear_ring", "steel")
-    obj.grids(lathe(profile([(0.50, 0.31, 0), (0.50, 0.36, 0.02), (0.44, 0.36, 0.02), (0.43, 0.30, 0)]), SEGMENTS), back)
+    ring = [(0.50, 0.31, 0), (0.50, 0.36, 0.02), (0.44, 0.36, 0.02), (0.43, 0.30, 0)]
+    obj.grids(lathe(profile(ring), SEGMENTS), back)
     obj.part("rear_panel", "rubber")
     obj.grids(lathe(profile([(0.44, 0.315, 0), (0, 0.315, 0)]), SEGMENTS // 2), back)
     obj.part("rear_ribs", "steel")

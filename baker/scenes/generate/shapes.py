@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Parametric shapes. Each returns grids (lists of rows of corners) or faces for `mesh.Obj`; y is the axis of revolution."""
+"""Parametric shapes as grids (lists of rows of corners) or faces for `mesh.Obj`; y is the axis of revolution."""
 import math
 
 from mesh import Corner, smoothed
@@ -92,7 +92,7 @@ def superellipse(exponent, c, s):
 
 
 def cushion(stations, around):
-    """A body about z through outlines (size, z, exponent): superellipses from circle (2) to rounded square (4 and up)."""
+    """A body about z through superelliptic outlines (size, z, exponent): 2 is a circle, 4 and up a rounded square."""
     points = []
     for size, z, exponent in stations:
         row = []
@@ -104,7 +104,7 @@ def cushion(stations, around):
 
 
 def arch(half_span, rise, exponent, section, steps, around):
-    """A band bent over the superelliptic arch from -x to +x; `section` holds its half thickness and half width (along z)."""
+    """A band bent over an arch from -x to +x; `section` holds its half thickness and its half width along z."""
     points = []
     for k in range(steps + 1):
         a = math.pi * k / steps
@@ -123,7 +123,7 @@ def arch(half_span, rise, exponent, section, steps, around):
 
 
 def prism(outline, z0, z1):
-    """Faces of the convex polygon `outline` (x, y; clockwise as seen from +z) extruded from z0 to z1, with flat normals."""
+    """Faces of a convex outline (x, y; clockwise as seen from +z) extruded from z0 to z1, with flat normals."""
     faces = [[Corner((x, y, z1), (0, 0, 1)) for x, y in outline], [Corner((x, y, z0), (0, 0, -1)) for x, y in outline]]
     for (x0, y0), (x1, y1) in zip(outline, outline[1:] + outline[:1]):
         length = math.hypot(x1 - x0, y1 - y0)
