@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// lumi_demo_firmware: draws a turn around the object in its field and reports, frame by frame over semihosting, the
+// picture's CRC, what drawing cost, and the picture itself when asked. See kDemoUsage.
+#include "demo_options.h"
+#include "field_source.h"
+#include "lumi/mps2/instruction_counter.h"
+#include "lumi/mps2/semihosting.h"
+#include "measured_frame.h"
+#include "ppm_file.h"
+#include "text_line.h"
+
+namespace lumi::firmware
+{
+namespace
+{
+
+constexpr int kUsageExitCode = 64;  // EX_USAGE of sysexits.h
+constexpr int kFailureExitCode = 1;
+
+constexpr int32_t kElevationTurns32 = 298261617;     // 25 degrees
+constexpr int32_t kDistanceQ20 = 5 * kOneQ20 / 2;    // 2.5 radii
+constexpr uint32_t kFieldOfViewTurns32 = 536870912;  // 45 degrees: the sphere nearly fills the picture
+constexpr int kFrameDigits = 3;
+
+int fail(const char* what, const char* why)
+{
+    TextLine line;
+    mps2::write(line.text("error: ").text(what).text(": ").text(why).text("\n").c_str());
+    return kFailureExitCode;
+}
+
+bool discard(void*, const uint8_t*, uint32_t)
+{
+    return true;
+}
+
+bool append_to_picture(void* picture, const uint8_t* pixels, uint32_t bytes)
+{
+    return static_cast<PpmFile*>(picture)->append_rgb565(pixels, bytes);
+}
+
+FrameReport draw_to_file(const Field& field, const Camera& camera, DrawStripe draw, const char* path)
+{
+    PpmFile picture(path, kFrameWidth, kFrameHeight);
+    return draw_measured_frame(field, camera, draw, {append_to_picture, &picture});
+}
+
+void write_report(uint32_t frame, const FrameReport& report)
+{
+    TextLine line;
+    line.text("frame ").decimal(frame, kFrameDigits).text(" crc ").hex32(report.crc);
+    line.text(" covered ").decimal(report.covered_px).text(" instructions ").decimal(report.instructions);
+    const uint64_t covered = report.covered_px != 0 ? report.covered_px : 1;
+    line.text(" per-covered ").decimal(report.instructions / covered);
+    mps2::write(line.text(" stack ").decimal(report.stack_bytes).text("\n").c_str());
+}
+
+int draw_one(const Field& field, const DemoOptions& options, uint32_t frame)
+{
+    const uint32_t azimuth_turns32 = static_cast<uint32_t>((uint64_t{frame} << 32) / options.frames);
+    Camera camera;
+    const CameraError error = make_camera(orbit(azimuth_turns32, kElevationTurns32, kDistanceQ20),
+                                          {kFrameWidth, kFrameHeight, kFieldOfViewTurns32}, camera);
+    if (error != CameraError::none) {
+        return fail("camera", describe(error));
+    }
+    const DrawStripe draw = choose_renderer(options.mode, field.texel_format);
+    FrameReport report;
+    if (options.write_prefix != nullptr) {
+        TextLine path;
+        path.text(options.write_prefix).text("-").decimal(frame, kFrameDigits).text(".ppm");
+        report = draw_to_file(field, camera, draw, path.c_str());
+    } else {
+        report = draw_measured_frame(field, camera, draw, {discard, nullptr});
+    }
+    write_report(frame, report);
+    return report.complete ? 0 : fail("frame", "not complete; can the picture's file be written?");
+}
+
+int run(const DemoOptions& options)
+{
+    const FieldBytes file = firmware_field();
+    Field field;
+    FieldError error = open_field(file.bytes, file.size, field);
+    if (error == FieldError::none && options.verify) {
+        error = verify_field(file.bytes, file.size);
+    }
+    if (error != FieldError::none) {
+        return fail("field", describe(error));
+    }
+    mps2::start_instruction_counter();
+    int code = 0;
+    for (uint32_t frame = 0; frame < options.frames && code == 0; ++frame) {
+        code = draw_one(field, options, frame);
+    }
+    return code;
+}
+
+}  // namespace
+}  // namespace lumi::firmware
+
+int main(int argc, char** argv)
+{
+    using namespace lumi::firmware;
+    DemoOptions options;
+    const char* wrong = parse(argc, argv, options);
+    if (wrong != nullptr) {
+        fail("option", wrong);
+        lumi::mps2::write(kDemoUsage);
+        return kUsageExitCode;
+    }
+    return run(options);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "field_source.h"
+
+// Of embedded_field.S.
+extern "C" const uint8_t lumi_field_start[];
+extern "C" const uint8_t lumi_field_end[];
+
+namespace lumi::firmware
+{
+
+FieldBytes firmware_field()
+{
+    return {lumi_field_start, static_cast<size_t>(lumi_field_end - lumi_field_start)};
+}
+
+}  // namespace lumi::firmware

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Writes the frame list for four fields that the loader put into PSRAM, kSlotBytes apart, in the order of TexelFormat.
+#include "frame_list.h"
+#include "lumi/mps2/loaded_field.h"
+#include "lumi/mps2/semihosting.h"
+
+namespace
+{
+
+constexpr uint32_t kSlotBytes = 1024 * 1024;
+
+}  // namespace
+
+int main(int, char**)
+{
+    lumi::firmware::FieldBytes fields[lumi::format::kTexelFormats];
+    for (uint32_t i = 0; i < lumi::format::kTexelFormats; ++i) {
+        const lumi::mps2::LoadedField field = lumi::mps2::loaded_field(i * kSlotBytes);
+        fields[i] = {field.bytes, field.size};
+    }
+    return lumi::firmware::write_frame_crcs(fields, lumi::mps2::write) ? 0 : 1;
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/mps2/semihosting.h"
+
+#include <cstring>
+
+namespace lumi::mps2
+{
+namespace
+{
+
+enum class Operation : uint32_t {
+    open = 0x01,
+    close = 0x02,
+    write_string = 0x04,
+    write = 0x05,
+    command_line = 0x15,
+    exit_extended = 0x20,
+};
+
+constexpr uint32_t kOpenBinaryWrite = 5;               // fopen's "wb"
+constexpr uint32_t kStoppedApplicationExit = 0x20026;  // ADP_Stopped_ApplicationExit
+
+// Operation in r0, address of its parameter block in r1, result in r0.
+int32_t call(Operation operation, const void* parameters)
+{
+    register uint32_t r0 __asm("r0") = static_cast<uint32_t>(operation);
+    register const void* r1 __asm("r1") = parameters;
+    __asm volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+    return static_cast<int32_t>(r0);
+}
+
+uint32_t address(const void* pointer)
+{
+    return reinterpret_cast<uint32_t>(pointer);
+}
+
+}  // namespace
+
+void write(const char* text)
+{
+    call(Operation::write_string, text);
+}
+
+bool command_line(char* buffer, size_t bytes)
+{
+    const uint32_t block[] = {address(buffer), bytes};
+    return call(Operation::command_line, block) == 0;
+}
+
+OutputFile::OutputFile(const char* path)
+{
+    const uint32_t block[] = {address(path), kOpenBinaryWrite, std::strlen(path)};
+    handle_ = call(Operation::open, block);
+    ok_ = handle_ >= 0;
+}
+
+OutputFile::~OutputFile()
+{
+    if (handle_ >= 0) {
+        const uint32_t block[] = {static_cast<uint32_t>(handle_)};
+        call(Operation::close, block);
+    }
+}
+
+bool OutputFile::write(const void* bytes, size_t count)
+{
+    const uint32_t block[] = {static_cast<uint32_t>(handle_), address(bytes), count};
+    ok_ = ok_ && call(Operation::write, block) == 0;  // the result is how many bytes were NOT written
+    return ok_;
+}
+
+void exit_with(int code)
+{
+    const uint32_t block[] = {kStoppedApplicationExit, static_cast<uint32_t>(code)};
+    for (;;) {
+        call(Operation::exit_extended, block);
+    }
+}
+
+}  // namespace lumi::mps2
