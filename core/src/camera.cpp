@@ -76,8 +76,7 @@ CameraError check_image(const Image& image)
 CameraError check_eye(const Vec3q20& eye, uint64_t& distance2_q40)
 {
     const auto too_far = [](int32_t c) { return c > kMaxEyeDistanceQ20 || c < -kMaxEyeDistanceQ20; };
-    if (too_far(eye.x) || too_far(eye.y) || too_far(eye.z))
-        return CameraError::eye_too_far;
+    if (too_far(eye.x) || too_far(eye.y) || too_far(eye.z)) return CameraError::eye_too_far;
     distance2_q40 = static_cast<uint64_t>(wide_product(eye.x, eye.x)) +
                     static_cast<uint64_t>(wide_product(eye.y, eye.y)) +
                     static_cast<uint64_t>(wide_product(eye.z, eye.z));
@@ -159,8 +158,7 @@ void set_view(const ViewVectors& view, Camera& camera)
     const SplitQ40 step_x = split(view.step_x, camera.eye_direction, distance_q20);
     const SplitQ40 step_y = split(view.step_y, camera.eye_direction, distance_q20);
     camera.facing = {first.facing, step_x.facing, step_y.facing};
-    for (int k = 0; k < 3; ++k)
-        camera.offset[k] = {first.offset[k], step_x.offset[k], step_y.offset[k]};
+    for (int k = 0; k < 3; ++k) camera.offset[k] = {first.offset[k], step_x.offset[k], step_y.offset[k]};
 }
 
 }  // namespace
@@ -188,12 +186,9 @@ Pose moved_right(const Pose& pose, int32_t offset_q20)
 CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
 {
     uint64_t distance2_q40 = 0;
-    if (const CameraError error = check_eye(pose.eye, distance2_q40); error != CameraError::none)
-        return error;
-    if (const CameraError error = check_image(image); error != CameraError::none)
-        return error;
-    if (!is_orthonormal(pose))
-        return CameraError::axes_not_orthonormal;
+    if (const CameraError error = check_eye(pose.eye, distance2_q40); error != CameraError::none) return error;
+    if (const CameraError error = check_image(image); error != CameraError::none) return error;
+    if (!is_orthonormal(pose)) return CameraError::axes_not_orthonormal;
     set_eye(pose.eye, distance2_q40, out);
     set_view(view_vectors(pose, image), out);
     out.width_px = image.width_px;

@@ -15,8 +15,7 @@ constexpr NibbleTable make_table()
     NibbleTable t{};
     for (uint32_t n = 0; n < 16; ++n) {
         uint32_t c = n;
-        for (int bit = 0; bit < 4; ++bit)
-            c = (c & 1) != 0 ? 0xEDB88320u ^ (c >> 1) : c >> 1;
+        for (int bit = 0; bit < 4; ++bit) c = (c & 1) != 0 ? 0xEDB88320u ^ (c >> 1) : c >> 1;
         t.entry[n] = c;
     }
     return t;

@@ -38,16 +38,12 @@ uint32_t section_count(const uint8_t* bytes)
 
 FieldError check_header(const uint8_t* bytes, size_t size)
 {
-    if (size < kHeaderBytes)
-        return FieldError::truncated;
+    if (size < kHeaderBytes) return FieldError::truncated;
     for (size_t i = 0; i < sizeof kMagic; ++i) {
-        if (bytes[i] != kMagic[i])
-            return FieldError::bad_magic;
+        if (bytes[i] != kMagic[i]) return FieldError::bad_magic;
     }
-    if (load_u32(bytes + header::kHeaderCrcAt) != crc32(0, bytes, header::kHeaderCrcAt))
-        return FieldError::header_crc;
-    if (load_u16(bytes + header::kVersionAt) != kVersion)
-        return FieldError::unsupported_version;
+    if (load_u32(bytes + header::kHeaderCrcAt) != crc32(0, bytes, header::kHeaderCrcAt)) return FieldError::header_crc;
+    if (load_u16(bytes + header::kVersionAt) != kVersion) return FieldError::unsupported_version;
     const uint32_t count = section_count(bytes);
     if (load_u16(bytes + header::kHeaderBytesAt) != kHeaderBytes ||
         load_u16(bytes + header::kEntryBytesAt) != kEntryBytes || count == 0 || count > kMaxSections ||
@@ -55,8 +51,7 @@ FieldError check_header(const uint8_t* bytes, size_t size)
         return FieldError::bad_header;
     }
     const uint32_t file_bytes = load_u32(bytes + header::kFileBytesAt);
-    if (size < file_bytes || size < kHeaderBytes + count * kEntryBytes)
-        return FieldError::truncated;
+    if (size < file_bytes || size < kHeaderBytes + count * kEntryBytes) return FieldError::truncated;
     return size > file_bytes ? FieldError::trailing_bytes : FieldError::none;
 }
 
@@ -73,8 +68,7 @@ bool is_known(uint32_t type)
 bool occurs_before(const uint8_t* bytes, uint32_t type, uint32_t end)
 {
     for (uint32_t i = 0; i < end; ++i) {
-        if (section_at(bytes, i).type == type)
-            return true;
+        if (section_at(bytes, i).type == type) return true;
     }
     return false;
 }
@@ -92,10 +86,8 @@ FieldError check_table(const uint8_t* bytes, uint32_t file_bytes)
             (s.flags & ~kRequired) != 0) {
             return FieldError::bad_section;
         }
-        if (!is_known(s.type) && (s.flags & kRequired) != 0)
-            return FieldError::unknown_required;
-        if (is_known(s.type) && occurs_before(bytes, s.type, i))
-            return FieldError::duplicate_section;
+        if (!is_known(s.type) && (s.flags & kRequired) != 0) return FieldError::unknown_required;
+        if (is_known(s.type) && occurs_before(bytes, s.type, i)) return FieldError::duplicate_section;
     }
     return FieldError::none;
 }
@@ -105,8 +97,7 @@ bool find_section(const uint8_t* bytes, uint32_t type, Section& out)
 {
     for (uint32_t i = 0; i < section_count(bytes); ++i) {
         out = section_at(bytes, i);
-        if (out.type == type)
-            return true;
+        if (out.type == type) return true;
     }
     return false;
 }
@@ -125,8 +116,7 @@ FieldError read_bounds(const uint8_t* layout, Field& out)
 {
     for (uint32_t k = 0; k < 3; ++k) {
         out.centre_bits[k] = load_u32(layout + layout::kCentreAt + 4 * k);
-        if (!is_finite(out.centre_bits[k]))
-            return FieldError::bad_bounds;
+        if (!is_finite(out.centre_bits[k])) return FieldError::bad_bounds;
     }
     out.radius_bits = load_u32(layout + layout::kRadiusAt);
     return is_finite(out.radius_bits) && is_positive(out.radius_bits) ? FieldError::none : FieldError::bad_bounds;
@@ -148,18 +138,14 @@ FieldError read_lattices(const uint8_t* layout, Field& out)
 
 FieldError read_layout(const uint8_t* layout, Field& out)
 {
-    if (load_u16(layout + layout::kReservedAt) != 0)
-        return FieldError::bad_layout;
+    if (load_u16(layout + layout::kReservedAt) != 0) return FieldError::bad_layout;
     const uint8_t texel_format = layout[layout::kTexelFormatAt];
     const uint8_t colour_space = layout[layout::kColourSpaceAt];
-    if (texel_format >= kTexelFormats)
-        return FieldError::bad_texel_format;
-    if (colour_space >= kColourSpaces)
-        return FieldError::bad_colour_space;
+    if (texel_format >= kTexelFormats) return FieldError::bad_texel_format;
+    if (colour_space >= kColourSpaces) return FieldError::bad_colour_space;
     out.texel_format = static_cast<TexelFormat>(texel_format);
     out.colour_space = static_cast<ColourSpace>(colour_space);
-    if (const FieldError error = read_lattices(layout, out); error != FieldError::none)
-        return error;
+    if (const FieldError error = read_lattices(layout, out); error != FieldError::none) return error;
     out.row_stride_bytes = load_u32(layout + layout::kRowStrideAt);
     if (out.row_stride_bytes < out.directions.size() * bytes_per_texel(out.texel_format) ||
         is_power_of_two(out.row_stride_bytes)) {
@@ -171,8 +157,7 @@ FieldError read_layout(const uint8_t* layout, Field& out)
 FieldError read_texels(const uint8_t* bytes, Field& out)
 {
     Section texels;
-    if (!find_section(bytes, kTexelSection, texels))
-        return FieldError::missing_texels;
+    if (!find_section(bytes, kTexelSection, texels)) return FieldError::missing_texels;
     if (static_cast<uint64_t>(out.used_origins) * out.row_stride_bytes != texels.size) {
         return FieldError::bad_texel_size;
     }
@@ -184,8 +169,7 @@ bool is_premultiplied(const uint8_t* palette)
 {
     for (uint32_t i = 0; i < kPaletteEntries; ++i) {
         const uint8_t* e = palette + 4 * i;
-        if (e[0] > e[3] || e[1] > e[3] || e[2] > e[3])
-            return false;
+        if (e[0] > e[3] || e[1] > e[3] || e[2] > e[3]) return false;
     }
     return true;
 }
@@ -194,14 +178,10 @@ FieldError read_palette(const uint8_t* bytes, Field& out)
 {
     Section palette;
     const bool present = find_section(bytes, kPaletteSection, palette);
-    if (present && palette.size != kPaletteBytes)
-        return FieldError::bad_palette;
-    if (!present && out.texel_format == TexelFormat::palette8)
-        return FieldError::missing_palette;
-    if (!present)
-        return FieldError::none;
-    if (!is_premultiplied(bytes + palette.offset))
-        return FieldError::bad_palette;
+    if (present && palette.size != kPaletteBytes) return FieldError::bad_palette;
+    if (!present && out.texel_format == TexelFormat::palette8) return FieldError::missing_palette;
+    if (!present) return FieldError::none;
+    if (!is_premultiplied(bytes + palette.offset)) return FieldError::bad_palette;
     out.palette = bytes + palette.offset;
     return FieldError::none;
 }
@@ -210,23 +190,17 @@ FieldError read_palette(const uint8_t* bytes, Field& out)
 
 FieldError open_field(const uint8_t* bytes, size_t size, Field& out)
 {
-    if (const FieldError error = check_header(bytes, size); error != FieldError::none)
-        return error;
+    if (const FieldError error = check_header(bytes, size); error != FieldError::none) return error;
     if (const FieldError error = check_table(bytes, static_cast<uint32_t>(size)); error != FieldError::none) {
         return error;
     }
     Section section;
-    if (!find_section(bytes, kLayoutSection, section))
-        return FieldError::missing_layout;
-    if (section.size != kLayoutBytes)
-        return FieldError::bad_layout;
+    if (!find_section(bytes, kLayoutSection, section)) return FieldError::missing_layout;
+    if (section.size != kLayoutBytes) return FieldError::bad_layout;
     Field field;
-    if (const FieldError error = read_layout(bytes + section.offset, field); error != FieldError::none)
-        return error;
-    if (const FieldError error = read_texels(bytes, field); error != FieldError::none)
-        return error;
-    if (const FieldError error = read_palette(bytes, field); error != FieldError::none)
-        return error;
+    if (const FieldError error = read_layout(bytes + section.offset, field); error != FieldError::none) return error;
+    if (const FieldError error = read_texels(bytes, field); error != FieldError::none) return error;
+    if (const FieldError error = read_palette(bytes, field); error != FieldError::none) return error;
     out = field;
     return FieldError::none;
 }
@@ -234,12 +208,10 @@ FieldError open_field(const uint8_t* bytes, size_t size, Field& out)
 FieldError verify_field(const uint8_t* bytes, size_t size)
 {
     Field field;
-    if (const FieldError error = open_field(bytes, size, field); error != FieldError::none)
-        return error;
+    if (const FieldError error = open_field(bytes, size, field); error != FieldError::none) return error;
     for (uint32_t i = 0; i < section_count(bytes); ++i) {
         const Section s = section_at(bytes, i);
-        if (crc32(0, bytes + s.offset, s.size) != s.crc)
-            return FieldError::section_crc;
+        if (crc32(0, bytes + s.offset, s.size) != s.crc) return FieldError::section_crc;
     }
     return FieldError::none;
 }

@@ -12,8 +12,7 @@ inline constexpr double kGolden = 1.61803398874989484820;
 constexpr double root(double v)
 {
     double r = v < 1 ? 1 : v;
-    for (int i = 0; i < 64; ++i)
-        r = 0.5 * (r + v / r);
+    for (int i = 0; i < 64; ++i) r = 0.5 * (r + v / r);
     return r;
 }
 

@@ -57,8 +57,7 @@ Query make_query(const Lattice& lattice, const Vec3q30& d)
 {
     const uint32_t longitude = angle_turns32(d.y, d.x);
     const int32_t z = clamp_q30(d.z);
-    if (z >= 0)
-        return {longitude, lattice.index_at_q10(z), z, false};
+    if (z >= 0) return {longitude, lattice.index_at_q10(z), z, false};
     return {longitude_turns32(lattice.size() - 1) - longitude, lattice.index_at_q10(-z), -z, true};
 }
 
@@ -72,8 +71,7 @@ int zone_of(const Query& q)
     const uint64_t twice_height = static_cast<uint64_t>(2 * static_cast<int64_t>(q.height_q10) + 1024);
     const uint64_t n_w_q10 = (twice_height * (static_cast<uint32_t>(q.z_q30) + static_cast<uint32_t>(kOneQ30))) >> 30;
     int k = 1;
-    while (k + 1 < kZones && n_w_q10 >= kZoneTables.threshold_q10[k + 1])
-        ++k;
+    while (k + 1 < kZones && n_w_q10 >= kZoneTables.threshold_q10[k + 1]) ++k;
     return k;
 }
 
@@ -122,8 +120,7 @@ struct Ranking {
 
     void consider(int32_t i)
     {
-        if (i < 0 || static_cast<uint32_t>(i) >= lattice.size())
-            return;
+        if (i < 0 || static_cast<uint32_t>(i) >= lattice.size()) return;
         const uint32_t index = unmirrored(lattice, query, static_cast<uint32_t>(i));
         insert({index, distance2(lattice, point(lattice, index), direction)});
     }
@@ -131,10 +128,8 @@ struct Ranking {
     void insert(const Neighbour& candidate)
     {
         uint32_t k = count < capacity ? count++ : capacity;
-        if (k == capacity && candidate.distance2 >= out[--k].distance2)
-            return;
-        for (; k > 0 && candidate.distance2 < out[k - 1].distance2; --k)
-            out[k] = out[k - 1];
+        if (k == capacity && candidate.distance2 >= out[--k].distance2) return;
+        for (; k > 0 && candidate.distance2 < out[k - 1].distance2; --k) out[k] = out[k - 1];
         out[k] = candidate;
     }
 };
@@ -142,18 +137,17 @@ struct Ranking {
 // How far to look for `count` neighbours. Distances in the polar pattern's unit (a point covers an area of π);
 // measured as the smallest that agree with brute force, tests/core/lattice_test.cpp.
 struct SearchRange {
-    int32_t block_low, block_high;  // cells around the query's, in u and v
+    int32_t block_low, block_high;  // lattice coordinates around the query's, in u and v
+    int32_t rounding_q12;           // 1/2 where the block is centred on a point, 0 where on a cell
     int32_t cap_height;             // nearer to the pole than this, every point of a ring is looked at
     int32_t reach_q12;              // half width of that ring
 };
 
 SearchRange search_range(uint32_t count)
 {
-    if (count == 1)
-        return {0, 1, 8, 6144};
-    if (count <= 4)
-        return {-1, 2, 12, 10240};
-    return {-2, 3, 24, 16384};
+    if (count == 1) return {-1, 1, 2048, 16, 6144};
+    if (count <= 4) return {-1, 2, 0, 12, 10240};
+    return {-2, 3, 0, 24, 16384};
 }
 
 // Distance of a query from the pole in the polar pattern, where point i lies at sqrt(i + 1/2).
@@ -174,15 +168,14 @@ void scan_ring(Ranking& ranking, const SearchRange& range)
 
 void scan_all(Ranking& ranking)
 {
-    for (uint32_t i = 0; i < ranking.lattice.size(); ++i)
-        ranking.consider(static_cast<int32_t>(i));
+    for (uint32_t i = 0; i < ranking.lattice.size(); ++i) ranking.consider(static_cast<int32_t>(i));
 }
 
 void scan_block(Ranking& ranking, const SearchRange& range)
 {
     const Cell cell = cell_of(ranking.query);
-    const int32_t a = cell.u_q12 >> 12;
-    const int32_t b = cell.v_q12 >> 12;
+    const int32_t a = (cell.u_q12 + range.rounding_q12) >> 12;
+    const int32_t b = (cell.v_q12 + range.rounding_q12) >> 12;
     for (int32_t db = range.block_low; db <= range.block_high; ++db) {
         for (int32_t da = range.block_low; da <= range.block_high; ++da) {
             ranking.consider(cell.first * (a + da) + cell.second * (b + db));
@@ -236,12 +229,10 @@ Triangle polar_triangle(const Lattice& lattice, const Query& q)
     PolarParts best = divide(0, position);
     for (int k = 1; k < polar::kTriangles && best.smallest() < 0; ++k) {
         const PolarParts parts = divide(k, position);
-        if (parts.smallest() > best.smallest())
-            best = parts;
+        if (parts.smallest() > best.smallest()) best = parts;
     }
     uint32_t part[3];
-    for (int m = 0; m < 3; ++m)
-        part[m] = best.area[m] > 0 ? static_cast<uint32_t>(best.area[m]) >> 12 : 0;
+    for (int m = 0; m < 3; ++m) part[m] = best.area[m] > 0 ? static_cast<uint32_t>(best.area[m]) >> 12 : 0;
     const uint32_t sum = part[0] + part[1] + part[2];
     const uint32_t w1 = part[1] * kWeightOneQ12 / sum;
     const uint32_t w2 = part[2] * kWeightOneQ12 / sum;
@@ -269,12 +260,10 @@ Triangle small_triangle(const Lattice& lattice, const Vec3q30& direction)
 {
     Neighbour near[3];
     const uint32_t count = neighbours(lattice, direction, 3, near);
-    for (uint32_t m = count; m < 3; ++m)
-        near[m] = {near[0].index, lattice.spacing2()};
+    for (uint32_t m = count; m < 3; ++m) near[m] = {near[0].index, lattice.spacing2()};
     Triangle result;
     kernel_weights(lattice, near, 3, result.weight_q12);
-    for (int m = 0; m < 3; ++m)
-        result.index[m] = near[m].index;
+    for (int m = 0; m < 3; ++m) result.index[m] = near[m].index;
     return result;
 }
 
@@ -361,8 +350,7 @@ void kernel_weights(const Lattice& lattice, const Neighbour* near, uint32_t coun
 
 Triangle triangle(const Lattice& lattice, const Vec3q30& direction)
 {
-    if (lattice.size() < kSmallSize)
-        return small_triangle(lattice, direction);
+    if (lattice.size() < kSmallSize) return small_triangle(lattice, direction);
     const Query query = make_query(lattice, direction);
     return query.height_q10 < polar::kCapHeight << 10 ? polar_triangle(lattice, query) : cell_triangle(lattice, query);
 }

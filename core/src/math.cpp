@@ -97,8 +97,7 @@ ReciprocalRoot reciprocal_root(uint64_t v)
 
 uint32_t square_root(uint64_t v)
 {
-    if (v == 0)
-        return 0;
+    if (v == 0) return 0;
     const ReciprocalRoot root = reciprocal_root(v);
     const int shift = leading_zeros(v) & ~1;
     const uint64_t m_q32 = (v << shift) >> 32;
@@ -136,12 +135,10 @@ uint32_t angle_turns32(int32_t y, int32_t x)
 {
     const uint32_t ax = static_cast<uint32_t>(x < 0 ? -x : x);
     const uint32_t ay = static_cast<uint32_t>(y < 0 ? -y : y);
-    if ((ax | ay) == 0)
-        return 0;
+    if ((ax | ay) == 0) return 0;
     constexpr uint32_t kQuarter = 1u << 30;
     uint32_t angle = ay <= ax ? octant_angle(ratio(ay, ax)) : kQuarter - octant_angle(ratio(ax, ay));
-    if (x < 0)
-        angle = 2 * kQuarter - angle;
+    if (x < 0) angle = 2 * kQuarter - angle;
     return y < 0 ? 0u - angle : angle;
 }
 

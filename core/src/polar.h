@@ -13,9 +13,9 @@ namespace lumi::polar
 
 // Triangles cover the disc of radius sqrt(kCapHeight + 1/2): all directions whose real-valued index is below
 // kCapHeight.
-inline constexpr int32_t kCapHeight = 8;
-inline constexpr uint32_t kPoints = 23;
-inline constexpr int kTriangles = 29;
+inline constexpr int32_t kCapHeight = 21;
+inline constexpr uint32_t kPoints = 42;
+inline constexpr int kTriangles = 61;
 
 struct PlanePoint {
     int16_t x_q12, y_q12;
@@ -24,7 +24,7 @@ struct PlanePoint {
 // Point i < kPoints of the pattern.
 PlanePoint plane_point(uint32_t i);
 
-// Corners of triangle k < kTriangles, counter-clockwise.
+// Corners of triangle k < kTriangles, counter-clockwise, the lowest index first. Triangles come in the order of it.
 const uint8_t* corners(int k);
 
 }  // namespace lumi::polar

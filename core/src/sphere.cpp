@@ -28,8 +28,7 @@ int64_t magnitude(int64_t v)
 int shift_for(int64_t largest)
 {
     int shift = 0;
-    while ((largest >> shift) >= int64_t{1} << kFactorBits)
-        ++shift;
+    while ((largest >> shift) >= int64_t{1} << kFactorBits) ++shift;
     return shift;
 }
 
@@ -41,10 +40,8 @@ RowQuadratic row_quadratic(const Camera& camera, int32_t x, int32_t y)
     for (int k = 0; k < 3; ++k) {
         offset[k] = camera.offset[k].at(x, y);
         step[k] = camera.offset[k].step_x;
-        if (magnitude(offset[k]) > largest)
-            largest = magnitude(offset[k]);
-        if (magnitude(step[k]) > largest)
-            largest = magnitude(step[k]);
+        if (magnitude(offset[k]) > largest) largest = magnitude(offset[k]);
+        if (magnitude(step[k]) > largest) largest = magnitude(step[k]);
     }
     const int shift = shift_for(largest);
     const int64_t facing = camera.facing.at(x, y);
@@ -70,8 +67,7 @@ int32_t closest_x(const Camera& camera, int32_t x, int32_t y, RowSpan limits)
         over = -over;
         under = -under;
     }
-    if (under == 0)
-        return x;
+    if (under == 0) return x;
     const int64_t moved = x + over / under;
     return static_cast<int32_t>(moved < limits.begin ? limits.begin : moved >= limits.end ? limits.end - 1 : moved);
 }
@@ -100,8 +96,7 @@ int32_t find_covered(const Camera& camera, int32_t y, RowSpan limits)
     x = closest_x(camera, x, y, limits);  // again from near by: the factors' bits now resolve a pixel
     const int32_t candidates[] = {x, x - 1, x + 1, limits.begin, limits.end - 1};
     for (const int32_t candidate : candidates) {
-        if (candidate >= limits.begin && candidate < limits.end && is_covered(camera, candidate, y))
-            return candidate;
+        if (candidate >= limits.begin && candidate < limits.end && is_covered(camera, candidate, y)) return candidate;
     }
     return limits.end;
 }
@@ -117,27 +112,22 @@ bool ray_at(const Camera& camera, int32_t x, int32_t y, SphereRay& out)
 {
     const int64_t facing_q40 = camera.facing.at(x, y);
     constexpr int64_t kOneQ40 = int64_t{1} << 40;
-    if (facing_q40 <= 0 || facing_q40 > kOneQ40)
-        return false;
+    if (facing_q40 <= 0 || facing_q40 > kOneQ40) return false;
     int64_t offset_q40[3];
     for (int k = 0; k < 3; ++k) {
         offset_q40[k] = camera.offset[k].at(x, y);
-        if (offset_q40[k] > kOneQ40 || offset_q40[k] < -kOneQ40)
-            return false;  // |P| > 1 >= |D|
+        if (offset_q40[k] > kOneQ40 || offset_q40[k] < -kOneQ40) return false;  // |P| > 1 >= |D|
     }
     out.facing_q30 = narrow_q30(facing_q40);
     out.offset = {narrow_q30(offset_q40[0]), narrow_q30(offset_q40[1]), narrow_q30(offset_q40[2])};
     const int64_t offset2_q60 = dot_q60(out.offset, out.offset);
-    if (offset2_q60 > int64_t{1} << 60)
-        return false;
+    if (offset2_q60 > int64_t{1} << 60) return false;
     out.offset2_q30 = q60_to_q30(offset2_q60);
     const int64_t half_chord2 =
         wide_product(out.facing_q30, out.facing_q30) - wide_product(camera.perpendicular_q30, out.offset2_q30);
-    if (half_chord2 <= 0)
-        return false;
+    if (half_chord2 <= 0) return false;
     const int64_t length2 = half_chord2 + offset2_q60;
-    if (half_chord2 < length2 >> kTangentShift)
-        return false;
+    if (half_chord2 < length2 >> kTangentShift) return false;
     out.half_chord2_q60 = static_cast<uint64_t>(half_chord2);
     return true;
 }
@@ -173,11 +163,9 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
 RowSpan covered_span(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end)
 {
     const RowSpan limits = {x_begin, x_end};
-    if (x_begin >= x_end)
-        return {x_begin, x_begin};
+    if (x_begin >= x_end) return {x_begin, x_begin};
     const int32_t inside = find_covered(camera, y, limits);
-    if (inside == x_end)
-        return {x_begin, x_begin};
+    if (inside == x_end) return {x_begin, x_begin};
     const int32_t first = border(camera, y, inside, x_begin - 1);
     const int32_t last = border(camera, y, inside, x_end);
     return {first, last + 1};

@@ -12,25 +12,32 @@
 using namespace lumi;
 using reference::Vec3;
 
-namespace {
+namespace
+{
 
 // Distances of two lattice points may differ by this share of the mean spacing before the wrong one is called wrong:
 // distances are compared in units between 2^-12 and 2^-11 of it, and three squares round.
 constexpr double kTolerance = 1.0 / 512;
 
 // Directions over the sphere, dense at the poles, on the seam, at lattice points and between them.
-class Directions {
+class Directions
+{
 public:
     explicit Directions(uint32_t n) : n_(n), random_(n) {}
 
     Vec3 next(uint32_t k)
     {
         switch (k % 6) {
-        case 0: return near_pole(1);
-        case 1: return near_pole(-1);
-        case 2: return on_seam();
-        case 3: return between_points();
-        default: return anywhere();
+            case 0:
+                return near_pole(1);
+            case 1:
+                return near_pole(-1);
+            case 2:
+                return on_seam();
+            case 3:
+                return between_points();
+            default:
+                return anywhere();
         }
     }
 
@@ -100,7 +107,8 @@ constexpr uint32_t kLargeSizes[] = {1024};
 constexpr uint32_t kSmallQueries = 30;
 constexpr uint32_t kLargeQueries = 60;
 #else
-constexpr uint32_t kLargeSizes[] = {377, 500, 610, 1000, 1024, 2048, 4096, 10007, 24576, 65536, 131071, 262144, 1000003, 1u << 20};
+constexpr uint32_t kLargeSizes[] = {377,   500,   610,   1000,   1024,   2048,    4096,
+                                    10007, 24576, 65536, 131071, 262144, 1000003, 1u << 20};
 constexpr uint32_t kSmallQueries = 400;
 constexpr uint32_t kLargeQueries = 600;
 #endif
@@ -125,7 +133,8 @@ TEST_CASE("points lie where the definition says, for every size", "[lattice]")
         const Lattice lattice(n);
         const uint32_t step = std::max(1u, n / 20000);
         for (uint32_t i = 0; i < n; i += step) {
-            worst.see(reference::length(reference::decoded(point(lattice, i)) - reference::point(n, i)), uint64_t{n} * 2000000 + i);
+            worst.see(reference::length(reference::decoded(point(lattice, i)) - reference::point(n, i)),
+                      uint64_t{n} * 2000000 + i);
         }
     });
     worst.report("point, distance from the definition");

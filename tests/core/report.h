@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace lumi {
+namespace lumi
+{
 
 // Sweeps are dense on the host and thinned out on an emulated target.
 #ifdef LUMI_TEST_LIGHT

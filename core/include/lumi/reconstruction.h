@@ -47,8 +47,7 @@ struct Paper {
         Neighbour near[K];
         const uint32_t count = neighbours(lattice, direction, K, near);
         Taps<K> result{};
-        for (int k = 0; k < count; ++k)
-            result.index[k] = near[k].index;
+        for (uint32_t k = 0; k < count; ++k) result.index[k] = near[k].index;
         kernel_weights(lattice, near, count, result.weight_q12);
         return result;
     }
@@ -88,8 +87,7 @@ Gathered gather(const Field& field, const Vec3q30& front, const Vec3q30& back)
     Gathered sums;
     for (uint32_t m = 0; m < kTaps; ++m) {
         const uint8_t* row = field.row(origins.index[m]);
-        if (row == nullptr)
-            continue;
+        if (row == nullptr) continue;
         for (uint32_t k = 0; k < kTaps; ++k) {
             sums.add(origins.weight_q12[m] * directions.weight_q12[k], Texel::load(field, row, directions.index[k]));
         }

@@ -42,8 +42,7 @@ void draw_exact(const Field& field, const Camera& camera, const Background& back
 {
     for (int32_t x = span.begin; x < span.end; ++x, pixels += Pixel::kBytes) {
         SphereRay ray;
-        if (!ray_at(camera, x, y, ray))
-            continue;
+        if (!ray_at(camera, x, y, ray)) continue;
         const SphereHits hit = hits(camera, ray);
         const Gathered sums = gather<Reconstruction, Texel>(field, hit.front, hit.back);
         Pixel::store(pixels, sums.over(background.template under<Pixel>(pixels)));
@@ -55,8 +54,7 @@ void draw_exact(const Field& field, const Camera& camera, const Background& back
 template <class Reconstruction, class Texel, class Pixel, class Background>
 RenderError render(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe)
 {
-    if (field.texel_format != Texel::kFormat)
-        return RenderError::wrong_texel_format;
+    if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
     for (int32_t row = 0; row < stripe.height_px; ++row) {
         uint8_t* pixels = stripe.pixels + static_cast<size_t>(row) * stripe.stride_bytes;
         if (Background::kFills) {
