@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A long computation cut into independent tasks, run on several threads while the calling thread reports progress.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+
+#include "lumi/baker/progress.h"
+
+namespace lumi::baker
+{
+
+class Job
+{
+public:
+    // Reports once. threads = 0: as many as the machine has. Throws Cancelled.
+    Job(uint64_t rays_total, unsigned threads, const ProgressCallback& progress);
+
+    // Runs task(k) for each k below count, in no fixed order, each once. Throws Cancelled, or what a task threw; either
+    // way no task runs any more when it returns.
+    void run(uint32_t count, const std::function<void(uint32_t)>& task);
+
+    // Reports once more. Throws Cancelled.
+    void finish();
+
+    // For tasks: counts rays, and tells whether to give up early.
+    void add_rays(uint64_t rays) { rays_done_ += rays; }
+    bool stopping() const { return stop_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void report();
+    void work(uint32_t count, const std::function<void(uint32_t)>& task);
+    void watch(unsigned workers);
+
+    const uint64_t rays_total_;
+    const unsigned threads_;
+    const ProgressCallback& progress_;
+    const Clock::time_point start_ = Clock::now();
+    RateMeter meter_;
+
+    std::atomic<uint64_t> rays_done_{0};
+    std::atomic<uint32_t> next_task_{0};
+    std::atomic<bool> stop_{false};
+    std::mutex mutex_;  // guards what follows
+    std::condition_variable finished_one_;
+    unsigned finished_ = 0;
+    std::exception_ptr failure_;
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "path_tracer.h"
+
+#include "surface.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr int kRouletteAfter = 2;      // bounces that every path makes
+constexpr float kMaxSurvival = 0.95f;  // even a white path ends some time
+
+// Veach's power heuristic with exponent 2.
+float power_weight(float own_pdf, float other_pdf)
+{
+    const float ratio = other_pdf / own_pdf;
+    return 1 / (1 + ratio * ratio);
+}
+
+// A path on its way: how much of what it finds next arrives at the eye, and how likely its direction was.
+struct Walk {
+    Ray ray;
+    Rgb throughput = grey(1);
+    float pdf = 0;  // solid angle, of the last scattering; unused at the eye
+    bool at_eye = true;
+};
+
+Rgb emitted(const SceneData& scene, const Walk& walk, const Surface& surface)
+{
+    if (!surface.material->emits()) {
+        return {};
+    }
+    const Rgb light = walk.throughput * surface.material->emission;
+    if (walk.at_eye) {
+        return light;
+    }
+    const float other = scene.lights.emitter_pdf(surface.hit.triangle, walk.ray.direction, surface.hit.distance);
+    return light * power_weight(walk.pdf, other);
+}
+
+Rgb from_sky(const SceneData& scene, const Walk& walk)
+{
+    const Rgb light = walk.throughput * scene.lights.sky_radiance(walk.ray.direction);
+    return light * power_weight(walk.pdf, scene.lights.sky_pdf(walk.ray.direction));
+}
+
+// Light that arrives at the surface straight from a light and is scattered towards the viewer.
+Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+{
+    if (scene.lights.empty()) {
+        return {};
+    }
+    const Vec2 choice = sampler.next_2d();
+    const LightSample light = scene.lights.sample(surface.position, choice.x, choice.y, sampler.next_2d());
+    const Vec3 wi = surface.frame.to_local(light.direction);
+    if (!(light.pdf > 0) || wi.z <= 0 || dot(light.direction, surface.geometric_normal) <= 0) {
+        return {};
+    }
+    const Rgb scattered = bsdf.eval(wo, wi) * light.radiance;
+    if (is_black(scattered)) {
+        return {};
+    }
+    const float through = transmittance(scene, surface.ray_to_light(light.direction, light.distance));
+    return scattered * (through * power_weight(light.pdf, bsdf.pdf(wo, wi)) / light.pdf);
+}
+
+// Turns the walk at the surface; false where the light is lost.
+bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+{
+    const float u_lobe = sampler.next_1d();
+    const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, sampler.next_2d());
+    if (!sample) {
+        return false;
+    }
+    const Vec3 direction = normalized(surface.frame.to_world(sample->wi));
+    if (dot(direction, surface.geometric_normal) <= 0) {
+        return false;
+    }
+    walk.throughput = walk.throughput * sample->weight;
+    walk.ray = surface.ray_towards(direction);
+    walk.pdf = sample->pdf;
+    walk.at_eye = false;
+    return !is_black(walk.throughput);
+}
+
+// Russian roulette: ends dim paths early and makes the survivors carry their share.
+bool survives(Walk& walk, Sampler& sampler)
+{
+    const float survival = std::min(max_component(walk.throughput), kMaxSurvival);
+    if (sampler.next_1d() >= survival) {
+        return false;
+    }
+    walk.throughput = walk.throughput * (1 / survival);
+    return true;
+}
+
+}  // namespace
+
+PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
+{
+    PathResult result;
+    Walk walk{ray};
+    for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
+        const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler);
+        if (!hit) {
+            result.radiance = walk.at_eye ? Rgb{} : result.radiance + from_sky(scene_, walk);
+            break;
+        }
+        result.covered = true;
+        const Surface surface = surface_at(scene_, walk.ray, *hit);
+        result.radiance = result.radiance + emitted(scene_, walk, surface);
+
+        const Vec3 wo = surface.frame.to_local(-walk.ray.direction);
+        if (wo.z <= 0) {
+            break;
+        }
+        const Bsdf bsdf = surface.material->bsdf(surface.base, sampler.next_1d());
+        result.radiance = result.radiance + walk.throughput * direct_light(scene_, surface, bsdf, wo, sampler);
+        if (!scatter(walk, surface, bsdf, wo, sampler)) {
+            break;
+        }
+        if (bounce >= kRouletteAfter && !survives(walk, sampler)) {
+            break;
+        }
+    }
+    return result;
+}
+
+}  // namespace lumi::baker

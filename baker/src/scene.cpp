@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/baker/scene.h"
+
+#include "bounding_sphere.h"
+#include "scene_data.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+Vec3 to_sphere_axes(const Vec3& v, UpAxis up)
+{
+    return up == UpAxis::y ? Vec3{v.z, v.x, v.y} : v;
+}
+
+// Only what triangles use: a stray vertex must not enlarge the sphere.
+BoundingSphere fit_sphere(const Mesh& mesh)
+{
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const Mesh::Corners& c : mesh.corners) {
+        used[c[0]] = used[c[1]] = used[c[2]] = true;
+    }
+    std::vector<Vec3> points;
+    points.reserve(mesh.positions.size());
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (used[i]) {
+            points.push_back(mesh.positions[i]);
+        }
+    }
+    return smallest_sphere(points);
+}
+
+Mesh moved_into_sphere(Mesh mesh, const std::array<double, 3>& centre, double radius, UpAxis up)
+{
+    for (Vec3& p : mesh.positions) {
+        const Vec3 moved = {static_cast<float>((static_cast<double>(p.x) - centre[0]) / radius),
+                            static_cast<float>((static_cast<double>(p.y) - centre[1]) / radius),
+                            static_cast<float>((static_cast<double>(p.z) - centre[2]) / radius)};
+        p = to_sphere_axes(moved, up);
+    }
+    for (Vec3& n : mesh.normals) {
+        n = to_sphere_axes(n, up);
+    }
+    return mesh;
+}
+
+bool any_emits(const std::vector<Material>& materials)
+{
+    return std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.emits(); });
+}
+
+Environment chosen_environment(const LoadOptions& options, const std::vector<Material>& materials)
+{
+    if (options.environment) {
+        return *options.environment;
+    }
+    return any_emits(materials) ? constant_environment(0) : studio_environment();
+}
+
+}  // namespace
+
+Environment constant_environment(float radiance)
+{
+    const std::array<float, 3> c = {radiance, radiance, radiance};
+    return {c, c, c};
+}
+
+Environment studio_environment()
+{
+    return {{2.2f, 2.25f, 2.35f}, {0.62f, 0.62f, 0.64f}, {0.16f, 0.15f, 0.14f}};
+}
+
+SceneData::SceneData(SceneParts parts, const LoadOptions& options)
+    : centre(),
+      radius(),
+      up(options.up),
+      mesh([&] {
+          const BoundingSphere sphere = fit_sphere(parts.mesh);
+          centre = sphere.centre;
+          radius = sphere.radius * (1 + options.margin);
+          return moved_into_sphere(std::move(parts.mesh), centre, radius, up);
+      }()),
+      materials(std::move(parts.materials)),
+      textures(std::move(parts.textures)),
+      has_transparency(
+          std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.opacity < 1; })),
+      accelerator(mesh),
+      lights(mesh, materials, chosen_environment(options, materials))
+{
+}
+
+Scene build_scene(SceneParts parts, const LoadOptions& options)
+{
+    if (parts.mesh.corners.empty()) {
+        throw SceneError("the scene holds no triangles; export at least one face");
+    }
+    return Scene(std::make_unique<SceneData>(std::move(parts), options));
+}
+
+Scene::Scene(std::unique_ptr<const SceneData> data) : data_(std::move(data)) {}
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+
+std::array<float, 3> Scene::centre() const
+{
+    return {static_cast<float>(data_->centre[0]), static_cast<float>(data_->centre[1]),
+            static_cast<float>(data_->centre[2])};
+}
+
+float Scene::radius() const
+{
+    return static_cast<float>(data_->radius);
+}
+
+UpAxis Scene::up() const
+{
+    return data_->up;
+}
+
+size_t Scene::triangle_count() const
+{
+    return data_->mesh.triangle_count();
+}
+
+size_t Scene::material_count() const
+{
+    return data_->materials.size();
+}
+
+size_t Scene::light_count() const
+{
+    return data_->lights.emitter_count();
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The scene as the path tracer sees it: in the frame of the unit sphere, ready for ray queries.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "accelerator.h"
+#include "light_set.h"
+#include "lumi/baker/scene.h"
+#include "material.h"
+#include "mesh.h"
+#include "texture.h"
+
+namespace lumi::baker
+{
+
+// A scene in its own units and axes, before the sphere is fitted: what a reader of a file format delivers. Positions
+// are finite, every triangle has an area, indices and materials are in range.
+struct SceneParts {
+    Mesh mesh;
+    std::vector<Material> materials;  // finished
+    std::vector<Texture> textures;
+};
+
+struct SceneData {
+    SceneData(SceneParts parts, const LoadOptions& options);
+    SceneData(const SceneData&) = delete;
+    SceneData& operator=(const SceneData&) = delete;
+
+    std::array<double, 3> centre;  // of the sphere, in scene units and scene axes
+    double radius;
+    UpAxis up;
+
+    Mesh mesh;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    bool has_transparency;  // some material's opacity is below 1
+    Accelerator accelerator;
+    LightSet lights;
+};
+
+// Throws SceneError if the parts hold no triangle.
+Scene build_scene(SceneParts parts, const LoadOptions& options);
+
+}  // namespace lumi::baker

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "sky.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+Rgb to_rgb(const std::array<float, 3>& c)
+{
+    return {c[0], c[1], c[2]};
+}
+
+// x in [0,1] with density proportional to a(1-x) + bx; a + b > 0.
+float sample_linear(float a, float b, float u)
+{
+    const float root = std::sqrt((1 - u) * a * a + u * b * b);
+    return std::min(u * (a + b) / (a + root), 1.0f);
+}
+
+}  // namespace
+
+Sky::Sky(const Environment& environment)
+    : zenith_(to_rgb(environment.zenith)),
+      horizon_(to_rgb(environment.horizon)),
+      nadir_(to_rgb(environment.nadir)),
+      top_(max_component(zenith_)),
+      middle_(max_component(horizon_)),
+      bottom_(max_component(nadir_)),
+      upper_mass_(0.5f * (top_ + middle_)),
+      lower_mass_(0.5f * (bottom_ + middle_))
+{
+}
+
+Rgb Sky::radiance(const Vec3& direction) const
+{
+    const float z = std::clamp(direction.z, -1.0f, 1.0f);
+    const Rgb& pole = z > 0 ? zenith_ : nadir_;
+    return horizon_ * (1 - std::abs(z)) + pole * std::abs(z);
+}
+
+float Sky::brightness(float height) const
+{
+    const float pole = height > 0 ? top_ : bottom_;
+    return middle_ * (1 - std::abs(height)) + pole * std::abs(height);
+}
+
+float Sky::pdf(const Vec3& direction) const
+{
+    return brightness(std::clamp(direction.z, -1.0f, 1.0f)) / (2 * kPi * (upper_mass_ + lower_mass_));
+}
+
+float Sky::power() const
+{
+    return 2 * kPi * (upper_mass_ + lower_mass_) * kPi;  // radiance over all directions, through the unit sphere's disc
+}
+
+LightSample Sky::sample(const Vec3&, float u_select, const Vec2& u) const
+{
+    const bool upper = u_select * (upper_mass_ + lower_mass_) < upper_mass_;
+    const float height = sample_linear(middle_, upper ? top_ : bottom_, u.x);
+    const Vec3 direction = direction_at(upper ? height : -height, u.y);
+    return {direction, std::numeric_limits<float>::infinity(), radiance(direction), pdf(direction)};
+}
+
+}  // namespace lumi::baker

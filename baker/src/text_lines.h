@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Walks the lines of a text file and says, of each fault, where it is and how to mend it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lumi::baker
+{
+
+// A place in a text file, for messages; line 0 = the file as a whole.
+struct Place {
+    std::string file;
+    uint32_t line = 0;
+};
+
+// "file:line: text".
+std::string at(const Place& place, const std::string& text);
+
+// The whole file. Throws SceneError if it cannot be read.
+std::string read_text(const std::filesystem::path& file);
+
+// One logical line: continuation lines (ending in a backslash) joined, comment and surrounding blanks cut off.
+struct Line {
+    uint32_t number;       // of its first physical line, from 1
+    std::string keyword;   // first word
+    std::string argument;  // the rest
+};
+
+// Calls for every line that says something, in order. Accepts LF, CR LF and CR.
+std::vector<Line> split_lines(std::string_view text);
+
+// The words of a line's argument.
+std::vector<std::string_view> words(std::string_view argument);
+
+// Reads a finite number; false for anything else, such as nan, inf, 1e999 or "1,5".
+bool parse_finite(std::string_view word, double& value);
+bool parse_integer(std::string_view word, int64_t& value);
+
+// Checks that the first `least` to `most` words of the line are finite numbers of at most `limit` in magnitude; throws
+// SceneError.
+void require_numbers(const Place& place, const Line& line, size_t least, size_t most, double limit);
+
+}  // namespace lumi::baker
