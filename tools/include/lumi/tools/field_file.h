@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A field in a memory-mapped file, opened by the very reader that firmware links.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lumi/field.h"
+#include "lumi/host/mapped_file.h"
+
+namespace lumi::tools
+{
+
+// One entry of the file's section table.
+struct Section {
+    std::string type;  // four characters
+    bool required;
+    uint32_t offset, bytes, crc32;
+};
+
+class FieldFile
+{
+public:
+    // Maps and opens; checks no section's bytes. Throws Failure with the cause and its mend.
+    explicit FieldFile(const std::string& path);
+
+    const std::string& path() const { return path_; }
+    const Field& field() const { return field_; }
+    size_t size() const { return file_.size(); }
+
+    std::vector<Section> sections() const;
+
+    // Whether the section's bytes still have their CRC. Cost: reads them all.
+    bool is_intact(const Section& section) const;
+
+    // Throws Failure naming the first damaged section.
+    void require_intact() const;
+
+private:
+    std::string path_;
+    host::MappedFile file_;
+    Field field_;
+};
+
+// "rgb888", "rgb565", "palette8" or "luma8".
+const char* name_of(format::TexelFormat format);
+
+}  // namespace lumi::tools

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The one way in which the tools write files: beside the target first, then renamed over it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lumi::tools
+{
+
+// Replaces `path` by `bytes`, or throws Failure and leaves what stood there. A symbolic link is followed; devices and
+// pipes are written straight to, since they hold no earlier output. Readers never see half a file.
+void write_output(const std::string& path, std::string_view bytes);
+
+// Throws Failure now if write_output(path, …) could not work later: worth asking before minutes of work.
+void require_writable(const std::string& path);
+
+}  // namespace lumi::tools

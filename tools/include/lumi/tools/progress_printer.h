@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Shows a person how far a bake is.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "lumi/baker/progress.h"
+
+namespace lumi::tools
+{
+
+// "43 %  1.24 M rays/s  1:12 left"; without what is not known yet.
+std::string progress_text(const baker::Progress& progress);
+
+// A bar that redraws itself on a terminal, else a plain line every few seconds.
+class ProgressPrinter
+{
+public:
+    ProgressPrinter(std::FILE* stream, bool is_terminal) : stream_(stream), is_terminal_(is_terminal) {}
+    // Ends the bar's line, so that later messages begin on their own.
+    ~ProgressPrinter();
+    ProgressPrinter(const ProgressPrinter&) = delete;
+    ProgressPrinter& operator=(const ProgressPrinter&) = delete;
+
+    void print(const baker::Progress& progress);
+
+private:
+    void redraw_bar(const baker::Progress& progress);
+
+    std::FILE* stream_;
+    bool is_terminal_;
+    bool line_is_open_ = false;
+    double next_line_seconds_ = 0;
+};
+
+// A callback that prints to stderr through `printer` and cancels on Ctrl-C. Keeps a reference.
+baker::ProgressCallback watch(ProgressPrinter& printer);
+
+// Whether stderr is a terminal.
+bool stderr_is_terminal();
+
+}  // namespace lumi::tools

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Peak signal-to-noise ratio.
+#pragma once
+
+#include "lumi/tools/picture.h"
+
+namespace lumi::tools
+{
+
+// 10·log10(255² / mean squared error over all three channels) in dB; infinity for identical pictures.
+// Precondition: same_size(a, b), at least one pixel.
+double psnr_db(const Picture& a, const Picture& b);
+
+}  // namespace lumi::tools

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What people type after options, and what they read: both ways between text and values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lumi/color.h"
+
+namespace lumi::tools
+{
+
+// Parsers take the whole text or give nothing: no spaces, no trailing characters.
+
+// "240x320": both sides at least 1.
+struct PixelSize {
+    int width_px, height_px;
+};
+std::optional<PixelSize> parse_size(std::string_view text);
+
+// "30,20,3": three finite numbers.
+std::optional<std::array<double, 3>> parse_triple(std::string_view text);
+
+// "ff8000" or "#ff8000".
+std::optional<Rgb8> parse_colour(std::string_view text);
+
+// How many of `origins` rows a cap keeps: "512" is a number of origins; "50%" and "0.5" are shares of them, rounded up.
+// Nothing unless the result is 1 .. origins.
+std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins);
+
+// "4.20 MB": units of 1000, three digits.
+std::string byte_text(uint64_t bytes);
+// "33.6 M": three digits.
+std::string count_text(double count);
+// "1:42" or "2:03:09".
+std::string duration_text(double seconds);
+
+}  // namespace lumi::tools

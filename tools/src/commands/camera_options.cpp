@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "camera_options.h"
+
+#include "lumi/tools/text.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+void set_size(const std::string& text, ViewOptions& options)
+{
+    const auto size = parse_size(text);
+    if (!size || size->width_px > kMaxImageSide || size->height_px > kMaxImageSide)
+        throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT such as 240x240, each 1 to " +
+                                                 std::to_string(kMaxImageSide) + ", not \"" + text + "\"");
+    options.width_px = size->width_px;
+    options.height_px = size->height_px;
+}
+
+void set_orbit(const std::string& text, ViewOptions& options)
+{
+    constexpr double kPole = 90, kFarthest = kMaxEyeDistanceQ20 / kOneQ20;
+    const auto orbit = parse_triple(text);
+    if (!orbit || std::abs((*orbit)[1]) > kPole || (*orbit)[2] <= 1 || (*orbit)[2] > kFarthest)
+        throw CLI::ValidationError("--orbit",
+                                   "takes AZIMUTH,ELEVATION,DISTANCE such as 30,20,3: degrees, degrees from -90 "
+                                   "to 90, radii above 1 and up to 2047; not \"" +
+                                       text + "\"");
+    options.orbit = {(*orbit)[0], (*orbit)[1], (*orbit)[2]};
+}
+
+void set_background(const std::string& text, ViewOptions& options)
+{
+    const auto colour = parse_colour(text);
+    if (!colour)
+        throw CLI::ValidationError("--background",
+                                   "takes six hexadecimal digits RRGGBB such as ff8000, not \"" + text + "\"");
+    options.background = *colour;
+}
+
+// An option whose text a setter turns into a field of `options`.
+void add(CLI::App& command, const std::string& name, void (*set)(const std::string&, ViewOptions&),
+         ViewOptions& options, const std::string& type, const std::string& description)
+{
+    command
+        .add_option_function<std::string>(
+            name, [set, &options](const std::string& text) { set(text, options); }, description)
+        ->type_name(type);
+}
+
+}  // namespace
+
+void add_camera_options(CLI::App& command, ViewOptions& options)
+{
+    constexpr double kMinFovDeg = 1, kMaxFovDeg = 120, kMaxEyeDistance = 2;
+    add(command, "--size", set_size, options, "WxH", "Size of a view in pixels [240x240]");
+    add(command, "--orbit", set_orbit, options, "AZ,EL,DIST",
+        "Where the eye is: azimuth and elevation in degrees, distance from the centre in radii of the sphere "
+        "[30,20,3]");
+    command
+        .add_option("--fov", options.fov_deg,
+                    "Field of view over the longer side, 1 to 120 degrees [so that the "
+                    "sphere fills the frame]")
+        ->type_name("DEG")
+        ->check(CLI::Range(kMinFovDeg, kMaxFovDeg));
+    command
+        .add_option("--stereo", options.eye_distance,
+                    "Draw a stereo pair side by side, the eyes E radii apart with parallel axes; start with a "
+                    "thirtieth of DIST")
+        ->type_name("E")
+        ->check(CLI::Range(0.0, kMaxEyeDistance));
+    command
+        .add_option("--turntable", options.turntable,
+                    "Draw COUNT views around the vertical axis: OUT-000.png, OUT-001.png, ... and OUT-sheet.png")
+        ->type_name("COUNT")
+        ->check(CLI::Range(1, kMaxTurntable));
+    add(command, "--background", set_background, options, "RRGGBB", "Colour where the scene does not cover [000000]");
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// lumi reference: the path-traced truth for the views of lumi render.
+#include <cstdio>
+#include <memory>
+
+#include "camera_options.h"
+#include "commands.h"
+#include "lumi/baker/reference.h"
+#include "lumi/tools/failure.h"
+#include "lumi/tools/progress_printer.h"
+#include "scene_options.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+struct ReferenceOptions {
+    SceneOptions scene;
+    ViewOptions views;
+    baker::ReferenceSettings settings;
+    std::string output;
+};
+
+// c + (255 - a)·b/255, rounded: the blend of docs/architecture.md, in encoded values.
+uint8_t over(uint8_t premultiplied, uint8_t coverage, uint8_t background)
+{
+    constexpr int kOpaque = 255;
+    const int value = premultiplied + ((kOpaque - coverage) * background + kOpaque / 2) / kOpaque;
+    return static_cast<uint8_t>(value > kOpaque ? kOpaque : value);
+}
+
+Picture over_background(const baker::RgbaImage& image, const Rgb8& background)
+{
+    Picture picture(image.width, image.height);
+    for (size_t i = 0; i < image.rgba.size() / 4; ++i) {
+        const uint8_t* rgba = &image.rgba[4 * i];
+        picture.rgb[3 * i] = over(rgba[0], rgba[3], background.r);
+        picture.rgb[3 * i + 1] = over(rgba[1], rgba[3], background.g);
+        picture.rgb[3 * i + 2] = over(rgba[2], rgba[3], background.b);
+    }
+    return picture;
+}
+
+void run(const ReferenceOptions& options)
+{
+    size_t warnings = 0;
+    const baker::Scene scene = load_scene(options.scene, warnings);
+    baker::ReferenceSettings settings = options.settings;
+    settings.threads = options.scene.threads;
+    const auto draw = [&](const Camera& camera) {
+        ProgressPrinter printer(stderr, stderr_is_terminal());
+        const baker::RgbaImage image = baker::render_reference(scene, camera, settings, watch(printer));
+        return over_background(image, options.views.background);
+    };
+    try {
+        for (const std::string& path : write_views(options.views, options.output, draw))
+            std::printf("%s\n", path.c_str());
+    } catch (const baker::Cancelled&) {
+        throw Interrupted();
+    }
+}
+
+}  // namespace
+
+void add_reference(CLI::App& lumi)
+{
+    auto options = std::make_shared<ReferenceOptions>();
+    CLI::App* command =
+        lumi.add_subcommand("reference", "Path-trace views of a scene: the truth that fields approximate");
+    add_scene_options(*command, options->scene);
+    command->add_option("-o,--output", options->output, "Picture to write")->type_name("OUT.png")->required();
+    add_camera_options(*command, options->views);
+    command->add_option("--spp", options->settings.samples, "Light paths per pixel")
+        ->type_name("S")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
+        ->type_name("K")
+        ->capture_default_str();
+    command->footer(
+        "The bounding sphere is fitted as in lumi bake, so equal camera options show the same view.\n"
+        "Example:\n  lumi reference product.obj -o truth.png --orbit 30,20,3 --spp 256");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What `lumi bake` and `lumi reference` share: the scene, and how it is read.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "lumi/baker/scene.h"
+
+namespace lumi::tools
+{
+
+struct SceneOptions {
+    std::string path;
+    baker::UpAxis up = baker::UpAxis::y;
+    unsigned threads = 0;
+};
+
+// Adds SCENE, --up and --threads; parsed values go to `options`, which must outlive the parse.
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+// Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.
+baker::Scene load_scene(const SceneOptions& options, size_t& warnings);
+
+}  // namespace lumi::tools

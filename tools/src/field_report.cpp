@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/tools/field_report.h"
+
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "lumi/tools/text.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+float float_from_bits(uint32_t bits)
+{
+    float value;
+    static_assert(sizeof value == sizeof bits, "a field stores IEEE binary32");
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+const char* name_of(format::ColourSpace space)
+{
+    return space == format::ColourSpace::srgb ? "srgb" : "unknown";
+}
+
+template <class... Values>
+void append_line(std::string& text, const char* pattern, Values... values)
+{
+    char line[256];
+    std::snprintf(line, sizeof line, pattern, values...);
+    text += line;
+    text += '\n';
+}
+
+void append_section(std::string& text, const FieldReport::Entry& entry, uint64_t file_bytes)
+{
+    const Section& section = entry.section;
+    const char* state = !entry.intact ? "" : *entry.intact ? "  intact" : "  DAMAGED";
+    append_line(text, "  %-4s  %10" PRIu32 "  %10" PRIu32 "  %5.1f %%  %08" PRIx32 "  %s%s", section.type.c_str(),
+                section.offset, section.bytes, 100.0 * section.bytes / static_cast<double>(file_bytes), section.crc32,
+                section.required ? "required" : "optional", state);
+}
+
+std::string hexadecimal(uint32_t value)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "%08" PRIx32, value);
+    return text;
+}
+
+}  // namespace
+
+FieldReport describe_field(const FieldFile& file, bool verify)
+{
+    const Field& field = file.field();
+    FieldReport report;
+    report.path = file.path();
+    report.file_bytes = file.size();
+    report.version = format::kVersion;
+    report.origins = field.origins.size();
+    report.directions = field.directions.size();
+    report.used_origins = field.used_origins;
+    report.row_bytes = field.directions.size() * format::bytes_per_texel(field.texel_format);
+    report.row_stride_bytes = field.row_stride_bytes;
+    report.texel_format = name_of(field.texel_format);
+    report.colour_space = name_of(field.colour_space);
+    for (size_t axis = 0; axis < report.centre.size(); ++axis)
+        report.centre[axis] = float_from_bits(field.centre_bits[axis]);
+    report.radius = float_from_bits(field.radius_bits);
+    report.other_bytes = report.file_bytes;
+    for (const Section& section : file.sections()) {
+        report.sections.push_back({section, verify ? std::optional<bool>(file.is_intact(section)) : std::nullopt});
+        report.other_bytes -= section.bytes;
+    }
+    return report;
+}
+
+std::string text_of(const FieldReport& report)
+{
+    std::string text = report.path + "\n";
+    append_line(text, "  version       %" PRIu32, report.version);
+    append_line(text, "  bytes         %" PRIu64 " (%s)", report.file_bytes, byte_text(report.file_bytes).c_str());
+    append_line(text, "  origins       %" PRIu32 ", of which %" PRIu32 " used", report.origins, report.used_origins);
+    append_line(text, "  directions    %" PRIu32, report.directions);
+    append_line(text, "  texels        %s, %s", report.texel_format.c_str(), report.colour_space.c_str());
+    append_line(text, "  row           %" PRIu32 " bytes, %" PRIu32 " apart", report.row_bytes,
+                report.row_stride_bytes);
+    append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", static_cast<double>(report.centre[0]),
+                static_cast<double>(report.centre[1]), static_cast<double>(report.centre[2]),
+                static_cast<double>(report.radius));
+    append_line(text, "  type      offset       bytes    share  CRC-32");
+    for (const FieldReport::Entry& entry : report.sections) append_section(text, entry, report.file_bytes);
+    append_line(text, "  header, table and alignment: %" PRIu64 " bytes", report.other_bytes);
+    return text;
+}
+
+std::string json_of(const FieldReport& report)
+{
+    nlohmann::ordered_json json = {{"file", report.path},
+                                   {"bytes", report.file_bytes},
+                                   {"version", report.version},
+                                   {"origins", report.origins},
+                                   {"used_origins", report.used_origins},
+                                   {"directions", report.directions},
+                                   {"texel_format", report.texel_format},
+                                   {"colour_space", report.colour_space},
+                                   {"row_bytes", report.row_bytes},
+                                   {"row_stride_bytes", report.row_stride_bytes},
+                                   {"centre", report.centre},
+                                   {"radius", report.radius}};
+    json["sections"] = nlohmann::ordered_json::array();
+    for (const FieldReport::Entry& entry : report.sections) {
+        nlohmann::ordered_json section = {{"type", entry.section.type},
+                                          {"required", entry.section.required},
+                                          {"offset", entry.section.offset},
+                                          {"bytes", entry.section.bytes},
+                                          {"crc32", hexadecimal(entry.section.crc32)}};
+        if (entry.intact) section["intact"] = *entry.intact;
+        json["sections"].push_back(section);
+    }
+    json["other_bytes"] = report.other_bytes;
+    // File names and section types may be any bytes; what is not UTF-8 must not stop the report.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The `lumi` command line: subcommands in commands/, exit codes in lumi/tools/failure.h.
+#include <cstdio>
+
+#include "commands/commands.h"
+#include "lumi/tools/failure.h"
+#include "lumi/tools/interrupt.h"
+
+namespace
+{
+
+using namespace lumi::tools;
+
+int report(const char* message, ExitCode code)
+{
+    std::fprintf(stderr, "lumi: %s\n", message);
+    return code;
+}
+
+// Which help to read after a wrong call.
+std::string help_call(const CLI::App& lumi)
+{
+    const auto chosen = lumi.get_subcommands();
+    return chosen.empty() ? "lumi --help" : "lumi " + chosen.front()->get_name() + " --help";
+}
+
+int report_parse_error(const CLI::App& lumi, const CLI::ParseError& error)
+{
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+        return lumi.exit(error);  // --help or --version: prints to stdout
+    report((std::string(error.what()) + "; see `" + help_call(lumi) + "`").c_str(), kExitUsage);
+    return kExitUsage;
+}
+
+void describe_program(CLI::App& lumi)
+{
+    lumi.name("lumi");
+    lumi.set_version_flag("--version", LUMI_VERSION);
+    lumi.require_subcommand(1);
+    lumi.get_formatter()->column_width(34);
+    lumi.footer(
+        "Exit codes: 0 done, 1 failed, 2 wrong call, 130 interrupted.\n"
+        "Example:\n  lumi bake product.obj -o product.lumi && lumi render product.lumi -o product.png");
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    catch_interrupts();
+    CLI::App lumi("Bakes path-traced scenes into fields for microcontrollers, and draws, measures and embeds them.");
+    describe_program(lumi);
+    for (const auto add : {add_bake, add_render, add_reference, add_compare, add_inspect, add_embed}) add(lumi);
+    try {
+        lumi.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return report_parse_error(lumi, error);
+    } catch (const UsageError& error) {
+        return report((std::string(error.what()) + "; see `" + help_call(lumi) + "`").c_str(), kExitUsage);
+    } catch (const Interrupted& error) {
+        return report(error.what(), kExitInterrupted);
+    } catch (const std::bad_alloc&) {
+        return report("out of memory; choose a smaller field or picture", kExitFailed);
+    } catch (const std::exception& error) {
+        return report(error.what(), kExitFailed);
+    }
+    return kExitOk;
+}
