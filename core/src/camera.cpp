@@ -88,8 +88,9 @@ CameraError check_eye(const Vec3q20& eye, uint64_t& distance2_q40)
 
 int32_t unit_component(int32_t eye_q20, const ReciprocalRoot& root)
 {
-    return static_cast<int32_t>(multiply_shift(static_cast<int64_t>(eye_q20) << 10,
-                                               static_cast<int32_t>(root.mantissa >> 1), root.exponent - 21));
+    const int64_t product = wide_product(eye_q20, static_cast<int32_t>(root.mantissa >> 1));
+    const int shift = root.exponent - 31;  // 20 at e = 1 .. 31 at e = 2047
+    return static_cast<int32_t>((product + (int64_t{1} << (shift - 1))) >> shift);
 }
 
 void set_eye(const Vec3q20& eye, uint64_t distance2_q40, Camera& camera)

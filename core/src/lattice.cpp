@@ -15,18 +15,18 @@ constexpr int32_t kFibonacci[17] = {0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144
 constexpr int kZones = 16;
 
 struct ZoneTables {
-    uint32_t threshold_q10[kZones];      // zone k begins where n·(1 - z²) = Φ^(2k+1)/(√5·π)
+    uint32_t threshold_q10[2 * kZones];  // n·(1 - z²) = Φ^m/(√5·π)
     int32_t step_turns_q30[kZones + 1];  // |longitude step of F_k| = Φ^-k
 };
 
 constexpr ZoneTables make_zone_tables()
 {
     ZoneTables t{};
-    double power = generate::kGolden;
+    double power = 1;
     double inverse = 1;
-    for (int k = 0; k < kZones; ++k) {
-        t.threshold_q10[k] = static_cast<uint32_t>(1024 * power / (generate::root(5) * generate::kPi) + 0.5);
-        power *= generate::kGolden * generate::kGolden;
+    for (int m = 0; m < 2 * kZones; ++m) {
+        t.threshold_q10[m] = static_cast<uint32_t>(1024 * power / (generate::root(5) * generate::kPi) + 0.5);
+        power *= generate::kGolden;
     }
     for (int k = 0; k <= kZones; ++k) {
         t.step_turns_q30[k] = k == 0 ? kOneQ30 : static_cast<int32_t>(kOneQ30 * inverse + 0.5);
@@ -66,19 +66,27 @@ uint32_t unmirrored(const Lattice& lattice, const Query& query, uint32_t i)
     return query.mirrored ? lattice.size() - 1 - i : i;
 }
 
+// n·(1 - z²) at the real-valued index t, Q10: (2t + 1)·(1 + z) with z >= 0.
+uint32_t n_sine2_q10(int32_t height_q10, int32_t z_q30)
+{
+    const uint64_t twice = static_cast<uint64_t>(2 * static_cast<int64_t>(height_q10) + 1024);
+    return static_cast<uint32_t>((twice * (static_cast<uint32_t>(z_q30) + static_cast<uint32_t>(kOneQ30))) >> 30);
+}
+
+// Keinert's zone: the k with Φ^2k <= √5·π·n·(1 - z²) < Φ^(2k+2), where F_k and F_k+1 are the shortest steps.
 int zone_of(const Query& q)
 {
-    const uint64_t twice_height = static_cast<uint64_t>(2 * static_cast<int64_t>(q.height_q10) + 1024);
-    const uint64_t n_w_q10 = (twice_height * (static_cast<uint32_t>(q.z_q30) + static_cast<uint32_t>(kOneQ30))) >> 30;
+    const uint32_t n_sine2 = n_sine2_q10(q.height_q10, q.z_q30);
     int k = 1;
-    while (k + 1 < kZones && n_w_q10 >= kZoneTables.threshold_q10[k + 1]) ++k;
+    while (k + 1 < kZones && n_sine2 >= kZoneTables.threshold_q10[2 * (k + 1)]) ++k;
     return k;
 }
 
 // Lattice coordinates of a query in the basis (F_k, F_k+1) of its zone: the point with coordinates (a, b) has index
-// F_k·a + F_k+1·b. The basis has determinant ±1, is an obtuse superbase within its zone, and adding a turn to the
-// longitude moves (u, v) by (F_k+1, -F_k), which leaves every index as it is.
+// F_k·a + F_k+1·b. The basis has determinant ±1, and adding a turn to the longitude moves (u, v) by (F_k+1, -F_k),
+// which leaves every index as it is.
 struct Cell {
+    int zone;
     int32_t first, second;  // F_k, F_k+1
     int32_t u_q12, v_q12;
 };
@@ -94,7 +102,7 @@ Cell cell_of(const Query& q)
                               (static_cast<uint64_t>(q.longitude_turns32) * static_cast<uint32_t>(fibonacci)) >> 20);
     };
     const auto along_height = [&](int32_t step_q30) { return (static_cast<int64_t>(q.height_q10) * step_q30) >> 28; };
-    return {first, second,
+    return {k, first, second,
             static_cast<int32_t>(along_longitude(second) + along_height(kZoneTables.step_turns_q30[k + 1])),
             static_cast<int32_t>(along_height(kZoneTables.step_turns_q30[k]) - along_longitude(first))};
 }
@@ -241,18 +249,34 @@ Triangle polar_triangle(const Lattice& lattice, const Query& q)
             {kWeightOneQ12 - w1 - w2, w1, w2}};
 }
 
-// The Delaunay triangle of a lattice cell is one of its halves: the basis is an obtuse superbase.
+// Whether the two steps of a zone form an obtuse angle at the middle of a cell: then the cell's diagonal is their sum,
+// else their difference. Decided for the cell, not for the query, so that neighbours agree and no seam opens where the
+// diagonal flips; where the zone changes, both zones' triangles are the same ones.
+bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner)
+{
+    const int32_t middle_q10 = 1024 * corner + 512 * (cell.first + cell.second);
+    const int32_t z_q30 = lattice.height_at_q30(middle_q10);
+    return n_sine2_q10(middle_q10, z_q30) >= kZoneTables.threshold_q10[2 * cell.zone + 1];
+}
+
+// The triangle of a cell of the lattice, by its parts (fu, fv) and the diagonal that divides it.
 Triangle cell_triangle(const Lattice& lattice, const Query& q)
 {
     const Cell cell = cell_of(q);
     const int32_t corner = cell.first * (cell.u_q12 >> 12) + cell.second * (cell.v_q12 >> 12);
     const uint32_t fu = static_cast<uint32_t>(cell.u_q12) & (kWeightOneQ12 - 1);
     const uint32_t fv = static_cast<uint32_t>(cell.v_q12) & (kWeightOneQ12 - 1);
-    const bool lower = fu > fv;
     const auto index = [&](int32_t i) { return unmirrored(lattice, q, static_cast<uint32_t>(i)); };
-    return {
-        {index(corner), index(corner + (lower ? cell.first : cell.second)), index(corner + cell.first + cell.second)},
-        {kWeightOneQ12 - (lower ? fu : fv), lower ? fu - fv : fv - fu, lower ? fv : fu}};
+    const uint32_t first = index(corner + cell.first);
+    const uint32_t second = index(corner + cell.second);
+    const uint32_t near = index(corner);
+    const uint32_t far = index(corner + cell.first + cell.second);
+    if (is_obtuse(lattice, cell, corner)) {
+        if (fu > fv) return {{near, first, far}, {kWeightOneQ12 - fu, fu - fv, fv}};
+        return {{near, second, far}, {kWeightOneQ12 - fv, fv - fu, fu}};
+    }
+    if (fu + fv < kWeightOneQ12) return {{near, first, second}, {kWeightOneQ12 - fu - fv, fu, fv}};
+    return {{far, first, second}, {fu + fv - kWeightOneQ12, kWeightOneQ12 - fv, kWeightOneQ12 - fu}};
 }
 
 // Too few points for a pattern: the nearest three, by the kernel's weights.
@@ -283,6 +307,12 @@ Lattice::Lattice(uint32_t size)
 int32_t Lattice::height_q30(uint32_t i) const
 {
     return kOneQ30 - static_cast<int32_t>(((2 * i + 1) * reciprocal_q62_ + (uint64_t{1} << 31)) >> 32);
+}
+
+int32_t Lattice::height_at_q30(int32_t index_q10) const
+{
+    const uint64_t below_top_q10 = static_cast<uint64_t>(2 * static_cast<int64_t>(index_q10) + 1024);  // < 2^32
+    return kOneQ30 - static_cast<int32_t>((below_top_q10 * (reciprocal_q62_ >> 10)) >> 32);
 }
 
 int32_t Lattice::index_at_q10(int32_t z_q30) const

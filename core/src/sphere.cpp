@@ -101,6 +101,10 @@ int32_t find_covered(const Camera& camera, int32_t y, RowSpan limits)
     return limits.end;
 }
 
+// |D| <= 1 within the image, up to rounding; a covered pixel's m and |P| are at most |D|. The slack keeps all of Q30.
+constexpr int64_t kLimitQ40 = int64_t{5} << 38;
+constexpr int64_t kLimitQ60 = int64_t{5} << 58;
+
 int32_t narrow_q30(int64_t v_q40)
 {
     return static_cast<int32_t>(v_q40 >> 10);
@@ -111,17 +115,16 @@ int32_t narrow_q30(int64_t v_q40)
 bool ray_at(const Camera& camera, int32_t x, int32_t y, SphereRay& out)
 {
     const int64_t facing_q40 = camera.facing.at(x, y);
-    constexpr int64_t kOneQ40 = int64_t{1} << 40;
-    if (facing_q40 <= 0 || facing_q40 > kOneQ40) return false;
+    if (facing_q40 <= 0 || facing_q40 > kLimitQ40) return false;
     int64_t offset_q40[3];
     for (int k = 0; k < 3; ++k) {
         offset_q40[k] = camera.offset[k].at(x, y);
-        if (offset_q40[k] > kOneQ40 || offset_q40[k] < -kOneQ40) return false;  // |P| > 1 >= |D|
+        if (magnitude(offset_q40[k]) > kLimitQ40) return false;
     }
     out.facing_q30 = narrow_q30(facing_q40);
     out.offset = {narrow_q30(offset_q40[0]), narrow_q30(offset_q40[1]), narrow_q30(offset_q40[2])};
     const int64_t offset2_q60 = dot_q60(out.offset, out.offset);
-    if (offset2_q60 > int64_t{1} << 60) return false;
+    if (offset2_q60 > kLimitQ60) return false;
     out.offset2_q30 = q60_to_q30(offset2_q60);
     const int64_t half_chord2 =
         wide_product(out.facing_q30, out.facing_q30) - wide_product(camera.perpendicular_q30, out.offset2_q30);
@@ -162,12 +165,13 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
 
 RowSpan covered_span(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end)
 {
-    const RowSpan limits = {x_begin, x_end};
-    if (x_begin >= x_end) return {x_begin, x_begin};
+    const RowSpan empty = {x_begin, x_begin};
+    const RowSpan limits = {x_begin > 0 ? x_begin : 0, x_end < camera.width_px ? x_end : camera.width_px};
+    if (y < 0 || y >= camera.height_px || limits.begin >= limits.end) return empty;
     const int32_t inside = find_covered(camera, y, limits);
-    if (inside == x_end) return {x_begin, x_begin};
-    const int32_t first = border(camera, y, inside, x_begin - 1);
-    const int32_t last = border(camera, y, inside, x_end);
+    if (inside == limits.end) return empty;
+    const int32_t first = border(camera, y, inside, limits.begin - 1);
+    const int32_t last = border(camera, y, inside, limits.end);
     return {first, last + 1};
 }
 

@@ -75,7 +75,7 @@ double excess(const Lattice& lattice, const std::vector<Vec3>& all, const Vec3q3
     truth.reserve(all.size());
     for (const Vec3& p : all) truth.push_back(reference::dot(p - q, p - q));
     const uint32_t expected = std::min<uint32_t>(count, lattice.size());
-    std::partial_sort(truth.begin(), truth.begin() + expected, truth.end());
+    std::partial_sort(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(expected), truth.end());
 
     Neighbour found[kMaxNeighbours];
     if (neighbours(lattice, query, count, found) != expected) return INFINITY;
@@ -131,7 +131,7 @@ TEST_CASE("points lie where the definition says, for every size", "[lattice]")
     Worst worst;
     for_sizes([&](uint32_t n, uint32_t) {
         const Lattice lattice(n);
-        const uint32_t step = std::max(1u, n / 20000);
+        const uint32_t step = std::max<uint32_t>(1, n / 20000);
         for (uint32_t i = 0; i < n; i += step) {
             worst.see(reference::length(reference::decoded(point(lattice, i)) - reference::point(n, i)),
                       uint64_t{n} * 2000000 + i);
@@ -146,7 +146,7 @@ TEST_CASE("every point is its own nearest", "[lattice]")
     uint32_t wrong = 0;
     for_sizes([&](uint32_t n, uint32_t) {
         const Lattice lattice(n);
-        const uint32_t step = std::max(1u, n / 2000);
+        const uint32_t step = std::max<uint32_t>(1, n / 2000);
         for (uint32_t i = 0; i < n; i += step) wrong += nearest(lattice, point(lattice, i)) != i;
     });
     CHECK(wrong == 0);

@@ -20,7 +20,8 @@ struct SphereRay {
     uint64_t half_chord2_q60;  // s²
 };
 
-// The ray through the centre of pixel (x, y); false if it misses the sphere, is tangential or the sphere lies behind.
+// The ray through the centre of pixel (x, y) of the image; false if it misses the sphere, is tangential or the sphere
+// lies behind.
 bool ray_at(const Camera& camera, int32_t x, int32_t y, SphereRay& out);
 
 // Where a ray enters (front) and leaves (back) the sphere: unit vectors, error below 2^-25.
@@ -29,8 +30,9 @@ struct SphereHits {
 };
 SphereHits hits(const Camera& camera, const SphereRay& ray);
 
-// The pixels [begin, end) of a row whose rays hit the sphere, within [x_begin, x_end): exact, as ray_at decides. The
-// sphere's outline is convex, so they are one span. Empty: begin == end.
+// The pixels [begin, end) of a row of the image whose rays hit the sphere, within [x_begin, x_end): exact, as ray_at
+// decides. The sphere's outline is convex, so they are one span. Nothing beside the image is covered. Empty: both
+// x_begin.
 struct RowSpan {
     int32_t begin, end;
 };

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/camera.h"
+
+#include <catch2/catch.hpp>
+
+#include "reference.h"
+#include "report.h"
+#include "views.h"
+
+using namespace lumi;
+using namespace lumi::test;
+using reference::decoded;
+
+namespace
+{
+
+constexpr double kQ40 = 1099511627776.0;
+
+double value(const AffineQ40& a, int32_t x, int32_t y)
+{
+    return static_cast<double>(a.at(x, y)) / kQ40;
+}
+
+// The viewing vector of a pixel straight from pose and image, of any length.
+Vec3 viewing_vector(const Pose& pose, const Image& image, double x, double y)
+{
+    const double longer = std::max(image.width_px, image.height_px);
+    const double pixel = 2 * std::tan(image.fov_turns32 / 4294967296.0 * reference::kPi) / longer;
+    const double right = (x + 0.5 - image.width_px / 2.0 - image.shift_x_q8 / 256.0) * pixel;
+    const double down = (y + 0.5 - image.height_px / 2.0 - image.shift_y_q8 / 256.0) * pixel;
+    return decoded(pose.forward) + right * decoded(pose.right) + (-down) * decoded(pose.up);
+}
+
+// D as the camera describes it: P/e - m·ê.
+Vec3 camera_vector(const Camera& camera, int32_t x, int32_t y)
+{
+    const Vec3 p = {value(camera.offset[0], x, y), value(camera.offset[1], x, y), value(camera.offset[2], x, y)};
+    return reference::from_q30(camera.inverse_distance_q30) * p +
+           (-value(camera.facing, x, y)) * decoded(camera.eye_direction);
+}
+
+CameraError error_of(const Pose& pose, const Image& image)
+{
+    Camera camera;
+    return make_camera(pose, image, camera);
+}
+
+const Image kImage = {64, 48, degrees(40)};
+
+}  // namespace
+
+TEST_CASE("a camera's rays are those of its pose and image", "[camera]")
+{
+    Worst angle;
+    Worst length;
+    uint64_t where = 0;
+    for (const View& view : extreme_views(64)) {
+        Camera camera;
+        INFO(view.name);
+        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        CHECK(reference::from_q30(camera.inverse_distance_q30) ==
+              Approx(1 / reference::length(decoded(view.pose.eye))).epsilon(1e-5));
+        const double pixel = 2 * std::tan(view.image.fov_turns32 / 4294967296.0 * reference::kPi) /
+                             std::max(view.image.width_px, view.image.height_px);
+        for (int32_t y = 0; y < view.image.height_px; y += 7) {
+            for (int32_t x = 0; x < view.image.width_px; x += 5) {
+                const Vec3 d = camera_vector(camera, x, y);
+                const Vec3 truth = reference::normalised(viewing_vector(view.pose, view.image, x, y));
+                length.see(reference::length(d), where);
+                angle.see(reference::length(reference::normalised(d) - truth) / pixel, where++);
+            }
+        }
+    }
+    angle.report("camera, error of a ray in pixels");
+    length.report("camera, length of a viewing vector");
+    CHECK(angle.error < 0.01);
+    CHECK(length.error <= 1.0);
+}
+
+TEST_CASE("orbit looks at the centre from where its angles say", "[camera]")
+{
+    const Pose front = orbit(0, 0, 3 * kOneQ20);
+    CHECK(front.eye.x == 3 * kOneQ20);
+    CHECK(front.forward.x == -kOneQ30);
+    CHECK(front.right.y == kOneQ30);
+    CHECK(front.up.z == kOneQ30);
+    const Pose above = orbit(0, 0x40000000, 2 * kOneQ20);
+    CHECK(above.eye.z == 2 * kOneQ20);
+    CHECK(above.forward.z == -kOneQ30);
+    CHECK(error_of(above, kImage) == CameraError::none);
+    const Pose quarter = orbit(0x40000000, 0, 2 * kOneQ20);
+    CHECK(quarter.eye.y == 2 * kOneQ20);
+    Worst worst;
+    for (uint32_t k = 0; k < 4096; ++k) {
+        const Pose p = orbit(k * 0x9E3779B9u, static_cast<int32_t>(k * 0x3C6EF372u) / 2, 5 * kOneQ20 / 2);
+        const Vec3 eye = decoded(p.eye);
+        worst.see(reference::length(reference::normalised(eye) + decoded(p.forward)), k);
+        worst.see(std::fabs(reference::length(eye) - 2.5), k);
+        REQUIRE(error_of(p, kImage) == CameraError::none);
+    }
+    worst.report("orbit, error of the eye");
+    CHECK(worst.error < 4e-6);
+}
+
+TEST_CASE("a stereo pair moves along the camera's right axis", "[camera]")
+{
+    const Pose middle = orbit(0x12345678, 0x05000000, 3 * kOneQ20);
+    const Pose left = moved_right(middle, -kOneQ20 / 20);
+    const Pose right = moved_right(middle, kOneQ20 / 20);
+    const Vec3 between = decoded(right.eye) - decoded(left.eye);
+    CHECK(reference::length(between) == Approx(0.1).epsilon(1e-4));
+    CHECK(reference::dot(reference::normalised(between), decoded(middle.right)) == Approx(1).epsilon(1e-6));
+    CHECK(left.forward.x == middle.forward.x);
+}
+
+TEST_CASE("poses and images out of range are refused by name and leave the camera untouched", "[camera]")
+{
+    const Pose good = orbit(0, 0, 3 * kOneQ20);
+    CHECK(error_of(good, kImage) == CameraError::none);
+    CHECK(error_of(orbit(5, 6, kOneQ20 * 99 / 100), kImage) == CameraError::eye_inside_sphere);
+    CHECK(error_of(look_at({0, 0, 0.001}, {0, 0, 0}), kImage) == CameraError::eye_inside_sphere);
+    CHECK(error_of(orbit(0, 0, INT32_MAX), kImage) == CameraError::eye_too_far);
+    Pose corner = good;
+    corner.eye = {INT32_MIN, INT32_MIN, INT32_MIN};
+    CHECK(error_of(corner, kImage) == CameraError::eye_too_far);
+    CHECK(error_of(good, {64, 64, degrees(0.9)}) == CameraError::field_of_view_range);
+    CHECK(error_of(good, {64, 64, degrees(121)}) == CameraError::field_of_view_range);
+    CHECK(error_of(good, {0, 64, degrees(40)}) == CameraError::image_size_range);
+    CHECK(error_of(good, {64, 8193, degrees(40)}) == CameraError::image_size_range);
+    CHECK(error_of(good, {64, 64, degrees(40), 65 * 256, 0}) == CameraError::image_size_range);
+    Pose skewed = good;
+    skewed.up = skewed.right;
+    CHECK(error_of(skewed, kImage) == CameraError::axes_not_orthonormal);
+    skewed = good;
+    skewed.right.x = INT32_MIN;
+    CHECK(error_of(skewed, kImage) == CameraError::axes_not_orthonormal);
+
+    Camera camera{};
+    camera.width_px = 77;
+    CHECK(make_camera(skewed, kImage, camera) != CameraError::none);
+    CHECK(camera.width_px == 77);
+}
