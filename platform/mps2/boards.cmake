@@ -14,9 +14,28 @@ set(LUMI_MPS2_PSRAM_an385 0x21000000)
 set(LUMI_MPS2_PSRAM_an386 0x21000000)
 set(LUMI_MPS2_PSRAM_an500 0x60000000)
 
-# The command, as a list, that runs a program for `cpu`; -kernel FILE and options follow it. Semihosting output goes to
-# standard output through its own channel: QEMU would send it to standard error.
-function(lumi_mps2_emulator cpu out)
-  set(${out} qemu-system-arm -M mps2-${LUMI_MPS2_BOARD_${cpu}} -display none -serial none -monitor none
-    -chardev stdio,id=console -semihosting-config enable=on,target=native,chardev=console PARENT_SCOPE)
+# lumi_mps2_command(OUT CPU cpu KERNEL file [ARGUMENTS a...] [FIELDS file...] [COUNT_INSTRUCTIONS])
+# The command, as a list, that runs a program. Its semihosting output goes to standard output through a channel of its
+# own (QEMU would send it to standard error). Fields are loaded into PSRAM, one after every MiB.
+# COUNT_INSTRUCTIONS: one virtual nanosecond an instruction, so that SysTick counts them; slower.
+function(lumi_mps2_command out)
+  cmake_parse_arguments(PARSE_ARGV 1 run "COUNT_INSTRUCTIONS" "CPU;KERNEL" "ARGUMENTS;FIELDS")
+  set(board ${LUMI_MPS2_BOARD_${run_CPU}})
+  set(semihosting enable=on,target=native,chardev=console,arg=program)
+  foreach(argument IN LISTS run_ARGUMENTS)
+    string(REPLACE "," ",," argument "${argument}")
+    string(APPEND semihosting ",arg=${argument}")
+  endforeach()
+  set(command qemu-system-arm -M mps2-${board} -display none -serial none -monitor none
+    -chardev stdio,id=console -semihosting-config ${semihosting})
+  if(run_COUNT_INSTRUCTIONS)
+    list(APPEND command -icount shift=0)
+  endif()
+  set(address ${LUMI_MPS2_PSRAM_${board}})
+  foreach(field IN LISTS run_FIELDS)
+    string(REPLACE "," ",," field "${field}")
+    list(APPEND command -device loader,file=${field},addr=${address},force-raw=on)
+    math(EXPR address "${address} + 0x100000" OUTPUT_FORMAT HEXADECIMAL)
+  endforeach()
+  set(${out} ${command} -kernel ${run_KERNEL} PARENT_SCOPE)
 endfunction()

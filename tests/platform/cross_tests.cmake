@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+# Builds the project for every CPU, once per ctest run and only if a test of that CPU runs, and tests what was built.
+foreach(program arm-none-eabi-gcc arm-none-eabi-g++ arm-none-eabi-nm qemu-system-arm)
+  string(MAKE_C_IDENTIFIER "LUMI_FOUND_${program}" lumi_found)
+  find_program(${lumi_found} ${program})
+  if(NOT ${lumi_found})
+    message(FATAL_ERROR "The cross tests need ${program}. On Debian:\n"
+      "  apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm\n"
+      "Or configure with -DLUMI_CROSS_TESTS=OFF to test on the host alone.")
+  endif()
+endforeach()
+
+set(lumi_boards ${PROJECT_SOURCE_DIR}/platform/mps2/boards.cmake)
+include(${lumi_boards})
+
+# Deepest stack of render() on any of the CPUs, as docs/boards.md states it.
+set(LUMI_STACK_LIMIT 1024)
+set(lumi_build_timeout_s 1500)
+set(lumi_run_timeout_s 900)
+
+foreach(cpu IN LISTS LUMI_MPS2_CPUS)
+  set(lumi_cross ${PROJECT_BINARY_DIR}/cross/${cpu})
+  set(lumi_firmware ${lumi_cross}/platform/mps2)
+
+  add_test(NAME ${cpu}.build
+    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR} ${lumi_cross} --build-noclean
+      --build-generator ${CMAKE_GENERATOR} --build-options -DCMAKE_BUILD_TYPE=RelWithDebInfo
+        -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/toolchains/${cpu}.cmake
+        -DLUMI_BUILD_FIRMWARE=ON -DLUMI_FIRMWARE_FIELD=${CMAKE_CURRENT_BINARY_DIR}/fields/rgb565.lumi)
+  set_tests_properties(${cpu}.build PROPERTIES FIXTURES_SETUP lumi_built_${cpu}
+    PROCESSORS 2 TIMEOUT ${lumi_build_timeout_s})
+
+  add_test(NAME ${cpu}.core_tests
+    COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
+      -D KERNEL=${lumi_cross}/tests/cross/lumi_core_tests.elf
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/run_on_board.cmake)
+  add_test(NAME ${cpu}.frame_crcs
+    COMMAND ${CMAKE_COMMAND} -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D BOARDS=${lumi_boards} -D CPU=${cpu}
+      -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}"
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_frames.cmake)
+  set(lumi_cpu_tests ${cpu}.core_tests ${cpu}.frame_crcs)
+  foreach(mode nearest linear paper)
+    add_test(NAME ${cpu}.demo_${mode}
+      COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
+        -D KERNEL=${lumi_firmware}/lumi_demo_firmware.elf -D MODE=${mode} -D STACK_LIMIT=${LUMI_STACK_LIMIT}
+        -D PICTURE=${CMAKE_CURRENT_BINARY_DIR}/${cpu}-${mode}
+        -P ${CMAKE_CURRENT_SOURCE_DIR}/demo_frame.cmake)
+    list(APPEND lumi_cpu_tests ${cpu}.demo_${mode})
+  endforeach()
+
+  # Core's proof.
+  set(lumi_policies ${lumi_cross}/tests/cross/CMakeFiles/lumi_policies.dir)
+  add_test(NAME ${cpu}.core_symbols
+    COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm}
+      -D "FILES=${lumi_cross}/core/liblumi_core.a;${lumi_cross}/tests/cross/liblumi_policies.a;${lumi_firmware}/lumi_frame_crcs_firmware.elf"
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  add_test(NAME ${cpu}.core_stack
+    COMMAND ${CMAKE_COMMAND} -D "FOLDERS=${lumi_cross}/core;${lumi_policies}" -D ROOTS=^_ZN4lumi8policies4draw
+      -D LIMIT=${LUMI_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
+  list(APPEND lumi_cpu_tests ${cpu}.core_symbols ${cpu}.core_stack)
+  set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
+    TIMEOUT ${lumi_run_timeout_s})
+endforeach()
+
+# The proof finds what is planted for it. These need the build of one CPU.
+set(lumi_planted ${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross)
+set(lumi_proof_tests)
+foreach(violation float double heap new exception rtti)
+  add_test(NAME proof.finds_${violation}
+    COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
+      -D FILES=${lumi_planted}/liblumi_planted_${violation}.a -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  list(APPEND lumi_proof_tests proof.finds_${violation})
+endforeach()
+foreach(violation dynamic_frame recursion indirect_call)
+  add_test(NAME proof.finds_${violation}
+    COMMAND ${CMAKE_COMMAND} -D FOLDERS=${lumi_planted}/CMakeFiles/lumi_planted_${violation}.dir -D ROOTS=planted
+      -D LIMIT=${LUMI_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
+  list(APPEND lumi_proof_tests proof.finds_${violation})
+endforeach()
+add_test(NAME proof.finds_deep_stack
+  COMMAND ${CMAKE_COMMAND} -D "FOLDERS=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/core" -D ROOTS=^_ZN4lumi -D LIMIT=100
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
+set_tests_properties(proof.finds_dynamic_frame PROPERTIES PASS_REGULAR_EXPRESSION "is 'dynamic'")
+set_tests_properties(proof.finds_recursion PROPERTIES PASS_REGULAR_EXPRESSION "recursion:")
+set_tests_properties(proof.finds_indirect_call PROPERTIES PASS_REGULAR_EXPRESSION "a call through a pointer")
+set_tests_properties(proof.finds_deep_stack PROPERTIES PASS_REGULAR_EXPRESSION "are more than the 100")
+set_tests_properties(${lumi_proof_tests} proof.finds_deep_stack PROPERTIES FIXTURES_REQUIRED lumi_built_cortex-m0plus)

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+# cmake -D BOARDS=boards.cmake -D CPU=cpu -D KERNEL=elf -D MODE=mode -D STACK_LIMIT=bytes -D PICTURE=prefix
+#       -P demo_frame.cmake
+# Draws one frame with lumi_demo_firmware, whose field is linked in. Passes if it reports instructions and a picture,
+# and if the stack stayed below the limit.
+cmake_minimum_required(VERSION 3.25)
+include(${BOARDS})
+lumi_mps2_command(emulator COUNT_INSTRUCTIONS CPU ${CPU} KERNEL ${KERNEL}
+  ARGUMENTS --frames 1 --verify --mode ${MODE} --write ${PICTURE})
+file(REMOVE ${PICTURE}-000.ppm)
+execute_process(COMMAND ${emulator} OUTPUT_VARIABLE report RESULT_VARIABLE code)
+message("${CPU} ${MODE}: ${report}")
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "the program ended with ${code}")
+endif()
+
+set(number "[1-9][0-9]*")
+set(hex_digit "[0-9a-f]")
+string(REPEAT ${hex_digit} 8 crc)
+set(pattern "^frame 000 crc ${crc} covered ${number} instructions ${number} per-covered ${number} stack (${number})")
+if(NOT report MATCHES "${pattern}")
+  message(FATAL_ERROR "this is not a frame's report")
+endif()
+if(CMAKE_MATCH_1 GREATER STACK_LIMIT)
+  message(FATAL_ERROR "the stack went to ${CMAKE_MATCH_1} bytes; docs/boards.md states ${STACK_LIMIT}")
+endif()
+
+# "P6\n240 240\n255\n" and three bytes a pixel
+math(EXPR expected_bytes "15 + 240 * 240 * 3")
+file(SIZE ${PICTURE}-000.ppm picture_bytes)
+if(NOT picture_bytes EQUAL expected_bytes)
+  message(FATAL_ERROR "the picture has ${picture_bytes} bytes instead of ${expected_bytes}")
+endif()

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// lumi_frame_crcs RGB888 RGB565 PALETTE8 LUMA8: writes the frame list for four field files, as the host draws it.
+#include "frame_list.h"
+
+#include <cstdio>
+#include <cstring>
+
+#include "lumi/host/mapped_file.h"
+
+namespace
+{
+
+constexpr int kUsageExitCode = 64;  // EX_USAGE of sysexits.h
+
+void write_text(const char* text)
+{
+    std::fputs(text, stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 1 + static_cast<int>(lumi::format::kTexelFormats)) {
+        std::fputs("usage: lumi_frame_crcs RGB888 RGB565 PALETTE8 LUMA8 (field files)\n", stderr);
+        return kUsageExitCode;
+    }
+    lumi::host::MappedFile files[lumi::format::kTexelFormats];
+    lumi::firmware::FieldBytes fields[lumi::format::kTexelFormats];
+    for (uint32_t i = 0; i < lumi::format::kTexelFormats; ++i) {
+        if (const int error = files[i].open(argv[i + 1]); error != 0) {
+            std::fprintf(stderr, "%s: %s\n", argv[i + 1], std::strerror(error));
+            return 1;
+        }
+        fields[i] = {files[i].bytes(), files[i].size()};
+    }
+    return lumi::firmware::write_frame_crcs(fields, write_text) ? 0 : 1;
+}
