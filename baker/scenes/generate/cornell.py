@@ -7,8 +7,12 @@ linear RGB renditions of the measured spectra given there, as in Bitterli's Tung
 """
 from mesh import Corner, Obj
 
-# The published lamp lies in the plane of the ceiling; it hangs a little lower here so that the two do not coincide.
-LAMP_HEIGHT = 548.3
+CEILING = 548.8
+# Corners of the lamp and of the ceiling as (x, z), in the same turn. The lamp lies in the ceiling's plane: the ceiling
+# leaves a hole for it, and a housing above, which is ours, keeps its light from the outside.
+LAMP = ((343, 227), (343, 332), (213, 332), (213, 227))
+CEILING_EDGE = ((556, 0), (556, 559.2), (0, 559.2), (0, 0))
+HOUSING_HEIGHT = 15
 
 MATERIALS = """# SPDX-License-Identifier: MIT
 # Linear RGB renditions of the measured Cornell box spectra.
@@ -26,10 +30,22 @@ Kd 0.78 0.78 0.78
 Ke 17 12 4
 """
 
+
+def _at(corners, height):
+    return tuple((x, height, z) for x, z in corners)
+
+
+def _band(low, high):
+    """The quads between two closed loops of corners."""
+    return tuple(zip(low, low[1:] + low[:1], high[1:] + high[:1], high))
+
+
+_lamp, _housing_top = _at(LAMP, CEILING), _at(LAMP, CEILING + HOUSING_HEIGHT)
+
 # name, material, faces of four (x, y, z) corners; the box opens towards -z.
 PARTS = (
     ("floor", "white", (((552.8, 0, 0), (0, 0, 0), (0, 0, 559.2), (549.6, 0, 559.2)),)),
-    ("ceiling", "white", (((556, 548.8, 0), (556, 548.8, 559.2), (0, 548.8, 559.2), (0, 548.8, 0)),)),
+    ("ceiling", "white", _band(_at(CEILING_EDGE, CEILING), _lamp)),
     ("back_wall", "white", (((549.6, 0, 559.2), (0, 0, 559.2), (0, 548.8, 559.2), (556, 548.8, 559.2)),)),
     ("right_wall", "green", (((0, 0, 559.2), (0, 0, 0), (0, 548.8, 0), (0, 548.8, 559.2)),)),
     ("left_wall", "red", (((552.8, 0, 0), (549.6, 0, 559.2), (556, 548.8, 559.2), (556, 548.8, 0)),)),
@@ -45,8 +61,8 @@ PARTS = (
         ((472, 0, 406), (472, 330, 406), (314, 330, 456), (314, 0, 456)),
         ((314, 0, 456), (314, 330, 456), (265, 330, 296), (265, 0, 296)),
         ((265, 0, 296), (265, 330, 296), (423, 330, 247), (423, 0, 247)))),
-    ("lamp", "lamp", (((343, LAMP_HEIGHT, 227), (343, LAMP_HEIGHT, 332), (213, LAMP_HEIGHT, 332),
-                       (213, LAMP_HEIGHT, 227)),)),
+    ("lamp", "lamp", (_lamp,)),
+    ("lamp_housing", "white", _band(_lamp, _housing_top) + (_housing_top,)),
 )
 
 

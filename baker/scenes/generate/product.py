@@ -20,19 +20,20 @@ LEAN_DEGREES = 10
 BODY_CENTRE = translate(0, 0.86, 0)
 DIAL_RADIUS, DIAL_Z = 0.425, 0.315
 RIM_RADIUS = 0.47  # where the body's shell ends under the bezel, in front and behind
+RIB_RADII, RIB_HALF_WIDTH = (0.155, 0.255, 0.355), 0.027
 TIME_HOURS, TIME_MINUTES, TIME_SECONDS = 10, 9, 36
 
 MATERIALS = """# SPDX-License-Identifier: MIT
 # Satin plinth.
 newmtl plinth
-Kd 0.40 0.39 0.375
+Kd 0.54 0.53 0.51
 Ks 0.04 0.04 0.04
 Ns 20
 Pr 0.3
 
 # Glossy red plastic.
 newmtl shell
-Kd 0.42 0.022 0.012
+Kd 0.66 0.045 0.025
 Ks 0.05 0.05 0.05
 Ns 90
 Pr 0.15
@@ -130,15 +131,15 @@ def _front(obj, place):
 def _hands(obj, place):
     minutes = TIME_MINUTES + TIME_SECONDS / 60
     hours = TIME_HOURS + minutes / 60
-    hands = (("hour_hand", "hands", _hand(0.235, 0.06, 0.024, 0.016), 0.330, 0.342, hours * 30),
-             ("minute_hand", "hands", _hand(0.345, 0.07, 0.018, 0.011), 0.348, 0.358, minutes * 6),
-             ("second_hand", "second_hand", _hand(0.37, 0.11, 0.008, 0.006), 0.363, 0.369, TIME_SECONDS * 6))
+    hands = (("hour_hand", "hands", _hand(0.235, 0.06, 0.034, 0.024), 0.330, 0.342, hours * 30),
+             ("minute_hand", "hands", _hand(0.345, 0.07, 0.026, 0.016), 0.348, 0.358, minutes * 6),
+             ("second_hand", "second_hand", _hand(0.37, 0.11, 0.011, 0.007), 0.363, 0.369, TIME_SECONDS * 6))
     for name, material, outline, z0, z1, degrees in hands:
         obj.part(name, material)
         for face in prism(outline, z0, z1):
             obj.face(face, roll(degrees).then(place))
     obj.part("hand_cap", "steel")
-    obj.grids(lathe(profile([(0.03, DIAL_Z, 0), (0.03, 0.378, 0.012), (0, 0.382, 0)]), 24), AXIS_TO_FRONT.then(place))
+    obj.grids(lathe(profile([(0.04, DIAL_Z, 0), (0.04, 0.378, 0.012), (0, 0.382, 0)]), 24), AXIS_TO_FRONT.then(place))
 
 
 def _back(obj, place):
@@ -150,11 +151,11 @@ def _back(obj, place):
     obj.part("rear_panel", "rubber")
     obj.grids(lathe(profile([(0.44, 0.315, 0), (0, 0.315, 0)]), SEGMENTS // 2), back)
     obj.part("rear_ribs", "steel")
-    for radius in (0.11, 0.20, 0.29, 0.38):
-        rib = [(radius + 0.022, 0.31, 0), (radius + 0.022, 0.345, 0.012), (radius - 0.022, 0.345, 0.012),
-               (radius - 0.022, 0.31, 0)]
+    for radius in RIB_RADII:
+        outer, inner = radius + RIB_HALF_WIDTH, radius - RIB_HALF_WIDTH
+        rib = [(outer, 0.31, 0), (outer, 0.345, 0.012), (inner, 0.345, 0.012), (inner, 0.31, 0)]
         obj.grids(lathe(profile(rib), SEGMENTS // 2), back)
-    obj.grids(lathe(profile([(0.045, 0.31, 0), (0.045, 0.345, 0.015), (0, 0.352, 0)]), 24), back)
+    obj.grids(lathe(profile([(0.06, 0.31, 0), (0.06, 0.345, 0.015), (0, 0.352, 0)]), 24), back)
 
 
 def _handle(obj, place):
