@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "commands/help_formatter.h"
 #include "lumi/tools/failure.h"
 #include "lumi/tools/interrupt.h"
 
@@ -28,7 +29,10 @@ int report_parse_error(const CLI::App& lumi, const CLI::ParseError& error)
 {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
         return lumi.exit(error);  // --help or --version: prints to stdout
-    report((std::string(error.what()) + "; see `" + help_call(lumi) + "`").c_str(), kExitUsage);
+    const auto rest = lumi.remaining();
+    const bool unknown = lumi.get_subcommands().empty() && !rest.empty();
+    const std::string problem = unknown ? "there is no subcommand \"" + rest.front() + "\"" : error.what();
+    report((problem + "; see `" + help_call(lumi) + "`").c_str(), kExitUsage);
     return kExitUsage;
 }
 
@@ -37,7 +41,7 @@ void describe_program(CLI::App& lumi)
     lumi.name("lumi");
     lumi.set_version_flag("--version", LUMI_VERSION);
     lumi.require_subcommand(1);
-    lumi.get_formatter()->column_width(34);
+    lumi.formatter(std::make_shared<HelpFormatter>());
     lumi.footer(
         "Exit codes: 0 done, 1 failed, 2 wrong call, 130 interrupted.\n"
         "Example:\n  lumi bake product.obj -o product.lumi && lumi render product.lumi -o product.png");

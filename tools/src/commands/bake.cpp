@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "choice.h"
 #include "commands.h"
 #include "lumi/baker/bake.h"
 #include "lumi/lattice.h"
@@ -25,21 +26,16 @@ struct BakeOptions {
     std::string output, cap;
 };
 
-const std::map<std::string, format::TexelFormat>& texel_formats()
-{
-    static const std::map<std::string, format::TexelFormat> formats = {{"rgb888", format::TexelFormat::rgb888},
-                                                                       {"rgb565", format::TexelFormat::rgb565},
-                                                                       {"palette8", format::TexelFormat::palette8},
-                                                                       {"luma8", format::TexelFormat::luma8}};
-    return formats;
-}
+const Choices<format::TexelFormat> kTexelChoices = {{"rgb888", format::TexelFormat::rgb888},
+                                                    {"rgb565", format::TexelFormat::rgb565},
+                                                    {"palette8", format::TexelFormat::palette8},
+                                                    {"luma8", format::TexelFormat::luma8}};
 
 baker::BakeSettings settings_of(const BakeOptions& options)
 {
     baker::BakeSettings settings = options.settings;
     settings.threads = options.scene.threads;
-    if (options.cap.empty())
-        return settings;
+    if (options.cap.empty()) return settings;
     const auto used = parse_cap(options.cap, settings.origins);
     if (!used)
         throw UsageError("--cap takes a number of origins from 1 to " + std::to_string(settings.origins) +
@@ -95,12 +91,8 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
                     "Bake the uppermost origins only: a number of them, or a share such as 50% or 0.5; from below the "
                     "object is then not seen [all]")
         ->type_name("F");
-    command
-        .add_option("--texel", settings.texel,
-                    "What a ray is stored as: rgb888 (3 bytes), rgb565 (2), palette8 or "
-                    "luma8 (1) [rgb565]")
-        ->type_name("FORMAT")
-        ->transform(CLI::CheckedTransformer(texel_formats()));
+    add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
+               "What a ray is stored as: rgb888 (3 bytes), rgb565 (2), palette8 or luma8 (1) [rgb565]");
 }
 
 }  // namespace

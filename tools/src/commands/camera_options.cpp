@@ -61,7 +61,7 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
         "[30,20,3]");
     command
         .add_option("--fov", options.fov_deg,
-                    "Field of view over the longer side, 1 to 120 degrees [so that the "
+                    "Field of view over the longer side in degrees [so that the "
                     "sphere fills the frame]")
         ->type_name("DEG")
         ->check(CLI::Range(kMinFovDeg, kMaxFovDeg));

@@ -59,11 +59,9 @@ void run(const CompareOptions& options)
 {
     const Picture a = read_png(options.a), b = read_png(options.b);
     require_comparable(options, a, b);
-    if (!options.error_picture.empty())
-        write_png(options.error_picture, error_picture(a, b));
+    if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
     const Likeness likeness = {psnr_db(a, b), ssim(a, b), cw_ssim(a, b)};
-    if (options.json)
-        return print_json(likeness);
+    if (options.json) return print_json(likeness);
     std::printf("PSNR     %.2f dB\nSSIM     %.4f\nCW-SSIM  %.4f\n", likeness.psnr_db, likeness.ssim, likeness.cw_ssim);
 }
 

@@ -30,8 +30,7 @@ std::filesystem::path source_path(const EmbedOptions& options)
 
 std::string symbol_of(const EmbedOptions& options, const std::filesystem::path& source)
 {
-    if (options.symbol.empty())
-        return symbol_from(source.stem().string());
+    if (options.symbol.empty()) return symbol_from(source.stem().string());
     if (!is_symbol(options.symbol))
         throw UsageError("--symbol takes letters, digits and underscores, not \"" + options.symbol + "\"");
     return options.symbol;

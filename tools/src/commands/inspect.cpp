@@ -22,8 +22,7 @@ void run(const InspectOptions& options)
     const FieldReport report = describe_field(file, options.verify);
     const std::string text = options.json ? json_of(report) : text_of(report);
     std::fputs(text.c_str(), stdout);
-    if (options.verify)
-        file.require_intact();
+    if (options.verify) file.require_intact();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "camera_options.h"
+#include "choice.h"
 #include "commands.h"
 #include "lumi/tools/draw.h"
 #include "lumi/tools/field_file.h"
@@ -33,23 +34,19 @@ void run(const RenderOptions& options)
 
 void add_drawing_options(CLI::App& command, DrawSettings& drawing)
 {
-    const std::map<std::string, Mode> modes = {
-        {"nearest", Mode::nearest}, {"linear", Mode::linear}, {"paper", Mode::paper}};
-    const std::map<std::string, DisplayFormat> displays = {
-        {"rgb888", DisplayFormat::rgb888}, {"rgb565", DisplayFormat::rgb565}, {"grey8", DisplayFormat::grey8}};
-    command
-        .add_option("--mode", drawing.mode,
-                    "Reconstruction: nearest (1 texel a pixel), linear (3x3), or paper (KxK, "
-                    "the kernel of the LumiPath paper) [linear]")
-        ->type_name("MODE")
-        ->transform(CLI::CheckedTransformer(modes));
-    command.add_option("--neighbours", drawing.neighbours, "Neighbours a side for --mode paper, 1 to 9")
+    add_choice<Mode>(
+        command, "--mode", drawing.mode, {{"nearest", Mode::nearest}, {"linear", Mode::linear}, {"paper", Mode::paper}},
+        "MODE",
+        "Reconstruction: nearest (1 texel a pixel), linear (3x3), or paper (KxK, the kernel of the LumiPath "
+        "paper) [linear]");
+    command.add_option("--neighbours", drawing.neighbours, "Neighbours a side for --mode paper")
         ->type_name("K")
         ->check(CLI::Range(1u, uint32_t{kMaxNeighbours}))
         ->capture_default_str();
-    command.add_option("--pixel", drawing.display, "Display to preview: rgb888, rgb565 or grey8 [rgb888]")
-        ->type_name("FORMAT")
-        ->transform(CLI::CheckedTransformer(displays));
+    add_choice<DisplayFormat>(
+        command, "--pixel", drawing.display,
+        {{"rgb888", DisplayFormat::rgb888}, {"rgb565", DisplayFormat::rgb565}, {"grey8", DisplayFormat::grey8}},
+        "FORMAT", "Display to preview: rgb888, rgb565 or grey8 [rgb888]");
 }
 
 }  // namespace
