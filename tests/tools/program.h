@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Runs programs as a shell would, and keeps what they say.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lumi::tools::test
+{
+
+struct Outcome {
+    int code;  // exit code, or 128 + the signal that ended it
+    std::string out, err;
+};
+
+using Arguments = std::vector<std::string>;
+
+// `arguments[0]` is the program, found along PATH. No shell sees the arguments.
+Outcome run_program(const Arguments& arguments);
+
+// The `lumi` that was built.
+Outcome lumi(Arguments arguments);
+
+// Starts `lumi`, sends SIGINT once it has written to stderr, waits for its end.
+Outcome lumi_interrupted(Arguments arguments);
+
+}  // namespace lumi::tools::test
