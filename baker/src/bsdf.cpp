@@ -84,11 +84,12 @@ std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float, const Vec2& u
     return BsdfSample{wi, schlick_reflectance(dot(wo, half), f0_) * shadowing, reflection_pdf(facets, wo, wi)};
 }
 
-Plastic::Plastic(const Rgb& albedo, float eta, float alpha, float mean_reflectance) : eta_(eta), alpha_(alpha)
+Plastic::Plastic(const Rgb& albedo, const Skin& skin) : skin_(&skin)
 {
     // Reflectance seen from inside, from the reciprocity of the two crossings.
-    const float inner = 1 - (1 - mean_reflectance) / (eta * eta);
-    body_ = albedo / (grey(1) - albedo * inner) * (1 / (eta * eta));
+    const float eta2 = skin.eta() * skin.eta();
+    const float inner = 1 - (1 - skin.mean_albedo()) / eta2;
+    body_ = albedo / (grey(1) - albedo * inner) * (1 / eta2);
 }
 
 Rgb Plastic::eval(const Vec3& wo, const Vec3& wi) const
@@ -97,29 +98,30 @@ Rgb Plastic::eval(const Vec3& wo, const Vec3& wi) const
         return {};
     }
     const Vec3 half = normalized(wo + wi);
-    const float skin = dielectric_reflectance(dot(wo, half), eta_) * reflection_value(Ggx(alpha_), wo, wi, half);
-    const float crossings = (1 - dielectric_reflectance(wo.z, eta_)) * (1 - dielectric_reflectance(wi.z, eta_));
-    return grey(skin) + body_ * (crossings * cosine_pdf(wi));
+    const float reflected = dielectric_reflectance(std::min(dot(wo, half), 1.0f), skin_->eta()) *
+                            reflection_value(Ggx(skin_->alpha()), wo, wi, half);
+    const float crossings = (1 - skin_->albedo(wo.z)) * (1 - skin_->albedo(wi.z));
+    return grey(reflected) + body_ * (crossings * cosine_pdf(wi));
 }
 
 float Plastic::skin_probability(float cosine) const
 {
     constexpr float kLeast = 0.1f, kMost = 0.9f;  // both lobes keep a share, so that no bright path becomes rare
-    const float skin = dielectric_reflectance(cosine, eta_);
-    const float body = (1 - skin) * max_component(body_);
+    const float skin = skin_->albedo(cosine);
+    const float body = (1 - skin) * (1 - skin_->mean_albedo()) * max_component(body_);
     return std::clamp(skin / (skin + body), kLeast, kMost);
 }
 
 float Plastic::pdf(const Vec3& wo, const Vec3& wi) const
 {
     const float p = skin_probability(wo.z);
-    return p * reflection_pdf(Ggx(alpha_), wo, wi) + (1 - p) * cosine_pdf(wi);
+    return p * reflection_pdf(Ggx(skin_->alpha()), wo, wi) + (1 - p) * cosine_pdf(wi);
 }
 
 std::optional<BsdfSample> Plastic::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
 {
     const bool skin = u_lobe < skin_probability(wo.z);
-    const Vec3 wi = skin ? mirrored(wo, Ggx(alpha_).sample_half(wo, u)) : square_to_cosine_hemisphere(u);
+    const Vec3 wi = skin ? mirrored(wo, Ggx(skin_->alpha()).sample_half(wo, u)) : square_to_cosine_hemisphere(u);
     if (wi.z <= 0) {
         return std::nullopt;
     }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <variant>
 
+#include "skin.h"
 #include "vec3.h"
 
 namespace lumi::baker
@@ -46,13 +47,12 @@ private:
     float alpha_;
 };
 
-// A diffuse body under a rough dielectric skin: what both Fresnel crossings let through is diffused, and light that the
-// skin throws back inside is diffused again (a geometric series). mean_reflectance: see
-// mean_dielectric_reflectance(eta).
+// A diffuse body under a rough dielectric skin: the light that the skin does not reflect is diffused, and what it
+// throws back inside is diffused again (a geometric series). A white body loses nothing.
 class Plastic
 {
 public:
-    Plastic(const Rgb& albedo, float eta, float alpha, float mean_reflectance);
+    Plastic(const Rgb& albedo, const Skin& skin);  // borrows the skin
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
@@ -60,8 +60,8 @@ public:
 private:
     float skin_probability(float cosine) const;
 
+    const Skin* skin_;
     Rgb body_;  // albedo of the body seen through the skin, before the two crossings
-    float eta_, alpha_;
 };
 
 class Bsdf

@@ -17,17 +17,6 @@ inline float dielectric_reflectance(float cosine, float eta)
     return 0.5f * (parallel * parallel + perpendicular * perpendicular);
 }
 
-// Mean of the above over a hemisphere of diffuse light, by the midpoint rule in cos².
-inline float mean_dielectric_reflectance(float eta)
-{
-    constexpr int kSteps = 256;
-    float sum = 0;
-    for (int k = 0; k < kSteps; ++k) {
-        sum += dielectric_reflectance(std::sqrt((static_cast<float>(k) + 0.5f) / kSteps), eta);
-    }
-    return sum / kSteps;
-}
-
 // Schlick's approximation for conductors, from the colour at normal incidence.
 inline Rgb schlick_reflectance(float cosine, const Rgb& f0)
 {

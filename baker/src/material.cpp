@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "material.h"
 
-#include "fresnel.h"
-
 namespace lumi::baker
 {
 namespace
@@ -24,7 +22,9 @@ void Material::finish()
     alpha = std::clamp(alpha, kMinAlpha, 1.0f);
     opacity = std::clamp(opacity, 0.0f, 1.0f);
     index = index > 1 ? index : kDefaultIndex;
-    mean_reflectance = mean_dielectric_reflectance(index);
+    if (specular && metalness < 1) {
+        skin = std::make_shared<Skin>(index, alpha);
+    }
 }
 
 Bsdf Material::bsdf(const Rgb& base_at, float u) const
@@ -32,8 +32,8 @@ Bsdf Material::bsdf(const Rgb& base_at, float u) const
     if (u < metalness) {
         return Bsdf(Conductor(base_at, alpha));
     }
-    if (specular) {
-        return Bsdf(Plastic(base_at, index, alpha, mean_reflectance));
+    if (skin) {
+        return Bsdf(Plastic(base_at, *skin));
     }
     return Bsdf(Diffuse(base_at));
 }

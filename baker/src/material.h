@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "bsdf.h"
@@ -34,7 +35,7 @@ struct Material {
     bool specular = false;  // a dielectric skin where the surface is not metal
     float alpha = 1;        // GGX width
     float index = kDefaultIndex;
-    float mean_reflectance = 0;  // mean_dielectric_reflectance(index), set by finish()
+    std::shared_ptr<const Skin> skin;  // of a specular surface; made by finish()
     float opacity = 1;
 
     // Clamps what must be in range and derives what is derived. Call once after filling in.

@@ -89,10 +89,11 @@ private:
         for (size_t k = 0; k < 3; ++k) {
             const size_t end = std::min(rest.find('/'), rest.size());
             const std::string_view number = rest.substr(0, end);
-            if (!number.empty() || k == 0) {
+            const bool last = end == rest.size();
+            if (!number.empty() || last || k == 0) {
                 check_index(line, number, kNames[k], counts[k]);
             }
-            if (end == rest.size()) {
+            if (last) {
                 return;
             }
             rest.remove_prefix(end + 1);

@@ -90,11 +90,12 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<Vec3>& corner
         ring.push_back(k);
     }
     while (ring.size() >= 3) {
-        size_t ear = 0;
-        while (ear < ring.size() && !is_ear(flat, ring, ear)) {
-            ++ear;
+        size_t tried = 0;
+        while (tried < ring.size() && !is_ear(flat, ring, (tried + 1) % ring.size())) {
+            ++tried;
         }
-        ear %= ring.size();  // none: crossing or flat, cut anywhere
+        // Corner 1 first, so that a triangle keeps its order. No ear: crossing or flat, cut anywhere.
+        const size_t ear = (tried + 1) % ring.size();
         triangles.push_back({ring[(ear + ring.size() - 1) % ring.size()], ring[ear], ring[(ear + 1) % ring.size()]});
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
     }

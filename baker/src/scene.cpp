@@ -45,19 +45,6 @@ Mesh moved_into_sphere(Mesh mesh, const std::array<double, 3>& centre, double ra
     return mesh;
 }
 
-bool any_emits(const std::vector<Material>& materials)
-{
-    return std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.emits(); });
-}
-
-Environment chosen_environment(const LoadOptions& options, const std::vector<Material>& materials)
-{
-    if (options.environment) {
-        return *options.environment;
-    }
-    return any_emits(materials) ? constant_environment(0) : studio_environment();
-}
-
 }  // namespace
 
 Environment constant_environment(float radiance)
@@ -86,7 +73,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       has_transparency(
           std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.opacity < 1; })),
       accelerator(mesh),
-      lights(mesh, materials, chosen_environment(options, materials))
+      lights(mesh, materials, options.environment)
 {
 }
 

@@ -96,10 +96,10 @@ std::vector<Line> split_lines(std::string_view text)
     while (!text.empty()) {
         const uint32_t first = ++number;
         std::string joined(take_line(text));
-        while (!joined.empty() && joined.back() == '\\' && !text.empty()) {
+        while (!joined.empty() && joined.back() == '\\') {
             joined.back() = ' ';
+            number += text.empty() ? 0u : 1u;
             joined += take_line(text);
-            ++number;
         }
         const std::string_view content = trimmed(without_comment(joined));
         if (!content.empty()) {

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,7 +33,7 @@ struct Environment {
 };
 
 Environment constant_environment(float radiance);
-// The light of a scene that brings none: a bright, slightly cool sky over a dimmer, warm floor.
+// A bright, slightly cool sky over a dimmer, warm floor.
 Environment studio_environment();
 
 struct LoadOptions {
@@ -42,8 +41,9 @@ struct LoadOptions {
     // The sphere's radius is the smallest one around all triangles times (1 + margin), so that nothing touches it. >=
     // 0.
     double margin = 0.01;
-    // Unset: studio_environment() for a scene without emissive materials, black for one with.
-    std::optional<Environment> environment;
+    // The studio by default, also for scenes with emissive materials: a lamp on a product rarely lights it all. A room
+    // with lamps of its own wants constant_environment(0).
+    Environment environment = studio_environment();
 };
 
 struct SceneData;  // baker's own view, see baker/src
