@@ -31,9 +31,8 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
     PROCESSORS 2 TIMEOUT ${lumi_build_timeout_s})
 
   add_test(NAME ${cpu}.core_tests
-    COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
-      -D KERNEL=${lumi_cross}/tests/cross/lumi_core_tests.elf
-      -P ${CMAKE_CURRENT_SOURCE_DIR}/run_on_board.cmake)
+    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_core_tests.elf
+      -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
   add_test(NAME ${cpu}.frame_crcs
     COMMAND ${CMAKE_COMMAND} -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D BOARDS=${lumi_boards} -D CPU=${cpu}
       -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}"
@@ -61,6 +60,20 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
     TIMEOUT ${lumi_run_timeout_s})
 endforeach()
+
+foreach(cpu cortex-m0plus cortex-m4)
+  add_test(NAME ${cpu}.size_report
+    COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR}/cross/${cpu} --target size_report)
+  set_tests_properties(${cpu}.size_report PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
+    TIMEOUT ${lumi_build_timeout_s})
+endforeach()
+
+# A firmware project of somebody else takes core in.
+add_test(NAME platform.add_subdirectory_firmware
+  COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${lumi_consumer} ${lumi_consumer_build}/firmware
+    --build-generator ${CMAKE_GENERATOR}
+    --build-options -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR}
+      -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/toolchains/cortex-m0plus.cmake)
 
 # The proof finds what is planted for it. These need the build of one CPU.
 set(lumi_planted ${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross)
