@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Counts what the linked renderer costs, one line per view and span:
+//     view generic span 16 covered 42272 instructions 2345678 setup 345678 stack 600 crc 1234abcd
+// The field is loaded to the start of the board's PSRAM. Arguments: the spans to draw with, pixels; none: 0.
+#include <cstdlib>
+
+#include "instance.h"
+#include "lumi/bench/views.h"
+#include "lumi/crc32.h"
+#include "lumi/mps2/instruction_counter.h"
+#include "lumi/mps2/loaded_field.h"
+#include "lumi/mps2/semihosting.h"
+#include "lumi/mps2/stack_meter.h"
+#include "text_line.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+using firmware::TextLine;
+
+constexpr int32_t kStripeRows = 16;  // as firmware does that feeds a panel from a small buffer
+constexpr uint32_t kStrideBytes = kSidePx * PixelRgb565::kBytes;
+
+uint8_t frame[kSidePx * kStrideBytes];
+
+using Draw = RenderError (*)(const Field&, const Camera&, const Stripe&, int32_t);
+
+// Instructions of a whole frame, to within two ticks of the counter.
+uint64_t count_frame(Draw draw_stripe, const Field& field, const Camera& camera, int32_t span_px)
+{
+    RenderError error = RenderError::none;
+    const uint64_t begin = mps2::instructions();
+    for (int32_t y = 0; y < kSidePx && error == RenderError::none; y += kStripeRows) {
+        const Stripe stripe = {
+            frame + static_cast<uint32_t>(y) * kStrideBytes, 0, y, kSidePx, kStripeRows, kStrideBytes};
+        error = draw_stripe(field, camera, stripe, span_px);
+    }
+    const uint64_t count = mps2::instructions() - begin;
+    return error == RenderError::none ? count : 0;
+}
+
+__attribute__((noinline)) uint32_t stack_of(const Field& field, const Camera& camera, int32_t span_px)
+{
+    mps2::StackMeter meter;
+    meter.paint();
+    const Stripe stripe = {frame, 0, 0, kSidePx, kSidePx, kStrideBytes};
+    if (draw(field, camera, stripe, span_px) != RenderError::none) return 0;
+    return meter.high_water_bytes();
+}
+
+uint32_t covered_pixels(const Camera& camera)
+{
+    uint32_t count = 0;
+    for (int32_t y = 0; y < kSidePx; ++y) {
+        const RowSpan span = covered_span(camera, y, 0, kSidePx);
+        count += static_cast<uint32_t>(span.end - span.begin);
+    }
+    return count;
+}
+
+void report(const View& view, const Field& field, const Camera& camera, int32_t span_px)
+{
+    const uint64_t setup = count_frame(draw_setup_only, field, camera, span_px);
+    const uint64_t instructions = count_frame(draw, field, camera, span_px);
+    const uint32_t crc = crc32(0, frame, sizeof(frame));
+    TextLine line;
+    line.text("view ").text(view.name).text(" span ").decimal(static_cast<uint32_t>(span_px));
+    line.text(" covered ").decimal(covered_pixels(camera)).text(" instructions ").decimal(instructions);
+    line.text(" setup ").decimal(setup).text(" stack ").decimal(stack_of(field, camera, span_px));
+    mps2::write(line.text(" crc ").hex32(crc).text("\n").c_str());
+}
+
+void report_views(const Field& field, int32_t span_px)
+{
+    for (const View& view : kViews) {
+        Camera camera;
+        if (make_view_camera(view, camera) == CameraError::none) report(view, field, camera, span_px);
+    }
+}
+
+}  // namespace
+}  // namespace lumi::bench
+
+int main(int argc, char** argv)
+{
+    using namespace lumi;
+    const mps2::LoadedField file = mps2::loaded_field(0);
+    Field field;
+    const FieldError error = open_field(file.bytes, file.size, field);
+    if (error != FieldError::none) {
+        mps2::write("error: ");
+        mps2::write(describe(error));
+        mps2::write("\n");
+        return 1;
+    }
+    mps2::start_instruction_counter();
+    if (argc <= 1) bench::report_views(field, 0);
+    for (int i = 1; i < argc; ++i) bench::report_views(field, static_cast<int32_t>(std::strtol(argv[i], nullptr, 10)));
+    return 0;
+}
