@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fresnel.h"
+#include "material.h"
 #include "sampler.h"
 #include "statistics.h"
 #include "warp.h"
@@ -218,6 +219,27 @@ TEST_CASE("bsdf: the roughest conductor's albedo at normal incidence has its clo
         albedo.add(s ? static_cast<double>(s->weight.g) : 0.0);
     }
     CHECK(albedo.value() == Approx(1 - std::log(2.0)).margin(kSigmas * albedo.error()));
+}
+
+TEST_CASE("material: a partly metallic surface is the mixture of metal and paint by its metalness")
+{
+    constexpr int kSteps = 1000;
+    Material m;
+    m.base = {0.8f, 0.4f, 0.2f};
+    m.metalness = 0.25f;
+    m.specular = true;
+    m.alpha = 0.4f;
+    m.finish();
+    const Vec3 wo = direction_at(0.7f, 0.1f), wi = direction_at(0.8f, 0.4f);
+    double mean = 0;
+    for (int k = 0; k < kSteps; ++k) {
+        const float u = (static_cast<float>(k) + 0.5f) / kSteps;
+        mean += static_cast<double>(m.bsdf(m.base, u).eval(wo, wi).r) / kSteps;
+    }
+    const double metal = static_cast<double>(Conductor(m.base, 0.4f).eval(wo, wi).r);
+    const double paint = static_cast<double>(Plastic(m.base, *m.skin).eval(wo, wi).r);
+    CHECK(mean == Approx(0.25 * metal + 0.75 * paint).epsilon(1e-4));
+    CHECK(std::abs(metal - paint) > 0.05);
 }
 
 TEST_CASE("fresnel: reflectance at normal incidence and at grazing, and a smooth skin's mean")

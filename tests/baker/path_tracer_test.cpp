@@ -178,6 +178,23 @@ TEST_CASE("path tracer: a patch under a rectangular lamp has the closed form's r
     }
 }
 
+// Every bounce adds albedo times what the last one added: a geometric series that sees any error in long paths.
+TEST_CASE("path tracer: inside a closed glowing room radiance is emission / (1 - albedo)")
+{
+    for (const float albedo : {0.0f, 0.5f, 0.8f}) {
+        SceneMaker maker;
+        Material wall = testing::diffuse(grey(albedo));
+        wall.emission = grey(1);
+        maker.box(maker.add(wall), {-0.5f, -0.4f, -0.3f}, {0.5f, 0.4f, 0.3f});
+        const Scene scene = maker.make(constant_environment(0));
+        const Mean mean = along(scene, {{0.1f, 0, 0}, normalized(Vec3{0.3f, 0.5f, -0.4f})}, 40000);
+        const double expected = 1 / (1 - static_cast<double>(albedo));
+        INFO("albedo " << albedo << ": " << mean.value() << " for " << expected << " ± " << mean.error());
+        CHECK(mean.value() == Approx(expected).margin(kSigmas * mean.error() + 2e-4 * expected));
+        CHECK(mean.error() < 0.01 * expected);
+    }
+}
+
 TEST_CASE("path tracer: agrees with brute force on diffuse and glossy bodies under a lamp")
 {
     SceneMaker maker;
