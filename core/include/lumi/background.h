@@ -10,8 +10,21 @@
 namespace lumi
 {
 
+// Black, the cheapest: OLED panels, dark dashboards.
+struct OverBlack {
+    static constexpr bool kFills = true;
+    static constexpr bool kIsBlack = true;
+
+    template <class Pixel>
+    Rgb8 under(const uint8_t*) const
+    {
+        return {0, 0, 0};
+    }
+};
+
 struct OverColour {
     static constexpr bool kFills = true;
+    static constexpr bool kIsBlack = false;
     Rgb8 colour;
 
     template <class Pixel>
@@ -23,6 +36,7 @@ struct OverColour {
 
 struct OverStripe {
     static constexpr bool kFills = false;
+    static constexpr bool kIsBlack = false;
 
     template <class Pixel>
     Rgb8 under(const uint8_t* pixel) const

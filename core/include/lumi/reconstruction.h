@@ -27,6 +27,11 @@ struct Nearest {
     }
 };
 
+// One tap a pixel, chosen by an ordered dither so that neighbouring pixels together show the linear picture. It needs
+// the pixel's place: the span renderer dithers, the exact one draws its nearest point.
+struct Dither : Nearest {
+};
+
 // Barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel, continuous.
 struct Linear {
     static constexpr uint32_t kTaps = 3;

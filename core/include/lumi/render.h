@@ -42,10 +42,23 @@ void draw_exact(const Field& field, const Camera& camera, const Background& back
 {
     for (int32_t x = span.begin; x < span.end; ++x, pixels += Pixel::kBytes) {
         SphereRay ray;
-        if (!ray_at(camera, x, y, ray)) continue;
-        const SphereHits hit = hits(camera, ray);
-        const Gathered sums = gather<Reconstruction, Texel>(field, hit.front, hit.back);
+        Gathered sums;
+        if (ray_at(camera, x, y, ray)) {
+            const SphereHits hit = hits(camera, ray);
+            sums = gather<Reconstruction, Texel>(field, hit.front, hit.back);
+        }
         Pixel::store(pixels, sums.over(background.template under<Pixel>(pixels)));
+    }
+}
+
+// Writes the background on both sides of a row's covered span, where the background is of the kind that fills.
+template <class Pixel, class Background>
+void fill_beside(const Background& background, const Stripe& stripe, const RowSpan& span, uint8_t* pixels)
+{
+    if (!Background::kFills) return;
+    const Rgb8 colour = background.template under<Pixel>(nullptr);
+    for (int32_t x = stripe.x_px; x < stripe.x_px + stripe.width_px; ++x, pixels += Pixel::kBytes) {
+        if (x < span.begin || x >= span.end) Pixel::store(pixels, colour);
     }
 }
 
@@ -57,14 +70,9 @@ RenderError render(const Field& field, const Camera& camera, const Background& b
     if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
     for (int32_t row = 0; row < stripe.height_px; ++row) {
         uint8_t* pixels = stripe.pixels + static_cast<size_t>(row) * stripe.stride_bytes;
-        if (Background::kFills) {
-            for (int32_t x = 0; x < stripe.width_px; ++x) {
-                Pixel::store(pixels + static_cast<uint32_t>(x) * Pixel::kBytes,
-                             background.template under<Pixel>(nullptr));
-            }
-        }
         const int32_t y = stripe.y_px + row;
         const RowSpan span = covered_span(camera, y, stripe.x_px, stripe.x_px + stripe.width_px);
+        fill_beside<Pixel>(background, stripe, span, pixels);
         uint8_t* first = pixels + static_cast<uint32_t>(span.begin - stripe.x_px) * Pixel::kBytes;
         draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, span, y, first);
     }

@@ -24,7 +24,8 @@ struct SphereRay {
 // lies behind.
 bool ray_at(const Camera& camera, int32_t x, int32_t y, SphereRay& out);
 
-// Where a ray enters (front) and leaves (back) the sphere: unit vectors, error below 2^-25.
+// Where a ray enters (front) and leaves (back) the sphere: unit vectors. Error below 2^-23 for eyes within 10 R, below
+// 2^-17 for the farthest, whose viewing vectors the camera knows less well.
 struct SphereHits {
     Vec3q30 front, back;
 };

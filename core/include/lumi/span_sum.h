@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Sums of weighted texels for the span renderer: 8-bit weights, 32-bit sums, one pass over a row of taps and one over
+// rows.
+//
+// SpanSum<Texel, kCoverage> has a `Row` with add(texel pointer, weight) for the taps of one origin, and itself add(row,
+// weight) for the origins; both sides' weights sum to at most 256. over<Pixel>(background, pixel) gives the colour.
+// Without kCoverage (over black) nothing is spent on it.
+#pragma once
+
+#include "lumi/texel.h"
+
+namespace lumi
+{
+
+inline constexpr uint32_t kSpanOne = 256;  // weights of a side
+
+constexpr uint8_t blended(uint32_t sum_q16, uint32_t transparency_q16, uint8_t under)
+{
+    return static_cast<uint8_t>((sum_q16 + transparency_q16 * under + 0x8000u) >> 16);
+}
+
+// Three channels and the covered weight, for formats that keep zero for a miss.
+template <class Texel, bool kCoverage>
+struct SpanSumRgb {
+    struct Row {
+        uint32_t r = 0, g = 0, b = 0, a = 0;
+
+        void add(const Field& field, const uint8_t* texel, uint32_t weight)
+        {
+            const Rgba8 c = Texel::load(field, texel, 0);
+            r += c.r * weight;
+            g += c.g * weight;
+            b += c.b * weight;
+            if (kCoverage) a += c.a != 0 ? weight : 0;
+        }
+    };
+    uint32_t r = 0, g = 0, b = 0, a = 0;
+
+    void add(const Row& row, uint32_t weight)
+    {
+        r += row.r * weight;
+        g += row.g * weight;
+        b += row.b * weight;
+        if (kCoverage) a += row.a * weight;
+    }
+
+    Rgb8 over(const Rgb8& under) const
+    {
+        const uint32_t t = kCoverage ? 65536u - a : 0;
+        return {blended(r, t, under.r), blended(g, t, under.g), blended(b, t, under.b)};
+    }
+};
+
+template <class Texel, bool kCoverage>
+struct SpanSum : SpanSumRgb<Texel, kCoverage> {
+};
+
+// One channel.
+template <bool kCoverage>
+struct SpanSum<TexelLuma8, kCoverage> {
+    struct Row {
+        uint32_t y = 0, a = 0;
+
+        void add(const Field&, const uint8_t* texel, uint32_t weight)
+        {
+            const uint32_t v = *texel;
+            y += v * weight;
+            if (kCoverage) a += v != 0 ? weight : 0;
+        }
+    };
+    uint32_t y = 0, a = 0;
+
+    void add(const Row& row, uint32_t weight)
+    {
+        y += row.y * weight;
+        if (kCoverage) a += row.a * weight;
+    }
+
+    Rgb8 over(const Rgb8& under) const
+    {
+        const uint32_t t = kCoverage ? 65536u - a : 0;
+        const uint8_t g = blended(y, t, under.g);
+        if (!kCoverage) return {g, g, g};
+        return {blended(y, t, under.r), g, blended(y, t, under.b)};
+    }
+};
+
+// Palette entries two channels at a time: (r, b) and (g, a) in the halves of a word, 8 bits of weight above 8 of
+// colour.
+template <bool kCoverage>
+struct SpanSum<TexelPalette8, kCoverage> {
+    static constexpr uint32_t kHalves = 0x00FF00FFu;
+    static constexpr uint32_t kRound = 0x00800080u;
+
+    struct Row {
+        uint32_t rb = kRound, ga = kRound;
+
+        void add(const Field& field, const uint8_t* texel, uint32_t weight)
+        {
+            const uint8_t* e = field.palette + 4u * *texel;
+            const uint32_t entry = static_cast<uint32_t>(e[0]) | static_cast<uint32_t>(e[1]) << 8 |
+                                   static_cast<uint32_t>(e[2]) << 16 | static_cast<uint32_t>(e[3]) << 24;
+            rb += (entry & kHalves) * weight;
+            ga += ((entry >> 8) & kHalves) * weight;
+        }
+    };
+    uint32_t rb = kRound, ga = kRound;
+
+    void add(const Row& row, uint32_t weight)
+    {
+        rb += ((row.rb >> 8) & kHalves) * weight;
+        ga += ((row.ga >> 8) & kHalves) * weight;
+    }
+
+    Rgb8 over(const Rgb8& under) const
+    {
+        const auto high = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 24); };
+        const auto low = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 8); };
+        if (!kCoverage) return {low(rb), low(ga), high(rb)};
+        const uint32_t t = 255u - high(ga);
+        const auto over_one = [&](uint8_t c, uint8_t u) {
+            return static_cast<uint8_t>(c + (t * u * 257u + 32768u) / 65536u);
+        };
+        return {over_one(low(rb), under.r), over_one(low(ga), under.g), over_one(high(rb), under.b)};
+    }
+};
+
+}  // namespace lumi
