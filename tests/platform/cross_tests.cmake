@@ -33,11 +33,19 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   add_test(NAME ${cpu}.core_tests
     COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_core_tests.elf
       -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+  add_test(NAME ${cpu}.board
+    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_board_test.elf
+      -D COUNT_INSTRUCTIONS=ON -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+  add_test(NAME ${cpu}.refuses_missing_fields
+    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf
+      -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+  set_tests_properties(${cpu}.refuses_missing_fields PROPERTIES
+    PASS_REGULAR_EXPRESSION "^error: .*\n.*ended with 1")
   add_test(NAME ${cpu}.frame_crcs
     COMMAND ${CMAKE_COMMAND} -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D BOARDS=${lumi_boards} -D CPU=${cpu}
       -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}"
       -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_frames.cmake)
-  set(lumi_cpu_tests ${cpu}.core_tests ${cpu}.frame_crcs)
+  set(lumi_cpu_tests ${cpu}.core_tests ${cpu}.board ${cpu}.refuses_missing_fields ${cpu}.frame_crcs)
   foreach(mode nearest linear paper)
     add_test(NAME ${cpu}.demo_${mode}
       COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
@@ -60,6 +68,14 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
     TIMEOUT ${lumi_run_timeout_s})
 endforeach()
+
+# What an M0+ would not survive is not survived on the board that stands for it.
+add_test(NAME cortex-m0plus.unaligned_read_faults
+  COMMAND ${CMAKE_COMMAND} -D CPU=cortex-m0plus -D ARGUMENTS=unaligned
+    -D KERNEL=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross/lumi_board_test.elf
+    -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+set_tests_properties(cortex-m0plus.unaligned_read_faults PROPERTIES FIXTURES_REQUIRED lumi_built_cortex-m0plus
+  PASS_REGULAR_EXPRESSION "fault: .*ended with 70")
 
 foreach(cpu cortex-m0plus cortex-m4)
   add_test(NAME ${cpu}.size_report
