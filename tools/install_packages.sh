@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/install_packages.sh build|tests [--print]
+# Installs the Debian 12 packages that are missing: to build the `lumi` command, or to run all tests too.
+# With --print it only lists them. This is the one list of what the project needs.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+build_packages=(
+  g++ cmake ninja-build pkg-config
+  libembree-dev libtbb-dev         # ray queries
+  libtinyobjloader-dev libstb-dev  # OBJ and MTL; PNG and JPEG
+  libfftw3-dev                     # CW-SSIM
+  libcli11-dev nlohmann-json3-dev)
+test_packages=(
+  catch2
+  gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib  # code for Cortex-M
+  qemu-system-arm                                                           # boards to run it on
+  python3)                                                                  # the generator of the scenes
+
+is_installed() {
+  [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+}
+
+install_missing() {
+  local package missing=()
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  if ((${#missing[@]} == 0)); then
+    echo "All packages are installed."
+    return
+  fi
+  echo "Missing packages: ${missing[*]}"
+  if ((EUID != 0)); then
+    die "run this as root, then start again:  apt-get update && apt-get install ${missing[*]}"
+  fi
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update --quiet </dev/null
+  apt-get install --yes --quiet --no-install-recommends "${missing[@]}" </dev/null
+}
+
+main() {
+  case ${1:-} in
+    build) packages=("${build_packages[@]}") ;;
+    tests) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
+    --help) help "$0" && exit ;;
+    *) wrong_call "say 'build' or 'tests'" ;;
+  esac
+  if [[ ${2:-} == --print ]]; then
+    printf '%s\n' "${packages[@]}"
+  elif command -v dpkg-query >/dev/null; then
+    install_missing "${packages[@]}"
+  else
+    echo "This is not Debian: install the counterparts of these yourself: ${packages[*]}"
+  fi
+}
+
+main "$@"

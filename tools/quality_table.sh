@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/quality_table.sh [--check]
+# Measures fields of the demo scene in three sizes against path-traced references and writes the table of README.md,
+# between its two marker comments. With --check it leaves README.md alone and fails if the table there differs.
+# Scene, seeds, views and samples are fixed, so the figures are the same on every run.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+scene=$root/baker/scenes/product.obj
+lattices=("512 1024" "1024 2048" "2048 4096")  # M N
+modes=(nearest linear paper)
+orbits=("30,20,3" "75,50,3")  # two rings around the clock, one from nearly level, one from above
+views=4                   # a ring
+bake_spp=16
+reference_spp=256
+size=240x240
+lumi=$root/build/release/tools/lumi
+readme=$root/README.md
+begin_marker='<!-- quality table: begin (tools/quality_table.sh) -->'
+end_marker='<!-- quality table: end -->'
+work=$root/build/quality
+
+draw_rings() {
+  local ring
+  for ring in "${!orbits[@]}"; do
+    "$@" -o "$work/$drawing-$ring.png" --orbit "${orbits[$ring]}" --size "$size" --turntable "$views" >/dev/null
+  done
+}
+
+trace_references() {
+  local drawing=reference
+  draw_rings "$lumi" reference "$scene" --spp "$reference_spp"
+}
+
+# Mean PSNR, SSIM and CW-SSIM over all views of $drawing, as cells of a table.
+mean_figures() {
+  local ring view picture
+  for ring in "${!orbits[@]}"; do
+    for ((view = 0; view < views; ++view)); do
+      picture=$ring-$(printf '%03d' "$view").png
+      "$lumi" compare "$work/$drawing-$picture" "$work/reference-$picture"
+    done
+  done | awk -v count=$((${#orbits[@]} * views)) '{ sum[$1] += $2 }
+    END { printf " %.1f dB / %.3f / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count, sum["CW-SSIM"] / count }'
+}
+
+# The row of one lattice size, printed to a file of its own.
+measure_row() {
+  local origins=$1 directions=$2 mode drawing
+  local field=$work/$origins.lumi
+  "$lumi" bake "$scene" -o "$field" --origins "$origins" --directions "$directions" --spp "$bake_spp"
+  {
+    printf '| %d × %d | %s |' "$origins" "$directions" "$(stat --format=%s "$field" | numfmt --to=si --suffix=B)"
+    for mode in "${modes[@]}"; do
+      drawing=$origins-$mode
+      draw_rings "$lumi" render "$field" --mode "$mode"
+      mean_figures
+    done
+    printf '\n'
+  } >"$work/$origins.row"
+}
+
+print_table() {
+  local lattice
+  printf '| M × N | flash | nearest | linear | paper (5×5) |\n|---|---|---|---|---|\n'
+  for lattice in "${lattices[@]}"; do
+    cat "$work/${lattice% *}.row"
+  done
+  printf '\nMean PSNR / SSIM / CW-SSIM over %d views of %s, RGB565 texels, %d light paths a texel; references with %d\n' \
+    $((${#orbits[@]} * views)) "$size" "$bake_spp" "$reference_spp"
+  printf 'samples a pixel.\n'
+}
+
+table_in_readme() {
+  awk -v begin="$begin_marker" -v end="$end_marker" '$0 == end { inside = 0 } inside { print } $0 == begin { inside = 1 }' \
+    "$readme"
+}
+
+write_readme() {
+  awk -v begin="$begin_marker" -v end="$end_marker" -v table="$work/table.md" '
+    $0 == end { inside = 0 }
+    !inside { print }
+    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$readme" >"$work/README.md"
+  cat "$work/README.md" >"$readme"
+}
+
+main() {
+  case ${1:-} in
+    '' | --check) ;;
+    --help) help "$0" && exit ;;
+    *) wrong_call "unknown option '$1'" ;;
+  esac
+  [[ $(grep -cxF -e "$begin_marker" -e "$end_marker" "$readme") == 2 ]] ||
+    die "README.md has lost the markers of the table: put back '$begin_marker' and '$end_marker'"
+  mkdir -p "$work"
+  run_step "Packages" "$root/tools/install_packages.sh" build
+  run_step "Build" build_preset release
+  run_step "Path-trace references" trace_references
+  local lattice
+  for lattice in "${lattices[@]}"; do
+    # shellcheck disable=SC2086  # two words
+    run_step "Measure ${lattice/ / × }" measure_row $lattice
+  done
+  print_table >"$work/table.md"
+  printf '\n'
+  cat "$work/table.md"
+  if [[ ${1:-} != --check ]]; then
+    write_readme
+    printf '\nREADME.md holds this table now.\n'
+  elif diff -u <(table_in_readme) "$work/table.md"; then
+    printf '\nThe table in README.md is current.\n'
+  else
+    die "the table in README.md is out of date: run tools/quality_table.sh and commit README.md"
+  fi
+}
+
+main "$@"
