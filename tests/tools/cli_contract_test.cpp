@@ -50,6 +50,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {render("--mode", "cubic"), "nearest, linear or paper"},
         {render("--neighbours", "0"), "--neighbours"},
         {render("--neighbours", "10"), "--neighbours"},
+        {render("--neighbours", "3"), "--mode paper"},
         {render("--background", "red"), "RRGGBB"},
         {render("--pixel", "rgb332"), "rgb888, rgb565 or grey8"},
         {render("--turntable", "0"), "--turntable"},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/tools/output_file.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -61,10 +63,30 @@ TEST_CASE("a symbolic link stays a link and its target gets the output")
     CHECK(test::content_of(folder / "target") == "new");
 }
 
-TEST_CASE("a device is written to, never replaced")
+TEST_CASE("a pipe is written to, never replaced")
 {
-    write_output("/dev/null", "x");
-    CHECK(fs::is_character_file("/dev/null"));
+    const test::TemporaryFolder folder;
+    const std::string pipe = folder / "pipe";
+    constexpr mode_t kPrivate = 0600;
+    REQUIRE(mkfifo(pipe.c_str(), kPrivate) == 0);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    write_output(pipe, "x");
+    char received = 0;
+    CHECK(read(reader, &received, 1) == 1);
+    CHECK(received == 'x');
+    close(reader);
+    CHECK(fs::is_fifo(pipe));
+    CHECK_THROWS_WITH(regular_target(pipe), Catch::Contains("name a file"));
+}
+
+TEST_CASE("what a rename must replace is the file itself or a link's target")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "target", "old");
+    fs::create_symlink("target", folder / "link");
+    CHECK(fs::path(regular_target(folder / "link")).filename() == "target");
+    CHECK(fs::path(regular_target(folder / "new")).filename() == "new");
+    CHECK_THROWS_AS(regular_target(folder.path()), Failure);
 }
 
 }  // namespace lumi::tools

@@ -47,10 +47,16 @@ TEST_CASE("progress says the share done, the pace and the time left")
     CHECK(progress_text(unknown) == "0 %");
 }
 
-TEST_CASE("without a terminal a plain line comes every five seconds, and one at the end")
+TEST_CASE("without a terminal a plain line comes at the beginning and every five seconds")
 {
     CHECK(printed(false, {at(0, 0), at(100, 1), at(200, 4.9), at(300, 5), at(400, 6), at(1000, 7)}) ==
-          "0 %  1.24 M rays/s  1:12 left\n30 %  1.24 M rays/s  1:12 left\n100 %  1.24 M rays/s  1:12 left\n");
+          "0 %  1.24 M rays/s  1:12 left\n30 %  1.24 M rays/s  1:12 left\n");
+}
+
+TEST_CASE("short jobs after the first one print no plain lines, long ones do")
+{
+    CHECK(printed(false, {at(0, 0), at(500, 12), at(1000, 13), at(0, 0), at(1000, 1), at(0, 0), at(700, 6)}) ==
+          "0 %  1.24 M rays/s  1:12 left\n50 %  1.24 M rays/s  1:12 left\n70 %  1.24 M rays/s  1:12 left\n");
 }
 
 TEST_CASE("on a terminal one line redraws itself and ends with a line break")

@@ -98,6 +98,13 @@ void write_output(const std::string& path, std::string_view bytes)
     }
 }
 
+std::string regular_target(const std::string& path)
+{
+    const fs::path target = resolved(path);
+    if (!holds_earlier_output(target)) throw Failure(path, "is a device or a pipe", "name a file");
+    return target.string();
+}
+
 void require_writable(const std::string& path)
 {
     const fs::path target = resolved(path);

@@ -42,8 +42,9 @@ ProgressPrinter::~ProgressPrinter()
 void ProgressPrinter::print(const baker::Progress& progress)
 {
     if (is_terminal_) return redraw_bar(progress);
-    const bool is_last = progress.rays_done == progress.rays_total;
-    if (progress.elapsed_seconds < next_line_seconds_ && !is_last) return;
+    if (progress.rays_done == 0 && next_line_seconds_ > 0)  // the next of several jobs: its clock starts again
+        next_line_seconds_ = kSecondsBetweenLines;
+    if (progress.elapsed_seconds < next_line_seconds_) return;
     std::fprintf(stream_, "%s\n", progress_text(progress).c_str());
     std::fflush(stream_);
     next_line_seconds_ = progress.elapsed_seconds + kSecondsBetweenLines;

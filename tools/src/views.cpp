@@ -81,7 +81,9 @@ Picture drawn(const View& view, const Drawer& draw)
 std::vector<std::string> write_views(const ViewOptions& options, const std::string& output, const Drawer& draw)
 {
     const std::vector<View> views = all_views(options, output);
+    const std::string sheet_path = tagged(output, "sheet");
     for (const View& view : views) require_writable(view.path);
+    if (options.turntable > 0) require_writable(sheet_path);
     const int eyes = static_cast<int>(views.front().eyes.size());
     ContactSheet sheet(static_cast<int>(views.size()), eyes * options.width_px, options.height_px, options.background);
     std::vector<std::string> written;
@@ -92,8 +94,8 @@ std::vector<std::string> write_views(const ViewOptions& options, const std::stri
         sheet.add(picture);
     }
     if (options.turntable > 0) {
-        written.push_back(tagged(output, "sheet"));
-        write_png(written.back(), sheet.picture());
+        write_png(sheet_path, sheet.picture());
+        written.push_back(sheet_path);
     }
     return written;
 }

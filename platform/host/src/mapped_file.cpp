@@ -19,18 +19,13 @@ namespace
 int map(int descriptor, const uint8_t*& bytes, size_t& size)
 {
     struct stat status = {};
-    if (fstat(descriptor, &status) != 0)
-        return errno;
-    if (S_ISDIR(status.st_mode))
-        return EISDIR;
-    if (!S_ISREG(status.st_mode))
-        return ENODEV;
+    if (fstat(descriptor, &status) != 0) return errno;
+    if (S_ISDIR(status.st_mode)) return EISDIR;
+    if (!S_ISREG(status.st_mode)) return ENODEV;
     size = static_cast<size_t>(status.st_size);
-    if (size == 0)
-        return 0;
+    if (size == 0) return 0;
     void* address = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    if (address == MAP_FAILED)
-        return errno;
+    if (address == MAP_FAILED) return errno;
     bytes = static_cast<const uint8_t*>(address);
     return 0;
 }
@@ -53,19 +48,16 @@ int MappedFile::open(const std::string& path)
 {
     close();
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return errno;
+    if (descriptor < 0) return errno;
     const int error = map(descriptor, bytes_, size_);
     ::close(descriptor);  // the mapping outlives the descriptor
-    if (error != 0)
-        size_ = 0;
+    if (error != 0) size_ = 0;
     return error;
 }
 
 void MappedFile::close()
 {
-    if (bytes_ != nullptr)
-        munmap(const_cast<uint8_t*>(bytes_), size_);
+    if (bytes_ != nullptr) munmap(const_cast<uint8_t*>(bytes_), size_);
     bytes_ = nullptr;
     size_ = 0;
 }

@@ -44,11 +44,11 @@ baker::BakeSettings settings_of(const BakeOptions& options)
     return settings;
 }
 
-void bake(const BakeOptions& options, const baker::Scene& scene, const baker::BakeSettings& settings)
+void bake(const baker::Scene& scene, const baker::BakeSettings& settings, const std::string& target)
 {
     ProgressPrinter printer(stderr, stderr_is_terminal());
     try {
-        baker::bake_field(scene, settings, options.output, watch(printer));
+        baker::bake_field(scene, settings, target, watch(printer));
     } catch (const baker::Cancelled&) {
         throw Interrupted();
     }
@@ -65,10 +65,11 @@ void run(const BakeOptions& options)
     const auto start = std::chrono::steady_clock::now();
     const baker::BakeSettings settings = settings_of(options);
     const uint64_t bytes = baker::field_file_bytes(settings);
-    require_writable(options.output);
+    const std::string target = regular_target(options.output);
+    require_writable(target);
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
-    bake(options, scene, settings);
+    bake(scene, settings, target);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     std::printf("%s: %s, %s rays in %s, %zu warnings\n", options.output.c_str(), byte_text(bytes).c_str(),
                 count_text(rays_of(settings)).c_str(), duration_text(elapsed.count()).c_str(), warnings);

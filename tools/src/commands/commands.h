@@ -14,5 +14,6 @@ void add_reference(CLI::App& lumi);
 void add_compare(CLI::App& lumi);
 void add_inspect(CLI::App& lumi);
 void add_embed(CLI::App& lumi);
+void add_bench(CLI::App& lumi);
 
 }  // namespace lumi::tools

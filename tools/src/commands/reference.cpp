@@ -43,23 +43,28 @@ Picture over_background(const baker::RgbaImage& image, const Rgb8& background)
     return picture;
 }
 
-void run(const ReferenceOptions& options)
+// Draws and writes all views under one progress bar.
+std::vector<std::string> write_references(const ReferenceOptions& options, const baker::Scene& scene)
 {
-    size_t warnings = 0;
-    const baker::Scene scene = load_scene(options.scene, warnings);
     baker::ReferenceSettings settings = options.settings;
     settings.threads = options.scene.threads;
+    ProgressPrinter printer(stderr, stderr_is_terminal());
     const auto draw = [&](const Camera& camera) {
-        ProgressPrinter printer(stderr, stderr_is_terminal());
         const baker::RgbaImage image = baker::render_reference(scene, camera, settings, watch(printer));
         return over_background(image, options.views.background);
     };
     try {
-        for (const std::string& path : write_views(options.views, options.output, draw))
-            std::printf("%s\n", path.c_str());
+        return write_views(options.views, options.output, draw);
     } catch (const baker::Cancelled&) {
         throw Interrupted();
     }
+}
+
+void run(const ReferenceOptions& options)
+{
+    size_t warnings = 0;
+    const baker::Scene scene = load_scene(options.scene, warnings);
+    for (const std::string& path : write_references(options, scene)) std::printf("%s\n", path.c_str());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "choice.h"
 #include "commands.h"
 #include "lumi/tools/draw.h"
+#include "lumi/tools/failure.h"
 #include "lumi/tools/field_file.h"
 
 namespace lumi::tools
@@ -62,7 +63,11 @@ void add_render(CLI::App& lumi)
     add_drawing_options(*command, options->drawing);
     command->footer(
         "Example:\n  lumi render product.lumi -o product.png --turntable 24 --mode paper --background 202428");
-    command->callback([options] { run(*options); });
+    command->callback([options, command] {
+        if (command->count("--neighbours") > 0 && options->drawing.mode != Mode::paper)
+            throw UsageError("--neighbours belongs to --mode paper");
+        run(*options);
+    });
 }
 
 }  // namespace lumi::tools

@@ -13,6 +13,10 @@ namespace lumi::tools
 // pipes are written straight to, since they hold no earlier output. Readers never see half a file.
 void write_output(const std::string& path, std::string_view bytes);
 
+// The file that a rename over `path` must replace: `path`, or the target of a link. Throws Failure for a folder, a
+// device or a pipe, which a rename would destroy.
+std::string regular_target(const std::string& path);
+
 // Throws Failure now if write_output(path, …) could not work later: worth asking before minutes of work.
 void require_writable(const std::string& path);
 

@@ -44,8 +44,7 @@ Plane<Value> filter_valid(const Plane<Value>& plane, const std::vector<double>& 
     Plane<Value> rows(plane.width_px - side + 1, plane.height_px);
     for (int y = 0; y < rows.height_px; ++y)
         for (int x = 0; x < rows.width_px; ++x)
-            for (int i = 0; i < side; ++i)
-                rows.at(x, y) += weights[static_cast<size_t>(i)] * plane.at(x + i, y);
+            for (int i = 0; i < side; ++i) rows.at(x, y) += weights[static_cast<size_t>(i)] * plane.at(x + i, y);
     Plane<Value> result(rows.width_px, plane.height_px - side + 1);
     for (int y = 0; y < result.height_px; ++y)
         for (int i = 0; i < side; ++i)

@@ -13,7 +13,7 @@ namespace lumi::tools
 // "43 %  1.24 M rays/s  1:12 left"; without what is not known yet.
 std::string progress_text(const baker::Progress& progress);
 
-// A bar that redraws itself on a terminal, else a plain line every few seconds.
+// A bar that redraws itself on a terminal, else a plain line at the beginning and every few seconds.
 class ProgressPrinter
 {
 public:

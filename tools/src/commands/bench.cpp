@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// lumi bench: what drawing costs on microcontrollers and how exact it is.
+#include <cstdio>
+#include <memory>
+
+#include "../bench/measure.h"
+#include "../bench/report.h"
+#include "commands.h"
+#include "lumi/tools/output_file.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+struct BenchOptions {
+    bench::Settings settings;
+    std::string source = LUMI_SOURCE_DIR, work = "lumi-bench", scene, json;
+    bool quick = false;
+};
+
+void run(BenchOptions& options)
+{
+    bench::Settings& settings = options.settings;
+    settings.source = std::filesystem::absolute(options.source);
+    settings.work = std::filesystem::absolute(options.work);
+    settings.field.scene = options.scene.empty() ? settings.source / "baker" / "scenes" / "product.obj"
+                                                 : std::filesystem::path(options.scene);
+    if (!options.json.empty()) require_writable(options.json);
+    const bench::Rows rows =
+        bench::measure(settings, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
+    std::fputs(bench::text_report(rows).c_str(), stdout);
+    if (!options.json.empty()) write_output(options.json, bench::json_report(rows));
+}
+
+// A list of words, separated by commas.
+void add_words(CLI::App& command, const std::string& name, std::vector<std::string>& value, const std::string& what)
+{
+    std::string words;
+    for (const std::string& word : value) words += (words.empty() ? "" : ", ") + word;
+    command.add_option(name, value, what + " [" + words + "]")
+        ->delimiter(',')
+        ->check(CLI::IsMember(value))
+        ->type_name("LIST");
+}
+
+void add_matrix_options(CLI::App& command, BenchOptions& options)
+{
+    bench::Matrix& matrix = options.settings.matrix;
+    command.add_flag_callback(
+        "--quick", [&matrix] { matrix = bench::quick_matrix(); }, "A few rows only");
+    add_words(command, "--core", matrix.cores, "Cores");
+    add_words(command, "--mode", matrix.modes, "Reconstructions");
+    add_words(command, "--texel", matrix.texels, "Texel formats");
+    add_words(command, "--view", matrix.views, "Views");
+    command.add_option("--span", matrix.spans, "Pixels between exact ones, 0 for the exact renderer [0, 1, 4, 8, 16]")
+        ->delimiter(',')
+        ->check(CLI::IsMember(bench::kSpans))
+        ->type_name("LIST");
+}
+
+void add_place_options(CLI::App& command, BenchOptions& options)
+{
+    command.add_option("--json", options.json, "Write the rows here as JSON")->type_name("FILE");
+    command.add_option("--work", options.work, "Folder for builds and fields, kept for the next run")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_option("--source", options.source, "The project's source tree")->type_name("DIR");
+    command.add_option("--scene", options.scene, "Scene to bake [product.obj of the source tree]")->type_name("OBJ");
+    bench::FieldSettings& field = options.settings.field;
+    command.add_option("--origins", field.origins, "M of the baked field")->capture_default_str();
+    command.add_option("--directions", field.directions, "N of the baked field")->capture_default_str();
+    command.add_option("--spp", field.samples, "Light paths per texel")->capture_default_str();
+}
+
+}  // namespace
+
+void add_bench(CLI::App& lumi)
+{
+    auto options = std::make_shared<BenchOptions>();
+    CLI::App* command = lumi.add_subcommand(
+        "bench", "Count what drawing costs on emulated microcontrollers, and how exact the pictures are");
+    add_matrix_options(*command, *options);
+    add_place_options(*command, *options);
+    command->footer(
+        "Needs cmake, ninja, the arm-none-eabi toolchain and qemu-system-arm in PATH.\n"
+        "Example:\n  lumi bench --core m4,m0plus --mode linear --span 8,16 --json bench.json");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace lumi::tools
