@@ -239,7 +239,7 @@ TEST_CASE("material: a partly metallic surface is the mixture of metal and paint
     const double metal = static_cast<double>(Conductor(m.base, 0.4f).eval(wo, wi).r);
     const double paint = static_cast<double>(Plastic(m.base, *m.skin).eval(wo, wi).r);
     CHECK(mean == Approx(0.25 * metal + 0.75 * paint).epsilon(1e-4));
-    CHECK(std::abs(metal - paint) > 0.05);
+    CHECK(std::abs(metal - paint) > 0.02);
 }
 
 TEST_CASE("fresnel: reflectance at normal incidence and at grazing, and a smooth skin's mean")
