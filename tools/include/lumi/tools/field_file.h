@@ -26,6 +26,7 @@ public:
 
     const std::string& path() const { return path_; }
     const Field& field() const { return field_; }
+    const uint8_t* bytes() const { return file_.bytes(); }
     size_t size() const { return file_.size(); }
 
     std::vector<Section> sections() const;

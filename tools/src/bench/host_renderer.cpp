@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "host_renderer.h"
+
+#include <stdexcept>
+
+#include "lumi/bench/views.h"
+#include "lumi/crc32.h"
+#include "lumi/render.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+// Where a traced texel policy notes its reads.
+struct Trace {
+    const uint8_t* file = nullptr;
+    std::vector<Read> reads;
+
+    void note(const uint8_t* at, uint32_t bytes) { reads.push_back({static_cast<uint32_t>(at - file), bytes}); }
+};
+
+thread_local Trace trace;
+
+// A texel policy that behaves like Texel and tells what it reads.
+template <class Texel>
+struct Traced : Texel {
+    static Rgba8 load(const Field& field, const uint8_t* row, uint32_t j)
+    {
+        constexpr uint32_t kBytes = format::bytes_per_texel(Texel::kFormat);
+        constexpr uint32_t kEntryBytes = 4;
+        trace.note(row + kBytes * j, kBytes);
+        if (Texel::kFormat == format::TexelFormat::palette8)
+            trace.note(field.palette + kEntryBytes * row[j], kEntryBytes);
+        return Texel::load(field, row, j);
+    }
+};
+
+struct Job {
+    int span;
+    const Field& field;
+    const Camera& camera;
+};
+
+template <class Reconstruction, class Texel, class Pixel>
+std::vector<uint8_t> frame_bytes(const Job& job)
+{
+    constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
+    std::vector<uint8_t> pixels(kSidePx * kStrideBytes);
+    const Stripe stripe = {pixels.data(), 0, 0, kSidePx, kSidePx, kStrideBytes};
+    const RenderError error =
+        render<Reconstruction, Texel, Pixel>(job.field, job.camera, OverColour{kBackground}, stripe);
+    if (error != RenderError::none) throw std::logic_error("the field's texels are not the policy's");
+    return pixels;
+}
+
+template <class Reconstruction, class Texel>
+HostFrame draw_frame(const Job& job)
+{
+    HostFrame frame;
+    frame.picture = tools::Picture(kSidePx, kSidePx);
+    frame.picture.rgb = frame_bytes<Reconstruction, Texel, PixelRgb888>(job);
+    trace.reads.clear();
+    const std::vector<uint8_t> shown = frame_bytes<Reconstruction, Traced<Texel>, PixelRgb565>(job);
+    frame.reads = std::move(trace.reads);
+    frame.rgb565_crc = crc32(0, shown.data(), shown.size());
+    return frame;
+}
+
+template <class Reconstruction>
+HostFrame choose_texel(const Job& job)
+{
+    switch (job.field.texel_format) {
+        case format::TexelFormat::rgb888:
+            return draw_frame<Reconstruction, TexelRgb888>(job);
+        case format::TexelFormat::rgb565:
+            return draw_frame<Reconstruction, TexelRgb565>(job);
+        case format::TexelFormat::palette8:
+            return draw_frame<Reconstruction, TexelPalette8>(job);
+        case format::TexelFormat::luma8:
+            return draw_frame<Reconstruction, TexelLuma8>(job);
+    }
+    throw std::logic_error("a field has one of four texel formats");
+}
+
+}  // namespace
+
+HostFrame draw_on_host(const std::string& mode, int span, const Field& field, const uint8_t* file, const Camera& camera)
+{
+    trace.file = file;
+    const Job job = {span, field, camera};
+    if (mode == "nearest") return choose_texel<Nearest>(job);
+    if (mode == "linear") return choose_texel<Linear>(job);
+    if (mode == "paper") return choose_texel<Paper<5>>(job);
+    throw std::logic_error("no renderer is called " + mode);
+}
+
+}  // namespace lumi::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Draws on this machine what the boards draw: the same templates, the same bits.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cache_model.h"
+#include "lumi/camera.h"
+#include "lumi/field.h"
+#include "lumi/tools/picture.h"
+
+namespace lumi::bench
+{
+
+struct HostFrame {
+    tools::Picture picture;   // drawn as RGB888, so that a display's rounding hides nothing
+    uint32_t rgb565_crc = 0;  // of the frame that the boards draw
+    std::vector<Read> reads;  // of texels and palette entries, in order; addresses count from the field file's start
+};
+
+// `mode` is one of kModes, `span` one of kSpans; the field decides the texel policy. `file` is where the field's bytes
+// begin.
+HostFrame draw_on_host(const std::string& mode, int span, const Field& field, const uint8_t* file,
+                       const Camera& camera);
+
+}  // namespace lumi::bench

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+
+#include "lumi/sphere.h"
+#include "lumi/tools/psnr.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+using reference::Vec3;
+using reference::Weights;
+using Points = std::vector<Vec3>;
+
+constexpr uint32_t kPaperNeighbours = 5;
+
+Weights weights_of(const std::string& mode, const Points& all, const Vec3& hit)
+{
+    if (mode == "nearest") return reference::nearest_weights(all, hit);
+    if (mode == "paper") return reference::paper_weights(all, hit, kPaperNeighbours);
+    return reference::linear_weights(all, hit);
+}
+
+// Distance of a hit from the plane halfway between its two nearest points, against the tolerance.
+bool near_border(const Points& all, const Vec3& hit)
+{
+    const Weights two = reference::sorted_by_distance(all, hit, 2);
+    const double apart = reference::length(all[two[0].first] - all[two[1].first]);
+    const double distance = (two[1].second - two[0].second) / (2 * apart);
+    return distance < kBorderShare * reference::spacing(static_cast<uint32_t>(all.size()));
+}
+
+uint8_t rounded(double level)
+{
+    return static_cast<uint8_t>(std::lround(std::clamp(level, 0.0, 255.0)));
+}
+
+// The pixels that count, side by side in a picture one pixel high, so that the usual metric judges them alone.
+tools::Picture packed(const tools::Picture& picture, const ViewTaps& taps, bool with_borders)
+{
+    tools::Picture result;
+    for (const ViewTaps::Pixel& pixel : taps.pixels) {
+        if (pixel.near_border && !with_borders) continue;
+        const uint8_t* at = picture.pixel(pixel.x, pixel.y);
+        result.rgb.insert(result.rgb.end(), at, at + 3);
+    }
+    result.width_px = static_cast<int>(result.rgb.size() / 3);
+    result.height_px = 1;
+    return result;
+}
+
+uint32_t worst_difference(const tools::Picture& a, const tools::Picture& b)
+{
+    int worst = 0;
+    for (size_t i = 0; i < a.rgb.size(); ++i) worst = std::max(worst, std::abs(int{a.rgb[i]} - int{b.rgb[i]}));
+    return static_cast<uint32_t>(worst);
+}
+
+}  // namespace
+
+Judge::Judge(const Field& field)
+    : origins_(reference::points(field.origins.size())), directions_(reference::points(field.directions.size()))
+{
+}
+
+const ViewTaps& Judge::taps_of(const std::string& mode, const View& view)
+{
+    const auto [at, is_new] = taps_.try_emplace({mode, view.name});
+    if (!is_new) return at->second;
+    Camera camera;
+    if (make_view_camera(view, camera) != CameraError::none) return at->second;
+    const Pose pose = orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
+    const Image image = {kSidePx, kSidePx, view.fov_turns32};
+    for (int y = 0; y < kSidePx; ++y) {
+        const RowSpan span = covered_span(camera, y, 0, kSidePx);
+        for (int x = span.begin; x < span.end; ++x) {
+            const reference::Hits hit = reference::hits_of_pixel(pose, image, x, y);
+            const bool border =
+                mode == "nearest" && (near_border(origins_, hit.front) || near_border(directions_, hit.back));
+            at->second.pixels.push_back(
+                {x, y, weights_of(mode, origins_, hit.front), weights_of(mode, directions_, hit.back), border});
+        }
+    }
+    return at->second;
+}
+
+tools::Picture Judge::exact_picture(const std::string& mode, const Field& field, const View& view)
+{
+    tools::Picture picture(kSidePx, kSidePx, kBackground);
+    for (const ViewTaps::Pixel& pixel : taps_of(mode, view).pixels) {
+        const reference::Colour c = reference::blended(field, pixel.origins, pixel.directions, kBackground);
+        uint8_t* at = picture.pixel(pixel.x, pixel.y);
+        at[0] = rounded(c.r);
+        at[1] = rounded(c.g);
+        at[2] = rounded(c.b);
+    }
+    return picture;
+}
+
+Accuracy Judge::judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn)
+{
+    const bool dither = mode == "dither";
+    const std::string truth_mode = dither ? "linear" : mode;
+    const ViewTaps& taps = taps_of(truth_mode, view);
+    const tools::Picture truth = exact_picture(truth_mode, field, view);
+    const tools::Picture a = packed(dither ? blurred(truth) : truth, taps, false);
+    const tools::Picture b = packed(dither ? blurred(drawn) : drawn, taps, false);
+    return {tools::psnr_db(a, b), tools::psnr_db(packed(truth, taps, true), packed(drawn, taps, true)),
+            worst_difference(a, b)};
+}
+
+tools::Picture blurred(const tools::Picture& picture)
+{
+    constexpr int kWeights[3] = {1, 2, 1};
+    constexpr int kSum = 16;
+    tools::Picture result = picture;
+    for (int y = 1; y + 1 < picture.height_px; ++y) {
+        for (int x = 1; x + 1 < picture.width_px; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                int sum = kSum / 2;
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (int dx = -1; dx <= 1; ++dx)
+                        sum += kWeights[dy + 1] * kWeights[dx + 1] * picture.pixel(x + dx, y + dy)[c];
+                result.pixel(x, y)[c] = static_cast<uint8_t>(sum / kSum);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace lumi::bench

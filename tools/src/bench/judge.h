@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// How far a drawn picture is from the exact one.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lumi/bench/views.h"
+#include "lumi/field.h"
+#include "lumi/reference/picture.h"
+#include "lumi/tools/picture.h"
+#include "matrix.h"
+
+namespace lumi::bench
+{
+
+// The taps of every covered pixel of a view in double precision, for one pair of lattices.
+struct ViewTaps {
+    struct Pixel {
+        int x, y;
+        reference::Weights origins, directions;
+        bool near_border;  // a hit within kBorderShare of the mean point spacing of the border of its nearest cell
+    };
+    std::vector<Pixel> pixels;
+};
+
+// A hit this close to a cell's border, in mean point spacings, may fall to either side without being wrong.
+inline constexpr double kBorderShare = 1.0 / 16;
+
+class Judge
+{
+public:
+    // The lattices of `field`; all fields judged must have the same.
+    explicit Judge(const Field& field);
+
+    // `drawn` is the picture of `field` from `view` by `mode`. Dither is judged by the picture of linear that it stands
+    // for, both blurred over 3 × 3 pixels, as an eye does at a distance.
+    Accuracy judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn);
+
+    // The exact picture, rounded to 8 bits.
+    tools::Picture exact_picture(const std::string& mode, const Field& field, const View& view);
+
+private:
+    const ViewTaps& taps_of(const std::string& mode, const View& view);
+
+    std::vector<reference::Vec3> origins_, directions_;
+    std::map<std::pair<std::string, std::string>, ViewTaps> taps_;  // by mode and view
+};
+
+// Each channel the weighted mean of 3 × 3 pixels (1 2 1 in both directions); the picture's rim stays as it is.
+tools::Picture blurred(const tools::Picture& picture);
+
+}  // namespace lumi::bench

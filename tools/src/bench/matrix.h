@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What is measured: one row per core, mode, texel format, span length and view.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "chips.h"
+
+namespace lumi::bench
+{
+
+inline const std::vector<std::string> kCores = {"m0plus", "m3", "m4", "m7"};
+inline const std::vector<std::string> kModes = {"nearest", "dither", "linear", "paper"};
+inline const std::vector<std::string> kTexels = {"rgb888", "rgb565", "palette8", "luma8"};
+inline const std::vector<std::string> kViewNames = {"generic", "pole", "close"};
+
+// Span 0: every pixel by the exact renderer. It has no dither.
+inline const std::vector<int> kSpans = {0, 1, 4, 8, 16};
+
+struct Matrix {
+    std::vector<std::string> cores = kCores, modes = kModes, texels = kTexels, views = kViewNames;
+    std::vector<int> spans = kSpans;
+};
+
+// Few rows, soon done: two cores, the cheapest and the dearest of the usual modes.
+Matrix quick_matrix();
+
+// What a core executed for one frame.
+struct Count {
+    std::string view;
+    int span = 0;
+    uint64_t covered = 0, instructions = 0, setup = 0;
+    uint32_t stack_bytes = 0, crc = 0;
+};
+
+struct Accuracy {
+    double psnr_db = 0;        // nearest: outside cell borders; dither: both pictures blurred; over covered pixels
+    double psnr_all_db = 0;    // over all covered pixels as they are
+    uint32_t worst_pixel = 0;  // levels of 255, over the pixels of psnr_db
+};
+
+struct Traffic {
+    uint64_t lines = 0, misses = 0;
+};
+
+struct Row {
+    std::string core, mode, texel;
+    Count count;
+    uint32_t code_bytes = 0;
+    Accuracy accuracy;
+    std::array<Traffic, kChips> traffic;
+
+    double instructions_per_pixel() const { return per_pixel(count.instructions); }
+    double setup_per_pixel() const { return per_pixel(count.setup); }
+    double inner_per_pixel() const { return instructions_per_pixel() - setup_per_pixel(); }
+
+private:
+    double per_pixel(uint64_t instructions) const
+    {
+        return static_cast<double>(instructions) / static_cast<double>(count.covered);
+    }
+};
+
+using Rows = std::vector<Row>;
+
+// The first row of these properties, or null.
+const Row* find_row(const Rows& rows, const std::string& core, const std::string& mode, const std::string& texel,
+                    int span, const std::string& view);
+
+}  // namespace lumi::bench

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The whole measurement: builds, bakes, runs, judges.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "fields.h"
+#include "matrix.h"
+
+namespace lumi::bench
+{
+
+struct Settings {
+    std::filesystem::path source;  // the project's tree
+    std::filesystem::path work;    // builds and fields; kept between runs
+    FieldSettings field;
+    Matrix matrix;
+};
+
+// Told what is done next.
+using Announce = std::function<void(const std::string&)>;
+
+// One row per existing combination of the matrix, in its order. Throws tools::Failure, also where a board draws other
+// bits than this machine.
+Rows measure(const Settings& settings, const Announce& announce);
+
+}  // namespace lumi::bench
