@@ -27,4 +27,8 @@ PlanePoint plane_point(uint32_t i);
 // Corners of triangle k < kTriangles, counter-clockwise, the lowest index first. Triangles come in the order of it.
 const uint8_t* corners(int k);
 
+// The triangles across the edges opposite the corners of triangle k; kNone where the pattern's table ends.
+inline constexpr uint8_t kNone = 255;
+const uint8_t* beyond(int k);
+
 }  // namespace lumi::polar

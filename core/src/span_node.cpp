@@ -141,7 +141,7 @@ SpanNode RowNodes::at(int32_t ahead) const
         const int32_t hx = (eye_direction_q15_.x * a + px * r) >> 15;
         const int32_t hy = (eye_direction_q15_.y * a + py * r) >> 15;
         const int32_t hz = eye_direction_q15_.z * a + pz * r;
-        return SpanHit{coarse_angle_turns32(hy, hx), hz};
+        return SpanHit{coarse_angle_turns32(hy, hx), hx, hy, hz};
     };
     return {hit(lift + along, m - shrink), hit(lift - along, m + shrink)};
 }

@@ -42,24 +42,18 @@ public:
         front.begin(first.front);
         back.begin(first.back);
         const int32_t last = span.end - span.begin - 1;
-        for (int32_t at = 0; at < last;) {
-            const int log2 = length_log2(at, last - at);
-            const SpanNode next = nodes.at(at + (1 << log2));
-            draw({front, back, next, log2, span.begin + at, y, pixels + static_cast<uint32_t>(at) * Pixel::kBytes});
-            at += 1 << log2;
+        int32_t at = 0;
+        while (at <= last) {
+            Target target{field_, background_, pixels, 1, span.begin + at, y, {}, {}, false};
+            target.length = prepare(nodes, front, back, at, last - at, target);
+            draw(target);
+            at += target.length;
+            pixels += static_cast<uint32_t>(target.length) * Pixel::kBytes;
         }
-        exact(span.end - 1, 1, y, pixels + static_cast<uint32_t>(last) * Pixel::kBytes);
     }
 
 private:
-    struct Step {
-        SpanWalker& front;
-        SpanWalker& back;
-        const SpanNode& next;
-        int log2;
-        int32_t x, y;
-        uint8_t* pixels;
-    };
+    using Target = SpanTarget<Background>;
 
     // Spans double from the left rim and halve towards the right one.
     int length_log2(int32_t from_left, int32_t from_right) const
@@ -71,16 +65,34 @@ private:
         return log2;
     }
 
-    void draw(const Step& step)
+    // Sets both sides for the longest span that both lattices allow; returns its length.
+    int32_t prepare(const RowNodes& nodes, SpanWalker& front, SpanWalker& back, int32_t at, int32_t left,
+                    Target& target) const
     {
-        const int32_t length = 1 << step.log2;
-        SpanTarget<Background> target{field_, background_, step.pixels, length, step.x, step.y, {}, {}};
-        const bool origins_drawn = step.front.advance(step.next.front, step.log2, target.origins);
-        const bool directions_drawn = step.back.advance(step.next.back, step.log2, target.directions);
-        if (origins_drawn && directions_drawn && rows_present(target.origins, length)) {
+        for (int log2 = left > 0 ? length_log2(at, left) : -1; log2 >= 0; --log2) {
+            const SpanNode next = nodes.at(at + (1 << log2));
+            if (front.prepare(next.front, log2, target.origins) && back.prepare(next.back, log2, target.directions)) {
+                front.commit();
+                back.commit();
+                return 1 << log2;
+            }
+        }
+        target.exact = !front.prepare_pixel(target.origins) || !back.prepare_pixel(target.directions);
+        if (left > 0) {
+            const SpanNode next = nodes.at(at + 1);
+            front.begin(next.front);
+            back.begin(next.back);
+        }
+        return 1;
+    }
+
+    void draw(const Target& target) const
+    {
+        if (!target.exact && rows_present(target.origins, target.length)) {
             SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
         } else {
-            exact(step.x, length, step.y, step.pixels);
+            draw_exact<Reconstruction, Texel, Pixel>(
+                field_, camera_, background_, RowSpan{target.x, target.x + target.length}, target.y, target.pixels);
         }
     }
 
@@ -88,11 +100,6 @@ private:
     {
         return field_.used_origins == field_.origins.size() ||
                side.highest(length) < static_cast<int32_t>(field_.used_origins);
-    }
-
-    void exact(int32_t x, int32_t length, int32_t y, uint8_t* pixels) const
-    {
-        draw_exact<Reconstruction, Texel, Pixel>(field_, camera_, background_, RowSpan{x, x + length}, y, pixels);
     }
 
     const Field& field_;

@@ -21,6 +21,7 @@ struct SpanTarget {
     int32_t length;
     int32_t x, y;  // of the first pixel
     SpanSide origins, directions;
+    bool exact = false;  // one pixel that only the exact renderer can draw
 };
 
 // Where a side's lattice steps lie in memory.
@@ -74,26 +75,119 @@ void draw_single(const SpanTarget<Background>& span, Offset offset)
     }
 }
 
-// The corners of a cell's triangle as offsets in memory, with weights that sum to kSpanOne.
-struct SpanTriangle {
+// Three taps of a side: offsets in memory and weights that sum to kSpanOne.
+struct SpanTaps {
     int32_t offset[3];
     uint32_t weight[3];
+};
 
-    SpanTriangle(const SpanSteps& steps, int32_t u_q16, int32_t v_q16)
+// The taps of a side that runs through the lattice's cells.
+class CellSource
+{
+public:
+    CellSource(const SpanSide& side, int32_t stride_bytes)
+        : steps_(side, stride_bytes), u_q16_(side.u_q16), v_q16_(side.v_q16), du_q16_(side.du_q16), dv_q16_(side.dv_q16)
     {
-        const uint32_t fu = (static_cast<uint32_t>(u_q16) >> 8) & 255u;
-        const uint32_t fv = (static_cast<uint32_t>(v_q16) >> 8) & 255u;
+    }
+
+    int32_t base() const { return steps_.base; }
+
+    // The triangle of the cell: its halves meet along the sum of both steps.
+    SpanTaps taps() const
+    {
+        const uint32_t fu = (static_cast<uint32_t>(u_q16_) >> 8) & 255u;
+        const uint32_t fv = (static_cast<uint32_t>(v_q16_) >> 8) & 255u;
         const bool lower = fu > fv;
         const uint32_t more = lower ? fu : fv;
         const uint32_t less = lower ? fv : fu;
-        offset[0] = steps.first * (u_q16 >> 16) + steps.second * (v_q16 >> 16);
-        offset[1] = offset[0] + (lower ? steps.first : steps.second);
-        offset[2] = offset[0] + steps.first + steps.second;
-        weight[0] = kSpanOne - more;
-        weight[1] = more - less;
-        weight[2] = less;
+        const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
+        return {{corner, corner + (lower ? steps_.first : steps_.second), corner + steps_.first + steps_.second},
+                {kSpanOne - more, more - less, less}};
     }
+
+    void advance()
+    {
+        u_q16_ += du_q16_;
+        v_q16_ += dv_q16_;
+    }
+
+private:
+    SpanSteps steps_;
+    int32_t u_q16_, v_q16_, du_q16_, dv_q16_;
 };
+
+// The taps of a side that may lie in a pole's cap: the rare spans share one loop.
+class AnySource
+{
+public:
+    AnySource(const SpanSide& side, int32_t stride_bytes)
+        : cell_(side, stride_bytes), cap_(side.cap), step_(side.first * stride_bytes), in_cap_(side.in_cap)
+    {
+    }
+
+    int32_t base() const { return cell_.base(); }
+
+    SpanTaps taps() const
+    {
+        if (!in_cap_) return cell_.taps();
+        const uint32_t w1 = (static_cast<uint32_t>(cap_.weight_q16[1]) + 128) >> 8;
+        const uint32_t w2 = (static_cast<uint32_t>(cap_.weight_q16[2])) >> 8;
+        return {{cap_.corner[0] * step_, cap_.corner[1] * step_, cap_.corner[2] * step_},
+                {w1 + w2 < kSpanOne ? kSpanOne - w1 - w2 : 0, w1, w2}};
+    }
+
+    void advance()
+    {
+        if (in_cap_) {
+            cap_.advance(++pixel_);
+        } else {
+            cell_.advance();
+        }
+    }
+
+private:
+    CellSource cell_;
+    SpanCap cap_;
+    int32_t step_;
+    int32_t pixel_ = 0;
+    bool in_cap_;
+};
+
+// Calls visit(taps of the origins, taps of the directions, base pointer, pixel pointer) for every pixel.
+template <class Source, class Texel, class Pixel, class Background, class Visit>
+void for_pixels(const SpanTarget<Background>& span, Visit visit)
+{
+    Source origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
+    Source directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    const uint8_t* base = span.field.texels + origins.base() + directions.base();
+    uint8_t* pixel = span.pixels;
+    for (int32_t k = 0; k < span.length; ++k) {
+        visit(origins.taps(), directions.taps(), base, pixel);
+        origins.advance();
+        directions.advance();
+        pixel += Pixel::kBytes;
+    }
+}
+
+template <class Texel, class Background>
+auto sum_of_taps(const Field& field, const uint8_t* base, const SpanTaps& origins, const SpanTaps& directions)
+{
+    using Sum = SpanSum<Texel, !Background::kIsBlack>;
+    Sum sum;
+    for (int m = 0; m < 3; ++m) {
+        const uint8_t* row = base + origins.offset[m];
+        typename Sum::Row taps;
+        for (int j = 0; j < 3; ++j) taps.add(field, row + directions.offset[j], directions.weight[j]);
+        sum.add(taps, origins.weight[m]);
+    }
+    return sum;
+}
+
+inline int32_t heaviest(const SpanTaps& taps)
+{
+    const int first = taps.weight[1] > taps.weight[0] ? 1 : 0;
+    return taps.offset[taps.weight[2] > taps.weight[first] ? 2 : first];
+}
 
 template <class Reconstruction>
 struct SpanDraw;
@@ -103,8 +197,15 @@ struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        constexpr int32_t kHalf = 1 << 15;
-        draw_single<Texel, Pixel>(span, [](int32_t) { return kHalf; });
+        if (span.origins.in_cap || span.directions.in_cap) {
+            for_pixels<AnySource, Texel, Pixel>(
+                span, [&](const SpanTaps& o, const SpanTaps& d, const uint8_t* base, uint8_t* pixel) {
+                    store_single<Texel, Pixel>(span.field, span.background, base + heaviest(o) + heaviest(d), pixel);
+                });
+        } else {
+            constexpr int32_t kHalf = 1 << 15;
+            draw_single<Texel, Pixel>(span, [](int32_t) { return kHalf; });
+        }
     }
 };
 
@@ -113,29 +214,15 @@ struct SpanDraw<Linear> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        using Sum = SpanSum<Texel, !Background::kIsBlack>;
-        const SpanSteps rows(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
-        const SpanSteps texels(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-        const uint8_t* base = span.field.texels + rows.base + texels.base;
-        int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
-        int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
-        uint8_t* pixel = span.pixels;
-        for (int32_t k = 0; k < span.length; ++k) {
-            const SpanTriangle origins(rows, uo, vo);
-            const SpanTriangle directions(texels, ud, vd);
-            Sum sum;
-            for (int m = 0; m < 3; ++m) {
-                const uint8_t* row = base + origins.offset[m];
-                typename Sum::Row taps;
-                for (int j = 0; j < 3; ++j) taps.add(span.field, row + directions.offset[j], directions.weight[j]);
-                sum.add(taps, origins.weight[m]);
-            }
+        const auto visit = [&](const SpanTaps& origins, const SpanTaps& directions, const uint8_t* base,
+                               uint8_t* pixel) {
+            const auto sum = sum_of_taps<Texel, Background>(span.field, base, origins, directions);
             Pixel::store(pixel, sum.over(span.background.template under<Pixel>(pixel)));
-            uo += span.origins.du_q16;
-            vo += span.origins.dv_q16;
-            ud += span.directions.du_q16;
-            vd += span.directions.dv_q16;
-            pixel += Pixel::kBytes;
+        };
+        if (span.origins.in_cap || span.directions.in_cap) {
+            for_pixels<AnySource, Texel, Pixel>(span, visit);
+        } else {
+            for_pixels<CellSource, Texel, Pixel>(span, visit);
         }
     }
 };

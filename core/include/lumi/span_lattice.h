@@ -6,6 +6,7 @@
 #pragma once
 
 #include "lumi/lattice.h"
+#include "lumi/span_cap.h"
 #include "lumi/span_node.h"
 
 namespace lumi
@@ -15,8 +16,9 @@ namespace lumi
 inline constexpr uint32_t kMaxSpanLattice = 65536;
 // Smaller ones too: they have no zones to speak of.
 inline constexpr uint32_t kMinSpanLattice = 64;
-// The lattice's coordinates end where the pole's own pattern begins (a real-valued index).
-inline constexpr int32_t kSpanCapHeight = 21;
+// The lattice's coordinates end where the pole's own pattern begins (a real-valued index): F_8 = 21, and one for the
+// rounding of heights.
+inline constexpr int32_t kSpanCapHeight = 22;
 
 inline constexpr int kFirstSpanZone = 3;
 inline constexpr int kSpanZones = 12;  // zones 3 .. 14
@@ -25,32 +27,37 @@ struct SpanZone {
     int32_t first, second;     // F_k, F_k+1
     uint32_t begin_q30;        // 1 - z² where the zone begins
     uint32_t obtuse_q30;       // 1 - z² from which its steps form an obtuse angle
-    uint32_t low_q30;          // 1 - |z| above which all corners of a cell have indices on this side of the pole
+    // 1 - |z| from which no corner of a cell lies beyond the pole, where the steps are acute and where obtuse.
+    uint32_t low_acute_q30, low_obtuse_q30;
     int32_t scale_u, scale_v;  // height to u, v: mantissas below 2^14 ...
     int32_t shift;             // ... to be shifted right by this
     int32_t origin_u_q16, origin_v_q16;
 };
 
-// The zones of one lattice, computed once per stripe. 440 bytes.
+// The zones of one lattice, computed once per stripe. 460 bytes.
 struct SpanLattice {
     uint32_t size;
     uint32_t mirror_turns32;  // longitude of point n-1: the mirror image of longitude p is mirror - p
     uint32_t cap_q30;         // 1 - |z| at kSpanCapHeight
+    int32_t mirror_cos_q15, mirror_sin_q15;
     SpanZone zone[kSpanZones];
 
     explicit SpanLattice(const Lattice& lattice);
 };
 
 // One side (origins or directions) of the span being drawn: coordinates of its first pixel and their steps, Q16, in a
-// basis whose steps form an obtuse angle, so that the triangle of a cell is decided by fu > fv.
+// basis whose steps form an obtuse angle, so that the triangle of a cell is decided by fu > fv. In a pole's cap the
+// polar pattern takes their place; its indices count from the pole, and `first` is their step.
 struct SpanSide {
-    int32_t u_q16, v_q16, du_q16, dv_q16;
+    bool in_cap;
     int32_t first, second;  // index steps of u and v, negative where mirrored or reflected
     int32_t base;           // index of (0, 0)
-    uint32_t sine2_q30;     // 1 - z² at its middle
+    int32_t u_q16, v_q16, du_q16, dv_q16;
+    uint32_t sine2_q30;  // 1 - z² at its middle
     const SpanZone* zone;
+    SpanCap cap;
 
-    // The highest index that the corners of the cells under the span's `length` pixels can have.
+    // The highest index that the corners under the span's `length` pixels can have.
     int32_t highest(int32_t length) const;
 };
 
@@ -62,26 +69,35 @@ public:
 
     // Begins a row at a hit.
     void begin(const SpanHit& hit);
-    // Extends to the next hit, 2^length_log2 pixels on; false if the span comes too close to a pole or turns by more
-    // than 1/16 turn, in which case the walker moves on all the same and `out` is not set.
-    bool advance(const SpanHit& next, int length_log2, SpanSide& out);
+    // Sets `out` for the span up to the hit 2^length_log2 pixels on; false if the span must be shorter: it enters or
+    // leaves a pole's cap, or turns by more than 1/16 turn.
+    bool prepare(const SpanHit& next, int length_log2, SpanSide& out);
+    // Moves on to the hit that was prepared for.
+    void commit();
+    // Sets `out` for the one pixel at the current hit; false if only the exact renderer can draw it.
+    bool prepare_pixel(SpanSide& out) { return prepare(at_.hit, 0, out); }
 
 private:
     struct Position {
+        SpanHit hit;
         int32_t longitude_q20;  // unwrapped along the row
-        int32_t z_q30;
+        uint32_t from_pole_q30;
+
+        int32_t u_q16, v_q16;  // where the zone is known
     };
 
     int zone_at(uint32_t sine2_q30) const;
-    void coordinates(const Position& p, int32_t& u_q16, int32_t& v_q16) const;
+    Position position(const SpanHit& hit, int32_t longitude_q20) const;
+    void set_coordinates(Position& p) const;
+    void prepare_cap(int length_log2, SpanSide& out) const;
+    void prepare_chart(int length_log2, SpanSide& out);
 
     const SpanLattice& lattice_;
-    uint32_t longitude_turns32_ = 0;
-    Position at_{0, 0};
+    Position at_{}, next_{};
     int zone_ = 0;
+    int32_t triangle_ = 0;
     bool mirrored_ = false;
-    bool known_ = false;  // u_, v_ hold at_ in zone_
-    int32_t u_q16_ = 0, v_q16_ = 0;
+    bool known_ = false;  // at_ has its coordinates in zone_
 };
 
 }  // namespace lumi

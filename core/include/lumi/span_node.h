@@ -15,7 +15,7 @@ namespace lumi
 // Where a ray meets the sphere, as the lattice sees it.
 struct SpanHit {
     uint32_t longitude_turns32;
-    int32_t z_q30;
+    int32_t x_q15, y_q15, z_q30;
 };
 
 struct SpanNode {
