@@ -2,6 +2,7 @@
 // Every combination of reconstruction × texel × pixel × background that core offers, and all of core's functions that
 // firmware calls, for tests that read symbols and stack sizes. Never run.
 #include "lumi/render.h"
+#include "lumi/span.h"
 
 namespace lumi::policies
 {
@@ -14,18 +15,38 @@ RenderError draw(const Field& field, const Camera& camera, const void* backgroun
     return render<Reconstruction, Texel, Pixel>(field, camera, *static_cast<const Background*>(background), stripe);
 }
 
+// A reconstruction drawn by spans.
+template <class Reconstruction>
+struct BySpans;
+
+template <class Reconstruction, class Texel, class Pixel, class Background>
+RenderError draw_spans(const Field& field, const Camera& camera, const void* background, const Stripe& stripe)
+{
+    constexpr int32_t kSpanPx = 16;
+    return render_spans<Reconstruction, Texel, Pixel>(field, camera, *static_cast<const Background*>(background),
+                                                      stripe, kSpanPx);
+}
+
 template <class Reconstruction, class Texel, class Pixel>
-struct OverBoth {
+struct OverEach {
+    Render black = draw<Reconstruction, Texel, Pixel, OverBlack>;
     Render colour = draw<Reconstruction, Texel, Pixel, OverColour>;
     Render stripe = draw<Reconstruction, Texel, Pixel, OverStripe>;
 };
 
+template <class Reconstruction, class Texel, class Pixel>
+struct OverEach<BySpans<Reconstruction>, Texel, Pixel> {
+    Render black = draw_spans<Reconstruction, Texel, Pixel, OverBlack>;
+    Render colour = draw_spans<Reconstruction, Texel, Pixel, OverColour>;
+    Render stripe = draw_spans<Reconstruction, Texel, Pixel, OverStripe>;
+};
+
 template <class Reconstruction, class Texel>
 struct EveryPixel {
-    OverBoth<Reconstruction, Texel, PixelRgb565> rgb565;
-    OverBoth<Reconstruction, Texel, PixelRgb565Swapped> rgb565_swapped;
-    OverBoth<Reconstruction, Texel, PixelRgb888> rgb888;
-    OverBoth<Reconstruction, Texel, PixelGrey8> grey8;
+    OverEach<Reconstruction, Texel, PixelRgb565> rgb565;
+    OverEach<Reconstruction, Texel, PixelRgb565Swapped> rgb565_swapped;
+    OverEach<Reconstruction, Texel, PixelRgb888> rgb888;
+    OverEach<Reconstruction, Texel, PixelGrey8> grey8;
 };
 
 template <class Reconstruction>
@@ -43,6 +64,8 @@ struct EveryReconstruction {
     EveryTexel<Paper<1>> paper1;
     EveryTexel<Paper<5>> paper5;
     EveryTexel<Paper<kMaxNeighbours>> paper9;
+    EveryTexel<BySpans<Nearest>> nearest_spans;
+    EveryTexel<BySpans<Linear>> linear_spans;
 };
 
 extern const EveryReconstruction kEveryPolicy;

@@ -13,8 +13,9 @@ endforeach()
 set(lumi_boards ${PROJECT_SOURCE_DIR}/platform/mps2/boards.cmake)
 include(${lumi_boards})
 
-# Deepest stack of render() on any of the CPUs, as docs/boards.md states it.
+# Deepest stack of render() and of render_spans() on any of the CPUs, as docs/boards.md states it.
 set(LUMI_STACK_LIMIT 1024)
+set(LUMI_SPAN_STACK_LIMIT 2560)
 set(lumi_build_timeout_s 1500)
 set(lumi_run_timeout_s 900)
 
@@ -64,7 +65,10 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   add_test(NAME ${cpu}.core_stack
     COMMAND ${CMAKE_COMMAND} -D "FOLDERS=${lumi_cross}/core;${lumi_policies}" -D ROOTS=^_ZN4lumi8policies4draw
       -D LIMIT=${LUMI_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
-  list(APPEND lumi_cpu_tests ${cpu}.core_symbols ${cpu}.core_stack)
+  add_test(NAME ${cpu}.core_stack_spans
+    COMMAND ${CMAKE_COMMAND} -D "FOLDERS=${lumi_cross}/core;${lumi_policies}" -D ROOTS=^_ZN4lumi8policies10draw_spans
+      -D LIMIT=${LUMI_SPAN_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
+  list(APPEND lumi_cpu_tests ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
     TIMEOUT ${lumi_run_timeout_s})
 endforeach()

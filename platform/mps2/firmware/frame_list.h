@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fixed list of frames, every combination of view × reconstruction × texel format × pixel format, and their CRCs.
+// A fixed list of frames, every combination of view × renderer × texel format × pixel format, and their CRCs.
 // The same text is compiled for the host and for every board: equal lines prove equal pictures, bit by bit.
 #pragma once
 
@@ -20,7 +20,7 @@ struct FieldBytes {
 using WriteText = void (*)(const char* zero_terminated);
 
 // Draws the list, stripe by stripe, with fields[f] for texel format f. Writes one line a frame,
-// "view reconstruction texel pixel crc32"; the CRC runs over the frame drawn over a constant colour, then over the
+// "view renderer texel pixel crc32"; the CRC runs over the frame drawn over a constant colour, then over the
 // frame drawn once more over that. Stops with a line "error: ..." and returns false if a field does not open.
 bool write_frame_crcs(const FieldBytes (&fields)[format::kTexelFormats], WriteText write);
 
