@@ -37,16 +37,23 @@ constexpr PowerTables kPowers = make_tables();
 
 constexpr int kScaleBits = 14;
 
-uint32_t saturated(uint64_t v)
+int32_t magnitude(int32_t v)
 {
-    return v > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(v);
+    return v < 0 ? -v : v;
 }
 
-// 1 - z of a real-valued index; beyond the last point nothing is.
-uint32_t from_pole_q30(const Lattice& lattice, int32_t index)
+// |z| where n·(1 - z²) has the given value, Q30; 0 where it is never reached.
+int32_t height_of_q30(uint64_t n_sine2_q30, uint32_t n)
 {
-    if (static_cast<uint32_t>(index) >= lattice.size()) return UINT32_MAX;
-    return static_cast<uint32_t>(kOneQ30 - lattice.height_at_q30(index << 10));
+    const uint64_t sine2_q30 = n_sine2_q30 / n;
+    if (sine2_q30 >= static_cast<uint64_t>(kOneQ30)) return 0;
+    return static_cast<int32_t>(square_root((static_cast<uint64_t>(kOneQ30) - sine2_q30) << 30));
+}
+
+// z of a real-valued index on this hemisphere; -1 where there is none.
+int32_t height_of_index_q30(const Lattice& lattice, int32_t index)
+{
+    return static_cast<uint32_t>(index) < lattice.size() ? lattice.height_at_q30(index << 10) : -1;
 }
 
 SpanZone make_zone(const Lattice& lattice, int k)
@@ -55,11 +62,11 @@ SpanZone make_zone(const Lattice& lattice, int k)
     SpanZone z{};
     z.first = kFibonacci[k];
     z.second = kFibonacci[k + 1];
-    z.begin_q30 = saturated(kPowers.zone_q30[2 * k] / n);
-    z.obtuse_q30 = saturated(kPowers.zone_q30[2 * k + 1] / n);
-    z.low_acute_q30 = from_pole_q30(lattice, z.second + 1);
-    z.low_obtuse_q30 = from_pole_q30(lattice, z.first + z.second + 1);
-    // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: heights come in Q16, coordinates leave in Q16.
+    z.begin_z_q30 = height_of_q30(kPowers.zone_q30[2 * k], n);
+    z.obtuse_z_q30 = height_of_q30(kPowers.zone_q30[2 * k + 1], n);
+    z.acute_limit_z_q30 = height_of_index_q30(lattice, z.second + 1);
+    z.obtuse_limit_z_q30 = height_of_index_q30(lattice, z.first + z.second + 1);
+    // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: z comes in Q16, coordinates leave in Q16.
     const uint64_t v_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k]);
     const uint64_t u_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k + 1]);
     int down = 0;
@@ -67,31 +74,18 @@ SpanZone make_zone(const Lattice& lattice, int k)
     z.scale_v = static_cast<int32_t>(v_q31 >> down);
     z.scale_u = static_cast<int32_t>(u_q31 >> down);
     z.shift = 31 - down;
-    z.origin_v_q16 = kPowers.inverse_q30[k] >> 15;
-    z.origin_u_q16 = kPowers.inverse_q30[k + 1] >> 15;
+    z.origin_v_q16 = static_cast<int32_t>(v_q31 >> 15) - (kPowers.inverse_q30[k] >> 15);
+    z.origin_u_q16 = static_cast<int32_t>(u_q31 >> 15) - (kPowers.inverse_q30[k + 1] >> 15);
     return z;
 }
 
-uint32_t distance_from_pole_q30(int32_t z_q30)
-{
-    const uint32_t magnitude = static_cast<uint32_t>(z_q30 < 0 ? -z_q30 : z_q30);
-    return magnitude < static_cast<uint32_t>(kOneQ30) ? static_cast<uint32_t>(kOneQ30) - magnitude : 0;
-}
-
-uint32_t sine2_q30(int32_t z_q30)
-{
-    const int32_t z_q15 = z_q30 >> 15;
-    const uint32_t z2 = static_cast<uint32_t>(z_q15 * z_q15);
-    return z2 < static_cast<uint32_t>(kOneQ30) ? static_cast<uint32_t>(kOneQ30) - z2 : 0;
-}
-
 // The scale of the polar pattern's plane at height z: sqrt(n/(2·(1 + |z|))), Q7.
-int32_t plane_scale_q7(uint32_t n, int32_t z_q30)
+int32_t plane_scale_q7(int32_t n, int32_t z_q30)
 {
-    const uint32_t z_q15 = static_cast<uint32_t>(z_q30 < 0 ? -z_q30 : z_q30) >> 15;
+    const uint32_t z_q15 = static_cast<uint32_t>(magnitude(z_q30)) >> 15;
     const CoarseReciprocal r = coarse_reciprocal(2 * (32768 + z_q15));  // about 2^17
     // n/(2(1 + |z|)) < 2^15 in Q14, whose root is Q7 where coarse_root_q15 takes Q30 to Q15.
-    const uint32_t scale2_q14 = (n * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 29);
+    const uint32_t scale2_q14 = (static_cast<uint32_t>(n) * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 29);
     return coarse_root_q15(scale2_q14);
 }
 
@@ -100,11 +94,11 @@ constexpr int32_t kMaxTurnQ20 = 1 << 16;  // 1/16 turn
 }  // namespace
 
 SpanLattice::SpanLattice(const Lattice& lattice)
-    : size(lattice.size()),
-      mirror_turns32(longitude_turns32(lattice.size() - 1)),
-      cap_q30(from_pole_q30(lattice, kSpanCapHeight))
+    : size(static_cast<int32_t>(lattice.size())),
+      cap_z_q30(height_of_index_q30(lattice, kSpanCapHeight)),
+      mirror_turns20(static_cast<int32_t>(longitude_turns32(lattice.size() - 1) >> 12))
 {
-    const SinCos mirror = sin_cos(mirror_turns32);
+    const SinCos mirror = sin_cos(longitude_turns32(lattice.size() - 1));
     mirror_cos_q15 = mirror.cos_q30 >> 15;
     mirror_sin_q15 = mirror.sin_q30 >> 15;
     for (int k = 0; k < kSpanZones; ++k) zone[k] = make_zone(lattice, kFirstSpanZone + k);
@@ -120,101 +114,119 @@ int32_t SpanSide::highest(int32_t length) const
     return (a > b ? a : b) + 2 * (zone->first + zone->second);
 }
 
-SpanWalker::Position SpanWalker::position(const SpanHit& hit, int32_t longitude_q20) const
-{
-    return {hit, longitude_q20, distance_from_pole_q30(hit.z_q30), 0, 0};
-}
-
 void SpanWalker::begin(const SpanHit& hit)
 {
-    at_ = position(hit, static_cast<int32_t>(hit.longitude_turns32 >> 12));
-    known_ = false;
+    at_ = hit;
+    longitude_q20_ = static_cast<int32_t>(hit.longitude_turns32 >> 12);
+    chart_.high_z_q30 = INT32_MIN;  // no chart holds yet
 }
 
-int SpanWalker::zone_at(uint32_t sine2) const
+// Chooses the chart for a hit outside the caps.
+void SpanWalker::set_chart(int32_t z_q30)
 {
-    int k = zone_;
-    while (k > 0 && sine2 < lattice_.zone[k].begin_q30) --k;
-    while (k + 1 < kSpanZones && sine2 >= lattice_.zone[k + 1].begin_q30) ++k;
-    return k;
-}
-
-void SpanWalker::set_coordinates(Position& p) const
-{
+    const int32_t height = magnitude(z_q30);
+    while (zone_ > 0 && height >= lattice_.zone[zone_].begin_z_q30) --zone_;
+    while (zone_ + 1 < kSpanZones && height < lattice_.zone[zone_ + 1].begin_z_q30) ++zone_;
     const SpanZone& z = lattice_.zone[zone_];
-    const int32_t z_q30 = mirrored_ ? -p.hit.z_q30 : p.hit.z_q30;
-    const int32_t height_q16 = static_cast<int32_t>(static_cast<uint32_t>(kOneQ30 - z_q30) >> 14);
-    const int32_t longitude =
-        mirrored_ ? static_cast<int32_t>(lattice_.mirror_turns32 >> 12) - p.longitude_q20 : p.longitude_q20;
-    const bool odd = ((zone_ + kFirstSpanZone) & 1) != 0;
-    const int32_t along_u = (z.second * longitude) >> 4;
-    const int32_t along_v = (z.first * longitude) >> 4;
-    const int32_t up_u = ((height_q16 * z.scale_u) >> z.shift) - z.origin_u_q16;
-    const int32_t up_v = ((height_q16 * z.scale_v) >> z.shift) - z.origin_v_q16;
-    p.u_q16 = odd ? up_u + along_u : up_u - along_u;
-    p.v_q16 = odd ? up_v - along_v : up_v + along_v;
+    const bool mirrored = z_q30 < 0;
+    const bool acute = height >= z.obtuse_z_q30;
+    const int32_t odd = ((zone_ + kFirstSpanZone) & 1) != 0 ? 1 : -1;
+    const int32_t hemisphere = mirrored ? -1 : 1;
+    const int32_t reflection = acute ? -1 : 1;
+
+    chart_.zone = &z;
+    chart_.shift = z.shift;
+    chart_.u_longitude = reflection * odd * hemisphere * z.second;
+    chart_.v_longitude = -odd * hemisphere * z.first;
+    chart_.u_z = -reflection * hemisphere * z.scale_u;
+    chart_.v_z = -hemisphere * z.scale_v;
+    chart_.u_q16 = reflection * z.origin_u_q16;
+    chart_.v_q16 = z.origin_v_q16;
+    if (mirrored) {
+        chart_.u_q16 += reflection * odd * ((z.second * lattice_.mirror_turns20) >> 4);
+        chart_.v_q16 -= odd * ((z.first * lattice_.mirror_turns20) >> 4);
+    }
+    chart_.first = reflection * hemisphere * z.first;
+    chart_.second = hemisphere * z.second;
+    chart_.base = mirrored ? lattice_.size - 1 : 0;
+
+    const int32_t next_begin = zone_ + 1 < kSpanZones ? lattice_.zone[zone_ + 1].begin_z_q30 : 0;
+    const int32_t low = acute ? z.obtuse_z_q30 : next_begin;
+    const int32_t high = acute ? z.begin_z_q30 : z.obtuse_z_q30;
+    chart_.low_z_q30 = mirrored ? -high : low;
+    chart_.high_z_q30 = mirrored ? -low : high;
+    chart_.limit_z_q30 = acute ? z.acute_limit_z_q30 : z.obtuse_limit_z_q30;
+    set_coordinates(longitude_q20_, z_q30, u_q16_, v_q16_);
 }
 
-bool SpanWalker::prepare(const SpanHit& next, int length_log2, SpanSide& out)
+void SpanWalker::set_coordinates(int32_t longitude_q20, int32_t z_q30, int32_t& u_q16, int32_t& v_q16) const
 {
-    const int32_t turn_q20 = static_cast<int32_t>(next.longitude_turns32 - at_.hit.longitude_turns32) >> 12;
-    next_ = position(next, at_.longitude_q20 + turn_q20);
-    const bool in_cap = at_.from_pole_q30 < lattice_.cap_q30;
-    if (in_cap != (next_.from_pole_q30 < lattice_.cap_q30)) return false;
+    const int32_t z_q16 = z_q30 >> 14;
+    u_q16 = chart_.u_q16 + ((chart_.u_longitude * longitude_q20) >> 4) + ((chart_.u_z * z_q16) >> chart_.shift);
+    v_q16 = chart_.v_q16 + ((chart_.v_longitude * longitude_q20) >> 4) + ((chart_.v_z * z_q16) >> chart_.shift);
+}
+
+// How often a span must be halved until its end, as far as heights are linear along it, does not cross |z| = limit.
+int SpanWalker::halvings(int32_t from_z, int32_t next_z, int32_t limit_z) const
+{
+    const bool above = magnitude(from_z) > limit_z;
+    int count = 1;
+    for (int32_t step = (next_z - from_z) / 2; count <= kMaxSpanLog2; ++count, step /= 2) {
+        if ((magnitude(from_z + step) > limit_z) == above) break;
+    }
+    return count;
+}
+
+int SpanWalker::prepare(const SpanHit& next, int length_log2, SpanSide& out)
+{
+    const int32_t height = magnitude(at_.z_q30);
+    const int32_t next_height = magnitude(next.z_q30);
+    const bool in_cap = height > lattice_.cap_z_q30;
+    if (in_cap != (next_height > lattice_.cap_z_q30)) return halvings(at_.z_q30, next.z_q30, lattice_.cap_z_q30);
+    const int32_t turn_q20 = static_cast<int32_t>(next.longitude_turns32 - at_.longitude_turns32) >> 12;
+    next_ = next;
+    next_longitude_q20_ = longitude_q20_ + turn_q20;
+    out.z_q30 = height;
+    out.in_cap = in_cap;
     if (in_cap) {
-        if ((at_.hit.z_q30 ^ next.z_q30) < 0) return false;
-        prepare_cap(length_log2, out);
-        return true;
+        prepare_cap(next, length_log2, out);
+        return 0;
     }
-    if (turn_q20 > kMaxTurnQ20 || turn_q20 < -kMaxTurnQ20) return false;
-    const int32_t middle_z = (at_.hit.z_q30 >> 1) + (next.z_q30 >> 1);
-    const uint32_t sine2 = sine2_q30(middle_z);
-    const int zone = zone_at(sine2);
-    const uint32_t closest = at_.from_pole_q30 < next_.from_pole_q30 ? at_.from_pole_q30 : next_.from_pole_q30;
-    const SpanZone& z = lattice_.zone[zone];
-    if (closest < (sine2 < z.obtuse_q30 ? z.low_acute_q30 : z.low_obtuse_q30)) return false;
-    const bool mirrored = middle_z < 0;
-    if (!known_ || zone != zone_ || mirrored != mirrored_) {
-        zone_ = zone;
-        mirrored_ = mirrored;
-        set_coordinates(at_);
-        known_ = true;
-    }
-    set_coordinates(next_);
-    out.sine2_q30 = sine2;
-    prepare_chart(length_log2, out);
-    return true;
+    if (turn_q20 > kMaxTurnQ20 || turn_q20 < -kMaxTurnQ20) return 1;
+    if (at_.z_q30 < chart_.low_z_q30 || at_.z_q30 >= chart_.high_z_q30) set_chart(at_.z_q30);
+    if (next_height > chart_.limit_z_q30) return halvings(at_.z_q30, next.z_q30, chart_.limit_z_q30);
+    set_coordinates(next_longitude_q20_, next.z_q30, next_u_q16_, next_v_q16_);
+    out.first = chart_.first;
+    out.second = chart_.second;
+    out.base = chart_.base;
+    out.zone = chart_.zone;
+    out.u_q16 = u_q16_;
+    out.v_q16 = v_q16_;
+    out.du_q16 = (next_u_q16_ - u_q16_) >> length_log2;
+    out.dv_q16 = (next_v_q16_ - v_q16_) >> length_log2;
+    return 0;
 }
 
 void SpanWalker::commit()
 {
     at_ = next_;
-    known_ = known_ && at_.from_pole_q30 >= lattice_.cap_q30;
+    longitude_q20_ = next_longitude_q20_;
+    u_q16_ = next_u_q16_;
+    v_q16_ = next_v_q16_;
 }
 
-void SpanWalker::prepare_chart(int length_log2, SpanSide& out)
+bool SpanWalker::prepare_pixel(SpanSide& out)
 {
-    const SpanZone& z = lattice_.zone[zone_];
-    const bool acute = out.sine2_q30 < z.obtuse_q30;
-    const int32_t first = mirrored_ ? -z.first : z.first;
-    const int32_t du = (next_.u_q16 - at_.u_q16) >> length_log2;
-    out.in_cap = false;
-    out.zone = &z;
-    out.u_q16 = acute ? -at_.u_q16 : at_.u_q16;
-    out.v_q16 = at_.v_q16;
-    out.du_q16 = acute ? -du : du;
-    out.dv_q16 = (next_.v_q16 - at_.v_q16) >> length_log2;
-    out.first = acute ? -first : first;
-    out.second = mirrored_ ? -z.second : z.second;
-    out.base = mirrored_ ? static_cast<int32_t>(lattice_.size) - 1 : 0;
+    const SpanHit here = at_;
+    return prepare(here, 0, out) == 0;
 }
 
-void SpanWalker::prepare_cap(int length_log2, SpanSide& out) const
+void SpanWalker::prepare_cap(const SpanHit& next, int length_log2, SpanSide& out) const
 {
-    const bool mirrored = at_.hit.z_q30 < 0;
+    const bool mirrored = at_.z_q30 < 0;
+    const SpanHit* hits[2] = {&at_, &next};
     int32_t x[2];
     int32_t y[2];
-    const SpanHit* hits[2] = {&at_.hit, &next_.hit};
     for (int k = 0; k < 2; ++k) {
         const int32_t scale_q7 = plane_scale_q7(lattice_.size, hits[k]->z_q30);
         const int32_t hx = hits[k]->x_q15;
@@ -224,10 +236,9 @@ void SpanWalker::prepare_cap(int length_log2, SpanSide& out) const
         x[k] = (north_x * scale_q7) >> 6;  // Q16
         y[k] = (north_y * scale_q7) >> 6;
     }
-    out.in_cap = true;
     out.first = mirrored ? -1 : 1;
     out.second = 0;
-    out.base = mirrored ? static_cast<int32_t>(lattice_.size) - 1 : 0;
+    out.base = mirrored ? lattice_.size - 1 : 0;
     out.cap.x_q12 = x[0] >> 4;
     out.cap.y_q12 = y[0] >> 4;
     out.cap.dx_q16 = (x[1] - x[0]) >> length_log2;

@@ -57,9 +57,12 @@ void fill_beside(const Background& background, const Stripe& stripe, const RowSp
 {
     if (!Background::kFills) return;
     const Rgb8 colour = background.template under<Pixel>(nullptr);
-    for (int32_t x = stripe.x_px; x < stripe.x_px + stripe.width_px; ++x, pixels += Pixel::kBytes) {
-        if (x < span.begin || x >= span.end) Pixel::store(pixels, colour);
-    }
+    const auto fill = [&](int32_t begin, int32_t end) {
+        uint8_t* pixel = pixels + static_cast<uint32_t>(begin - stripe.x_px) * Pixel::kBytes;
+        for (int32_t x = begin; x < end; ++x, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
+    };
+    fill(stripe.x_px, span.begin);
+    fill(span.end, stripe.x_px + stripe.width_px);
 }
 
 // Draws every pixel of the stripe. Over a constant colour the whole stripe is written; over the stripe's own content

@@ -15,8 +15,6 @@
 namespace lumi
 {
 
-inline constexpr int kMaxSpanLog2 = 4;
-
 // Draws one row's covered span after another from one stripe's constants.
 template <class Reconstruction, class Texel, class Pixel, class Background>
 class SpanRenderer
@@ -42,13 +40,14 @@ public:
         front.begin(first.front);
         back.begin(first.back);
         const int32_t last = span.end - span.begin - 1;
-        int32_t at = 0;
-        while (at <= last) {
-            Target target{field_, background_, pixels, 1, span.begin + at, y, {}, {}, false};
+        Target target(field_, background_);
+        target.y = y;
+        target.pixels = pixels;
+        for (int32_t at = 0; at <= last; at += target.length) {
+            target.x = span.begin + at;
             target.length = prepare(nodes, front, back, at, last - at, target);
             draw(target);
-            at += target.length;
-            pixels += static_cast<uint32_t>(target.length) * Pixel::kBytes;
+            target.pixels += static_cast<uint32_t>(target.length) * Pixel::kBytes;
         }
     }
 
@@ -69,13 +68,17 @@ private:
     int32_t prepare(const RowNodes& nodes, SpanWalker& front, SpanWalker& back, int32_t at, int32_t left,
                     Target& target) const
     {
-        for (int log2 = left > 0 ? length_log2(at, left) : -1; log2 >= 0; --log2) {
+        target.exact = false;
+        for (int log2 = left > 0 ? length_log2(at, left) : -1; log2 >= 0;) {
             const SpanNode next = nodes.at(at + (1 << log2));
-            if (front.prepare(next.front, log2, target.origins) && back.prepare(next.back, log2, target.directions)) {
+            int halvings = front.prepare(next.front, log2, target.origins);
+            if (halvings == 0) halvings = back.prepare(next.back, log2, target.directions);
+            if (halvings == 0) {
                 front.commit();
                 back.commit();
                 return 1 << log2;
             }
+            log2 -= halvings;
         }
         target.exact = !front.prepare_pixel(target.origins) || !back.prepare_pixel(target.directions);
         if (left > 0) {

@@ -15,13 +15,15 @@ namespace lumi
 // A span to draw. Rows are addressed from `texels`; both sides hold strides in bytes.
 template <class Background>
 struct SpanTarget {
+    SpanTarget(const Field& f, const Background& b) : field(f), background(b) {}
+
     const Field& field;
     const Background& background;
     uint8_t* pixels;
     int32_t length;
     int32_t x, y;  // of the first pixel
     SpanSide origins, directions;
-    bool exact = false;  // one pixel that only the exact renderer can draw
+    bool exact;  // one pixel that only the exact renderer can draw
 };
 
 // Where a side's lattice steps lie in memory.
@@ -174,9 +176,11 @@ auto sum_of_taps(const Field& field, const uint8_t* base, const SpanTaps& origin
 {
     using Sum = SpanSum<Texel, !Background::kIsBlack>;
     Sum sum;
+#pragma GCC unroll 3
     for (int m = 0; m < 3; ++m) {
         const uint8_t* row = base + origins.offset[m];
         typename Sum::Row taps;
+#pragma GCC unroll 3
         for (int j = 0; j < 3; ++j) taps.add(field, row + directions.offset[j], directions.weight[j]);
         sum.add(taps, origins.weight[m]);
     }

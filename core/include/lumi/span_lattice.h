@@ -20,25 +20,27 @@ inline constexpr uint32_t kMinSpanLattice = 64;
 // rounding of heights.
 inline constexpr int32_t kSpanCapHeight = 22;
 
+inline constexpr int kMaxSpanLog2 = 4;  // spans are up to 16 pixels long
+
 inline constexpr int kFirstSpanZone = 3;
 inline constexpr int kSpanZones = 12;  // zones 3 .. 14
 
+// A zone's constants; heights are |z|, Q30, so that a zone is found by comparisons alone.
 struct SpanZone {
-    int32_t first, second;     // F_k, F_k+1
-    uint32_t begin_q30;        // 1 - z² where the zone begins
-    uint32_t obtuse_q30;       // 1 - z² from which its steps form an obtuse angle
-    // 1 - |z| from which no corner of a cell lies beyond the pole, where the steps are acute and where obtuse.
-    uint32_t low_acute_q30, low_obtuse_q30;
-    int32_t scale_u, scale_v;  // height to u, v: mantissas below 2^14 ...
-    int32_t shift;             // ... to be shifted right by this
+    int32_t first, second;            // F_k, F_k+1
+    int32_t begin_z_q30;              // the zone holds |z| below this, down to the next zone's
+    int32_t obtuse_z_q30;             // its steps form an obtuse angle below this
+    int32_t acute_limit_z_q30;        // up to this no corner of a cell lies beyond the pole, where they are acute ...
+    int32_t obtuse_limit_z_q30;       // ... and where obtuse
+    int32_t scale_u, scale_v, shift;  // height to u, v: mantissas below 2^14, then a shift right
     int32_t origin_u_q16, origin_v_q16;
 };
 
-// The zones of one lattice, computed once per stripe. 460 bytes.
+// The zones of one lattice, computed once per stripe. 560 bytes.
 struct SpanLattice {
-    uint32_t size;
-    uint32_t mirror_turns32;  // longitude of point n-1: the mirror image of longitude p is mirror - p
-    uint32_t cap_q30;         // 1 - |z| at kSpanCapHeight
+    int32_t size;
+    int32_t cap_z_q30;       // |z| at kSpanCapHeight
+    int32_t mirror_turns20;  // longitude of point n-1, Q20: the mirror image of longitude p is mirror - p
     int32_t mirror_cos_q15, mirror_sin_q15;
     SpanZone zone[kSpanZones];
 
@@ -53,7 +55,7 @@ struct SpanSide {
     int32_t first, second;  // index steps of u and v, negative where mirrored or reflected
     int32_t base;           // index of (0, 0)
     int32_t u_q16, v_q16, du_q16, dv_q16;
-    uint32_t sine2_q30;  // 1 - z² at its middle
+    int32_t z_q30;  // |z| at its first pixel
     const SpanZone* zone;
     SpanCap cap;
 
@@ -69,35 +71,35 @@ public:
 
     // Begins a row at a hit.
     void begin(const SpanHit& hit);
-    // Sets `out` for the span up to the hit 2^length_log2 pixels on; false if the span must be shorter: it enters or
-    // leaves a pole's cap, or turns by more than 1/16 turn.
-    bool prepare(const SpanHit& next, int length_log2, SpanSide& out);
+    // Sets `out` for the span up to the hit 2^length_log2 pixels on and returns 0; or returns how often the span must
+    // be halved at least, as it enters or leaves a pole's cap or turns by more than 1/16 turn.
+    int prepare(const SpanHit& next, int length_log2, SpanSide& out);
     // Moves on to the hit that was prepared for.
     void commit();
     // Sets `out` for the one pixel at the current hit; false if only the exact renderer can draw it.
-    bool prepare_pixel(SpanSide& out) { return prepare(at_.hit, 0, out); }
+    bool prepare_pixel(SpanSide& out);
 
 private:
-    struct Position {
-        SpanHit hit;
-        int32_t longitude_q20;  // unwrapped along the row
-        uint32_t from_pole_q30;
-
-        int32_t u_q16, v_q16;  // where the zone is known
+    // (u, v) as linear functions of a hit's longitude and z, hemisphere and reflection included.
+    struct Chart {
+        int32_t first, second, base;  // as in SpanSide
+        int32_t u_longitude, v_longitude, u_z, v_z, u_q16, v_q16, shift;
+        int32_t low_z_q30, high_z_q30;  // signed z range where it is exact
+        int32_t limit_z_q30;            // |z| up to which it may be used at all
+        const SpanZone* zone;
     };
 
-    int zone_at(uint32_t sine2_q30) const;
-    Position position(const SpanHit& hit, int32_t longitude_q20) const;
-    void set_coordinates(Position& p) const;
-    void prepare_cap(int length_log2, SpanSide& out) const;
-    void prepare_chart(int length_log2, SpanSide& out);
+    void set_chart(int32_t z_q30);
+    void set_coordinates(int32_t longitude_q20, int32_t z_q30, int32_t& u_q16, int32_t& v_q16) const;
+    int halvings(int32_t from_z, int32_t next_z, int32_t limit_z) const;
+    void prepare_cap(const SpanHit& next, int length_log2, SpanSide& out) const;
 
     const SpanLattice& lattice_;
-    Position at_{}, next_{};
-    int zone_ = 0;
-    int32_t triangle_ = 0;
-    bool mirrored_ = false;
-    bool known_ = false;  // at_ has its coordinates in zone_
+    Chart chart_{};
+    int zone_ = kSpanZones - 1;
+    SpanHit at_{}, next_{};
+    int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
+    int32_t u_q16_ = 0, v_q16_ = 0, next_u_q16_ = 0, next_v_q16_ = 0;
 };
 
 }  // namespace lumi
