@@ -8,8 +8,7 @@ namespace lumi::bench
 
 RenderError draw(const Field& field, const Camera& camera, const Stripe& stripe, int32_t)
 {
-    return render<LUMI_BENCH_RECONSTRUCTION, LUMI_BENCH_TEXEL, PixelRgb565>(field, camera, OverColour{kBackground},
-                                                                            stripe);
+    return render<LUMI_BENCH_RECONSTRUCTION, LUMI_BENCH_TEXEL, PixelRgb565>(field, camera, kBackground, stripe);
 }
 
 }  // namespace lumi::bench

@@ -26,7 +26,7 @@ struct NoTexel {
 
 RenderError draw_setup_only(const Field& field, const Camera& camera, const Stripe& stripe, int32_t)
 {
-    return render<NoReconstruction, NoTexel, PixelRgb565>(field, camera, OverColour{kBackground}, stripe);
+    return render<NoReconstruction, NoTexel, PixelRgb565>(field, camera, kBackground, stripe);
 }
 
 }  // namespace lumi::bench

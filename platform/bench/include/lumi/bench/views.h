@@ -3,14 +3,16 @@
 // judges the pictures.
 #pragma once
 
+#include "lumi/background.h"
 #include "lumi/camera.h"
-#include "lumi/color.h"
 
 namespace lumi::bench
 {
 
 inline constexpr int32_t kSidePx = 240;
-inline constexpr Rgb8 kBackground = {24, 28, 36};
+// What most products show behind an object.
+inline constexpr OverBlack kBackground;
+inline constexpr Rgb8 kBackgroundColour = {0, 0, 0};
 
 struct View {
     const char* name;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The span renderer with an empty inner loop. Pixels that it leaves to the exact renderer (rim, poles) count as set-up.
+#include "instance.h"
+#include "lumi/bench/views.h"
+#include "lumi/span.h"
+
+namespace lumi
+{
+namespace bench
+{
+
+struct SetupOnly : LUMI_BENCH_RECONSTRUCTION {
+};
+
+}  // namespace bench
+
+template <>
+struct SpanDraw<bench::SetupOnly> {
+    template <class Texel, class Pixel, class Background>
+    static void draw(const SpanTarget<Background>& span)
+    {
+        __asm volatile("" ::"r"(&span) : "memory");  // someone wants the span
+    }
+};
+
+}  // namespace lumi
+
+namespace lumi::bench
+{
+
+RenderError draw_setup_only(const Field& field, const Camera& camera, const Stripe& stripe, int32_t span_px)
+{
+    return render_spans<SetupOnly, LUMI_BENCH_TEXEL, PixelRgb565>(field, camera, kBackground, stripe, span_px);
+}
+
+}  // namespace lumi::bench
