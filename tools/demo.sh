@@ -9,7 +9,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
-origins=4096 directions=8192 bake_spp=10  # minutes on two cores
+origins=5792 directions=5792 bake_spp=10  # about two minutes on two cores
 reference_spp=256
 orbit=30,20,3 size=320x320 background=202428
 views=12 references=3  # a reference is compared with every (views / references)-th view
@@ -20,7 +20,7 @@ lumi=$root/build/release/tools/lumi
 parse_arguments() {
   while (($# > 0)); do
     case $1 in
-      --quick) origins=512 directions=1024 bake_spp=8 reference_spp=32 ;;
+      --quick) origins=724 directions=724 bake_spp=8 reference_spp=32 ;;
       --help) help "$0" && exit ;;
       -*) wrong_call "unknown option '$1'" ;;
       *)

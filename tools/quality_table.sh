@@ -9,7 +9,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
-lattices=("512 1024" "1024 2048" "2048 4096")  # M N
+lattices=("724 724" "1448 1448" "2896 2896")  # M N: as many origins as directions shows most per byte
 modes=(nearest linear paper)
 orbits=("30,20,3" "75,50,3")  # two rings around the clock, one from nearly level, one from above
 views=4                   # a ring
@@ -52,7 +52,7 @@ measure_row() {
   local field=$work/$origins.lumi
   "$lumi" bake "$scene" -o "$field" --origins "$origins" --directions "$directions" --spp "$bake_spp"
   {
-    printf '| %d × %d | %s |' "$origins" "$directions" "$(stat --format=%s "$field" | numfmt --to=si --suffix=B)"
+    printf '| %d × %d | %s |' "$origins" "$directions" "$(stat --format=%s "$field" | numfmt --to=si --format=%.1f --round=nearest | sed "s/M/ MB/")"
     for mode in "${modes[@]}"; do
       drawing=$origins-$mode
       draw_rings "$lumi" render "$field" --mode "$mode"
