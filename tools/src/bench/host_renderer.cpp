@@ -5,7 +5,7 @@
 
 #include "lumi/bench/views.h"
 #include "lumi/crc32.h"
-#include "lumi/render.h"
+#include "lumi/span.h"
 
 namespace lumi::bench
 {
@@ -36,6 +36,13 @@ struct Traced : Texel {
     }
 };
 
+template <class R, class = void>
+struct HasSpans : std::false_type {
+};
+template <class R>
+struct HasSpans<R, std::void_t<decltype(sizeof(SpanDraw<R>))>> : std::true_type {
+};
+
 struct Job {
     int span;
     const Field& field;
@@ -48,8 +55,11 @@ std::vector<uint8_t> frame_bytes(const Job& job)
     constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
     std::vector<uint8_t> pixels(kSidePx * kStrideBytes);
     const Stripe stripe = {pixels.data(), 0, 0, kSidePx, kSidePx, kStrideBytes};
-    const RenderError error =
-        render<Reconstruction, Texel, Pixel>(job.field, job.camera, OverColour{kBackground}, stripe);
+    RenderError error = RenderError::none;
+    if (job.span == 0)
+        error = render<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe);
+    else if constexpr (HasSpans<Reconstruction>::value)
+        error = render_spans<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe, job.span);
     if (error != RenderError::none) throw std::logic_error("the field's texels are not the policy's");
     return pixels;
 }
@@ -61,8 +71,9 @@ HostFrame draw_frame(const Job& job)
     frame.picture = tools::Picture(kSidePx, kSidePx);
     frame.picture.rgb = frame_bytes<Reconstruction, Texel, PixelRgb888>(job);
     trace.reads.clear();
-    const std::vector<uint8_t> shown = frame_bytes<Reconstruction, Traced<Texel>, PixelRgb565>(job);
+    frame_bytes<Reconstruction, Traced<Texel>, PixelRgb565>(job);
     frame.reads = std::move(trace.reads);
+    const std::vector<uint8_t> shown = frame_bytes<Reconstruction, Texel, PixelRgb565>(job);
     frame.rgb565_crc = crc32(0, shown.data(), shown.size());
     return frame;
 }

@@ -92,9 +92,9 @@ const ViewTaps& Judge::taps_of(const std::string& mode, const View& view)
 
 tools::Picture Judge::exact_picture(const std::string& mode, const Field& field, const View& view)
 {
-    tools::Picture picture(kSidePx, kSidePx, kBackground);
+    tools::Picture picture(kSidePx, kSidePx, kBackgroundColour);
     for (const ViewTaps::Pixel& pixel : taps_of(mode, view).pixels) {
-        const reference::Colour c = reference::blended(field, pixel.origins, pixel.directions, kBackground);
+        const reference::Colour c = reference::blended(field, pixel.origins, pixel.directions, kBackgroundColour);
         uint8_t* at = picture.pixel(pixel.x, pixel.y);
         at[0] = rounded(c.r);
         at[1] = rounded(c.g);

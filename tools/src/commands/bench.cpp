@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "../bench/markdown.h"
 #include "../bench/measure.h"
+#include "../bench/plots.h"
 #include "../bench/report.h"
 #include "commands.h"
 #include "lumi/tools/output_file.h"
@@ -16,9 +18,31 @@ namespace
 
 struct BenchOptions {
     bench::Settings settings;
-    std::string source = LUMI_SOURCE_DIR, work = "lumi-bench", scene, json;
+    std::string source = LUMI_SOURCE_DIR, work = "lumi-bench", scene, json, plots, markdown;
     bool quick = false;
 };
+
+// Paths of the plots as a page in `page`'s folder refers to them.
+std::vector<std::string> seen_from(const std::filesystem::path& page, const std::filesystem::path& folder,
+                                   std::vector<std::string> names)
+{
+    const auto from = std::filesystem::absolute(page).parent_path();
+    for (std::string& name : names)
+        name = std::filesystem::absolute(folder / name).lexically_relative(from).generic_string();
+    return names;
+}
+
+void write_reports(const BenchOptions& options, const bench::Rows& rows, const bench::Announce& announce)
+{
+    if (!options.json.empty()) write_output(options.json, bench::json_report(rows));
+    std::vector<std::string> plots;
+    if (!options.plots.empty()) plots = bench::write_plots(rows, options.plots);
+    if (options.markdown.empty()) return;
+    const bench::Baselines baselines = bench::measure_baselines(options.settings, announce);
+    write_output(options.markdown,
+                 bench::markdown_page(rows, baselines, seen_from(options.markdown, options.plots, plots),
+                                      options.settings.field));
+}
 
 void run(BenchOptions& options)
 {
@@ -27,11 +51,12 @@ void run(BenchOptions& options)
     settings.work = std::filesystem::absolute(options.work);
     settings.field.scene = options.scene.empty() ? settings.source / "baker" / "scenes" / "product.obj"
                                                  : std::filesystem::path(options.scene);
-    if (!options.json.empty()) require_writable(options.json);
-    const bench::Rows rows =
-        bench::measure(settings, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
+    for (const std::string& path : {options.json, options.markdown})
+        if (!path.empty()) require_writable(path);
+    const bench::Announce announce = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
+    const bench::Rows rows = bench::measure(settings, announce);
     std::fputs(bench::text_report(rows).c_str(), stdout);
-    if (!options.json.empty()) write_output(options.json, bench::json_report(rows));
+    write_reports(options, rows, announce);
 }
 
 // A list of words, separated by commas.
@@ -63,6 +88,9 @@ void add_matrix_options(CLI::App& command, BenchOptions& options)
 void add_place_options(CLI::App& command, BenchOptions& options)
 {
     command.add_option("--json", options.json, "Write the rows here as JSON")->type_name("FILE");
+    command.add_option("--plot", options.plots, "Write plots of cost against accuracy here as SVG")->type_name("DIR");
+    command.add_option("--markdown", options.markdown, "Write the whole page here; measures the baselines too")
+        ->type_name("FILE");
     command.add_option("--work", options.work, "Folder for builds and fields, kept for the next run")
         ->type_name("DIR")
         ->capture_default_str();

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "markdown.h"
+
+#include <algorithm>
+
+#include "tables.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+std::string opening(const FieldSettings& field)
+{
+    return "# Speed against accuracy\n\n"
+           "Written by `lumi bench --markdown docs/tradeoff.md --plot docs/img`; every number is measured by that run "
+           "unless the text\nsays that it is modelled. Instructions are counted by QEMU (`-icount shift=0`) and are "
+           "the "
+           "same in every run.\n\n"
+           "What is drawn: `" +
+           field.scene.filename().string() + "` as a field of " + std::to_string(field.origins) + " × " +
+           std::to_string(field.directions) + " rays with " + std::to_string(field.samples) +
+           " light paths a texel, on 240 × 240 pixels of\nRGB565 over black, in stripes of 16 rows. Views: *generic* "
+           "and "
+           "*pole* (straight down) from 3 radii, the sphere's disc 232\npixels wide, 42,272 covered pixels; *close* "
+           "from "
+           "1.3 radii, all 57,600 pixels covered. Cost is the whole frame, rows and\nrim included, divided by covered "
+           "pixels. S is the span length: a pixel in S is evaluated exactly, in between lattice\ncoordinates are "
+           "stepped. *exact* is the renderer without spans.\n\n";
+}
+
+// The renderer with the best picture that reaches a rate on a part, by order of kModes, then by longer spans last.
+std::string best_at(const Rows& rows, size_t chip_at, double wanted_fps)
+{
+    const Chip& chip = kChipList[chip_at];
+    for (const char* mode : {"paper", "linear", "dither", "nearest"}) {
+        for (const int span : {1, 4, 8, 16}) {
+            for (const std::string& texel : kTexels) {
+                const Row* row = find_row(rows, chip.core, mode, texel, span, "generic");
+                if (row == nullptr) continue;
+                const double fps = frames_per_second(chip, row->count.instructions, row->traffic[chip_at].misses);
+                if (fps >= wanted_fps)
+                    return std::string(mode) + " " + texel + ", S = " + std::to_string(span) + " (" +
+                           decimal_text(fps, 0) + ")";
+            }
+        }
+    }
+    return "none";
+}
+
+std::string choice_table(const Rows& rows)
+{
+    const std::vector<std::string> titles = {"part", "10 frames/s", "20 frames/s", "30 frames/s", "60 frames/s"};
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for (size_t i = 0; i < kChips; ++i) {
+        std::vector<std::string> cells = {kChipList[i].title};
+        for (const double fps : {10.0, 20.0, 30.0, 60.0}) cells.push_back(best_at(rows, i, fps));
+        text += table_row(cells);
+    }
+    return text;
+}
+
+std::string how_to_choose(const Rows& rows)
+{
+    return "## How to choose\n\n"
+           "1. **Reconstruction** decides the looks: *nearest* shows the lattice's cells, *dither* trades them for a "
+           "fine "
+           "grain that the eye\n   averages, *linear* (3×3) is smooth, *paper* (5×5) is smoother still and dearest.\n"
+           "2. **Texels** decide flash and tint: palette8 and luma8 take one byte, RGB565 two, RGB888 three. One byte "
+           "also "
+           "means fewer\n   flash lines, which on parts that run from QSPI flash is worth more than instructions.\n"
+           "3. **Span** decides speed: take S = 16 while the object moves and S = 4 or 8 when it rests; the pictures "
+           "differ by less\n   than the display's own rounding in most pixels, see *Accuracy*.\n"
+           "4. A part is limited by its display, its arithmetic or its flash; the table below takes the worst of "
+           "them.\n\n"
+           "The best reconstruction, then the shortest span, then the finest texel that reaches a rate in the model "
+           "below (generic view;\nin brackets the modelled rate):\n\n" +
+           choice_table(rows) + "\n";
+}
+
+std::string parts_model()
+{
+    std::string text =
+        "## Frame rates of named parts (modelled)\n\n"
+        "Per frame: counted instructions × clocks per instruction ÷ clock, plus misses × the cost of a miss; the "
+        "display "
+        "(16 bits a pixel\nover SPI at 62.5 MHz, DMA beside the drawing) caps all at 67.8. Misses come from replaying "
+        "the "
+        "renderer's texel and palette\nreads through the part's cache. Code, tables and stack are taken to be in RAM "
+        "or "
+        "to hit. **Clocks per instruction and miss\ncosts are estimates from data sheets, not measurements.**\n\n";
+    const std::vector<std::string> titles = {"part",     "code",  "MHz", "clocks/instruction", "cache, ways, line",
+                                             "miss, ns", "remark"};
+    text += table_row(titles) + table_rule(titles.size());
+    for (const Chip& chip : kChipList)
+        text += table_row({chip.title, chip.core, decimal_text(chip.clock_mhz, 0),
+                           decimal_text(chip.clocks_per_instruction, 2),
+                           std::to_string(chip.cache.bytes) + " B, " + std::to_string(chip.cache.ways) + ", " +
+                               std::to_string(chip.cache.line_bytes) + " B",
+                           decimal_text(chip.miss_ns, 0), chip.remark});
+    return text + "\n";
+}
+
+std::string accuracy_section(const Rows& rows)
+{
+    return "## Accuracy\n\n"
+           "PSNR in dB over covered pixels / worst pixel in levels of 255, 8-bit RGB pictures against the same "
+           "reconstruction in double\nprecision by brute force. *nearest* is judged away from cell borders (both hits "
+           "more than 1/16 of the mean point spacing from\nthe true Voronoi border); *dither* against linear, both "
+           "blurred over 3 × 3 pixels. ∞: no pixel differs. Every core draws the\nsame bits; the bench stops if a CRC "
+           "differs.\n\n" +
+           accuracy_table(rows) + "\n";
+}
+
+std::string baseline_section(const Rows& rows, const Baselines& baselines)
+{
+    return "## What one would do without it\n\n"
+           "The same harness, our own code, generic view, RGB565 texels. The float version is the paper's algorithm "
+           "pixel "
+           "by pixel; the\nsprites are 240 × 240 pixels of RGB565 with a key colour.\n\n" +
+           baseline_cost_table(rows, baselines.costs) +
+           "\nA sprite costs next to nothing to draw; what it lacks is the view. Against the path-traced truth (64 "
+           "samples a pixel, over\nblack, whole picture), with as many sprites as fit into the field's flash, spread "
+           "over the sphere, the nearest one turned and\nscaled onto the view:\n\n" +
+           likeness_table(baselines.pictures) +
+           "\nOne view says little about a sheet of sprites: beside a sprite's own direction it is perfect, between "
+           "two "
+           "it jumps.\n\n";
+}
+
+std::string method(const Rows& rows)
+{
+    return "## How it was measured\n\n"
+           "- **Set-up and inner loop.** The frame is drawn a second time by a renderer whose inner loop is empty (the "
+           "span and all its\n  steps are computed and handed to a compiler barrier): that is set-up, the difference "
+           "is "
+           "the inner loop. Pixels left to the\n  exact renderer count as set-up.\n"
+           "- **Code** is the size of the smallest program that draws, less that of an empty one: core's functions, "
+           "tables and compiler\n  routines; opening a field and making a camera are not in it. GCC 12, `-O2`.\n"
+           "- **Stack** is the deepest painted word below the caller, with one interrupt frame where SysTick came "
+           "between.\n"
+           "- **M0+ code** runs on an emulated Cortex-M3 that faults on unaligned access: QEMU has no ARMv6-M board "
+           "with "
+           "memory enough.\n"
+           "- An instruction is not a clock: see the model of parts. Counters tick every 40 instructions, so a frame "
+           "is "
+           "known within 80.\n\n"
+           "### Set-up and inner loop, instructions per covered pixel, generic view\n\n" +
+           split_table(rows) + "\n### Flash and stack\n\n" + memory_table(rows) +
+           "\n### From the generic to the polar view\n\n" + polar_table(rows);
+}
+
+}  // namespace
+
+std::string markdown_page(const Rows& rows, const Baselines& baselines, const std::vector<std::string>& plots,
+                          const FieldSettings& field)
+{
+    std::string page = opening(field) + how_to_choose(rows);
+    for (const std::string& plot : plots) page += "![Cost and accuracy](" + plot + ")\n";
+    page +=
+        "\n## Aims and results\n\nInstructions per covered pixel and PSNR; S = 8 may cost 20 (M4) or 30 (M0+) "
+        "more.\n\n" +
+        target_table(rows);
+    page += "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n";
+    page += accuracy_section(rows) + parts_model() + chip_table(rows) + "\n";
+    return page + baseline_section(rows, baselines) + method(rows);
+}
+
+}  // namespace lumi::bench

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The page about speed and accuracy, docs/tradeoff.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "baselines.h"
+#include "matrix.h"
+
+namespace lumi::bench
+{
+
+// `plots` are paths of pictures, relative to the page.
+std::string markdown_page(const Rows& rows, const Baselines& baselines, const std::vector<std::string>& plots,
+                          const FieldSettings& field);
+
+}  // namespace lumi::bench

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "plots.h"
+
+#include "lumi/tools/output_file.h"
+#include "svg.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+PlotSeries series_of(const Rows& rows, const std::string& core, const std::string& mode, const std::string& texel)
+{
+    PlotSeries series = {mode + " " + texel, {}};
+    for (const int span : kSpans) {
+        const Row* row = find_row(rows, core, mode, texel, span, "generic");
+        if (row == nullptr) continue;
+        series.points.push_back(
+            {row->instructions_per_pixel(), row->accuracy.psnr_db, span == 0 ? "exact" : std::to_string(span)});
+    }
+    return series;
+}
+
+Plot plot_of(const Rows& rows, const std::string& core)
+{
+    Plot plot = {"Cost and accuracy on " + core + ", generic view; labels are span lengths in pixels",
+                 "instructions per covered pixel",
+                 "PSNR against exact, dB",
+                 {}};
+    for (const std::string& mode : kModes) {
+        for (const std::string& texel : kTexels) {
+            PlotSeries series = series_of(rows, core, mode, texel);
+            if (!series.points.empty()) plot.series.push_back(std::move(series));
+        }
+    }
+    return plot;
+}
+
+}  // namespace
+
+std::vector<std::string> write_plots(const Rows& rows, const std::filesystem::path& folder)
+{
+    std::filesystem::create_directories(folder);
+    std::vector<std::string> names;
+    for (const std::string& core : kCores) {
+        const Plot plot = plot_of(rows, core);
+        if (plot.series.empty()) continue;
+        names.push_back("tradeoff-" + core + ".svg");
+        tools::write_output((folder / names.back()).string(), svg_of(plot));
+    }
+    return names;
+}
+
+}  // namespace lumi::bench

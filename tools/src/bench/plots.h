@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Cost against accuracy, one plot per core.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "matrix.h"
+
+namespace lumi::bench
+{
+
+// Writes tradeoff-<core>.svg of the generic view into `folder` (made if missing); returns the file names.
+std::vector<std::string> write_plots(const Rows& rows, const std::filesystem::path& folder);
+
+}  // namespace lumi::bench

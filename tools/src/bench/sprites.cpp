@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "sprites.h"
+
+#include <cmath>
+
+#include "lumi/baker/reference.h"
+#include "lumi/lattice.h"
+#include "lumi/reference/geometry.h"
+#include "lumi/tools/failure.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+using reference::decoded;
+using reference::dot;
+using reference::kPi;
+
+constexpr double kTurn = 4294967296.0;
+constexpr Image kSpriteImage = {kSidePx, kSidePx, kFillingFov};
+
+Pose pose_of(const View& view)
+{
+    return orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
+}
+
+Pose sprite_pose(uint32_t count, uint32_t index)
+{
+    const Lattice lattice(count);
+    const double z = reference::from_q30(lattice.height_q30(index));
+    const auto elevation = static_cast<int32_t>(std::lround(std::asin(z) / (2 * kPi) * kTurn));
+    return orbit(longitude_turns32(index), elevation, kFarQ20);
+}
+
+// Pixels from the middle of the picture to the sphere's outline.
+double disc_radius_px(uint32_t fov_turns32, int32_t distance_q20)
+{
+    const double distance = static_cast<double>(distance_q20) / kOneQ20;
+    return kSidePx / 2.0 * std::tan(std::asin(1 / distance)) / std::tan(kPi * fov_turns32 / kTurn);
+}
+
+// The turn, about the optical axis, of the screen against the sprite.
+struct Turn {
+    double cosine, sine;
+
+    Turn(const Pose& view, const Pose& sprite)
+    {
+        const double c = dot(decoded(view.right), decoded(sprite.right)) + dot(decoded(view.up), decoded(sprite.up));
+        const double s = dot(decoded(view.right), decoded(sprite.up)) - dot(decoded(view.up), decoded(sprite.right));
+        const double length = std::hypot(c, s);
+        cosine = length > 0 ? c / length : 1;
+        sine = length > 0 ? s / length : 0;
+    }
+};
+
+}  // namespace
+
+tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Image& image, uint32_t samples)
+{
+    Camera camera;
+    if (const CameraError error = make_camera(pose, image, camera); error != CameraError::none)
+        throw tools::Failure("bench view", describe(error), "report this");
+    const baker::RgbaImage traced = baker::render_reference(scene, camera, {samples, 1, 0});
+    tools::Picture picture(traced.width, traced.height);  // premultiplied, over black: the colours as they are
+    for (size_t i = 0; i < picture.rgb.size(); ++i) picture.rgb[i] = traced.rgba[i / 3 * 4 + i % 3];
+    return picture;
+}
+
+uint32_t nearest_sprite(uint32_t count, const View& view)
+{
+    const Vec3q20 eye = pose_of(view).eye;
+    uint32_t best = 0;
+    double best_cosine = -1e9;
+    for (uint32_t i = 0; i < count; ++i) {
+        const double cosine = dot(decoded(sprite_pose(count, i).eye), decoded(eye));
+        if (cosine <= best_cosine) continue;
+        best_cosine = cosine;
+        best = i;
+    }
+    return best;
+}
+
+tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const View& view, uint32_t samples)
+{
+    const Pose pose = sprite_pose(count, nearest_sprite(count, view));
+    const tools::Picture sprite = traced_view(scene, pose, kSpriteImage, samples);
+    const Turn turn(pose_of(view), pose);
+    const double scale = disc_radius_px(kFillingFov, kFarQ20) / disc_radius_px(view.fov_turns32, view.distance_q20);
+    constexpr double kMiddle = (kSidePx - 1) / 2.0;
+    tools::Picture picture(kSidePx, kSidePx, kBackgroundColour);
+    for (int y = 0; y < kSidePx; ++y) {
+        for (int x = 0; x < kSidePx; ++x) {
+            const double right = (x - kMiddle) * scale, up = (kMiddle - y) * scale;
+            const long u = std::lround(kMiddle + right * turn.cosine - up * turn.sine);
+            const long v = std::lround(kMiddle - right * turn.sine - up * turn.cosine);
+            if (u < 0 || v < 0 || u >= kSidePx || v >= kSidePx) continue;
+            const uint8_t* from = sprite.pixel(static_cast<int>(u), static_cast<int>(v));
+            const Rgb8 shown = unpack_rgb565(pack_rgb565({from[0], from[1], from[2]}));
+            uint8_t* to = picture.pixel(x, y);
+            to[0] = shown.r;
+            to[1] = shown.g;
+            to[2] = shown.b;
+        }
+    }
+    return picture;
+}
+
+}  // namespace lumi::bench

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+namespace lumi::bench
+{
+namespace
+{
+
+const std::string kNotMeasured = "–";
+constexpr int kFastSpan = 16;
+
+std::string per_pixel(const Row* row)
+{
+    return row == nullptr ? kNotMeasured : decimal_text(row->instructions_per_pixel(), 0);
+}
+
+// Runs over the modes and texels that were measured.
+void for_each_renderer(const Rows& rows, const std::function<void(const std::string&, const std::string&)>& visit)
+{
+    for (const std::string& mode : kModes) {
+        for (const std::string& texel : kTexels) {
+            const auto is_it = [&](const Row& row) { return row.mode == mode && row.texel == texel; };
+            if (std::any_of(rows.begin(), rows.end(), is_it)) visit(mode, texel);
+        }
+    }
+}
+
+struct Target {
+    const char *mode, *texel;
+    int span;
+    double m4, m4_stretch, m0plus;  // instructions per covered pixel
+    double generic_db, pole_db;
+};
+
+// The aims of the span renderer: a whole frame of the generic view over covered pixels. A span of 8 may cost 20 more
+// on M4 and 30 more with M0+ code.
+constexpr Target kTargets[] = {
+    {"nearest", "rgb565", 16, 55, 40, 95, 40, 40},     {"linear", "luma8", 16, 115, 92, 190, 45, 40},
+    {"linear", "palette8", 16, 130, 105, 220, 45, 40}, {"linear", "rgb888", 16, 160, 133, 330, 45, 40},
+    {"paper", "rgb888", 16, 400, 280, 900, 45, 40},    {"linear", "luma8", 8, 135, 112, 220, 48, 42},
+    {"linear", "palette8", 8, 150, 125, 250, 48, 42},  {"linear", "rgb888", 8, 180, 153, 360, 48, 42},
+};
+
+std::string against(double value, double limit, bool at_most)
+{
+    const bool met = at_most ? value <= limit : value >= limit;
+    return decimal_text(value) + (met ? " ✓ (" : " ✗ (") + (at_most ? "≤ " : "≥ ") + decimal_text(limit, 0) + ")";
+}
+
+std::string cost_against(const Row* row, double limit)
+{
+    return row == nullptr ? kNotMeasured : against(row->instructions_per_pixel(), limit, true);
+}
+
+std::string quality_against(const Row* row, double limit)
+{
+    return row == nullptr ? kNotMeasured : against(row->accuracy.psnr_db, limit, false);
+}
+
+}  // namespace
+
+std::string table_row(const std::vector<std::string>& cells)
+{
+    std::string text = "|";
+    for (const std::string& cell : cells) text += " " + cell + " |";
+    return text + "\n";
+}
+
+std::string table_rule(size_t columns)
+{
+    std::string text = "|---|";
+    for (size_t i = 1; i < columns; ++i) text += "---:|";
+    return text + "\n";
+}
+
+std::string decimal_text(double value, int digits)
+{
+    if (std::isinf(value)) return "∞";
+    char text[48];
+    std::snprintf(text, sizeof(text), "%.*f", digits, value);
+    return text;
+}
+
+std::string target_table(const Rows& rows)
+{
+    const std::vector<std::string> titles = {"renderer", "M4", "M4 stretch", "M0+ code", "dB generic", "dB pole"};
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for (const Target& t : kTargets) {
+        const Row* m4 = find_row(rows, "m4", t.mode, t.texel, t.span, "generic");
+        const Row* m0 = find_row(rows, "m0plus", t.mode, t.texel, t.span, "generic");
+        const Row* pole = find_row(rows, "m4", t.mode, t.texel, t.span, "pole");
+        text += table_row({std::string(t.mode) + " " + t.texel + ", S = " + std::to_string(t.span),
+                           cost_against(m4, t.m4), decimal_text(t.m4_stretch, 0), cost_against(m0, t.m0plus),
+                           quality_against(m4, t.generic_db), quality_against(pole, t.pole_db)});
+    }
+    return text;
+}
+
+std::string cost_table(const Rows& rows)
+{
+    std::vector<std::string> titles = {"renderer"};
+    for (const std::string& core : kCores)
+        for (const int span : kSpans) titles.push_back(core + (span == 0 ? " exact" : " S" + std::to_string(span)));
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+        std::vector<std::string> cells = {mode + " " + texel};
+        for (const std::string& core : kCores)
+            for (const int span : kSpans)
+                cells.push_back(per_pixel(find_row(rows, core, mode, texel, span, "generic")));
+        text += table_row(cells);
+    });
+    return text;
+}
+
+std::string split_table(const Rows& rows)
+{
+    std::vector<std::string> titles = {"renderer"};
+    for (const char* core : {"m4", "m0plus"})
+        for (const char* span : {"8", "16"}) titles.push_back(std::string(core) + " S" + span + " set-up + inner");
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+        std::vector<std::string> cells = {mode + " " + texel};
+        for (const char* core : {"m4", "m0plus"}) {
+            for (const int span : {8, kFastSpan}) {
+                const Row* row = find_row(rows, core, mode, texel, span, "generic");
+                cells.push_back(row == nullptr ? kNotMeasured
+                                               : decimal_text(row->setup_per_pixel()) + " + " +
+                                                     decimal_text(row->inner_per_pixel()));
+            }
+        }
+        text += table_row(cells);
+    });
+    return text;
+}
+
+std::string accuracy_table(const Rows& rows)
+{
+    std::vector<std::string> titles = {"renderer"};
+    for (const std::string& view : kViewNames)
+        for (const int span : {1, 4, 8, 16}) titles.push_back(view + " S" + std::to_string(span));
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+        std::vector<std::string> cells = {mode + " " + texel};
+        for (const std::string& view : kViewNames) {
+            for (const int span : {1, 4, 8, kFastSpan}) {
+                const auto is_it = [&](const Row& r) {
+                    return r.mode == mode && r.texel == texel && r.count.view == view && r.count.span == span;
+                };
+                const auto row = std::find_if(rows.begin(), rows.end(), is_it);
+                cells.push_back(row == rows.end() ? kNotMeasured
+                                                  : decimal_text(row->accuracy.psnr_db) + " / " +
+                                                        std::to_string(row->accuracy.worst_pixel));
+            }
+        }
+        text += table_row(cells);
+    });
+    return text;
+}
+
+std::string memory_table(const Rows& rows)
+{
+    std::vector<std::string> titles = {"renderer"};
+    for (const std::string& core : kCores) titles.push_back(core + " code / stack, bytes");
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+        std::vector<std::string> cells = {mode + " " + texel};
+        for (const std::string& core : kCores) {
+            uint32_t stack_bytes = 0;
+            for (const Row& row : rows)
+                if (row.core == core && row.mode == mode && row.texel == texel && row.count.span != 0)
+                    stack_bytes = std::max(stack_bytes, row.count.stack_bytes);
+            const Row* row = find_row(rows, core, mode, texel, kFastSpan, "generic");
+            cells.push_back(row == nullptr ? kNotMeasured
+                                           : std::to_string(row->code_bytes) + " / " + std::to_string(stack_bytes));
+        }
+        text += table_row(cells);
+    });
+    return text;
+}
+
+std::string chip_table(const Rows& rows)
+{
+    std::vector<std::string> titles = {"renderer, S = 16"};
+    for (const Chip& chip : kChipList) titles.push_back(std::string(chip.title) + ": lines, misses, frames/s");
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+        std::vector<std::string> cells = {mode + " " + texel};
+        for (size_t i = 0; i < kChips; ++i) {
+            const Chip& chip = kChipList[i];
+            const Row* row = find_row(rows, chip.core, mode, texel, kFastSpan, "generic");
+            if (row == nullptr) {
+                cells.push_back(kNotMeasured);
+                continue;
+            }
+            const Traffic& traffic = row->traffic[i];
+            cells.push_back(std::to_string(traffic.lines) + ", " + std::to_string(traffic.misses) + ", **" +
+                            decimal_text(frames_per_second(chip, row->count.instructions, traffic.misses)) + "**");
+        }
+        text += table_row(cells);
+    });
+    return text;
+}
+
+std::string polar_table(const Rows& rows)
+{
+    std::vector<std::string> titles = {"renderer, S = 16"};
+    for (const std::string& core : kCores) titles.push_back(core + " generic → pole");
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+        std::vector<std::string> cells = {mode + " " + texel};
+        for (const std::string& core : kCores) {
+            const Row* generic = find_row(rows, core, mode, texel, kFastSpan, "generic");
+            const Row* pole = find_row(rows, core, mode, texel, kFastSpan, "pole");
+            if (generic == nullptr || pole == nullptr) {
+                cells.push_back(kNotMeasured);
+                continue;
+            }
+            const double change = 100 * (pole->instructions_per_pixel() / generic->instructions_per_pixel() - 1);
+            cells.push_back(per_pixel(generic) + " → " + per_pixel(pole) + " (" + (change < 0 ? "" : "+") +
+                            decimal_text(change) + " %)");
+        }
+        text += table_row(cells);
+    });
+    return text;
+}
+
+std::string baseline_cost_table(const Rows& rows, const std::vector<BaselineCost>& costs)
+{
+    const std::vector<std::string> titles = {"method", "core", "instructions a covered pixel", "M instructions a frame",
+                                             "code, bytes"};
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for (const BaselineCost& cost : costs) {
+        const auto instructions = static_cast<double>(cost.count.instructions);
+        text += table_row({cost.title, cost.core, decimal_text(instructions / static_cast<double>(cost.count.covered)),
+                           decimal_text(instructions / 1e6, 2), std::to_string(cost.code_bytes)});
+    }
+    for (const char* mode : {"nearest", "linear", "paper"}) {
+        for (const std::string& core : kCores) {
+            const Row* row = find_row(rows, core, mode, "rgb565", kFastSpan, "generic");
+            if (row == nullptr) continue;
+            text += table_row(
+                {std::string("this library, ") + mode + ", S = 16", core, decimal_text(row->instructions_per_pixel()),
+                 decimal_text(static_cast<double>(row->count.instructions) / 1e6, 2), std::to_string(row->code_bytes)});
+        }
+    }
+    return text;
+}
+
+std::string likeness_table(const std::vector<Likeness>& pictures)
+{
+    std::vector<std::string> titles = {"method", "flash, MB"};
+    for (const std::string& view : kViewNames) titles.push_back(view + ", dB / SSIM");
+    std::string text = table_row(titles) + table_rule(titles.size());
+    for (const Likeness& picture : pictures) {
+        std::vector<std::string> cells = {picture.title,
+                                          decimal_text(static_cast<double>(picture.flash_bytes) / 1e6, 2)};
+        for (size_t v = 0; v < kViewNames.size(); ++v)
+            cells.push_back(decimal_text(picture.psnr_db[v]) + " / " + decimal_text(picture.ssim[v], 3));
+        text += table_row(cells);
+    }
+    return text;
+}
+
+}  // namespace lumi::bench

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The tables of the page about speed and accuracy, in Markdown. Combinations that were not measured read "–".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "baselines.h"
+#include "matrix.h"
+
+namespace lumi::bench
+{
+
+// A row of a Markdown table, and the row of dashes below a heading of `columns` columns: the first left, others right.
+std::string table_row(const std::vector<std::string>& cells);
+std::string table_rule(size_t columns);
+// "12.3"; "–" for null, "∞" for infinity.
+std::string decimal_text(double value, int digits = 1);
+
+// What was aimed at against what was measured.
+std::string target_table(const Rows& rows);
+// Instructions per covered pixel, generic view: mode and texel against core and span.
+std::string cost_table(const Rows& rows);
+// The same split into set-up and inner loop, for span 8 and 16 on M4 and M0+.
+std::string split_table(const Rows& rows);
+// PSNR and worst pixel per view and span; the same for every core.
+std::string accuracy_table(const Rows& rows);
+// Flash for code and tables, stack.
+std::string memory_table(const Rows& rows);
+// Lines touched, missed and frames per second per part, generic view, span 16.
+std::string chip_table(const Rows& rows);
+// How the cost changes from the generic to the polar view at span 16.
+std::string polar_table(const Rows& rows);
+std::string baseline_cost_table(const Rows& rows, const std::vector<BaselineCost>& costs);
+std::string likeness_table(const std::vector<Likeness>& pictures);
+
+}  // namespace lumi::bench
