@@ -74,21 +74,48 @@ OutlineTracker::OutlineTracker(const Camera& camera, const RowSpan& limits)
 {
 }
 
-bool OutlineTracker::is_covered(int32_t x, int32_t y) const
+void OutlineTracker::Walk::right()
 {
-    return outline_.at(x, y) >= 0 && camera_.facing.at(x, y) > 0;
+    f += df;
+    df += ddf;
+    m += dm;
+}
+
+void OutlineTracker::Walk::left()
+{
+    df -= ddf;
+    f -= df;
+    m -= dm;
+}
+
+OutlineTracker::Walk OutlineTracker::walk_at(int32_t x, int32_t y) const
+{
+    const int64_t slope = outline_.x1 + y * outline_.xy;
+    const int64_t f = outline_.constant + y * (outline_.y1 + y * outline_.y2) + x * (slope + x * outline_.x2);
+    return {f, slope + (2 * x + 1) * outline_.x2, 2 * outline_.x2, camera_.facing.at(x, y), camera_.facing.step_x};
 }
 
 // Moves both ends of the last span to row y; false if no covered pixel lies between them.
-bool OutlineTracker::walk(int32_t y)
+bool OutlineTracker::follow(int32_t y)
 {
     int32_t begin = span_.begin;
+    Walk left = walk_at(begin, y);
+    if (left.covered()) {
+        for (left.left(); begin > limits_.begin && left.covered(); left.left()) --begin;
+    } else {
+        while (begin < span_.end && !left.covered()) {
+            ++begin;
+            left.right();
+        }
+        if (begin == span_.end) return false;
+    }
     int32_t end = span_.end;
-    while (begin < end && !is_covered(begin, y)) ++begin;
-    if (begin == end) return false;
-    while (!is_covered(end - 1, y)) --end;
-    while (begin > limits_.begin && is_covered(begin - 1, y)) --begin;
-    while (end < limits_.end && is_covered(end, y)) ++end;
+    Walk right = walk_at(end - 1, y);
+    if (right.covered()) {
+        for (right.right(); end < limits_.end && right.covered(); right.right()) ++end;
+    } else {
+        for (; !right.covered(); right.left()) --end;
+    }
     span_ = {begin, end};
     return true;
 }
@@ -96,7 +123,7 @@ bool OutlineTracker::walk(int32_t y)
 RowSpan OutlineTracker::row(int32_t y)
 {
     const bool follows = span_.begin < span_.end && y == last_y_ + 1 && y < camera_.height_px;
-    if (!follows || !walk(y)) span_ = covered_span(camera_, y, limits_.begin, limits_.end);
+    if (!follows || !follow(y)) span_ = covered_span(camera_, y, limits_.begin, limits_.end);
     last_y_ = y;
     return span_;
 }

@@ -9,8 +9,8 @@ namespace lumi
 namespace
 {
 
-constexpr int32_t kFibonacci[kFirstSpanZone + kSpanZones + 1] = {0,  1,  1,  2,  3,   5,   8,   13,
-                                                                 21, 34, 55, 89, 144, 233, 377, 610};
+constexpr int32_t kFibonacci[kFirstSpanZone + kSpanZones + 1] = {0,  1,  1,  2,  3,   5,   8,  13,
+                                                                 21, 34, 55, 89, 144, 233, 377};
 
 struct PowerTables {
     int32_t inverse_q30[kFirstSpanZone + kSpanZones + 1];      // Φ^-k
@@ -96,12 +96,17 @@ constexpr int32_t kMaxTurnQ20 = 1 << 16;  // 1/16 turn
 SpanLattice::SpanLattice(const Lattice& lattice)
     : size(static_cast<int32_t>(lattice.size())),
       cap_z_q30(height_of_index_q30(lattice, kSpanCapHeight)),
-      mirror_turns20(static_cast<int32_t>(longitude_turns32(lattice.size() - 1) >> 12))
+      mirror_turns20(static_cast<int32_t>(longitude_turns32(lattice.size() - 1) >> 12)),
+      zone{}
 {
     const SinCos mirror = sin_cos(longitude_turns32(lattice.size() - 1));
     mirror_cos_q15 = mirror.cos_q30 >> 15;
     mirror_sin_q15 = mirror.sin_q30 >> 15;
-    for (int k = 0; k < kSpanZones; ++k) zone[k] = make_zone(lattice, kFirstSpanZone + k);
+    // Zones beyond the equator's are left zero: no height is below theirs.
+    for (int k = 0; k < kSpanZones; ++k) {
+        zone[k] = make_zone(lattice, kFirstSpanZone + k);
+        if (zone[k].begin_z_q30 == 0) break;
+    }
 }
 
 int32_t SpanSide::highest(int32_t length) const
@@ -114,11 +119,27 @@ int32_t SpanSide::highest(int32_t length) const
     return (a > b ? a : b) + 2 * (zone->first + zone->second);
 }
 
-void SpanWalker::begin(const SpanHit& hit)
+namespace
 {
-    at_ = hit;
+
+// How often a span must be halved until its end, as far as heights are linear along it, does not cross |z| = limit.
+int halvings(int32_t from_z, int32_t next_z, int32_t limit_z)
+{
+    const bool above = magnitude(from_z) > limit_z;
+    int count = 1;
+    for (int32_t step = (next_z >> 1) - (from_z >> 1); count <= kMaxSpanLog2; ++count, step /= 2) {
+        if ((magnitude(from_z + step) > limit_z) == above) break;
+    }
+    return count;
+}
+
+}  // namespace
+
+void SpanWalker::begin(const SpanNode& at)
+{
+    const SpanHit& hit = at.*hit_;
     longitude_q20_ = static_cast<int32_t>(hit.longitude_turns32 >> 12);
-    chart_.high_z_q30 = INT32_MIN;  // no chart holds yet
+    if (holds(hit.z_q30)) set_coordinates(longitude_q20_, hit.z_q30, side_.u_q16, side_.v_q16);
 }
 
 // Chooses the chart for a hit outside the caps.
@@ -134,7 +155,7 @@ void SpanWalker::set_chart(int32_t z_q30)
     const int32_t hemisphere = mirrored ? -1 : 1;
     const int32_t reflection = acute ? -1 : 1;
 
-    chart_.zone = &z;
+    side_.zone = &z;
     chart_.shift = z.shift;
     chart_.u_longitude = reflection * odd * hemisphere * z.second;
     chart_.v_longitude = -odd * hemisphere * z.first;
@@ -146,17 +167,18 @@ void SpanWalker::set_chart(int32_t z_q30)
         chart_.u_q16 += reflection * odd * ((z.second * lattice_.mirror_turns20) >> 4);
         chart_.v_q16 -= odd * ((z.first * lattice_.mirror_turns20) >> 4);
     }
-    chart_.first = reflection * hemisphere * z.first;
-    chart_.second = hemisphere * z.second;
-    chart_.base = mirrored ? lattice_.size - 1 : 0;
+    side_.first = reflection * hemisphere * z.first;
+    side_.second = hemisphere * z.second;
+    side_.base = mirrored ? lattice_.size - 1 : 0;
 
     const int32_t next_begin = zone_ + 1 < kSpanZones ? lattice_.zone[zone_ + 1].begin_z_q30 : 0;
     const int32_t low = acute ? z.obtuse_z_q30 : next_begin;
-    const int32_t high = acute ? z.begin_z_q30 : z.obtuse_z_q30;
-    chart_.low_z_q30 = mirrored ? -high : low;
-    chart_.high_z_q30 = mirrored ? -low : high;
-    chart_.limit_z_q30 = acute ? z.acute_limit_z_q30 : z.obtuse_limit_z_q30;
-    set_coordinates(longitude_q20_, z_q30, u_q16_, v_q16_);
+    const int32_t zone_high = acute ? z.begin_z_q30 : z.obtuse_z_q30;
+    const int32_t high = zone_high <= lattice_.cap_z_q30 ? zone_high : lattice_.cap_z_q30 + 1;
+    low_z_q30_ = mirrored ? 1 - high : low;
+    high_z_q30_ = mirrored ? 1 - low : high;
+    limit_z_q30_ = acute ? z.acute_limit_z_q30 : z.obtuse_limit_z_q30;
+    set_coordinates(longitude_q20_, z_q30, side_.u_q16, side_.v_q16);
 }
 
 void SpanWalker::set_coordinates(int32_t longitude_q20, int32_t z_q30, int32_t& u_q16, int32_t& v_q16) const
@@ -166,85 +188,58 @@ void SpanWalker::set_coordinates(int32_t longitude_q20, int32_t z_q30, int32_t& 
     v_q16 = chart_.v_q16 + ((chart_.v_longitude * longitude_q20) >> 4) + ((chart_.v_z * z_q16) >> chart_.shift);
 }
 
-// How often a span must be halved until its end, as far as heights are linear along it, does not cross |z| = limit.
-int SpanWalker::halvings(int32_t from_z, int32_t next_z, int32_t limit_z) const
+int SpanWalker::prepare(const SpanNode& at_node, const SpanNode& next_node, int length_log2)
 {
-    const bool above = magnitude(from_z) > limit_z;
-    int count = 1;
-    for (int32_t step = (next_z - from_z) / 2; count <= kMaxSpanLog2; ++count, step /= 2) {
-        if ((magnitude(from_z + step) > limit_z) == above) break;
-    }
-    return count;
-}
-
-int SpanWalker::prepare(const SpanHit& next, int length_log2, SpanSide& out)
-{
-    const int32_t height = magnitude(at_.z_q30);
+    const SpanHit& at = at_node.*hit_;
+    const SpanHit& next = next_node.*hit_;
     const int32_t next_height = magnitude(next.z_q30);
-    const bool in_cap = height > lattice_.cap_z_q30;
-    if (in_cap != (next_height > lattice_.cap_z_q30)) return halvings(at_.z_q30, next.z_q30, lattice_.cap_z_q30);
-    const int32_t turn_q20 = static_cast<int32_t>(next.longitude_turns32 - at_.longitude_turns32) >> 12;
-    next_ = next;
+    const int32_t turn_q20 = static_cast<int32_t>(next.longitude_turns32 - at.longitude_turns32) >> 12;
     next_longitude_q20_ = longitude_q20_ + turn_q20;
-    out.z_q30 = height;
-    out.in_cap = in_cap;
-    if (in_cap) {
-        prepare_cap(next, length_log2, out);
-        return 0;
+    if (!holds(at.z_q30)) {
+        if (magnitude(at.z_q30) > lattice_.cap_z_q30) {
+            if (next_height <= lattice_.cap_z_q30) return halvings(at.z_q30, next.z_q30, lattice_.cap_z_q30);
+            prepare_cap(at_node, next_node, length_log2);
+            return 0;
+        }
+        set_chart(at.z_q30);
     }
-    if (turn_q20 > kMaxTurnQ20 || turn_q20 < -kMaxTurnQ20) return 1;
-    if (at_.z_q30 < chart_.low_z_q30 || at_.z_q30 >= chart_.high_z_q30) set_chart(at_.z_q30);
-    if (next_height > chart_.limit_z_q30) return halvings(at_.z_q30, next.z_q30, chart_.limit_z_q30);
+    if (next_height > limit_z_q30_) return halvings(at.z_q30, next.z_q30, limit_z_q30_);
+    if (static_cast<uint32_t>(turn_q20 + kMaxTurnQ20) > 2 * static_cast<uint32_t>(kMaxTurnQ20)) return 1;
     set_coordinates(next_longitude_q20_, next.z_q30, next_u_q16_, next_v_q16_);
-    out.first = chart_.first;
-    out.second = chart_.second;
-    out.base = chart_.base;
-    out.zone = chart_.zone;
-    out.u_q16 = u_q16_;
-    out.v_q16 = v_q16_;
-    out.du_q16 = (next_u_q16_ - u_q16_) >> length_log2;
-    out.dv_q16 = (next_v_q16_ - v_q16_) >> length_log2;
+    side_.du_q16 = (next_u_q16_ - side_.u_q16) >> length_log2;
+    side_.dv_q16 = (next_v_q16_ - side_.v_q16) >> length_log2;
+    side_.z_q30 = at.z_q30;
+    side_.in_cap = false;
     return 0;
 }
 
-void SpanWalker::commit()
+// Leaves the chart behind: the side now counts from the pole.
+void SpanWalker::prepare_cap(const SpanNode& at, const SpanNode& next, int length_log2)
 {
-    at_ = next_;
-    longitude_q20_ = next_longitude_q20_;
-    u_q16_ = next_u_q16_;
-    v_q16_ = next_v_q16_;
-}
-
-bool SpanWalker::prepare_pixel(SpanSide& out)
-{
-    const SpanHit here = at_;
-    return prepare(here, 0, out) == 0;
-}
-
-void SpanWalker::prepare_cap(const SpanHit& next, int length_log2, SpanSide& out) const
-{
-    const bool mirrored = at_.z_q30 < 0;
-    const SpanHit* hits[2] = {&at_, &next};
+    const bool mirrored = (at.*hit_).z_q30 < 0;
+    const SpanNode* nodes[2] = {&at, &next};
     int32_t x[2];
     int32_t y[2];
     for (int k = 0; k < 2; ++k) {
-        const int32_t scale_q7 = plane_scale_q7(lattice_.size, hits[k]->z_q30);
-        const int32_t hx = hits[k]->x_q15;
-        const int32_t hy = hits[k]->y_q15;
+        const SpanHit& hit = nodes[k]->*hit_;
+        const int32_t scale_q7 = plane_scale_q7(lattice_.size, hit.z_q30);
+        const int32_t hx = (hit.x_q15 * nodes[k]->inverse_mantissa) >> nodes[k]->shift;
+        const int32_t hy = (hit.y_q15 * nodes[k]->inverse_mantissa) >> nodes[k]->shift;
         const int32_t north_x = mirrored ? (hx * lattice_.mirror_cos_q15 + hy * lattice_.mirror_sin_q15) >> 15 : hx;
         const int32_t north_y = mirrored ? (hx * lattice_.mirror_sin_q15 - hy * lattice_.mirror_cos_q15) >> 15 : hy;
         x[k] = (north_x * scale_q7) >> 6;  // Q16
         y[k] = (north_y * scale_q7) >> 6;
     }
-    out.first = mirrored ? -1 : 1;
-    out.second = 0;
-    out.base = mirrored ? lattice_.size - 1 : 0;
-    out.cap.x_q12 = x[0] >> 4;
-    out.cap.y_q12 = y[0] >> 4;
-    out.cap.dx_q16 = (x[1] - x[0]) >> length_log2;
-    out.cap.dy_q16 = (y[1] - y[0]) >> length_log2;
-    out.cap.triangle = 0;
-    out.cap.find(0);
+    low_z_q30_ = high_z_q30_ = 0;
+    side_.in_cap = true;
+    side_.first = mirrored ? -1 : 1;
+    side_.second = 0;
+    side_.base = mirrored ? lattice_.size - 1 : 0;
+    side_.cap.x_q12 = x[0] >> 4;
+    side_.cap.y_q12 = y[0] >> 4;
+    side_.cap.dx_q16 = (x[1] - x[0]) >> length_log2;
+    side_.cap.dy_q16 = (y[1] - y[0]) >> length_log2;
+    side_.cap.find(0);
 }
 
 }  // namespace lumi

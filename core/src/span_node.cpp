@@ -15,7 +15,7 @@ constexpr int kArcSteps = 64;
 struct Tables {
     uint16_t reciprocal_q15[kReciprocalSteps + 1];  // 2^15·128/(128 + k): 1/v for v in [1, 2]
     uint16_t root_q16[kRootSteps + 1];              // sqrt((64 + k)/256), v in [1/4, 1]
-    uint16_t arc_turns18[kArcSteps + 1];            // atan(k/64) in units of 2^-18 turn
+    uint16_t arc_turns18[kArcSteps + 2];            // atan(k/64) in units of 2^-18 turn; the last one twice
 };
 
 constexpr Tables make_tables()
@@ -28,14 +28,39 @@ constexpr Tables make_tables()
         const double v = generate::root((64 + k) / 256.0) * 65536 + 0.5;
         t.root_q16[k] = static_cast<uint16_t>(v > 65535 ? 65535 : v);
     }
-    for (int k = 0; k <= kArcSteps; ++k) {
-        const double turns = generate::arc_tangent(static_cast<double>(k) / kArcSteps) / (2 * generate::kPi);
+    for (int k = 0; k <= kArcSteps + 1; ++k) {
+        const double turns =
+            generate::arc_tangent(static_cast<double>(k > kArcSteps ? kArcSteps : k) / kArcSteps) / (2 * generate::kPi);
         t.arc_turns18[k] = static_cast<uint16_t>(turns * 262144 + 0.5);
     }
     return t;
 }
 
 constexpr Tables kTables = make_tables();
+
+// Armv6-M has neither CLZ nor UDIV; both twins give the same bits.
+#if defined(__ARM_ARCH_6M__)
+constexpr bool kDivides = false;
+
+int leading_zeros(uint32_t v)
+{
+    int count = 0;
+    if (v < 1u << 16) {
+        v <<= 16;
+        count = 16;
+    }
+    for (; v < 1u << 24; v <<= 4) count += 4;
+    for (; v < 1u << 31; v <<= 1) ++count;
+    return count;
+}
+#else
+constexpr bool kDivides = true;
+
+int leading_zeros(uint32_t v)
+{
+    return __builtin_clz(v);
+}
+#endif
 
 int32_t saturated_q28(int64_t v_q40)
 {
@@ -50,24 +75,21 @@ int32_t add_steps(int32_t value, int32_t step, int32_t count)
                                 static_cast<uint32_t>(step) * static_cast<uint32_t>(count));
 }
 
-// Angle of small/large in [0, 1], both Q15, large > 0, in units of 2^-18 turn·2^9 (Q27 turns).
+// Angle of small/large in [0, 1], large > 0, in units of 2^-27 turn.
 uint32_t octant_turns27(uint32_t small, uint32_t large)
 {
-    const CoarseReciprocal r = coarse_reciprocal(large);
-    const uint32_t ratio_q15 = (small * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 15);
+    const uint32_t ratio = ratio_q15(small, large);
     constexpr uint32_t kShift = 9;  // 2^15 / kArcSteps
-    const uint32_t index = ratio_q15 >> kShift;
-    if (index >= kArcSteps) return static_cast<uint32_t>(kTables.arc_turns18[kArcSteps]) << kShift;
-    const uint32_t a = kTables.arc_turns18[index];
-    const uint32_t b = kTables.arc_turns18[index + 1];
-    return (a << kShift) + (b - a) * (ratio_q15 & ((1u << kShift) - 1));
+    const uint16_t* entry = &kTables.arc_turns18[ratio >> kShift];
+    return (static_cast<uint32_t>(entry[0]) << kShift) +
+           static_cast<uint32_t>(entry[1] - entry[0]) * (ratio & ((1u << kShift) - 1));
 }
 
 }  // namespace
 
 CoarseReciprocal coarse_reciprocal(uint32_t v)
 {
-    const int shift = __builtin_clz(v);
+    const int shift = leading_zeros(v);
     const uint32_t m_q31 = v << shift;  // [1, 2) in Q31
     const uint32_t index = (m_q31 >> 24) & 127u;
     const uint32_t part_q16 = (m_q31 >> 8) & 0xFFFFu;
@@ -80,7 +102,7 @@ CoarseReciprocal coarse_reciprocal(uint32_t v)
 int32_t coarse_root_q15(uint32_t v_q30)
 {
     if (v_q30 == 0) return 0;
-    const int shift = __builtin_clz(v_q30) & ~1;
+    const int shift = leading_zeros(v_q30) & ~1;
     const uint32_t m_q32 = v_q30 << shift;  // [1/4, 1)
     const uint32_t index = (m_q32 >> 24) - 64;
     const uint32_t part_q16 = (m_q32 >> 8) & 0xFFFFu;
@@ -101,26 +123,45 @@ uint32_t coarse_angle_turns32(int32_t y, int32_t x)
     return y < 0 ? 0u - angle : angle;
 }
 
-RowNodes::RowNodes(const Camera& camera, int32_t x, int32_t y)
-    : eye_direction_q15_{camera.eye_direction.x >> 15, camera.eye_direction.y >> 15, camera.eye_direction.z >> 15},
-      inverse_distance_q15_(camera.inverse_distance_q30 >> 15),
-      perpendicular_q15_(camera.perpendicular_q30 >> 15),
-      facing_q28_(saturated_q28(camera.facing.at(x, y))),
-      facing_step_q28_(saturated_q28(camera.facing.step_x))
+uint32_t ratio_q15(uint32_t small, uint32_t large)
 {
-    for (int k = 0; k < 3; ++k) {
-        offset_q28_[k] = saturated_q28(camera.offset[k].at(x, y));
-        offset_step_q28_[k] = saturated_q28(camera.offset[k].step_x);
+    if (kDivides) return (small << 15) / large;
+    // The table's quotient is off by a few units at most; the remainder puts it right, so that all cores agree.
+    const CoarseReciprocal r = coarse_reciprocal(large);
+    uint32_t ratio = (small * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 15);
+    int32_t remainder = static_cast<int32_t>((small << 15) - ratio * large);
+    for (; remainder < 0; remainder += static_cast<int32_t>(large)) --ratio;
+    for (; remainder >= static_cast<int32_t>(large); remainder -= static_cast<int32_t>(large)) ++ratio;
+    return ratio;
+}
+
+RowNodes::RowNodes(const Camera& camera)
+    : camera_(camera),
+      eye_direction_q15_{camera.eye_direction.x >> 15, camera.eye_direction.y >> 15, camera.eye_direction.z >> 15},
+      inverse_distance_q15_(camera.inverse_distance_q30 >> 15),
+      perpendicular_q15_(camera.perpendicular_q30 >> 15)
+{
+    for (int k = 0; k < 4; ++k) quantity_[k].step_q28 = saturated_q28(source(k).step_x);
+}
+
+void RowNodes::begin_row(int32_t x, int32_t y)
+{
+    const bool follows = y - 1 == y_;
+    y_ = y;
+    for (int k = 0; k < 4; ++k) {
+        Quantity& q = quantity_[k];
+        q.row_start_q40 = follows ? q.row_start_q40 + source(k).step_y : source(k).at(0, y);
+        q.value_q28 = saturated_q28(q.row_start_q40 + x * source(k).step_x);
     }
 }
 
-SpanNode RowNodes::at(int32_t ahead) const
+void RowNodes::evaluate(int32_t ahead, SpanNode& out) const
 {
-    const auto q15 = [&](int32_t v, int32_t step) { return (add_steps(v, step, ahead) + (1 << 12)) >> 13; };
-    const int32_t m = q15(facing_q28_, facing_step_q28_);
-    const int32_t px = q15(offset_q28_[0], offset_step_q28_[0]);
-    const int32_t py = q15(offset_q28_[1], offset_step_q28_[1]);
-    const int32_t pz = q15(offset_q28_[2], offset_step_q28_[2]);
+    const auto q15 = [&](int k) { return add_steps(quantity_[k].value_q28, quantity_[k].step_q28, ahead) >> 13; };
+    const int32_t px = q15(0);
+    const int32_t py = q15(1);
+    const int32_t pz = q15(2);
+    const int32_t m = q15(3);
 
     const int32_t offset2_q30 = px * px + py * py + pz * pz;
     const int32_t offset2_q15 = offset2_q30 >> 15;
@@ -128,22 +169,22 @@ SpanNode RowNodes::at(int32_t ahead) const
     const uint32_t half_chord2_q30 = half_chord2 > 0 ? static_cast<uint32_t>(half_chord2) : 0;
     const int32_t s = coarse_root_q15(half_chord2_q30);
     const CoarseReciprocal inverse = coarse_reciprocal((half_chord2_q30 + static_cast<uint32_t>(offset2_q30)) >> 14);
-    const int shift = inverse.exponent - 16;  // 1/q = mantissa·2^-shift
+    out.inverse_mantissa = inverse.mantissa;
+    out.shift = inverse.exponent - 16;
 
     const int32_t lift = inverse_distance_q15_ * offset2_q15;
     const int32_t along = s * m;
     const int32_t shrink = (inverse_distance_q15_ * s) >> 15;
-    const auto hit = [&](int32_t axial_q30, int32_t radial_q15) {
-        const int32_t a = ((axial_q30 >> 15) * inverse.mantissa) >> shift;
-        // Up to 2^31: unsigned. m ± s/e is never negative, since m² - s²/e² = q·(1 - 1/e²).
-        const int32_t r = static_cast<int32_t>(
-            (static_cast<uint32_t>(radial_q15) * static_cast<uint32_t>(inverse.mantissa)) >> shift);
-        const int32_t hx = (eye_direction_q15_.x * a + px * r) >> 15;
-        const int32_t hy = (eye_direction_q15_.y * a + py * r) >> 15;
-        const int32_t hz = eye_direction_q15_.z * a + pz * r;
-        return SpanHit{coarse_angle_turns32(hy, hx), hx, hy, hz};
+    const int32_t to_q30 = 1 << (15 - out.shift);
+    const auto set = [&](SpanHit& hit, int32_t axial, int32_t radial) {
+        hit.x_q15 = (eye_direction_q15_.x * axial + px * radial) >> 15;
+        hit.y_q15 = (eye_direction_q15_.y * axial + py * radial) >> 15;
+        const int32_t z_q15 = (eye_direction_q15_.z * axial + pz * radial) >> 15;
+        hit.z_q30 = z_q15 * inverse.mantissa * to_q30;
+        hit.longitude_turns32 = coarse_angle_turns32(hit.y_q15, hit.x_q15);
     };
-    return {hit(lift + along, m - shrink), hit(lift - along, m + shrink)};
+    set(out.front, (lift + along) >> 15, m - shrink);
+    set(out.back, (lift - along) >> 15, m + shrink);
 }
 
 }  // namespace lumi

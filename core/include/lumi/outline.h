@@ -31,8 +31,18 @@ public:
     RowSpan row(int32_t y);
 
 private:
-    bool is_covered(int32_t x, int32_t y) const;
-    bool walk(int32_t y);
+    // f and m along a row, advanced by additions.
+    struct Walk {
+        int64_t f, df, ddf;  // f(x), f(x+1) - f(x), and twice x2
+        int64_t m, dm;
+
+        bool covered() const { return f >= 0 && m > 0; }
+        void right();
+        void left();
+    };
+
+    Walk walk_at(int32_t x, int32_t y) const;
+    bool follow(int32_t y);
 
     const Camera& camera_;
     OutlineQuadratic outline_;

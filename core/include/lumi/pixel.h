@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Output formats of a display: policies with `kBytes`, `store(pointer, colour)` and `load(pointer)`. Any alignment.
+// Output formats of a display: policies with `kBytes`, `store(pointer, colour)` and `load(pointer)`. 16-bit pixels lie
+// at even addresses.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +10,31 @@
 namespace lumi
 {
 
+// One 16-bit access, at an even address.
+inline void store_even16(uint8_t* p, uint16_t v)
+{
+    __builtin_memcpy(__builtin_assume_aligned(p, 2), &v, 2);
+}
+
+inline uint16_t load_even16(const uint8_t* p)
+{
+    uint16_t v = 0;
+    __builtin_memcpy(&v, __builtin_assume_aligned(p, 2), 2);
+    return v;
+}
+
 // 16 bits, low byte first: a Cortex-M's own order.
 struct PixelRgb565 {
     static constexpr uint32_t kBytes = 2;
-    static void store(uint8_t* p, const Rgb8& c)
-    {
-        const uint16_t v = pack_rgb565(c);
-        p[0] = static_cast<uint8_t>(v);
-        p[1] = static_cast<uint8_t>(v >> 8);
-    }
-    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(static_cast<uint16_t>(p[0] | p[1] << 8)); }
+    static void store(uint8_t* p, const Rgb8& c) { store_even16(p, pack_rgb565(c)); }
+    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(load_even16(p)); }
 };
 
 // 16 bits, high byte first: the order in which SPI panels take them.
 struct PixelRgb565Swapped {
     static constexpr uint32_t kBytes = 2;
-    static void store(uint8_t* p, const Rgb8& c)
-    {
-        const uint16_t v = pack_rgb565(c);
-        p[0] = static_cast<uint8_t>(v >> 8);
-        p[1] = static_cast<uint8_t>(v);
-    }
-    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(static_cast<uint16_t>(p[1] | p[0] << 8)); }
+    static void store(uint8_t* p, const Rgb8& c) { store_even16(p, __builtin_bswap16(pack_rgb565(c))); }
+    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(__builtin_bswap16(load_even16(p))); }
 };
 
 // 3 bytes: red, green, blue.

@@ -26,7 +26,8 @@ enum class [[nodiscard]] RenderError : uint8_t{
     wrong_texel_format,  // the field holds another texel format than the policy
 };
 
-// A rectangle of the image in the caller's memory: rows of width_px pixels, stride_bytes apart, top row first.
+// A rectangle of the image in the caller's memory: rows of width_px pixels, stride_bytes apart, top row first. With
+// 16-bit pixels, address and stride are even.
 struct Stripe {
     uint8_t* pixels;
     int32_t x_px, y_px;  // of its first pixel in the image

@@ -25,78 +25,104 @@ public:
           camera_(camera),
           background_(background),
           span_log2_(span_log2),
+          nodes_(camera),
           origins_(field.origins),
-          directions_(field.directions)
+          directions_(field.directions),
+          front_(origins_, &SpanNode::front),
+          back_(directions_, &SpanNode::back)
     {
     }
 
     void row(const RowSpan& span, int32_t y, uint8_t* pixels)
     {
         if (span.begin >= span.end) return;
-        const RowNodes nodes(camera_, span.begin, y);
-        SpanWalker front(origins_);
-        SpanWalker back(directions_);
-        const SpanNode first = nodes.at(0);
-        front.begin(first.front);
-        back.begin(first.back);
+        nodes_.begin_row(span.begin, y);
+        SpanNode buffer[2];
+        SpanNode* at = &buffer[0];
+        SpanNode* next = &buffer[1];
+        nodes_.evaluate(0, *at);
+        front_.begin(*at);
+        back_.begin(*at);
+        Row row{span.begin, y, pixels};
+        int32_t ahead = 0;
         const int32_t last = span.end - span.begin - 1;
-        Target target(field_, background_);
-        target.y = y;
-        target.pixels = pixels;
-        for (int32_t at = 0; at <= last; at += target.length) {
-            target.x = span.begin + at;
-            target.length = prepare(nodes, front, back, at, last - at, target);
-            draw(target);
-            target.pixels += static_cast<uint32_t>(target.length) * Pixel::kBytes;
+        while (ahead <= last) {
+            const int32_t length =
+                last > ahead ? draw_span(row, *at, *next, ahead, last - ahead) : draw_pixel(row, *at, ahead);
+            ahead += length;
+            SpanNode* const drawn = at;
+            at = next;
+            next = drawn;
         }
     }
 
 private:
     using Target = SpanTarget<Background>;
 
-    // Spans double from the left rim and halve towards the right one.
+    struct Row {
+        int32_t x, y;  // of the first covered pixel
+        uint8_t* pixels;
+    };
+
+    // Spans double from the left rim and halve towards the right one. from_right > 0.
     int length_log2(int32_t from_left, int32_t from_right) const
     {
-        int log2 = 0;
         const int32_t room = from_left + 2 < from_right ? from_left + 2 : from_right;
-        while (log2 < span_log2_ && (2 << log2) <= room) ++log2;
-        while ((1 << log2) > from_right) --log2;
+        int log2 = span_log2_;
+        while ((1 << log2) > room) --log2;
         return log2;
     }
 
-    // Sets both sides for the longest span that both lattices allow; returns its length.
-    int32_t prepare(const RowNodes& nodes, SpanWalker& front, SpanWalker& back, int32_t at, int32_t left,
-                    Target& target) const
+    // Draws the longest span that both lattices allow and sets `next` to the node at its end; returns its length.
+    int32_t draw_span(const Row& row, const SpanNode& at, SpanNode& next, int32_t ahead, int32_t from_right)
     {
-        target.exact = false;
-        for (int log2 = left > 0 ? length_log2(at, left) : -1; log2 >= 0;) {
-            const SpanNode next = nodes.at(at + (1 << log2));
-            int halvings = front.prepare(next.front, log2, target.origins);
-            if (halvings == 0) halvings = back.prepare(next.back, log2, target.directions);
+        for (int log2 = length_log2(ahead, from_right); log2 >= 0;) {
+            nodes_.evaluate(ahead + (1 << log2), next);
+            int halvings = front_.prepare(at, next, log2);
+            if (halvings == 0) halvings = back_.prepare(at, next, log2);
             if (halvings == 0) {
-                front.commit();
-                back.commit();
+                draw(row, ahead, 1 << log2);
+                front_.commit();
+                back_.commit();
                 return 1 << log2;
             }
             log2 -= halvings;
         }
-        target.exact = !front.prepare_pixel(target.origins) || !back.prepare_pixel(target.directions);
-        if (left > 0) {
-            const SpanNode next = nodes.at(at + 1);
-            front.begin(next.front);
-            back.begin(next.back);
+        draw_pixel(row, at, ahead);
+        nodes_.evaluate(ahead + 1, next);
+        front_.begin(next);
+        back_.begin(next);
+        return 1;
+    }
+
+    // The last pixel of a row, or one next to a cap.
+    int32_t draw_pixel(const Row& row, const SpanNode& at, int32_t ahead)
+    {
+        if (front_.prepare(at, at, 0) == 0 && back_.prepare(at, at, 0) == 0) {
+            draw(row, ahead, 1);
+        } else {
+            draw_exactly(row, ahead, 1);
         }
         return 1;
     }
 
-    void draw(const Target& target) const
+    void draw(const Row& row, int32_t ahead, int32_t length) const
     {
-        if (!target.exact && rows_present(target.origins, target.length)) {
+        if (rows_present(front_.side(), length)) {
+            uint8_t* const pixels = row.pixels + static_cast<uint32_t>(ahead) * Pixel::kBytes;
+            const Target target = {field_,        background_, pixels,        length,
+                                   row.x + ahead, row.y,       front_.side(), back_.side()};
             SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
         } else {
-            draw_exact<Reconstruction, Texel, Pixel>(
-                field_, camera_, background_, RowSpan{target.x, target.x + target.length}, target.y, target.pixels);
+            draw_exactly(row, ahead, length);
         }
+    }
+
+    void draw_exactly(const Row& row, int32_t ahead, int32_t length) const
+    {
+        const RowSpan span = {row.x + ahead, row.x + ahead + length};
+        draw_exact<Reconstruction, Texel, Pixel>(field_, camera_, background_, span, row.y,
+                                                 row.pixels + static_cast<uint32_t>(ahead) * Pixel::kBytes);
     }
 
     bool rows_present(const SpanSide& side, int32_t length) const
@@ -109,8 +135,11 @@ private:
     const Camera& camera_;
     const Background& background_;
     int span_log2_;
+    RowNodes nodes_;
     SpanLattice origins_;
     SpanLattice directions_;
+    SpanWalker front_;
+    SpanWalker back_;
 };
 
 inline bool fits_spans(const Lattice& lattice)

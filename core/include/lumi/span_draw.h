@@ -15,15 +15,13 @@ namespace lumi
 // A span to draw. Rows are addressed from `texels`; both sides hold strides in bytes.
 template <class Background>
 struct SpanTarget {
-    SpanTarget(const Field& f, const Background& b) : field(f), background(b) {}
-
     const Field& field;
     const Background& background;
     uint8_t* pixels;
     int32_t length;
     int32_t x, y;  // of the first pixel
-    SpanSide origins, directions;
-    bool exact;  // one pixel that only the exact renderer can draw
+    const SpanSide& origins;
+    const SpanSide& directions;
 };
 
 // Where a side's lattice steps lie in memory.
@@ -94,17 +92,20 @@ public:
 
     int32_t base() const { return steps_.base; }
 
-    // The triangle of the cell: its halves meet along the sum of both steps.
+    // The triangle of the cell: its halves meet along the sum of both steps. Selected by masks: no branch, no flags.
     SpanTaps taps() const
     {
-        const uint32_t fu = (static_cast<uint32_t>(u_q16_) >> 8) & 255u;
-        const uint32_t fv = (static_cast<uint32_t>(v_q16_) >> 8) & 255u;
-        const bool lower = fu > fv;
-        const uint32_t more = lower ? fu : fv;
-        const uint32_t less = lower ? fv : fu;
+        const int32_t fu = (u_q16_ >> 8) & 255;
+        const int32_t fv = (v_q16_ >> 8) & 255;
+        const int32_t difference = fu - fv;
+        const int32_t upper = difference >> 31;  // all ones where fu < fv
+        const int32_t between = (difference ^ upper) - upper;
+        const int32_t less = fv + (difference & upper);
         const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
-        return {{corner, corner + (lower ? steps_.first : steps_.second), corner + steps_.first + steps_.second},
-                {kSpanOne - more, more - less, less}};
+        const int32_t middle = corner + steps_.first + ((steps_.second - steps_.first) & upper);
+        return {{corner, middle, corner + steps_.first + steps_.second},
+                {static_cast<uint32_t>(static_cast<int32_t>(kSpanOne) - less - between), static_cast<uint32_t>(between),
+                 static_cast<uint32_t>(less)}};
     }
 
     void advance()
@@ -163,11 +164,11 @@ void for_pixels(const SpanTarget<Background>& span, Visit visit)
     Source directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
     const uint8_t* base = span.field.texels + origins.base() + directions.base();
     uint8_t* pixel = span.pixels;
-    for (int32_t k = 0; k < span.length; ++k) {
+    for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
+         pixel += Pixel::kBytes) {
         visit(origins.taps(), directions.taps(), base, pixel);
         origins.advance();
         directions.advance();
-        pixel += Pixel::kBytes;
     }
 }
 

@@ -22,8 +22,8 @@ inline constexpr int32_t kSpanCapHeight = 22;
 
 inline constexpr int kMaxSpanLog2 = 4;  // spans are up to 16 pixels long
 
-inline constexpr int kFirstSpanZone = 3;
-inline constexpr int kSpanZones = 12;  // zones 3 .. 14
+inline constexpr int kFirstSpanZone = 6;  // the one that a cap reaches into, for every size
+inline constexpr int kSpanZones = 8;      // 6 .. 13
 
 // A zone's constants; heights are |z|, Q30, so that a zone is found by comparisons alone.
 struct SpanZone {
@@ -36,7 +36,7 @@ struct SpanZone {
     int32_t origin_u_q16, origin_v_q16;
 };
 
-// The zones of one lattice, computed once per stripe. 560 bytes.
+// The zones of one lattice, computed once per stripe. 372 bytes.
 struct SpanLattice {
     int32_t size;
     int32_t cap_z_q30;       // |z| at kSpanCapHeight
@@ -51,55 +51,59 @@ struct SpanLattice {
 // basis whose steps form an obtuse angle, so that the triangle of a cell is decided by fu > fv. In a pole's cap the
 // polar pattern takes their place; its indices count from the pole, and `first` is their step.
 struct SpanSide {
-    bool in_cap;
+    int32_t u_q16, v_q16, du_q16, dv_q16;
     int32_t first, second;  // index steps of u and v, negative where mirrored or reflected
     int32_t base;           // index of (0, 0)
-    int32_t u_q16, v_q16, du_q16, dv_q16;
-    int32_t z_q30;  // |z| at its first pixel
     const SpanZone* zone;
+    int32_t z_q30;  // at its first pixel
+    bool in_cap;
     SpanCap cap;
 
     // The highest index that the corners under the span's `length` pixels can have.
     int32_t highest(int32_t length) const;
 };
 
-// Follows one lattice along a row.
+// Follows one lattice along the rows of a stripe. `at` is always the node that begin() or the last commit() stood for.
 class SpanWalker
 {
 public:
-    explicit SpanWalker(const SpanLattice& lattice) : lattice_(lattice) {}
+    SpanWalker(const SpanLattice& lattice, SpanHit SpanNode::*hit) : lattice_(lattice), hit_(hit) {}
 
-    // Begins a row at a hit.
-    void begin(const SpanHit& hit);
-    // Sets `out` for the span up to the hit 2^length_log2 pixels on and returns 0; or returns how often the span must
+    // Begins at a node: a row, or anew.
+    void begin(const SpanNode& at);
+    // Sets side() for the span up to the node 2^length_log2 pixels on and returns 0; or returns how often the span must
     // be halved at least, as it enters or leaves a pole's cap or turns by more than 1/16 turn.
-    int prepare(const SpanHit& next, int length_log2, SpanSide& out);
-    // Moves on to the hit that was prepared for.
-    void commit();
-    // Sets `out` for the one pixel at the current hit; false if only the exact renderer can draw it.
-    bool prepare_pixel(SpanSide& out);
+    int prepare(const SpanNode& at, const SpanNode& next, int length_log2);
+    // Moves on to the node that was prepared for, once the span is drawn.
+    void commit()
+    {
+        longitude_q20_ = next_longitude_q20_;
+        side_.u_q16 = next_u_q16_;
+        side_.v_q16 = next_v_q16_;
+    }
+
+    const SpanSide& side() const { return side_; }
 
 private:
     // (u, v) as linear functions of a hit's longitude and z, hemisphere and reflection included.
     struct Chart {
-        int32_t first, second, base;  // as in SpanSide
-        int32_t u_longitude, v_longitude, u_z, v_z, u_q16, v_q16, shift;
-        int32_t low_z_q30, high_z_q30;  // signed z range where it is exact
-        int32_t limit_z_q30;            // |z| up to which it may be used at all
-        const SpanZone* zone;
+        int32_t u_q16, v_q16, u_longitude, v_longitude, u_z, v_z, shift;
     };
 
     void set_chart(int32_t z_q30);
+    bool holds(int32_t z_q30) const { return z_q30 >= low_z_q30_ && z_q30 < high_z_q30_; }
     void set_coordinates(int32_t longitude_q20, int32_t z_q30, int32_t& u_q16, int32_t& v_q16) const;
-    int halvings(int32_t from_z, int32_t next_z, int32_t limit_z) const;
-    void prepare_cap(const SpanHit& next, int length_log2, SpanSide& out) const;
+    void prepare_cap(const SpanNode& at, const SpanNode& next, int length_log2);
 
     const SpanLattice& lattice_;
+    SpanHit SpanNode::*hit_;
+    SpanSide side_{};
     Chart chart_{};
-    int zone_ = kSpanZones - 1;
-    SpanHit at_{}, next_{};
+    int32_t low_z_q30_ = 0, high_z_q30_ = 0;  // signed z range in which the chart is exact; empty: there is none yet
+    int32_t limit_z_q30_ = 0;                 // |z| up to which it may be used at all
+    int zone_ = 0;
     int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
-    int32_t u_q16_ = 0, v_q16_ = 0, next_u_q16_ = 0, next_v_q16_ = 0;
+    int32_t next_u_q16_ = 0, next_v_q16_ = 0;
 };
 
 }  // namespace lumi

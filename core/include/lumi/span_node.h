@@ -12,43 +12,59 @@
 namespace lumi
 {
 
-// Where a ray meets the sphere, as the lattice sees it.
+// Where a ray meets the sphere, as the lattice sees it. x and y still carry the factor q = |D|², which an angle does
+// not care about.
 struct SpanHit {
     uint32_t longitude_turns32;
-    int32_t x_q15, y_q15, z_q30;
+    int32_t x_q15, y_q15;  // times q
+    int32_t z_q30;
 };
 
 struct SpanNode {
     SpanHit front, back;
+    int32_t inverse_mantissa;  // 1/q = mantissa·2^-shift
+    int shift;
 };
 
-// Evaluates the nodes of one row. Rays advance by 32-bit additions from an exact first one.
+// Evaluates the nodes of a stripe's rows. From row to row and along a row, rays advance by additions.
 class RowNodes
 {
 public:
-    // `x` is the row's first covered pixel.
-    RowNodes(const Camera& camera, int32_t x, int32_t y);
+    explicit RowNodes(const Camera& camera);
 
-    // The node at pixel x0 + ahead; that pixel is covered.
-    SpanNode at(int32_t ahead) const;
+    // Goes to row y; `x` is its first covered pixel. Successive rows cost four 64-bit products less.
+    void begin_row(int32_t x, int32_t y);
+
+    // Sets `out` to the node at pixel x + ahead; that pixel is covered.
+    void evaluate(int32_t ahead, SpanNode& out) const;
 
 private:
+    struct Quantity {
+        int64_t row_start_q40;  // at column 0 of the row
+        int32_t value_q28, step_q28;
+    };
+
+    const AffineQ40& source(int k) const { return k < 3 ? camera_.offset[k] : camera_.facing; }
+
+    const Camera& camera_;
     Vec3q30 eye_direction_q15_;  // components Q15
     int32_t inverse_distance_q15_;
     int32_t perpendicular_q15_;
-    int32_t facing_q28_, facing_step_q28_;
-    int32_t offset_q28_[3], offset_step_q28_[3];
+    Quantity quantity_[4];  // P, m
+    int32_t y_ = INT32_MIN;
 };
 
 // The parts of a node, for tests. Vectors of 16-bit components; error below 2^-17 turn.
 uint32_t coarse_angle_turns32(int32_t y_q15, int32_t x_q15);
 // sqrt of a Q30 value in [0, 2), Q15, within one unit.
 int32_t coarse_root_q15(uint32_t v_q30);
-// 1/v = mantissa·2^-exponent for v > 0, mantissa in (2^14, 2^15]; relative error below 2^-14.
+// 1/v = mantissa·2^-exponent for v > 0, mantissa in [2^14, 2^15]; relative error below 2^-14.
 struct CoarseReciprocal {
     int32_t mantissa;
     int exponent;
 };
 CoarseReciprocal coarse_reciprocal(uint32_t v);
+// floor(small·2^15 / large) for small <= large < 2^17: one instruction where the core divides, a table elsewhere.
+uint32_t ratio_q15(uint32_t small, uint32_t large);
 
 }  // namespace lumi
