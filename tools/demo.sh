@@ -80,11 +80,11 @@ compare_views() {
 print_where() {
   cat <<END
 
-== Pictures
-out/$name-linear-sheet.png     the turntable, with what a microcontroller draws (also -nearest-, -paper-)
-out/$name-linear-000.png ...   its views one by one
-out/$name-reference-sheet.png  the references
-out/$name.lumi                 the field
+== Pictures, in $out
+$name-linear-sheet.png     the turntable, as a microcontroller draws it (also -nearest-, -paper-)
+$name-linear-000.png ...   its views one by one
+$name-reference-sheet.png  the path-traced references
+$name.lumi                 the field
 END
 }
 

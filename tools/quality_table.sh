@@ -68,9 +68,8 @@ print_table() {
   for lattice in "${lattices[@]}"; do
     cat "$work/${lattice% *}.row"
   done
-  printf '\nMean PSNR / SSIM / CW-SSIM over %d views of %s, RGB565 texels, %d light paths a texel; references with %d\n' \
+  printf '\nMeans over %d views of %s; RGB565 texels, %d light paths a texel; references with %d samples a pixel.\n' \
     $((${#orbits[@]} * views)) "$size" "$bake_spp" "$reference_spp"
-  printf 'samples a pixel.\n'
 }
 
 table_in_readme() {
