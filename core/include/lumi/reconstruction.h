@@ -27,6 +27,11 @@ struct Nearest {
     }
 };
 
+// On spans Nearest rounds lattice coordinates, the cheapest cell; this one compares distances, as the exact renderer
+// does.
+struct NearestVoronoi : Nearest {
+};
+
 // One tap a pixel, chosen by an ordered dither so that neighbouring pixels together show the linear picture. It needs
 // the pixel's place: the span renderer dithers, the exact one draws its nearest point.
 struct Dither : Nearest {

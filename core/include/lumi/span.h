@@ -11,6 +11,7 @@
 #include "lumi/outline.h"
 #include "lumi/render.h"
 #include "lumi/span_draw.h"
+#include "lumi/span_kernel.h"
 
 namespace lumi
 {

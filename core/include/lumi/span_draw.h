@@ -52,7 +52,11 @@ void store_single(const Field& field, const Background& background, const uint8_
     }
 }
 
-// One tap: the point of the cell's coordinates, rounded down after `offset` was added.
+// One tap: the point of the cell's coordinates, rounded down after offset(pixel) was added on each side.
+struct SpanOffsets {
+    int32_t origins_q16, directions_q16;
+};
+
 template <class Texel, class Pixel, class Background, class Offset>
 void draw_single(const SpanTarget<Background>& span, Offset offset)
 {
@@ -63,9 +67,11 @@ void draw_single(const SpanTarget<Background>& span, Offset offset)
     int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
     uint8_t* pixel = span.pixels;
     for (int32_t k = 0; k < span.length; ++k) {
-        const int32_t add = offset(k);
-        const uint8_t* texel = base + rows.first * ((uo + add) >> 16) + rows.second * ((vo + add) >> 16) +
-                               texels.first * ((ud + add) >> 16) + texels.second * ((vd + add) >> 16);
+        const SpanOffsets add = offset(k);
+        const int32_t row = rows.first * ((uo + add.origins_q16) >> 16) + rows.second * ((vo + add.origins_q16) >> 16);
+        const int32_t column =
+            texels.first * ((ud + add.directions_q16) >> 16) + texels.second * ((vd + add.directions_q16) >> 16);
+        const uint8_t* texel = base + row + column;
         store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
         uo += span.origins.du_q16;
         vo += span.origins.dv_q16;
@@ -208,8 +214,45 @@ struct SpanDraw<Nearest> {
                     store_single<Texel, Pixel>(span.field, span.background, base + heaviest(o) + heaviest(d), pixel);
                 });
         } else {
-            constexpr int32_t kHalf = 1 << 15;
+            constexpr SpanOffsets kHalf = {1 << 15, 1 << 15};
             draw_single<Texel, Pixel>(span, [](int32_t) { return kHalf; });
+        }
+    }
+};
+
+// An ordered 4×4 dither (Bayer 1973) for the origins and the same one, turned, for the directions. Added to both
+// coordinates of a side before they are rounded down, one threshold picks each corner of the cell's triangle as often
+// as its barycentric weight says.
+struct DitherMatrix {
+    static constexpr uint8_t kRank[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
+    static constexpr int32_t threshold_q16(int32_t x, int32_t y) { return (kRank[y & 3][x & 3] << 12) + (1 << 11); }
+    static constexpr SpanOffsets at(int32_t x, int32_t y) { return {threshold_q16(x, y), threshold_q16(y + 1, ~x)}; }
+};
+
+inline int32_t dithered(const SpanTaps& taps, int32_t threshold_q16)
+{
+    const uint32_t t = 255u - static_cast<uint32_t>(threshold_q16 >> 8);
+    return taps.offset[t < taps.weight[0] ? 0 : t < taps.weight[0] + taps.weight[1] ? 1 : 2];
+}
+
+template <>
+struct SpanDraw<Dither> {
+    template <class Texel, class Pixel, class Background>
+    static void draw(const SpanTarget<Background>& span)
+    {
+        if (span.origins.in_cap || span.directions.in_cap) {
+            int32_t x = span.x;
+            for_pixels<AnySource, Texel, Pixel>(
+                span, [&](const SpanTaps& o, const SpanTaps& d, const uint8_t* base, uint8_t* pixel) {
+                    const SpanOffsets t = DitherMatrix::at(x++, span.y);
+                    const uint8_t* texel = base + dithered(o, t.origins_q16) + dithered(d, t.directions_q16);
+                    store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+                });
+        } else {
+            SpanOffsets row[4];
+            for (int32_t k = 0; k < 4; ++k) row[k] = DitherMatrix::at(span.x + k, span.y);
+            draw_single<Texel, Pixel>(span, [&](int32_t k) { return row[k & 3]; });
         }
     }
 };

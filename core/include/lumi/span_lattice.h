@@ -59,6 +59,8 @@ struct SpanSide {
     bool in_cap;
     SpanCap cap;
 
+    // Whether `first` runs against the zone's step.
+    bool reflected() const { return (first ^ second) < 0; }
     // The highest index that the corners under the span's `length` pixels can have.
     int32_t highest(int32_t length) const;
 };

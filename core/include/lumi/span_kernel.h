@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// The paper's kernel and the true nearest point on spans: distances in the plane of a span's cells.
+//
+// In lattice coordinates the squared distance is a quadratic form that depends on one number, the zone's shape
+// X = √5·π·n·(1 - z²)/Φ^2k in [1, Φ²]. In units of the mean spacing, for steps F_k and F_k+1 (with F_k ≈ Φ^k/√5):
+//     E = (X + 1/X)/√5,  F = (Φ/X - X/Φ)/√5,  G = (X/Φ² + Φ²/X)/√5.
+// The candidates are the corners of the query's triangle and the points across its edges: the disc of one spacing holds
+// no other point of weight.
+#pragma once
+
+#include "lumi/span_draw.h"
+
+namespace lumi
+{
+
+inline constexpr int kKernelCandidates = 6;
+
+// Points near a pixel: offsets in memory and squared distances in spacings², Q12.
+struct SpanNeighbours {
+    int32_t offset[kKernelCandidates];
+    int32_t distance2_q12[kKernelCandidates];
+};
+
+// The quadratic form of a span's cells, Q12.
+struct SpanMetric {
+    int32_t e_q12, f_q12, g_q12;
+
+    explicit SpanMetric(const SpanSide& side);
+
+    int32_t distance2_q12(int32_t du_q12, int32_t dv_q12) const
+    {
+        return (((e_q12 * du_q12 + 2 * f_q12 * dv_q12) >> 12) * du_q12 + ((g_q12 * dv_q12) >> 12) * dv_q12) >> 12;
+    }
+};
+
+// Walks one side of a span, through cells or over a cap, and names the candidates of each pixel.
+class KernelSource
+{
+public:
+    KernelSource(const SpanSide& side, int32_t stride_bytes)
+        : steps_(side, stride_bytes), metric_(side), side_(side), u_q16_(side.u_q16), v_q16_(side.v_q16), cap_(side.cap)
+    {
+    }
+
+    int32_t base() const { return steps_.base; }
+
+    SpanNeighbours neighbours() const
+    {
+        if (side_.in_cap) return cap_neighbours();
+        SpanNeighbours result;
+        const int32_t fu = (u_q16_ >> 4) & 4095;
+        const int32_t fv = (v_q16_ >> 4) & 4095;
+        const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
+        const Step* steps = fu > fv ? kLower : kUpper;
+        for (int k = 0; k < kKernelCandidates; ++k) {
+            const int32_t u = steps[k].u;
+            const int32_t v = steps[k].v;
+            result.offset[k] = corner + steps_.first * u + steps_.second * v;
+            result.distance2_q12[k] = metric_.distance2_q12(4096 * u - fu, 4096 * v - fv);
+        }
+        return result;
+    }
+
+    void advance()
+    {
+        if (side_.in_cap) {
+            cap_.advance(++pixel_);
+        } else {
+            u_q16_ += side_.du_q16;
+            v_q16_ += side_.dv_q16;
+        }
+    }
+
+private:
+    struct Step {
+        int8_t u, v;
+    };
+    static constexpr Step kLower[kKernelCandidates] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, -1}, {2, 1}};
+    static constexpr Step kUpper[kKernelCandidates] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}, {-1, 0}, {1, 2}};
+
+    SpanNeighbours cap_neighbours() const;
+
+    SpanSteps steps_;
+    SpanMetric metric_;
+    const SpanSide& side_;
+    int32_t u_q16_, v_q16_;
+    SpanCap cap_;
+    int32_t pixel_ = 0;
+};
+
+// Taps of weight: the kernel's (1 - d²)², normalised to kSpanOne; the largest takes what rounding leaves.
+struct KernelTaps {
+    int count;
+    int32_t offset[kKernelCandidates];
+    uint32_t weight[kKernelCandidates];
+
+    // At most `most` taps, the nearest ones. `lowest` and `highest` bound the offsets that exist: near a pole a
+    // candidate may lie beyond it.
+    KernelTaps(const SpanNeighbours& near, uint32_t most, int32_t lowest, int32_t highest);
+};
+
+// Picks the candidate at the least distance.
+int32_t nearest_offset(const SpanNeighbours& near, int32_t lowest, int32_t highest);
+
+// Offsets of a side's first and last point relative to SpanSteps::base.
+struct OffsetRange {
+    int32_t lowest, highest;
+
+    OffsetRange(const SpanSide& side, uint32_t points, int32_t stride_bytes)
+        : lowest(-side.base * stride_bytes), highest((static_cast<int32_t>(points) - 1 - side.base) * stride_bytes)
+    {
+    }
+};
+
+// Calls visit(candidates of the origins, of the directions, base pointer, pixel pointer) for every pixel.
+template <class Texel, class Pixel, class Background, class Visit>
+void for_kernel_pixels(const SpanTarget<Background>& span, Visit visit)
+{
+    KernelSource origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
+    KernelSource directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    const uint8_t* base = span.field.texels + origins.base() + directions.base();
+    uint8_t* pixel = span.pixels;
+    for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
+        visit(origins.neighbours(), directions.neighbours(), base, pixel);
+        origins.advance();
+        directions.advance();
+    }
+}
+
+template <uint32_t K>
+struct SpanDraw<Paper<K>> {
+    template <class Texel, class Pixel, class Background>
+    static void draw(const SpanTarget<Background>& span)
+    {
+        using Sum = SpanSum<Texel, !Background::kIsBlack>;
+        const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
+        const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
+        const OffsetRange rows(span.origins, span.field.used_origins, stride);
+        const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
+        for_kernel_pixels<Texel, Pixel>(
+            span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
+                const KernelTaps origins(o, K, rows.lowest, rows.highest);
+                const KernelTaps directions(d, K, columns.lowest, columns.highest);
+                Sum sum;
+                for (int m = 0; m < origins.count; ++m) {
+                    const uint8_t* row = base + origins.offset[m];
+                    typename Sum::Row taps;
+                    for (int k = 0; k < directions.count; ++k) {
+                        taps.add(span.field, row + directions.offset[k], directions.weight[k]);
+                    }
+                    sum.add(taps, origins.weight[m]);
+                }
+                Pixel::store(pixel, sum.over(span.background.template under<Pixel>(pixel)));
+            });
+    }
+};
+
+template <>
+struct SpanDraw<NearestVoronoi> {
+    template <class Texel, class Pixel, class Background>
+    static void draw(const SpanTarget<Background>& span)
+    {
+        const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
+        const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
+        const OffsetRange rows(span.origins, span.field.used_origins, stride);
+        const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
+        for_kernel_pixels<Texel, Pixel>(
+            span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
+                const int32_t offset =
+                    nearest_offset(o, rows.lowest, rows.highest) + nearest_offset(d, columns.lowest, columns.highest);
+                store_single<Texel, Pixel>(span.field, span.background, base + offset, pixel);
+            });
+    }
+};
+
+}  // namespace lumi
