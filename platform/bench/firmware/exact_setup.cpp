@@ -1,32 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The exact renderer without lattice and texels: hits are computed and thrown away.
+#include "hits_only.h"
 #include "instance.h"
-#include "lumi/bench/views.h"
 
 namespace lumi::bench
 {
-namespace
-{
-
-struct NoReconstruction {
-    static constexpr uint32_t kTaps = 1;
-    static Taps<kTaps> taps(const Lattice&, const Vec3q30& direction)
-    {
-        __asm volatile("" ::"r"(direction.x), "r"(direction.y), "r"(direction.z));  // someone wants the hit
-        return {{0}, {0}};
-    }
-};
-
-struct NoTexel {
-    static constexpr format::TexelFormat kFormat = LUMI_BENCH_TEXEL::kFormat;
-    static Rgba8 load(const Field&, const uint8_t*, uint32_t) { return {}; }
-};
-
-}  // namespace
 
 RenderError draw_setup_only(const Field& field, const Camera& camera, const Stripe& stripe, int32_t)
 {
-    return render<NoReconstruction, NoTexel, PixelRgb565>(field, camera, kBackground, stripe);
+    return draw_hits_only(field, camera, stripe);
 }
 
 }  // namespace lumi::bench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The span renderer with an empty inner loop. Pixels that it leaves to the exact renderer (rim, poles) count as set-up.
+#include "hits_only.h"
 #include "instance.h"
 #include "lumi/bench/views.h"
 #include "lumi/span.h"
@@ -30,6 +31,7 @@ namespace lumi::bench
 
 RenderError draw_setup_only(const Field& field, const Camera& camera, const Stripe& stripe, int32_t span_px)
 {
+    if (span_px <= 1) return draw_hits_only(field, camera, stripe);  // no spans: the exact renderer draws
     return render_spans<SetupOnly, LUMI_BENCH_TEXEL, PixelRgb565>(field, camera, kBackground, stripe, span_px);
 }
 

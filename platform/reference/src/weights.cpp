@@ -44,25 +44,40 @@ Weights polar_weights(const Vec3& q, uint32_t n)
     return best;
 }
 
-Weights cell_weights(const Vec3& q, uint32_t n)
+double fibonacci(int m)
 {
-    const double phi = kGolden;
+    return std::round(std::pow(kGolden, m) / std::sqrt(5.0));
+}
+
+// The zone of a direction, with the part of it that lies behind.
+double zone_of(const Vec3& q, uint32_t n)
+{
+    return std::log(std::sqrt(5.0) * kPi * n * (1 - q.z * q.z)) / std::log(kGolden) / 2;
+}
+
+// Lattice coordinates in the basis (F_k, F_k+1).
+struct CellCoordinates {
+    double u, v;
+};
+
+CellCoordinates coordinates(const Vec3& q, uint32_t n, int k)
+{
     const double t = n * (1 - q.z) / 2 - 0.5;
     const double turns = std::atan2(q.y, q.x) / (2 * kPi);
-    const double phi_power = [&] {
-        const double x = std::sqrt(5.0) * kPi * n * (1 - q.z * q.z);
-        return std::log(x) / std::log(phi);
-    }();
-    const int k = static_cast<int>(std::floor(phi_power / 2));
-    const auto fibonacci = [&](int m) { return std::round(std::pow(phi, m) / std::sqrt(5.0)); };
     const double sign = k % 2 != 0 ? 1 : -1;
-    const double u = sign * fibonacci(k + 1) * turns + std::pow(phi, -k - 1) * t;
-    const double v = std::pow(phi, -k) * t - sign * fibonacci(k) * turns;
+    return {sign * fibonacci(k + 1) * turns + std::pow(kGolden, -k - 1) * t,
+            std::pow(kGolden, -k) * t - sign * fibonacci(k) * turns};
+}
+
+Weights cell_weights(const Vec3& q, uint32_t n)
+{
+    const int k = static_cast<int>(std::floor(zone_of(q, n)));
+    const auto [u, v] = coordinates(q, n, k);
     const double fu = u - std::floor(u);
     const double fv = v - std::floor(v);
     const double corner = fibonacci(k) * std::floor(u) + fibonacci(k + 1) * std::floor(v);
     const double middle_z = 1 - (2 * corner + fibonacci(k) + fibonacci(k + 1) + 1) / n;
-    const bool obtuse = std::sqrt(5.0) * kPi * n * (1 - middle_z * middle_z) >= std::pow(phi, 2 * k + 1);
+    const bool obtuse = std::sqrt(5.0) * kPi * n * (1 - middle_z * middle_z) >= std::pow(kGolden, 2 * k + 1);
     const auto index = [](double i) { return static_cast<uint32_t>(std::lround(i)); };
     const uint32_t near = index(corner);
     const uint32_t first = index(corner + fibonacci(k));
@@ -72,6 +87,31 @@ Weights cell_weights(const Vec3& q, uint32_t n)
         return {{near, 1 - std::max(fu, fv)}, {fu > fv ? first : second, std::fabs(fu - fv)}, {far, std::min(fu, fv)}};
     if (fu + fv < 1) return {{near, 1 - fu - fv}, {first, fu}, {second, fv}};
     return {{far, fu + fv - 1}, {first, 1 - fv}, {second, 1 - fu}};
+}
+
+// q, or its mirror image under i -> n-1-i if that is the one in the north.
+Vec3 northern(const Vec3& q, uint32_t n)
+{
+    if (q.z >= 0) return q;
+    const double angle = 2 * kPi * ((n - 1) / kGolden) - std::atan2(q.y, q.x);
+    const double radius = std::sqrt(q.x * q.x + q.y * q.y);
+    return {radius * std::cos(angle), radius * std::sin(angle), -q.z};
+}
+
+bool in_cap(const Vec3& north, uint32_t n)
+{
+    return n * (1 - north.z) / 2 - 0.5 < polar::kCapHeight;
+}
+
+bool near_half(double coordinate, double share)
+{
+    return std::fabs(coordinate - std::floor(coordinate) - 0.5) < share;
+}
+
+uint32_t rounded_index(const CellCoordinates& c, int k)
+{
+    return static_cast<uint32_t>(
+        std::lround(fibonacci(k) * std::floor(c.u + 0.5) + fibonacci(k + 1) * std::floor(c.v + 0.5)));
 }
 
 }  // namespace
@@ -92,6 +132,30 @@ Weights nearest_weights(const std::vector<Vec3>& all, const Vec3& q)
     return {{sorted_by_distance(all, q, 1)[0].first, 1.0}};
 }
 
+CellPoint nearest_point(const std::vector<Vec3>& all, const Vec3& q, double border_share)
+{
+    const Weights two = sorted_by_distance(all, q, 2);
+    const double apart = length(all[two[0].first] - all[two[1].first]);
+    const double from_border = (two[1].second - two[0].second) / (2 * apart);
+    return {two[0].first, from_border < border_share * spacing(static_cast<uint32_t>(all.size()))};
+}
+
+CellPoint cell_point(const std::vector<Vec3>& all, const Vec3& q, double border_share)
+{
+    const uint32_t n = static_cast<uint32_t>(all.size());
+    const Vec3 north = northern(q, n);
+    if (in_cap(north, n)) return nearest_point(all, q, border_share);
+    const double zone = zone_of(north, n);
+    const int k = static_cast<int>(std::floor(zone));
+    const CellCoordinates c = coordinates(north, n, k);
+    const uint32_t index = rounded_index(c, k);
+    bool uncertain = near_half(c.u, border_share) || near_half(c.v, border_share);
+    for (const int other :
+         {static_cast<int>(std::floor(zone - kZoneShare)), static_cast<int>(std::floor(zone + kZoneShare))})
+        uncertain = uncertain || rounded_index(coordinates(north, n, other), other) != index;
+    return {q.z < 0 ? n - 1 - index : index, uncertain};
+}
+
 Weights paper_weights(const std::vector<Vec3>& all, const Vec3& q, uint32_t count)
 {
     Weights near = sorted_by_distance(all, q, count);
@@ -109,13 +173,9 @@ Weights linear_weights(const std::vector<Vec3>& all, const Vec3& q)
 {
     const uint32_t n = static_cast<uint32_t>(all.size());
     if (n < kSmallSize) return paper_weights(all, q, 3);
-    const bool south = q.z < 0;
-    const double turns = (n - 1) / kGolden - std::atan2(q.y, q.x) / (2 * kPi);
-    const double radius = std::sqrt(q.x * q.x + q.y * q.y);
-    const Vec3 north = south ? Vec3{radius * std::cos(2 * kPi * turns), radius * std::sin(2 * kPi * turns), -q.z} : q;
-    Weights weights =
-        n * (1 - north.z) / 2 - 0.5 < polar::kCapHeight ? polar_weights(north, n) : cell_weights(north, n);
-    for (auto& [i, w] : weights) i = south ? n - 1 - i : i;
+    const Vec3 north = northern(q, n);
+    Weights weights = in_cap(north, n) ? polar_weights(north, n) : cell_weights(north, n);
+    for (auto& [i, w] : weights) i = q.z < 0 ? n - 1 - i : i;
     return weights;
 }
 

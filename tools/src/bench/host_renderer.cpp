@@ -36,13 +36,6 @@ struct Traced : Texel {
     }
 };
 
-template <class R, class = void>
-struct HasSpans : std::false_type {
-};
-template <class R>
-struct HasSpans<R, std::void_t<decltype(sizeof(SpanDraw<R>))>> : std::true_type {
-};
-
 struct Job {
     int span;
     const Field& field;
@@ -55,11 +48,10 @@ std::vector<uint8_t> frame_bytes(const Job& job)
     constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
     std::vector<uint8_t> pixels(kSidePx * kStrideBytes);
     const Stripe stripe = {pixels.data(), 0, 0, kSidePx, kSidePx, kStrideBytes};
-    RenderError error = RenderError::none;
-    if (job.span == 0)
-        error = render<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe);
-    else if constexpr (HasSpans<Reconstruction>::value)
-        error = render_spans<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe, job.span);
+    const RenderError error =
+        job.span == 0
+            ? render<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe)
+            : render_spans<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe, job.span);
     if (error != RenderError::none) throw std::logic_error("the field's texels are not the policy's");
     return pixels;
 }
@@ -101,6 +93,7 @@ HostFrame draw_on_host(const std::string& mode, int span, const Field& field, co
     trace.file = file;
     const Job job = {span, field, camera};
     if (mode == "nearest") return choose_texel<Nearest>(job);
+    if (mode == "dither") return choose_texel<Dither>(job);
     if (mode == "linear") return choose_texel<Linear>(job);
     if (mode == "paper") return choose_texel<Paper<5>>(job);
     throw std::logic_error("no renderer is called " + mode);

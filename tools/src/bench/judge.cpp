@@ -20,20 +20,32 @@ using Points = std::vector<Vec3>;
 
 constexpr uint32_t kPaperNeighbours = 5;
 
-Weights weights_of(const std::string& mode, const Points& all, const Vec3& hit)
+const std::string kCells = "cells";
+
+// One side's taps of a hit, and whether they were a close call.
+struct SideTaps {
+    Weights weights;
+    bool uncertain;
+};
+
+SideTaps single(const reference::CellPoint& point)
 {
-    if (mode == "nearest") return reference::nearest_weights(all, hit);
-    if (mode == "paper") return reference::paper_weights(all, hit, kPaperNeighbours);
-    return reference::linear_weights(all, hit);
+    return {{{point.index, 1.0}}, point.uncertain};
 }
 
-// Distance of a hit from the plane halfway between its two nearest points, against the tolerance.
-bool near_border(const Points& all, const Vec3& hit)
+SideTaps taps_of_side(const std::string& rule, const Points& all, const Vec3& hit)
 {
-    const Weights two = reference::sorted_by_distance(all, hit, 2);
-    const double apart = reference::length(all[two[0].first] - all[two[1].first]);
-    const double distance = (two[1].second - two[0].second) / (2 * apart);
-    return distance < kBorderShare * reference::spacing(static_cast<uint32_t>(all.size()));
+    if (rule == "nearest") return single(reference::nearest_point(all, hit, kBorderShare));
+    if (rule == kCells) return single(reference::cell_point(all, hit, kBorderShare));
+    if (rule == "paper") return {reference::paper_weights(all, hit, kPaperNeighbours), false};
+    return {reference::linear_weights(all, hit), false};
+}
+
+// What a renderer is judged by: spans round lattice coordinates where the exact renderer asks for the nearest point.
+std::string rule_of(const std::string& mode, int span)
+{
+    if (mode == "dither") return "linear";
+    return mode == "nearest" && span > 1 ? kCells : mode;
 }
 
 uint8_t rounded(double level)
@@ -42,11 +54,11 @@ uint8_t rounded(double level)
 }
 
 // The pixels that count, side by side in a picture one pixel high, so that the usual metric judges them alone.
-tools::Picture packed(const tools::Picture& picture, const ViewTaps& taps, bool with_borders)
+tools::Picture packed(const tools::Picture& picture, const ViewTaps& taps, bool with_uncertain)
 {
     tools::Picture result;
     for (const ViewTaps::Pixel& pixel : taps.pixels) {
-        if (pixel.near_border && !with_borders) continue;
+        if (pixel.uncertain && !with_uncertain) continue;
         const uint8_t* at = picture.pixel(pixel.x, pixel.y);
         result.rgb.insert(result.rgb.end(), at, at + 3);
     }
@@ -69,9 +81,9 @@ Judge::Judge(const Field& field)
 {
 }
 
-const ViewTaps& Judge::taps_of(const std::string& mode, const View& view)
+const ViewTaps& Judge::taps_of(const std::string& rule, const View& view)
 {
-    const auto [at, is_new] = taps_.try_emplace({mode, view.name});
+    const auto [at, is_new] = taps_.try_emplace({rule, view.name});
     if (!is_new) return at->second;
     Camera camera;
     if (make_view_camera(view, camera) != CameraError::none) return at->second;
@@ -81,19 +93,19 @@ const ViewTaps& Judge::taps_of(const std::string& mode, const View& view)
         const RowSpan span = covered_span(camera, y, 0, kSidePx);
         for (int x = span.begin; x < span.end; ++x) {
             const reference::Hits hit = reference::hits_of_pixel(pose, image, x, y);
-            const bool border =
-                mode == "nearest" && (near_border(origins_, hit.front) || near_border(directions_, hit.back));
+            SideTaps front = taps_of_side(rule, origins_, hit.front);
+            SideTaps back = taps_of_side(rule, directions_, hit.back);
             at->second.pixels.push_back(
-                {x, y, weights_of(mode, origins_, hit.front), weights_of(mode, directions_, hit.back), border});
+                {x, y, std::move(front.weights), std::move(back.weights), front.uncertain || back.uncertain});
         }
     }
     return at->second;
 }
 
-tools::Picture Judge::exact_picture(const std::string& mode, const Field& field, const View& view)
+tools::Picture Judge::exact_picture(const std::string& rule, const Field& field, const View& view)
 {
     tools::Picture picture(kSidePx, kSidePx, kBackgroundColour);
-    for (const ViewTaps::Pixel& pixel : taps_of(mode, view).pixels) {
+    for (const ViewTaps::Pixel& pixel : taps_of(rule, view).pixels) {
         const reference::Colour c = reference::blended(field, pixel.origins, pixel.directions, kBackgroundColour);
         uint8_t* at = picture.pixel(pixel.x, pixel.y);
         at[0] = rounded(c.r);
@@ -103,12 +115,13 @@ tools::Picture Judge::exact_picture(const std::string& mode, const Field& field,
     return picture;
 }
 
-Accuracy Judge::judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn)
+Accuracy Judge::judge(const std::string& mode, int span, const Field& field, const View& view,
+                      const tools::Picture& drawn)
 {
     const bool dither = mode == "dither";
-    const std::string truth_mode = dither ? "linear" : mode;
-    const ViewTaps& taps = taps_of(truth_mode, view);
-    const tools::Picture truth = exact_picture(truth_mode, field, view);
+    const std::string rule = rule_of(mode, span);
+    const ViewTaps& taps = taps_of(rule, view);
+    const tools::Picture truth = exact_picture(rule, field, view);
     const tools::Picture a = packed(dither ? blurred(truth) : truth, taps, false);
     const tools::Picture b = packed(dither ? blurred(drawn) : drawn, taps, false);
     return {tools::psnr_db(a, b), tools::psnr_db(packed(truth, taps, true), packed(drawn, taps, true)),

@@ -20,7 +20,7 @@ struct ViewTaps {
     struct Pixel {
         int x, y;
         reference::Weights origins, directions;
-        bool near_border;  // a hit within kBorderShare of the mean point spacing of the border of its nearest cell
+        bool uncertain;  // one of its points was a close call
     };
     std::vector<Pixel> pixels;
 };
@@ -34,18 +34,18 @@ public:
     // The lattices of `field`; all fields judged must have the same.
     explicit Judge(const Field& field);
 
-    // `drawn` is the picture of `field` from `view` by `mode`. Dither is judged by the picture of linear that it stands
-    // for, both blurred over 3 × 3 pixels, as an eye does at a distance.
-    Accuracy judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn);
-
-    // The exact picture, rounded to 8 bits.
-    tools::Picture exact_picture(const std::string& mode, const Field& field, const View& view);
+    // `drawn` is the picture of `field` from `view` by `mode` and `span`. Dither is judged by the picture of linear
+    // that it stands for, both blurred over 3 × 3 pixels, as an eye does at a distance.
+    Accuracy judge(const std::string& mode, int span, const Field& field, const View& view,
+                   const tools::Picture& drawn);
 
 private:
-    const ViewTaps& taps_of(const std::string& mode, const View& view);
+    // `rule` is a mode, or kCells: nearest as spans decide it.
+    tools::Picture exact_picture(const std::string& rule, const Field& field, const View& view);
+    const ViewTaps& taps_of(const std::string& rule, const View& view);
 
     std::vector<reference::Vec3> origins_, directions_;
-    std::map<std::pair<std::string, std::string>, ViewTaps> taps_;  // by mode and view
+    std::map<std::pair<std::string, std::string>, ViewTaps> taps_;  // by rule and view
 };
 
 // Each channel the weighted mean of 3 × 3 pixels (1 2 1 in both directions); the picture's rim stays as it is.

@@ -122,8 +122,8 @@ private:
         if (make_view_camera(view, camera) != CameraError::none) return at->second;
         const HostFrame frame = draw_on_host(program.mode, count.span, file.field(), file.bytes(), camera);
         if (!judge_) judge_ = std::make_unique<Judge>(file.field());
-        at->second = {judge_->judge(program.mode, file.field(), view, frame.picture), traffic_of(frame.reads),
-                      frame.rgb565_crc};
+        at->second = {judge_->judge(program.mode, count.span, file.field(), view, frame.picture),
+                      traffic_of(frame.reads), frame.rgb565_crc};
         return at->second;
     }
 
