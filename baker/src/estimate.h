@@ -5,6 +5,7 @@
 #include "lumi/color.h"
 #include "path_tracer.h"
 #include "srgb.h"
+#include "tone.h"
 
 namespace lumi::baker
 {
@@ -12,6 +13,8 @@ namespace lumi::baker
 class Estimate
 {
 public:
+    explicit Estimate(ToneCurve tone = ToneCurve::srgb) : tone_(tone) {}
+
     void add(const PathResult& path)
     {
         ++samples_;
@@ -23,8 +26,8 @@ public:
 
     // At least half of the rays meet the scene.
     bool mostly_covered() const { return hits_ != 0 && 2 * hits_ >= samples_; }
-    // The mean of those that do, encoded.
-    Rgb8 colour() const { return srgb_encode(sum_ * (1 / static_cast<float>(std::max(hits_, 1u)))); }
+    // The mean of those that do, through the tone curve, encoded.
+    Rgb8 colour() const { return srgb_encode(toned(tone_, sum_ * (1 / static_cast<float>(std::max(hits_, 1u))))); }
     // Premultiplied by the share of those that do.
     Rgba8 covered_colour() const
     {
@@ -39,6 +42,7 @@ private:
             samples_ == 0 ? 0 : (uint64_t{value} * hits_ * 2 + samples_) / (uint64_t{samples_} * 2));
     }
 
+    ToneCurve tone_;
     uint32_t samples_ = 0, hits_ = 0;
     Rgb sum_;
 };

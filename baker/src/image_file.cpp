@@ -6,6 +6,9 @@
 #include <limits>
 #include <memory>
 
+#include "lumi/baker/scene.h"
+#include "text_lines.h"
+
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
@@ -43,6 +46,30 @@ std::optional<Texture> read_texture(const std::filesystem::path& file, std::stri
     const size_t size = 3 * static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
     texture.rgb.assign(pixels.get(), pixels.get() + size);
     return texture;
+}
+
+RadiancePicture read_hdr(const std::filesystem::path& file, const std::string& bytes)
+{
+    const stbi_uc* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(std::min<size_t>(bytes.size(), std::numeric_limits<int>::max()));
+    if (!stbi_is_hdr_from_memory(data, size)) {
+        throw SceneError(
+            at({file.string()}, "this is neither a Radiance .hdr nor an OpenEXR picture; save it as one of them"));
+    }
+    RadiancePicture picture;
+    int channels = 0;
+    const std::unique_ptr<float, void (*)(void*)> floats(
+        stbi_loadf_from_memory(data, size, &picture.width, &picture.height, &channels, 3), stbi_image_free);
+    if (!floats) {
+        throw SceneError(at({file.string()}, std::string("the picture cannot be read (") + stbi_failure_reason() +
+                                                 "); save it again as .hdr"));
+    }
+    const size_t count = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
+    for (size_t k = 0; k < count; ++k) {
+        const float* p = floats.get() + 3 * k;
+        picture.pixels.push_back({p[0], p[1], p[2]});
+    }
+    return picture;
 }
 
 }  // namespace lumi::baker

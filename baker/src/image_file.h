@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "radiance_picture.h"
 #include "texture.h"
 
 namespace lumi::baker
@@ -13,5 +14,8 @@ namespace lumi::baker
 
 // Nothing, with the reason in `why`, if the file is no picture that can be read.
 std::optional<Texture> read_texture(const std::filesystem::path& file, std::string& why);
+
+// A Radiance .hdr picture from the bytes of its file. Throws SceneError with the file's name.
+RadiancePicture read_hdr(const std::filesystem::path& file, const std::string& bytes);
 
 }  // namespace lumi::baker

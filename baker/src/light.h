@@ -18,6 +18,8 @@ struct LightSample {
     float distance = 0;
     Rgb radiance;
     float pdf = 0;  // 0: nothing to see from there
+    // The light has no size: `radiance` stands for irradiance, and no other sampling can find it.
+    bool dirac = false;
 };
 
 class Light

@@ -4,32 +4,35 @@
 namespace lumi::baker
 {
 
-LightSet::LightSet(const Mesh& mesh, const std::vector<Material>& materials, const Environment& environment)
-    : sky_(environment), emitters_(mesh, materials)
+LightSet::LightSet(const Mesh& mesh, const std::vector<Material>& materials, const std::vector<Texture>& textures,
+                   const Environment& environment, std::vector<Fixture> fixtures)
+    : sky_(environment), emitters_(mesh, materials, textures), fixtures_(std::move(fixtures))
 {
-    const float total = sky_.power() + emitters_.power();
-    if (total > 0) {
-        sky_share_ = sky_.power() / total;
-        emitter_share_ = 1 - sky_share_;
-    }
+    std::vector<double> powers(3);
+    powers[kSky] = static_cast<double>(sky_.power());
+    powers[kEmitters] = static_cast<double>(emitters_.power());
+    powers[kFixtures] = static_cast<double>(fixtures_.power());
+    choice_ = Distribution(powers);
 }
 
 LightSample LightSet::sample(const Vec3& from, float u_light, float u_select, const Vec2& u) const
 {
-    const bool sky = u_light < sky_share_;
-    LightSample s = sky ? sky_.sample(from, u_select, u) : emitters_.sample(from, u_select, u);
-    s.pdf *= sky ? sky_share_ : emitter_share_;
+    const size_t kind = choice_.draw(u_light).index;
+    LightSample s = kind == kSky        ? sky_.sample(from, u_select, u)
+                    : kind == kEmitters ? emitters_.sample(from, u_select, u)
+                                        : fixtures_.sample(from, u_select, u);
+    s.pdf *= choice_.probability(kind);
     return s;
 }
 
 float LightSet::sky_pdf(const Vec3& direction) const
 {
-    return sky_share_ > 0 ? sky_share_ * sky_.pdf(direction) : 0.0f;
+    return sky_.power() > 0 ? choice_.probability(kSky) * sky_.pdf(direction) : 0.0f;
 }
 
 float LightSet::emitter_pdf(uint32_t triangle, const Vec3& direction, float distance) const
 {
-    return emitter_share_ > 0 ? emitter_share_ * emitters_.pdf(triangle, direction, distance) : 0.0f;
+    return emitters_.power() > 0 ? choice_.probability(kEmitters) * emitters_.pdf(triangle, direction, distance) : 0.0f;
 }
 
 }  // namespace lumi::baker

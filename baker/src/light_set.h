@@ -3,6 +3,7 @@
 #pragma once
 
 #include "emitters.h"
+#include "fixtures.h"
 #include "sky.h"
 
 namespace lumi::baker
@@ -11,10 +12,12 @@ namespace lumi::baker
 class LightSet
 {
 public:
-    LightSet(const Mesh& mesh, const std::vector<Material>& materials, const Environment& environment);
+    // Borrows the first three; they must outlive the set.
+    LightSet(const Mesh& mesh, const std::vector<Material>& materials, const std::vector<Texture>& textures,
+             const Environment& environment, std::vector<Fixture> fixtures);
 
-    bool empty() const { return sky_share_ <= 0 && emitter_share_ <= 0; }
-    size_t emitter_count() const { return emitters_.count(); }
+    bool empty() const { return choice_.empty(); }
+    size_t count() const { return emitters_.count() + fixtures_.count(); }
 
     LightSample sample(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
 
@@ -22,11 +25,21 @@ public:
     Rgb sky_radiance(const Vec3& direction) const { return sky_.radiance(direction); }
     float sky_pdf(const Vec3& direction) const;
     float emitter_pdf(uint32_t triangle, const Vec3& direction, float distance) const;
+    // Calls seen(radiance, pdf) for each extra light that lies along the ray before its end.
+    template <class Seen>
+    void for_each_seen(const Ray& ray, const Seen& seen) const
+    {
+        fixtures_.for_each_seen(
+            ray, [&](const Rgb& radiance, float pdf) { seen(radiance, pdf * choice_.probability(kFixtures)); });
+    }
 
 private:
+    enum Kind : size_t { kSky, kEmitters, kFixtures };
+
     Sky sky_;
     Emitters emitters_;
-    float sky_share_ = 0, emitter_share_ = 0;  // probabilities of choosing each
+    Fixtures fixtures_;
+    Distribution choice_;
 };
 
 }  // namespace lumi::baker

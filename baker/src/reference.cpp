@@ -11,10 +11,10 @@ namespace lumi::baker
 namespace
 {
 
-Estimate pixel_estimate(const CameraRays& rays, const Integrator& tracer, const ReferenceSettings& settings, uint32_t x,
+Estimate pixel_estimate(ToneCurve tone, const CameraRays& rays, const Integrator& tracer, const ReferenceSettings& settings, uint32_t x,
                         uint32_t y)
 {
-    Estimate result;
+    Estimate result(tone);
     Sampler sampler(settings.seed, y, x);
     for (uint32_t s = 0; s < settings.samples; ++s) {
         sampler.start(s);
@@ -45,7 +45,7 @@ RgbaImage render_reference(const Scene& scene, const Camera& camera, const Refer
     job.run(height, [&](uint32_t y) {
         uint8_t* out = image.rgba.data() + size_t{4} * width * y;
         for (uint32_t x = 0; x < width && !job.stopping(); ++x, out += 4) {
-            const Rgba8 c = pixel_estimate(rays, tracer, settings, x, y).covered_colour();
+            const Rgba8 c = pixel_estimate(scene.data().tone, rays, tracer, settings, x, y).covered_colour();
             out[0] = c.r;
             out[1] = c.g;
             out[2] = c.b;

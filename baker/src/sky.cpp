@@ -18,12 +18,21 @@ float sample_linear(float a, float b, float u)
     return std::min(u * (a + b) / (a + root), 1.0f);
 }
 
+std::optional<SkyPicture> picture_of(const Environment& environment)
+{
+    if (!environment.picture) {
+        return std::nullopt;
+    }
+    return SkyPicture(environment.picture, environment.rotation_degrees / 360, environment.scale);
+}
+
 }  // namespace
 
 Sky::Sky(const Environment& environment)
-    : zenith_(to_rgb(environment.zenith)),
-      horizon_(to_rgb(environment.horizon)),
-      nadir_(to_rgb(environment.nadir)),
+    : picture_(picture_of(environment)),
+      zenith_(to_rgb(environment.zenith) * environment.scale),
+      horizon_(to_rgb(environment.horizon) * environment.scale),
+      nadir_(to_rgb(environment.nadir) * environment.scale),
       top_(max_component(zenith_)),
       middle_(max_component(horizon_)),
       bottom_(max_component(nadir_)),
@@ -34,6 +43,9 @@ Sky::Sky(const Environment& environment)
 
 Rgb Sky::radiance(const Vec3& direction) const
 {
+    if (picture_) {
+        return picture_->radiance(direction);
+    }
     const float z = std::clamp(direction.z, -1.0f, 1.0f);
     const Rgb& pole = z > 0 ? zenith_ : nadir_;
     return horizon_ * (1 - std::abs(z)) + pole * std::abs(z);
@@ -47,20 +59,29 @@ float Sky::brightness(float height) const
 
 float Sky::pdf(const Vec3& direction) const
 {
+    if (picture_) {
+        return picture_->pdf(direction);
+    }
     return brightness(std::clamp(direction.z, -1.0f, 1.0f)) / (2 * kPi * (upper_mass_ + lower_mass_));
 }
 
 float Sky::power() const
 {
-    return 2 * kPi * (upper_mass_ + lower_mass_) * kPi;  // radiance over all directions, through the unit sphere's disc
+    // Radiance over all directions, through the unit sphere's disc.
+    return kPi * (picture_ ? picture_->brightness_sum() : 2 * kPi * (upper_mass_ + lower_mass_));
 }
 
 LightSample Sky::sample(const Vec3&, float u_select, const Vec2& u) const
 {
+    constexpr float kEverywhere = std::numeric_limits<float>::infinity();
+    if (picture_) {
+        const Vec3 direction = picture_->sample(u);
+        return {direction, kEverywhere, picture_->radiance(direction), picture_->pdf(direction)};
+    }
     const bool upper = u_select * (upper_mass_ + lower_mass_) < upper_mass_;
     const float height = sample_linear(middle_, upper ? top_ : bottom_, u.x);
     const Vec3 direction = direction_at(upper ? height : -height, u.y);
-    return {direction, std::numeric_limits<float>::infinity(), radiance(direction), pdf(direction)};
+    return {direction, kEverywhere, radiance(direction), pdf(direction)};
 }
 
 }  // namespace lumi::baker

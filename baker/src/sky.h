@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The environment as a light: radiance linear in the height of the direction, sampled by its brightness.
+// The environment as a light: radiance linear in the height of the direction, or a picture; sampled by its brightness.
 #pragma once
+
+#include <optional>
 
 #include "light.h"
 #include "lumi/baker/scene.h"
+#include "sky_picture.h"
 #include "warp.h"
 
 namespace lumi::baker
@@ -23,6 +26,8 @@ public:
 private:
     float brightness(float height) const;
 
+    std::optional<SkyPicture> picture_;
+    // Without a picture:
     Rgb zenith_, horizon_, nadir_;
     float top_, middle_, bottom_;    // brightness at heights 1, 0, -1
     float upper_mass_, lower_mass_;  // integrals of the brightness over height

@@ -83,12 +83,12 @@ SpanNeighbours KernelSource::cap_neighbours() const
     return result;
 }
 
-KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, int32_t lowest, int32_t highest) : count(0)
+KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRange& range, int bits) : count(0)
 {
     uint32_t sum = 0;
     for (int k = 0; k < kKernelCandidates; ++k) {
         const int32_t inside = kOneQ12 - near.distance2_q12[k];
-        if (inside <= 0 || near.offset[k] < lowest || near.offset[k] > highest) continue;
+        if (inside <= 0 || !range.holds(near.offset[k])) continue;
         const uint32_t w = static_cast<uint32_t>(inside * inside) >> 12;
         // Heaviest first, so that the last ones may be dropped.
         int at = count++;
@@ -102,20 +102,19 @@ KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, int32_t lowest
     }
     for (; count > static_cast<int>(most); --count) sum -= weight[count - 1];
     const CoarseReciprocal r = coarse_reciprocal(sum != 0 ? sum : 1);
-    uint32_t rest = kSpanOne;
+    uint32_t rest = 1u << bits;
     for (int k = count - 1; k > 0; --k) {
-        weight[k] = (weight[k] * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 8);
+        weight[k] = (weight[k] * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - bits);
         rest -= weight[k];
     }
     if (count > 0) weight[0] = rest;
 }
 
-int32_t nearest_offset(const SpanNeighbours& near, int32_t lowest, int32_t highest)
+int32_t nearest_offset(const SpanNeighbours& near, const OffsetRange& range)
 {
     int best = 0;
     for (int k = 1; k < kKernelCandidates; ++k) {
-        const bool exists = near.offset[k] >= lowest && near.offset[k] <= highest;
-        if (exists && near.distance2_q12[k] < near.distance2_q12[best]) best = k;
+        if (range.holds(near.offset[k]) && near.distance2_q12[k] < near.distance2_q12[best]) best = k;
     }
     return near.offset[best];
 }

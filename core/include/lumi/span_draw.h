@@ -9,6 +9,9 @@
 #include "lumi/span_lattice.h"
 #include "lumi/span_sum.h"
 
+// Loops over pixels must not pass their taps through memory.
+#define LUMI_ALWAYS_INLINE __attribute__((always_inline)) inline
+
 namespace lumi
 {
 
@@ -81,7 +84,7 @@ void draw_single(const SpanTarget<Background>& span, Offset offset)
     }
 }
 
-// Three taps of a side: offsets in memory and weights that sum to kSpanOne.
+// Three taps of a side: offsets in memory and weights that sum to 2^kBits.
 struct SpanTaps {
     int32_t offset[3];
     uint32_t weight[3];
@@ -99,10 +102,12 @@ public:
     int32_t base() const { return steps_.base; }
 
     // The triangle of the cell: its halves meet along the sum of both steps. Selected by masks: no branch, no flags.
-    SpanTaps taps() const
+    template <int kBits>
+    LUMI_ALWAYS_INLINE SpanTaps taps() const
     {
-        const int32_t fu = (u_q16_ >> 8) & 255;
-        const int32_t fv = (v_q16_ >> 8) & 255;
+        constexpr int32_t kOne = 1 << kBits;
+        const int32_t fu = (u_q16_ >> (16 - kBits)) & (kOne - 1);
+        const int32_t fv = (v_q16_ >> (16 - kBits)) & (kOne - 1);
         const int32_t difference = fu - fv;
         const int32_t upper = difference >> 31;  // all ones where fu < fv
         const int32_t between = (difference ^ upper) - upper;
@@ -110,7 +115,7 @@ public:
         const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
         const int32_t middle = corner + steps_.first + ((steps_.second - steps_.first) & upper);
         return {{corner, middle, corner + steps_.first + steps_.second},
-                {static_cast<uint32_t>(static_cast<int32_t>(kSpanOne) - less - between), static_cast<uint32_t>(between),
+                {static_cast<uint32_t>(kOne - less - between), static_cast<uint32_t>(between),
                  static_cast<uint32_t>(less)}};
     }
 
@@ -136,13 +141,15 @@ public:
 
     int32_t base() const { return cell_.base(); }
 
+    template <int kBits>
     SpanTaps taps() const
     {
-        if (!in_cap_) return cell_.taps();
-        const uint32_t w1 = (static_cast<uint32_t>(cap_.weight_q16[1]) + 128) >> 8;
-        const uint32_t w2 = (static_cast<uint32_t>(cap_.weight_q16[2])) >> 8;
+        if (!in_cap_) return cell_.taps<kBits>();
+        constexpr uint32_t kOne = 1u << kBits;
+        const uint32_t w1 = (static_cast<uint32_t>(cap_.weight_q16[1]) + (kOne >> 1)) >> (16 - kBits);
+        const uint32_t w2 = static_cast<uint32_t>(cap_.weight_q16[2]) >> (16 - kBits);
         return {{cap_.corner[0] * step_, cap_.corner[1] * step_, cap_.corner[2] * step_},
-                {w1 + w2 < kSpanOne ? kSpanOne - w1 - w2 : 0, w1, w2}};
+                {w1 + w2 < kOne ? kOne - w1 - w2 : 0, w1, w2}};
     }
 
     void advance()
@@ -163,7 +170,7 @@ private:
 };
 
 // Calls visit(taps of the origins, taps of the directions, base pointer, pixel pointer) for every pixel.
-template <class Source, class Texel, class Pixel, class Background, class Visit>
+template <class Source, int kTapBits, class Texel, class Pixel, class Background, class Visit>
 void for_pixels(const SpanTarget<Background>& span, Visit visit)
 {
     Source origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
@@ -172,14 +179,15 @@ void for_pixels(const SpanTarget<Background>& span, Visit visit)
     uint8_t* pixel = span.pixels;
     for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
          pixel += Pixel::kBytes) {
-        visit(origins.taps(), directions.taps(), base, pixel);
+        visit(origins.template taps<kSpanBits>(), directions.template taps<kTapBits>(), base, pixel);
         origins.advance();
         directions.advance();
     }
 }
 
 template <class Texel, class Background>
-auto sum_of_taps(const Field& field, const uint8_t* base, const SpanTaps& origins, const SpanTaps& directions)
+LUMI_ALWAYS_INLINE auto sum_of_taps(const Field& field, const uint8_t* base, const SpanTaps& origins,
+                                    const SpanTaps& directions)
 {
     using Sum = SpanSum<Texel, !Background::kIsBlack>;
     Sum sum;
@@ -209,7 +217,7 @@ struct SpanDraw<Nearest> {
     static void draw(const SpanTarget<Background>& span)
     {
         if (span.origins.in_cap || span.directions.in_cap) {
-            for_pixels<AnySource, Texel, Pixel>(
+            for_pixels<AnySource, kSpanBits, Texel, Pixel>(
                 span, [&](const SpanTaps& o, const SpanTaps& d, const uint8_t* base, uint8_t* pixel) {
                     store_single<Texel, Pixel>(span.field, span.background, base + heaviest(o) + heaviest(d), pixel);
                 });
@@ -243,7 +251,7 @@ struct SpanDraw<Dither> {
     {
         if (span.origins.in_cap || span.directions.in_cap) {
             int32_t x = span.x;
-            for_pixels<AnySource, Texel, Pixel>(
+            for_pixels<AnySource, kSpanBits, Texel, Pixel>(
                 span, [&](const SpanTaps& o, const SpanTaps& d, const uint8_t* base, uint8_t* pixel) {
                     const SpanOffsets t = DitherMatrix::at(x++, span.y);
                     const uint8_t* texel = base + dithered(o, t.origins_q16) + dithered(d, t.directions_q16);
@@ -262,15 +270,17 @@ struct SpanDraw<Linear> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        const auto visit = [&](const SpanTaps& origins, const SpanTaps& directions, const uint8_t* base,
-                               uint8_t* pixel) {
+        using Sum = SpanSum<Texel, !Background::kIsBlack>;
+        const auto visit = [&](const SpanTaps& origins, const SpanTaps& directions, const uint8_t* base, uint8_t* pixel)
+            __attribute__((always_inline))
+        {
             const auto sum = sum_of_taps<Texel, Background>(span.field, base, origins, directions);
             Pixel::store(pixel, sum.over(span.background.template under<Pixel>(pixel)));
         };
         if (span.origins.in_cap || span.directions.in_cap) {
-            for_pixels<AnySource, Texel, Pixel>(span, visit);
+            for_pixels<AnySource, Sum::kTapBits, Texel, Pixel>(span, visit);
         } else {
-            for_pixels<CellSource, Texel, Pixel>(span, visit);
+            for_pixels<CellSource, Sum::kTapBits, Texel, Pixel>(span, visit);
         }
     }
 };

@@ -88,7 +88,19 @@ private:
     int32_t pixel_ = 0;
 };
 
-// Taps of weight: the kernel's (1 - d²)², normalised to kSpanOne; the largest takes what rounding leaves.
+// Offsets of a side's first and last point relative to SpanSteps::base.
+struct OffsetRange {
+    int32_t lowest, highest;
+
+    bool holds(int32_t offset) const { return offset >= lowest && offset <= highest; }
+
+    OffsetRange(const SpanSide& side, uint32_t points, int32_t stride_bytes)
+        : lowest(-side.base * stride_bytes), highest((static_cast<int32_t>(points) - 1 - side.base) * stride_bytes)
+    {
+    }
+};
+
+// Taps of weight: the kernel's (1 - d²)², normalised to 2^bits; the largest takes what rounding leaves.
 struct KernelTaps {
     int count;
     int32_t offset[kKernelCandidates];
@@ -96,21 +108,11 @@ struct KernelTaps {
 
     // At most `most` taps, the nearest ones. `lowest` and `highest` bound the offsets that exist: near a pole a
     // candidate may lie beyond it.
-    KernelTaps(const SpanNeighbours& near, uint32_t most, int32_t lowest, int32_t highest);
+    KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRange& range, int bits);
 };
 
 // Picks the candidate at the least distance.
-int32_t nearest_offset(const SpanNeighbours& near, int32_t lowest, int32_t highest);
-
-// Offsets of a side's first and last point relative to SpanSteps::base.
-struct OffsetRange {
-    int32_t lowest, highest;
-
-    OffsetRange(const SpanSide& side, uint32_t points, int32_t stride_bytes)
-        : lowest(-side.base * stride_bytes), highest((static_cast<int32_t>(points) - 1 - side.base) * stride_bytes)
-    {
-    }
-};
+int32_t nearest_offset(const SpanNeighbours& near, const OffsetRange& range);
 
 // Calls visit(candidates of the origins, of the directions, base pointer, pixel pointer) for every pixel.
 template <class Texel, class Pixel, class Background, class Visit>
@@ -139,8 +141,8 @@ struct SpanDraw<Paper<K>> {
         const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
         for_kernel_pixels<Texel, Pixel>(
             span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
-                const KernelTaps origins(o, K, rows.lowest, rows.highest);
-                const KernelTaps directions(d, K, columns.lowest, columns.highest);
+                const KernelTaps origins(o, K, rows, kSpanBits);
+                const KernelTaps directions(d, K, columns, Sum::kTapBits);
                 Sum sum;
                 for (int m = 0; m < origins.count; ++m) {
                     const uint8_t* row = base + origins.offset[m];
@@ -166,8 +168,7 @@ struct SpanDraw<NearestVoronoi> {
         const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
         for_kernel_pixels<Texel, Pixel>(
             span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
-                const int32_t offset =
-                    nearest_offset(o, rows.lowest, rows.highest) + nearest_offset(d, columns.lowest, columns.highest);
+                const int32_t offset = nearest_offset(o, rows) + nearest_offset(d, columns);
                 store_single<Texel, Pixel>(span.field, span.background, base + offset, pixel);
             });
     }

@@ -12,7 +12,16 @@
 namespace lumi
 {
 
-inline constexpr uint32_t kSpanOne = 256;  // weights of a side
+inline constexpr int kSpanBits = 8;  // of an origin's weight: weights of a side sum to 2^8
+inline constexpr uint32_t kSpanOne = 1u << kSpanBits;
+
+template <class T>
+T load_aligned(const uint8_t* p)
+{
+    T v = 0;
+    __builtin_memcpy(&v, __builtin_assume_aligned(p, sizeof(T)), sizeof(T));
+    return v;
+}
 
 constexpr uint8_t blended(uint32_t sum_q16, uint32_t transparency_q16, uint8_t under)
 {
@@ -22,6 +31,7 @@ constexpr uint8_t blended(uint32_t sum_q16, uint32_t transparency_q16, uint8_t u
 // Three channels and the covered weight, for formats that keep zero for a miss.
 template <class Texel, bool kCoverage>
 struct SpanSumRgb {
+    static constexpr int kTapBits = kSpanBits;
     struct Row {
         uint32_t r = 0, g = 0, b = 0, a = 0;
 
@@ -58,6 +68,7 @@ struct SpanSum : SpanSumRgb<Texel, kCoverage> {
 // One channel.
 template <bool kCoverage>
 struct SpanSum<TexelLuma8, kCoverage> {
+    static constexpr int kTapBits = kSpanBits;
     struct Row {
         uint32_t y = 0, a = 0;
 
@@ -85,10 +96,46 @@ struct SpanSum<TexelLuma8, kCoverage> {
     }
 };
 
+// Three channels in one word: blue, red and green at bits 0, 11 and 21 leave room for 6 bits of weight above each.
+template <bool kCoverage>
+struct SpanSum<TexelRgb565, kCoverage> {
+    static constexpr int kTapBits = 6;
+    static constexpr uint32_t kFields = 0x07E0F81Fu;
+
+    struct Row {
+        uint32_t fields = 0, a = 0;
+
+        void add(const Field&, const uint8_t* texel, uint32_t weight)
+        {
+            const uint32_t v = load_aligned<uint16_t>(texel);
+            fields += ((v | v << 16) & kFields) * weight;
+            if (kCoverage) a += v != 0 ? weight : 0;
+        }
+    };
+    uint32_t r = 0, g = 0, b = 0, a = 0;  // Q14 of 5, 6 and 5 bits
+
+    void add(const Row& row, uint32_t weight)
+    {
+        b += (row.fields & 0x7FFu) * weight;
+        r += ((row.fields >> 11) & 0x3FFu) * weight;
+        g += (row.fields >> 21) * weight;
+        if (kCoverage) a += row.a * weight;
+    }
+
+    Rgb8 over(const Rgb8& under) const
+    {
+        // 4·255/31 and 4·255/63 in Q8: sums of 31·2^14 and 63·2^14 become 255·2^16, within 32 bits on the way.
+        const uint32_t t = kCoverage ? 65536u - 4 * a : 0;
+        return {blended((r * 8423u) >> 8, t, under.r), blended((g * 4145u) >> 8, t, under.g),
+                blended((b * 8423u) >> 8, t, under.b)};
+    }
+};
+
 // Palette entries two channels at a time: (r, b) and (g, a) in the halves of a word, 8 bits of weight above 8 of
 // colour.
 template <bool kCoverage>
 struct SpanSum<TexelPalette8, kCoverage> {
+    static constexpr int kTapBits = kSpanBits;
     static constexpr uint32_t kHalves = 0x00FF00FFu;
     static constexpr uint32_t kRound = 0x00800080u;
 
@@ -97,9 +144,7 @@ struct SpanSum<TexelPalette8, kCoverage> {
 
         void add(const Field& field, const uint8_t* texel, uint32_t weight)
         {
-            const uint8_t* e = field.palette + 4u * *texel;
-            const uint32_t entry = static_cast<uint32_t>(e[0]) | static_cast<uint32_t>(e[1]) << 8 |
-                                   static_cast<uint32_t>(e[2]) << 16 | static_cast<uint32_t>(e[3]) << 24;
+            const uint32_t entry = load_aligned<uint32_t>(field.palette + 4u * *texel);
             rb += (entry & kHalves) * weight;
             ga += ((entry >> 8) & kHalves) * weight;
         }

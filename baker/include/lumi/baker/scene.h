@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,24 +27,32 @@ struct SceneError : std::runtime_error {
 // The axis of the scene that becomes the sphere's z, its north pole. y: sphere(x,y,z) = scene(z,x,y); z: identity.
 enum class UpAxis : uint8_t { y, z };
 
+struct RadiancePicture;  // see baker/src
+
 // Linear radiance (Rec. 709 primaries) that arrives from far away: linear in the height of the direction from nadir
-// over horizon to zenith. It lights the scene; rays of the field and of the reference never see it directly.
+// over horizon to zenith, or a picture. It lights the scene; rays of the field and of the reference never see it
+// directly.
 struct Environment {
     std::array<float, 3> zenith, horizon, nadir;
+    std::shared_ptr<const RadiancePicture> picture = nullptr;  // in place of the three colours
+    float rotation_degrees = 0;                                // of the picture, counterclockwise seen from above
+    float scale = 1;                                           // of all radiance
 };
 
 Environment constant_environment(float radiance);
+Environment constant_environment(const std::array<float, 3>& radiance);
 // A bright, slightly cool sky over a dimmer, warm floor.
 Environment studio_environment();
 
+// What is left open here is as the scene file says, or else the default.
 struct LoadOptions {
-    UpAxis up = UpAxis::y;
+    std::optional<UpAxis> up = std::nullopt;  // y
     // The sphere's radius is the smallest one around all triangles times (1 + margin), so that nothing touches it. >=
     // 0.
     double margin = 0.01;
     // The studio by default, also for scenes with emissive materials: a lamp on a product rarely lights it all. A room
     // with lamps of its own wants constant_environment(0).
-    Environment environment = studio_environment();
+    std::optional<Environment> environment = std::nullopt;
 };
 
 struct SceneData;  // baker's own view, see baker/src
@@ -63,7 +72,7 @@ public:
 
     size_t triangle_count() const;
     size_t material_count() const;
-    size_t light_count() const;  // emissive triangles
+    size_t light_count() const;  // emissive triangles and the extra lights of a scene file
 
     const SceneData& data() const { return *data_; }
 
@@ -71,8 +80,9 @@ private:
     std::unique_ptr<const SceneData> data_;
 };
 
-// Reads an OBJ file with its MTL files and textures. Throws SceneError. Appends one line per doubtful thing that could
+// Reads a scene file (docs/scene-file.md), by its name's end .json, or else an OBJ file with its MTL files and textures.
+// Throws SceneError. Appends one line per doubtful thing that could
 // still be drawn, each in the form of SceneError's text, to `warnings`.
-Scene load_scene(const std::filesystem::path& obj, const LoadOptions& options, std::vector<std::string>& warnings);
+Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace lumi::baker
