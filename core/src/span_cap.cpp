@@ -72,7 +72,12 @@ void SpanCap::find(int32_t at)
     // The weights of Q24 areas over their sum; sum is about π in Q24, so the reciprocal keeps 15 bits of it.
     const CoarseReciprocal r = coarse_reciprocal(static_cast<uint32_t>(sum));
     const int shift = r.exponent - 16 - 11;
-    const auto share = [&](int32_t a) { return ((a >> 11) * r.mantissa) >> shift; };
+    // A step that crosses whole triangles is cut short: the next pixel finds its own.
+    const auto share = [&](int32_t a) {
+        constexpr int32_t kLimit = 1 << 26;
+        const int32_t kept = a > kLimit ? kLimit : a < -kLimit ? -kLimit : a;
+        return ((kept >> 11) * r.mantissa) >> shift;
+    };
     for (int k = 0; k < 3; ++k) {
         corner[k] = polar::corners(triangle)[k];
         weight_q16[k] = share(area[k]);

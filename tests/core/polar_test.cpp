@@ -90,6 +90,23 @@ TEST_CASE("the polar triangles are the Delaunay triangles of the pattern", "[pol
     CHECK(table == delaunay_triangles());
 }
 
+TEST_CASE("the triangle beyond an edge shares it", "[polar]")
+{
+    for (int k = 0; k < polar::kTriangles; ++k) {
+        const uint8_t* c = polar::corners(k);
+        for (int e = 0; e < 3; ++e) {
+            const uint8_t next = polar::beyond(k)[e];
+            if (next == polar::kNone) continue;
+            REQUIRE(next < polar::kTriangles);
+            const uint8_t* n = polar::corners(next);
+            const auto has = [&](uint8_t corner) { return n[0] == corner || n[1] == corner || n[2] == corner; };
+            CHECK(has(c[(e + 1) % 3]));
+            CHECK(has(c[(e + 2) % 3]));
+            CHECK(!has(c[e]));
+        }
+    }
+}
+
 TEST_CASE("the polar pattern's points lie where Lambert's projection puts them", "[polar]")
 {
     Worst worst;

@@ -8,5 +8,6 @@ set(LUMI_CORE_TEST_SOURCES
   math_test.cpp
   polar_test.cpp
   render_test.cpp
+  span_test.cpp
   sphere_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

@@ -5,6 +5,7 @@
 // address is a sum of products of whole lattice steps; no division, no table, no clamping.
 #pragma once
 
+#include "lumi/pixel.h"
 #include "lumi/reconstruction.h"
 #include "lumi/span_lattice.h"
 #include "lumi/span_sum.h"
@@ -39,9 +40,22 @@ struct SpanSteps {
     int32_t at(int32_t u_q16, int32_t v_q16) const { return base + first * (u_q16 >> 16) + second * (v_q16 >> 16); }
 };
 
+// A texel whose bits are the pixel's is copied.
+template <class Texel, class Pixel>
+inline constexpr bool kSameBits = false;
+template <>
+inline constexpr bool kSameBits<TexelRgb565, PixelRgb565> = true;
+
 template <class Texel, class Pixel, class Background>
-void store_single(const Field& field, const Background& background, const uint8_t* texel, uint8_t* pixel)
+LUMI_ALWAYS_INLINE void store_single(const Field& field, const Background& background, const uint8_t* texel,
+                                     uint8_t* pixel)
 {
+    if constexpr (kSameBits<Texel, Pixel>) {
+        const uint16_t v = load_aligned<uint16_t>(texel);
+        if (v != 0 || Background::kIsBlack) return store_even16(pixel, v);
+        if (Background::kFills) Pixel::store(pixel, background.template under<Pixel>(pixel));
+        return;
+    }
     const Rgba8 c = Texel::load(field, texel, 0);
     if (c.a == 255) {
         Pixel::store(pixel, {c.r, c.g, c.b});
@@ -185,6 +199,14 @@ void for_pixels(const SpanTarget<Background>& span, Visit visit)
     }
 }
 
+// Keeps a value in a register as it is, so that GCC does not take sums of addresses apart again.
+template <class T>
+LUMI_ALWAYS_INLINE T settled(T value)
+{
+    asm("" : "+r"(value));
+    return value;
+}
+
 template <class Texel, class Background>
 LUMI_ALWAYS_INLINE auto sum_of_taps(const Field& field, const uint8_t* base, const SpanTaps& origins,
                                     const SpanTaps& directions)
@@ -193,7 +215,7 @@ LUMI_ALWAYS_INLINE auto sum_of_taps(const Field& field, const uint8_t* base, con
     Sum sum;
 #pragma GCC unroll 3
     for (int m = 0; m < 3; ++m) {
-        const uint8_t* row = base + origins.offset[m];
+        const uint8_t* row = settled(base + origins.offset[m]);
         typename Sum::Row taps;
 #pragma GCC unroll 3
         for (int j = 0; j < 3; ++j) taps.add(field, row + directions.offset[j], directions.weight[j]);

@@ -3,7 +3,7 @@
 //
 // All products are 32×32→32, so that a Cortex-M0+ needs no library call. Viewing vectors are Q15 (rounded to 2^-16),
 // hits are within 2^-14 where the half chord is above 1/8, growing towards the rim as the chord gets short; longitudes
-// are within 2^-17 turn plus the hit's error over its distance from the axis. That is 1/50 of a cell for a lattice of
+// are within 2^-16 turn plus the hit's error over its distance from the axis. That is 1/50 of a cell for a lattice of
 // 2^16 points, the largest that spans are drawn from.
 #pragma once
 
@@ -54,9 +54,9 @@ private:
     int32_t y_ = INT32_MIN;
 };
 
-// The parts of a node, for tests. Vectors of 16-bit components; error below 2^-17 turn.
+// The parts of a node, for tests. Vectors of 16-bit components; error below 2^-16 turn.
 uint32_t coarse_angle_turns32(int32_t y_q15, int32_t x_q15);
-// sqrt of a Q30 value in [0, 2), Q15, within one unit.
+// sqrt of a Q30 value in [0, 2), Q15, within two units.
 int32_t coarse_root_q15(uint32_t v_q30);
 // 1/v = mantissa·2^-exponent for v > 0, mantissa in [2^14, 2^15]; relative error below 2^-14.
 struct CoarseReciprocal {

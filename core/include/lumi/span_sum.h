@@ -28,41 +28,78 @@ constexpr uint8_t blended(uint32_t sum_q16, uint32_t transparency_q16, uint8_t u
     return static_cast<uint8_t>((sum_q16 + transparency_q16 * under + 0x8000u) >> 16);
 }
 
-// Three channels and the covered weight, for formats that keep zero for a miss.
-template <class Texel, bool kCoverage>
-struct SpanSumRgb {
+// Two channels at a time, (r, b) and (g, a) in the halves of a word, 8 bits of weight above 8 of colour: half the
+// multiplications and half the registers of one at a time. Halves::load reads a texel so.
+struct SpanHalves {
+    uint32_t rb, ga;
+};
+
+template <class Load, bool kCoverage>
+struct SpanSumHalves {
     static constexpr int kTapBits = kSpanBits;
+    static constexpr uint32_t kMask = 0x00FF00FFu;
+    static constexpr uint32_t kRound = 0x00800080u;
+
     struct Row {
-        uint32_t r = 0, g = 0, b = 0, a = 0;
+        uint32_t rb = kRound, ga = kRound;
 
         void add(const Field& field, const uint8_t* texel, uint32_t weight)
         {
-            const Rgba8 c = Texel::load(field, texel, 0);
-            r += c.r * weight;
-            g += c.g * weight;
-            b += c.b * weight;
-            if (kCoverage) a += c.a != 0 ? weight : 0;
+            const SpanHalves c = Load::template halves<kCoverage>(field, texel);
+            rb += c.rb * weight;
+            ga += c.ga * weight;
         }
     };
-    uint32_t r = 0, g = 0, b = 0, a = 0;
+    uint32_t rb = kRound, ga = kRound;
 
     void add(const Row& row, uint32_t weight)
     {
-        r += row.r * weight;
-        g += row.g * weight;
-        b += row.b * weight;
-        if (kCoverage) a += row.a * weight;
+        rb += ((row.rb >> 8) & kMask) * weight;
+        ga += ((row.ga >> 8) & kMask) * weight;
     }
 
     Rgb8 over(const Rgb8& under) const
     {
-        const uint32_t t = kCoverage ? 65536u - a : 0;
-        return {blended(r, t, under.r), blended(g, t, under.g), blended(b, t, under.b)};
+        const auto high = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 24); };
+        const auto low = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 8); };
+        if (!kCoverage) return {low(rb), low(ga), high(rb)};
+        const uint32_t t = 255u - high(ga);
+        const auto over_one = [&](uint8_t c, uint8_t u) {
+            return static_cast<uint8_t>(c + (t * u * 257u + 32768u) / 65536u);
+        };
+        return {over_one(low(rb), under.r), over_one(low(ga), under.g), over_one(high(rb), under.b)};
+    }
+};
+
+struct LoadRgb888 {
+    template <bool kCoverage>
+    static SpanHalves halves(const Field&, const uint8_t* texel)
+    {
+        const uint32_t r = texel[0];
+        const uint32_t g = texel[1];
+        const uint32_t b = texel[2];
+        return {r | b << 16, kCoverage && (r | g | b) != 0 ? g | 255u << 16 : g};
+    }
+};
+
+struct LoadPalette8 {
+    template <bool kCoverage>
+    static SpanHalves halves(const Field& field, const uint8_t* texel)
+    {
+        const uint32_t entry = load_aligned<uint32_t>(field.palette + 4u * *texel);
+        return {entry & 0x00FF00FFu, (entry >> 8) & 0x00FF00FFu};
     }
 };
 
 template <class Texel, bool kCoverage>
-struct SpanSum : SpanSumRgb<Texel, kCoverage> {
+struct SpanSum;
+
+template <bool kCoverage>
+struct SpanSum<TexelRgb888, kCoverage> : SpanSumHalves<LoadRgb888, kCoverage> {
+};
+
+template <bool kCoverage>
+struct SpanSum<TexelPalette8, kCoverage> : SpanSumHalves<LoadPalette8, kCoverage> {
 };
 
 // One channel.
@@ -128,45 +165,6 @@ struct SpanSum<TexelRgb565, kCoverage> {
         const uint32_t t = kCoverage ? 65536u - 4 * a : 0;
         return {blended((r * 8423u) >> 8, t, under.r), blended((g * 4145u) >> 8, t, under.g),
                 blended((b * 8423u) >> 8, t, under.b)};
-    }
-};
-
-// Palette entries two channels at a time: (r, b) and (g, a) in the halves of a word, 8 bits of weight above 8 of
-// colour.
-template <bool kCoverage>
-struct SpanSum<TexelPalette8, kCoverage> {
-    static constexpr int kTapBits = kSpanBits;
-    static constexpr uint32_t kHalves = 0x00FF00FFu;
-    static constexpr uint32_t kRound = 0x00800080u;
-
-    struct Row {
-        uint32_t rb = kRound, ga = kRound;
-
-        void add(const Field& field, const uint8_t* texel, uint32_t weight)
-        {
-            const uint32_t entry = load_aligned<uint32_t>(field.palette + 4u * *texel);
-            rb += (entry & kHalves) * weight;
-            ga += ((entry >> 8) & kHalves) * weight;
-        }
-    };
-    uint32_t rb = kRound, ga = kRound;
-
-    void add(const Row& row, uint32_t weight)
-    {
-        rb += ((row.rb >> 8) & kHalves) * weight;
-        ga += ((row.ga >> 8) & kHalves) * weight;
-    }
-
-    Rgb8 over(const Rgb8& under) const
-    {
-        const auto high = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 24); };
-        const auto low = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 8); };
-        if (!kCoverage) return {low(rb), low(ga), high(rb)};
-        const uint32_t t = 255u - high(ga);
-        const auto over_one = [&](uint8_t c, uint8_t u) {
-            return static_cast<uint8_t>(c + (t * u * 257u + 32768u) / 65536u);
-        };
-        return {over_one(low(rb), under.r), over_one(low(ga), under.g), over_one(high(rb), under.b)};
     }
 };
 

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/span.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "field_bytes.h"
+#include "lumi/math.h"
+#include "reference.h"
+#include "report.h"
+#include "views.h"
+
+using namespace lumi;
+using namespace lumi::test;
+using format::TexelFormat;
+using reference::decoded;
+
+namespace
+{
+
+#ifdef LUMI_TEST_LIGHT
+constexpr int32_t kSide = 24;
+constexpr uint32_t kRandomViews = 3;
+#else
+constexpr int32_t kSide = 96;
+constexpr uint32_t kRandomViews = 200;
+#endif
+
+// A field whose texels are a smooth function of position, so that a picture tells how far its taps are off.
+Bytes smooth_field(uint32_t origins, uint32_t used, uint32_t directions, TexelFormat texel)
+{
+    TestLayout layout;
+    layout.origins = origins;
+    layout.used_origins = used;
+    layout.directions = directions;
+    layout.texel = texel;
+    const uint32_t bytes = format::bytes_per_texel(texel);
+    const std::vector<Vec3> o = reference::points(origins);
+    const std::vector<Vec3> d = reference::points(directions);
+    const auto value = [&](uint32_t i, uint32_t k) {
+        const Vec3& from = o[i];
+        const Vec3& to = d[std::min(k / bytes, directions - 1)];
+        const double channel[3] = {0.5 + 0.25 * std::sin(3 * to.x + from.y) + 0.2 * to.z,
+                                   0.5 + 0.4 * std::sin(2 * to.y - 2 * from.z),
+                                   0.5 + 0.4 * std::cos(3 * to.z * from.x)};
+        return static_cast<uint8_t>(1 + 254 * std::clamp(channel[k % bytes], 0.0, 1.0));
+    };
+    std::vector<TestSection> sections = {layout_section(layout), texel_section(layout, value)};
+    if (texel == TexelFormat::palette8) sections.push_back(palette_section());
+    return file_of(sections);
+}
+
+Field opened(const Bytes& bytes)
+{
+    Field field;
+    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    return field;
+}
+
+// span_px = 0 draws exactly.
+template <class Reconstruction, class Texel, class Background>
+std::vector<uint8_t> draw(const Field& field, const View& view, const Background& background, int32_t span_px)
+{
+    Camera camera;
+    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+    const uint32_t width = static_cast<uint32_t>(view.image.width_px);
+    std::vector<uint8_t> pixels(width * static_cast<uint32_t>(view.image.height_px) * 3, 77);
+    const Stripe stripe = {pixels.data(), 0, 0, view.image.width_px, view.image.height_px, width * 3};
+    REQUIRE((span_px == 0 ? render<Reconstruction, Texel, PixelRgb888>(field, camera, background, stripe)
+                          : render_spans<Reconstruction, Texel, PixelRgb888>(field, camera, background, stripe,
+                                                                             span_px)) == RenderError::none);
+    return pixels;
+}
+
+struct Difference {
+    double mean_square = 0;
+    Worst worst;
+    double psnr_db() const { return 10 * std::log10(255 * 255 / std::max(mean_square, 1e-9)); }
+};
+
+Difference difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b)
+{
+    Difference result;
+    for (size_t k = 0; k < a.size(); ++k) {
+        const double d = std::fabs(static_cast<double>(a[k]) - b[k]);
+        result.mean_square += d * d / static_cast<double>(a.size());
+        result.worst.see(d, k / 3);
+    }
+    return result;
+}
+
+View random_view(std::minstd_rand& random)
+{
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * std::generate_canonical<double, 32>(random);
+    };
+    const double z = uniform(-1, 1);
+    const double angle = uniform(0, 2 * reference::kPi);
+    const double distance = 1.01 + std::pow(uniform(0, 1), 3) * 6;
+    const double r = std::sqrt(1 - z * z);
+    const Vec3 eye = distance * Vec3{r * std::cos(angle), r * std::sin(angle), z};
+    const Vec3 target = {uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(-0.4, 0.4)};
+    return {"random", look_at(eye, target, uniform(0, 360)), {kSide, kSide, degrees(uniform(20, 110))}};
+}
+
+}  // namespace
+
+TEST_CASE("spans draw the exact linear picture at every extreme", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    const int32_t span_px = GENERATE(2, 4, 8, 16);
+    for (const View& view : extreme_views(kSide)) {
+        const auto exact = draw<Linear, TexelRgb888>(field, view, OverColour{{20, 20, 20}}, 0);
+        const Difference d =
+            difference(exact, draw<Linear, TexelRgb888>(field, view, OverColour{{20, 20, 20}}, span_px));
+        d.worst.report(
+            (view.name + ", spans of " + std::to_string(span_px) + ", " + std::to_string(d.psnr_db()) + " dB, levels")
+                .c_str());
+        INFO(view.name << " " << span_px);
+        CHECK(d.psnr_db() > 38);
+    }
+}
+
+TEST_CASE("shorter spans come closer to the exact picture", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    double before = 0;
+    for (const int32_t span_px : {16, 8, 4, 2}) {
+        double sum = 0;
+        std::minstd_rand random(7);
+        for (uint32_t k = 0; k < std::max(3u, kRandomViews / 10); ++k) {
+            const View view = random_view(random);
+            const auto exact = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 0);
+            sum += difference(exact, draw<Linear, TexelRgb888>(field, view, OverBlack{}, span_px)).psnr_db();
+        }
+        CHECK(sum >= before);
+        before = sum;
+    }
+}
+
+TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    std::minstd_rand random(11);
+    Worst linear;
+    Worst paper;
+    Worst voronoi;
+    for (uint32_t k = 0; k < kRandomViews; ++k) {
+        const View view = random_view(random);
+        const OverBlack black;
+        linear.see(-difference(draw<Linear, TexelRgb888>(field, view, black, 0),
+                               draw<Linear, TexelRgb888>(field, view, black, 8))
+                           .psnr_db() +
+                       100,
+                   k);
+        paper.see(-difference(draw<Paper<5>, TexelRgb888>(field, view, black, 0),
+                              draw<Paper<5>, TexelRgb888>(field, view, black, 8))
+                          .psnr_db() +
+                      100,
+                  k);
+        voronoi.see(-difference(draw<Nearest, TexelRgb888>(field, view, black, 0),
+                                draw<NearestVoronoi, TexelRgb888>(field, view, black, 8))
+                            .psnr_db() +
+                        100,
+                    k);
+    }
+    std::printf(
+        "spans of 8 over %u random views, lowest PSNR: linear %.1f dB at %u, paper %.1f dB at %u, nearest %.1f dB at "
+        "%u\n",
+        static_cast<unsigned>(kRandomViews), 100 - linear.error, static_cast<unsigned>(linear.where), 100 - paper.error,
+        static_cast<unsigned>(paper.where), 100 - voronoi.error, static_cast<unsigned>(voronoi.where));
+    CHECK(100 - linear.error > 40);
+    CHECK(100 - paper.error > 38);
+    CHECK(100 - voronoi.error > 30);
+}
+
+TEST_CASE("every texel format is drawn on spans like the exact renderer draws it", "[span]")
+{
+    const View view = extreme_views(kSide)[0];
+    const OverColour grey{{90, 100, 110}};
+    const auto check = [&](auto texel, const Bytes& bytes) {
+        using Texel = decltype(texel);
+        const Field field = opened(bytes);
+        const Difference d =
+            difference(draw<Linear, Texel>(field, view, grey, 0), draw<Linear, Texel>(field, view, grey, 4));
+        CHECK(d.psnr_db() > 38);
+    };
+    check(TexelRgb888{}, smooth_field(200, 200, 300, TexelFormat::rgb888));
+    check(TexelLuma8{}, smooth_field(200, 200, 300, TexelFormat::luma8));
+    check(TexelPalette8{}, smooth_field(200, 200, 300, TexelFormat::palette8));
+}
+
+TEST_CASE("over black and over a black colour spans draw the same", "[span]")
+{
+    const Bytes bytes = smooth_field(200, 200, 300, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    const View view = extreme_views(kSide)[0];
+    const auto a = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 8);
+    CHECK(difference(a, draw<Linear, TexelRgb888>(field, view, OverColour{{0, 0, 0}}, 8)).worst.error <= 1);
+}
+
+TEST_CASE("a dither shows the linear picture in the mean", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    const View view = extreme_views(kSide)[0];
+    const auto linear = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 4);
+    const auto dithered = draw<Dither, TexelRgb888>(field, view, OverBlack{}, 4);
+    double sum[2] = {0, 0};
+    for (size_t k = 0; k < linear.size(); ++k) {
+        sum[0] += linear[k];
+        sum[1] += dithered[k];
+    }
+    CHECK(sum[1] == Approx(sum[0]).epsilon(0.005));
+    CHECK(linear != dithered);
+}
+
+TEST_CASE("origins outside the cap stay transparent on spans, and their bytes are never read", "[span]")
+{
+    // The texel section ends with the last used row: AddressSanitizer sees any read beyond.
+    const Bytes bytes = smooth_field(400, 150, 300, TexelFormat::rgb888);
+    const std::unique_ptr<uint8_t[]> copy(new uint8_t[bytes.size()]);
+    std::copy(bytes.begin(), bytes.end(), copy.get());
+    Field field;
+    REQUIRE(open_field(copy.get(), bytes.size(), field) == FieldError::none);
+    for (const View& view : extreme_views(kSide)) {
+        const auto exact = draw<Linear, TexelRgb888>(field, view, OverColour{{20, 200, 20}}, 0);
+        const Difference d = difference(exact, draw<Linear, TexelRgb888>(field, view, OverColour{{20, 200, 20}}, 8));
+        INFO(view.name);
+        CHECK(d.psnr_db() > 33);
+        (void)draw<Paper<9>, TexelRgb888>(field, view, OverBlack{}, 16);
+        (void)draw<NearestVoronoi, TexelRgb888>(field, view, OverBlack{}, 16);
+        (void)draw<Dither, TexelRgb888>(field, view, OverBlack{}, 16);
+    }
+}
+
+TEST_CASE("lattices of every size are drawn, the small and the huge ones exactly", "[span]")
+{
+    const View view = extreme_views(kSide / 2)[0];
+    for (const uint32_t n : {1u, 2u, 63u, 64u, 65u, 89u, 144u, 1000u, 10000u}) {
+        const Bytes bytes = smooth_field(n, std::min(n, 100u), 70, TexelFormat::luma8);
+        const Field field = opened(bytes);
+        INFO(n);
+        const auto exact = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 0);
+        const auto spans = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 8);
+        CHECK(difference(exact, spans).psnr_db() > 33);
+        if (n < kMinSpanLattice) CHECK(exact == spans);
+    }
+}
+
+TEST_CASE("rows drawn as stripes of any height give the same frame", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb565);
+    const Field field = opened(bytes);
+    Camera camera;
+    const View view = extreme_views(48)[0];
+    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+    const auto frame = [&](int32_t height) {
+        std::vector<uint8_t> pixels(48 * 48 * 2);
+        for (int32_t y = 0; y < 48; y += height) {
+            const Stripe stripe = {&pixels[static_cast<size_t>(y) * 96], 0, y, 48, std::min(height, 48 - y), 96};
+            REQUIRE(render_spans<Linear, TexelRgb565, PixelRgb565>(field, camera, OverBlack{}, stripe, 8) ==
+                    RenderError::none);
+        }
+        return pixels;
+    };
+    const auto whole = frame(48);
+    CHECK(difference(whole, frame(16)).worst.error == 0);
+    CHECK(difference(whole, frame(5)).worst.error == 0);
+    CHECK(difference(whole, frame(1)).worst.error == 0);
+}
+
+TEST_CASE("unaligned fields are drawn by the exact renderer", "[span]")
+{
+    const Bytes bytes = smooth_field(100, 100, 100, TexelFormat::rgb565);
+    std::vector<uint8_t> shifted(bytes.size() + 9);
+    uint8_t* odd = shifted.data() + (reinterpret_cast<uintptr_t>(shifted.data()) % 2 == 0 ? 1 : 0);
+    std::copy(bytes.begin(), bytes.end(), odd);
+    Field field;
+    REQUIRE(open_field(odd, bytes.size(), field) == FieldError::none);
+    CHECK(!spans_can_read(field));
+    const View view = extreme_views(20)[0];
+    CHECK(draw<Linear, TexelRgb565>(field, view, OverBlack{}, 8) ==
+          draw<Linear, TexelRgb565>(field, view, OverBlack{}, 0));
+}
+
+TEST_CASE("the outline follows the exact covered span from row to row", "[span]")
+{
+    for (const View& view : extreme_views(kSide)) {
+        Camera camera;
+        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        OutlineTracker outline(camera, {0, view.image.width_px});
+        uint32_t off = 0;
+        for (int32_t y = 0; y < view.image.height_px; ++y) {
+            const RowSpan a = outline.row(y);
+            const RowSpan b = covered_span(camera, y, 0, view.image.width_px);
+            INFO(view.name << " row " << y << ": " << a.begin << ".." << a.end << " and " << b.begin << ".." << b.end);
+            if (a.begin != b.begin || a.end != b.end) ++off;
+            REQUIRE(std::abs(a.begin - b.begin) <= 1);
+            REQUIRE(std::abs(a.end - b.end) <= 1);
+        }
+        CHECK(off <= 2);
+    }
+}
+
+TEST_CASE("nodes hit the sphere where the exact rays do", "[span]")
+{
+    Worst angle;
+    Worst height;
+    for (const View& view : extreme_views(kSide)) {
+        Camera camera;
+        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        RowNodes nodes(camera);
+        for (int32_t y = 0; y < view.image.height_px; ++y) {
+            const RowSpan span = covered_span(camera, y, 0, view.image.width_px);
+            if (span.begin >= span.end) continue;
+            nodes.begin_row(span.begin, y);
+            for (int32_t x = span.begin; x < span.end; ++x) {
+                SphereRay ray;
+                if (!ray_at(camera, x, y, ray) || ray.half_chord2_q60 < uint64_t{1} << 54) continue;  // s > 1/8
+                SpanNode node;
+                nodes.evaluate(x - span.begin, node);
+                const SphereHits truth = hits(camera, ray);
+                const auto see = [&](const SpanHit& hit, const Vec3q30& t) {
+                    const uint64_t where = static_cast<uint64_t>(y) * 1000 + static_cast<uint64_t>(x);
+                    height.see(std::fabs(reference::from_q30(hit.z_q30) - reference::from_q30(t.z)), where);
+                    const Vec3 v = decoded(t);
+                    const double turns =
+                        hit.longitude_turns32 / 4294967296.0 - std::atan2(v.y, v.x) / (2 * reference::kPi);
+                    angle.see(std::fabs(turns - std::round(turns)) * 2 * reference::kPi * std::hypot(v.x, v.y), where);
+                };
+                see(node.front, truth.front);
+                see(node.back, truth.back);
+            }
+        }
+    }
+    height.report("span node, error of z where the half chord is above 1/8");
+    angle.report("span node, error along the parallel where the half chord is above 1/8");
+    CHECK(height.error < std::ldexp(1.0, -10));
+    CHECK(angle.error < std::ldexp(1.0, -10));
+}
+
+TEST_CASE("the parts of a node keep their stated errors", "[span]")
+{
+    Worst root;
+    Worst reciprocal;
+    Worst angle;
+    std::minstd_rand random(3);
+    for (uint32_t k = 1; k < kSweep; ++k) {
+        const uint32_t v = static_cast<uint32_t>(std::ldexp(std::generate_canonical<double, 32>(random), 31));
+        root.see(std::fabs(coarse_root_q15(v) - std::sqrt(v / 1073741824.0) * 32768), v);
+        const CoarseReciprocal r = coarse_reciprocal(k);
+        reciprocal.see(std::fabs(std::ldexp(r.mantissa, -r.exponent) * k - 1), k);
+        const int32_t x = static_cast<int32_t>(std::lround(32767 * std::cos(k * 0.37)));
+        const int32_t y = static_cast<int32_t>(std::lround(32767 * std::sin(k * 0.37)));
+        const double turns = coarse_angle_turns32(y, x) / 4294967296.0 - std::atan2(y, x) / (2 * reference::kPi);
+        angle.see(std::fabs(turns - std::round(turns)), k);
+        const uint32_t large = 1 + v % 100000;
+        const uint32_t small = (v >> 7) % (large + 1);
+        REQUIRE(ratio_q15(small, large) == static_cast<uint32_t>((static_cast<uint64_t>(small) << 15) / large));
+    }
+    root.report("coarse_root_q15, units");
+    reciprocal.report("coarse_reciprocal, relative error");
+    angle.report("coarse_angle_turns32, turns");
+    CHECK(root.error < 2);
+    CHECK(reciprocal.error < std::ldexp(1.0, -14));
+    CHECK(angle.error < std::ldexp(1.0, -16));
+}
