@@ -5,16 +5,19 @@
 #include "program.h"
 #include "temporary_folder.h"
 
-using namespace lumi::tools::test;
+using lumi::tools::test::content_of;
+using lumi::tools::test::Outcome;
+using lumi::tools::test::TemporaryFolder;
 
 // One core, one renderer, one span: the whole way from source to JSON, on a field that is baked at once.
 TEST_CASE("lumi bench builds, runs and judges, and counts the same twice", "[bench]")
 {
     const TemporaryFolder folder;
     const auto bench = [&](const std::string& json) {
-        return lumi({"bench",  "--core", "m4",     "--mode",       "linear",        "--texel", "luma8",
-                     "--span", "0,8",    "--view", "generic,pole", "--origins",     "100",     "--directions",
-                     "130",    "--spp",  "1",      "--work",       folder / "work", "--json",  json});
+        return lumi::tools::test::lumi(
+            {"bench",  "--core", "m4",     "--mode",       "linear",        "--texel", "luma8",
+             "--span", "0,8",    "--view", "generic,pole", "--origins",     "100",     "--directions",
+             "130",    "--spp",  "1",      "--work",       folder / "work", "--json",  json});
     };
     const Outcome first = bench(folder / "a.json");
     INFO(first.err);
