@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Counts what the linked renderer costs, one line per view and span:
 //     view generic span 16 covered 42272 instructions 2345678 setup 345678 stack 600 crc 1234abcd
-// The field is loaded to the start of the board's PSRAM. Arguments: the spans to draw with, pixels; none: 0.
+// The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then
+// the spans to draw with, pixels (none: 0).
 #include <cstdlib>
+#include <cstring>
 
 #include "instance.h"
 #include "lumi/bench/views.h"
@@ -68,12 +70,42 @@ void report(const View& view, const Field& field, const Camera& camera, int32_t 
     mps2::write(line.text(" crc ").hex32(crc).text("\n").c_str());
 }
 
-void report_views(const Field& field, int32_t span_px)
+bool is_view(const char* word)
+{
+    for (const View& view : kViews)
+        if (std::strcmp(view.name, word) == 0) return true;
+    return false;
+}
+
+// The words of the command line that are names of views come first.
+struct Words {
+    const char* const* begin;
+    const char* const* end;
+
+    bool contain(const char* wanted) const
+    {
+        for (const char* const* word = begin; word != end; ++word)
+            if (std::strcmp(*word, wanted) == 0) return true;
+        return begin == end;
+    }
+};
+
+void report_views(const Field& field, const Words& names, int32_t span_px)
 {
     for (const View& view : kViews) {
         Camera camera;
-        if (make_view_camera(view, camera) == CameraError::none) report(view, field, camera, span_px);
+        if (names.contain(view.name) && make_view_camera(view, camera) == CameraError::none)
+            report(view, field, camera, span_px);
     }
+}
+
+void report_all(const Field& field, const char* const* words, const char* const* end)
+{
+    Words names = {words, words};
+    while (names.end != end && is_view(*names.end)) ++names.end;
+    if (names.end == end) report_views(field, names, 0);
+    for (const char* const* span = names.end; span != end; ++span)
+        report_views(field, names, static_cast<int32_t>(std::strtol(*span, nullptr, 10)));
 }
 
 }  // namespace
@@ -92,7 +124,7 @@ int main(int argc, char** argv)
         return 1;
     }
     mps2::start_instruction_counter();
-    if (argc <= 1) bench::report_views(field, 0);
-    for (int i = 1; i < argc; ++i) bench::report_views(field, static_cast<int32_t>(std::strtol(argv[i], nullptr, 10)));
+    const int first = argc > 0 ? 1 : 0;
+    bench::report_all(field, argv + first, argv + argc);
     return 0;
 }

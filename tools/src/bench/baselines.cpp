@@ -39,9 +39,8 @@ void measure_costs(const Settings& settings, const std::string& core, const std:
     for (const Baseline& baseline : kBaselines) {
         if (std::find(baseline.cores.begin(), baseline.cores.end(), core) == baseline.cores.end()) continue;
         board.build({baseline.renderer});
-        for (const Count& count : board.count(baseline.renderer, field, {0}))
-            if (count.view == kViewNames[0])
-                out.costs.push_back({baseline.title, core, count, board.code_bytes(baseline.renderer)});
+        for (const Count& count : board.count(baseline.renderer, field, {kViewNames[0]}, {0}))
+            out.costs.push_back({baseline.title, core, count, board.code_bytes(baseline.renderer)});
     }
 }
 

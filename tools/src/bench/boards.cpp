@@ -110,9 +110,10 @@ uint32_t Board::code_bytes(const std::string& renderer) const
 }
 
 std::vector<Count> Board::count(const std::string& renderer, const std::filesystem::path& field,
-                                const std::vector<int>& spans) const
+                                const std::vector<std::string>& views, const std::vector<int>& spans) const
 {
     std::string semihosting = "enable=on,target=native,chardev=console,arg=bench";
+    for (const std::string& view : views) semihosting += ",arg=" + view;
     for (const int span : spans) semihosting += ",arg=" + std::to_string(span);
     const std::string loader = "loader,file=" + suboption(field.string()) + ",addr=" + field_address_ + ",force-raw=on";
     return parse_counts(

@@ -23,9 +23,9 @@ public:
     // Flash that the renderer takes: instructions, constants and library routines.
     uint32_t code_bytes(const std::string& renderer) const;
 
-    // Draws every view with every span, counting instructions.
+    // Draws these views with every span, counting instructions.
     std::vector<Count> count(const std::string& renderer, const std::filesystem::path& field,
-                             const std::vector<int>& spans) const;
+                             const std::vector<std::string>& views, const std::vector<int>& spans) const;
 
 private:
     std::filesystem::path program(const std::string& name) const;

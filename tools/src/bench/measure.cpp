@@ -17,11 +17,6 @@ namespace lumi::bench
 namespace
 {
 
-bool contains(const std::vector<std::string>& words, const std::string& word)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 // A program of the bench firmware and the spans that it is run with.
 struct Program {
     std::string mode, texel, renderer;
@@ -99,9 +94,8 @@ private:
         announce_(core + ": " + program.renderer);
         const uint32_t code_bytes = board.code_bytes(program.renderer);
         const tools::FieldFile& file = fields_.at(program.texel);
-        for (const Count& count : board.count(program.renderer, file.path(), program.spans)) {
+        for (const Count& count : board.count(program.renderer, file.path(), settings_.matrix.views, program.spans)) {
             tools::leave_if_interrupted();
-            if (!contains(settings_.matrix.views, count.view)) continue;
             const HostFacts& host = facts(program, count);
             if (host.crc != count.crc)
                 throw tools::Failure(program.renderer,

@@ -30,6 +30,16 @@ void for_each_renderer(const Rows& rows, const std::function<void(const std::str
     }
 }
 
+// The spans of which there is a row.
+std::vector<int> spans_of(const Rows& rows)
+{
+    std::vector<int> spans;
+    for (const int span : kSpans)
+        if (std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.count.span == span; }))
+            spans.push_back(span);
+    return spans;
+}
+
 struct Target {
     const char *mode, *texel;
     int span;
@@ -105,12 +115,13 @@ std::string cost_table(const Rows& rows)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const std::string& core : kCores)
-        for (const int span : kSpans) titles.push_back(core + (span == 0 ? " exact" : " S" + std::to_string(span)));
+        for (const int span : spans_of(rows))
+            titles.push_back(core + (span == 0 ? " exact" : " S" + std::to_string(span)));
     std::string text = table_row(titles) + table_rule(titles.size());
     for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (const std::string& core : kCores)
-            for (const int span : kSpans)
+            for (const int span : spans_of(rows))
                 cells.push_back(per_pixel(find_row(rows, core, mode, texel, span, "generic")));
         text += table_row(cells);
     });
@@ -142,12 +153,12 @@ std::string accuracy_table(const Rows& rows)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const std::string& view : kViewNames)
-        for (const int span : {1, 4, 8, 16}) titles.push_back(view + " S" + std::to_string(span));
+        for (const int span : spans_of(rows)) titles.push_back(view + " S" + std::to_string(span));
     std::string text = table_row(titles) + table_rule(titles.size());
     for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (const std::string& view : kViewNames) {
-            for (const int span : {1, 4, 8, kFastSpan}) {
+            for (const int span : spans_of(rows)) {
                 const auto is_it = [&](const Row& r) {
                     return r.mode == mode && r.texel == texel && r.count.view == view && r.count.span == span;
                 };
