@@ -10,7 +10,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 build_packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtbb-dev         # ray queries
-  libtinyobjloader-dev libstb-dev  # OBJ and MTL; PNG and JPEG
+  libtinyobjloader-dev libstb-dev  # OBJ and MTL; PNG, JPEG and HDR
+  libopenexr-dev                   # EXR
   libfftw3-dev                     # CW-SSIM
   libcli11-dev nlohmann-json3-dev)
 test_packages=(

@@ -1,44 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bsdf.h"
 
-#include "fresnel.h"
-#include "microfacet.h"
+#include "lobes.h"
 
 namespace lumi::baker
 {
-namespace
-{
-
-constexpr float kInvPi = 1 / kPi;
-
-float cosine_pdf(const Vec3& wi)
-{
-    return wi.z > 0 ? wi.z * kInvPi : 0.0f;
-}
-
-// Density of the mirror direction of a sampled facet.
-float reflection_pdf(const Ggx& facets, const Vec3& wo, const Vec3& wi)
-{
-    if (wi.z <= 0) {
-        return 0;
-    }
-    const Vec3 half = normalized(wo + wi);
-    return facets.pdf_half(wo, half) / (4 * std::max(dot(wo, half), 1e-7f));
-}
-
-// Torrance-Sparrow reflection times cos θi, without the Fresnel factor.
-float reflection_value(const Ggx& facets, const Vec3& wo, const Vec3& wi, const Vec3& half)
-{
-    return facets.density(half) * facets.masking_shadowing(wo, wi) / (4 * wo.z);
-}
-
-Vec3 mirrored(const Vec3& wo, const Vec3& half)
-{
-    return half * (2 * dot(wo, half)) - wo;
-}
-
-}  // namespace
-
 Rgb Diffuse::eval(const Vec3&, const Vec3& wi) const
 {
     return albedo_ * cosine_pdf(wi);
@@ -58,30 +24,47 @@ std::optional<BsdfSample> Diffuse::sample(const Vec3&, float, const Vec2& u) con
     return BsdfSample{wi, albedo_, cosine_pdf(wi)};
 }
 
+Conductor::Conductor(const Rgb& f0, const FacetTable& facets) : f0_(f0), facets_(&facets)
+{
+    const float lost = facets.mean_lost();
+    if (lost > kNegligibleLoss) {
+        const Rgb mean = f0 + (grey(1) - f0) * kSchlickMeanWeight;
+        broad_ = mean * mean * (1 - lost) / (grey(1) - mean * lost) * (1 / lost);
+    }
+}
+
+float Conductor::broad_probability(float cosine) const
+{
+    return is_black(broad_) ? 0.0f : std::max(0.0f, facets_->lost(cosine));
+}
+
 Rgb Conductor::eval(const Vec3& wo, const Vec3& wi) const
 {
     if (wi.z <= 0) {
         return {};
     }
     const Vec3 half = normalized(wo + wi);
-    return schlick_reflectance(dot(wo, half), f0_) * reflection_value(Ggx(alpha_), wo, wi, half);
+    const float broad = facets_->lost(wo.z) * facets_->lost(wi.z) * cosine_pdf(wi);
+    return schlick_reflectance(dot(wo, half), f0_) * reflection_value(Ggx(facets_->alpha()), wo, wi, half) +
+           broad_ * broad;
 }
 
 float Conductor::pdf(const Vec3& wo, const Vec3& wi) const
 {
-    return reflection_pdf(Ggx(alpha_), wo, wi);
+    const float p = broad_probability(wo.z);
+    return (1 - p) * reflection_pdf(Ggx(facets_->alpha()), wo, wi) + p * cosine_pdf(wi);
 }
 
-std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float, const Vec2& u) const
+std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
 {
-    const Ggx facets(alpha_);
-    const Vec3 half = facets.sample_half(wo, u);
-    const Vec3 wi = mirrored(wo, half);
+    const bool broad = u_lobe < broad_probability(wo.z);
+    const Ggx facets(facets_->alpha());
+    const Vec3 wi = broad ? square_to_cosine_hemisphere(u) : mirrored(wo, facets.sample_half(wo, u));
     if (wi.z <= 0) {
         return std::nullopt;
     }
-    const float shadowing = facets.masking_shadowing(wo, wi) / facets.masking(wo);
-    return BsdfSample{wi, schlick_reflectance(dot(wo, half), f0_) * shadowing, reflection_pdf(facets, wo, wi)};
+    const float density = pdf(wo, wi);
+    return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
 }
 
 Plastic::Plastic(const Rgb& albedo, const Skin& skin) : skin_(&skin)

@@ -3,7 +3,9 @@
 //
 // Protocol: wo points to the viewer (wo.z > 0), wi to the light. eval() is f·|cos θi| and 0 where nothing scatters;
 // pdf() is the solid-angle density of sample(); sample() returns a direction with its weight eval/pdf, or nothing when
-// the light is lost. A further kind of surface is one more alternative of the variant; transmission is a wi with z < 0.
+// the light is lost. An infinite pdf marks a direction that has a probability of its own (a mirror's): eval() and pdf()
+// know nothing of it. A further kind of surface is one more alternative of the variant; transmission is a wi with z <
+// 0, and its weight holds the change of radiance by the square of the relative index.
 #pragma once
 
 #include <optional>
@@ -33,18 +35,21 @@ private:
     Rgb albedo_;
 };
 
-// GGX metal with Schlick's Fresnel term. Light that bounces between facets more than once is lost.
+// GGX metal with Schlick's Fresnel term. Light that bounces between facets more than once leaves in a second, broad
+// lobe (Kulla & Conty 2017): white metal loses nothing.
 class Conductor
 {
 public:
-    Conductor(const Rgb& f0, float alpha) : f0_(f0), alpha_(alpha) {}
+    Conductor(const Rgb& f0, const FacetTable& facets);  // borrows the facets
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
 
 private:
-    Rgb f0_;
-    float alpha_;
+    float broad_probability(float cosine) const;
+
+    Rgb f0_, broad_;  // broad_: colour of the second lobe over what one bounce loses on average
+    const FacetTable* facets_;
 };
 
 // A diffuse body under a rough dielectric skin: the light that the skin does not reflect is diffused, and what it
@@ -62,6 +67,61 @@ private:
 
     const Skin* skin_;
     Rgb body_;  // albedo of the body seen through the skin, before the two crossings
+};
+
+// A clear coat over an opaque surface. Below it goes on what the coat does not reflect towards either direction, so
+// that the two together never gain and lose at most the coat's mean reflectance.
+class Coated
+{
+public:
+    using Body = std::variant<Diffuse, Conductor, Plastic>;
+
+    // coverage in [0, 1]: how much of the surface the coat covers. Borrows the coat.
+    Coated(const Body& body, const Skin& coat, float coverage) : body_(body), coat_(&coat), coverage_(coverage) {}
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float coat_probability(float cosine) const;
+
+    Body body_;
+    const Skin* coat_;
+    float coverage_;
+};
+
+// A polished boundary between two clear media.
+class SmoothGlass
+{
+public:
+    // eta: index of the far side relative to the viewer's.
+    explicit SmoothGlass(float eta) : eta_(eta) {}
+    Rgb eval(const Vec3&, const Vec3&) const { return {}; }
+    float pdf(const Vec3&, const Vec3&) const { return 0; }
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float eta_;
+};
+
+// A frosted boundary: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; light of
+// more than one bounce leaves in broad lobes to both sides.
+class RoughGlass
+{
+public:
+    RoughGlass(const GlassTable& table, bool outside) : table_(&table), outside_(outside) {}  // borrows the table
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float eta() const { return outside_ ? table_->eta() : 1 / table_->eta(); }
+    float broad_value(const Vec3& wo, const Vec3& wi) const;
+    float broad_probability(float cosine) const;
+    float side_share(const Vec3& wi) const;
+
+    const GlassTable* table_;
+    bool outside_;  // where the viewer is
 };
 
 class Bsdf
@@ -86,7 +146,7 @@ public:
     }
 
 private:
-    std::variant<Diffuse, Conductor, Plastic> kind_;
+    std::variant<Diffuse, Conductor, Plastic, Coated, SmoothGlass, RoughGlass> kind_;
 };
 
 }  // namespace lumi::baker

@@ -21,7 +21,7 @@
 namespace lumi::baker
 {
 
-std::optional<Texture> read_texture(const std::filesystem::path& file, std::string& why)
+std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUse use, std::string& why)
 {
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -34,17 +34,28 @@ std::optional<Texture> read_texture(const std::filesystem::path& file, std::stri
         return std::nullopt;
     }
     Texture texture;
+    constexpr int kChannels = 4;
     int channels = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
-                              &texture.width, &texture.height, &channels, 3),
+                              &texture.width, &texture.height, &channels, kChannels),
         stbi_image_free);
     if (!pixels) {
         why = stbi_failure_reason();
         return std::nullopt;
     }
-    const size_t size = 3 * static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
-    texture.rgb.assign(pixels.get(), pixels.get() + size);
+    const bool has_alpha = channels == 2 || channels == 4;
+    const size_t count = static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
+    texture.rgb.reserve(3 * count);
+    for (size_t k = 0; k < count; ++k) {
+        const stbi_uc* p = pixels.get() + kChannels * k;
+        if (use == PictureUse::alpha && has_alpha) {
+            texture.rgb.insert(texture.rgb.end(), 3, p[3]);
+        } else {
+            texture.rgb.insert(texture.rgb.end(), p, p + 3);
+        }
+    }
+    texture.encoded = use == PictureUse::colour;
     return texture;
 }
 

@@ -8,14 +8,20 @@
 // otherwise                Lambert
 // Ns                       alpha = √(2/(Ns+2)), the GGX width whose peak falls off like Phong's lobe (Walter et al.,
 //                          "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, section 5.2)
+// illum 4, 6, 7, 9         with Ni > 1: glass, smooth unless Pr > 0, that lets Tf through along one unit of the OBJ.
+//                          Not if Tf is black, nor for illum 4 and 9 if d < 1 and there is no Tf: some exporters write
+//                          that for thin, see-through paint
+// Pc, Pcr                  a clear coat that covers the share Pc, of roughness Pcr
 // d, 1-Tr                  opacity: the share of light that does not pass straight through
 // Ke                       radiance emitted from both sides
-// map_Kd                   times Kd
+// map_Kd, map_Ke, map_Pr, map_Pm, map_d, and of metals map_Ks: times their number, or 1 where that is not given
+// norm, map_Bump           a normal map; a grey picture is a height map
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bsdf.h"
 
@@ -26,24 +32,57 @@ inline constexpr int32_t kNoTexture = -1;
 inline constexpr float kMinAlpha = 0.01f;  // sharper facets than this no field resolves, and binary32 begins to suffer
 inline constexpr float kDefaultIndex = 1.5f;
 
+// A picture on a surface: read at uv·scale + offset.
+struct TextureSlot {
+    int32_t texture = kNoTexture;
+    Vec2 scale = {1, 1}, offset;
+
+    bool used() const { return texture != kNoTexture; }
+};
+
+struct TextureSlots {
+    TextureSlot base, emission, roughness, metalness, opacity, normal;
+};
+
+// A material's numbers at one point, with its textures.
+struct PointValues {
+    Rgb base;
+    float metalness, roughness;
+    bool outside;  // the viewer is on the side that the triangle's winding faces
+};
+
 struct Material {
     std::string name;
     Rgb base = grey(0.6f);  // reflectance of the diffuse body, or of the metal at normal incidence; <= 1
-    int32_t base_texture = kNoTexture;
     Rgb emission;
     float metalness = 0;
     bool specular = false;  // a dielectric skin where the surface is not metal
     float alpha = 1;        // GGX width
     float index = kDefaultIndex;
-    std::shared_ptr<const Skin> skin;  // of a specular surface; made by finish()
     float opacity = 1;
+    float coat = 0, coat_alpha = kMinAlpha;
+    bool glass = false;           // clear inside; the triangles' winding faces outwards
+    Rgb transmittance = grey(1);  // of glass along `transmittance_length`
+    float transmittance_length = 1;
+    TextureSlots maps;
 
-    // Clamps what must be in range and derives what is derived. Call once after filling in.
+    // Clamps what must be in range and derives what is derived. Call after filling in or changing.
     void finish();
 
     bool emits() const { return !is_black(emission); }
-    // base_at: base times the texture at the point. A partly metallic surface is metal with probability metalness: u.
-    Bsdf bsdf(const Rgb& base_at, float u) const;
+    bool may_pass() const { return opacity < 1 || maps.opacity.used(); }
+    // What is left of light after a way through the glass.
+    Rgb absorbed(float distance) const;
+    // A partly metallic surface is metal with probability metalness: u.
+    Bsdf bsdf(const PointValues& at, float u) const;
+    PointValues plain_values() const;
+
+    // Made by finish(), one for each step of roughness; just one where no texture changes it. Empty if not needed.
+    std::vector<std::shared_ptr<const Skin>> skins;
+    std::vector<std::shared_ptr<const FacetTable>> facets;
+    std::shared_ptr<const GlassTable> frost;  // of rough glass
+    std::shared_ptr<const Skin> coat_skin;
+    Rgb absorption;  // of glass, per length
 };
 
 float alpha_from_phong_exponent(float exponent);

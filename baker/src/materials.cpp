@@ -19,31 +19,49 @@ public:
     {
     }
 
-    int32_t index_of(const MtlMaterial& mtl)
+    TextureSlot slot(const std::filesystem::path& mtl, const MtlMap& map, PictureUse use)
     {
-        const Place place = {mtl.file.string(), mtl.map_kd_line};
-        const std::filesystem::path file = find_beside(mtl.file, mtl.map_kd);
+        if (map.name.empty()) {
+            return {};
+        }
+        const Place place = {mtl.string(), map.line};
+        const std::filesystem::path file = find_beside(mtl, map.name);
         if (file.empty()) {
-            warnings_.push_back(at(place, "the picture '" + mtl.map_kd +
-                                              "' is missing, the plain Kd is used; put it beside " +
-                                              mtl.file.filename().string()));
-            return kNoTexture;
+            warnings_.push_back(at(place, "the picture '" + map.name +
+                                              "' is missing, the plain number is used; put it beside " +
+                                              mtl.filename().string()));
+            return {};
         }
-        const auto [entry, fresh] = loaded_.try_emplace(file, kNoTexture);
+        const Key key = {file.string(), use};
+        const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
         if (fresh) {
-            entry->second = load(place, file);
+            entry->second = load(place, file, use);
         }
-        return entry->second;
+        return {entry->second, map.scale, map.offset};
+    }
+
+    // A grey picture holds heights, any other one normals.
+    TextureSlot normal_slot(const std::filesystem::path& mtl, const MtlMap& map)
+    {
+        TextureSlot found = slot(mtl, map, PictureUse::data);
+        if (!found.used() || !is_grey(textures_[static_cast<size_t>(found.texture)])) {
+            return found;
+        }
+        textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map.strength));
+        found.texture = static_cast<int32_t>(textures_.size() - 1);
+        return found;
     }
 
 private:
-    int32_t load(const Place& place, const std::filesystem::path& file)
+    using Key = std::pair<std::string, PictureUse>;
+
+    int32_t load(const Place& place, const std::filesystem::path& file, PictureUse use)
     {
         std::string why;
-        std::optional<Texture> texture = read_texture(file, why);
+        std::optional<Texture> texture = read_texture(file, use, why);
         if (!texture) {
             warnings_.push_back(at(place, "the picture '" + file.string() + "' is not used (" + why +
-                                              "), the plain Kd is; save it as PNG or JPEG"));
+                                              "), the plain number is; save it as PNG or JPEG"));
             return kNoTexture;
         }
         textures_.push_back(std::move(*texture));
@@ -52,7 +70,7 @@ private:
 
     std::vector<Texture>& textures_;
     std::vector<std::string>& warnings_;
-    std::map<std::filesystem::path, int32_t> loaded_;
+    std::map<Key, int32_t> loaded_;
 };
 
 Material default_material(const std::string& name)
@@ -61,6 +79,51 @@ Material default_material(const std::string& name)
     material.name = name;
     material.finish();
     return material;
+}
+
+// Illumination models 4 to 9 of MTL that let light through a body.
+bool is_glass(const MtlMaterial& mtl)
+{
+    const bool refracts = mtl.illum == 6 || mtl.illum == 7;
+    const bool clear = mtl.illum == 4 || mtl.illum == 9;
+    if (mtl.ni <= 1 || (mtl.has_tf && is_black(mtl.tf))) {
+        return false;
+    }
+    return refracts || (clear && (mtl.has_tf || mtl.dissolve >= 1));
+}
+
+void make_glass(const MtlMaterial& mtl, Material& m)
+{
+    m.glass = true;
+    m.alpha = alpha_from_roughness(mtl.roughness);
+    m.transmittance = mtl.has_tf ? mtl.tf : grey(1);
+    m.opacity = 1;
+    m.metalness = 0;
+}
+
+// A number that only a picture gives counts as 1.
+void open_for_maps(const MtlMaterial& mtl, Material& m)
+{
+    if (!mtl.map_ke.name.empty() && is_black(m.emission)) {
+        m.emission = grey(1);
+    }
+    if (!mtl.map_pm.name.empty() && !(mtl.metalness > 0)) {
+        m.metalness = 1;
+    }
+    if (!mtl.map_pr.name.empty() && !(mtl.roughness > 0)) {
+        m.alpha = 1;
+    }
+}
+
+void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
+{
+    const bool metal = m.metalness > 0 && mtl.map_kd.name.empty();
+    m.maps.base = textures.slot(mtl.file, metal ? mtl.map_ks : mtl.map_kd, PictureUse::colour);
+    m.maps.emission = textures.slot(mtl.file, mtl.map_ke, PictureUse::colour);
+    m.maps.roughness = textures.slot(mtl.file, mtl.map_pr, PictureUse::data);
+    m.maps.metalness = textures.slot(mtl.file, mtl.map_pm, PictureUse::data);
+    m.maps.opacity = textures.slot(mtl.file, mtl.map_d, PictureUse::alpha);
+    m.maps.normal = textures.normal_slot(mtl.file, mtl.map_bump);
 }
 
 }  // namespace
@@ -73,15 +136,21 @@ Material to_material(const MtlMaterial& mtl)
     m.emission = mtl.ke;
     m.index = mtl.ni;
     m.opacity = mtl.dissolve;
-    const bool physical = mtl.roughness > 0 || mtl.metalness > 0;
+    m.coat = mtl.coat;
+    m.coat_alpha = alpha_from_roughness(mtl.coat_roughness);
+    const bool mapped = !mtl.map_pr.name.empty() || !mtl.map_pm.name.empty();
+    const bool physical = mtl.roughness > 0 || mtl.metalness > 0 || mapped;
     m.alpha = physical ? alpha_from_roughness(mtl.roughness) : alpha_from_phong_exponent(mtl.ns);
     m.specular = physical || !is_black(mtl.ks);
     m.metalness = mtl.metalness;
-    if (!physical && m.specular && is_black(mtl.kd) && mtl.map_kd.empty()) {
+    if (!physical && m.specular && is_black(mtl.kd) && mtl.map_kd.name.empty()) {
         m.metalness = 1;
         m.base = mtl.ks;
     }
-    m.finish();
+    open_for_maps(mtl, m);
+    if (is_glass(mtl)) {
+        make_glass(mtl, m);
+    }
     return m;
 }
 
@@ -116,9 +185,8 @@ MaterialSet resolve_materials(const std::string& obj_file, const std::vector<Obj
             continue;
         }
         Material material = to_material(*found);
-        if (!found->map_kd.empty()) {
-            material.base_texture = textures.index_of(*found);
-        }
+        add_maps(*found, textures, material);
+        material.finish();
         set.materials.push_back(std::move(material));
     }
     return set;

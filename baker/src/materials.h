@@ -13,17 +13,27 @@
 namespace lumi::baker
 {
 
+// A picture as MTL names it.
+struct MtlMap {
+    std::string name;  // empty: none
+    uint32_t line = 0;
+    Vec2 scale = {1, 1}, offset;
+    float strength = 1;  // of bumps
+};
+
 // A material as MTL states it, still in MTL's terms.
 struct MtlMaterial {
     std::string name;
-    Rgb kd, ks, ke;
-    float ns = 0, ni = 1, dissolve = 1, roughness = 0, metalness = 0;
-    std::string map_kd;  // empty: none
+    Rgb kd, ks, ke, tf;
+    float ns = 0, ni = 1, dissolve = 1, roughness = 0, metalness = 0, coat = 0, coat_roughness = 0;
+    int illum = 0;
+    bool has_tf = false;
+    MtlMap map_kd, map_ks, map_ke, map_pr, map_pm, map_d, map_bump;
     std::filesystem::path file;
-    uint32_t line = 0, map_kd_line = 0;
+    uint32_t line = 0;
 };
 
-// MTL's terms in ours, see material.h. Finished, without the texture.
+// MTL's terms in ours, see material.h. Not yet finished, and without textures.
 Material to_material(const MtlMaterial& mtl);
 
 // The file that `name`, written in a file beside `beside`, means: as written, or only its last part; both kinds of

@@ -18,9 +18,20 @@ struct NumberRule {
 
 constexpr double kAnyHigh = 1e9;
 constexpr NumberRule kRules[] = {
-    {"Kd", 3, 0, 1}, {"Ks", 3, 0, 1}, {"Ke", 3, 0, kAnyHigh}, {"Ns", 1, 0, kAnyHigh}, {"Ni", 1, 0, kAnyHigh},
-    {"d", 1, 0, 1},  {"Tr", 1, 0, 1}, {"Pr", 1, 0, 1},        {"Pm", 1, 0, 1},
+    {"Kd", 3, 0, 1}, {"Ks", 3, 0, 1}, {"Ke", 3, 0, kAnyHigh}, {"Ns", 1, 0, kAnyHigh}, {"Ni", 1, 0, 4}, {"d", 1, 0, 1},
+    {"Tr", 1, 0, 1}, {"Tf", 3, 0, 1}, {"Pr", 1, 0, 1},        {"Pm", 1, 0, 1},        {"Pc", 1, 0, 1}, {"Pcr", 1, 0, 1},
 };
+
+// Keywords of pictures that are drawn, and keywords that change a surface but are not drawn.
+constexpr const char* kPictures[] = {"map_Kd", "map_Ks", "map_Ke", "map_Pr",   "map_Pm",
+                                     "map_d",  "norm",   "bump",   "map_Bump", "map_bump"};
+constexpr const char* kIgnored[] = {"map_Ns", "map_Ps", "Ps", "aniso", "anisor", "disp", "decal", "refl", "map_Tr"};
+
+template <size_t Size>
+bool is_one_of(const char* const (&list)[Size], const std::string& word)
+{
+    return std::find(std::begin(list), std::end(list), word) != std::end(list);
+}
 
 class Preparation
 {
@@ -32,9 +43,12 @@ public:
         const Place place = {file_, line.number};
         if (line.keyword == "newmtl") {
             begin(place, line);
-        } else if (line.keyword.rfind("map_", 0) == 0) {
+        } else if (is_one_of(kPictures, line.keyword)) {
             std::replace(line.argument.begin(), line.argument.end(), '\\', '/');
-            current().map_kd = line.keyword == "map_Kd" ? line.number : current().map_kd;
+            current().maps[line.keyword] = line.number;
+        } else if (is_one_of(kIgnored, line.keyword) && line.argument != "0" && line.argument.rfind("0.0", 0) != 0) {
+            warnings_.push_back(at(place, "'" + line.keyword + "' is not drawn; remove it if the picture looks right"));
+            return;
         } else {
             check_numbers(place, line);
         }
@@ -78,6 +92,8 @@ private:
             }
         }
         current().has_kd = current().has_kd || line.keyword == "Kd";
+        current().has_ks = current().has_ks || line.keyword == "Ks";
+        current().has_tf = current().has_tf || line.keyword == "Tf";
         check_opacity(place, line);
     }
 

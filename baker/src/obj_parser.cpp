@@ -73,6 +73,16 @@ Rgb to_rgb(const tinyobj::real_t* c)
     return {c[0], c[1], c[2]};
 }
 
+MtlMap to_map(const std::string& name, const tinyobj::texture_option_t& options)
+{
+    MtlMap map;
+    map.name = name;
+    map.scale = {options.scale[0], options.scale[1]};
+    map.offset = {options.origin_offset[0], options.origin_offset[1]};
+    map.strength = options.bump_multiplier;
+    return map;
+}
+
 }  // namespace
 
 ObjContent parse_obj(const std::string& file, const std::string& text, size_t material_count)
@@ -115,7 +125,18 @@ std::vector<MtlMaterial> parse_mtl(const std::string& text)
         mtl.dissolve = m.dissolve;
         mtl.roughness = m.roughness;
         mtl.metalness = m.metallic;
-        mtl.map_kd = m.diffuse_texname;
+        mtl.coat = m.clearcoat_thickness;
+        mtl.coat_roughness = m.clearcoat_roughness;
+        mtl.tf = to_rgb(m.transmittance);
+        mtl.illum = m.illum;
+        mtl.map_kd = to_map(m.diffuse_texname, m.diffuse_texopt);
+        mtl.map_ks = to_map(m.specular_texname, m.specular_texopt);
+        mtl.map_ke = to_map(m.emissive_texname, m.emissive_texopt);
+        mtl.map_pr = to_map(m.roughness_texname, m.roughness_texopt);
+        mtl.map_pm = to_map(m.metallic_texname, m.metallic_texopt);
+        mtl.map_d = to_map(m.alpha_texname, m.alpha_texopt);
+        const bool normals = !m.normal_texname.empty();
+        mtl.map_bump = normals ? to_map(m.normal_texname, m.normal_texopt) : to_map(m.bump_texname, m.bump_texopt);
         result.push_back(std::move(mtl));
     }
     return result;

@@ -38,6 +38,29 @@ std::vector<std::filesystem::path> libraries_of(const std::filesystem::path& obj
     return files;
 }
 
+// What the parser forgets: where pictures are named, and whether numbers were.
+void name_lines(const MtlText::Lines& lines, MtlMaterial& material)
+{
+    const auto line_of = [&](const char* keyword) {
+        const auto found = lines.maps.find(keyword);
+        return found == lines.maps.end() ? material.line : found->second;
+    };
+    material.map_kd.line = line_of("map_Kd");
+    material.map_ks.line = line_of("map_Ks");
+    material.map_ke.line = line_of("map_Ke");
+    material.map_pr.line = line_of("map_Pr");
+    material.map_pm.line = line_of("map_Pm");
+    material.map_d.line = line_of("map_d");
+    material.map_bump.line = std::max({line_of("norm"), line_of("map_Bump"), line_of("map_bump"), line_of("bump")});
+    material.has_tf = lines.has_tf;
+    if (!material.map_kd.name.empty() && !lines.has_kd) {
+        material.kd = grey(1);
+    }
+    if (!material.map_ks.name.empty() && !lines.has_ks) {
+        material.ks = grey(1);
+    }
+}
+
 void append_library(const std::filesystem::path& file, std::vector<MtlMaterial>& known,
                     std::vector<std::string>& warnings)
 {
@@ -49,10 +72,7 @@ void append_library(const std::filesystem::path& file, std::vector<MtlMaterial>&
         }
         material.file = file;
         material.line = lines->second.newmtl;
-        material.map_kd_line = lines->second.map_kd;
-        if (!material.map_kd.empty() && !lines->second.has_kd) {
-            material.kd = grey(1);
-        }
+        name_lines(lines->second, material);
         known.push_back(std::move(material));
     }
 }
@@ -184,11 +204,6 @@ SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>&
     }
     parts.textures = std::move(set.textures);
     return parts;
-}
-
-Scene load_scene(const std::filesystem::path& obj, const LoadOptions& options, std::vector<std::string>& warnings)
-{
-    return build_scene(read_obj(obj, warnings), options);
 }
 
 }  // namespace lumi::baker

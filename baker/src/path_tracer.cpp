@@ -24,6 +24,8 @@ struct Walk {
     Rgb throughput = grey(1);
     float pdf = 0;  // solid angle, of the last scattering; unused at the eye
     bool at_eye = true;
+    const Material* medium = nullptr;  // the glass that the ray runs through
+    float index2 = 1;                  // of that glass, squared: radiance there is larger by as much
 };
 
 Rgb emitted(const SceneData& scene, const Walk& walk, const Surface& surface)
@@ -31,7 +33,7 @@ Rgb emitted(const SceneData& scene, const Walk& walk, const Surface& surface)
     if (!surface.material->emits()) {
         return {};
     }
-    const Rgb light = walk.throughput * surface.material->emission;
+    const Rgb light = walk.throughput * surface.emission;
     if (walk.at_eye) {
         return light;
     }
@@ -45,6 +47,22 @@ Rgb from_sky(const SceneData& scene, const Walk& walk)
     return light * power_weight(walk.pdf, scene.lights.sky_pdf(walk.ray.direction));
 }
 
+// Light of the extra lights that the ray passes on its way to `end`.
+Rgb from_fixtures(const SceneData& scene, const Walk& walk, float end)
+{
+    Rgb sum;
+    scene.lights.for_each_seen({walk.ray.origin, walk.ray.direction, end}, [&](const Rgb& radiance, float pdf) {
+        sum = sum + walk.throughput * radiance * power_weight(walk.pdf, pdf);
+    });
+    return sum;
+}
+
+// A direction must lie on the same side of the shading normal and of the face itself.
+bool leaks(const Surface& surface, const Vec3& direction, const Vec3& local)
+{
+    return (dot(direction, surface.geometric_normal) > 0) != (local.z > 0);
+}
+
 // Light that arrives at the surface straight from a light and is scattered towards the viewer.
 Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
 {
@@ -54,7 +72,7 @@ Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsd
     const Vec2 choice = sampler.next_2d();
     const LightSample light = scene.lights.sample(surface.position, choice.x, choice.y, sampler.next_2d());
     const Vec3 wi = surface.frame.to_local(light.direction);
-    if (!(light.pdf > 0) || wi.z <= 0 || dot(light.direction, surface.geometric_normal) <= 0) {
+    if (!(light.pdf > 0) || leaks(surface, light.direction, wi)) {
         return {};
     }
     const Rgb scattered = bsdf.eval(wo, wi) * light.radiance;
@@ -62,7 +80,16 @@ Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsd
         return {};
     }
     const float through = transmittance(scene, surface.ray_to_light(light.direction, light.distance));
-    return scattered * (through * power_weight(light.pdf, bsdf.pdf(wo, wi)) / light.pdf);
+    const float weight = light.dirac ? 1 : power_weight(light.pdf, bsdf.pdf(wo, wi));
+    return scattered * (through * weight / light.pdf);
+}
+
+// Takes the walk through a boundary of glass. Bodies of glass neither overlap nor lie in each other.
+void cross(Walk& walk, const Surface& surface)
+{
+    const bool enters = surface.values.outside;
+    walk.medium = enters ? surface.material : nullptr;
+    walk.index2 = enters ? surface.material->index * surface.material->index : 1;
 }
 
 // Turns the walk at the surface; false where the light is lost.
@@ -74,8 +101,11 @@ bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& w
         return false;
     }
     const Vec3 direction = normalized(surface.frame.to_world(sample->wi));
-    if (dot(direction, surface.geometric_normal) <= 0) {
+    if (leaks(surface, direction, sample->wi)) {
         return false;
+    }
+    if (sample->wi.z < 0) {
+        cross(walk, surface);
     }
     walk.throughput = walk.throughput * sample->weight;
     walk.ray = surface.ray_towards(direction);
@@ -87,7 +117,7 @@ bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& w
 // Russian roulette: ends dim paths early and makes the survivors carry their share.
 bool survives(Walk& walk, Sampler& sampler)
 {
-    const float survival = std::min(max_component(walk.throughput), kMaxSurvival);
+    const float survival = std::min(max_component(walk.throughput) * walk.index2, kMaxSurvival);
     if (sampler.next_1d() >= survival) {
         return false;
     }
@@ -103,11 +133,17 @@ PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
     Walk walk{ray};
     for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
         const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler);
+        if (!walk.at_eye) {
+            result.radiance = result.radiance + from_fixtures(scene_, walk, hit ? hit->distance : walk.ray.end);
+        }
         if (!hit) {
             result.radiance = walk.at_eye ? Rgb{} : result.radiance + from_sky(scene_, walk);
             break;
         }
         result.covered = true;
+        if (walk.medium) {
+            walk.throughput = walk.throughput * walk.medium->absorbed(hit->distance);
+        }
         const Surface surface = surface_at(scene_, walk.ray, *hit);
         result.radiance = result.radiance + emitted(scene_, walk, surface);
 
@@ -115,7 +151,7 @@ PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
         if (wo.z <= 0) {
             break;
         }
-        const Bsdf bsdf = surface.material->bsdf(surface.base, sampler.next_1d());
+        const Bsdf bsdf = surface.material->bsdf(surface.values, sampler.next_1d());
         result.radiance = result.radiance + walk.throughput * direct_light(scene_, surface, bsdf, wo, sampler);
         if (!scatter(walk, surface, bsdf, wo, sampler)) {
             break;

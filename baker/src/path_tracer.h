@@ -3,8 +3,9 @@
 // of finding them by the power heuristic (Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, ch.
 // 9).
 //
-// Two deliberate limits: paths end after kMaxBounces (with Russian roulette their share is below 1e-6 of the light in
-// any scene whose albedo is below 0.8), and light that would leave on the far side of a smooth-shaded face is lost.
+// Deliberate limits: paths end after kMaxBounces (with Russian roulette their share is below 1e-6 of the light in
+// any scene whose albedo is below 0.8); light that would leave on the far side of a smooth-shaded face is lost; lights
+// without a size send none through glass, whose shadow for them is black.
 #pragma once
 
 #include "sampler.h"

@@ -11,8 +11,8 @@ namespace lumi::baker
 namespace
 {
 
-Estimate pixel_estimate(ToneCurve tone, const CameraRays& rays, const Integrator& tracer, const ReferenceSettings& settings, uint32_t x,
-                        uint32_t y)
+Estimate pixel_estimate(ToneCurve tone, const CameraRays& rays, const Integrator& tracer,
+                        const ReferenceSettings& settings, uint32_t x, uint32_t y)
 {
     Estimate result(tone);
     Sampler sampler(settings.seed, y, x);

@@ -45,6 +45,60 @@ Mesh moved_into_sphere(Mesh mesh, const std::array<double, 3>& centre, double ra
     return mesh;
 }
 
+// The sphere that the scene asks for, which must hold every triangle, or the fitted one with its margin.
+BoundingSphere sphere_of(const SceneParts& parts, double margin)
+{
+    BoundingSphere sphere = fit_sphere(parts.mesh);
+    if (!parts.sphere) {
+        sphere.radius *= 1 + margin;
+        return sphere;
+    }
+    double farthest = 0;
+    for (const Mesh::Corners& corners : parts.mesh.corners) {
+        for (const uint32_t c : corners) {
+            const Vec3& p = parts.mesh.positions[c];
+            farthest = std::max(farthest, std::hypot(static_cast<double>(p.x) - parts.sphere->centre[0],
+                                                     static_cast<double>(p.y) - parts.sphere->centre[1],
+                                                     static_cast<double>(p.z) - parts.sphere->centre[2]));
+        }
+    }
+    if (farthest > parts.sphere->radius) {
+        throw SceneError("the scene reaches " + std::to_string(farthest) +
+                         " from the centre of its 'sphere' of radius " + std::to_string(parts.sphere->radius) +
+                         "; give a larger radius, or leave out 'sphere'");
+    }
+    return *parts.sphere;
+}
+
+std::vector<Material> scaled(std::vector<Material> materials, double radius, float exposure)
+{
+    for (Material& m : materials) {
+        m.emission = m.emission * exposure;
+        m.absorption = m.absorption * static_cast<float>(radius);
+    }
+    return materials;
+}
+
+Environment environment_of(const SceneParts& parts, const LoadOptions& options)
+{
+    Environment environment =
+        options.environment ? *options.environment : parts.environment.value_or(studio_environment());
+    environment.scale *= parts.exposure;
+    return environment;
+}
+
+std::vector<Fixture> moved_into_sphere(const std::vector<Fixture>& fixtures, const std::array<double, 3>& centre,
+                                       double radius, UpAxis up, float exposure)
+{
+    std::vector<Fixture> result;
+    for (const Fixture& fixture : fixtures) {
+        const Fixture moved = moved_into_sphere(fixture, centre, radius, exposure);
+        result.push_back(up == UpAxis::y ? rotated(moved, [](const Vec3& v) { return to_sphere_axes(v, UpAxis::y); })
+                                         : moved);
+    }
+    return result;
+}
+
 }  // namespace
 
 Environment constant_environment(float radiance)
@@ -59,22 +113,28 @@ Environment studio_environment()
     return {{1.55f, 1.58f, 1.65f}, {0.5f, 0.5f, 0.52f}, {0.16f, 0.15f, 0.14f}};
 }
 
+Environment constant_environment(const std::array<float, 3>& radiance)
+{
+    return {radiance, radiance, radiance};
+}
+
 SceneData::SceneData(SceneParts parts, const LoadOptions& options)
     : centre(),
       radius(),
-      up(options.up),
+      up(options.up.value_or(parts.up.value_or(UpAxis::y))),
       mesh([&] {
-          const BoundingSphere sphere = fit_sphere(parts.mesh);
+          const BoundingSphere sphere = sphere_of(parts, options.margin);
           centre = sphere.centre;
-          radius = sphere.radius * (1 + options.margin);
+          radius = sphere.radius;
           return moved_into_sphere(std::move(parts.mesh), centre, radius, up);
       }()),
-      materials(std::move(parts.materials)),
+      materials(scaled(std::move(parts.materials), radius, parts.exposure)),
       textures(std::move(parts.textures)),
-      has_transparency(
-          std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.opacity < 1; })),
+      tone(parts.tone),
+      has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
       accelerator(mesh),
-      lights(mesh, materials, options.environment)
+      lights(mesh, materials, textures, environment_of(parts, options),
+             moved_into_sphere(parts.fixtures, centre, radius, up, parts.exposure))
 {
 }
 
@@ -119,7 +179,7 @@ size_t Scene::material_count() const
 
 size_t Scene::light_count() const
 {
-    return data_->lights.emitter_count();
+    return data_->lights.count();
 }
 
 }  // namespace lumi::baker

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "accelerator.h"
+#include "bounding_sphere.h"
 #include "light_set.h"
 #include "lumi/baker/scene.h"
 #include "material.h"
 #include "mesh.h"
 #include "texture.h"
+#include "tone.h"
 
 namespace lumi::baker
 {
@@ -22,6 +24,13 @@ struct SceneParts {
     Mesh mesh;
     std::vector<Material> materials;  // finished
     std::vector<Texture> textures;
+    std::vector<Fixture> fixtures;
+    float exposure = 1;  // factor on all light
+    ToneCurve tone = ToneCurve::srgb;
+    // In place of the defaults, where LoadOptions leave them open:
+    std::optional<UpAxis> up;
+    std::optional<Environment> environment;
+    std::optional<BoundingSphere> sphere;  // in place of the fitted one
 };
 
 struct SceneData {
@@ -36,12 +45,13 @@ struct SceneData {
     Mesh mesh;
     std::vector<Material> materials;
     std::vector<Texture> textures;
-    bool has_transparency;  // some material's opacity is below 1
+    ToneCurve tone;
+    bool has_transparency;  // some material may let light pass
     Accelerator accelerator;
     LightSet lights;
 };
 
-// Throws SceneError if the parts hold no triangle.
+// Throws SceneError if the parts hold no triangle, or one that a given sphere does not hold.
 Scene build_scene(SceneParts parts, const LoadOptions& options);
 
 }  // namespace lumi::baker

@@ -9,48 +9,75 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kSide = 24;              // of the square grid of samples for one direction
-constexpr float kLeastCosine = 1e-3f;  // stands in for the horizon itself, where the facets' functions have no value
+// Of the samples for one direction: a Fibonacci lattice, whose steps are neighbouring Fibonacci numbers.
+constexpr int kSamples = 1597, kStep = 987;
 
-// Mean weight of samples of visible facets, by the midpoint rule.
-float directional_albedo(float cosine, float eta, float alpha)
+// Mean of weight(wo, half, facets) over samples of visible facets.
+template <class Weight>
+float directional_albedo(float cosine, float alpha, const Weight& weight)
 {
     const Ggx facets(alpha);
-    const Vec3 wo = direction_at(std::max(cosine, kLeastCosine), 0);
+    const Vec3 wo = direction_at(cosine, 0);
     float sum = 0;
-    for (int k = 0; k < kSide * kSide; ++k) {
-        const Vec2 u = {(static_cast<float>(k % kSide) + 0.5f) / kSide, (static_cast<float>(k / kSide) + 0.5f) / kSide};
-        const Vec3 half = facets.sample_half(wo, u);
-        const Vec3 wi = half * (2 * dot(wo, half)) - wo;
-        if (wi.z > 0) {
-            const float shadowing = facets.masking_shadowing(wo, wi) / facets.masking(wo);
-            sum += dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta) * shadowing;
-        }
+    for (int k = 0; k < kSamples; ++k) {
+        const Vec2 u = {(static_cast<float>(k) + 0.5f) / kSamples,
+                        (static_cast<float>(k * kStep % kSamples) + 0.5f) / kSamples};
+        sum += weight(wo, facets.sample_half(wo, u), facets);
     }
-    return sum / (kSide * kSide);
+    return std::min(sum / kSamples, 1.0f);
+}
+
+// What a sampled facet reflects or refracts, without the Fresnel factor.
+float passed_on(const Vec3& wo, const Vec3& wi, const Ggx& facets)
+{
+    return facets.masking_shadowing(wo, wi) / facets.masking(wo);
+}
+
+float reflected(const Vec3& wo, const Vec3& half, const Ggx& facets)
+{
+    const Vec3 wi = mirrored(wo, half);
+    return wi.z > 0 ? passed_on(wo, wi, facets) : 0.0f;
+}
+
+float transmitted(const Vec3& wo, const Vec3& half, const Ggx& facets, float eta)
+{
+    const Vec3 wi = refracted(wo, half, eta);
+    return wi.z < 0 ? passed_on(wo, wi, facets) : 0.0f;
+}
+
+AlbedoTable glass_side(float eta, float alpha)
+{
+    const auto weight = [eta](const Vec3& wo, const Vec3& half, const Ggx& facets) {
+        const float f = dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta);
+        return f * reflected(wo, half, facets) + (f < 1 ? (1 - f) * transmitted(wo, half, facets, eta) : 0);
+    };
+    return AlbedoTable([&](float cosine) { return directional_albedo(cosine, alpha, weight); });
 }
 
 }  // namespace
 
-Skin::Skin(float eta, float alpha) : eta_(eta), alpha_(alpha), mean_(0), table_()
+Skin::Skin(float eta, float alpha)
+    : eta_(eta), alpha_(alpha), table_([eta, alpha](float cosine) {
+          return directional_albedo(cosine, alpha, [eta](const Vec3& wo, const Vec3& half, const Ggx& facets) {
+              return dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta) * reflected(wo, half, facets);
+          });
+      })
 {
-    for (size_t k = 0; k <= kSteps; ++k) {
-        table_[k] = directional_albedo(static_cast<float>(k) / kSteps, eta, alpha);
-    }
-    // The exact integral of 2·cosine·albedo over each step of the interpolated table.
-    constexpr float kStep = 1.0f / kSteps;
-    for (size_t k = 0; k < kSteps; ++k) {
-        const float a = static_cast<float>(k) * kStep, b = a + kStep;
-        mean_ += kStep / 3 * (table_[k] * (2 * a + b) + table_[k + 1] * (a + 2 * b));
-    }
 }
 
-float Skin::albedo(float cosine) const
+FacetTable::FacetTable(float alpha)
+    : alpha_(alpha), table_([alpha](float cosine) { return directional_albedo(cosine, alpha, reflected); })
 {
-    const float place = std::clamp(cosine, 0.0f, 1.0f) * kSteps;
-    const size_t k = std::min(static_cast<size_t>(place), kSteps - 1);
-    const float f = place - static_cast<float>(k);
-    return table_[k] * (1 - f) + table_[k + 1] * f;
+}
+
+GlassTable::GlassTable(float eta, float alpha)
+    : eta_(eta), alpha_(alpha), outer_(glass_side(eta, alpha)), inner_(glass_side(1 / eta, alpha))
+{
+    // Reciprocity of the lobes in RoughGlass asks for outer share × outer loss = η² × inner share × inner loss.
+    const float ratio = eta * eta * mean_lost(false) / std::max(mean_lost(true), 1e-6f);
+    const float mean_reflectance = Skin(eta, kLeastCosine).mean_albedo();
+    outer_share_ = std::min(1 - mean_reflectance, ratio);
+    inner_share_ = ratio > 0 ? std::min(outer_share_ / ratio, 1.0f) : 0;
 }
 
 }  // namespace lumi::baker

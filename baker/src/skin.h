@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How much of the light that arrives from one direction a rough dielectric skin reflects in all.
+// Tables of how much a rough surface sends on after one bounce off a facet, by quadrature, some milliseconds each. The
+// same arguments give the same table; the quadrature's error is at most 0.002.
 //
-// Plastic needs it so that skin and body together conserve energy: what the skin does not reflect reaches the body.
+// Skin: what a dielectric skin reflects; Plastic and Coated need it so that skin and body together conserve energy.
+// FacetTable: what white metal reflects; the rest is light that bounced between facets more than once.
+// GlassTable: what a dielectric boundary reflects and transmits, from either side.
 // Kulla & Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 course.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
-#include "vec3.h"
+#include "albedo_table.h"
 
 namespace lumi::baker
 {
@@ -16,22 +16,51 @@ namespace lumi::baker
 class Skin
 {
 public:
-    // Tabulates by quadrature, some milliseconds. eta > 1, alpha > 0. The same arguments give the same table.
+    // eta > 1, alpha > 0.
     Skin(float eta, float alpha);
 
     float eta() const { return eta_; }
     float alpha() const { return alpha_; }
-    // cosine in [0, 1] of the direction's angle to the normal. Never below the true value by more than the quadrature's
-    // error of 0.002, as the function is convex and interpolated.
-    float albedo(float cosine) const;
-    // Mean over a hemisphere of diffuse light.
-    float mean_albedo() const { return mean_; }
+    float albedo(float cosine) const { return table_.at(cosine); }
+    float mean_albedo() const { return table_.mean(); }
 
 private:
-    static constexpr size_t kSteps = 64;
+    float eta_, alpha_;
+    AlbedoTable table_;
+};
 
-    float eta_, alpha_, mean_;
-    std::array<float, kSteps + 1> table_;
+class FacetTable
+{
+public:
+    explicit FacetTable(float alpha);
+
+    float alpha() const { return alpha_; }
+    float lost(float cosine) const { return 1 - table_.at(cosine); }
+    float mean_lost() const { return 1 - table_.mean(); }
+
+private:
+    float alpha_;
+    AlbedoTable table_;
+};
+
+class GlassTable
+{
+public:
+    // eta > 1: inside against outside.
+    GlassTable(float eta, float alpha);
+
+    float eta() const { return eta_; }
+    float alpha() const { return alpha_; }
+    // What one bounce loses of light from a side; of it, the share that later bounces transmit. Chosen so that the
+    // whole is reciprocal.
+    float lost(bool outside, float cosine) const { return 1 - (outside ? outer_ : inner_).at(cosine); }
+    float mean_lost(bool outside) const { return 1 - (outside ? outer_ : inner_).mean(); }
+    float transmitted_share(bool outside) const { return outside ? outer_share_ : inner_share_; }
+
+private:
+    float eta_, alpha_;
+    AlbedoTable outer_, inner_;
+    float outer_share_ = 0, inner_share_ = 0;
 };
 
 }  // namespace lumi::baker

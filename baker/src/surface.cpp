@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface.h"
 
+#include "tangents.h"
+
 namespace lumi::baker
 {
 namespace
@@ -11,20 +13,6 @@ constexpr float kOffset = 1e-5f;
 // Surfaces that one ray may pass before it counts as stopped: bounds the work in a pathological stack of panes.
 constexpr int kMaxPasses = 256;
 
-template <class T, class Items>
-T interpolated(const Items& items, const Mesh::OptionalCorners& c, const Hit& hit)
-{
-    const T& a = items[static_cast<size_t>(c[0])];
-    const T& b = items[static_cast<size_t>(c[1])];
-    const T& d = items[static_cast<size_t>(c[2])];
-    if constexpr (std::is_same_v<T, Vec2>) {
-        const float w = 1 - hit.u - hit.v;
-        return {w * a.x + hit.u * b.x + hit.v * d.x, w * a.y + hit.u * b.y + hit.v * d.y};
-    } else {
-        return a * (1 - hit.u - hit.v) + b * hit.u + d * hit.v;
-    }
-}
-
 // The interpolated normal on the viewer's side; the geometric one where that is missing or faces away.
 Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Vec3& geometric, const Vec3& view)
 {
@@ -32,7 +20,9 @@ Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Vec3& geometric, con
     if (corners[0] == kNoIndex) {
         return geometric;
     }
-    const Vec3 mean = interpolated<Vec3>(mesh.normals, corners, hit);
+    const Vec3 mean = mesh.normals[static_cast<size_t>(corners[0])] * (1 - hit.u - hit.v) +
+                      mesh.normals[static_cast<size_t>(corners[1])] * hit.u +
+                      mesh.normals[static_cast<size_t>(corners[2])] * hit.v;
     const float size = length(mean);
     if (!(size > 0)) {
         return geometric;
@@ -41,14 +31,41 @@ Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Vec3& geometric, con
     return dot(normal, view) > 0 ? normal : geometric;
 }
 
-Rgb base_colour(const SceneData& scene, const Material& material, const Hit& hit)
+Rgb slot_at(const SceneData& scene, const TextureSlot& slot, const Hit& hit)
 {
-    const Mesh::OptionalCorners& corners = scene.mesh.mapping[hit.triangle];
-    if (material.base_texture == kNoTexture || corners[0] == kNoIndex) {
-        return material.base;
+    return slot_colour(scene.mesh, scene.textures, slot, hit.triangle, {hit.u, hit.v});
+}
+
+PointValues values_at(const SceneData& scene, const Material& material, const Hit& hit, bool outside)
+{
+    const TextureSlots& maps = material.maps;
+    return {material.base * slot_at(scene, maps.base, hit), material.metalness * slot_at(scene, maps.metalness, hit).g,
+            slot_at(scene, maps.roughness, hit).g, outside};
+}
+
+// `normal` bent as the material's normal map says; itself where that would face away from the viewer.
+Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hit, const Vec3& normal, const Vec3& view,
+                 bool outside)
+{
+    if (!material.maps.normal.used()) {
+        return normal;
     }
-    const Texture& texture = scene.textures[static_cast<size_t>(material.base_texture)];
-    return material.base * texture.at(interpolated<Vec2>(scene.mesh.uvs, corners, hit));
+    const std::optional<Tangents> tangents = tangents_of(scene.mesh, hit.triangle);
+    if (!tangents) {
+        return normal;
+    }
+    const float side = outside ? 1.0f : -1.0f;
+    const Vec3 front = normal * side;
+    const Rgb c = slot_at(scene, material.maps.normal, hit);
+    const Vec3 across = tangents->u - front * dot(front, tangents->u);
+    const Vec3 upright = cross(front, across) * tangents->handedness;
+    const float size = length(across);
+    if (!(size > 0)) {
+        return normal;
+    }
+    const Vec3 bent = (across * (2 * c.r - 1) + upright * (2 * c.g - 1)) / size + front * (2 * c.b - 1);
+    const float bent_size = length(bent);
+    return bent_size > 0 && dot(bent, view) * side > 0 ? bent * (side / bent_size) : normal;
 }
 
 Vec3 position_at(const Mesh& mesh, const Hit& hit)
@@ -72,7 +89,8 @@ Ray beyond(const SceneData& scene, const Ray& ray, const Hit& hit)
 
 float opacity_of(const SceneData& scene, const Hit& hit)
 {
-    return scene.materials[scene.mesh.materials[hit.triangle]].opacity;
+    const Material& material = scene.materials[scene.mesh.materials[hit.triangle]];
+    return material.opacity * slot_at(scene, material.maps.opacity, hit).g;
 }
 
 }  // namespace
@@ -82,9 +100,15 @@ Surface surface_at(const SceneData& scene, const Ray& ray, const Hit& hit)
     const Vec3 view = -ray.direction;
     const Vec3 geometric = facing_normal(scene.mesh, hit, view);
     const Material& material = scene.materials[scene.mesh.materials[hit.triangle]];
-    return {hit,       position_at(scene.mesh, hit),
-            geometric, Frame(shading_normal(scene.mesh, hit, geometric, view)),
-            &material, base_colour(scene, material, hit)};
+    const bool outside = dot(scene.mesh.area_vector(hit.triangle), view) > 0;
+    const Vec3 smooth = shading_normal(scene.mesh, hit, geometric, view);
+    return {hit,
+            position_at(scene.mesh, hit),
+            geometric,
+            Frame(bent_normal(scene, material, hit, smooth, view, outside)),
+            &material,
+            values_at(scene, material, hit, outside),
+            material.emits() ? emission_at(scene.mesh, material, scene.textures, hit.triangle, {hit.u, hit.v}) : Rgb{}};
 }
 
 Ray Surface::ray_towards(const Vec3& direction) const

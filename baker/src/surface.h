@@ -7,6 +7,7 @@
 #include "frame.h"
 #include "sampler.h"
 #include "scene_data.h"
+#include "texture_slot.h"
 
 namespace lumi::baker
 {
@@ -17,7 +18,8 @@ struct Surface {
     Vec3 geometric_normal;  // on the viewer's side
     Frame frame;            // around the shading normal, on the viewer's side
     const Material* material;
-    Rgb base;  // the material's base colour here
+    PointValues values;  // of the material here
+    Rgb emission;
 
     // A ray from just above (or, for directions through the surface, below) this point.
     Ray ray_towards(const Vec3& direction) const;

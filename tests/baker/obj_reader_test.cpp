@@ -181,7 +181,7 @@ TEST_CASE("obj: names with blanks, backslashes and Windows line ends")
         "my scene.obj", std::string("mtllib sub dir\\my mat.mtl\r\n") + kCorners + "usemtl red paint\r\nf 1 2 3\r\n"));
     CHECK(l.warnings.empty());
     REQUIRE(l.parts.textures.size() == 1);
-    CHECK(l.parts.materials[0].base_texture == 0);
+    CHECK(l.parts.materials[0].maps.base.texture == 0);
     CHECK(l.parts.textures[0].rgb == std::vector<uint8_t>{255, 0, 0});
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("obj: several material files, in one line or in several")
 TEST_CASE("mtl: missing and broken pictures are named, and the plain colour is used")
 {
     std::string warnings;
-    CHECK(only_material("Kd 0.2 0.3 0.4\nmap_Kd no.png\n", &warnings).base_texture == kNoTexture);
+    CHECK(only_material("Kd 0.2 0.3 0.4\nmap_Kd no.png\n", &warnings).maps.base.texture == kNoTexture);
     CHECK_THAT(warnings, Catch::Contains("m.mtl:3: the picture 'no.png' is missing"));
 
     const ScratchFolder folder;

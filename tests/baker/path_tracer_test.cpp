@@ -37,9 +37,9 @@ public:
             }
             result.covered = true;
             const Surface surface = surface_at(scene_, ray, *hit);
-            result.radiance = result.radiance + throughput * surface.material->emission;
+            result.radiance = result.radiance + throughput * surface.emission;
             const Vec3 wo = surface.frame.to_local(-ray.direction);
-            const Bsdf bsdf = surface.material->bsdf(surface.base, sampler.next_1d());
+            const Bsdf bsdf = surface.material->bsdf(surface.values, sampler.next_1d());
             const float u = sampler.next_1d();
             const std::optional<BsdfSample> s = bsdf.sample(wo, u, sampler.next_2d());
             if (!s) {

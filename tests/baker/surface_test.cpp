@@ -51,7 +51,7 @@ TEST_CASE("surface: a picture lies on the triangles as its coordinates say, and 
     const float place = 0.5f / scene.radius();  // centres of the four pixels
     const auto colour = [&](float x, float y) {
         const Ray ray = ray_to({0.1f, 0.2f, 1}, {x, y, 0});
-        const Rgb8 base = srgb_encode(seen(scene, ray).base);
+        const Rgb8 base = srgb_encode(seen(scene, ray).values.base);
         Sampler sampler(1, 0, 0);
         Estimate estimate;
         for (uint32_t s = 0; s < 256; ++s) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "radiance_picture.h"
+
+#include "exr_file.h"
+#include "image_file.h"
+#include "text_lines.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kMaxRadiance = 1e9f;  // sums of many stay finite in binary32
+
+bool sound(float v)
+{
+    return v >= 0 && std::isfinite(v);
+}
+
+void repair(const std::filesystem::path& file, RadiancePicture& picture, std::vector<std::string>& warnings)
+{
+    size_t bad = 0, first = 0;
+    for (size_t k = 0; k < picture.pixels.size(); ++k) {
+        Rgb& p = picture.pixels[k];
+        if (!sound(p.r) || !sound(p.g) || !sound(p.b)) {
+            first = bad++ == 0 ? k : first;
+            p = {};
+        }
+        p = {std::min(p.r, kMaxRadiance), std::min(p.g, kMaxRadiance), std::min(p.b, kMaxRadiance)};
+    }
+    if (bad != 0) {
+        const size_t width = static_cast<size_t>(picture.width);
+        warnings.push_back(at({file.string()}, std::to_string(bad) +
+                                                   " pixel(s) are no number, infinite or negative and count as black; "
+                                                   "repair the picture, first at column " +
+                                                   std::to_string(first % width) + ", row " +
+                                                   std::to_string(first / width)));
+    }
+}
+
+}  // namespace
+
+RadiancePicture read_radiance_picture(const std::filesystem::path& file, std::vector<std::string>& warnings)
+{
+    const std::string bytes = read_text(file);
+    RadiancePicture picture = is_exr(bytes) ? read_exr(file, bytes) : read_hdr(file, bytes);
+    repair(file, picture, warnings);
+    return picture;
+}
+
+}  // namespace lumi::baker
