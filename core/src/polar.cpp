@@ -1,35 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "polar.h"
 
-#include "generate.h"
-
 namespace lumi::polar
 {
 namespace
 {
-
-struct Pattern {
-    PlanePoint point[kPoints];
-};
-
-constexpr int16_t round_q12(double v)
-{
-    return static_cast<int16_t>(v * 4096 + (v < 0 ? -0.5 : 0.5));
-}
-
-constexpr Pattern make_pattern()
-{
-    Pattern pattern{};
-    for (uint32_t i = 0; i < kPoints; ++i) {
-        const double radius = generate::root(i + 0.5);
-        const double angle = 2 * generate::kPi * (generate::fraction(i / generate::kGolden) - 0.5);  // -π .. π, turned
-        pattern.point[i] = {round_q12(-radius * generate::sine(angle + generate::kPi / 2)),
-                            round_q12(-radius * generate::sine(angle))};
-    }
-    return pattern;
-}
-
-constexpr Pattern kPattern = make_pattern();
 
 // Delaunay triangles that reach into the cap, by their lowest corner.
 constexpr uint8_t kCorners[kTriangles][3] = {
@@ -55,11 +30,6 @@ constexpr uint8_t kBeyond[kTriangles][3] = {
     {255, 33, 55}, {255, 58, 44}, {255, 36, 57}, {255, 60, 47}, {255, 39, 59}};
 
 }  // namespace
-
-PlanePoint plane_point(uint32_t i)
-{
-    return kPattern.point[i];
-}
 
 const uint8_t* corners(int k)
 {

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+#include "generate.h"
+
 namespace lumi::polar
 {
 
@@ -21,8 +23,34 @@ struct PlanePoint {
     int16_t x_q12, y_q12;
 };
 
+struct Pattern {
+    PlanePoint point[kPoints];
+};
+
+constexpr int16_t round_q12(double v)
+{
+    return static_cast<int16_t>(v * 4096 + (v < 0 ? -0.5 : 0.5));
+}
+
+constexpr Pattern make_pattern()
+{
+    Pattern pattern{};
+    for (uint32_t i = 0; i < kPoints; ++i) {
+        const double radius = generate::root(i + 0.5);
+        const double angle = 2 * generate::kPi * (generate::fraction(i / generate::kGolden) - 0.5);  // -π .. π, turned
+        pattern.point[i] = {round_q12(-radius * generate::sine(angle + generate::kPi / 2)),
+                            round_q12(-radius * generate::sine(angle))};
+    }
+    return pattern;
+}
+
+inline constexpr Pattern kPattern = make_pattern();
+
 // Point i < kPoints of the pattern.
-PlanePoint plane_point(uint32_t i);
+inline PlanePoint plane_point(uint32_t i)
+{
+    return kPattern.point[i];
+}
 
 // Corners of triangle k < kTriangles, counter-clockwise, the lowest index first. Triangles come in the order of it.
 const uint8_t* corners(int k);

@@ -9,22 +9,32 @@ namespace lumi
 namespace
 {
 
-struct Corners {
+// A triangle of the pattern, its parts at a position (twice the area opposite each corner, Q24) and how they change.
+struct Parts {
     polar::PlanePoint p[3];
+    int32_t area[3];
 
-    explicit Corners(int32_t triangle)
+    Parts(int32_t triangle, int32_t x_q12, int32_t y_q12)
     {
         const uint8_t* c = polar::corners(triangle);
         for (int k = 0; k < 3; ++k) p[k] = polar::plane_point(c[k]);
+        for (int k = 0; k < 3; ++k) {
+            const polar::PlanePoint a = p[(k + 1) % 3];
+            const polar::PlanePoint b = p[(k + 2) % 3];
+            area[k] = (b.x_q12 - a.x_q12) * (y_q12 - a.y_q12) - (b.y_q12 - a.y_q12) * (x_q12 - a.x_q12);
+        }
     }
 
-    // Twice the area of the part opposite corner k, Q24, and how it changes along (dx, dy).
-    int32_t area(int k, int32_t x_q12, int32_t y_q12) const
+    // The edge to cross, opposite the most negative part that has a triangle beyond; -1 where there is none.
+    int way_out(const uint8_t* beyond) const
     {
-        const polar::PlanePoint a = p[(k + 1) % 3];
-        const polar::PlanePoint b = p[(k + 2) % 3];
-        return (b.x_q12 - a.x_q12) * (y_q12 - a.y_q12) - (b.y_q12 - a.y_q12) * (x_q12 - a.x_q12);
+        int edge = -1;
+        for (int k = 0; k < 3; ++k) {
+            if (area[k] < 0 && beyond[k] != polar::kNone && (edge < 0 || area[k] < area[edge])) edge = k;
+        }
+        return edge;
     }
+
     int32_t change(int k, int32_t dx_q16, int32_t dy_q16) const
     {
         const polar::PlanePoint a = p[(k + 1) % 3];
@@ -33,25 +43,17 @@ struct Corners {
     }
 };
 
-// Walks towards the triangle that holds (x, y); at the table's end it stops at the nearest one.
-int32_t locate(int32_t triangle, int32_t x_q12, int32_t y_q12)
+// Walks towards the triangle that holds (x, y); beyond the table's end it stops at one next to it.
+Parts locate(int32_t& triangle, int32_t x_q12, int32_t y_q12)
 {
+    Parts parts(triangle, x_q12, y_q12);
     for (int step = 0; step < polar::kTriangles; ++step) {
-        const Corners corners(triangle);
-        int worst = 0;
-        int32_t least = corners.area(0, x_q12, y_q12);
-        for (int k = 1; k < 3; ++k) {
-            const int32_t area = corners.area(k, x_q12, y_q12);
-            if (area < least) {
-                least = area;
-                worst = k;
-            }
-        }
-        const uint8_t next = polar::beyond(triangle)[worst];
-        if (least >= 0 || next == polar::kNone) return triangle;
-        triangle = next;
+        const int edge = parts.way_out(polar::beyond(triangle));
+        if (edge < 0) break;
+        triangle = polar::beyond(triangle)[edge];
+        parts = Parts(triangle, x_q12, y_q12);
     }
-    return triangle;
+    return parts;
 }
 
 }  // namespace
@@ -60,13 +62,11 @@ void SpanCap::find(int32_t at)
 {
     const int32_t x = x_q12 + ((at * dx_q16) >> 4);
     const int32_t y = y_q12 + ((at * dy_q16) >> 4);
-    triangle = locate(triangle, x, y);
-    const Corners corners(triangle);
+    const Parts parts = locate(triangle, x, y);
     int32_t area[3];
     int32_t sum = 0;
     for (int k = 0; k < 3; ++k) {
-        const int32_t a = corners.area(k, x, y);
-        area[k] = a > 0 ? a : 0;
+        area[k] = parts.area[k] > 0 ? parts.area[k] : 0;
         sum += area[k];
     }
     // The weights of Q24 areas over their sum; sum is about π in Q24, so the reciprocal keeps 15 bits of it.
@@ -81,7 +81,7 @@ void SpanCap::find(int32_t at)
     for (int k = 0; k < 3; ++k) {
         corner[k] = polar::corners(triangle)[k];
         weight_q16[k] = share(area[k]);
-        step_q16[k] = share(corners.change(k, dx_q16, dy_q16));
+        step_q16[k] = share(parts.change(k, dx_q16, dy_q16));
     }
     weight_q16[0] = 65536 - weight_q16[1] - weight_q16[2];
     step_q16[0] = -step_q16[1] - step_q16[2];

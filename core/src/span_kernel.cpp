@@ -89,18 +89,11 @@ KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRa
     for (int k = 0; k < kKernelCandidates; ++k) {
         const int32_t inside = kOneQ12 - near.distance2_q12[k];
         if (inside <= 0 || !range.holds(near.offset[k])) continue;
-        const uint32_t w = static_cast<uint32_t>(inside * inside) >> 12;
-        // Heaviest first, so that the last ones may be dropped.
-        int at = count++;
-        for (; at > 0 && weight[at - 1] < w; --at) {
-            weight[at] = weight[at - 1];
-            offset[at] = offset[at - 1];
-        }
-        weight[at] = w;
-        offset[at] = near.offset[k];
-        sum += w;
+        weight[count] = static_cast<uint32_t>(inside * inside) >> 12;
+        offset[count] = near.offset[k];
+        sum += weight[count++];
     }
-    for (; count > static_cast<int>(most); --count) sum -= weight[count - 1];
+    while (count > static_cast<int>(most)) sum -= drop_lightest();
     const CoarseReciprocal r = coarse_reciprocal(sum != 0 ? sum : 1);
     uint32_t rest = 1u << bits;
     for (int k = count - 1; k > 0; --k) {
@@ -108,6 +101,19 @@ KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRa
         rest -= weight[k];
     }
     if (count > 0) weight[0] = rest;
+}
+
+uint32_t KernelTaps::drop_lightest()
+{
+    int lightest = 0;
+    for (int k = 1; k < count; ++k) {
+        if (weight[k] < weight[lightest]) lightest = k;
+    }
+    const uint32_t dropped = weight[lightest];
+    --count;
+    weight[lightest] = weight[count];
+    offset[lightest] = offset[count];
+    return dropped;
 }
 
 int32_t nearest_offset(const SpanNeighbours& near, const OffsetRange& range)

@@ -14,7 +14,7 @@ constexpr int32_t kFibonacci[kFirstSpanZone + kSpanZones + 1] = {0,  1,  1,  2, 
 
 struct PowerTables {
     int32_t inverse_q30[kFirstSpanZone + kSpanZones + 1];      // Φ^-k
-    uint64_t zone_q30[2 * (kFirstSpanZone + kSpanZones) + 1];  // Φ^m/(√5·π)
+    uint32_t zone_q10[2 * (kFirstSpanZone + kSpanZones) + 1];  // Φ^m/(√5·π)
 };
 
 constexpr PowerTables make_tables()
@@ -26,8 +26,8 @@ constexpr PowerTables make_tables()
         inverse /= generate::kGolden;
     }
     double power = 1 / (generate::root(5) * generate::kPi);
-    for (uint64_t& v : t.zone_q30) {
-        v = static_cast<uint64_t>(kOneQ30 * power);
+    for (uint32_t& v : t.zone_q10) {
+        v = static_cast<uint32_t>(1024 * power);
         power *= generate::kGolden;
     }
     return t;
@@ -42,10 +42,10 @@ int32_t magnitude(int32_t v)
     return v < 0 ? -v : v;
 }
 
-// |z| where n·(1 - z²) has the given value, Q30; 0 where it is never reached.
-int32_t height_of_q30(uint64_t n_sine2_q30, uint32_t n)
+// |z| where n·(1 - z²) has the given value; 0 where it is never reached.
+int32_t height_of_q30(uint32_t n_sine2_q10, const Lattice& lattice)
 {
-    const uint64_t sine2_q30 = n_sine2_q30 / n;
+    const uint64_t sine2_q30 = (static_cast<uint64_t>(n_sine2_q10) * lattice.reciprocal_q30()) >> 10;
     if (sine2_q30 >= static_cast<uint64_t>(kOneQ30)) return 0;
     return static_cast<int32_t>(square_root((static_cast<uint64_t>(kOneQ30) - sine2_q30) << 30));
 }
@@ -62,8 +62,8 @@ SpanZone make_zone(const Lattice& lattice, int k)
     SpanZone z{};
     z.first = kFibonacci[k];
     z.second = kFibonacci[k + 1];
-    z.begin_z_q30 = height_of_q30(kPowers.zone_q30[2 * k], n);
-    z.obtuse_z_q30 = height_of_q30(kPowers.zone_q30[2 * k + 1], n);
+    z.begin_z_q30 = height_of_q30(kPowers.zone_q10[2 * k], lattice);
+    z.obtuse_z_q30 = height_of_q30(kPowers.zone_q10[2 * k + 1], lattice);
     z.acute_limit_z_q30 = height_of_index_q30(lattice, z.second + 1);
     z.obtuse_limit_z_q30 = height_of_index_q30(lattice, z.first + z.second + 1);
     // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: z comes in Q16, coordinates leave in Q16.
@@ -139,6 +139,7 @@ void SpanWalker::begin(const SpanNode& at)
 {
     const SpanHit& hit = at.*hit_;
     longitude_q20_ = static_cast<int32_t>(hit.longitude_turns32 >> 12);
+    side_.cap.triangle = 0;  // a row's picture must not depend on the rows before it
     if (holds(hit.z_q30)) set_coordinates(longitude_q20_, hit.z_q30, side_.u_q16, side_.v_q16);
 }
 

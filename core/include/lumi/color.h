@@ -40,4 +40,21 @@ constexpr Rgb8 unpack_rgb565(uint16_t v)
             static_cast<uint8_t>(b << 3 | b >> 2)};
 }
 
+// pack_rgb565 of every grey, where one look-up beats a dozen instructions a pixel. Linked only if used: 512 bytes.
+struct GreyTable {
+    uint16_t rgb565[256];
+};
+
+constexpr GreyTable make_grey_table()
+{
+    GreyTable t{};
+    for (uint32_t v = 0; v < 256; ++v) {
+        const uint8_t c = static_cast<uint8_t>(v);
+        t.rgb565[v] = pack_rgb565({c, c, c});
+    }
+    return t;
+}
+
+inline constexpr GreyTable kGreyTable = make_grey_table();
+
 }  // namespace lumi

@@ -36,6 +36,8 @@ public:
     // The square of the mean point spacing, 4π/n (the area of a point), in the units of Neighbour. In [2^22, 2^24].
     uint32_t spacing2() const { return spacing2_; }
     int distance_shift() const { return distance_shift_; }
+    // 1/n, Q30, rounded down.
+    uint32_t reciprocal_q30() const { return static_cast<uint32_t>(reciprocal_q62_ >> 32); }
 
 private:
     uint32_t size_;

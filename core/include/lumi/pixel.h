@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Output formats of a display: policies with `kBytes`, `store(pointer, colour)` and `load(pointer)`. 16-bit pixels lie
-// at even addresses.
+// Output formats of a display: policies with `kBytes`, `store(pointer, colour)`, `store_grey(pointer, value)` (the same
+// for equal channels) and `load(pointer)`. 16-bit pixels lie at even addresses.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +27,7 @@ inline uint16_t load_even16(const uint8_t* p)
 struct PixelRgb565 {
     static constexpr uint32_t kBytes = 2;
     static void store(uint8_t* p, const Rgb8& c) { store_even16(p, pack_rgb565(c)); }
+    static void store_grey(uint8_t* p, uint8_t v) { store_even16(p, kGreyTable.rgb565[v]); }
     static Rgb8 load(const uint8_t* p) { return unpack_rgb565(load_even16(p)); }
 };
 
@@ -34,6 +35,7 @@ struct PixelRgb565 {
 struct PixelRgb565Swapped {
     static constexpr uint32_t kBytes = 2;
     static void store(uint8_t* p, const Rgb8& c) { store_even16(p, __builtin_bswap16(pack_rgb565(c))); }
+    static void store_grey(uint8_t* p, uint8_t v) { store_even16(p, __builtin_bswap16(kGreyTable.rgb565[v])); }
     static Rgb8 load(const uint8_t* p) { return unpack_rgb565(__builtin_bswap16(load_even16(p))); }
 };
 
@@ -46,6 +48,7 @@ struct PixelRgb888 {
         p[1] = c.g;
         p[2] = c.b;
     }
+    static void store_grey(uint8_t* p, uint8_t v) { store(p, {v, v, v}); }
     static Rgb8 load(const uint8_t* p) { return {p[0], p[1], p[2]}; }
 };
 
@@ -53,6 +56,7 @@ struct PixelRgb888 {
 struct PixelGrey8 {
     static constexpr uint32_t kBytes = 1;
     static void store(uint8_t* p, const Rgb8& c) { p[0] = luma(c); }
+    static void store_grey(uint8_t* p, uint8_t v) { p[0] = v; }
     static Rgb8 load(const uint8_t* p) { return {p[0], p[0], p[0]}; }
 };
 

@@ -82,10 +82,12 @@ private:
             int halvings = front_.prepare(at, next, log2);
             if (halvings == 0) halvings = back_.prepare(at, next, log2);
             if (halvings == 0) {
-                draw(row, ahead, 1 << log2);
+                // The row's last pixel is the last span's end.
+                const int32_t length = (1 << log2) == from_right ? from_right + 1 : 1 << log2;
+                draw(row, ahead, length);
                 front_.commit();
                 back_.commit();
-                return 1 << log2;
+                return length;
             }
             log2 -= halvings;
         }

@@ -297,7 +297,7 @@ struct SpanDraw<Linear> {
             __attribute__((always_inline))
         {
             const auto sum = sum_of_taps<Texel, Background>(span.field, base, origins, directions);
-            Pixel::store(pixel, sum.over(span.background.template under<Pixel>(pixel)));
+            sum.template store<Pixel>(span.background, pixel);
         };
         if (span.origins.in_cap || span.directions.in_cap) {
             for_pixels<AnySource, Sum::kTapBits, Texel, Pixel>(span, visit);

@@ -100,7 +100,7 @@ struct OffsetRange {
     }
 };
 
-// Taps of weight: the kernel's (1 - d²)², normalised to 2^bits; the largest takes what rounding leaves.
+// Taps of weight: the kernel's (1 - d²)², normalised to 2^bits; the first takes what rounding leaves.
 struct KernelTaps {
     int count;
     int32_t offset[kKernelCandidates];
@@ -109,6 +109,9 @@ struct KernelTaps {
     // At most `most` taps, the nearest ones. `lowest` and `highest` bound the offsets that exist: near a pole a
     // candidate may lie beyond it.
     KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRange& range, int bits);
+
+private:
+    uint32_t drop_lightest();
 };
 
 // Picks the candidate at the least distance.
@@ -152,7 +155,7 @@ struct SpanDraw<Paper<K>> {
                     }
                     sum.add(taps, origins.weight[m]);
                 }
-                Pixel::store(pixel, sum.over(span.background.template under<Pixel>(pixel)));
+                sum.template store<Pixel>(span.background, pixel);
             });
     }
 };

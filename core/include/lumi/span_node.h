@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The exact ends of a span: where a row's ray meets the sphere, in 32-bit arithmetic.
 //
-// All products are 32×32→32, so that a Cortex-M0+ needs no library call. Viewing vectors are Q15 (rounded to 2^-16),
-// hits are within 2^-14 where the half chord is above 1/8, growing towards the rim as the chord gets short; longitudes
-// are within 2^-16 turn plus the hit's error over its distance from the axis. That is 1/50 of a cell for a lattice of
-// 2^16 points, the largest that spans are drawn from.
+// All products are 32×32→32, so that a Cortex-M0+ needs no library call. Viewing vectors are Q15; where the half chord
+// is above 1/8, hits are within 2^-10 of the exact ones for every camera (the worst is an eye at 2047 R), 1/18 of a
+// cell of a lattice of 2^16 points, the largest that spans are drawn from. Towards the rim the error grows as the chord
+// gets short.
 #pragma once
 
 #include "lumi/camera.h"

@@ -3,7 +3,7 @@
 // rows.
 //
 // SpanSum<Texel, kCoverage> has a `Row` with add(texel pointer, weight) for the taps of one origin, and itself add(row,
-// weight) for the origins; both sides' weights sum to at most 256. over<Pixel>(background, pixel) gives the colour.
+// weight) for the origins; `store<Pixel>(background, pixel)` blends and writes the pixel.
 // Without kCoverage (over black) nothing is spent on it.
 #pragma once
 
@@ -69,6 +69,12 @@ struct SpanSumHalves {
         };
         return {over_one(low(rb), under.r), over_one(low(ga), under.g), over_one(high(rb), under.b)};
     }
+
+    template <class Pixel, class Background>
+    void store(const Background& background, uint8_t* pixel) const
+    {
+        Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
+    }
 };
 
 struct LoadRgb888 {
@@ -124,12 +130,13 @@ struct SpanSum<TexelLuma8, kCoverage> {
         if (kCoverage) a += row.a * weight;
     }
 
-    Rgb8 over(const Rgb8& under) const
+    template <class Pixel, class Background>
+    void store(const Background& background, uint8_t* pixel) const
     {
-        const uint32_t t = kCoverage ? 65536u - a : 0;
-        const uint8_t g = blended(y, t, under.g);
-        if (!kCoverage) return {g, g, g};
-        return {blended(y, t, under.r), g, blended(y, t, under.b)};
+        if (!kCoverage) return Pixel::store_grey(pixel, blended(y, 0, 0));
+        const Rgb8 under = background.template under<Pixel>(pixel);
+        const uint32_t t = 65536u - a;
+        Pixel::store(pixel, {blended(y, t, under.r), blended(y, t, under.g), blended(y, t, under.b)});
     }
 };
 
@@ -165,6 +172,12 @@ struct SpanSum<TexelRgb565, kCoverage> {
         const uint32_t t = kCoverage ? 65536u - 4 * a : 0;
         return {blended((r * 8423u) >> 8, t, under.r), blended((g * 4145u) >> 8, t, under.g),
                 blended((b * 8423u) >> 8, t, under.b)};
+    }
+
+    template <class Pixel, class Background>
+    void store(const Background& background, uint8_t* pixel) const
+    {
+        Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
     }
 };
 
