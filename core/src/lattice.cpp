@@ -10,7 +10,8 @@ namespace lumi
 namespace
 {
 
-// Fibonacci numbers F_0 .. F_16; the largest zone of n = 2^20 is 15.
+// Fibonacci numbers F_0 .. F_16. Zone 15 also serves the equator of n = 2^20, where Keinert's zone would be 16: the
+// cells' triangles are the same.
 constexpr int32_t kFibonacci[17] = {0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 233, 377, 610, 987};
 constexpr int kZones = 16;
 
