@@ -25,16 +25,40 @@ thread_local Trace trace;
 // A texel policy that behaves like Texel and tells what it reads.
 template <class Texel>
 struct Traced : Texel {
-    static Rgba8 load(const Field& field, const uint8_t* row, uint32_t j)
+    static void note(const Field& field, const uint8_t* texel)
     {
         constexpr uint32_t kBytes = format::bytes_per_texel(Texel::kFormat);
         constexpr uint32_t kEntryBytes = 4;
-        trace.note(row + kBytes * j, kBytes);
+        trace.note(texel, kBytes);
         if (Texel::kFormat == format::TexelFormat::palette8)
-            trace.note(field.palette + kEntryBytes * row[j], kEntryBytes);
+            trace.note(field.palette + kEntryBytes * *texel, kEntryBytes);
+    }
+    static Rgba8 load(const Field& field, const uint8_t* row, uint32_t j)
+    {
+        note(field, row + format::bytes_per_texel(Texel::kFormat) * j);
         return Texel::load(field, row, j);
     }
 };
+
+}  // namespace
+}  // namespace lumi::bench
+
+// The sums of spans read texels by themselves.
+template <class Texel, bool kCoverage>
+struct lumi::SpanSum<lumi::bench::Traced<Texel>, kCoverage> : lumi::SpanSum<Texel, kCoverage> {
+    struct Row : SpanSum<Texel, kCoverage>::Row {
+        void add(const Field& field, const uint8_t* texel, uint32_t weight)
+        {
+            bench::Traced<Texel>::note(field, texel);
+            SpanSum<Texel, kCoverage>::Row::add(field, texel, weight);
+        }
+    };
+};
+
+namespace lumi::bench
+{
+namespace
+{
 
 struct Job {
     int span;
