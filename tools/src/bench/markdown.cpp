@@ -26,7 +26,7 @@ std::string opening(const FieldSettings& field)
            "from "
            "1.3 radii, all 57,600 pixels covered. Cost is the whole frame, rows and\nrim included, divided by covered "
            "pixels. S is the span length: a pixel in S is evaluated exactly, in between lattice\ncoordinates are "
-           "stepped. *exact* is the renderer without spans.\n\n";
+           "stepped. *exact* is render() itself, which render_spans() calls for S = 1.\n\n";
 }
 
 // The renderer with the best picture that reaches a rate on a part, by order of kModes, then by longer spans last.
@@ -66,11 +66,10 @@ std::string how_to_choose(const Rows& rows)
            "1. **Reconstruction** decides the looks: *nearest* shows the lattice's cells, *dither* trades them for a "
            "fine "
            "grain that the eye\n   averages, *linear* (3×3) is smooth, *paper* (5×5) is smoother still and dearest.\n"
-           "2. **Texels** decide flash and tint: palette8 and luma8 take one byte, RGB565 two, RGB888 three. One byte "
-           "also "
-           "means fewer\n   flash lines, which on parts that run from QSPI flash is worth more than instructions.\n"
-           "3. **Span** decides speed: take S = 16 while the object moves and S = 4 or 8 when it rests; the pictures "
-           "differ by less\n   than the display's own rounding in most pixels, see *Accuracy*.\n"
+           "2. **Texels** decide flash and tint: palette8 and luma8 take one byte, RGB565 two, RGB888 three. Smaller "
+           "texels also touch\n   fewer flash lines, see *Frame rates of named parts*.\n"
+           "3. **Span** decides speed: a long one while the object moves, a short one when it rests. *Accuracy* says "
+           "what that costs.\n"
            "4. A part is limited by its display, its arithmetic or its flash; the table below takes the worst of "
            "them.\n\n"
            "The best reconstruction, then the shortest span, then the finest texel that reaches a rate in the model "
