@@ -13,7 +13,6 @@ namespace lumi
 {
 
 inline constexpr int kSpanBits = 8;  // of an origin's weight: weights of a side sum to 2^8
-inline constexpr uint32_t kSpanOne = 1u << kSpanBits;
 
 template <class T>
 T load_aligned(const uint8_t* p)

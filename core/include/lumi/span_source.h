@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The taps of one side of a span, pixel by pixel: through the lattice's cells, or over a pole's cap.
+//
+// A source has base(), the offset of its index 0, taps<bits>() and advance(). Offsets are in bytes, so that the sum of
+// both sides' offsets addresses a texel.
+#pragma once
+
+#include "lumi/span_lattice.h"
+
+// Loops over pixels must not pass their taps through memory.
+#define LUMI_ALWAYS_INLINE __attribute__((always_inline)) inline
+
+namespace lumi
+{
+
+// Where a side's lattice steps lie in memory.
+struct SpanSteps {
+    int32_t first, second, base;
+
+    SpanSteps(const SpanSide& side, int32_t stride_bytes)
+        : first(side.first * stride_bytes), second(side.second * stride_bytes), base(side.base * stride_bytes)
+    {
+    }
+
+    int32_t at(int32_t u_q16, int32_t v_q16) const { return base + first * (u_q16 >> 16) + second * (v_q16 >> 16); }
+};
+
+// Three taps of a side: offsets in memory and weights that sum to 2^kBits.
+struct SpanTaps {
+    int32_t offset[3];
+    uint32_t weight[3];
+};
+
+// The taps of a side that runs through the lattice's cells.
+class CellSource
+{
+public:
+    CellSource(const SpanSide& side, int32_t stride_bytes)
+        : steps_(side, stride_bytes), u_q16_(side.u_q16), v_q16_(side.v_q16), du_q16_(side.du_q16), dv_q16_(side.dv_q16)
+    {
+    }
+
+    int32_t base() const { return steps_.base; }
+
+    // The triangle of the cell: its halves meet along the sum of both steps. Selected by masks: no branch, no flags.
+    template <int kBits>
+    LUMI_ALWAYS_INLINE SpanTaps taps() const
+    {
+        constexpr int32_t kOne = 1 << kBits;
+        const int32_t fu = (u_q16_ >> (16 - kBits)) & (kOne - 1);
+        const int32_t fv = (v_q16_ >> (16 - kBits)) & (kOne - 1);
+        const int32_t difference = fu - fv;
+        const int32_t upper = difference >> 31;  // all ones where fu < fv
+        const int32_t between = (difference ^ upper) - upper;
+        const int32_t less = fv + (difference & upper);
+        const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
+        const int32_t middle = corner + steps_.first + ((steps_.second - steps_.first) & upper);
+        return {{corner, middle, corner + steps_.first + steps_.second},
+                {static_cast<uint32_t>(kOne - less - between), static_cast<uint32_t>(between),
+                 static_cast<uint32_t>(less)}};
+    }
+
+    void advance()
+    {
+        u_q16_ += du_q16_;
+        v_q16_ += dv_q16_;
+    }
+
+private:
+    SpanSteps steps_;
+    int32_t u_q16_, v_q16_, du_q16_, dv_q16_;
+};
+
+// The taps of a side that may lie in a pole's cap: the rare spans share one loop.
+class AnySource
+{
+public:
+    AnySource(const SpanSide& side, int32_t stride_bytes)
+        : cell_(side, stride_bytes), cap_(side.cap), step_(side.first * stride_bytes), in_cap_(side.in_cap)
+    {
+    }
+
+    int32_t base() const { return cell_.base(); }
+
+    template <int kBits>
+    SpanTaps taps() const
+    {
+        if (!in_cap_) return cell_.taps<kBits>();
+        constexpr uint32_t kOne = 1u << kBits;
+        const uint32_t w1 = (static_cast<uint32_t>(cap_.weight_q16[1]) + (kOne >> 1)) >> (16 - kBits);
+        const uint32_t w2 = static_cast<uint32_t>(cap_.weight_q16[2]) >> (16 - kBits);
+        return {{cap_.corner[0] * step_, cap_.corner[1] * step_, cap_.corner[2] * step_},
+                {w1 + w2 < kOne ? kOne - w1 - w2 : 0, w1, w2}};
+    }
+
+    void advance()
+    {
+        if (in_cap_) {
+            cap_.advance(++pixel_);
+        } else {
+            cell_.advance();
+        }
+    }
+
+private:
+    CellSource cell_;
+    SpanCap cap_;
+    int32_t step_;
+    int32_t pixel_ = 0;
+    bool in_cap_;
+};
+
+}  // namespace lumi

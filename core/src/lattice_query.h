@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What neighbours and triangles share: a direction as the lattice sees it.
+#pragma once
+
+#include "lumi/lattice.h"
+
+namespace lumi
+{
+
+// Below this size every point is looked at: the pattern of one pole reaches into the other's.
+inline constexpr uint32_t kSmallSize = 64;
+
+// A query in the northern hemisphere; the south is its mirror image i -> n-1-i.
+struct Query {
+    uint32_t longitude_turns32;
+    int32_t height_q10;  // real-valued index t
+    int32_t z_q30;       // in [0, 1]
+    bool mirrored;
+};
+
+Query make_query(const Lattice& lattice, const Vec3q30& direction);
+
+// The index of a query's hemisphere as an index of the lattice.
+inline uint32_t unmirrored(const Lattice& lattice, const Query& query, uint32_t i)
+{
+    return query.mirrored ? lattice.size() - 1 - i : i;
+}
+
+// Distance of a query from the pole in the polar pattern, where point i lies at sqrt(i + 1/2).
+int32_t polar_radius_q12(const Query& q);
+
+// Lattice coordinates of a query in the basis (F_k, F_k+1) of its zone: the point with coordinates (a, b) has index
+// F_k·a + F_k+1·b. The basis has determinant ±1, and adding a turn to the longitude moves (u, v) by (F_k+1, -F_k),
+// which leaves every index as it is.
+struct Cell {
+    int zone;
+    int32_t first, second;  // F_k, F_k+1
+    int32_t u_q12, v_q12;
+};
+
+Cell cell_of(const Query& q);
+
+// Whether the two steps of a cell's zone form an obtuse angle at the middle of the cell whose lowest corner is
+// `corner`: then the cell's diagonal is their sum, else their difference. Decided for the cell, not for the query, so
+// that neighbours agree and no seam opens where the diagonal flips; where the zone changes, both zones' triangles are
+// the same.
+bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner);
+
+}  // namespace lumi
