@@ -116,13 +116,4 @@ uint32_t KernelTaps::drop_lightest()
     return dropped;
 }
 
-int32_t nearest_offset(const SpanNeighbours& near, const OffsetRange& range)
-{
-    int best = 0;
-    for (int k = 1; k < kKernelCandidates; ++k) {
-        if (range.holds(near.offset[k]) && near.distance2_q12[k] < near.distance2_q12[best]) best = k;
-    }
-    return near.offset[best];
-}
-
 }  // namespace lumi

@@ -44,7 +44,8 @@ public:
 
     int32_t base() const { return steps_.base; }
 
-    SpanNeighbours neighbours() const
+    // The first `count` candidates; the first three are the corners of the pixel's triangle.
+    SpanNeighbours neighbours(int count) const
     {
         if (side_.in_cap) return cap_neighbours();
         SpanNeighbours result;
@@ -52,7 +53,7 @@ public:
         const int32_t fv = (v_q16_ >> 4) & 4095;
         const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
         const Step* steps = fu > fv ? kLower : kUpper;
-        for (int k = 0; k < kKernelCandidates; ++k) {
+        for (int k = 0; k < count; ++k) {
             const int32_t u = steps[k].u;
             const int32_t v = steps[k].v;
             result.offset[k] = corner + steps_.first * u + steps_.second * v;
@@ -114,11 +115,16 @@ private:
     uint32_t drop_lightest();
 };
 
-// Picks the candidate at the least distance.
-int32_t nearest_offset(const SpanNeighbours& near, const OffsetRange& range);
+// The corner of a pixel's triangle at the least distance: no other lattice point is nearer, since no triangle is
+// obtuse.
+inline int32_t nearest_offset(const SpanNeighbours& near)
+{
+    const int first = near.distance2_q12[1] < near.distance2_q12[0] ? 1 : 0;
+    return near.offset[near.distance2_q12[2] < near.distance2_q12[first] ? 2 : first];
+}
 
 // Calls visit(candidates of the origins, of the directions, base pointer, pixel pointer) for every pixel.
-template <class Texel, class Pixel, class Background, class Visit>
+template <int kCandidates, class Texel, class Pixel, class Background, class Visit>
 void for_kernel_pixels(const SpanTarget<Background>& span, Visit visit)
 {
     KernelSource origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
@@ -126,7 +132,7 @@ void for_kernel_pixels(const SpanTarget<Background>& span, Visit visit)
     const uint8_t* base = span.field.texels + origins.base() + directions.base();
     uint8_t* pixel = span.pixels;
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
-        visit(origins.neighbours(), directions.neighbours(), base, pixel);
+        visit(origins.neighbours(kCandidates), directions.neighbours(kCandidates), base, pixel);
         origins.advance();
         directions.advance();
     }
@@ -142,7 +148,7 @@ struct SpanDraw<Paper<K>> {
         const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
         const OffsetRange rows(span.origins, span.field.used_origins, stride);
         const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
-        for_kernel_pixels<Texel, Pixel>(
+        for_kernel_pixels<kKernelCandidates, Texel, Pixel>(
             span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
                 const KernelTaps origins(o, K, rows, kSpanBits);
                 const KernelTaps directions(d, K, columns, Sum::kTapBits);
@@ -165,14 +171,10 @@ struct SpanDraw<NearestVoronoi> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
-        const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
-        const OffsetRange rows(span.origins, span.field.used_origins, stride);
-        const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
-        for_kernel_pixels<Texel, Pixel>(
+        for_kernel_pixels<3, Texel, Pixel>(
             span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
-                const int32_t offset = nearest_offset(o, rows) + nearest_offset(d, columns);
-                store_single<Texel, Pixel>(span.field, span.background, base + offset, pixel);
+                const uint8_t* texel = base + nearest_offset(o) + nearest_offset(d);
+                store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
             });
     }
 };
