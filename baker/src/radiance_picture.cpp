@@ -12,9 +12,11 @@ namespace
 
 constexpr float kMaxRadiance = 1e9f;  // sums of many stay finite in binary32
 
-bool sound(float v)
+// Sharpened pictures undershoot: a little below 0 is ordinary, and means 0.
+Rgb clamped(const Rgb& c)
 {
-    return v >= 0 && std::isfinite(v);
+    return {std::clamp(c.r, 0.0f, kMaxRadiance), std::clamp(c.g, 0.0f, kMaxRadiance),
+            std::clamp(c.b, 0.0f, kMaxRadiance)};
 }
 
 void repair(const std::filesystem::path& file, RadiancePicture& picture, std::vector<std::string>& warnings)
@@ -22,16 +24,16 @@ void repair(const std::filesystem::path& file, RadiancePicture& picture, std::ve
     size_t bad = 0, first = 0;
     for (size_t k = 0; k < picture.pixels.size(); ++k) {
         Rgb& p = picture.pixels[k];
-        if (!sound(p.r) || !sound(p.g) || !sound(p.b)) {
+        if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b)) {
             first = bad++ == 0 ? k : first;
             p = {};
         }
-        p = {std::min(p.r, kMaxRadiance), std::min(p.g, kMaxRadiance), std::min(p.b, kMaxRadiance)};
+        p = clamped(p);
     }
     if (bad != 0) {
         const size_t width = static_cast<size_t>(picture.width);
         warnings.push_back(at({file.string()}, std::to_string(bad) +
-                                                   " pixel(s) are no number, infinite or negative and count as black; "
+                                                   " pixel(s) are no number or infinite and count as black; "
                                                    "repair the picture, first at column " +
                                                    std::to_string(first % width) + ", row " +
                                                    std::to_string(first / width)));

@@ -10,7 +10,7 @@ namespace
 {
 
 // Of the samples for one direction: a Fibonacci lattice, whose steps are neighbouring Fibonacci numbers.
-constexpr int kSamples = 1597, kStep = 987;
+constexpr int kSamples = 610, kStep = 377;
 
 // Mean of weight(wo, half, facets) over samples of visible facets.
 template <class Weight>

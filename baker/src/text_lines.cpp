@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr std::string_view kBlanks = " \t\v\f";
+constexpr uintmax_t kMaxFileBytes = uintmax_t{1} << 32;
 
 std::string_view trimmed(std::string_view s)
 {
@@ -73,6 +74,14 @@ std::string read_text(const std::filesystem::path& file)
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) {
         throw SceneError(at({file.string()}, "this is a folder; name the file in it"));
+    }
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+        throw SceneError(at({file.string()}, "this is a device or a pipe; name a file"));
+    }
+    const uintmax_t size = std::filesystem::file_size(file, ignored);
+    if (!ignored && size > kMaxFileBytes) {
+        throw SceneError(at({file.string()}, "the file has " + std::to_string(size) + " bytes, at most " +
+                                                 std::to_string(kMaxFileBytes) + " are read; split or simplify it"));
     }
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {

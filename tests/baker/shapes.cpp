@@ -44,10 +44,31 @@ Material lamp(const Rgb& radiance)
     return m;
 }
 
+Material glass(float index, float alpha, const Rgb& transmittance)
+{
+    Material m;
+    m.glass = true;
+    m.index = index;
+    m.alpha = alpha;
+    m.transmittance = transmittance;
+    m.finish();
+    return m;
+}
+
 uint32_t SceneMaker::add(const Material& material)
 {
     parts_.materials.push_back(material);
     return static_cast<uint32_t>(parts_.materials.size() - 1);
+}
+
+void SceneMaker::add(const Fixture& fixture)
+{
+    parts_.fixtures.push_back(fixture);
+}
+
+void SceneMaker::expose(float factor)
+{
+    parts_.exposure = factor;
 }
 
 void SceneMaker::triangle(uint32_t material, const Vec3& a, const Vec3& b, const Vec3& c)

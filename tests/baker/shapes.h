@@ -13,11 +13,14 @@ Material diffuse(const Rgb& albedo);
 Material glossy(const Rgb& albedo, float alpha);
 Material metal(const Rgb& f0, float alpha);
 Material lamp(const Rgb& radiance);
+Material glass(float index, float alpha, const Rgb& transmittance = grey(1));  // along one unit
 
 class SceneMaker
 {
 public:
     uint32_t add(const Material& material);
+    void add(const Fixture& fixture);  // in the scene's units
+    void expose(float factor);
     // Corners in order around the edge.
     void quad(uint32_t material, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
     // A convex ball of flat faces whose corners lie on the sphere.

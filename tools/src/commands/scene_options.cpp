@@ -1,19 +1,65 @@
 // SPDX-License-Identifier: MIT
 #include "scene_options.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdio>
+#include <sstream>
 
 #include "choice.h"
 
 namespace lumi::tools
 {
+namespace
+{
+
+// One number for grey, or three with commas.
+std::optional<std::array<float, 3>> colour_of(const std::string& word)
+{
+    constexpr float kMaxRadiance = 1e9f;
+    std::array<float, 3> colour{};
+    size_t count = 0;
+    std::istringstream stream(word);
+    for (std::string part; std::getline(stream, part, ','); ++count) {
+        const auto [end, error] =
+            std::from_chars(part.data(), part.data() + part.size(), colour[std::min<size_t>(count, 2)]);
+        if (error != std::errc() || end != part.data() + part.size()) return std::nullopt;
+    }
+    if (count == 1) colour[1] = colour[2] = colour[0];
+    const bool sound = std::all_of(colour.begin(), colour.end(), [](float c) { return c >= 0 && c <= kMaxRadiance; });
+    return sound && (count == 1 || count == 3) && word.back() != ',' ? std::optional(colour) : std::nullopt;
+}
+
+baker::Environment environment_of(const std::string& word)
+{
+    if (word == "studio") return baker::studio_environment();
+    if (word == "black") return baker::constant_environment(0);
+    const auto colour = colour_of(word);
+    if (!colour)
+        throw CLI::ValidationError("--environment",
+                                   "takes studio, black or a colour such as 0.8 or 1,0.9,0.7, not \"" + word + "\"");
+    return baker::constant_environment(*colour);
+}
+
+}  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options)
 {
-    command.add_option("SCENE", options.path, "An OBJ file; its MTL files and textures are found beside it")
+    command
+        .add_option("SCENE", options.path,
+                    "A scene file (.json), or an OBJ file; MTL files and pictures are found beside it")
         ->required();
-    add_choice<baker::UpAxis>(command, "--up", options.up, {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}}, "y|z",
-                              "The scene's vertical axis [y]");
+    add_choice<std::optional<baker::UpAxis>>(command, "--up", options.up,
+                                             {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}}, "y|z",
+                                             "The scene's vertical axis [as the scene file says, or y]");
+    const auto set_environment = [&options](const std::string& word) { options.environment = environment_of(word); };
+    command
+        .add_option_function<std::string>(
+            "--environment", set_environment,
+            "Light from far away: studio, black, or a colour of linear radiance such as 0.8 or 1,0.9,0.7 [as the scene "
+            "file says, or studio]")
+        ->type_name("studio|black|COLOUR");
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
         ->type_name("T");
 }
@@ -23,6 +69,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     std::vector<std::string> lines;
     baker::LoadOptions load;
     load.up = options.up;
+    load.environment = options.environment;
     baker::Scene scene = baker::load_scene(options.path, load, lines);
     for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", line.c_str());
     warnings = lines.size();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "lumi/baker/scene.h"
 
@@ -11,11 +12,12 @@ namespace lumi::tools
 
 struct SceneOptions {
     std::string path;
-    baker::UpAxis up = baker::UpAxis::y;
+    std::optional<baker::UpAxis> up;
+    std::optional<baker::Environment> environment;
     unsigned threads = 0;
 };
 
-// Adds SCENE, --up and --threads; parsed values go to `options`, which must outlive the parse.
+// Adds SCENE, --up, --environment and --threads; parsed values go to `options`, which must outlive the parse.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
 // Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Damages scene, material and picture files at random, with fixed seeds: each loads or is refused with a message that
+// names a file and a mend. Run it under the sanitizers.
+#include <catch2/catch.hpp>
+
+#include "radiance_picture.h"
+#include "sampler.h"
+#include "scene_file.h"
+#include "scratch_folder.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr char kObj[] = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n";
+constexpr char kMtl[] =
+    "newmtl a\nKd 0.5 0.4 0.3\nKs 1 1 1\nNs 90\nNi 1.5\nillum 7\nTf 0.9 0.9 0.9\nPr 0.3\nPm 0.5\nPc 1\nPcr 0.1\n"
+    "Ke 1 0 0\nd 0.5\nmap_Kd -s 2 2 1 t.ppm\nmap_Bump -bm 0.5 t.ppm\nmap_d t.ppm\nnorm t.ppm\n";
+constexpr char kJson[] = R"({"objects": [{"obj": "o.obj", "scale": 2, "rotate": [1, 2, 3], "translate": [0, 1, 0]}],
+"up": "z", "environment": {"picture": "e.hdr", "rotate": 30, "scale": 2},
+"lights": [{"type": "spot", "position": [0, 2, 0], "target": [0, 0, 0], "angle": 20, "intensity": 3},
+{"type": "rectangle", "position": [3, 2, 0], "target": [0, 0, 0], "size": [1, 2], "radiance": [1, 2, 3]},
+{"type": "sphere", "position": [0, 4, 0], "radius": 0.5, "radiance": 9}],
+"materials": {"a": {"metal": "gold", "roughness": 0.2, "glass": {"transmittance": 0.5, "at": 3}}},
+"ground": {"radius": 3, "material": {"coat": 1}}, "exposure": 1.5, "tone": "aces",
+"sphere": {"centre": [0, 0, 0], "radius": 99}})";
+const std::string kPixel = std::string("P6\n1 1\n255\n") + "abc";
+const std::string kHdr = std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n") + "\x80\x80\x80\x81";
+
+const std::string kWords[] = {"-1",
+                              "0",
+                              "1e999",
+                              "nan",
+                              "1e30",
+                              "\"\"",
+                              "{",
+                              "}",
+                              "[",
+                              "]",
+                              ",",
+                              ":",
+                              "//",
+                              "\n",
+                              "null",
+                              "d",
+                              "99999999999999999999",
+                              "\"",
+                              "\\",
+                              "true",
+                              "/*",
+                              "#",
+                              "-",
+                              "1e-45"};
+
+class Mutator
+{
+public:
+    explicit Mutator(uint32_t seed) : sampler_(77, seed, 0) {}
+
+    std::string damaged(std::string text)
+    {
+        for (size_t k = 0; k < 1 + below(3); ++k) {
+            const size_t place = below(text.size() + 1);
+            switch (below(4)) {
+                case 0:
+                    text = text.substr(0, place);
+                    break;
+                case 1:
+                    text.erase(place, 1 + below(8));
+                    break;
+                case 2:
+                    text.insert(place, kWords[below(std::size(kWords))]);
+                    break;
+                default:
+                    text.replace(place, 1, 1, static_cast<char>(below(256)));
+            }
+        }
+        return text;
+    }
+
+    size_t below(size_t count)
+    {
+        return std::min(static_cast<size_t>(sampler_.next_1d() * static_cast<float>(count)), count - 1);
+    }
+
+private:
+    Sampler sampler_;
+};
+
+}  // namespace
+
+TEST_CASE("mutation: damaged scene, material and picture files load or are refused with a message")
+{
+    constexpr uint32_t kRounds = 200;
+    const testing::ScratchFolder folder;
+    size_t loaded = 0, refused = 0;
+    for (uint32_t round = 0; round < kRounds; ++round) {
+        Mutator mutator(round);
+        const size_t target = mutator.below(5);
+        const auto text = [&](size_t which, const std::string& sound) {
+            return which == target ? mutator.damaged(sound) : sound;
+        };
+        folder.write("s.json", text(0, kJson));
+        folder.write("m.mtl", text(1, kMtl));
+        folder.write("e.hdr", text(2, kHdr));
+        folder.write("t.ppm", text(3, kPixel));
+        folder.write("o.obj", text(4, kObj));
+        INFO("round " << round);
+        try {
+            std::vector<std::string> warnings;
+            const Scene scene = load_scene(folder.at("s.json"), {}, warnings);
+            CHECK(scene.triangle_count() > 0);
+            CHECK(std::isfinite(scene.radius()));
+            ++loaded;
+        } catch (const SceneError& e) {
+            CHECK_THAT(e.what(), Catch::Contains("; "));
+            ++refused;
+        }
+    }
+    CHECK(loaded > kRounds / 10);
+    CHECK(refused > kRounds / 10);
+}
+
+}  // namespace lumi::baker
