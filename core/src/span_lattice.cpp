@@ -64,6 +64,7 @@ SpanZone make_zone(const Lattice& lattice, int k)
     z.second = kFibonacci[k + 1];
     z.begin_z_q30 = height_of_q30(kPowers.zone_q10[2 * k], lattice);
     z.obtuse_z_q30 = height_of_q30(kPowers.zone_q10[2 * k + 1], lattice);
+    z.obtuse_index_q10 = lattice.index_at_q10(z.obtuse_z_q30);
     z.acute_limit_z_q30 = height_of_index_q30(lattice, z.second + 1);
     z.obtuse_limit_z_q30 = height_of_index_q30(lattice, z.first + z.second + 1);
     // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: z comes in Q16, coordinates leave in Q16.
@@ -171,6 +172,12 @@ void SpanWalker::set_chart(int32_t z_q30)
     side_.first = reflection * hemisphere * z.first;
     side_.second = hemisphere * z.second;
     side_.base = mirrored ? lattice_.size - 1 : 0;
+
+    // A corner of this hemisphere's cells lies `half` below its cell's middle.
+    const int32_t half_q10 = 512 * (acute ? z.second - z.first : z.first + z.second);
+    const int32_t limit = (z.obtuse_index_q10 - half_q10 + 1023) >> 10;
+    side_.flip = mirrored ? 1 - limit : limit;
+    side_.flip_mask = mirrored != acute ? -1 : 0;
 
     const int32_t next_begin = zone_ + 1 < kSpanZones ? lattice_.zone[zone_ + 1].begin_z_q30 : 0;
     const int32_t low = acute ? z.obtuse_z_q30 : next_begin;

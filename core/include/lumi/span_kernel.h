@@ -51,8 +51,8 @@ public:
         SpanNeighbours result;
         const int32_t fu = (u_q16_ >> 4) & 4095;
         const int32_t fv = (v_q16_ >> 4) & 4095;
-        const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
-        const Step* steps = fu > fv ? kLower : kUpper;
+        const int32_t corner = steps_.corner(u_q16_, v_q16_);
+        const Step* steps = steps_.is_flipped(corner) ? (fu + fv < 4096 ? kNear : kFar) : fu > fv ? kLower : kUpper;
         for (int k = 0; k < count; ++k) {
             const int32_t u = steps[k].u;
             const int32_t v = steps[k].v;
@@ -77,6 +77,8 @@ private:
         int8_t u, v;
     };
     static constexpr Step kLower[kKernelCandidates] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, -1}, {2, 1}};
+    static constexpr Step kNear[kKernelCandidates] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, -1}, {-1, 1}};
+    static constexpr Step kFar[kKernelCandidates] = {{1, 1}, {1, 0}, {0, 1}, {0, 0}, {2, 0}, {0, 2}};
     static constexpr Step kUpper[kKernelCandidates] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}, {-1, 0}, {1, 2}};
 
     SpanNeighbours cap_neighbours() const;

@@ -29,14 +29,15 @@ inline constexpr int kSpanZones = 8;      // 6 .. 13
 struct SpanZone {
     int32_t first, second;            // F_k, F_k+1
     int32_t begin_z_q30;              // the zone holds |z| below this, down to the next zone's
-    int32_t obtuse_z_q30;             // its steps form an obtuse angle below this
+    int32_t obtuse_z_q30;             // its steps form an obtuse angle below this ...
+    int32_t obtuse_index_q10;         // ... that is from this height on, as a real-valued index
     int32_t acute_limit_z_q30;        // up to this no corner of a cell lies beyond the pole, where they are acute ...
     int32_t obtuse_limit_z_q30;       // ... and where obtuse
     int32_t scale_u, scale_v, shift;  // height to u, v: mantissas below 2^14, then a shift right
     int32_t origin_u_q16, origin_v_q16;
 };
 
-// The zones of one lattice, computed once per stripe. 372 bytes.
+// The zones of one lattice, computed once per stripe. 404 bytes.
 struct SpanLattice {
     int32_t size;
     int32_t cap_z_q30;       // |z| at kSpanCapHeight
@@ -54,6 +55,10 @@ struct SpanSide {
     int32_t u_q16, v_q16, du_q16, dv_q16;
     int32_t first, second;  // index steps of u and v, negative where mirrored or reflected
     int32_t base;           // index of (0, 0)
+    // The cells whose diagonal is not the sum of both steps: those whose lowest corner, first·a + second·b, is below
+    // `flip` where flip_mask is 0, and at `flip` or above where it is -1 (see SpanSteps). Decided cell by cell, as the
+    // exact renderer does.
+    int32_t flip, flip_mask;
     const SpanZone* zone;
     int32_t z_q30;  // at its first pixel
     bool in_cap;

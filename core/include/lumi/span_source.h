@@ -16,13 +16,21 @@ namespace lumi
 // Where a side's lattice steps lie in memory.
 struct SpanSteps {
     int32_t first, second, base;
+    int32_t flip, flip_mask;
 
     SpanSteps(const SpanSide& side, int32_t stride_bytes)
-        : first(side.first * stride_bytes), second(side.second * stride_bytes), base(side.base * stride_bytes)
+        : first(side.first * stride_bytes),
+          second(side.second * stride_bytes),
+          base(side.base * stride_bytes),
+          flip(side.flip * stride_bytes),
+          flip_mask(side.flip_mask)
     {
     }
 
-    int32_t at(int32_t u_q16, int32_t v_q16) const { return base + first * (u_q16 >> 16) + second * (v_q16 >> 16); }
+    // Offset of a cell's lowest corner from `base`.
+    int32_t corner(int32_t u_q16, int32_t v_q16) const { return first * (u_q16 >> 16) + second * (v_q16 >> 16); }
+    // Whether the diagonal of the cell at a corner is the difference of both steps.
+    bool is_flipped(int32_t corner) const { return ((corner - flip) ^ flip_mask) < 0; }
 };
 
 // Three taps of a side: offsets in memory and weights that sum to 2^kBits.
@@ -49,11 +57,12 @@ public:
         constexpr int32_t kOne = 1 << kBits;
         const int32_t fu = (u_q16_ >> (16 - kBits)) & (kOne - 1);
         const int32_t fv = (v_q16_ >> (16 - kBits)) & (kOne - 1);
+        const int32_t corner = steps_.corner(u_q16_, v_q16_);
+        if (__builtin_expect(steps_.is_flipped(corner), false)) return flipped(corner, fu, fv, kOne);
         const int32_t difference = fu - fv;
         const int32_t upper = difference >> 31;  // all ones where fu < fv
         const int32_t between = (difference ^ upper) - upper;
         const int32_t less = fv + (difference & upper);
-        const int32_t corner = steps_.first * (u_q16_ >> 16) + steps_.second * (v_q16_ >> 16);
         const int32_t middle = corner + steps_.first + ((steps_.second - steps_.first) & upper);
         return {{corner, middle, corner + steps_.first + steps_.second},
                 {static_cast<uint32_t>(kOne - less - between), static_cast<uint32_t>(between),
@@ -67,6 +76,17 @@ public:
     }
 
 private:
+    // The triangle of a cell that the difference of both steps divides.
+    SpanTaps flipped(int32_t corner, int32_t fu, int32_t fv, int32_t one) const
+    {
+        const int32_t over = fu + fv - one;
+        const auto weight = [](int32_t w) { return static_cast<uint32_t>(w); };
+        const int32_t first = corner + steps_.first;
+        const int32_t second = corner + steps_.second;
+        if (over < 0) return {{corner, first, second}, {weight(-over), weight(fu), weight(fv)}};
+        return {{first + steps_.second, first, second}, {weight(over), weight(one - fv), weight(one - fu)}};
+    }
+
     SpanSteps steps_;
     int32_t u_q16_, v_q16_, du_q16_, dv_q16_;
 };

@@ -139,10 +139,11 @@ struct SpanSum<TexelLuma8, kCoverage> {
     }
 };
 
-// Three channels in one word: blue, red and green at bits 0, 11 and 21 leave room for 6 bits of weight above each.
+// Three channels in one word: blue (5 bits) at bit 0, red (5) at bit 11 and green (6) at bit 21 leave room for 5 bits
+// of weight above each: 31·32 < 2^10, 63·32 < 2^11.
 template <bool kCoverage>
 struct SpanSum<TexelRgb565, kCoverage> {
-    static constexpr int kTapBits = 6;
+    static constexpr int kTapBits = 5;
     static constexpr uint32_t kFields = 0x07E0F81Fu;
 
     struct Row {
@@ -155,7 +156,7 @@ struct SpanSum<TexelRgb565, kCoverage> {
             if (kCoverage) a += v != 0 ? weight : 0;
         }
     };
-    uint32_t r = 0, g = 0, b = 0, a = 0;  // Q14 of 5, 6 and 5 bits
+    uint32_t r = 0, g = 0, b = 0, a = 0;  // Q13 of 5, 6 and 5 bits
 
     void add(const Row& row, uint32_t weight)
     {
@@ -167,10 +168,10 @@ struct SpanSum<TexelRgb565, kCoverage> {
 
     Rgb8 over(const Rgb8& under) const
     {
-        // 4·255/31 and 4·255/63 in Q8: sums of 31·2^14 and 63·2^14 become 255·2^16, within 32 bits on the way.
-        const uint32_t t = kCoverage ? 65536u - 4 * a : 0;
-        return {blended((r * 8423u) >> 8, t, under.r), blended((g * 4145u) >> 8, t, under.g),
-                blended((b * 8423u) >> 8, t, under.b)};
+        // 8·255/31 and 8·255/63 in Q8: sums of 31·2^13 and 63·2^13 become 255·2^16, within 32 bits on the way.
+        const uint32_t t = kCoverage ? 65536u - 8 * a : 0;
+        return {blended((r * 16846u) >> 8, t, under.r), blended((g * 8290u) >> 8, t, under.g),
+                blended((b * 16846u) >> 8, t, under.b)};
     }
 
     template <class Pixel, class Background>
