@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the project's own scenes (OBJ, MTL, PNG) next to this folder, or checks that they are what it would write."""
+"""Writes the project's own scenes (OBJ, MTL, PNG, ...) next to this folder, or checks that they are what it would write."""
 import argparse
 import pathlib
 import sys
 
 import cornell
+import gallery
 import product
 import testcard
 from mesh import Obj
 
-SCENES = (product, cornell, testcard)
+SCENES = (product, cornell, testcard, gallery)
 
 
 def _contents():
