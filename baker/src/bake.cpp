@@ -50,6 +50,7 @@ public:
         : settings_(settings),
           layout_(checked_layout(settings)),
           rays_(settings.origins, settings.directions),
+          tone_(scene.data().tone),
           tracer_(scene.data()),
           job_(rays_total(), settings.threads, progress)
     {
@@ -80,7 +81,7 @@ private:
 
     Estimate estimate(const OriginDisc& disc, uint32_t i, uint32_t j)
     {
-        Estimate result;
+        Estimate result(tone_);
         const Vec3 target = rays_.direction_point(j);
         Sampler sampler(settings_.seed, i, j);
         for (uint32_t s = 0; s < settings_.samples; ++s) {
@@ -131,6 +132,7 @@ private:
     BakeSettings settings_;
     FieldLayout layout_;
     FieldRays rays_;
+    ToneCurve tone_;
     PathTracer tracer_;
     Job job_;
     Palette palette_{};
