@@ -65,10 +65,12 @@ private:
         uint8_t* pixels;
     };
 
-    // Spans double from the left rim and halve towards the right one. from_right > 0.
+    // Spans double from the left rim and halve towards the right one, so that a span is never much longer than its
+    // distance from the rim. from_right > 0.
     int length_log2(int32_t from_left, int32_t from_right) const
     {
-        const int32_t room = from_left + 2 < from_right ? from_left + 2 : from_right;
+        const int32_t to_right = (from_right + 2) / 2;
+        const int32_t room = from_left + 2 < to_right ? from_left + 2 : to_right;
         int log2 = span_log2_;
         while ((1 << log2) > room) --log2;
         return log2;
