@@ -44,6 +44,10 @@ std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUs
         why = stbi_failure_reason();
         return std::nullopt;
     }
+    if (texture.width < 1 || texture.height < 1) {
+        why = "it has no pixels";
+        return std::nullopt;
+    }
     const bool has_alpha = channels == 2 || channels == 4;
     const size_t count = static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
     texture.rgb.reserve(3 * count);
@@ -74,6 +78,9 @@ RadiancePicture read_hdr(const std::filesystem::path& file, const std::string& b
     if (!floats) {
         throw SceneError(at({file.string()}, std::string("the picture cannot be read (") + stbi_failure_reason() +
                                                  "); save it again as .hdr"));
+    }
+    if (picture.width < 1 || picture.height < 1) {
+        throw SceneError(at({file.string()}, "the picture has no pixels; save it again as .hdr"));
     }
     const size_t count = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
     for (size_t k = 0; k < count; ++k) {

@@ -73,13 +73,20 @@ Rgb to_rgb(const tinyobj::real_t* c)
     return {c[0], c[1], c[2]};
 }
 
+// The parser takes any number; beyond this one no pixel would be found again.
+float sound(tinyobj::real_t number, float fallback)
+{
+    constexpr float kMost = 1e6f;
+    return std::abs(number) <= kMost ? number : fallback;
+}
+
 MtlMap to_map(const std::string& name, const tinyobj::texture_option_t& options)
 {
     MtlMap map;
     map.name = name;
-    map.scale = {options.scale[0], options.scale[1]};
-    map.offset = {options.origin_offset[0], options.origin_offset[1]};
-    map.strength = options.bump_multiplier;
+    map.scale = {sound(options.scale[0], 1), sound(options.scale[1], 1)};
+    map.offset = {sound(options.origin_offset[0], 0), sound(options.origin_offset[1], 0)};
+    map.strength = sound(options.bump_multiplier, 1);
     return map;
 }
 

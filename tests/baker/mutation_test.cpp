@@ -3,10 +3,11 @@
 // names a file and a mend. Run it under the sanitizers.
 #include <catch2/catch.hpp>
 
-#include "radiance_picture.h"
+#include "path_tracer.h"
 #include "sampler.h"
 #include "scene_file.h"
 #include "scratch_folder.h"
+#include "warp.h"
 
 namespace lumi::baker
 {
@@ -88,11 +89,23 @@ private:
     Sampler sampler_;
 };
 
+// A few paths through whatever has been loaded.
+void trace_some(const Scene& scene)
+{
+    const PathTracer tracer(scene.data());
+    for (uint32_t k = 0; k < 64; ++k) {
+        Sampler sampler(5, k, 0);
+        const Vec3 start = square_to_sphere(sampler.next_2d());
+        const Vec3 target = square_to_sphere(sampler.next_2d()) * 0.3f;
+        CHECK_FALSE(std::isnan(luminance(tracer.trace({start, normalized(target - start)}, sampler).radiance)));
+    }
+}
+
 }  // namespace
 
 TEST_CASE("mutation: damaged scene, material and picture files load or are refused with a message")
 {
-    constexpr uint32_t kRounds = 200;
+    constexpr uint32_t kRounds = 250;
     const testing::ScratchFolder folder;
     size_t loaded = 0, refused = 0;
     for (uint32_t round = 0; round < kRounds; ++round) {
@@ -112,6 +125,7 @@ TEST_CASE("mutation: damaged scene, material and picture files load or are refus
             const Scene scene = load_scene(folder.at("s.json"), {}, warnings);
             CHECK(scene.triangle_count() > 0);
             CHECK(std::isfinite(scene.radius()));
+            trace_some(scene);
             ++loaded;
         } catch (const SceneError& e) {
             CHECK_THAT(e.what(), Catch::Contains("; "));

@@ -257,6 +257,8 @@ TEST_CASE("scene file: faults beyond the text are named too")
     folder.write("bad.hdr", "rubbish");
     CHECK_THROWS_WITH(load(R"("environment": {"picture": "bad.hdr"})"),
                       Catch::Contains("bad.hdr: this is neither a Radiance .hdr nor an OpenEXR picture; save"));
+    folder.write("empty.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 0 +X 1\n");
+    CHECK_THROWS_WITH(load(R"("environment": {"picture": "empty.hdr"})"), Catch::Contains("has no pixels"));
     folder.write("bad.exr", std::string("\x76\x2f\x31\x01\x02\0\0\0", 8) + "rubbish");
     CHECK_THROWS_WITH(load(R"("environment": {"picture": "bad.exr"})"),
                       Catch::Contains("bad.exr: the picture cannot be read") && Catch::Contains("; save"));
