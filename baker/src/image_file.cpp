@@ -20,6 +20,24 @@
 
 namespace lumi::baker
 {
+namespace
+{
+
+// The reader of plain pixel maps (P5, P6) adds up the digits of its header without looking for an overflow.
+bool has_endless_number(const std::string& bytes)
+{
+    constexpr size_t kMostDigits = 8, kHeader = 4096;
+    size_t digits = 0;
+    for (size_t k = 0; k < std::min(bytes.size(), kHeader) && bytes[0] == 'P'; ++k) {
+        digits = bytes[k] >= '0' && bytes[k] <= '9' ? digits + 1 : 0;
+        if (digits > kMostDigits) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
 
 std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUse use, std::string& why)
 {
@@ -31,6 +49,10 @@ std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUs
     }
     if (bytes.size() > static_cast<size_t>(std::numeric_limits<int>::max())) {
         why = "it is larger than 2 GB";
+        return std::nullopt;
+    }
+    if (has_endless_number(bytes)) {
+        why = "its header is damaged";
         return std::nullopt;
     }
     Texture texture;
