@@ -1,72 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/bake.h"
 
-#include "field_rays.h"
-#include "field_writer.h"
+#include "checkpoint.h"
 #include "job.h"
 #include "texel_encoder.h"
+#include "texel_tracer.h"
 
 namespace lumi::baker
 {
 namespace
 {
 
+namespace fs = std::filesystem;
+
 // Texels that the palette is fitted to: some hundred for each entry; traced twice, at most a few percent of a bake.
 constexpr uint64_t kPaletteSamples = 32768;
 constexpr uint32_t kPaletteTasks = 64;
 constexpr uint64_t kPaletteSeedOffset = 0x50414C54;  // its choice of texels is independent of their paths
 
-void require(bool good, const std::string& message)
-{
-    if (!good) {
-        throw BakeError(message);
-    }
-}
-
-std::string lattice_range(const char* name)
-{
-    return std::string("the number of ") + name + " must lie in 1 to " + std::to_string(kMaxLatticeSize);
-}
-
-FieldLayout checked_layout(const BakeSettings& s)
-{
-    require(s.origins >= 1 && s.origins <= kMaxLatticeSize, lattice_range("origins"));
-    require(s.directions >= 1 && s.directions <= kMaxLatticeSize, lattice_range("directions"));
-    require(s.used_origins <= s.origins, "the cap holds " + std::to_string(s.used_origins) + " origins of " +
-                                             std::to_string(s.origins) + "; choose at most all of them, or 0 for all");
-    require(s.samples >= 1, "the number of samples must be at least 1");
-    require(static_cast<uint32_t>(s.texel) < format::kTexelFormats, "there is no such texel format");
-    const FieldLayout layout = {s.origins, s.directions, s.used_origins ? s.used_origins : s.origins, s.texel, {}, 1};
-    require(file_bytes(layout) <= UINT32_MAX, "the field would have " + std::to_string(file_bytes(layout)) +
-                                                  " bytes, and a field file holds less than 4 GiB; choose fewer "
-                                                  "origins or directions, a smaller cap or a smaller texel format");
-    return layout;
-}
-
+// Traces the rows that a checkpoint lacks.
 class Baker
 {
 public:
-    Baker(const Scene& scene, const BakeSettings& settings, const ProgressCallback& progress)
+    Baker(const Scene& scene, const BakeSettings& settings, Checkpoint& checkpoint, const ProgressCallback& progress)
         : settings_(settings),
-          layout_(checked_layout(settings)),
-          rays_(settings.origins, settings.directions),
-          tone_(scene.data().tone),
-          tracer_(scene.data()),
-          job_(rays_total(), settings.threads, progress)
+          checkpoint_(checkpoint),
+          layout_(checkpoint.rows().layout()),
+          tracer_(scene.data(), settings),
+          missing_(checkpoint.missing_slots()),
+          has_palette_(checkpoint.rows().read_palette(palette_)),
+          job_(rays_total(), settings.threads, progress, rays_done())
     {
-        layout_.centre = scene.centre();
-        layout_.radius = scene.radius();
     }
 
-    void bake_into(PartFile& out)
+    void bake()
     {
-        if (layout_.texel == format::TexelFormat::palette8) {
+        if (!has_palette_) {
             fit();
+            checkpoint_.rows().write_palette(palette_);
         }
-        texels_.resize(layout_.texel_bytes());
-        job_.run(layout_.used_origins, [this](uint32_t i) { bake_row(i); });
-        write_field(layout_, texels_, palette_, out);
+        job_.run(static_cast<uint32_t>(missing_.size()), [this](uint32_t k) { bake_slot(missing_[k]); });
+        checkpoint_.sync();
         job_.finish();
+    }
+
+    // The rows, read back and checked, as a field.
+    void write(const fs::path& output)
+    {
+        NewFile out(output);
+        write_field(
+            layout_, [this](uint32_t i, std::vector<uint8_t>& row) { read_back(i, row); }, palette_, out);
+        out.commit();
     }
 
 private:
@@ -77,32 +61,52 @@ private:
         return layout_.texel == format::TexelFormat::palette8 ? std::min(kPaletteSamples, texel_count()) : 0;
     }
 
-    uint64_t rays_total() const { return (texel_count() + palette_samples()) * settings_.samples; }
+    uint64_t rays_of_rows(uint64_t rows) const { return rows * layout_.directions * settings_.samples; }
+
+    uint64_t rays_total() const
+    {
+        return rays_of_rows(checkpoint_.rows().slot_count()) + palette_samples() * settings_.samples;
+    }
+
+    uint64_t rays_done() const
+    {
+        return rays_of_rows(checkpoint_.rows().slot_count() - missing_.size()) +
+               (has_palette_ ? palette_samples() * settings_.samples : 0);
+    }
 
     Estimate estimate(const OriginDisc& disc, uint32_t i, uint32_t j)
     {
-        Estimate result(tone_);
-        const Vec3 target = rays_.direction_point(j);
-        Sampler sampler(settings_.seed, i, j);
-        for (uint32_t s = 0; s < settings_.samples; ++s) {
-            sampler.start(s);
-            const std::optional<Ray> ray = FieldRays::ray(disc.at(sampler.next_2d()), target);
-            result.add(ray ? tracer_.trace(*ray, sampler) : PathResult{});
-        }
+        const Estimate result = tracer_.estimate(disc, i, j);
         job_.add_rays(settings_.samples);
         return result;
     }
 
-    void bake_row(uint32_t i)
+    void bake_slot(uint32_t slot)
     {
-        uint8_t* row = texels_.data() + size_t{layout_.row_stride()} * i;
-        const OriginDisc disc = rays_.disc(i);
-        for (uint32_t j = 0; j < layout_.directions && !job_.stopping(); ++j) {
-            encode_texel(layout_.texel, palette_, estimate(disc, i, j), row, j);
+        std::vector<uint8_t> row(layout_.row_stride());
+        const uint32_t i = checkpoint_.rows().row_of(slot);
+        const OriginDisc disc = tracer_.disc(i);
+        for (uint32_t j = 0; j < layout_.directions; ++j) {
+            if (job_.stopping()) {
+                return;
+            }
+            encode_texel(layout_.texel, palette_, estimate(disc, i, j), row.data(), j);
+        }
+        checkpoint_.store(slot, row);
+    }
+
+    void read_back(uint32_t slot, std::vector<uint8_t>& row) const
+    {
+        const RowFile& rows = checkpoint_.rows();
+        if (!rows.read_row(slot, row)) {
+            throw BakeError(rows.path().string() +
+                            ": a row changed after it was written; check the disk, then bake again, which traces that "
+                            "row only");
         }
     }
 
-    // Texel k of the palette's samples: all of a small field, a random choice from a large one.
+    // Texel k of the palette's samples: all of a small field, a random choice from a large one. The same for every
+    // shard.
     uint64_t palette_texel(uint64_t k) const
     {
         if (palette_samples() == texel_count()) {
@@ -123,21 +127,52 @@ private:
                 const uint64_t texel = palette_texel(k);
                 const uint32_t i = static_cast<uint32_t>(texel / layout_.directions);
                 const uint32_t j = static_cast<uint32_t>(texel % layout_.directions);
-                samples[k] = estimate(rays_.disc(i), i, j).covered_colour();
+                samples[k] = estimate(tracer_.disc(i), i, j).covered_colour();
             }
         });
         palette_ = fit_palette(samples);
     }
 
-    BakeSettings settings_;
-    FieldLayout layout_;
-    FieldRays rays_;
-    ToneCurve tone_;
-    PathTracer tracer_;
-    Job job_;
+    const BakeSettings settings_;
+    Checkpoint& checkpoint_;
+    const FieldLayout layout_;
+    const TexelTracer tracer_;
     Palette palette_{};
-    std::vector<uint8_t> texels_;
+    const std::vector<uint32_t> missing_;
+    const bool has_palette_;
+    Job job_;
 };
+
+fs::path checkpoint_of(const fs::path& output)
+{
+    std::error_code ignored;
+    if (fs::is_directory(output, ignored)) {
+        throw BakeError(output.string() + ": this is a folder; name a file in it");
+    }
+    fs::path path = output;
+    path += ".part";
+    return path;
+}
+
+enum class Finished : uint8_t { none, complete, damaged };
+
+// Whether `output` is a shard of this very bake already.
+Finished find_finished(const fs::path& output, const BakeIdentity& identity)
+{
+    std::error_code ignored;
+    if (!fs::is_regular_file(output, ignored)) {
+        return Finished::none;
+    }
+    try {
+        const RowFile rows(std::make_unique<PosixFile>(output, PosixFile::Mode::read));
+        if (!difference(rows.identity(), identity).empty() || rows.identity().shard.index != identity.shard.index) {
+            return Finished::none;
+        }
+        return missing_slots(rows).empty() && rows.has_intact_palette() ? Finished::complete : Finished::damaged;
+    } catch (const BakeError&) {
+        return Finished::none;  // anything else gets replaced, as any earlier output
+    }
+}
 
 }  // namespace
 
@@ -146,13 +181,42 @@ uint64_t field_file_bytes(const BakeSettings& settings)
     return file_bytes(checked_layout(settings));
 }
 
-void bake_field(const Scene& scene, const BakeSettings& settings, const std::filesystem::path& output,
-                const ProgressCallback& progress)
+uint32_t shard_rows(const BakeSettings& settings, const Shard& shard)
 {
-    checked_layout(settings);
-    PartFile out(output);
-    Baker(scene, settings, progress).bake_into(out);
-    out.commit();
+    check_shard(shard);
+    return ShardRows(checked_layout(settings).used_origins, shard).size();
+}
+
+void bake_field(const Scene& scene, const BakeSettings& settings, const fs::path& output,
+                const ProgressCallback& progress, Earlier earlier)
+{
+    const BakeIdentity identity = identity_of(scene, settings, {});
+    Checkpoint checkpoint(checkpoint_of(output), identity, earlier);
+    Baker baker(scene, settings, checkpoint, progress);
+    baker.bake();
+    baker.write(output);
+    checkpoint.remove();
+}
+
+void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& shard, const fs::path& output,
+                const ProgressCallback& progress, Earlier earlier)
+{
+    const BakeIdentity identity = identity_of(scene, settings, shard);
+    const fs::path part = checkpoint_of(output);
+    if (earlier == Earlier::resume) {
+        const Finished finished = find_finished(output, identity);
+        if (finished == Finished::complete) {
+            return;
+        }
+        std::error_code ignored;
+        if (finished == Finished::damaged && !fs::exists(part, ignored)) {
+            fs::rename(output, part, ignored);
+        }
+    }
+    Checkpoint checkpoint(part, identity, earlier);
+    Baker baker(scene, settings, checkpoint, progress);
+    baker.bake();
+    checkpoint.rename_to(output);
 }
 
 }  // namespace lumi::baker

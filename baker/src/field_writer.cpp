@@ -52,7 +52,8 @@ constexpr uint64_t aligned(uint64_t size)
 
 struct Section {
     uint32_t type;
-    const std::vector<uint8_t>* bytes;
+    uint64_t size;
+    uint32_t crc;
 };
 
 std::vector<uint8_t> layout_section(const FieldLayout& layout)
@@ -96,9 +97,9 @@ std::vector<uint8_t> section_table(const std::vector<Section>& sections)
         b.put32(entry + at::kTypeAt, sections[k].type);
         b.put32(entry + at::kFlagsAt, format::kRequired);
         b.put32(entry + at::kOffsetAt, static_cast<uint32_t>(offset));
-        b.put32(entry + at::kSizeAt, static_cast<uint32_t>(sections[k].bytes->size()));
-        b.put32(entry + at::kCrcAt, crc_of(*sections[k].bytes));
-        offset += aligned(sections[k].bytes->size());
+        b.put32(entry + at::kSizeAt, static_cast<uint32_t>(sections[k].size));
+        b.put32(entry + at::kCrcAt, sections[k].crc);
+        offset += aligned(sections[k].size);
     }
     return b.take();
 }
@@ -120,10 +121,29 @@ std::vector<uint8_t> file_header(uint64_t size, const std::vector<uint8_t>& tabl
     return b.take();
 }
 
-void write_aligned(PartFile& out, const std::vector<uint8_t>& bytes)
+void append_padding(NewFile& out, uint64_t size)
 {
-    out.write(bytes);
-    out.write(std::vector<uint8_t>(aligned(bytes.size()) - bytes.size()));
+    out.append(std::vector<uint8_t>(aligned(size) - size));
+}
+
+Section append_section(uint32_t type, const std::vector<uint8_t>& bytes, NewFile& out)
+{
+    out.append(bytes);
+    append_padding(out, bytes.size());
+    return {type, bytes.size(), crc_of(bytes)};
+}
+
+Section append_texels(const FieldLayout& layout, const RowSource& texels, NewFile& out)
+{
+    Section section = {format::kTexelSection, layout.texel_bytes(), 0};
+    std::vector<uint8_t> row(layout.row_stride());
+    for (uint32_t i = 0; i < layout.used_origins; ++i) {
+        texels(i, row);
+        out.append(row);
+        section.crc = crc32(section.crc, row.data(), row.size());
+    }
+    append_padding(out, section.size);
+    return section;
 }
 
 }  // namespace
@@ -135,21 +155,19 @@ uint64_t file_bytes(const FieldLayout& layout)
            (palette ? aligned(format::kPaletteBytes) : 0);
 }
 
-void write_field(const FieldLayout& layout, const std::vector<uint8_t>& texels, const Palette& palette, PartFile& out)
+void write_field(const FieldLayout& layout, const RowSource& texels, const Palette& palette, NewFile& out)
 {
-    const std::vector<uint8_t> layout_bytes = layout_section(layout);
-    const std::vector<uint8_t> palette_bytes = palette_section(palette);
-    std::vector<Section> sections = {{format::kLayoutSection, &layout_bytes}, {format::kTexelSection, &texels}};
-    if (layout.texel == format::TexelFormat::palette8) {
-        sections.push_back({format::kPaletteSection, &palette_bytes});
+    const bool has_palette = layout.texel == format::TexelFormat::palette8;
+    out.append(std::vector<uint8_t>(head_bytes(has_palette ? 3 : 2)));  // known when the sections' CRCs are
+    std::vector<Section> sections;
+    sections.push_back(append_section(format::kLayoutSection, layout_section(layout), out));
+    sections.push_back(append_texels(layout, texels, out));
+    if (has_palette) {
+        sections.push_back(append_section(format::kPaletteSection, palette_section(palette), out));
     }
-    std::vector<uint8_t> head = section_table(sections);
-    const std::vector<uint8_t> header = file_header(file_bytes(layout), head);
-    head.insert(head.begin(), header.begin(), header.end());
-    write_aligned(out, head);
-    for (const Section& section : sections) {
-        write_aligned(out, *section.bytes);
-    }
+    const std::vector<uint8_t> table = section_table(sections);
+    out.overwrite(0, file_header(file_bytes(layout), table));
+    out.overwrite(format::kHeaderBytes, table);
 }
 
 }  // namespace lumi::baker

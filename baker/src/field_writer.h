@@ -4,11 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "lumi/field_format.h"
+#include "new_file.h"
 #include "palette.h"
-#include "part_file.h"
 
 namespace lumi::baker
 {
@@ -26,7 +27,10 @@ struct FieldLayout {
 // Length of the whole file; may exceed what the format's 32-bit offsets can hold.
 uint64_t file_bytes(const FieldLayout& layout);
 
-// `texels` has layout.texel_bytes() bytes; `palette` is written for palette8 only. Throws BakeError.
-void write_field(const FieldLayout& layout, const std::vector<uint8_t>& texels, const Palette& palette, PartFile& out);
+// Fills in row i, which has layout.row_stride() bytes, and may throw.
+using RowSource = std::function<void(uint32_t i, std::vector<uint8_t>& row)>;
+
+// Asks for each row once, in order. `palette` is written for palette8 only. Throws BakeError. Memory: one row.
+void write_field(const FieldLayout& layout, const RowSource& texels, const Palette& palette, NewFile& out);
 
 }  // namespace lumi::baker

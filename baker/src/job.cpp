@@ -39,8 +39,8 @@ private:
 
 }  // namespace
 
-Job::Job(uint64_t rays_total, unsigned threads, const ProgressCallback& progress)
-    : rays_total_(rays_total), threads_(thread_count(threads)), progress_(progress)
+Job::Job(uint64_t rays_total, unsigned threads, const ProgressCallback& progress, uint64_t rays_done)
+    : rays_total_(rays_total), threads_(thread_count(threads)), progress_(progress), rays_done_(rays_done)
 {
     report();
 }

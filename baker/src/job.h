@@ -17,8 +17,9 @@ namespace lumi::baker
 class Job
 {
 public:
-    // Reports once. threads = 0: as many as the machine has. Throws Cancelled.
-    Job(uint64_t rays_total, unsigned threads, const ProgressCallback& progress);
+    // Reports once. threads = 0: as many as the machine has. rays_done: by an earlier job, whose work goes on. Throws
+    // Cancelled.
+    Job(uint64_t rays_total, unsigned threads, const ProgressCallback& progress, uint64_t rays_done = 0);
 
     // Runs task(k) for each k below count, in no fixed order, each once. Throws Cancelled, or what a task threw; either
     // way no task runs any more when it returns.
@@ -44,7 +45,7 @@ private:
     const Clock::time_point start_ = Clock::now();
     RateMeter meter_;
 
-    std::atomic<uint64_t> rays_done_{0};
+    std::atomic<uint64_t> rays_done_;
     std::atomic<uint32_t> next_task_{0};
     std::atomic<bool> stop_{false};
     std::mutex mutex_;  // guards what follows

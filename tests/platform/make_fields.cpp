@@ -62,15 +62,13 @@ void write(TexelFormat texel, const std::vector<Rgba8>& seen, const std::filesys
 {
     const baker::FieldLayout layout = {kOrigins, kDirections, kUsedOrigins, texel, {0, 0, 0}, 1};
     const baker::Palette palette = baker::fit_palette(seen);
-    std::vector<uint8_t> texels(layout.texel_bytes());
-    for (uint32_t i = 0; i < kUsedOrigins; ++i) {
+    const auto fill = [&](uint32_t i, std::vector<uint8_t>& row) {
         for (uint32_t j = 0; j < kDirections; ++j) {
-            uint8_t* row = texels.data() + size_t{i} * layout.row_stride();
-            put(texel, palette, seen[i * kDirections + j], row + j * format::bytes_per_texel(texel));
+            put(texel, palette, seen[i * kDirections + j], row.data() + j * format::bytes_per_texel(texel));
         }
-    }
-    baker::PartFile out(path);
-    baker::write_field(layout, texels, palette, out);
+    };
+    baker::NewFile out(path);
+    baker::write_field(layout, fill, palette, out);
     out.commit();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the command line promises about exit codes, messages and earlier output.
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "lumi/tools/png.h"
 #include "program.h"
@@ -56,6 +57,11 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {render("--turntable", "0"), "--turntable"},
         {render("--stereo", "-1"), "--stereo"},
         {bake("--texel", "rgb"), "palette8"},
+        {bake("--shard", "3"), "K/COUNT"},
+        {bake("--shard", "0/3"), "from 1 to COUNT"},
+        {bake("--shard", "4/3"), "from 1 to COUNT"},
+        {bake("--progress", "xml"), "auto or json"},
+        {{"merge", "-o", baked}, "lumi merge --help"},
         {bake("--cap", "2000"), "50%"},
         {bake("--origins", "0"), "--origins"},
         {bake("--directions", "2000000"), "--directions"},
@@ -145,6 +151,10 @@ TEST_CASE("Ctrl-C ends a bake or a reference with 130 and leaves earlier output 
         CHECK(outcome.code == 130);
         CHECK_THAT(outcome.err, Catch::Contains("interrupted"));
         CHECK(test::content_of(folder / "o") == "earlier");
+        const bool bakes = std::string(command) == "bake";
+        CHECK_THAT(outcome.err,
+                   Catch::Contains(bakes ? "o.part keeps the finished rows" : "earlier output is untouched"));
+        std::filesystem::remove(folder / "o.part");
         CHECK(folder.entries() == 1);
     }
 }

@@ -73,4 +73,12 @@ Outcome lumi_interrupted(Arguments arguments)
     });
 }
 
+Outcome lumi_killed(Arguments arguments, std::chrono::milliseconds after)
+{
+    return run(with_program(std::move(arguments)), [&](pid_t child, const std::string&) {
+        std::this_thread::sleep_for(after);
+        kill(child, SIGKILL);
+    });
+}
+
 }  // namespace lumi::tools::test

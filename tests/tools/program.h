@@ -2,6 +2,7 @@
 // Runs programs as a shell would, and keeps what they say.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,8 @@ Outcome lumi(Arguments arguments);
 
 // Starts `lumi`, sends SIGINT once it has written to stderr, waits for its end.
 Outcome lumi_interrupted(Arguments arguments);
+
+// Starts `lumi` and kills it (SIGKILL) after this time, if it still runs.
+Outcome lumi_killed(Arguments arguments, std::chrono::milliseconds after);
 
 }  // namespace lumi::tools::test

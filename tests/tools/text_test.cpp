@@ -69,4 +69,14 @@ TEST_CASE("durations read as clocks do")
     CHECK(duration_text(7389) == "2:03:09");
 }
 
+TEST_CASE("a part of a count is two whole numbers, the first from 1 to the second")
+{
+    for (const char* wrong : {"", "3", "/", "3/", "/3", "0/3", "4/3", "-1/3", "1/3 ", "1/3/4", "a/b", "1/99999999999"})
+        CHECK(!parse_part(wrong));
+    REQUIRE(parse_part("3/16"));
+    CHECK(parse_part("3/16")->part == 3);
+    CHECK(parse_part("3/16")->count == 16);
+    CHECK(parse_part("1/1"));
+}
+
 }  // namespace lumi::tools

@@ -105,6 +105,16 @@ std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins)
     return used && *used >= 1 && *used <= origins ? used : std::nullopt;
 }
 
+std::optional<PartOf> parse_part(std::string_view text)
+{
+    const size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    const auto part = parse_number<uint32_t>(text.substr(0, slash));
+    const auto count = parse_number<uint32_t>(text.substr(slash + 1));
+    if (!part || !count || *part < 1 || *part > *count) return std::nullopt;
+    return PartOf{*part, *count};
+}
+
 std::string byte_text(uint64_t bytes)
 {
     return with_unit(static_cast<double>(bytes), {" bytes", " kB", " MB", " GB"});

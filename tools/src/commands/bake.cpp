@@ -3,12 +3,14 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "choice.h"
 #include "commands.h"
 #include "lumi/baker/bake.h"
 #include "lumi/lattice.h"
 #include "lumi/tools/failure.h"
+#include "lumi/tools/json_progress.h"
 #include "lumi/tools/output_file.h"
 #include "lumi/tools/progress_printer.h"
 #include "lumi/tools/text.h"
@@ -20,10 +22,23 @@ namespace lumi::tools
 namespace
 {
 
+enum class ProgressStyle { automatic, json };
+
 struct BakeOptions {
     SceneOptions scene;
     baker::BakeSettings settings;
-    std::string output, cap;
+    std::string output, cap, shard;
+    bool restart = false;
+    ProgressStyle progress = ProgressStyle::automatic;
+};
+
+// What is baked, and where to.
+struct BakeJob {
+    baker::BakeSettings settings;
+    std::optional<baker::Shard> shard;
+    std::string name;    // of the field, or of the shard file, as the caller says it
+    std::string target;  // the file behind the name
+    baker::Earlier earlier;
 };
 
 const Choices<format::TexelFormat> kTexelChoices = {{"rgb888", format::TexelFormat::rgb888},
@@ -44,35 +59,107 @@ baker::BakeSettings settings_of(const BakeOptions& options)
     return settings;
 }
 
-void bake(const baker::Scene& scene, const baker::BakeSettings& settings, const std::string& target)
+std::optional<baker::Shard> shard_of(const std::string& text)
 {
-    ProgressPrinter printer(stderr, stderr_is_terminal());
+    if (text.empty()) return std::nullopt;
+    const auto part = parse_part(text);
+    if (!part)
+        throw UsageError("--shard takes K/COUNT with K from 1 to COUNT, for instance 3/16, not \"" + text + "\"");
+    return baker::Shard{part->part, part->count};
+}
+
+std::string shard_name(const std::string& field, const baker::Shard& shard)
+{
+    return field + "." + std::to_string(shard.index) + "-of-" + std::to_string(shard.count) + ".shard";
+}
+
+BakeJob job_of(const BakeOptions& options)
+{
+    BakeJob job = {settings_of(options),
+                   shard_of(options.shard),
+                   options.output,
+                   {},
+                   options.restart ? baker::Earlier::discard : baker::Earlier::resume};
+    if (job.shard) job.name = shard_name(options.output, *job.shard);
+    job.target = regular_target(job.name);
+    require_writable(job.target);
+    return job;
+}
+
+void bake(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress)
+{
     try {
-        baker::bake_field(scene, settings, target, watch(printer));
+        if (job.shard)
+            baker::bake_shard(scene, job.settings, *job.shard, job.target, progress, job.earlier);
+        else
+            baker::bake_field(scene, job.settings, job.target, progress, job.earlier);
     } catch (const baker::Cancelled&) {
-        throw Interrupted();
+        throw Interrupted(job.name + ".part keeps the finished rows; the same command goes on from there");
     }
 }
 
-double rays_of(const baker::BakeSettings& settings)
+double rays_of(const BakeJob& job)
 {
-    const uint32_t rows = settings.used_origins != 0 ? settings.used_origins : settings.origins;
-    return static_cast<double>(rows) * settings.directions * settings.samples;
+    const double rows = baker::shard_rows(job.settings, job.shard.value_or(baker::Shard{}));
+    return rows * job.settings.directions * job.settings.samples;
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// For people: a bar or lines on stderr, a summary on stdout.
+void bake_for_people(const baker::Scene& scene, const BakeJob& job, size_t warnings, Clock::time_point start)
+{
+    {
+        ProgressPrinter printer(stderr, stderr_is_terminal());
+        bake(scene, job, watch(printer));
+    }
+    const std::string elapsed = duration_text(seconds_since(start));
+    std::printf("%s: %s, %s rays in %s, %zu warnings\n", job.name.c_str(),
+                byte_text(std::filesystem::file_size(job.target)).c_str(), count_text(rays_of(job)).c_str(),
+                elapsed.c_str(), warnings);
+}
+
+// For machines: nothing but JSON lines on stdout.
+void bake_for_machines(const baker::Scene& scene, const BakeJob& job, size_t warnings, Clock::time_point start)
+{
+    JsonProgress printer(stdout);
+    bake(scene, job, watch(printer));
+    const nlohmann::json line = {{"state", "done"},
+                                 {"output", job.name},
+                                 {"bytes", std::filesystem::file_size(job.target)},
+                                 {"rays_total", rays_of(job)},
+                                 {"elapsed_seconds", seconds_since(start)},
+                                 {"warnings", warnings}};
+    std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 void run(const BakeOptions& options)
 {
-    const auto start = std::chrono::steady_clock::now();
-    const baker::BakeSettings settings = settings_of(options);
-    const uint64_t bytes = baker::field_file_bytes(settings);
-    const std::string target = regular_target(options.output);
-    require_writable(target);
+    const Clock::time_point start = Clock::now();
+    const BakeJob job = job_of(options);
+    baker::field_file_bytes(job.settings);  // throws before the scene is loaded
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
-    bake(scene, settings, target);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    std::printf("%s: %s, %s rays in %s, %zu warnings\n", options.output.c_str(), byte_text(bytes).c_str(),
-                count_text(rays_of(settings)).c_str(), duration_text(elapsed.count()).c_str(), warnings);
+    const bool json = options.progress == ProgressStyle::json;
+    (json ? bake_for_machines : bake_for_people)(scene, job, warnings, start);
+}
+
+void add_scale_options(CLI::App& command, BakeOptions& options)
+{
+    command
+        .add_option("--shard", options.shard,
+                    "Bake part K of COUNT only, into FIELD.lumi.K-of-COUNT.shard; `lumi merge` joins the parts")
+        ->type_name("K/COUNT");
+    command.add_flag("--restart", options.restart, "Discard the checkpoint of an earlier bake instead of going on");
+    add_choice<ProgressStyle>(command, "--progress", options.progress,
+                              {{"auto", ProgressStyle::automatic}, {"json", ProgressStyle::json}}, "auto|json",
+                              "auto: a bar, or lines where no terminal is; json: a line of JSON a second on stdout "
+                              "[auto]");
 }
 
 void add_lattice_options(CLI::App& command, BakeOptions& options)
@@ -112,9 +199,11 @@ void add_bake(CLI::App& lumi)
     command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
         ->type_name("K")
         ->capture_default_str();
-    command->footer("The file takes M x N x bytes per texel: " + byte_text(baker::field_file_bytes({})) +
-                    " with the defaults.\nCtrl-C cancels and leaves an earlier field untouched.\n"
-                    "Example:\n  lumi bake product.obj -o product.lumi --origins 512 --directions 1024 --spp 32");
+    add_scale_options(*command, *options);
+    command->footer(
+        "The file takes M x N x bytes per texel: " + byte_text(baker::field_file_bytes({})) +
+        " with the defaults.\nA bake that was stopped, by Ctrl-C or otherwise, goes on with the same command.\n"
+        "Example:\n  lumi bake product.obj -o product.lumi --origins 512 --directions 1024 --spp 32");
     command->callback([options] { run(*options); });
 }
 

@@ -3,6 +3,9 @@
 //
 // Ray (i,j) starts on the tangent disc of area 4πR²/M at origin point i, at a position that every sample draws anew,
 // and aims at direction point j (Fink et al., "LumiPath", MICCAI 2019, section 2.1).
+//
+// A bake keeps its finished rows in a checkpoint, the output's name + ".part". However it ends, the same call goes on
+// from there, and the bytes of the field are those of a bake that was never stopped.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +28,15 @@ struct BakeSettings {
     unsigned threads = 0;  // 0 = as many as the machine has
 };
 
+// One of `count` parts that bake independently, 1 <= index <= count. Of every `count` origins in a row each shard bakes
+// one, drawn by lot: shards are of equal size (to one row) and see the scene from everywhere, so they cost alike.
+struct Shard {
+    uint32_t index = 1, count = 1;
+};
+
+// What to do with a checkpoint, and with a shard file of the same bake, that lies there already.
+enum class Earlier : uint8_t { resume, discard };
+
 // What could not be baked or written; what() names the setting or the file and the mend.
 struct BakeError : std::runtime_error {
     using std::runtime_error::runtime_error;
@@ -33,10 +45,21 @@ struct BakeError : std::runtime_error {
 // Length of the file that bake_field writes. Throws BakeError for settings that no version 1 field can hold.
 uint64_t field_file_bytes(const BakeSettings& settings);
 
-// Writes `output` + ".part" and renames it when complete: on failure or cancellation an earlier output is untouched and
-// the .part file is removed. The bytes depend on scene, settings and seed, never on `threads`.
-// Memory: the field, plus the scene. Throws BakeError, Cancelled.
+// Number of origins that a shard bakes. Throws BakeError for settings or shards that cannot be.
+uint32_t shard_rows(const BakeSettings& settings, const Shard& shard);
+
+// Writes `output` when all rows are done: until then an earlier file of that name stays as it was. The bytes depend on
+// scene, settings and seed, never on `threads`, shards or interruptions.
+// A killed process loses the rows being traced, a loss of power also those of the last seconds. A checkpoint of another
+// scene, other settings or another program is refused. Disk: twice the field while it is put together. Memory: the
+// scene. Throws BakeError, Cancelled; either way the checkpoint stays.
 void bake_field(const Scene& scene, const BakeSettings& settings, const std::filesystem::path& output,
-                const ProgressCallback& progress = {});
+                const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
+
+// The same for one shard of the rows; `output` becomes a shard file, for merge_shards. A complete shard file of the
+// same bake is left as it is; of a damaged one only the damaged rows are traced again.
+void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& shard,
+                const std::filesystem::path& output, const ProgressCallback& progress = {},
+                Earlier earlier = Earlier::resume);
 
 }  // namespace lumi::baker

@@ -11,7 +11,8 @@ namespace lumi::baker
 {
 
 struct Progress {
-    uint64_t rays_done = 0;  // camera rays, i.e. whole light paths
+    uint64_t rays_done =
+        0;  // camera rays, i.e. whole light paths; also those of the checkpoint that a bake goes on from
     uint64_t rays_total = 0;
     double rays_per_second = 0;  // over the trailing window; 0 while unknown
     double eta_seconds = -1;     // negative while unknown
@@ -19,7 +20,7 @@ struct Progress {
 };
 
 // Called from the thread that started the work: once before the first ray, about ten times a second, once at the end.
-// Returning false cancels: the work throws Cancelled and leaves nothing behind.
+// Returning false cancels: the work throws Cancelled and leaves nothing behind, a bake only its checkpoint.
 using ProgressCallback = std::function<bool(const Progress&)>;
 
 struct Cancelled : std::runtime_error {

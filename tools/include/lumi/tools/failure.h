@@ -37,7 +37,10 @@ public:
 class Interrupted : public std::runtime_error
 {
 public:
-    Interrupted() : std::runtime_error("interrupted; earlier output is untouched") {}
+    explicit Interrupted(const std::string& kept = "earlier output is untouched")
+        : std::runtime_error("interrupted; " + kept)
+    {
+    }
 };
 
 }  // namespace lumi::tools

@@ -31,6 +31,12 @@ std::optional<Rgb8> parse_colour(std::string_view text);
 // Nothing unless the result is 1 .. origins.
 std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins);
 
+// "3/16": two whole numbers, 1 <= part <= count.
+struct PartOf {
+    uint32_t part, count;
+};
+std::optional<PartOf> parse_part(std::string_view text);
+
 // "4.20 MB": units of 1000, three digits.
 std::string byte_text(uint64_t bytes);
 // "33.6 M": three digits.

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Each function takes its struct apart by a structured binding of all members: a member that is added there and not
+// here does not compile. Add what it says to the digest, unless it is derived from what is hashed already.
+#include "scene_fingerprint.h"
+
+#include "texel_tracer.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr size_t kProbesPerLight = 64;
+constexpr size_t kMaxLightProbes = 1 << 20;
+constexpr uint32_t kSkyProbes = 256;  // rows, and as many columns
+constexpr uint32_t kPathProbes = 2048;
+constexpr uint64_t kProbeSeed = 0x70726F6265;
+
+void add(Digest& digest, const Mesh& mesh)
+{
+    const auto& [positions, normals, uvs, corners, shading, mapping, materials] = mesh;
+    digest.add(positions);
+    digest.add(normals);
+    digest.add(uvs);
+    digest.add(corners);
+    digest.add(shading);
+    digest.add(mapping);
+    digest.add(materials);
+}
+
+void add(Digest& digest, const TextureSlots& slots)
+{
+    const auto& [base, emission, roughness, metalness, opacity, normal] = slots;
+    for (const TextureSlot* slot : {&base, &emission, &roughness, &metalness, &opacity, &normal}) {
+        const auto& [texture, scale, offset] = *slot;
+        digest.add(texture);
+        digest.add(scale);
+        digest.add(offset);
+    }
+}
+
+void add(Digest& digest, const Material& material)
+{
+    const auto& [name, base, emission, metalness, specular, alpha, index, opacity, coat, coat_alpha, glass,
+                 transmittance, transmittance_length, maps, skins, facets, frost, coat_skin, absorption] = material;
+    static_cast<void>(name);  // materials are found by number
+    // Made by finish() from the others.
+    static_cast<void>(skins);
+    static_cast<void>(facets);
+    static_cast<void>(frost);
+    static_cast<void>(coat_skin);
+    static_cast<void>(absorption);
+    for (const Rgb& colour : {base, emission, transmittance}) {
+        digest.add(colour);
+    }
+    for (const float value : {metalness, alpha, index, opacity, coat, coat_alpha, transmittance_length}) {
+        digest.add(value);
+    }
+    digest.add(specular);
+    digest.add(glass);
+    add(digest, maps);
+}
+
+void add(Digest& digest, const Texture& texture)
+{
+    const auto& [width, height, rgb, encoded] = texture;
+    digest.add(width);
+    digest.add(height);
+    digest.add(rgb);
+    digest.add(encoded);
+}
+
+Vec3 direction_of(const Vec2& u)
+{
+    const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0f, 1 - z * z));
+    return {r * std::cos(2 * kPi * u.y), r * std::sin(2 * kPi * u.y), z};
+}
+
+void add(Digest& digest, const LightSample& sample)
+{
+    digest.add(sample.direction);
+    digest.add(sample.distance);
+    digest.add(sample.radiance);
+    digest.add(sample.pdf);
+}
+
+// The lights keep their numbers to themselves, but send light: each of them by samples drawn evenly over its share of
+// all power, the sky by what arrives from everywhere.
+void add(Digest& digest, const LightSet& lights)
+{
+    const size_t samples = lights.empty() ? 0 : std::min(kProbesPerLight * (lights.count() + 1), kMaxLightProbes);
+    Sampler sampler(kProbeSeed, 0, 0);
+    for (size_t k = 0; k < samples; ++k) {
+        sampler.start(static_cast<uint32_t>(k));
+        const Vec3 from = direction_of(sampler.next_2d()) * sampler.next_1d();
+        const float u_select = static_cast<float>(k) / static_cast<float>(samples);
+        const float u_light = sampler.next_1d();
+        add(digest, lights.sample(from, u_light, u_select, sampler.next_2d()));
+    }
+    for (uint32_t k = 0; k < kSkyProbes * kSkyProbes; ++k) {
+        constexpr float kStep = 1.0f / kSkyProbes;
+        const auto column = static_cast<float>(k % kSkyProbes), row = static_cast<float>(k / kSkyProbes);
+        digest.add(lights.sky_radiance(direction_of({(row + 0.5f) * kStep, (column + 0.5f) * kStep})));
+    }
+}
+
+}  // namespace
+
+Digest::Value scene_fingerprint(const SceneData& scene)
+{
+    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, accelerator, lights] = scene;
+    static_cast<void>(has_transparency);
+    static_cast<void>(accelerator);
+    Digest digest;
+    digest.add(centre);
+    digest.add(radius);
+    digest.add(up);
+    digest.add(tone);
+    add(digest, mesh);
+    for (const Material& material : materials) {
+        add(digest, material);
+    }
+    for (const Texture& texture : textures) {
+        add(digest, texture);
+    }
+    add(digest, lights);
+    return digest.value();
+}
+
+uint64_t tracing_fingerprint(const SceneData& scene)
+{
+    BakeSettings settings;
+    settings.origins = settings.directions = kPathProbes;
+    settings.samples = 1;
+    settings.seed = kProbeSeed;
+    const TexelTracer texels(scene, settings);
+    const FieldRays rays(kPathProbes, kPathProbes);
+    const PathTracer tracer(scene);
+    Digest digest;
+    for (uint32_t k = 0; k < kPathProbes; ++k) {
+        const uint32_t j = static_cast<uint32_t>(uint64_t{k} * 0x9E3779B9u % kPathProbes);
+        digest.add(texels.estimate(texels.disc(k), k, j).covered_colour());
+        Sampler sampler(kProbeSeed, k, j);
+        sampler.start(0);
+        if (const auto ray = FieldRays::ray(texels.disc(k).at({}), rays.direction_point(j))) {
+            const PathResult path = tracer.trace(*ray, sampler);
+            digest.add(path.covered);
+            digest.add(path.radiance);
+        }
+    }
+    return digest.value()[0];
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "checkpoint.h"
+
+#include <catch2/catch.hpp>
+
+#include "bake_scenes.h"
+
+namespace lumi::baker
+{
+
+using namespace testing;
+using format::TexelFormat;
+
+namespace
+{
+
+// The checkpoint of a bake of which the slots below `done` are there.
+std::string checkpoint_bytes(const Scene& scene, const BakeSettings& settings, uint32_t done)
+{
+    const ScratchFolder folder;
+    const BakeIdentity identity = identity_of(scene, settings, {});
+    bake_shard(scene, settings, {}, folder.at("all"));
+    const RowFile all(std::make_unique<PosixFile>(folder.at("all"), PosixFile::Mode::read));
+    Checkpoint part(folder.at("part"), identity, Earlier::resume);
+    Palette palette{};
+    REQUIRE(all.read_palette(palette));
+    if (settings.texel == TexelFormat::palette8) {
+        part.rows().write_palette(palette);
+    }
+    std::vector<uint8_t> row;
+    for (uint32_t slot = 0; slot < done; ++slot) {
+        REQUIRE(all.read_row(slot, row));
+        part.store(slot, row);
+    }
+    return read_bytes(folder.at("part"));
+}
+
+// Bakes on from these bytes; empty if they are refused, and then nothing may have changed.
+std::string continued(const Scene& scene, const BakeSettings& settings, const std::string& part)
+{
+    const ScratchFolder folder;
+    folder.write("f.lumi", "earlier");
+    folder.write("f.lumi.part", part);
+    try {
+        bake_field(scene, settings, folder.at("f.lumi"));
+    } catch (const BakeError& error) {
+        CHECK_THAT(error.what(), Catch::Contains("f.lumi.part: ") && Catch::Contains("; "));
+        CHECK(read_bytes(folder.at("f.lumi")) == "earlier");
+        CHECK(read_bytes(folder.at("f.lumi.part")) == part);
+        CHECK(folder.file_count() == 2);
+        return {};
+    }
+    CHECK(folder.file_count() == 1);
+    return read_bytes(folder.at("f.lumi"));
+}
+
+}  // namespace
+
+TEST_CASE("checkpoint: a bake goes on from any row and gives the bytes of an undisturbed one, in every texel format")
+{
+    const Scene scene = tiny_scene();
+    for (const TexelFormat texel :
+         {TexelFormat::rgb888, TexelFormat::rgb565, TexelFormat::palette8, TexelFormat::luma8}) {
+        const BakeSettings settings = tiny_settings(texel);
+        const std::string whole = baked(scene, settings);
+        for (uint32_t done = 0; done <= settings.origins; ++done) {
+            INFO("format " << static_cast<int>(texel) << ", " << done << " rows done");
+            REQUIRE(continued(scene, settings, checkpoint_bytes(scene, settings, done)) == whole);
+        }
+    }
+}
+
+TEST_CASE("checkpoint: rows that are done are not traced again")
+{
+    const Scene scene = tiny_scene();
+    const BakeSettings settings = tiny_settings();
+    const ScratchFolder folder;
+    folder.write("f.lumi.part", checkpoint_bytes(scene, settings, 4));
+    std::vector<Progress> reports;
+    bake_field(scene, settings, folder.at("f.lumi"), [&](const Progress& p) {
+        reports.push_back(p);
+        return true;
+    });
+    CHECK(reports.front().rays_done == 4 * 11 * 2);
+    CHECK(reports.back().rays_done == 9 * 11 * 2);
+    CHECK(reports.back().rays_total == 9 * 11 * 2);
+}
+
+TEST_CASE("checkpoint: every truncation is survived or refused")
+{
+    const Scene scene = tiny_scene();
+    for (const TexelFormat texel : {TexelFormat::luma8, TexelFormat::palette8}) {
+        const BakeSettings settings = tiny_settings(texel);
+        const std::string whole = baked(scene, settings);
+        const std::string part = checkpoint_bytes(scene, settings, settings.origins);
+        // In a palette every length is like the next one.
+        const size_t step = texel == TexelFormat::palette8 ? 17 : 1;
+        for (size_t size = 0; size < part.size(); size += step) {
+            const std::string result = continued(scene, settings, part.substr(0, size));
+            INFO("format " << static_cast<int>(texel) << ", " << size << " bytes of " << part.size());
+            REQUIRE((size < kHeadBytes ? result.empty() : result == whole));
+        }
+        REQUIRE(continued(scene, settings, part + "trailing") == whole);
+    }
+}
+
+TEST_CASE("checkpoint: every damaged byte is mended or refused")
+{
+    const Scene scene = tiny_scene();
+    const BakeSettings settings = tiny_settings(TexelFormat::luma8);
+    const std::string whole = baked(scene, settings);
+    const std::string part = checkpoint_bytes(scene, settings, settings.origins);
+    for (size_t at = 0; at < part.size(); ++at) {
+        std::string damaged = part;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x20);
+        const std::string result = continued(scene, settings, damaged);
+        INFO("byte " << at);
+        REQUIRE((at < kHeadBytes ? result.empty() : result == whole));
+    }
+}
+
+TEST_CASE("checkpoint: a row of another place or another bake is not taken for one's own")
+{
+    const Scene scene = tiny_scene();
+    const BakeSettings settings = tiny_settings(TexelFormat::luma8);
+    const std::string part = checkpoint_bytes(scene, settings, settings.origins);
+    BakeSettings other = settings;
+    other.seed = 77;
+    const std::string foreign = checkpoint_bytes(scene, other, settings.origins);
+    const std::string whole = baked(scene, settings);
+    CHECK(continued(scene, settings, part.substr(0, kHeadBytes) + foreign.substr(kHeadBytes)) == whole);
+    const size_t slot = (part.size() - kHeadBytes) / settings.origins;
+    std::string swapped = part;
+    swapped.replace(kHeadBytes, slot, part, kHeadBytes + slot, slot);
+    CHECK(continued(scene, settings, swapped) == whole);
+}
+
+TEST_CASE("checkpoint: that of other settings or another scene is refused by name, and discarded on demand")
+{
+    const Scene scene = tiny_scene();
+    const BakeSettings settings = tiny_settings();
+    const auto refusal = [&](const Scene& then, const BakeSettings& set_then) {
+        const ScratchFolder folder;
+        CHECK_THROWS_AS(bake_field(then, set_then, folder.at("f.lumi"), stop_after(1)), Cancelled);
+        std::string text;
+        try {
+            bake_field(scene, settings, folder.at("f.lumi"));
+        } catch (const BakeError& error) {
+            text = error.what();
+        }
+        CHECK(folder.file_count() == 1);
+        bake_field(scene, settings, folder.at("f.lumi"), {}, Earlier::discard);
+        CHECK(read_bytes(folder.at("f.lumi")) == baked(scene, settings));
+        CHECK(folder.file_count() == 1);
+        return text;
+    };
+    const auto changed = [&](auto BakeSettings::*member, auto value) {
+        BakeSettings other = settings;
+        other.*member = value;
+        return refusal(scene, other);
+    };
+    CHECK_THAT(changed(&BakeSettings::samples, 5u), Catch::Contains("other samples: 5 there, 2 here"));
+    CHECK_THAT(changed(&BakeSettings::origins, 10u), Catch::Contains("other origins: 10 there, 9 here"));
+    CHECK_THAT(changed(&BakeSettings::directions, 12u), Catch::Contains("other directions"));
+    CHECK_THAT(changed(&BakeSettings::used_origins, 3u), Catch::Contains("other cap: 3 there, 9 here"));
+    CHECK_THAT(changed(&BakeSettings::seed, uint64_t{9}), Catch::Contains("other seed"));
+    CHECK_THAT(changed(&BakeSettings::texel, TexelFormat::luma8),
+               Catch::Contains("other texels: luma8 there, rgb888 here"));
+    CHECK_THAT(refusal(tiny_scene(0.71f), settings), Catch::Contains("another scene") && Catch::Contains("--restart"));
+    CHECK_THAT(refusal(tiny_scene(0.7f, 1.01f), settings), Catch::Contains("another scene"));
+}
+
+TEST_CASE("checkpoint: a cap of all origins, and other threads, are the same bake")
+{
+    const Scene scene = tiny_scene();
+    BakeSettings settings = tiny_settings();
+    const std::string part = checkpoint_bytes(scene, settings, 5);
+    const std::string whole = baked(scene, settings);
+    settings.used_origins = settings.origins;
+    settings.threads = 3;
+    CHECK(continued(tiny_scene(), settings, part) == whole);
+}
+
+TEST_CASE("checkpoint: of two bakes of one output the second is refused while the first runs")
+{
+    const Scene scene = tiny_scene();
+    const ScratchFolder folder;
+    bool tried = false;
+    bake_field(scene, tiny_settings(), folder.at("f.lumi"), [&](const Progress&) {
+        if (!tried) {
+            tried = true;
+            CHECK_THROWS_WITH(bake_field(scene, tiny_settings(), folder.at("f.lumi")),
+                              Catch::Contains("another lumi is baking this"));
+        }
+        return true;
+    });
+    CHECK(tried);
+    CHECK(read_bytes(folder.at("f.lumi")) == baked(scene, tiny_settings()));
+}
+
+TEST_CASE("checkpoint: a full disk is told by name")
+{
+    // A device on which every write fails for want of space.
+    if (!std::filesystem::exists("/dev/full")) {
+        return;
+    }
+    PosixFile full("/dev/full", PosixFile::Mode::update);
+    const uint8_t byte = 1;
+    CHECK_THROWS_WITH(full.write_at(0, &byte, 1), Catch::Contains("free some space"));
+}
+
+}  // namespace lumi::baker
