@@ -18,6 +18,7 @@ test_packages=(
   catch2
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib  # code for Cortex-M
   qemu-system-arm                                                           # boards to run it on
+  slurm-wlm munge procps                                                    # a job array on this machine
   python3)                                                                  # the generator of the scenes
 
 is_installed() {
