@@ -51,6 +51,13 @@ Arguments with_program(Arguments arguments)
     return arguments;
 }
 
+void wait_for_text(const std::string& path)
+{
+    constexpr auto kPause = std::chrono::milliseconds(20);
+    constexpr int kPatience = 1500;  // 30 s
+    for (int i = 0; i < kPatience && content_of(path).empty(); ++i) std::this_thread::sleep_for(kPause);
+}
+
 }  // namespace
 
 Outcome run_program(const Arguments& arguments)
@@ -66,16 +73,15 @@ Outcome lumi(Arguments arguments)
 Outcome lumi_interrupted(Arguments arguments)
 {
     return run(with_program(std::move(arguments)), [](pid_t child, const std::string& err) {
-        constexpr auto kPause = std::chrono::milliseconds(20);
-        constexpr int kPatience = 1500;  // 30 s
-        for (int i = 0; i < kPatience && content_of(err).empty(); ++i) std::this_thread::sleep_for(kPause);
+        wait_for_text(err);
         kill(child, SIGINT);
     });
 }
 
 Outcome lumi_killed(Arguments arguments, std::chrono::milliseconds after)
 {
-    return run(with_program(std::move(arguments)), [&](pid_t child, const std::string&) {
+    return run(with_program(std::move(arguments)), [&](pid_t child, const std::string& err) {
+        wait_for_text(err);
         std::this_thread::sleep_for(after);
         kill(child, SIGKILL);
     });

@@ -25,7 +25,7 @@ Outcome lumi(Arguments arguments);
 // Starts `lumi`, sends SIGINT once it has written to stderr, waits for its end.
 Outcome lumi_interrupted(Arguments arguments);
 
-// Starts `lumi` and kills it (SIGKILL) after this time, if it still runs.
+// Starts `lumi`, waits until it has written to stderr and then this time, and kills it (SIGKILL), if it still runs.
 Outcome lumi_killed(Arguments arguments, std::chrono::milliseconds after);
 
 }  // namespace lumi::tools::test
