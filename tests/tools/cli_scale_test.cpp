@@ -119,7 +119,7 @@ TEST_CASE("a checkpoint of other options is refused with the mend, and --restart
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("--progress json writes nothing but JSON to stdout, and ends with what was done")
+TEST_CASE("json progress writes nothing but JSON to stdout, and ends with what was done")
 {
     const test::TemporaryFolder folder;
     const Outcome outcome = lumi(bake(folder / "f.lumi", {"--progress", "json"}));
