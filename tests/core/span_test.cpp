@@ -138,7 +138,7 @@ TEST_CASE("shorter spans come closer to the exact picture", "[span]")
     for (const int32_t span_px : {16, 8, 4, 2}) {
         double sum = 0;
         std::minstd_rand random(7);
-        for (uint32_t k = 0; k < std::max(3u, kRandomViews / 10); ++k) {
+        for (uint32_t k = 0; k < std::max<uint32_t>(3, kRandomViews / 10); ++k) {
             const View view = random_view(random);
             const auto exact = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 0);
             sum += difference(exact, draw<Linear, TexelRgb888>(field, view, OverBlack{}, span_px)).psnr_db();
@@ -255,8 +255,9 @@ TEST_CASE("origins outside the cap stay transparent on spans, and their bytes ar
 TEST_CASE("lattices of every size are drawn, the small and the huge ones exactly", "[span]")
 {
     const View view = extreme_views(kSide / 2)[0];
-    for (const uint32_t n : {1u, 2u, 63u, 64u, 65u, 89u, 144u, 1000u, 10000u}) {
-        const Bytes bytes = smooth_field(n, std::min(n, 100u), 70, TexelFormat::luma8);
+    const uint32_t sizes[] = {1, 2, 63, 64, 65, 89, 144, 1000, 10000};
+    for (const uint32_t n : sizes) {
+        const Bytes bytes = smooth_field(n, std::min<uint32_t>(n, 100), 70, TexelFormat::luma8);
         const Field field = opened(bytes);
         INFO(n);
         const auto exact = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 0);
