@@ -60,21 +60,21 @@ SpanZone make_zone(const Lattice& lattice, int k)
 {
     const uint32_t n = lattice.size();
     SpanZone z{};
-    z.first = kFibonacci[k];
-    z.second = kFibonacci[k + 1];
+    const int32_t first = kFibonacci[k];
+    const int32_t second = kFibonacci[k + 1];
     z.begin_z_q30 = height_of_q30(kPowers.zone_q10[2 * k], lattice);
     z.obtuse_z_q30 = height_of_q30(kPowers.zone_q10[2 * k + 1], lattice);
     z.obtuse_index_q10 = lattice.index_at_q10(z.obtuse_z_q30);
-    z.acute_limit_z_q30 = height_of_index_q30(lattice, z.second + 1);
-    z.obtuse_limit_z_q30 = height_of_index_q30(lattice, z.first + z.second + 1);
+    z.acute_limit_z_q30 = height_of_index_q30(lattice, second + 1);
+    z.obtuse_limit_z_q30 = height_of_index_q30(lattice, first + second + 1);
     // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: z comes in Q16, coordinates leave in Q16.
     const uint64_t v_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k]);
     const uint64_t u_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k + 1]);
     int down = 0;
     while ((v_q31 >> down) >= uint64_t{1} << kScaleBits) ++down;
-    z.scale_v = static_cast<int32_t>(v_q31 >> down);
-    z.scale_u = static_cast<int32_t>(u_q31 >> down);
-    z.shift = 31 - down;
+    z.scale_v = static_cast<int16_t>(v_q31 >> down);
+    z.scale_u = static_cast<int16_t>(u_q31 >> down);
+    z.shift = static_cast<int16_t>(31 - down);
     z.origin_v_q16 = static_cast<int32_t>(v_q31 >> 15) - (kPowers.inverse_q30[k] >> 15);
     z.origin_u_q16 = static_cast<int32_t>(u_q31 >> 15) - (kPowers.inverse_q30[k + 1] >> 15);
     return z;
@@ -117,7 +117,7 @@ int32_t SpanSide::highest(int32_t length) const
     const int32_t a = index(u_q16, v_q16);
     const int32_t b = index(u_q16 + length * du_q16, v_q16 + length * dv_q16);
     // A floor takes up to one step off either coordinate, and a cell's corners lie up to both steps on.
-    return (a > b ? a : b) + 2 * (zone->first + zone->second);
+    return (a > b ? a : b) + 2 * (magnitude(first) + magnitude(second));
 }
 
 namespace
@@ -151,6 +151,8 @@ void SpanWalker::set_chart(int32_t z_q30)
     while (zone_ > 0 && height >= lattice_.zone[zone_].begin_z_q30) --zone_;
     while (zone_ + 1 < kSpanZones && height < lattice_.zone[zone_ + 1].begin_z_q30) ++zone_;
     const SpanZone& z = lattice_.zone[zone_];
+    const int32_t first = kFibonacci[kFirstSpanZone + zone_];
+    const int32_t second = kFibonacci[kFirstSpanZone + zone_ + 1];
     const bool mirrored = z_q30 < 0;
     const bool acute = height >= z.obtuse_z_q30;
     const int32_t odd = ((zone_ + kFirstSpanZone) & 1) != 0 ? 1 : -1;
@@ -159,22 +161,22 @@ void SpanWalker::set_chart(int32_t z_q30)
 
     side_.zone = &z;
     chart_.shift = z.shift;
-    chart_.u_longitude = reflection * odd * hemisphere * z.second;
-    chart_.v_longitude = -odd * hemisphere * z.first;
+    chart_.u_longitude = reflection * odd * hemisphere * second;
+    chart_.v_longitude = -odd * hemisphere * first;
     chart_.u_z = -reflection * hemisphere * z.scale_u;
     chart_.v_z = -hemisphere * z.scale_v;
     chart_.u_q16 = reflection * z.origin_u_q16;
     chart_.v_q16 = z.origin_v_q16;
     if (mirrored) {
-        chart_.u_q16 += reflection * odd * ((z.second * lattice_.mirror_turns20) >> 4);
-        chart_.v_q16 -= odd * ((z.first * lattice_.mirror_turns20) >> 4);
+        chart_.u_q16 += reflection * odd * ((second * lattice_.mirror_turns20) >> 4);
+        chart_.v_q16 -= odd * ((first * lattice_.mirror_turns20) >> 4);
     }
-    side_.first = reflection * hemisphere * z.first;
-    side_.second = hemisphere * z.second;
+    side_.first = reflection * hemisphere * first;
+    side_.second = hemisphere * second;
     side_.base = mirrored ? lattice_.size - 1 : 0;
 
     // A corner of this hemisphere's cells lies `half` below its cell's middle.
-    const int32_t half_q10 = 512 * (acute ? z.second - z.first : z.first + z.second);
+    const int32_t half_q10 = 512 * (acute ? second - first : first + second);
     const int32_t limit = (z.obtuse_index_q10 - half_q10 + 1023) >> 10;
     side_.flip = mirrored ? 1 - limit : limit;
     side_.flip_mask = mirrored != acute ? -1 : 0;

@@ -15,7 +15,7 @@ include(${lumi_boards})
 
 # Deepest stack of render() and of render_spans() on any of the CPUs, as docs/boards.md states it.
 set(LUMI_STACK_LIMIT 1024)
-set(LUMI_SPAN_STACK_LIMIT 3072)
+set(LUMI_SPAN_STACK_LIMIT 2560)
 set(lumi_build_timeout_s 1500)
 set(lumi_run_timeout_s 900)
 

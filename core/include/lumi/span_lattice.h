@@ -27,17 +27,16 @@ inline constexpr int kSpanZones = 8;      // 6 .. 13
 
 // A zone's constants; heights are |z|, Q30, so that a zone is found by comparisons alone.
 struct SpanZone {
-    int32_t first, second;            // F_k, F_k+1
     int32_t begin_z_q30;              // the zone holds |z| below this, down to the next zone's
     int32_t obtuse_z_q30;             // its steps form an obtuse angle below this ...
     int32_t obtuse_index_q10;         // ... that is from this height on, as a real-valued index
     int32_t acute_limit_z_q30;        // up to this no corner of a cell lies beyond the pole, where they are acute ...
     int32_t obtuse_limit_z_q30;       // ... and where obtuse
-    int32_t scale_u, scale_v, shift;  // height to u, v: mantissas below 2^14, then a shift right
+    int16_t scale_u, scale_v, shift;  // height to u, v: mantissas below 2^14, then a shift right
     int32_t origin_u_q16, origin_v_q16;
 };
 
-// The zones of one lattice, computed once per stripe. 404 bytes.
+// The zones of one lattice, computed once per stripe. 308 bytes.
 struct SpanLattice {
     int32_t size;
     int32_t cap_z_q30;       // |z| at kSpanCapHeight
