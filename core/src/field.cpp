@@ -2,6 +2,8 @@
 #include "lumi/field.h"
 
 #include "lumi/crc32.h"
+#include "lumi/guided_format.h"
+#include "sections.h"
 
 namespace lumi
 {
@@ -9,117 +11,16 @@ namespace
 {
 
 using namespace format;
+using namespace container;
 
-uint32_t load_u16(const uint8_t* p)
+constexpr uint32_t kChordTypes[] = {kLayoutSection, kTexelSection, kPaletteSection};
+constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection, kPaletteSection, kGuidedSection,   kProxySection,
+                                  kMeanSection,   kChartSection, kChartColours,   kOcclusionSection};
+
+template <uint32_t Count>
+constexpr KnownTypes known(const uint32_t (&types)[Count])
 {
-    return static_cast<uint32_t>(p[0]) | static_cast<uint32_t>(p[1]) << 8;
-}
-
-uint32_t load_u32(const uint8_t* p)
-{
-    return load_u16(p) | load_u16(p + 2) << 16;
-}
-
-struct Section {
-    uint32_t type, flags, offset, size, crc;
-};
-
-Section section_at(const uint8_t* bytes, uint32_t index)
-{
-    const uint8_t* e = bytes + kHeaderBytes + index * kEntryBytes;
-    return {load_u32(e + entry::kTypeAt), load_u32(e + entry::kFlagsAt), load_u32(e + entry::kOffsetAt),
-            load_u32(e + entry::kSizeAt), load_u32(e + entry::kCrcAt)};
-}
-
-uint32_t section_count(const uint8_t* bytes)
-{
-    return load_u16(bytes + header::kSectionCountAt);
-}
-
-FieldError check_header(const uint8_t* bytes, size_t size)
-{
-    if (size < kHeaderBytes) return FieldError::truncated;
-    for (size_t i = 0; i < sizeof kMagic; ++i) {
-        if (bytes[i] != kMagic[i]) return FieldError::bad_magic;
-    }
-    if (load_u32(bytes + header::kHeaderCrcAt) != crc32(0, bytes, header::kHeaderCrcAt)) return FieldError::header_crc;
-    if (load_u16(bytes + header::kVersionAt) != kVersion) return FieldError::unsupported_version;
-    const uint32_t count = section_count(bytes);
-    if (load_u16(bytes + header::kHeaderBytesAt) != kHeaderBytes ||
-        load_u16(bytes + header::kEntryBytesAt) != kEntryBytes || count == 0 || count > kMaxSections ||
-        load_u32(bytes + header::kReservedAt) != 0) {
-        return FieldError::bad_header;
-    }
-    const uint32_t file_bytes = load_u32(bytes + header::kFileBytesAt);
-    if (size < file_bytes || size < kHeaderBytes + count * kEntryBytes) return FieldError::truncated;
-    return size > file_bytes ? FieldError::trailing_bytes : FieldError::none;
-}
-
-bool lies_inside(const Section& s, uint32_t first_byte, uint32_t file_bytes)
-{
-    return s.offset >= first_byte && s.offset <= file_bytes && s.size <= file_bytes - s.offset;
-}
-
-bool is_known(uint32_t type)
-{
-    return type == kLayoutSection || type == kTexelSection || type == kPaletteSection;
-}
-
-bool occurs_before(const uint8_t* bytes, uint32_t type, uint32_t end)
-{
-    for (uint32_t i = 0; i < end; ++i) {
-        if (section_at(bytes, i).type == type) return true;
-    }
-    return false;
-}
-
-FieldError check_table(const uint8_t* bytes, uint32_t file_bytes)
-{
-    const uint32_t count = section_count(bytes);
-    const uint32_t table_bytes = count * kEntryBytes;
-    if (load_u32(bytes + header::kTableCrcAt) != crc32(0, bytes + kHeaderBytes, table_bytes)) {
-        return FieldError::table_crc;
-    }
-    for (uint32_t i = 0; i < count; ++i) {
-        const Section s = section_at(bytes, i);
-        if (!lies_inside(s, kHeaderBytes + table_bytes, file_bytes) || s.offset % kSectionAlignment != 0 ||
-            (s.flags & ~kRequired) != 0) {
-            return FieldError::bad_section;
-        }
-        if (!is_known(s.type) && (s.flags & kRequired) != 0) return FieldError::unknown_required;
-        if (is_known(s.type) && occurs_before(bytes, s.type, i)) return FieldError::duplicate_section;
-    }
-    return FieldError::none;
-}
-
-// Sets `out` where the type occurs; check_table made sure that it occurs at most once.
-bool find_section(const uint8_t* bytes, uint32_t type, Section& out)
-{
-    for (uint32_t i = 0; i < section_count(bytes); ++i) {
-        out = section_at(bytes, i);
-        if (out.type == type) return true;
-    }
-    return false;
-}
-
-bool is_finite(uint32_t binary32)
-{
-    return (binary32 & 0x7F800000u) != 0x7F800000u;
-}
-
-bool is_positive(uint32_t binary32)
-{
-    return binary32 != 0 && (binary32 & 0x80000000u) == 0;
-}
-
-FieldError read_bounds(const uint8_t* layout, Field& out)
-{
-    for (uint32_t k = 0; k < 3; ++k) {
-        out.centre_bits[k] = load_u32(layout + layout::kCentreAt + 4 * k);
-        if (!is_finite(out.centre_bits[k])) return FieldError::bad_bounds;
-    }
-    out.radius_bits = load_u32(layout + layout::kRadiusAt);
-    return is_finite(out.radius_bits) && is_positive(out.radius_bits) ? FieldError::none : FieldError::bad_bounds;
+    return {types, Count};
 }
 
 FieldError read_lattices(const uint8_t* layout, Field& out)
@@ -151,7 +52,11 @@ FieldError read_layout(const uint8_t* layout, Field& out)
         is_power_of_two(out.row_stride_bytes)) {
         return FieldError::bad_row_stride;
     }
-    return read_bounds(layout, out);
+    BoundsBits bounds;
+    if (!read_bounds(layout + layout::kCentreAt, layout + layout::kRadiusAt, bounds)) return FieldError::bad_bounds;
+    for (uint32_t k = 0; k < 3; ++k) out.centre_bits[k] = bounds.centre[k];
+    out.radius_bits = bounds.radius;
+    return FieldError::none;
 }
 
 FieldError read_texels(const uint8_t* bytes, Field& out)
@@ -190,10 +95,9 @@ FieldError read_palette(const uint8_t* bytes, Field& out)
 
 FieldError open_field(const uint8_t* bytes, size_t size, Field& out)
 {
-    if (const FieldError error = check_header(bytes, size); error != FieldError::none) return error;
-    if (const FieldError error = check_table(bytes, static_cast<uint32_t>(size)); error != FieldError::none) {
-        return error;
-    }
+    if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
+    if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
+    if (const FieldError error = check_sections(bytes, known(kChordTypes)); error != FieldError::none) return error;
     Section section;
     if (!find_section(bytes, kLayoutSection, section)) return FieldError::missing_layout;
     if (section.size != kLayoutBytes) return FieldError::bad_layout;
@@ -207,8 +111,8 @@ FieldError open_field(const uint8_t* bytes, size_t size, Field& out)
 
 FieldError verify_field(const uint8_t* bytes, size_t size)
 {
-    Field field;
-    if (const FieldError error = open_field(bytes, size, field); error != FieldError::none) return error;
+    if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
+    if (const FieldError error = check_sections(bytes, known(kAllTypes)); error != FieldError::none) return error;
     for (uint32_t i = 0; i < section_count(bytes); ++i) {
         const Section s = section_at(bytes, i);
         if (crc32(0, bytes + s.offset, s.size) != s.crc) return FieldError::section_crc;
@@ -263,6 +167,42 @@ const char* describe(FieldError error)
             return "the texel section has the wrong size";
         case FieldError::bad_palette:
             return "the palette has the wrong size or an entry brighter than its coverage";
+        case FieldError::guided_field:
+            return "a guided field, which this reader does not draw";
+        case FieldError::chord_field:
+            return "a field without a surface, where a guided one is needed";
+        case FieldError::missing_guided:
+            return "the guided section is missing";
+        case FieldError::missing_proxy:
+            return "the proxy mesh is missing";
+        case FieldError::missing_mean:
+            return "the mean colours are missing, and there is no chart";
+        case FieldError::missing_chart:
+            return "the chart section is missing";
+        case FieldError::missing_chart_colours:
+            return "the chart's colours are missing";
+        case FieldError::unused_section:
+            return "a section is there that the guided section has no use for";
+        case FieldError::bad_guided:
+            return "the guided section is malformed";
+        case FieldError::bad_chart_size:
+            return "the chart size is out of range";
+        case FieldError::bad_focus:
+            return "the focus lies outside the sphere";
+        case FieldError::bad_proxy:
+            return "the proxy mesh has a wrong size or an unknown flag";
+        case FieldError::bad_proxy_index:
+            return "a triangle of the proxy mesh has a corner that does not exist";
+        case FieldError::bad_mean:
+            return "the mean colours have a wrong size or a value out of range";
+        case FieldError::bad_mean_brick:
+            return "the mean colours' index names a brick that does not exist";
+        case FieldError::bad_chart:
+            return "the chart has a wrong size or an origin outside its tables";
+        case FieldError::bad_chart_colours:
+            return "the chart's colours have a wrong size or a first entry that is not 0";
+        case FieldError::bad_occlusion:
+            return "the occlusion table has a wrong size or an origin outside its tables";
         case FieldError::section_crc:
             return "a section's bytes are damaged";
     }

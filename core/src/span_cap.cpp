@@ -17,7 +17,9 @@ struct Parts {
     Parts(int32_t triangle, int32_t x_q12, int32_t y_q12)
     {
         const uint8_t* c = polar::corners(triangle);
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) p[k] = polar::plane_point(c[k]);
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) {
             const polar::PlanePoint a = p[(k + 1) % 3];
             const polar::PlanePoint b = p[(k + 2) % 3];
@@ -29,6 +31,7 @@ struct Parts {
     int way_out(const uint8_t* beyond) const
     {
         int edge = -1;
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) {
             if (area[k] < 0 && beyond[k] != polar::kNone && (edge < 0 || area[k] < area[edge])) edge = k;
         }
@@ -65,6 +68,7 @@ void SpanCap::find(int32_t at)
     const Parts parts = locate(triangle, x, y);
     int32_t area[3];
     int32_t sum = 0;
+#pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) {
         area[k] = parts.area[k] > 0 ? parts.area[k] : 0;
         sum += area[k];
@@ -78,8 +82,11 @@ void SpanCap::find(int32_t at)
         const int32_t kept = a > kLimit ? kLimit : a < -kLimit ? -kLimit : a;
         return ((kept >> 11) * r.mantissa) >> shift;
     };
-    for (int k = 0; k < 3; ++k) {
-        corner[k] = polar::corners(triangle)[k];
+    const uint8_t* corners = polar::corners(triangle);
+    corner[0] = corners[0];
+#pragma GCC unroll 2
+    for (int k = 1; k < 3; ++k) {
+        corner[k] = corners[k];
         weight_q16[k] = share(area[k]);
         step_q16[k] = share(parts.change(k, dx_q16, dy_q16));
     }

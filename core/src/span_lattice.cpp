@@ -60,13 +60,10 @@ SpanZone make_zone(const Lattice& lattice, int k)
 {
     const uint32_t n = lattice.size();
     SpanZone z{};
-    const int32_t first = kFibonacci[k];
-    const int32_t second = kFibonacci[k + 1];
     z.begin_z_q30 = height_of_q30(kPowers.zone_q10[2 * k], lattice);
     z.obtuse_z_q30 = height_of_q30(kPowers.zone_q10[2 * k + 1], lattice);
-    z.obtuse_index_q10 = lattice.index_at_q10(z.obtuse_z_q30);
-    z.acute_limit_z_q30 = height_of_index_q30(lattice, second + 1);
-    z.obtuse_limit_z_q30 = height_of_index_q30(lattice, first + second + 1);
+    // Where even the equator is acute, no cell is obtuse, not even those whose middle lies beyond the equator.
+    z.obtuse_index_q10 = z.obtuse_z_q30 != 0 ? lattice.index_at_q10(z.obtuse_z_q30) : static_cast<int32_t>(n << 10);
     // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: z comes in Q16, coordinates leave in Q16.
     const uint64_t v_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k]);
     const uint64_t u_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k + 1]);
@@ -98,6 +95,7 @@ SpanLattice::SpanLattice(const Lattice& lattice)
     : size(static_cast<int32_t>(lattice.size())),
       cap_z_q30(height_of_index_q30(lattice, kSpanCapHeight)),
       mirror_turns20(static_cast<int32_t>(longitude_turns32(lattice.size() - 1) >> 12)),
+      step_z_q30(static_cast<int32_t>(lattice.reciprocal_q30())),
       zone{}
 {
     const SinCos mirror = sin_cos(longitude_turns32(lattice.size() - 1));
@@ -140,6 +138,7 @@ void SpanWalker::begin(const SpanNode& at)
 {
     const SpanHit& hit = at.*hit_;
     longitude_q20_ = static_cast<int32_t>(hit.longitude_turns32 >> 12);
+    before_.length_log2 = -1;
     side_.cap.triangle = 0;  // a row's picture must not depend on the rows before it
     if (holds(hit.z_q30)) set_coordinates(longitude_q20_, hit.z_q30, side_.u_q16, side_.v_q16);
 }
@@ -181,14 +180,51 @@ void SpanWalker::set_chart(int32_t z_q30)
     side_.flip = mirrored ? 1 - limit : limit;
     side_.flip_mask = mirrored != acute ? -1 : 0;
 
+    // The middle of a cell lies within (first + second)/2 indices of any point of it, (first + second)/n in height; an
+    // eighth more for spans that are bent.
+    const int32_t reach = (first + second) * lattice_.step_z_q30;
+    const int32_t margin = reach + reach / 8;
+    const int32_t uniform_low = acute && z.obtuse_z_q30 != 0 ? z.obtuse_z_q30 + margin : -kOneQ30;
+    const int32_t uniform_high = acute ? kOneQ30 : z.obtuse_z_q30 - margin;
+    uniform_low_z_q30_ = mirrored ? -uniform_high : uniform_low;
+    uniform_high_z_q30_ = mirrored ? -uniform_low : uniform_high;
+
     const int32_t next_begin = zone_ + 1 < kSpanZones ? lattice_.zone[zone_ + 1].begin_z_q30 : 0;
     const int32_t low = acute ? z.obtuse_z_q30 : next_begin;
     const int32_t zone_high = acute ? z.begin_z_q30 : z.obtuse_z_q30;
     const int32_t high = zone_high <= lattice_.cap_z_q30 ? zone_high : lattice_.cap_z_q30 + 1;
     low_z_q30_ = mirrored ? 1 - high : low;
     high_z_q30_ = mirrored ? 1 - low : high;
-    limit_z_q30_ = acute ? z.acute_limit_z_q30 : z.obtuse_limit_z_q30;
+    // Up to the height of this index no corner of a cell lies beyond the pole.
+    const int32_t limit_index = (acute ? second : first + second) + 1;
+    limit_z_q30_ = kOneQ30 - (2 * limit_index + 1) * lattice_.step_z_q30;
     set_coordinates(longitude_q20_, z_q30, side_.u_q16, side_.v_q16);
+    if (before_.length_log2 >= 0) rechart_before();
+}
+
+void SpanWalker::rechart_before()
+{
+    int32_t u_q16 = 0;
+    int32_t v_q16 = 0;
+    set_coordinates(before_.longitude_q20, before_.z_q30, u_q16, v_q16);
+    before_.du_q16 = (side_.u_q16 - u_q16) >> before_.length_log2;
+    before_.dv_q16 = (side_.v_q16 - v_q16) >> before_.length_log2;
+}
+
+// With the span's length L and L0 of the one before, the parabola's slopes at a quarter and at three quarters of the
+// span differ from the chord's by -+(step - step before)·L/(2·(L + L0)).
+bool SpanWalker::bend_longest()
+{
+    constexpr uint8_t kShare_q5[] = {13, 11, 8};  // L0/L = 1/4, 1/2, 1
+    constexpr int32_t kFlatQ16 = 2048;            // a step that changes less is as good as straight: 1/16 of a cell
+    const int32_t share_q5 = kShare_q5[before_.length_log2 - (kMaxSpanLog2 - 2)];
+    const int32_t ddu = side_.du_q16 - before_.du_q16;
+    const int32_t ddv = side_.dv_q16 - before_.dv_q16;
+    note(kMaxSpanLog2);
+    if (magnitude(ddu) + magnitude(ddv) < kFlatQ16) return false;
+    side_.du_q16 -= (ddu * share_q5) >> 5;
+    side_.dv_q16 -= (ddv * share_q5) >> 5;
+    return true;
 }
 
 void SpanWalker::set_coordinates(int32_t longitude_q20, int32_t z_q30, int32_t& u_q16, int32_t& v_q16) const
@@ -220,6 +256,8 @@ int SpanWalker::prepare(const SpanNode& at_node, const SpanNode& next_node, int 
     side_.dv_q16 = (next_v_q16_ - side_.v_q16) >> length_log2;
     side_.z_q30 = at.z_q30;
     side_.in_cap = false;
+    const auto is_uniform_at = [&](int32_t z) { return z >= uniform_low_z_q30_ && z <= uniform_high_z_q30_; };
+    side_.uniform = is_uniform_at(at.z_q30) && is_uniform_at(next.z_q30);
     return 0;
 }
 

@@ -86,7 +86,7 @@ private:
             if (halvings == 0) {
                 // The row's last pixel is the last span's end.
                 const int32_t length = (1 << log2) == from_right ? from_right + 1 : 1 << log2;
-                draw(row, ahead, length);
+                draw_bent(row, ahead, length, log2);
                 front_.commit();
                 back_.commit();
                 return length;
@@ -109,6 +109,20 @@ private:
             draw_exactly(row, ahead, 1);
         }
         return 1;
+    }
+
+    // The span that both walkers are prepared for, in two halves where it is curved.
+    void draw_bent(const Row& row, int32_t ahead, int32_t length, int log2)
+    {
+        const bool allowed = !front_.side().in_cap && !back_.side().in_cap;
+        const bool front_bent = front_.bend(log2, allowed);
+        const bool back_bent = back_.bend(log2, allowed);
+        if (!front_bent && !back_bent) return draw(row, ahead, length);
+        const int32_t half = (1 << log2) / 2;
+        draw(row, ahead, half);
+        front_.second_half(half);
+        back_.second_half(half);
+        draw(row, ahead + half, length - half);
     }
 
     void draw(const Row& row, int32_t ahead, int32_t length) const

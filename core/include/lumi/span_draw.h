@@ -83,13 +83,21 @@ void draw_single(const SpanTarget<Background>& span, Offset offset)
     }
 }
 
+// Keeps a value in a register as it is, so that GCC does not take sums of addresses apart again.
+template <class T>
+LUMI_ALWAYS_INLINE T settled(T value)
+{
+    asm("" : "+r"(value));
+    return value;
+}
+
 // Calls visit(taps of the origins, taps of the directions, base pointer, pixel pointer) for every pixel.
 template <class Source, int kTapBits, class Texel, class Pixel, class Background, class Visit>
 void for_pixels(const SpanTarget<Background>& span, Visit visit)
 {
     Source origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
     Source directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    const uint8_t* base = span.field.texels + origins.base() + directions.base();
+    const uint8_t* base = settled(span.field.texels + origins.base() + directions.base());
     uint8_t* pixel = span.pixels;
     for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
          pixel += Pixel::kBytes) {
@@ -97,14 +105,6 @@ void for_pixels(const SpanTarget<Background>& span, Visit visit)
         origins.advance();
         directions.advance();
     }
-}
-
-// Keeps a value in a register as it is, so that GCC does not take sums of addresses apart again.
-template <class T>
-LUMI_ALWAYS_INLINE T settled(T value)
-{
-    asm("" : "+r"(value));
-    return value;
 }
 
 template <class Texel, class Background>
@@ -201,8 +201,10 @@ struct SpanDraw<Linear> {
         };
         if (span.origins.in_cap || span.directions.in_cap) {
             for_pixels<AnySource, Sum::kTapBits, Texel, Pixel>(span, visit);
+        } else if (span.origins.uniform && span.directions.uniform) {
+            for_pixels<CellSource<false>, Sum::kTapBits, Texel, Pixel>(span, visit);
         } else {
-            for_pixels<CellSource, Sum::kTapBits, Texel, Pixel>(span, visit);
+            for_pixels<CellSource<true>, Sum::kTapBits, Texel, Pixel>(span, visit);
         }
     }
 };

@@ -5,10 +5,8 @@
 // both sides' offsets addresses a texel.
 #pragma once
 
+#include "lumi/always_inline.h"
 #include "lumi/span_lattice.h"
-
-// Loops over pixels must not pass their taps through memory.
-#define LUMI_ALWAYS_INLINE __attribute__((always_inline)) inline
 
 namespace lumi
 {
@@ -39,7 +37,9 @@ struct SpanTaps {
     uint32_t weight[3];
 };
 
-// The taps of a side that runs through the lattice's cells.
+// The taps of a side that runs through the lattice's cells. Without kFlips the span has no flipped cells, and nothing
+// is spent on them.
+template <bool kFlips>
 class CellSource
 {
 public:
@@ -58,7 +58,7 @@ public:
         const int32_t fu = (u_q16_ >> (16 - kBits)) & (kOne - 1);
         const int32_t fv = (v_q16_ >> (16 - kBits)) & (kOne - 1);
         const int32_t corner = steps_.corner(u_q16_, v_q16_);
-        if (__builtin_expect(steps_.is_flipped(corner), false)) return flipped(corner, fu, fv, kOne);
+        if (kFlips && __builtin_expect(steps_.is_flipped(corner), false)) return flipped(corner, fu, fv, kOne);
         const int32_t difference = fu - fv;
         const int32_t upper = difference >> 31;  // all ones where fu < fv
         const int32_t between = (difference ^ upper) - upper;
@@ -105,7 +105,7 @@ public:
     template <int kBits>
     SpanTaps taps() const
     {
-        if (!in_cap_) return cell_.taps<kBits>();
+        if (!in_cap_) return cell_.template taps<kBits>();
         constexpr uint32_t kOne = 1u << kBits;
         const uint32_t w1 = (static_cast<uint32_t>(cap_.weight_q16[1]) + (kOne >> 1)) >> (16 - kBits);
         const uint32_t w2 = static_cast<uint32_t>(cap_.weight_q16[2]) >> (16 - kBits);
@@ -123,7 +123,7 @@ public:
     }
 
 private:
-    CellSource cell_;
+    CellSource<true> cell_;
     SpanCap cap_;
     int32_t step_;
     int32_t pixel_ = 0;

@@ -37,10 +37,11 @@ template <class Load, bool kCoverage>
 struct SpanSumHalves {
     static constexpr int kTapBits = kSpanBits;
     static constexpr uint32_t kMask = 0x00FF00FFu;
-    static constexpr uint32_t kRound = 0x00800080u;
+    // Half a level for each of the two roundings down, less 1/256 so that white stays within its half.
+    static constexpr uint32_t kRound = 0x00FF00FFu;
 
     struct Row {
-        uint32_t rb = kRound, ga = kRound;
+        uint32_t rb = 0, ga = 0;
 
         void add(const Field& field, const uint8_t* texel, uint32_t weight)
         {

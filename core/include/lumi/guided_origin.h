@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The origins around a pixel: their charts made ready, kept while the pixel's origin triangle stays the same.
+#pragma once
+
+#include "lumi/guided_chart.h"
+#include "lumi/guided_field.h"
+
+namespace lumi
+{
+
+// The rows of one origin in a ChartTable.
+struct ChartRows {
+    const uint8_t* rows = nullptr;  // u16 each; row 0 is grid row first_row
+    int32_t first_row = 0;
+    uint32_t row_count = 0;
+    uint32_t texel_base = 0;
+    uint32_t texel_span = 0;  // texels from texel_base on that a row's 16 bits can address, at most 2^16
+};
+ChartRows chart_rows(const ChartTable& table, uint32_t origin);
+
+// A palette of 16 colours ready to sum: blue above red, and 1 above green; a missing texel's are 0. Differences are 128
+// more each.
+struct PackedColour {
+    uint32_t rb, wg;
+};
+struct PackedPalette {
+    PackedColour colour[16];
+};
+
+// What a pixel needs of an origin. An origin beyond the used ones has no rows: all of its texels are missing.
+struct OriginChart {
+    int32_t origin = -1;
+    ChartAxes axes{};
+    ChartRows texels, occlusion;
+    const uint8_t* colours = nullptr;  // its palette
+    PackedPalette packed;              // with GuidedTexel::index4
+};
+
+// The corners of a pixel's origin triangle. Weights sum to 2^8.
+struct OriginTaps {
+    int32_t index[3];
+    uint32_t weight_q8[3];
+};
+
+// Keeps the charts of the last triangle's corners, and the frames of recent origins. 1,100 bytes on a 32-bit core.
+class OriginCharts
+{
+public:
+    explicit OriginCharts(const GuidedField& field) : field_(field) {}
+
+    // Whether chart(k) is that of origin `index`.
+    bool holds(int k, int32_t index) const { return chart_[k]->origin == index; }
+    const OriginChart& chart(int k) const { return *chart_[k]; }
+    // Makes chart(0 .. 2) those of a triangle's corners. Costs about 250 instructions a corner that was not there, and
+    // some 500 more if its frame is not known.
+    void hold(const int32_t (&index)[3]);
+    // Makes chart(0) that of one origin.
+    void hold_one(int32_t index);
+
+private:
+    struct Frame {
+        int32_t origin = -1;
+        Vec3q30 p{};
+        ChartFrame frame{};
+    };
+    // Indices of a triangle's corners differ by Fibonacci numbers; none up to the largest lattice's is a multiple of 16
+    // but 144.
+    static constexpr uint32_t kFrames = 16;
+
+    void make(int32_t index, OriginChart& out);
+    const Frame& frame(int32_t index);
+
+    const GuidedField& field_;
+    OriginChart slot_[3] = {};
+    OriginChart* chart_[3] = {&slot_[0], &slot_[1], &slot_[2]};
+    Frame frame_[kFrames];
+};
+
+}  // namespace lumi

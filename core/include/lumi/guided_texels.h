@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Texels of charts: taps of a grid place, the texels under them, and their weighted sum.
+//
+// Every number that a file gives is checked where it addresses a texel: whatever the rows hold, reads stay inside.
+// Rows and palettes are read in one access each: the field lies at an address divisible by 4.
+#pragma once
+
+#include "lumi/always_inline.h"
+#include "lumi/guided_origin.h"
+#include "lumi/span_sum.h"
+
+namespace lumi
+{
+
+// Sum of weighted colours and of weights, two in a word; weights sum to 2^8 at most.
+struct GuidedSum {
+    uint32_t rb = 0;  // blue above red
+    uint32_t wg = 0;  // Σw above green
+
+    uint32_t weight_q8() const { return wg >> 16; }
+    int32_t r_q8() const { return static_cast<int32_t>(rb & 0xFFFFu); }
+    int32_t g_q8() const { return static_cast<int32_t>(wg & 0xFFFFu); }
+    int32_t b_q8() const { return static_cast<int32_t>(rb >> 16); }
+};
+
+// Texel formats: add(texels, chart, number, weight, sum); number is below the table's texel_count. kDifferences: the
+// colours are differences and enter the sum with 128 more each.
+struct GuidedIndex4 {
+    static constexpr format::GuidedTexel kFormat = format::GuidedTexel::index4;
+
+    template <bool kDifferences>
+    LUMI_ALWAYS_INLINE static void add(const uint8_t* texels, const OriginChart& chart, uint32_t number,
+                                       uint32_t weight_q8, GuidedSum& sum)
+    {
+        const uint32_t pair = texels[number >> 1];
+        const uint32_t index = (pair >> (4 * (number & 1))) & 15u;
+        const PackedColour& colour = chart.packed.colour[index];
+        sum.rb += colour.rb * weight_q8;
+        sum.wg += colour.wg * weight_q8;
+    }
+};
+
+struct GuidedIndex8 {
+    static constexpr format::GuidedTexel kFormat = format::GuidedTexel::index8;
+
+    template <bool kDifferences>
+    LUMI_ALWAYS_INLINE static void add(const uint8_t* texels, const OriginChart& chart, uint32_t number,
+                                       uint32_t weight_q8, GuidedSum& sum)
+    {
+        const uint32_t index = texels[number];
+        if (index == 0) return;
+        const uint32_t entry = load_aligned<uint32_t>(chart.colours + format::kChartColourBytes * index);
+        const uint32_t rgb = kDifferences ? entry ^ 0x00808080u : entry;
+        sum.rb += (rgb & 0x00FF00FFu) * weight_q8;
+        sum.wg += ((rgb >> 8 & 0xFFu) | 0x10000u) * weight_q8;
+    }
+};
+
+// No chart: the mean colours alone.
+struct NoChart {
+    static constexpr format::GuidedTexel kFormat = format::GuidedTexel::none;
+};
+
+LUMI_ALWAYS_INLINE uint32_t row_entry(const ChartRows& rows, uint32_t row)
+{
+    return load_aligned<uint16_t>(rows.rows + 2 * row);
+}
+
+// Where a row's entry puts grid column u, from texel_base on.
+LUMI_ALWAYS_INLINE uint32_t texel_offset(uint32_t entry, int32_t u)
+{
+    return (entry + static_cast<uint32_t>(u)) & 0xFFFFu;
+}
+
+// Reads texels of charts into sums.
+template <class Texel, bool kDifferences>
+class ChartReader
+{
+public:
+    explicit ChartReader(const GuidedField& field) : texels_(field.chart.texels) {}
+
+    // The texel at an offset below texel_span.
+    LUMI_ALWAYS_INLINE void add_at(const OriginChart& chart, uint32_t offset, uint32_t weight_q8, GuidedSum& sum) const
+    {
+        Texel::template add<kDifferences>(texels_, chart, chart.texels.texel_base + offset, weight_q8, sum);
+    }
+
+    // Grid point (u, v), if it has a texel.
+    LUMI_ALWAYS_INLINE void add(const OriginChart& chart, int32_t u, int32_t v, uint32_t weight_q8,
+                                GuidedSum& sum) const
+    {
+        const uint32_t row = static_cast<uint32_t>(v - chart.texels.first_row);
+        if (row >= chart.texels.row_count) return;
+        const uint32_t offset = texel_offset(row_entry(chart.texels, row), u);
+        if (offset < chart.texels.texel_span) add_at(chart, offset, weight_q8, sum);
+    }
+
+private:
+    const uint8_t* texels_;
+};
+
+// Which grid points a place reads: policies with add(reader, chart, u, v, weight, sum). Places are absolute, Q8.
+//
+// Linear: the corners of the grid triangle. Their weights share the origin's without rest, so that Σw stays <= 2^8.
+struct LinearTaps {
+    template <class Reader>
+    LUMI_ALWAYS_INLINE static void add(const Reader& reader, const OriginChart& chart, int32_t u_q8, int32_t v_q8,
+                                       uint32_t weight_q8, GuidedSum& sum)
+    {
+        const int32_t fv = v_q8 & 255;
+        const int32_t difference = (u_q8 & 255) - fv;
+        const int32_t upper = difference >> 31;  // all ones where fu < fv
+        const uint32_t between = static_cast<uint32_t>((difference ^ upper) - upper);
+        const uint32_t less = static_cast<uint32_t>(fv + (difference & upper));
+        const uint32_t middle_weight = (weight_q8 * between + 128) >> 8;
+        const uint32_t far_weight = (weight_q8 * less) >> 8;
+        const uint32_t near_weight = weight_q8 - middle_weight - far_weight;
+
+        const int32_t u = u_q8 >> 8;
+        const ChartRows& rows = chart.texels;
+        const uint32_t row = static_cast<uint32_t>((v_q8 >> 8) - rows.first_row);
+        if (row < rows.row_count && row + 1 < rows.row_count) {
+            const uint32_t near = texel_offset(row_entry(rows, row), u);
+            const uint32_t far = texel_offset(row_entry(rows, row + 1), u);
+            if (near + 1 < rows.texel_span && far + 1 < rows.texel_span) {
+                reader.add_at(chart, near, near_weight, sum);
+                reader.add_at(chart, upper != 0 ? far : near + 1, middle_weight, sum);
+                reader.add_at(chart, far + 1, far_weight, sum);
+                return;
+            }
+        }
+        add_at_border(reader, chart, u, v_q8 >> 8, upper, {near_weight, middle_weight, far_weight}, sum);
+    }
+
+private:
+    struct Weights {
+        uint32_t near, middle, far;
+    };
+
+    // Next to the first and last rows and texels, every tap on its own.
+    template <class Reader>
+    __attribute__((noinline)) static void add_at_border(const Reader& reader, const OriginChart& chart, int32_t u,
+                                                        int32_t v, int32_t upper, const Weights& weight, GuidedSum& sum)
+    {
+        GuidedSum local = sum;
+        reader.add(chart, u, v, weight.near, local);
+        reader.add(chart, u + 1 + upper, v - upper, weight.middle, local);
+        reader.add(chart, u + 1, v + 1, weight.far, local);
+        sum = local;
+    }
+};
+
+// Nearest: the heaviest corner of the grid triangle.
+struct NearestTap {
+    template <class Reader>
+    LUMI_ALWAYS_INLINE static void add(const Reader& reader, const OriginChart& chart, int32_t u_q8, int32_t v_q8,
+                                       uint32_t weight_q8, GuidedSum& sum)
+    {
+        // With weights 1 - max, |fu - fv|, min: a corner with u + 1 is the heaviest where 2fu - fv > 1, or where
+        // fu + fv > 1 and 2fu > fv; one with v + 1 with fu and fv exchanged. Negative numbers stand for these.
+        constexpr int32_t kOne = 256;
+        const int32_t fu = u_q8 & 255;
+        const int32_t fv = v_q8 & 255;
+        const int32_t u_behind = fv - 2 * fu;
+        const int32_t v_behind = fu - 2 * fv;
+        const int32_t near = kOne - fu - fv;
+        const int32_t u = (u_q8 >> 8) - (((kOne + u_behind) | (near & u_behind)) >> 31);
+        const int32_t v = (v_q8 >> 8) - (((kOne + v_behind) | (near & v_behind)) >> 31);
+        reader.add(chart, u, v, weight_q8, sum);
+    }
+};
+
+// Whether an origin does not see the X at a place of its chart. Places are absolute, Q8.
+LUMI_ALWAYS_INLINE bool is_hidden(const uint8_t* depths, const ChartRows& rows, int32_t u_q8, int32_t v_q8,
+                                  uint32_t distance2_q28)
+{
+    constexpr int kBlockShift = 8 + static_cast<int>(format::kOcclusionShift);
+    constexpr uint32_t kHidesNothing = 255;
+    const uint32_t row = static_cast<uint32_t>((v_q8 >> kBlockShift) - rows.first_row);
+    if (row >= rows.row_count) return false;
+    const uint32_t offset = texel_offset(row_entry(rows, row), u_q8 >> kBlockShift);
+    if (offset >= rows.texel_span) return false;
+    const uint32_t depth = depths[rows.texel_base + offset];  // in 1/128
+    return depth != kHidesNothing && distance2_q28 > depth * depth << 14;
+}
+
+}  // namespace lumi

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The origin triangle of every pixel of a row, stepped between exact hits (span_lattice.h) where pixels need it.
+//
+// A row is cut into segments of up to 16 pixels at places that depend on the camera alone, and a segment is always
+// walked from its first pixel. So a pixel's triangle does not depend on which other pixels are drawn: any rectangle
+// of the image shows the same bits.
+#pragma once
+
+#include "lumi/always_inline.h"
+#include "lumi/guided_origin.h"
+#include "lumi/span_source.h"
+#include "lumi/sphere.h"
+
+namespace lumi
+{
+
+class OriginWalker
+{
+public:
+    OriginWalker(const Camera& camera, const Lattice& origins);
+    OriginWalker(const OriginWalker&) = delete;
+    OriginWalker& operator=(const OriginWalker&) = delete;
+
+    // Goes to row y, whose pixels `covered` of the whole image hit the sphere.
+    void begin_row(const RowSpan& covered, int32_t y);
+
+    // Sets taps() to the triangle around where pixel x of `covered` enters the sphere; x increases along a row. Returns
+    // whether its corners are others than the last pixel's. About 40 instructions, and 25 for segments.
+    LUMI_ALWAYS_INLINE bool move_to(int32_t x)
+    {
+        const int32_t ahead = x - covered_.begin;
+        if (ahead >= end_) begin_segment(ahead);
+        if (kind_ != Kind::cells) return move_over_cap(ahead);
+        const uint32_t n = static_cast<uint32_t>(ahead - begin_);
+        const auto stepped = [&](int32_t start, int32_t step) {
+            return static_cast<int32_t>(static_cast<uint32_t>(start) + n * static_cast<uint32_t>(step));
+        };
+        const int32_t u_q16 = stepped(cell_.u_q16, cell_.du_q16);
+        const int32_t v_q16 = stepped(cell_.v_q16, cell_.dv_q16);
+        const int32_t corner = cell_.steps.corner(u_q16, v_q16);
+        if (__builtin_expect(cell_.steps.is_flipped(corner), false)) return move_to_flipped(corner, u_q16, v_q16);
+        const int32_t fv = (v_q16 >> 8) & 255;
+        const int32_t difference = ((u_q16 >> 8) & 255) - fv;
+        const int32_t upper = difference >> 31;  // all ones where fu < fv
+        const int32_t between = (difference ^ upper) - upper;
+        const int32_t less = fv + (difference & upper);
+        taps_.weight_q8[0] = static_cast<uint32_t>(256 - less - between);
+        taps_.weight_q8[1] = static_cast<uint32_t>(between);
+        taps_.weight_q8[2] = static_cast<uint32_t>(less);
+        const int32_t key = 2 * corner - upper;
+        if (__builtin_expect(key == key_, true)) return false;
+        key_ = key;
+        return set_cell(corner, upper);
+    }
+
+    const OriginTaps& taps() const { return taps_; }
+
+private:
+    enum class Kind : uint8_t { cells, cap, exact };
+    static constexpr int32_t kNoKey = INT32_MIN;
+
+    struct Cells {
+        SpanSteps steps;
+        int32_t u_q16, v_q16, du_q16, dv_q16;  // at the segment's first pixel
+    };
+    struct Node {
+        SpanNode node;
+        int32_t ahead = -1;  // of the row; -1: none
+    };
+
+    void begin_segment(int32_t ahead);
+    int longest_log2(int32_t ahead) const;
+    const Node& node_at(int32_t ahead, const Node* keep);
+    int halvings_of(int32_t begin, int log2);
+    void set_segment(int32_t begin, int32_t length);
+    bool set_cell(int32_t corner, int32_t upper);
+    bool move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16);
+    bool move_over_cap(int32_t ahead);
+    bool set_index(int k, int32_t index);
+
+    const Camera& camera_;
+    const Lattice& origins_;
+    SpanLattice lattice_;
+    RowNodes nodes_;
+    SpanWalker walker_;
+    Node node_[2];
+    RowSpan covered_{0, 0};
+    int32_t y_ = 0, nodes_y_ = INT32_MIN;
+    // The segment, in pixels from covered_.begin, and how far a cap's was walked.
+    int32_t begin_ = 0, end_ = 0, at_ = 0;
+    Kind kind_ = Kind::exact;
+    int32_t key_ = kNoKey;  // of the cell's triangle that taps_ holds
+    Cells cell_;
+    SpanCap cap_{};
+    OriginTaps taps_{{-1, -1, -1}, {0, 0, 0}};
+};
+
+}  // namespace lumi

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/guided_origin.h"
+
+namespace lumi
+{
+namespace
+{
+
+uint32_t u16_at(const uint8_t* p)
+{
+    return p[0] | static_cast<uint32_t>(p[1]) << 8;
+}
+
+uint32_t u32_at(const uint8_t* p)
+{
+    return u16_at(p) | u16_at(p + 2) << 16;
+}
+
+}  // namespace
+
+ChartRows chart_rows(const ChartTable& table, uint32_t origin)
+{
+    const uint8_t* entry = table.directory + origin * format::chart::kEntryBytes;
+    const uint32_t row_base = u32_at(entry + format::chart::kRowBaseAt);
+    const uint32_t texel_base = u32_at(entry + format::chart::kTexelBaseAt);
+    const uint32_t rest = table.texel_count - texel_base;
+    return {table.rows + 2 * row_base, static_cast<int32_t>(u16_at(entry + format::chart::kFirstRowAt)),
+            u16_at(entry + format::chart::kRowCountAt), texel_base, rest < 65536 ? rest : 65536};
+}
+
+namespace
+{
+
+// Of the palette at `colours`, aligned or not.
+void pack_palette(const uint8_t* colours, bool differences, PackedPalette& out)
+{
+    const uint32_t bias = differences ? 0x80u : 0;
+    out.colour[0] = {0, 0};
+    for (uint32_t k = 1; k < 16; ++k) {
+        const uint8_t* c = colours + k * format::kChartColourBytes;
+        out.colour[k] = {(c[0] ^ bias) | (c[2] ^ bias) << 16, (c[1] ^ bias) | 1u << 16};
+    }
+}
+
+}  // namespace
+
+const OriginCharts::Frame& OriginCharts::frame(int32_t index)
+{
+    Frame& f = frame_[static_cast<uint32_t>(index) % kFrames];
+    if (f.origin != index) {
+        f.origin = index;
+        f.p = point(field_.origins, static_cast<uint32_t>(index));
+        f.frame = chart_frame(f.p);
+    }
+    return f;
+}
+
+void OriginCharts::make(int32_t index, OriginChart& out)
+{
+    const uint32_t origin = static_cast<uint32_t>(index);
+    out.origin = index;
+    out.texels = out.occlusion = {};
+    if (origin >= field_.used_origins) return;
+    const Frame& f = frame(index);
+    out.axes = chart_axes(f.p, f.frame, field_.chart_size);
+    if (field_.chart.texel_count != 0) {
+        const bool narrow = field_.texel == format::GuidedTexel::index4;
+        const uint32_t group_bytes = (narrow ? 16 : 256) * format::kChartColourBytes;
+        const uint8_t* colours = field_.colours + (origin / field_.origins_per_palette) * group_bytes;
+        if (narrow && out.colours != colours) pack_palette(colours, field_.mean.resolution != 0, out.packed);
+        out.colours = colours;
+        out.texels = chart_rows(field_.chart, origin);
+    }
+    if (field_.occlusion.texel_count != 0) out.occlusion = chart_rows(field_.occlusion, origin);
+}
+
+void OriginCharts::hold(const int32_t (&index)[3])
+{
+    // Corners that stay keep their slot; the others take the slots that are left.
+    OriginChart* kept[3] = {};
+    bool taken[3] = {};
+    for (int k = 0; k < 3; ++k) {
+        for (int s = 0; s < 3; ++s) {
+            if (!taken[s] && slot_[s].origin == index[k]) {
+                kept[k] = &slot_[s];
+                taken[s] = true;
+                break;
+            }
+        }
+    }
+    for (int k = 0, s = 0; k < 3; ++k) {
+        if (kept[k] == nullptr) {
+            while (taken[s]) ++s;
+            make(index[k], slot_[s]);
+            kept[k] = &slot_[s++];
+        }
+        chart_[k] = kept[k];
+    }
+}
+
+void OriginCharts::hold_one(int32_t index)
+{
+    make(index, slot_[0]);
+    chart_[0] = &slot_[0];
+}
+
+}  // namespace lumi

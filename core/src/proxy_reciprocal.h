@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Reciprocals for the proxy rasterizer: a table and one Newton step, 32-bit products. Table: 768 bytes.
+#pragma once
+
+#include <cstdint>
+
+namespace lumi::proxy_math
+{
+
+struct ReciprocalTable {
+    uint16_t q29[384];  // 2^29/v at the middle of v in [256 k, 256 (k + 1)), k = 128 .. 511
+};
+extern const ReciprocalTable kReciprocals;
+
+// 2^29/v to 2^-7 for v in [2^15, 2^17).
+inline uint32_t coarse_q29(uint32_t v)
+{
+    return kReciprocals.q29[(v >> 8) - 128];
+}
+
+// mantissa · 2^(leading - 47) = 1/v to 2^-16, for v > 0; mantissa in [2^15, 2^16).
+struct Reciprocal {
+    uint32_t mantissa;
+    int32_t leading;  // zeros of v
+};
+
+inline Reciprocal reciprocal(uint32_t v)
+{
+    const int32_t leading = __builtin_clz(v);
+    const uint32_t v17 = (v << leading) >> 15;
+    const uint32_t coarse = coarse_q29(v17);
+    const uint32_t rest_q29 = (uint32_t{1} << 29) - v17 * coarse;
+    return {(coarse << 3) +
+                static_cast<uint32_t>(static_cast<int32_t>(coarse) * (static_cast<int32_t>(rest_q29) >> 10) >> 16),
+            leading};
+}
+
+// (a · mantissa) / 2^16 for |a| < 2^31, mantissa < 2^16; rounds down.
+inline int32_t times_q16(int32_t a, uint32_t mantissa)
+{
+    const int32_t high = a >> 16;
+    const uint32_t low = static_cast<uint32_t>(a) & 0xFFFF;
+    return high * static_cast<int32_t>(mantissa) + static_cast<int32_t>((low * mantissa) >> 16);
+}
+
+// Sums that wrap on the way and are in range at the end.
+inline int32_t wrapped_sum(int32_t a, int32_t b)
+{
+    return static_cast<int32_t>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+}
+inline int32_t wrapped_product(int32_t a, int32_t b)
+{
+    return static_cast<int32_t>(static_cast<uint32_t>(a) * static_cast<uint32_t>(b));
+}
+
+}  // namespace lumi::proxy_math
