@@ -50,7 +50,10 @@ constexpr Named<Exact<Nearest>> kNearest = {"nearest"};
 constexpr Named<Exact<Linear>> kLinear = {"linear"};
 constexpr Named<Exact<Paper<5>>> kPaper5 = {"paper5"};
 constexpr Named<Spans<Nearest>> kNearestSpans = {"nearest-spans"};
+constexpr Named<Spans<NearestVoronoi>> kVoronoiSpans = {"voronoi-spans"};
+constexpr Named<Spans<Dither>> kDitherSpans = {"dither-spans"};
 constexpr Named<Spans<Linear>> kLinearSpans = {"linear-spans"};
+constexpr Named<Spans<Paper<5>>> kPaper5Spans = {"paper5-spans"};
 
 constexpr Named<TexelRgb888> kTexelRgb888 = {"rgb888"};
 constexpr Named<TexelRgb565> kTexelRgb565 = {"rgb565"};
@@ -138,7 +141,8 @@ bool for_each_renderer(const Frame& frame, Texel texel)
 {
     return for_each_pixel_format(frame, kNearest, texel) && for_each_pixel_format(frame, kLinear, texel) &&
            for_each_pixel_format(frame, kPaper5, texel) && for_each_pixel_format(frame, kNearestSpans, texel) &&
-           for_each_pixel_format(frame, kLinearSpans, texel);
+           for_each_pixel_format(frame, kVoronoiSpans, texel) && for_each_pixel_format(frame, kDitherSpans, texel) &&
+           for_each_pixel_format(frame, kLinearSpans, texel) && for_each_pixel_format(frame, kPaper5Spans, texel);
 }
 
 bool for_the_field(const Frame& frame)

@@ -24,4 +24,8 @@ using WriteText = void (*)(const char* zero_terminated);
 // frame drawn once more over that. Stops with a line "error: ..." and returns false if a field does not open.
 bool write_frame_crcs(const FieldBytes (&fields)[format::kTexelFormats], WriteText write);
 
+// The same for a guided field of 4-bit texels, RGB565 voxels and a proxy of up to 64 vertices and triangles, drawn once
+// over a constant colour; "view guided picture rgb888 crc32". The file's address is divisible by 4.
+bool write_guided_crcs(const FieldBytes& file, WriteText write);
+
 }  // namespace lumi::firmware

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/reference/picture.h"
 
-#include <algorithm>
-
 #include "lumi/texel.h"
+#include "viewing.h"
 
 namespace lumi::reference
 {
 namespace
 {
 
-constexpr double kTurn = 4294967296.0;
 constexpr double kFullyCovered = 255;
 
 Rgba8 load(const Field& field, uint32_t i, uint32_t j)
@@ -30,22 +28,13 @@ Rgba8 load(const Field& field, uint32_t i, uint32_t j)
     return {0, 0, 0, 0};
 }
 
-// The viewing vector of camera.h, not normalised.
-Vec3 viewing_vector(const Pose& pose, const Image& image, int32_t x, int32_t y)
-{
-    const double longer_px = std::max(image.width_px, image.height_px);
-    const double per_px = 2 * std::tan(kPi * image.fov_turns32 / kTurn) / longer_px;
-    const double right = (x + 0.5 - image.width_px / 2.0 - image.shift_x_q8 / 256.0) * per_px;
-    const double down = (y + 0.5 - image.height_px / 2.0 - image.shift_y_q8 / 256.0) * per_px;
-    return decoded(pose.forward) + right * decoded(pose.right) - down * decoded(pose.up);
-}
-
 }  // namespace
 
 Hits hits_of_pixel(const Pose& pose, const Image& image, int32_t x, int32_t y)
 {
-    const Vec3 eye = decoded(pose.eye);
-    const Vec3 d = normalised(viewing_vector(pose, image, x, y));
+    const Viewing view(pose, image);
+    const Vec3& eye = view.eye();
+    const Vec3 d = normalised(view.vector(x + 0.5, y + 0.5));
     const double middle = -dot(eye, d);
     const double half_chord = std::sqrt(std::fmax(0.0, middle * middle - dot(eye, eye) + 1));
     return {normalised(eye + (middle - half_chord) * d), normalised(eye + (middle + half_chord) * d)};

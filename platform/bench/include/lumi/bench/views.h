@@ -38,11 +38,20 @@ inline constexpr View kViews[] = {
     {"close", 119 * kDegree, 12 * static_cast<int32_t>(kDegree), kCloseQ20, kCloseFov},
 };
 
+inline Pose view_pose(const View& view)
+{
+    return orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
+}
+
+inline Image view_image(const View& view)
+{
+    return {kSidePx, kSidePx, view.fov_turns32};
+}
+
 // Cannot fail for kViews.
 inline CameraError make_view_camera(const View& view, Camera& out)
 {
-    return make_camera(orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20),
-                       {kSidePx, kSidePx, view.fov_turns32}, out);
+    return make_camera(view_pose(view), view_image(view), out);
 }
 
 }  // namespace lumi::bench
