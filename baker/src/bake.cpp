@@ -77,7 +77,7 @@ private:
     Estimate estimate(const OriginDisc& disc, uint32_t i, uint32_t j)
     {
         const Estimate result = tracer_.estimate(disc, i, j);
-        job_.add_rays(settings_.samples);
+        job_.add_rays(settings_.samples, settings_.samples - result.samples());
         return result;
     }
 

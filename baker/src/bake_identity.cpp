@@ -2,6 +2,7 @@
 #include "bake_identity.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "bake_layout.h"
 #include "scene_data.h"
@@ -13,6 +14,7 @@ namespace
 {
 
 constexpr size_t kProgramBytes = 32;
+constexpr uint32_t kFootprints = 3;
 
 std::string other(const char* what, const std::string& there, const std::string& here)
 {
@@ -24,6 +26,14 @@ std::string other(const char* what, uint64_t there, uint64_t here)
     return other(what, std::to_string(there), std::to_string(here));
 }
 
+// "0.5", not "0.500000".
+std::string number(float value)
+{
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
 std::string texel_name(format::TexelFormat texel)
 {
     constexpr const char* kNames[] = {"rgb888", "rgb565", "palette8", "luma8"};
@@ -33,15 +43,25 @@ std::string texel_name(format::TexelFormat texel)
     return kNames[static_cast<size_t>(texel)];
 }
 
+std::string footprint_name(Footprint footprint)
+{
+    constexpr const char* kNames[] = {"point", "origin", "both", "unknown"};
+    static_assert(static_cast<int>(Footprint::point) == 0 && static_cast<int>(Footprint::both) == 2);
+    return kNames[static_cast<size_t>(footprint)];
+}
+
 std::string settings_difference(const BakeSettings& there, const BakeSettings& here)
 {
     // All members, so that a new one is not forgotten here and in encode().
-    const auto& [origins, directions, used_origins, texel, samples, seed, threads] = here;
+    const auto& [origins, directions, used_origins, texel, samples, max_error_levels, seed, threads, footprint] = here;
     static_cast<void>(threads);
     for (const std::string& text :
          {other("origins", there.origins, origins), other("directions", there.directions, directions),
           other("cap", there.used_origins, used_origins), other("texels", texel_name(there.texel), texel_name(texel)),
-          other("samples", there.samples, samples), other("seed", there.seed, seed)}) {
+          other("footprint", footprint_name(there.footprint), footprint_name(footprint)),
+          other("samples", there.samples, samples),
+          other("greatest error", number(there.max_error_levels), number(max_error_levels)),
+          other("seed", there.seed, seed)}) {
         if (!text.empty()) {
             return text;
         }
@@ -95,6 +115,8 @@ std::vector<uint8_t> encode(const BakeIdentity& id)
     for (const uint64_t v : {id.scene[0], id.scene[1], id.tracing}) {
         out.put64(v);
     }
+    out.put_float(s.max_error_levels);
+    out.put32(static_cast<uint32_t>(s.footprint));
     out.put32(0);  // for a multiple of 8
     return out.bytes();
 }
@@ -124,6 +146,8 @@ BakeIdentity decode_identity(const uint8_t* bytes)
     for (uint64_t* v : {&id.scene[0], &id.scene[1], &id.tracing}) {
         *v = in.get64();
     }
+    s.max_error_levels = in.get_float();
+    s.footprint = static_cast<Footprint>(std::min(in.get32(), kFootprints));
     return id;
 }
 

@@ -26,7 +26,7 @@ struct BakeIdentity {
     FieldLayout layout() const;
 };
 
-inline constexpr size_t kIdentityBytes = 112;
+inline constexpr size_t kIdentityBytes = 120;
 
 BakeIdentity identity_of(const Scene& scene, const BakeSettings& settings, const Shard& shard);
 

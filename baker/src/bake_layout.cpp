@@ -38,7 +38,10 @@ FieldLayout checked_layout(const BakeSettings& s)
     require(s.used_origins <= s.origins, "the cap holds " + std::to_string(s.used_origins) + " origins of " +
                                              std::to_string(s.origins) + "; choose at most all of them, or 0 for all");
     require(s.samples >= 1, "the number of samples must be at least 1");
+    require(s.max_error_levels >= 0 && s.max_error_levels <= 255,
+            "the error at which a texel is settled must lie in 0 to 255 levels");
     require(static_cast<uint32_t>(s.texel) < format::kTexelFormats, "there is no such texel format");
+    require(s.footprint <= Footprint::both, "there is no such footprint");
     const FieldLayout layout = {s.origins, s.directions, s.used_origins ? s.used_origins : s.origins, s.texel, {}, 1};
     require(file_bytes(layout) <= UINT32_MAX, "the field would have " + std::to_string(file_bytes(layout)) +
                                                   " bytes, and a field file holds less than 4 GiB; choose fewer "

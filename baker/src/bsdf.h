@@ -132,6 +132,8 @@ public:
     {
     }
 
+    // Whether sample() looks at u_lobe.
+    bool has_lobes() const { return !std::holds_alternative<Diffuse>(kind_); }
     Rgb eval(const Vec3& wo, const Vec3& wi) const
     {
         return std::visit([&](const auto& kind) { return kind.eval(wo, wi); }, kind_);

@@ -91,10 +91,23 @@ Checkpoint::Checkpoint(const fs::path& path, const BakeIdentity& identity, Earli
       next_sync_((Clock::now() + kSyncInterval).time_since_epoch().count())
 {
     require_same(path, rows_.identity(), identity);
-    // A full disk is told before the work; what a damaged file has too much of goes.
-    rows_.file().reserve(rows_.complete_bytes());
+    reserve();
+    // What a damaged file has too much of goes.
     if (rows_.file().size() > rows_.complete_bytes()) {
         rows_.file().cut(rows_.complete_bytes());
+    }
+}
+
+// A full disk is told before the work. A checkpoint without rows would then only be in the way of a smaller bake.
+void Checkpoint::reserve()
+{
+    try {
+        rows_.file().reserve(rows_.complete_bytes());
+    } catch (const BakeError&) {
+        if (missing_slots().size() == rows_.slot_count()) {
+            remove();
+        }
+        throw;
     }
 }
 

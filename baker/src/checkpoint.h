@@ -37,6 +37,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    void reserve();
     void sync_now_and_then();
 
     RowFile rows_;

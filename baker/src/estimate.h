@@ -24,6 +24,7 @@ public:
         }
     }
 
+    uint32_t samples() const { return samples_; }
     // At least half of the rays meet the scene.
     bool mostly_covered() const { return hits_ != 0 && 2 * hits_ >= samples_; }
     // The mean of those that do, through the tone curve, encoded.

@@ -29,6 +29,11 @@ OriginDisc FieldRays::disc(uint32_t i) const
     return {Frame(from_q30(point(origins_, i))), 2 / std::sqrt(static_cast<float>(origins_.size()))};
 }
 
+OriginDisc FieldRays::direction_disc(uint32_t j) const
+{
+    return {Frame(direction_point(j)), 2 / std::sqrt(static_cast<float>(directions_.size()))};
+}
+
 Vec3 FieldRays::direction_point(uint32_t j) const
 {
     return from_q30(point(directions_, j));

@@ -12,7 +12,8 @@
 namespace lumi::baker
 {
 
-// The disc that touches the sphere at an origin point and has that point's share of the sphere's area, 4π/M.
+// The disc that touches the sphere at a lattice point (an origin, unless said otherwise) and has that point's share of
+// the sphere's area, 4π/M.
 struct OriginDisc {
     Frame frame;  // normal: the origin point itself
     float radius;
@@ -27,6 +28,7 @@ public:
 
     OriginDisc disc(uint32_t i) const;
     Vec3 direction_point(uint32_t j) const;
+    OriginDisc direction_disc(uint32_t j) const;  // the same at a direction point
 
     // The ray from `start` to `target`, where it ends: a start beside the sphere may see the target on the sphere's
     // near side, and what lies behind the target then belongs to another ray. Nothing if they coincide.

@@ -134,7 +134,8 @@ LightSample sample_of(const SphereLight& l, const Vec3& from, const Vec2& u)
         // Uniform in the cone: the height falls by u.x of 1 - cos.
         const float fall = u.x * sine2 / (1 + std::sqrt(1 - sine2));
         const float across = std::sqrt(std::max(0.0f, fall * (2 - fall)));
-        const Vec3 local = {across * std::cos(2 * kPi * u.y), across * std::sin(2 * kPi * u.y), 1 - fall};
+        const SineCosine s = sine_cosine_of_turns(u.y);
+        const Vec3 local = {across * s.cosine, across * s.sine, 1 - fall};
         direction = normalized(Frame(normalized(to_centre)).to_world(local));
     } else {
         direction = square_to_sphere(u);
@@ -261,6 +262,14 @@ LightSample Fixtures::sample(const Vec3& from, float u_select, const Vec2& u) co
 std::optional<LightSample> Fixtures::found(const Fixture& fixture, const Ray& ray)
 {
     return std::visit([&](const auto& l) { return seen_of(l, ray); }, fixture);
+}
+
+void Fixtures::add_to(Digest& digest) const
+{
+    for (const Fixture& fixture : fixtures_) {
+        digest.add(fixture.index());
+        std::visit([&](const auto& light) { digest.add(light); }, fixture);
+    }
 }
 
 }  // namespace lumi::baker

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "accelerator.h"
+#include "digest.h"
 #include "distribution.h"
 #include "light.h"
 
@@ -59,6 +60,7 @@ public:
     // About the flux into the unit sphere, the same measure as of other lights.
     float power() const { return static_cast<float>(choice_.total()); }
     LightSample sample(const Vec3& from, float u_select, const Vec2& u) const;
+    void add_to(Digest& digest) const;  // all that decides their light
 
     // Calls seen(radiance, pdf) for each light that lies along the ray before its end.
     template <class Seen>

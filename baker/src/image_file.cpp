@@ -37,6 +37,13 @@ bool has_endless_number(const std::string& bytes)
     return false;
 }
 
+// What the reader says, which for some damages is nothing.
+std::string failure_reason()
+{
+    const char* reason = stbi_failure_reason();
+    return reason && *reason ? reason : "it is damaged";
+}
+
 }  // namespace
 
 std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUse use, std::string& why)
@@ -63,7 +70,7 @@ std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUs
                               &texture.width, &texture.height, &channels, kChannels),
         stbi_image_free);
     if (!pixels) {
-        why = stbi_failure_reason();
+        why = failure_reason();
         return std::nullopt;
     }
     if (texture.width < 1 || texture.height < 1) {
@@ -98,7 +105,7 @@ RadiancePicture read_hdr(const std::filesystem::path& file, const std::string& b
     const std::unique_ptr<float, void (*)(void*)> floats(
         stbi_loadf_from_memory(data, size, &picture.width, &picture.height, &channels, 3), stbi_image_free);
     if (!floats) {
-        throw SceneError(at({file.string()}, std::string("the picture cannot be read (") + stbi_failure_reason() +
+        throw SceneError(at({file.string()}, std::string("the picture cannot be read (") + failure_reason() +
                                                  "); save it again as .hdr"));
     }
     if (picture.width < 1 || picture.height < 1) {

@@ -50,7 +50,8 @@ void Job::report()
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     const uint64_t done = rays_done_;
     meter_.add(elapsed, done);
-    if (progress_ && !progress_({done, rays_total_, meter_.per_second(), meter_.eta_seconds(rays_total_), elapsed})) {
+    if (progress_ &&
+        !progress_({done, rays_total_, meter_.per_second(), meter_.eta_seconds(rays_total_), elapsed, rays_saved_})) {
         throw Cancelled();
     }
 }

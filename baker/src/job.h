@@ -28,8 +28,12 @@ public:
     // Reports once more. Throws Cancelled.
     void finish();
 
-    // For tasks: counts rays, and tells whether to give up early.
-    void add_rays(uint64_t rays) { rays_done_ += rays; }
+    // For tasks: counts rays, of which `saved` need not be traced, and tells whether to give up early.
+    void add_rays(uint64_t rays, uint64_t saved = 0)
+    {
+        rays_done_ += rays;
+        rays_saved_ += saved;
+    }
     bool stopping() const { return stop_; }
 
 private:
@@ -46,6 +50,7 @@ private:
     RateMeter meter_;
 
     std::atomic<uint64_t> rays_done_;
+    std::atomic<uint64_t> rays_saved_{0};
     std::atomic<uint32_t> next_task_{0};
     std::atomic<bool> stop_{false};
     std::mutex mutex_;  // guards what follows

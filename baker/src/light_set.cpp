@@ -35,4 +35,10 @@ float LightSet::emitter_pdf(uint32_t triangle, const Vec3& direction, float dist
     return emitters_.power() > 0 ? choice_.probability(kEmitters) * emitters_.pdf(triangle, direction, distance) : 0.0f;
 }
 
+void LightSet::add_to(Digest& digest) const
+{
+    sky_.add_to(digest);
+    fixtures_.add_to(digest);
+}
+
 }  // namespace lumi::baker

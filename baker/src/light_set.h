@@ -20,6 +20,8 @@ public:
     size_t count() const { return emitters_.count() + fixtures_.count(); }
 
     LightSample sample(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
+    // All that decides their light, but for the emissive triangles, which are those of mesh, materials and textures.
+    void add_to(Digest& digest) const;
 
     // Radiance of, and density of sample() for, a ray that leaves the scene, or that hits an emissive triangle.
     Rgb sky_radiance(const Vec3& direction) const { return sky_.radiance(direction); }

@@ -11,6 +11,7 @@
 // illum 4, 6, 7, 9         with Ni > 1: glass, smooth unless Pr > 0, that lets Tf through along one unit of the OBJ.
 //                          Not if Tf is black, nor for illum 4 and 9 if d < 1 and there is no Tf: some exporters write
 //                          that for thin, see-through paint
+// Pr and Tf >= 0.5         with Ni > 1: glass too; so Blender writes transmission
 // Pc, Pcr                  a clear coat that covers the share Pc, of roughness Pcr
 // d, 1-Tr                  opacity: the share of light that does not pass straight through
 // Ke                       radiance emitted from both sides

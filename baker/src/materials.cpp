@@ -81,7 +81,8 @@ Material default_material(const std::string& name)
     return material;
 }
 
-// Illumination models 4 to 9 of MTL that let light through a body.
+// Illumination models 4 to 9 of MTL that let light through a body; and materials of the PBR extension with a Tf, as
+// Blender writes its transmission. Without Pr, many exporters write Tf 1 1 1 for what is opaque.
 bool is_glass(const MtlMaterial& mtl)
 {
     const bool refracts = mtl.illum == 6 || mtl.illum == 7;
@@ -89,7 +90,9 @@ bool is_glass(const MtlMaterial& mtl)
     if (mtl.ni <= 1 || (mtl.has_tf && is_black(mtl.tf))) {
         return false;
     }
-    return refracts || (clear && (mtl.has_tf || mtl.dissolve >= 1));
+    constexpr float kMostlyClear = 0.5f;
+    const bool transmits = mtl.has_pr && mtl.has_tf && max_component(mtl.tf) >= kMostlyClear;
+    return refracts || transmits || (clear && (mtl.has_tf || mtl.dissolve >= 1));
 }
 
 void make_glass(const MtlMaterial& mtl, Material& m)
@@ -139,7 +142,7 @@ Material to_material(const MtlMaterial& mtl)
     m.coat = mtl.coat;
     m.coat_alpha = alpha_from_roughness(mtl.coat_roughness);
     const bool mapped = !mtl.map_pr.name.empty() || !mtl.map_pm.name.empty();
-    const bool physical = mtl.roughness > 0 || mtl.metalness > 0 || mapped;
+    const bool physical = mtl.has_pr || mtl.metalness > 0 || mapped;
     m.alpha = physical ? alpha_from_roughness(mtl.roughness) : alpha_from_phong_exponent(mtl.ns);
     m.specular = physical || !is_black(mtl.ks);
     m.metalness = mtl.metalness;

@@ -27,7 +27,7 @@ struct MtlMaterial {
     Rgb kd, ks, ke, tf;
     float ns = 0, ni = 1, dissolve = 1, roughness = 0, metalness = 0, coat = 0, coat_roughness = 0;
     int illum = 0;
-    bool has_tf = false;
+    bool has_tf = false, has_pr = false;
     MtlMap map_kd, map_ks, map_ke, map_pr, map_pm, map_d, map_bump;
     std::filesystem::path file;
     uint32_t line = 0;

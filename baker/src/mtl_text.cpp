@@ -94,6 +94,7 @@ private:
         current().has_kd = current().has_kd || line.keyword == "Kd";
         current().has_ks = current().has_ks || line.keyword == "Ks";
         current().has_tf = current().has_tf || line.keyword == "Tf";
+        current().has_pr = current().has_pr || line.keyword == "Pr";
         check_opacity(place, line);
     }
 

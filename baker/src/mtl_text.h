@@ -15,7 +15,7 @@ struct MtlText {
     struct Lines {
         uint32_t newmtl = 0;
         std::map<std::string, uint32_t> maps;  // lines of pictures, by keyword
-        bool has_kd = false, has_ks = false, has_tf = false;
+        bool has_kd = false, has_ks = false, has_tf = false, has_pr = false;
     };
     std::string text;                    // backslashes in picture names turned into slashes
     std::map<std::string, Lines> lines;  // by material name

@@ -53,6 +53,7 @@ void name_lines(const MtlText::Lines& lines, MtlMaterial& material)
     material.map_d.line = line_of("map_d");
     material.map_bump.line = std::max({line_of("norm"), line_of("map_Bump"), line_of("map_bump"), line_of("bump")});
     material.has_tf = lines.has_tf;
+    material.has_pr = lines.has_pr;
     if (!material.map_kd.name.empty() && !lines.has_kd) {
         material.kd = grey(1);
     }

@@ -92,10 +92,27 @@ void cross(Walk& walk, const Surface& surface)
     walk.index2 = enters ? surface.material->index * surface.material->index : 1;
 }
 
+// Draws a number, or only passes over it where nobody looks at it.
+float needed_1d(bool needed, Sampler& sampler)
+{
+    if (needed) {
+        return sampler.next_1d();
+    }
+    sampler.skip_1d();
+    return 0;
+}
+
+Bsdf bsdf_at(const Surface& surface, Sampler& sampler)
+{
+    const float metalness = surface.values.metalness;
+    const bool undecided = metalness > 0 && metalness < 1;
+    return surface.material->bsdf(surface.values, needed_1d(undecided, sampler));
+}
+
 // Turns the walk at the surface; false where the light is lost.
 bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
 {
-    const float u_lobe = sampler.next_1d();
+    const float u_lobe = needed_1d(bsdf.has_lobes(), sampler);
     const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, sampler.next_2d());
     if (!sample) {
         return false;
@@ -151,7 +168,7 @@ PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
         if (wo.z <= 0) {
             break;
         }
-        const Bsdf bsdf = surface.material->bsdf(surface.values, sampler.next_1d());
+        const Bsdf bsdf = bsdf_at(surface, sampler);
         result.radiance = result.radiance + walk.throughput * direct_light(scene_, surface, bsdf, wo, sampler);
         if (!scatter(walk, surface, bsdf, wo, sampler)) {
             break;

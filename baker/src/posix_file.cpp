@@ -25,6 +25,8 @@ const char* mend_of(int error)
         case ENOSPC:
         case EDQUOT:
             return "free some space on that disk";
+        case EFBIG:
+            return "raise the limit (ulimit -f), or use a file system for large files";
         case ENOENT:
         case ENOTDIR:
             return "create its folder first or choose another path";

@@ -12,7 +12,7 @@ namespace
 
 constexpr char kMagic[] = "LUMIROWS";
 constexpr size_t kMagicBytes = sizeof kMagic - 1;
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 constexpr size_t kSealBytes = 4;
 constexpr uint32_t kPaletteNumber = UINT32_MAX;  // no row has it
 

@@ -65,6 +65,7 @@ Sampler::Sampler(uint64_t seed, uint32_t i, uint32_t j)
 void Sampler::start(uint32_t sample)
 {
     sample_ = sample;
+    reversed_sample_ = reverse_bits(sample);
     dimension_ = 0;
 }
 
@@ -83,7 +84,7 @@ float Sampler::next_1d()
     if (dimension_ > kStratifiedDimensions) {
         return unit_float(low);
     }
-    const uint32_t index = reverse_bits(owen_hash(reverse_bits(sample_), low));
+    const uint32_t index = reverse_bits(owen_hash(reversed_sample_, low));
     return unit_float(reverse_bits(owen_hash(index, static_cast<uint32_t>(hash >> 32))));
 }
 
@@ -95,7 +96,7 @@ Vec2 Sampler::next_2d()
     if (dimension_ > kStratifiedDimensions) {
         return {unit_float(low), unit_float(high)};
     }
-    const uint32_t index = reverse_bits(owen_hash(reverse_bits(sample_), low));
+    const uint32_t index = reverse_bits(owen_hash(reversed_sample_, low));
     const uint32_t second_seed = static_cast<uint32_t>(mix(hash) >> 32);
     return {unit_float(reverse_bits(owen_hash(index, high))),
             unit_float(reverse_bits(owen_hash(sobol_second_dimension_reversed(index), second_seed)))};

@@ -24,12 +24,14 @@ public:
 
     float next_1d();  // in [0, 1)
     Vec2 next_2d();   // in [0, 1)²
+    // Passes over a next_1d whose number nobody would look at; what follows stays as it is.
+    void skip_1d() { ++dimension_; }
 
 private:
     uint64_t next_hash();
 
     uint64_t key_;
-    uint32_t sample_ = 0;
+    uint32_t sample_ = 0, reversed_sample_ = 0;
     uint32_t dimension_ = 0;
 };
 

@@ -10,9 +10,6 @@ namespace lumi::baker
 namespace
 {
 
-constexpr size_t kProbesPerLight = 64;
-constexpr size_t kMaxLightProbes = 1 << 20;
-constexpr uint32_t kSkyProbes = 256;  // rows, and as many columns
 constexpr uint32_t kPathProbes = 2048;
 constexpr uint64_t kProbeSeed = 0x70726F6265;
 
@@ -70,40 +67,6 @@ void add(Digest& digest, const Texture& texture)
     digest.add(encoded);
 }
 
-Vec3 direction_of(const Vec2& u)
-{
-    const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0f, 1 - z * z));
-    return {r * std::cos(2 * kPi * u.y), r * std::sin(2 * kPi * u.y), z};
-}
-
-void add(Digest& digest, const LightSample& sample)
-{
-    digest.add(sample.direction);
-    digest.add(sample.distance);
-    digest.add(sample.radiance);
-    digest.add(sample.pdf);
-}
-
-// The lights keep their numbers to themselves, but send light: each of them by samples drawn evenly over its share of
-// all power, the sky by what arrives from everywhere.
-void add(Digest& digest, const LightSet& lights)
-{
-    const size_t samples = lights.empty() ? 0 : std::min(kProbesPerLight * (lights.count() + 1), kMaxLightProbes);
-    Sampler sampler(kProbeSeed, 0, 0);
-    for (size_t k = 0; k < samples; ++k) {
-        sampler.start(static_cast<uint32_t>(k));
-        const Vec3 from = direction_of(sampler.next_2d()) * sampler.next_1d();
-        const float u_select = static_cast<float>(k) / static_cast<float>(samples);
-        const float u_light = sampler.next_1d();
-        add(digest, lights.sample(from, u_light, u_select, sampler.next_2d()));
-    }
-    for (uint32_t k = 0; k < kSkyProbes * kSkyProbes; ++k) {
-        constexpr float kStep = 1.0f / kSkyProbes;
-        const auto column = static_cast<float>(k % kSkyProbes), row = static_cast<float>(k / kSkyProbes);
-        digest.add(lights.sky_radiance(direction_of({(row + 0.5f) * kStep, (column + 0.5f) * kStep})));
-    }
-}
-
 }  // namespace
 
 Digest::Value scene_fingerprint(const SceneData& scene)
@@ -123,7 +86,7 @@ Digest::Value scene_fingerprint(const SceneData& scene)
     for (const Texture& texture : textures) {
         add(digest, texture);
     }
-    add(digest, lights);
+    lights.add_to(digest);
     return digest.value();
 }
 

@@ -84,4 +84,15 @@ LightSample Sky::sample(const Vec3&, float u_select, const Vec2& u) const
     return {direction, kEverywhere, radiance(direction), pdf(direction)};
 }
 
+void Sky::add_to(Digest& digest) const
+{
+    for (const Rgb& colour : {zenith_, horizon_, nadir_}) {
+        digest.add(colour);
+    }
+    digest.add(picture_.has_value());
+    if (picture_) {
+        picture_->add_to(digest);
+    }
+}
+
 }  // namespace lumi::baker

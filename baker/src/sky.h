@@ -22,6 +22,7 @@ public:
 
     float power() const override;
     LightSample sample(const Vec3& from, float u_select, const Vec2& u) const override;
+    void add_to(Digest& digest) const;  // all that decides its light
 
 private:
     float brightness(float height) const;

@@ -107,4 +107,13 @@ Vec3 SkyPicture::sample(const Vec2& u) const
     return direction_of({static_cast<float>(column.index) + column.rest, static_cast<float>(row.index) + row.rest});
 }
 
+void SkyPicture::add_to(Digest& digest) const
+{
+    digest.add(picture_->width);
+    digest.add(picture_->height);
+    digest.add(picture_->pixels);
+    digest.add(turns_);
+    digest.add(scale_);
+}
+
 }  // namespace lumi::baker

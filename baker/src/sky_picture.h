@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "digest.h"
 #include "distribution.h"
 #include "radiance_picture.h"
 
@@ -24,6 +25,7 @@ public:
     Vec3 sample(const Vec2& u) const;        // proportional to the brightness of pixels
     // The brightness, summed over all directions.
     float brightness_sum() const { return static_cast<float>(rows_.total()); }
+    void add_to(Digest& digest) const;  // all that decides its light
 
 private:
     // In pixels, (0,0) is the picture's upper left corner.

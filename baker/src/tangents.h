@@ -2,9 +2,7 @@
 // The directions on a triangle along which its texture coordinates grow.
 #pragma once
 
-#include <optional>
-
-#include "mesh.h"
+#include "texture_slot.h"
 
 namespace lumi::baker
 {
@@ -17,13 +15,11 @@ struct Tangents {
 // Nothing where the triangle has no texture coordinates or they do not span an area.
 inline std::optional<Tangents> tangents_of(const Mesh& mesh, uint32_t triangle)
 {
-    const Mesh::OptionalCorners& c = mesh.mapping[triangle];
-    if (c[0] == kNoIndex) {
+    const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
+    if (!uvs) {
         return std::nullopt;
     }
-    const Vec2& p = mesh.uvs[static_cast<size_t>(c[0])];
-    const Vec2& q = mesh.uvs[static_cast<size_t>(c[1])];
-    const Vec2& r = mesh.uvs[static_cast<size_t>(c[2])];
+    const auto& [p, q, r] = *uvs;
     const float area = (q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y);
     if (area == 0) {
         return std::nullopt;

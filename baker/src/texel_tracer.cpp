@@ -6,19 +6,34 @@ namespace lumi::baker
 
 TexelTracer::TexelTracer(const SceneData& scene, const BakeSettings& settings)
     : tone_(scene.tone),
-      seed_(settings.seed), samples_(settings.samples), rays_(settings.origins, settings.directions), tracer_(scene)
+      seed_(settings.seed),
+      samples_(settings.samples),
+      max_error_levels_(settings.max_error_levels),
+      footprint_(settings.footprint),
+      rays_(settings.origins, settings.directions),
+      tracer_(scene)
 {
+}
+
+std::optional<Ray> TexelTracer::ray(const OriginDisc& start, const OriginDisc& target, Sampler& sampler) const
+{
+    const Vec2 u = sampler.next_2d();
+    const Vec3 from = footprint_ == Footprint::point ? start.frame.normal : start.at(u);
+    return FieldRays::ray(from, footprint_ == Footprint::both ? target.at(sampler.next_2d()) : target.frame.normal);
 }
 
 Estimate TexelTracer::estimate(const OriginDisc& disc, uint32_t i, uint32_t j) const
 {
     Estimate result(tone_);
-    const Vec3 target = rays_.direction_point(j);
+    const OriginDisc target = rays_.direction_disc(j);
     Sampler sampler(seed_, i, j);
-    for (uint32_t s = 0; s < samples_; ++s) {
+    ErrorGauge gauge;
+    for (uint32_t s = 0; s < samples_ && !enough(gauge); ++s) {
         sampler.start(s);
-        const std::optional<Ray> ray = FieldRays::ray(disc.at(sampler.next_2d()), target);
-        result.add(ray ? tracer_.trace(*ray, sampler) : PathResult{});
+        const std::optional<Ray> eye_ray = ray(disc, target, sampler);
+        const PathResult path = eye_ray ? tracer_.trace(*eye_ray, sampler) : PathResult{};
+        result.add(path);
+        gauge.add(path);
     }
     return result;
 }

@@ -2,6 +2,7 @@
 // The estimate of one texel: a pure function of scene, settings and the texel's place.
 #pragma once
 
+#include "error_gauge.h"
 #include "estimate.h"
 #include "field_rays.h"
 #include "lumi/baker/bake.h"
@@ -20,9 +21,17 @@ public:
     Estimate estimate(const OriginDisc& disc, uint32_t i, uint32_t j) const;
 
 private:
+    std::optional<Ray> ray(const OriginDisc& start, const OriginDisc& target, Sampler& sampler) const;
+    bool enough(const ErrorGauge& gauge) const
+    {
+        return max_error_levels_ > 0 && gauge.settled(tone_, max_error_levels_);
+    }
+
     ToneCurve tone_;
     uint64_t seed_;
     uint32_t samples_;
+    float max_error_levels_;
+    Footprint footprint_;
     FieldRays rays_;
     PathTracer tracer_;
 };

@@ -11,16 +11,29 @@
 namespace lumi::baker
 {
 
-// Weights of the second and third corner give the place. Nothing on triangles without texture coordinates.
-inline std::optional<Vec2> uv_at(const Mesh& mesh, uint32_t triangle, const Vec2& barycentric)
+struct CornerUvs {
+    Vec2 p, q, r;
+};
+
+// Nothing on triangles without texture coordinates.
+inline std::optional<CornerUvs> corner_uvs(const Mesh& mesh, uint32_t triangle)
 {
     const Mesh::OptionalCorners& c = mesh.mapping[triangle];
     if (c[0] == kNoIndex) {
         return std::nullopt;
     }
-    const Vec2& p = mesh.uvs[static_cast<size_t>(c[0])];
-    const Vec2& q = mesh.uvs[static_cast<size_t>(c[1])];
-    const Vec2& r = mesh.uvs[static_cast<size_t>(c[2])];
+    return CornerUvs{mesh.uvs[static_cast<size_t>(c[0])], mesh.uvs[static_cast<size_t>(c[1])],
+                     mesh.uvs[static_cast<size_t>(c[2])]};
+}
+
+// Weights of the second and third corner give the place. Nothing on triangles without texture coordinates.
+inline std::optional<Vec2> uv_at(const Mesh& mesh, uint32_t triangle, const Vec2& barycentric)
+{
+    const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
+    if (!uvs) {
+        return std::nullopt;
+    }
+    const auto& [p, q, r] = *uvs;
     const float w = 1 - barycentric.x - barycentric.y;
     return Vec2{w * p.x + barycentric.x * q.x + barycentric.y * r.x,
                 w * p.y + barycentric.x * q.y + barycentric.y * r.y};

@@ -7,6 +7,35 @@
 namespace lumi::baker
 {
 
+struct SineCosine {
+    float sine, cosine;
+};
+
+// For |x| <= π/4, by the series up to x^9: off by at most 1e-7. The C library's is slower, and chooses its code, and so
+// the last bit, by the processor.
+inline SineCosine sine_cosine_near_zero(float x)
+{
+    const float x2 = x * x;
+    return {x * (1 + x2 * (-1.0f / 6 + x2 * (1.0f / 120 + x2 * (-1.0f / 5040 + x2 * (1.0f / 362880))))),
+            1 + x2 * (-1.0f / 2 + x2 * (1.0f / 24 + x2 * (-1.0f / 720 + x2 * (1.0f / 40320))))};
+}
+
+inline SineCosine sine_cosine_of_turns(float turns)
+{
+    const float quarters = std::floor(4 * turns + 0.5f);
+    const SineCosine s = sine_cosine_near_zero(2 * kPi * (turns - 0.25f * quarters));
+    switch (static_cast<int>(quarters) & 3) {
+        case 0:
+            return s;
+        case 1:
+            return {s.cosine, -s.sine};
+        case 2:
+            return {-s.sine, -s.cosine};
+        default:
+            return {-s.cosine, s.sine};
+    }
+}
+
 // Uniform on the unit disc; neighbours stay neighbours, which keeps stratification. Shirley & Chiu, "A Low Distortion
 // Map Between Disk and Square", JGT 2(3), 1997.
 inline Vec2 square_to_disc(const Vec2& u)
@@ -18,8 +47,8 @@ inline Vec2 square_to_disc(const Vec2& u)
     }
     const bool wide = std::abs(a) > std::abs(b);
     const float radius = wide ? a : b;
-    const float angle = wide ? kPi / 4 * (b / a) : kPi / 2 - kPi / 4 * (a / b);
-    return {radius * std::cos(angle), radius * std::sin(angle)};
+    const SineCosine s = sine_cosine_near_zero(kPi / 4 * (wide ? b / a : a / b));
+    return wide ? Vec2{radius * s.cosine, radius * s.sine} : Vec2{radius * s.sine, radius * s.cosine};
 }
 
 // Density cosθ/π over the upper hemisphere (Malley's method).
@@ -33,7 +62,8 @@ inline Vec3 square_to_cosine_hemisphere(const Vec2& u)
 inline Vec3 direction_at(float z, float turns)
 {
     const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-    return {r * std::cos(2 * kPi * turns), r * std::sin(2 * kPi * turns), z};
+    const SineCosine s = sine_cosine_of_turns(turns);
+    return {r * s.cosine, r * s.sine, z};
 }
 
 inline Vec3 square_to_sphere(const Vec2& u)

@@ -2,7 +2,7 @@
 // Bakes a scene into a field file: L(i,j) for every used origin i and every direction j.
 //
 // Ray (i,j) starts on the tangent disc of area 4πR²/M at origin point i, at a position that every sample draws anew,
-// and aims at direction point j (Fink et al., "LumiPath", MICCAI 2019, section 2.1).
+// and aims at direction point j (Fink et al., "LumiPath", MICCAI 2019, section 2.1); other footprints can be chosen.
 //
 // A bake keeps its finished rows in a checkpoint, the output's name + ".part". However it ends, the same call goes on
 // from there, and the bytes of the field are those of a bake that was never stopped.
@@ -18,14 +18,25 @@
 namespace lumi::baker
 {
 
+// What a texel is the mean of. Its lattice cells are taken as discs of their points' share of the sphere's area.
+enum class Footprint : uint8_t {
+    point,   // the one ray from origin point to direction point: sharp and aliased
+    origin,  // rays from all over the origin's cell to the direction point: the paper's
+    both,    // rays from all over the origin's cell to all over the direction's
+};
+
 struct BakeSettings {
     uint32_t origins = 1024;     // M
     uint32_t directions = 2048;  // N
     uint32_t used_origins = 0;   // rows to bake, a cap around the north pole; 0 = all M
     format::TexelFormat texel = format::TexelFormat::rgb565;
-    uint32_t samples = 16;  // light paths per texel
+    uint32_t samples = 16;  // light paths per texel, at most
+    // Adaptive sampling: a texel ends early, after 16, 24, 32, ... paths, once its standard error is below this many
+    // steps of 255. 0: every texel takes all its paths.
+    float max_error_levels = 1;
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
+    Footprint footprint = Footprint::origin;
 };
 
 // One of `count` parts that bake independently, 1 <= index <= count. Of every `count` origins in a row each shard bakes

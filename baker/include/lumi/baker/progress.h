@@ -11,12 +11,14 @@ namespace lumi::baker
 {
 
 struct Progress {
-    uint64_t rays_done =
-        0;  // camera rays, i.e. whole light paths; also those of the checkpoint that a bake goes on from
+    // Camera rays, i.e. whole light paths; also those of the checkpoint that a bake goes on from, and those that
+    // adaptive sampling saved.
+    uint64_t rays_done = 0;
     uint64_t rays_total = 0;
     double rays_per_second = 0;  // over the trailing window; 0 while unknown
     double eta_seconds = -1;     // negative while unknown
     double elapsed_seconds = 0;
+    uint64_t rays_saved = 0;  // of those that this call has done: left out because their texels were settled
 };
 
 // Called from the thread that started the work: once before the first ray, about ten times a second, once at the end.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "texels.h"
+
+#include <cstdio>
+
+namespace lumi::baker::bench
+{
+
+Scene load(const char* file)
+{
+    std::vector<std::string> warnings;
+    Scene scene = load_scene(file, {}, warnings);
+    for (const std::string& warning : warnings) {
+        std::fprintf(stderr, "lumi_baker_bench: warning: %s\n", warning.c_str());
+    }
+    return scene;
+}
+
+}  // namespace lumi::baker::bench
