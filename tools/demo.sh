@@ -1,26 +1,27 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/demo.sh [--quick] [SCENE.obj]
-# From a scene to pictures: builds `lumi`, bakes the scene (ours: a desk clock) into a field of 67 MB, draws a turntable
-# from it, path-traces three of the views as references and compares them. Everything lands in the folder out.
-# --quick bakes a field of 1 MB, in seconds. Installs missing packages when run as root.
+# From a scene to pictures: builds `lumi`, bakes the scene (ours: a desk clock) into a guided field of about 1 MB and, for
+# comparison, a chord field of as many bytes, draws a turntable from each, path-traces three of the views as references
+# and compares them. Everything lands in the folder out.
+# --quick bakes a quarter of a megabyte, in seconds. Installs missing packages when run as root.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
-origins=5792 directions=5792 bake_spp=10  # about two minutes on two cores
+guided=(--origins 128 --chart 130) bake_spp=64  # one to two minutes on two cores
 reference_spp=256
 orbit=30,20,3 size=320x320 background=202428
 views=12 references=3  # a reference is compared with every (views / references)-th view
-modes=(nearest linear paper)
+drawings=(guided guided-nearest chord)
 out=$root/out
 lumi=$root/build/release/tools/lumi
 
 parse_arguments() {
   while (($# > 0)); do
     case $1 in
-      --quick) origins=724 directions=724 bake_spp=8 reference_spp=32 ;;
+      --quick) guided=(--origins 64 --chart 100 --mean-resolution 80) bake_spp=8 reference_spp=32 ;;
       --help) help "$0" && exit ;;
       -*) wrong_call "unknown option '$1'" ;;
       *)
@@ -32,20 +33,31 @@ parse_arguments() {
   done
 }
 
-bake() {
-  "$lumi" bake "$scene" -o "$field" --origins "$origins" --directions "$directions" --spp "$bake_spp"
+bake_guided() {
+  "$lumi" bake "$scene" -o "$out/$name.lumi" --layout guided "${guided[@]}" --spp "$bake_spp"
+}
+
+# A chord field of two bytes a ray with as many origins as directions, as large as the guided one.
+bake_chord() {
+  local side
+  side=$(awk -v bytes="$(stat --format=%s "$out/$name.lumi")" 'BEGIN { printf "%d", sqrt(bytes / 2) }')
+  "$lumi" bake "$scene" -o "$out/$name-chord.lumi" --origins "$side" --directions "$side" --spp 16
 }
 
 view_options() {
   printf '%s\n' --orbit "$orbit" --size "$size" --background "$background"
 }
 
-draw_turntables() {
-  local mode options
+draw_turntable() {
+  local options
   mapfile -t options < <(view_options)
-  for mode in "${modes[@]}"; do
-    "$lumi" render "$field" -o "$out/$name-$mode.png" --mode "$mode" --turntable "$views" "${options[@]}" >/dev/null
-  done
+  "$lumi" render "$out/$1.lumi" -o "$out/$name-$2.png" --mode "$3" --turntable "$views" "${options[@]}" >/dev/null
+}
+
+draw_turntables() {
+  draw_turntable "$name" guided best
+  draw_turntable "$name" guided-nearest nearest
+  draw_turntable "$name-chord" chord best
 }
 
 trace_references() {
@@ -55,12 +67,12 @@ trace_references() {
     "${options[@]}" >/dev/null
 }
 
-# The row of one view: PSNR and SSIM of every mode.
+# The row of one view: PSNR and SSIM of every drawing.
 compare_view() {
-  local mode figures row
+  local drawing figures row
   row=$(printf '%-8s' "$(printf '%03d' "$2")")
-  for mode in "${modes[@]}"; do
-    figures=$("$lumi" compare "$out/$name-$mode-$(printf '%03d' "$2").png" \
+  for drawing in "${drawings[@]}"; do
+    figures=$("$lumi" compare "$out/$name-$drawing-$(printf '%03d' "$2").png" \
       "$out/$name-reference-$(printf '%03d' "$1").png")
     row+=$(awk '/^PSNR/ { psnr = $2 } /^SSIM/ { ssim = $2 } END { printf "  %5s dB  %.3f", psnr, ssim }' <<<"$figures")
   done
@@ -70,7 +82,7 @@ compare_view() {
 compare_views() {
   local k
   printf 'PSNR and SSIM against path-traced references\n%-8s' view
-  printf '  %-15s' "${modes[@]}"
+  printf '  %-15s' "${drawings[@]}"
   printf '\n'
   for ((k = 0; k < references; ++k)); do
     compare_view "$k" $((k * views / references))
@@ -81,8 +93,9 @@ print_where() {
   cat <<END
 
 == Pictures, in $out
-$name-linear-sheet.png     the turntable, as a microcontroller draws it (also -nearest-, -paper-)
-$name-linear-000.png ...   its views one by one
+$name-guided-sheet.png     the turntable, as a microcontroller draws it from $(stat --format=%s "$out/$name.lumi") bytes
+$name-guided-000.png ...   its views one by one; -guided-nearest- with one texel an origin
+$name-chord-sheet.png      the same from a chord field of as many bytes, the layout of the LumiPath paper
 $name-reference-sheet.png  the path-traced references
 $name.lumi                 the field
 END
@@ -91,12 +104,12 @@ END
 main() {
   parse_arguments "$@"
   name=$(basename "$scene" .obj)
-  field=$out/$name.lumi
   mkdir -p "$out"
   run_step "Packages" "$root/tools/install_packages.sh" build
   run_step "Build" build_preset release
-  run_step "Bake $name.obj" bake
-  run_step "Draw $views views with each of: ${modes[*]}" draw_turntables
+  run_step "Bake $name.obj" bake_guided
+  run_step "Bake a chord field of as many bytes" bake_chord
+  run_step "Draw $views views of each of: ${drawings[*]}" draw_turntables
   run_step "Path-trace $references of the views, $reference_spp samples a pixel" trace_references
   run_step "Compare" compare_views
   print_step_times

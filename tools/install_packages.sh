@@ -12,6 +12,7 @@ build_packages=(
   libembree-dev libtbb-dev         # ray queries
   libtinyobjloader-dev libstb-dev  # OBJ and MTL; PNG, JPEG and HDR
   libopenexr-dev                   # EXR
+  libmeshoptimizer-dev             # proxy meshes
   libfftw3-dev                     # CW-SSIM
   libcli11-dev nlohmann-json3-dev)
 test_packages=(

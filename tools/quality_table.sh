@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/quality_table.sh [--check]
-# Measures fields of the demo scene in three sizes against path-traced references and writes the table of README.md,
+# Measures guided and chord fields of the demo scene against path-traced references and writes the table of README.md,
 # between its two marker comments. With --check it leaves README.md alone and fails if the table there differs.
 # Scene, seeds, views and samples are fixed, so the figures are the same on every run.
 set -euo pipefail
@@ -9,11 +9,16 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
-lattices=("724 724" "1448 1448" "2896 2896")  # M N: as many origins as directions shows most per byte
-modes=(nearest linear paper)
+# A row's name and what it bakes. Chord fields: as many origins as directions shows most per byte.
+names=("guided, M = 64" "guided, M = 128" "guided, M = 256" "chord, 724 × 724" "chord, 1448 × 1448")
+options=("--layout guided --origins 64 --chart 100 --mean-resolution 80 --spp 32"
+  "--layout guided --origins 128 --chart 130 --spp 32"
+  "--layout guided --origins 256 --chart 150 --mean-resolution 112 --proxy-triangles 6000 --spp 32"
+  "--origins 724 --directions 724 --spp 16"
+  "--origins 1448 --directions 1448 --spp 16")
+modes=(nearest linear)
 orbits=("30,20,3" "75,50,3")  # two rings around the clock, one from nearly level, one from above
 views=4                   # a ring
-bake_spp=16
 reference_spp=256
 size=240x240
 lumi=$root/build/release/tools/lumi
@@ -46,30 +51,32 @@ mean_figures() {
     END { printf " %.1f dB / %.3f / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count, sum["CW-SSIM"] / count }'
 }
 
-# The row of one lattice size, printed to a file of its own.
+# Row k, printed to a file of its own.
 measure_row() {
-  local origins=$1 directions=$2 mode drawing
-  local field=$work/$origins.lumi
-  "$lumi" bake "$scene" -o "$field" --origins "$origins" --directions "$directions" --spp "$bake_spp"
+  local k=$1 mode drawing bake
+  local field=$work/$k.lumi
+  read -ra bake <<<"${options[$k]}"
+  "$lumi" bake "$scene" -o "$field" "${bake[@]}"
   {
-    printf '| %d × %d | %s |' "$origins" "$directions" "$(stat --format=%s "$field" | numfmt --to=si --format=%.1f --round=nearest | sed "s/M/ MB/")"
+    printf '| %s | %s |' "${names[$k]}" "$(stat --format=%s "$field" | awk '{ printf "%.2f MB", $1 / 1e6 }')"
     for mode in "${modes[@]}"; do
-      drawing=$origins-$mode
+      drawing=$k-$mode
       draw_rings "$lumi" render "$field" --mode "$mode"
       mean_figures
     done
     printf '\n'
-  } >"$work/$origins.row"
+  } >"$work/$k.row"
 }
 
 print_table() {
-  local lattice
-  printf '| M × N | flash | nearest | linear | paper (5×5) |\n|---|---|---|---|---|\n'
-  for lattice in "${lattices[@]}"; do
-    cat "$work/${lattice% *}.row"
+  local k
+  printf '| field | flash | nearest | linear |\n|---|---|---|---|\n'
+  for k in "${!names[@]}"; do
+    cat "$work/$k.row"
   done
-  printf '\nMeans over %d views of %s; RGB565 texels, %d light paths a texel; references with %d samples a pixel.\n' \
-    $((${#orbits[@]} * views)) "$size" "$bake_spp" "$reference_spp"
+  printf '\nMeans over %d views of %s; 32 light paths a texel for guided fields, 16 for chord fields of RGB565 texels;\n' \
+    $((${#orbits[@]} * views)) "$size"
+  printf 'references with %d samples a pixel.\n' "$reference_spp"
 }
 
 table_in_readme() {
@@ -97,10 +104,9 @@ main() {
   run_step "Packages" "$root/tools/install_packages.sh" build
   run_step "Build" build_preset release
   run_step "Path-trace references" trace_references
-  local lattice
-  for lattice in "${lattices[@]}"; do
-    # shellcheck disable=SC2086  # two words
-    run_step "Measure ${lattice/ / × }" measure_row $lattice
+  local k
+  for k in "${!names[@]}"; do
+    run_step "Measure ${names[$k]}" measure_row "$k"
   done
   print_table >"$work/table.md"
   printf '\n'

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lumi/render.h"
+#include "lumi/span.h"
 #include "lumi/tools/interrupt.h"
 
 namespace lumi::tools
@@ -33,7 +33,7 @@ void copy_stripe(const Stripe& stripe, Picture& picture)
 }
 
 template <class Reconstruction, class Texel, class Pixel>
-Picture draw_as(const Field& field, const Camera& camera, const Rgb8& background)
+Picture draw_as(const Field& field, const Camera& camera, const DrawSettings& settings)
 {
     Picture picture(camera.width_px, camera.height_px);
     const uint32_t stride = static_cast<uint32_t>(camera.width_px) * Pixel::kBytes;
@@ -42,7 +42,8 @@ Picture draw_as(const Field& field, const Camera& camera, const Rgb8& background
         leave_if_interrupted();
         const int rows = std::min(kStripeRows, camera.height_px - y);
         const Stripe stripe = {buffer.data(), 0, y, camera.width_px, rows, stride};
-        const RenderError error = render<Reconstruction, Texel, Pixel>(field, camera, OverColour{background}, stripe);
+        const RenderError error = render_spans<Reconstruction, Texel, Pixel>(
+            field, camera, OverColour{settings.background}, stripe, settings.span_px);
         assert(error == RenderError::none);  // draw() chose the texel policy by the field's own format
         static_cast<void>(error);
         copy_stripe<Pixel>(stripe, picture);
@@ -81,6 +82,10 @@ Picture with_reconstruction(const DrawSettings& settings, const Next& next)
     switch (settings.mode) {
         case Mode::nearest:
             return next(Nearest());
+        case Mode::voronoi:
+            return next(NearestVoronoi());
+        case Mode::dither:
+            return next(Dither());
         case Mode::linear:
             return next(Linear());
         case Mode::paper:
@@ -111,8 +116,7 @@ Picture draw(const Field& field, const Camera& camera, const DrawSettings& setti
     return with_texel(field.texel_format, [&](auto texel) {
         return with_reconstruction(settings, [&](auto reconstruction) {
             return with_pixel(settings.display, [&](auto pixel) {
-                return draw_as<decltype(reconstruction), decltype(texel), decltype(pixel)>(field, camera,
-                                                                                           settings.background);
+                return draw_as<decltype(reconstruction), decltype(texel), decltype(pixel)>(field, camera, settings);
             });
         });
     });

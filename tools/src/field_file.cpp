@@ -2,6 +2,7 @@
 #include "lumi/tools/field_file.h"
 
 #include <cstring>
+#include <map>
 
 #include "lumi/crc32.h"
 #include "lumi/tools/failure.h"
@@ -40,9 +41,12 @@ uint32_t read_u32(const uint8_t* bytes)
 // What people call a section.
 std::string title_of(const std::string& type)
 {
-    if (type == "TEXL") return "texel";
-    if (type == "LAYO") return "layout";
-    return type == "PALT" ? "palette" : "\"" + type + "\"";
+    static const std::map<std::string, std::string> titles = {
+        {"TEXL", "texel"},       {"LAYO", "layout"},       {"PALT", "palette"},
+        {"GUID", "guided"},      {"PROX", "proxy"},        {"MEAN", "mean colour"},
+        {"CHRT", "chart texel"}, {"CPAL", "chart colour"}, {"OCCL", "occlusion"}};
+    const auto title = titles.find(type);
+    return title != titles.end() ? title->second : "\"" + type + "\"";
 }
 
 }  // namespace
@@ -51,8 +55,16 @@ FieldFile::FieldFile(const std::string& path) : path_(path)
 {
     if (const int error = file_.open(path); error != 0)
         throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
-    if (const FieldError error = open_field(file_.bytes(), file_.size(), field_); error != FieldError::none)
-        throw Failure(path, describe(error), mend_of(error));
+    FieldError error = open_field(file_.bytes(), file_.size(), field_);
+    is_guided_ = error == FieldError::guided_field;
+    if (is_guided_) error = open_guided(file_.bytes(), file_.size(), guided_);
+    if (error != FieldError::none) throw Failure(path, describe(error), mend_of(error));
+}
+
+const Field& FieldFile::require_chord(const std::string& task) const
+{
+    if (is_guided_) throw Failure(path_, "is a guided field, " + task, "give a field baked with --layout chord");
+    return field_;
 }
 
 std::vector<Section> FieldFile::sections() const
@@ -99,6 +111,29 @@ const char* name_of(format::TexelFormat format)
             return "luma8";
     }
     return "unknown";
+}
+
+const char* name_of(format::GuidedTexel texel)
+{
+    switch (texel) {
+        case format::GuidedTexel::none:
+            return "none";
+        case format::GuidedTexel::index4:
+            return "index4";
+        case format::GuidedTexel::index8:
+            return "index8";
+    }
+    return "unknown";
+}
+
+const char* name_of(format::GuidedSurface surface)
+{
+    return surface == format::GuidedSurface::proxy ? "proxy" : "focus";
+}
+
+const char* name_of(format::MeanFormat format)
+{
+    return format == format::MeanFormat::rgb565 ? "rgb565" : "palette8";
 }
 
 }  // namespace lumi::tools

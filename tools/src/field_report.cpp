@@ -22,7 +22,7 @@ float float_from_bits(uint32_t bits)
     return value;
 }
 
-const char* name_of(format::ColourSpace space)
+const char* colour_space_name(format::ColourSpace space)
 {
     return space == format::ColourSpace::srgb ? "srgb" : "unknown";
 }
@@ -52,25 +52,96 @@ std::string hexadecimal(uint32_t value)
     return text;
 }
 
-}  // namespace
-
-FieldReport describe_field(const FieldFile& file, bool verify)
+std::array<float, 3> centre_of(const uint32_t (&bits)[3])
 {
-    const Field& field = file.field();
-    FieldReport report;
-    report.path = file.path();
-    report.file_bytes = file.size();
-    report.version = format::kVersion;
+    return {float_from_bits(bits[0]), float_from_bits(bits[1]), float_from_bits(bits[2])};
+}
+
+void describe_chord(const Field& field, FieldReport& report)
+{
+    report.layout = "chord";
     report.origins = field.origins.size();
     report.directions = field.directions.size();
     report.used_origins = field.used_origins;
     report.row_bytes = field.directions.size() * format::bytes_per_texel(field.texel_format);
     report.row_stride_bytes = field.row_stride_bytes;
     report.texel_format = name_of(field.texel_format);
-    report.colour_space = name_of(field.colour_space);
-    for (size_t axis = 0; axis < report.centre.size(); ++axis)
-        report.centre[axis] = float_from_bits(field.centre_bits[axis]);
+    report.colour_space = colour_space_name(field.colour_space);
+    report.centre = centre_of(field.centre_bits);
     report.radius = float_from_bits(field.radius_bits);
+}
+
+void describe_guided(const GuidedField& field, FieldReport& report)
+{
+    report.layout = "guided";
+    report.guided = field;
+    report.origins = field.origins.size();
+    report.used_origins = field.used_origins;
+    report.texel_format = name_of(field.texel);
+    report.colour_space = colour_space_name(field.colour_space);
+    report.centre = centre_of(field.centre_bits);
+    report.radius = float_from_bits(field.radius_bits);
+}
+
+double radii_of_q14(int32_t q14)
+{
+    constexpr double kOne = 16384;
+    return q14 / kOne;
+}
+
+bool has_chart(const GuidedField& field)
+{
+    return field.texel != format::GuidedTexel::none;
+}
+
+void append_guided(std::string& text, const GuidedField& field)
+{
+    if (field.surface == format::GuidedSurface::proxy) {
+        append_line(text, "  surface       proxy, %" PRIu32 " vertices, %" PRIu32 " triangles%s",
+                    field.proxy.vertex_count, field.proxy.triangle_count,
+                    field.proxy.two_sided ? ", seen from both sides" : "");
+    } else {
+        append_line(text, "  surface       focus at %.3f %.3f %.3f, radius %.3f (in radii)",
+                    radii_of_q14(field.focus_q14[0]), radii_of_q14(field.focus_q14[1]),
+                    radii_of_q14(field.focus_q14[2]), radii_of_q14(field.focus_radius_q14));
+    }
+    if (has_chart(field))
+        append_line(text,
+                    "  charts        %" PRIu32 " grid points across, %" PRIu32 " texels, colours for %" PRIu32
+                    " origins at a time",
+                    field.chart_size, field.chart.texel_count, field.origins_per_palette);
+    if (field.mean.resolution != 0)
+        append_line(text, "  mean colours  %" PRIu32 " nodes across, %s, %" PRIu32 " bricks", field.mean.resolution,
+                    name_of(field.mean.format), field.mean.brick_count);
+}
+
+void add_guided(nlohmann::ordered_json& json, const GuidedField& field)
+{
+    json["surface"] = name_of(field.surface);
+    json["proxy_vertices"] = field.proxy.vertex_count;
+    json["proxy_triangles"] = field.proxy.triangle_count;
+    json["chart_size"] = has_chart(field) ? field.chart_size : 0;
+    json["chart_texels"] = field.chart.texel_count;
+    json["origins_per_palette"] = field.origins_per_palette;
+    json["mean_resolution"] = field.mean.resolution;
+    json["mean_format"] = field.mean.resolution != 0 ? name_of(field.mean.format) : "none";
+    json["mean_bricks"] = field.mean.brick_count;
+    json["occlusion_blocks"] = field.occlusion.texel_count;
+}
+
+}  // namespace
+
+FieldReport describe_field(const FieldFile& file, bool verify)
+{
+    FieldReport report;
+    report.path = file.path();
+    report.file_bytes = file.size();
+    report.version = format::kVersion;
+    if (file.is_guided()) {
+        describe_guided(file.guided(), report);
+    } else {
+        describe_chord(file.field(), report);
+    }
     report.other_bytes = report.file_bytes;
     for (const Section& section : file.sections()) {
         report.sections.push_back({section, verify ? std::optional<bool>(file.is_intact(section)) : std::nullopt});
@@ -83,12 +154,18 @@ std::string text_of(const FieldReport& report)
 {
     std::string text = report.path + "\n";
     append_line(text, "  version       %" PRIu32, report.version);
+    append_line(text, "  layout        %s", report.layout.c_str());
     append_line(text, "  bytes         %" PRIu64 " (%s)", report.file_bytes, byte_text(report.file_bytes).c_str());
     append_line(text, "  origins       %" PRIu32 ", of which %" PRIu32 " used", report.origins, report.used_origins);
-    append_line(text, "  directions    %" PRIu32, report.directions);
+    if (report.guided) {
+        append_guided(text, *report.guided);
+    } else {
+        append_line(text, "  directions    %" PRIu32, report.directions);
+    }
     append_line(text, "  texels        %s, %s", report.texel_format.c_str(), report.colour_space.c_str());
-    append_line(text, "  row           %" PRIu32 " bytes, %" PRIu32 " apart", report.row_bytes,
-                report.row_stride_bytes);
+    if (!report.guided)
+        append_line(text, "  row           %" PRIu32 " bytes, %" PRIu32 " apart", report.row_bytes,
+                    report.row_stride_bytes);
     append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", static_cast<double>(report.centre[0]),
                 static_cast<double>(report.centre[1]), static_cast<double>(report.centre[2]),
                 static_cast<double>(report.radius));
@@ -100,18 +177,22 @@ std::string text_of(const FieldReport& report)
 
 std::string json_of(const FieldReport& report)
 {
-    nlohmann::ordered_json json = {{"file", report.path},
-                                   {"bytes", report.file_bytes},
-                                   {"version", report.version},
-                                   {"origins", report.origins},
-                                   {"used_origins", report.used_origins},
-                                   {"directions", report.directions},
-                                   {"texel_format", report.texel_format},
-                                   {"colour_space", report.colour_space},
-                                   {"row_bytes", report.row_bytes},
-                                   {"row_stride_bytes", report.row_stride_bytes},
-                                   {"centre", report.centre},
-                                   {"radius", report.radius}};
+    nlohmann::ordered_json json = {{"file", report.path},       {"bytes", report.file_bytes},
+                                   {"version", report.version}, {"layout", report.layout},
+                                   {"origins", report.origins}, {"used_origins", report.used_origins}};
+    if (report.guided) {
+        add_guided(json, *report.guided);
+    } else {
+        json["directions"] = report.directions;
+    }
+    json["texel_format"] = report.texel_format;
+    json["colour_space"] = report.colour_space;
+    if (!report.guided) {
+        json["row_bytes"] = report.row_bytes;
+        json["row_stride_bytes"] = report.row_stride_bytes;
+    }
+    json["centre"] = report.centre;
+    json["radius"] = report.radius;
     json["sections"] = nlohmann::ordered_json::array();
     for (const FieldReport::Entry& entry : report.sections) {
         nlohmann::ordered_json section = {{"type", entry.section.type},

@@ -20,6 +20,7 @@ std::string progress_json(const baker::Progress& progress)
     nlohmann::json line = {{"state", "baking"},
                            {"rays_done", progress.rays_done},
                            {"rays_total", progress.rays_total},
+                           {"rays_saved", progress.rays_saved},
                            {"rays_per_second", progress.rays_per_second},
                            {"elapsed_seconds", progress.elapsed_seconds},
                            {"eta_seconds", nullptr}};

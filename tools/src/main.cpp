@@ -55,7 +55,7 @@ int main(int argc, char** argv)
     CLI::App lumi("Bakes path-traced scenes into fields for microcontrollers, and draws, measures and embeds them.");
     describe_program(lumi);
     for (const auto add :
-         {add_bake, add_merge, add_render, add_reference, add_compare, add_inspect, add_embed, add_bench})
+         {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed, add_bench})
         add(lumi);
     try {
         lumi.parse(argc, argv);

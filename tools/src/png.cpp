@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 #include "lumi/host/mapped_file.h"
 #include "lumi/tools/failure.h"
@@ -65,14 +66,23 @@ Picture read_png(const std::string& path)
     return picture;
 }
 
-void write_png(const std::string& path, const Picture& picture)
+std::string png_bytes(const Picture& picture)
 {
     std::string bytes;
     const int row_bytes = kChannels * picture.width_px;
     if (!stbi_write_png_to_func(append, &bytes, picture.width_px, picture.height_px, kChannels, picture.rgb.data(),
                                 row_bytes))
-        throw Failure(path, "the picture could not be packed", "choose a smaller --size");
-    write_output(path, bytes);
+        throw std::length_error("the picture could not be packed");
+    return bytes;
+}
+
+void write_png(const std::string& path, const Picture& picture)
+{
+    try {
+        write_output(path, png_bytes(picture));
+    } catch (const std::length_error& error) {
+        throw Failure(path, error.what(), "choose a smaller --size");
+    }
 }
 
 }  // namespace lumi::tools

@@ -3,8 +3,7 @@
 
 #include <cassert>
 #include <cmath>
-
-#include "lumi/tools/plane.h"
+#include <numeric>
 
 namespace lumi::tools
 {
@@ -44,9 +43,8 @@ double ssim_of_window(double mean_a, double mean_b, double square_a, double squa
            ((mean_a * mean_a + mean_b * mean_b + kC1) * (variances + kC2));
 }
 
-}  // namespace
-
-double ssim(const Picture& picture_a, const Picture& picture_b)
+// One value a window, at the window's corner.
+Plane<double> ssim_map(const Picture& picture_a, const Picture& picture_b)
 {
     assert(same_size(picture_a, picture_b));
     assert(picture_a.width_px >= kSsimWindow && picture_a.height_px >= kSsimWindow);
@@ -55,12 +53,34 @@ double ssim(const Picture& picture_a, const Picture& picture_b)
     const Plane<double> mean_a = filter_valid(a, weights), mean_b = filter_valid(b, weights);
     const Plane<double> square_a = filter_valid(product(a, a), weights),
                         square_b = filter_valid(product(b, b), weights);
-    const Plane<double> cross = filter_valid(product(a, b), weights);
+    Plane<double> map = filter_valid(product(a, b), weights);
+    for (size_t i = 0; i < map.values.size(); ++i)
+        map.values[i] =
+            ssim_of_window(mean_a.values[i], mean_b.values[i], square_a.values[i], square_b.values[i], map.values[i]);
+    return map;
+}
+
+}  // namespace
+
+double ssim(const Picture& a, const Picture& b)
+{
+    const std::vector<double> values = ssim_map(a, b).values;
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double ssim(const Picture& a, const Picture& b, const Mask& mask)
+{
+    assert(mask.width_px == a.width_px && mask.height_px == a.height_px);
+    const Plane<double> map = ssim_map(a, b);
     double sum = 0;
-    for (size_t i = 0; i < cross.values.size(); ++i)
-        sum +=
-            ssim_of_window(mean_a.values[i], mean_b.values[i], square_a.values[i], square_b.values[i], cross.values[i]);
-    return sum / static_cast<double>(cross.values.size());
+    int count = 0;
+    for (int y = 0; y < map.height_px; ++y)
+        for (int x = 0; x < map.width_px; ++x)
+            if (mask.at(x + kSsimWindow / 2, y + kSsimWindow / 2) != 0) {
+                sum += map.at(x, y);
+                ++count;
+            }
+    return count == 0 ? 1 : sum / count;
 }
 
 }  // namespace lumi::tools

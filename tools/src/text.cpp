@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/tools/text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace lumi::tools
 {
@@ -113,6 +115,28 @@ std::optional<PartOf> parse_part(std::string_view text)
     const auto count = parse_number<uint32_t>(text.substr(slash + 1));
     if (!part || !count || *part < 1 || *part > *count) return std::nullopt;
     return PartOf{*part, *count};
+}
+
+std::optional<uint64_t> parse_bytes(std::string_view text)
+{
+    constexpr double kKilo = 1e3, kKibi = 1024, kLargest = 1e18;
+    constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"", 1},
+        {"B", 1},
+        {"kB", kKilo},
+        {"KB", kKilo},
+        {"MB", kKilo * kKilo},
+        {"GB", kKilo * kKilo * kKilo},
+        {"KiB", kKibi},
+        {"MiB", kKibi * kKibi},
+        {"GiB", kKibi * kKibi * kKibi},
+    };
+    const size_t end = std::min(text.size(), text.find_first_not_of("0123456789."));
+    const auto number = parse_finite(text.substr(0, end));
+    for (const auto& [unit, factor] : kUnits)
+        if (number && text.substr(end) == unit && *number * factor < kLargest)
+            return static_cast<uint64_t>(*number * factor);
+    return std::nullopt;
 }
 
 std::string byte_text(uint64_t bytes)

@@ -18,7 +18,7 @@ namespace
 
 struct View {
     std::string path;
-    std::vector<Camera> eyes;  // one, or left and right
+    std::vector<Eye> eyes;  // one, or left and right
 };
 
 // "OUT.png" becomes "OUT-TAG.png".
@@ -36,20 +36,20 @@ std::string numbered(const std::string& output, int number)
     return tagged(output, text);
 }
 
-Camera camera_at(const Pose& pose, const Image& image)
+Eye eye_at(const Pose& pose, const Image& image)
 {
-    Camera camera;
-    if (const CameraError error = make_camera(pose, image, camera); error != CameraError::none)
+    Eye eye = {pose, image, {}};
+    if (const CameraError error = make_camera(pose, image, eye.camera); error != CameraError::none)
         throw UsageError(std::string("the camera cannot be used: ") + describe(error) +
                          "; change --orbit, --fov, --size or --stereo");
-    return camera;
+    return eye;
 }
 
-std::vector<Camera> eyes_of(const Pose& pose, const Image& image, double eye_distance)
+std::vector<Eye> eyes_of(const Pose& pose, const Image& image, double eye_distance)
 {
-    if (eye_distance <= 0) return {camera_at(pose, image)};
+    if (eye_distance <= 0) return {eye_at(pose, image)};
     const int32_t half_q20 = host::q20_from_radii(eye_distance / 2);
-    return {camera_at(moved_right(pose, -half_q20), image), camera_at(moved_right(pose, half_q20), image)};
+    return {eye_at(moved_right(pose, -half_q20), image), eye_at(moved_right(pose, half_q20), image)};
 }
 
 std::vector<View> all_views(const ViewOptions& options, const std::string& output)

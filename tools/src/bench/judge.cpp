@@ -45,6 +45,7 @@ SideTaps taps_of_side(const std::string& rule, const Points& all, const Vec3& hi
 std::string rule_of(const std::string& mode, int span)
 {
     if (mode == "dither") return "linear";
+    if (mode == "voronoi") return "nearest";
     return mode == "nearest" && span > 1 ? kCells : mode;
 }
 

@@ -63,9 +63,9 @@ std::string choice_table(const Rows& rows)
 std::string how_to_choose(const Rows& rows)
 {
     return "## How to choose\n\n"
-           "1. **Reconstruction** decides the looks: *nearest* shows the lattice's cells, *dither* trades them for a "
-           "fine "
-           "grain that the eye\n   averages, *linear* (3×3) is smooth, *paper* (5×5) is smoother still and dearest.\n"
+           "1. **Reconstruction** decides the looks: *nearest* shows the lattice's cells as parallelograms, *voronoi* "
+           "in their true\n   shape, *dither* trades them for a fine grain that the eye averages, *linear* (3×3) is "
+           "smooth, *paper* (5×5) is\n   smoother still and dearest.\n"
            "2. **Texels** decide flash and tint: palette8 and luma8 take one byte, RGB565 two, RGB888 three. Smaller "
            "texels also touch\n   fewer flash lines, see *Frame rates of named parts*.\n"
            "3. **Span** decides speed: a long one while the object moves, a short one when it rests. *Accuracy* says "
@@ -104,7 +104,8 @@ std::string accuracy_section(const Rows& rows)
 {
     return "## Accuracy\n\n"
            "PSNR in dB over covered pixels / worst pixel in levels of 255, 8-bit RGB pictures against the same "
-           "reconstruction in double\nprecision by brute force. *nearest* is judged away from cell borders (both hits "
+           "reconstruction in double\nprecision by brute force. *nearest* and *voronoi* are judged away from cell "
+           "borders (both hits "
            "more than 1/16 of the mean point spacing from\nthe true Voronoi border); *dither* against linear, both "
            "blurred over 3 × 3 pixels. ∞: no pixel differs. Every core draws the\nsame bits; the bench stops if a CRC "
            "differs.\n\n" +

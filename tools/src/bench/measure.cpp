@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "boards.h"
+#include "guided.h"
 #include "host_renderer.h"
 #include "judge.h"
 #include "lumi/tools/failure.h"
@@ -30,8 +31,10 @@ std::vector<Program> programs_of(const Matrix& matrix)
     const bool exact = spans.size() != matrix.spans.size();
     std::vector<Program> programs;
     for (const std::string& mode : matrix.modes) {
+        if (is_guided(mode)) continue;
         for (const std::string& texel : matrix.texels) {
-            if (exact && mode != "dither") programs.push_back({mode, texel, "exact_" + mode + "_" + texel, {0}});
+            if (exact && mode != "dither" && mode != "voronoi")
+                programs.push_back({mode, texel, "exact_" + mode + "_" + texel, {0}});
             if (!spans.empty()) programs.push_back({mode, texel, "spans_" + mode + "_" + texel, spans});
         }
     }
@@ -70,6 +73,7 @@ public:
     {
         std::filesystem::create_directories(settings_.work);
         const std::vector<Program> programs = programs_of(settings_.matrix);
+        if (programs.empty()) return {};
         for (const std::string& texel : settings_.matrix.texels) {
             announce_("field, " + texel);
             fields_.try_emplace(texel, require_field(settings_.field, texel, settings_.work).string());
@@ -133,7 +137,10 @@ private:
 
 Rows measure(const Settings& settings, const Announce& announce)
 {
-    return Measurement(settings, announce).run();
+    Rows rows = Measurement(settings, announce).run();
+    const Rows guided = measure_guided(settings, announce);
+    rows.insert(rows.end(), guided.begin(), guided.end());
+    return rows;
 }
 
 }  // namespace lumi::bench

@@ -18,7 +18,6 @@ using reference::dot;
 using reference::kPi;
 
 constexpr double kTurn = 4294967296.0;
-constexpr Image kSpriteImage = {kSidePx, kSidePx, kFillingFov};
 
 Pose pose_of(const View& view)
 {
@@ -81,20 +80,23 @@ uint32_t nearest_sprite(uint32_t count, const View& view)
     return best;
 }
 
-tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const View& view, uint32_t samples)
+tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const View& view, uint32_t samples,
+                              int32_t side_px)
 {
     const Pose pose = sprite_pose(count, nearest_sprite(count, view));
-    const tools::Picture sprite = traced_view(scene, pose, kSpriteImage, samples);
+    const tools::Picture sprite = traced_view(scene, pose, {side_px, side_px, kFillingFov}, samples);
     const Turn turn(pose_of(view), pose);
-    const double scale = disc_radius_px(kFillingFov, kFarQ20) / disc_radius_px(view.fov_turns32, view.distance_q20);
+    const double scale =
+        disc_radius_px(kFillingFov, kFarQ20) / disc_radius_px(view.fov_turns32, view.distance_q20) * side_px / kSidePx;
     constexpr double kMiddle = (kSidePx - 1) / 2.0;
+    const double sprite_middle = (side_px - 1) / 2.0;
     tools::Picture picture(kSidePx, kSidePx, kBackgroundColour);
     for (int y = 0; y < kSidePx; ++y) {
         for (int x = 0; x < kSidePx; ++x) {
             const double right = (x - kMiddle) * scale, up = (kMiddle - y) * scale;
-            const long u = std::lround(kMiddle + right * turn.cosine - up * turn.sine);
-            const long v = std::lround(kMiddle - right * turn.sine - up * turn.cosine);
-            if (u < 0 || v < 0 || u >= kSidePx || v >= kSidePx) continue;
+            const long u = std::lround(sprite_middle + right * turn.cosine - up * turn.sine);
+            const long v = std::lround(sprite_middle - right * turn.sine - up * turn.cosine);
+            if (u < 0 || v < 0 || u >= side_px || v >= side_px) continue;
             const uint8_t* from = sprite.pixel(static_cast<int>(u), static_cast<int>(v));
             const Rgb8 shown = unpack_rgb565(pack_rgb565({from[0], from[1], from[2]}));
             uint8_t* to = picture.pixel(x, y);

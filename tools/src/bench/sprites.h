@@ -20,7 +20,8 @@ tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Im
 // Which of `count` sprites, seen from a Spherical Fibonacci set of directions at kFarQ20, lies nearest to the view.
 uint32_t nearest_sprite(uint32_t count, const View& view);
 
-// That sprite as the view's picture.
-tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const View& view, uint32_t samples);
+// That sprite, of side_px × side_px pixels, as the view's picture.
+tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const View& view, uint32_t samples,
+                              int32_t side_px = kSidePx);
 
 }  // namespace lumi::bench

@@ -7,6 +7,8 @@
 
 #include "choice.h"
 #include "commands.h"
+#include "fit_options.h"
+#include "guided_options.h"
 #include "lumi/baker/bake.h"
 #include "lumi/lattice.h"
 #include "lumi/tools/failure.h"
@@ -27,6 +29,8 @@ enum class ProgressStyle { automatic, json };
 struct BakeOptions {
     SceneOptions scene;
     baker::BakeSettings settings;
+    GuidedOptions guided;
+    FitOptions fit;
     std::string output, cap, shard;
     bool restart = false;
     ProgressStyle progress = ProgressStyle::automatic;
@@ -35,6 +39,7 @@ struct BakeOptions {
 // What is baked, and where to.
 struct BakeJob {
     baker::BakeSettings settings;
+    std::optional<baker::GuidedSettings> guided;  // in place of them
     std::optional<baker::Shard> shard;
     std::string name;    // of the field, or of the shard file, as the caller says it
     std::string target;  // the file behind the name
@@ -59,6 +64,20 @@ baker::BakeSettings settings_of(const BakeOptions& options)
     return settings;
 }
 
+// What both kinds of layout have comes from the chord field's settings.
+std::optional<baker::GuidedSettings> guided_of(const BakeOptions& options)
+{
+    if (options.guided.layout == Layout::chord) return std::nullopt;
+    const baker::BakeSettings common = settings_of(options);
+    baker::GuidedSettings settings = guided_settings(options.guided);
+    settings.origins = common.origins;
+    settings.used_origins = common.used_origins;
+    settings.samples = common.samples;
+    settings.seed = common.seed;
+    settings.threads = common.threads;
+    return settings;
+}
+
 std::optional<baker::Shard> shard_of(const std::string& text)
 {
     if (text.empty()) return std::nullopt;
@@ -76,6 +95,7 @@ std::string shard_name(const std::string& field, const baker::Shard& shard)
 BakeJob job_of(const BakeOptions& options)
 {
     BakeJob job = {settings_of(options),
+                   guided_of(options),
                    shard_of(options.shard),
                    options.output,
                    {},
@@ -86,20 +106,35 @@ BakeJob job_of(const BakeOptions& options)
     return job;
 }
 
-void bake(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress)
+struct Outcome {
+    baker::Progress last;
+    std::optional<baker::GuidedBake> guided;
+};
+
+Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress)
 {
+    Outcome outcome;
+    const auto note = [&](const baker::Progress& report) {
+        outcome.last = report;
+        return progress(report);
+    };
     try {
-        if (job.shard)
-            baker::bake_shard(scene, job.settings, *job.shard, job.target, progress, job.earlier);
+        if (job.guided)
+            outcome.guided = baker::bake_guided(scene, *job.guided, job.target, note);
+        else if (job.shard)
+            baker::bake_shard(scene, job.settings, *job.shard, job.target, note, job.earlier);
         else
-            baker::bake_field(scene, job.settings, job.target, progress, job.earlier);
+            baker::bake_field(scene, job.settings, job.target, note, job.earlier);
+        return outcome;
     } catch (const baker::Cancelled&) {
+        if (job.guided) throw Interrupted(job.name + " is as it was; a guided bake starts anew");
         throw Interrupted(job.name + ".part keeps the finished rows; the same command goes on from there");
     }
 }
 
-double rays_of(const BakeJob& job)
+double rays_of(const BakeJob& job, const baker::Progress& last)
 {
+    if (job.guided) return static_cast<double>(last.rays_total);
     const double rows = baker::shard_rows(job.settings, job.shard.value_or(baker::Shard{}));
     return rows * job.settings.directions * job.settings.samples;
 }
@@ -114,38 +149,69 @@ double seconds_since(Clock::time_point start)
 // For people: a bar or lines on stderr, a summary on stdout.
 void bake_for_people(const baker::Scene& scene, const BakeJob& job, size_t warnings, Clock::time_point start)
 {
+    Outcome outcome;
     {
         ProgressPrinter printer(stderr, stderr_is_terminal());
-        bake(scene, job, watch(printer));
+        outcome = bake(scene, job, watch(printer));
     }
+    const baker::Progress& last = outcome.last;
     const std::string elapsed = duration_text(seconds_since(start));
-    std::printf("%s: %s, %s rays in %s, %zu warnings\n", job.name.c_str(),
-                byte_text(std::filesystem::file_size(job.target)).c_str(), count_text(rays_of(job)).c_str(),
-                elapsed.c_str(), warnings);
+    const double saved = static_cast<double>(last.rays_saved);
+    const std::string savings = saved > 0 ? " (" + count_text(saved) + " of them saved)" : "";
+    std::printf("%s: %s, %s rays%s in %s, %zu warnings\n", job.name.c_str(),
+                byte_text(std::filesystem::file_size(job.target)).c_str(), count_text(rays_of(job, last)).c_str(),
+                savings.c_str(), elapsed.c_str(), warnings);
+    if (outcome.guided) std::printf("%s", proxy_text(*outcome.guided).c_str());
 }
 
 // For machines: nothing but JSON lines on stdout.
 void bake_for_machines(const baker::Scene& scene, const BakeJob& job, size_t warnings, Clock::time_point start)
 {
     JsonProgress printer(stdout);
-    bake(scene, job, watch(printer));
-    const nlohmann::json line = {{"state", "done"},
-                                 {"output", job.name},
-                                 {"bytes", std::filesystem::file_size(job.target)},
-                                 {"rays_total", rays_of(job)},
-                                 {"elapsed_seconds", seconds_since(start)},
-                                 {"warnings", warnings}};
+    const Outcome outcome = bake(scene, job, watch(printer));
+    const baker::Progress& last = outcome.last;
+    nlohmann::json line = {{"state", "done"},
+                           {"output", job.name},
+                           {"bytes", std::filesystem::file_size(job.target)},
+                           {"rays_total", rays_of(job, last)},
+                           {"rays_saved", last.rays_saved},
+                           {"elapsed_seconds", seconds_since(start)},
+                           {"warnings", warnings}};
+    if (outcome.guided) {
+        const baker::ProxyLoss& loss = outcome.guided->loss;
+        line["proxy"] = {{"triangles", outcome.guided->triangles},
+                         {"two_sided", outcome.guided->two_sided},
+                         {"missed", loss.missed},
+                         {"added", loss.added},
+                         {"displaced", loss.displaced}};
+    }
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
-void run(const BakeOptions& options)
+void take_plan(const planner::Plan& plan, BakeJob& job)
+{
+    job.settings = plan.chord;
+    job.guided.reset();
+    if (plan.layout != planner::Layout::chord) job.guided = plan.guided;
+}
+
+void run(const BakeOptions& options, const CLI::App& command)
 {
     const Clock::time_point start = Clock::now();
-    const BakeJob job = job_of(options);
-    baker::field_file_bytes(job.settings);  // throws before the scene is loaded
-    size_t warnings = 0;
-    const baker::Scene scene = load_scene(options.scene, warnings);
     const bool json = options.progress == ProgressStyle::json;
+    const baker::BakeSettings common = settings_of(options);
+    const FitContext context = {command, options.guided, common, options.cap, json};
+    check_fit(options.fit, context);
+    size_t warnings = 0;
+    if (options.fit.plan_only) {
+        fitted_plan(options.fit, context, load_scene(options.scene, warnings));
+        return;
+    }
+    BakeJob job = job_of(options);
+    if (!job.guided && !options.fit.wanted())
+        baker::field_file_bytes(job.settings);  // throws before the scene is loaded
+    const baker::Scene scene = load_scene(options.scene, warnings);
+    if (options.fit.wanted()) take_plan(fitted_plan(options.fit, context, scene), job);
     (json ? bake_for_machines : bake_for_people)(scene, job, warnings, start);
 }
 
@@ -181,6 +247,12 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
         ->type_name("F");
     add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
                "What a ray is stored as: rgb888 (3 bytes), rgb565 (2), palette8 or luma8 (1) [rgb565]");
+    add_choice<baker::Footprint>(
+        command, "--footprint", settings.footprint,
+        {{"point", baker::Footprint::point}, {"origin", baker::Footprint::origin}, {"both", baker::Footprint::both}},
+        "point|origin|both",
+        "What a texel is the mean of: one ray, rays from all over the origin's cell, or also to "
+        "all over the direction's [origin]");
 }
 
 }  // namespace
@@ -190,21 +262,39 @@ void add_bake(CLI::App& lumi)
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command = lumi.add_subcommand("bake", "Path-trace a scene into a field file");
     add_scene_options(*command, options->scene);
-    command->add_option("-o,--output", options->output, "Field file to write")->type_name("FIELD.lumi")->required();
+    command->add_option("-o,--output", options->output, "Field file to write")->type_name("FIELD.lumi");
     add_lattice_options(*command, *options);
-    command->add_option("--spp", options->settings.samples, "Light paths per texel; more cost time, never bytes")
+    add_guided_options(*command, options->guided);
+    command
+        ->add_option("--spp", options->settings.samples, "Light paths per texel, at most; more cost time, never bytes")
         ->type_name("S")
         ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command
+        ->add_option("--adaptive", options->settings.max_error_levels,
+                     "End a texel before --spp paths, from 16 on, once its standard error is below this many steps of "
+                     "255; 0: never")
+        ->type_name("LEVELS")
+        ->check(CLI::Range(0.0f, 255.0f))
         ->capture_default_str();
     command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
         ->type_name("K")
         ->capture_default_str();
+    add_fit_options(*command, options->fit);
     add_scale_options(*command, *options);
     command->footer(
         "The file takes M x N x bytes per texel: " + byte_text(baker::field_file_bytes({})) +
         " with the defaults.\nA bake that was stopped, by Ctrl-C or otherwise, goes on with the same command.\n"
-        "Example:\n  lumi bake product.obj -o product.lumi --origins 512 --directions 1024 --spp 32");
-    command->callback([options] { run(*options); });
+        "Example:\n  lumi bake product.obj -o product.lumi --fit 1MB --for rp2350@15fps\n"
+        "  lumi bake product.obj -o product.lumi --origins 512 --directions 1024 --spp 32");
+    command->callback([options, command] {
+        if (options->output.empty() && !options->fit.plan_only) throw UsageError("bake takes -o, --output FIELD.lumi");
+        if (!options->fit.wanted() || command->count("--layout") > 0)
+            require_fitting_options(*command, options->guided);
+        if (options->guided.layout != Layout::chord && command->count("--origins") == 0)
+            options->settings.origins = options->guided.settings.origins;
+        run(*options, *command);
+    });
 }
 
 }  // namespace lumi::tools

@@ -13,6 +13,7 @@ void add_merge(CLI::App& lumi);
 void add_render(CLI::App& lumi);
 void add_reference(CLI::App& lumi);
 void add_compare(CLI::App& lumi);
+void add_report(CLI::App& lumi);
 void add_inspect(CLI::App& lumi);
 void add_embed(CLI::App& lumi);
 void add_bench(CLI::App& lumi);

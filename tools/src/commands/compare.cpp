@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // lumi compare: how alike two pictures are.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.h"
 #include "lumi/tools/cw_ssim.h"
 #include "lumi/tools/error_picture.h"
 #include "lumi/tools/failure.h"
+#include "lumi/tools/flip.h"
 #include "lumi/tools/output_file.h"
 #include "lumi/tools/png.h"
 #include "lumi/tools/psnr.h"
@@ -21,12 +24,18 @@ namespace
 {
 
 struct CompareOptions {
-    std::string a, b, error_picture;
+    std::string a, b, mask, error_picture;
+    double pixels_per_degree = kFlipPixelsPerDegree;
     bool json = false;
 };
 
 struct Likeness {
-    double psnr_db, ssim, cw_ssim;
+    double psnr_db, ssim, cw_ssim, flip;
+};
+
+// Of the pixels that a mask leaves.
+struct MaskedLikeness {
+    double psnr_db, ssim;
 };
 
 std::string size_text(const Picture& picture)
@@ -44,15 +53,54 @@ void require_comparable(const CompareOptions& options, const Picture& a, const P
                       "give pictures of at least 11x11 pixels");
 }
 
-void print_json(const Likeness& likeness)
+// Null where the pictures are identical: JSON has no infinity.
+nlohmann::ordered_json json_db(double psnr_db)
 {
-    const bool identical = std::isinf(likeness.psnr_db);
+    return std::isinf(psnr_db) ? nlohmann::ordered_json() : nlohmann::ordered_json(psnr_db);
+}
+
+void print_json(const Likeness& likeness, const std::optional<MaskedLikeness>& masked)
+{
     nlohmann::ordered_json report;
-    report["psnr_db"] = identical ? nlohmann::ordered_json() : nlohmann::ordered_json(likeness.psnr_db);
+    report["psnr_db"] = json_db(likeness.psnr_db);
     report["ssim"] = likeness.ssim;
     report["cw_ssim"] = likeness.cw_ssim;
-    report["identical"] = identical;
+    report["flip"] = likeness.flip;
+    if (masked) {
+        report["mask_psnr_db"] = json_db(masked->psnr_db);
+        report["mask_ssim"] = masked->ssim;
+    }
+    report["identical"] = std::isinf(likeness.psnr_db);
     std::printf("%s\n", report.dump(2).c_str());
+}
+
+void print_text(const Likeness& likeness, const std::optional<MaskedLikeness>& masked)
+{
+    std::printf("PSNR     %.2f dB\nSSIM     %.4f\nCW-SSIM  %.4f\nFLIP     %.4f\n", likeness.psnr_db, likeness.ssim,
+                likeness.cw_ssim, likeness.flip);
+    if (masked) std::printf("inside the mask\nPSNR     %.2f dB\nSSIM     %.4f\n", masked->psnr_db, masked->ssim);
+}
+
+// White or grey where pixels count, black where they do not.
+Mask read_mask(const std::string& path, const Picture& like)
+{
+    const Picture picture = read_png(path);
+    if (!same_size(picture, like))
+        throw Failure(path, "is " + size_text(picture) + " but the pictures are " + size_text(like),
+                      "give a mask of their size");
+    Mask mask(picture.width_px, picture.height_px);
+    for (size_t i = 0; i < mask.values.size(); ++i)
+        mask.values[i] = std::max({picture.rgb[3 * i], picture.rgb[3 * i + 1], picture.rgb[3 * i + 2]});
+    if (std::all_of(mask.values.begin(), mask.values.end(), [](uint8_t value) { return value == 0; }))
+        throw Failure(path, "is black, so no pixel counts", "paint what counts white");
+    return mask;
+}
+
+std::optional<MaskedLikeness> masked_likeness(const CompareOptions& options, const Picture& a, const Picture& b)
+{
+    if (options.mask.empty()) return std::nullopt;
+    const Mask mask = read_mask(options.mask, a);
+    return MaskedLikeness{psnr_db(a, b, mask), ssim(a, b, mask)};
 }
 
 void run(const CompareOptions& options)
@@ -60,9 +108,9 @@ void run(const CompareOptions& options)
     const Picture a = read_png(options.a), b = read_png(options.b);
     require_comparable(options, a, b);
     if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
-    const Likeness likeness = {psnr_db(a, b), ssim(a, b), cw_ssim(a, b)};
-    if (options.json) return print_json(likeness);
-    std::printf("PSNR     %.2f dB\nSSIM     %.4f\nCW-SSIM  %.4f\n", likeness.psnr_db, likeness.ssim, likeness.cw_ssim);
+    const Likeness likeness = {psnr_db(a, b), ssim(a, b), cw_ssim(a, b), flip(b, a, options.pixels_per_degree)};
+    const std::optional<MaskedLikeness> masked = masked_likeness(options, a, b);
+    (options.json ? print_json : print_text)(likeness, masked);
 }
 
 }  // namespace
@@ -70,14 +118,27 @@ void run(const CompareOptions& options)
 void add_compare(CLI::App& lumi)
 {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App* command = lumi.add_subcommand("compare", "Say how alike two pictures are: PSNR, SSIM, CW-SSIM");
+    CLI::App* command = lumi.add_subcommand("compare", "Say how alike two pictures are: PSNR, SSIM, CW-SSIM, FLIP");
     command->add_option("A", options->a, "One PNG file")->required();
     command->add_option("B", options->b, "Another PNG file of the same size")->required();
-    command->add_flag("--json", options->json, "Print JSON: psnr_db (null if identical), ssim, cw_ssim, identical");
+    command->add_flag(
+        "--json", options->json,
+        "Print JSON: psnr_db (null if identical), ssim, cw_ssim, flip, identical, and with --mask mask_psnr_db and "
+        "mask_ssim");
     command
         ->add_option("--error-picture", options->error_picture,
                      "Also write a picture of the differences, four times as bright as they are")
         ->type_name("OUT.png");
+    command->add_option("--mask", options->mask, "Also compare only where this picture is not black")
+        ->type_name("MASK.png");
+    constexpr double kMaxPixelsPerDegree = 1000;
+    command
+        ->add_option("--ppd", options->pixels_per_degree,
+                     "Pixels a degree of the observer's view, for FLIP: the distance to the screen in pixels times "
+                     "0.01745")
+        ->check(CLI::Range(1.0, kMaxPixelsPerDegree))
+        ->type_name("PPD")
+        ->capture_default_str();
     command->footer("Example:\n  lumi compare view.png truth.png --json");
     command->callback([options] { run(*options); });
 }

@@ -49,8 +49,8 @@ std::vector<std::string> write_references(const ReferenceOptions& options, const
     baker::ReferenceSettings settings = options.settings;
     settings.threads = options.scene.threads;
     ProgressPrinter printer(stderr, stderr_is_terminal());
-    const auto draw = [&](const Camera& camera) {
-        const baker::RgbaImage image = baker::render_reference(scene, camera, settings, watch(printer));
+    const auto draw = [&](const Eye& eye) {
+        const baker::RgbaImage image = baker::render_reference(scene, eye.camera, settings, watch(printer));
         return over_background(image, options.views.background);
     };
     try {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A field in a memory-mapped file, opened by the very reader that firmware links.
+// A field of either kind in a memory-mapped file, opened by the very readers that firmware links.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "lumi/field.h"
+#include "lumi/guided_field.h"
 #include "lumi/host/mapped_file.h"
 
 namespace lumi::tools
@@ -25,7 +26,12 @@ public:
     explicit FieldFile(const std::string& path);
 
     const std::string& path() const { return path_; }
+    bool is_guided() const { return is_guided_; }
+    // Precondition: the kind that the file holds.
     const Field& field() const { return field_; }
+    const GuidedField& guided() const { return guided_; }
+    // Throws Failure for a guided field, saying that `task` is about chord fields.
+    const Field& require_chord(const std::string& task) const;
     const uint8_t* bytes() const { return file_.bytes(); }
     size_t size() const { return file_.size(); }
 
@@ -40,10 +46,16 @@ public:
 private:
     std::string path_;
     host::MappedFile file_;
+    bool is_guided_ = false;
     Field field_;
+    GuidedField guided_;
 };
 
 // "rgb888", "rgb565", "palette8" or "luma8".
 const char* name_of(format::TexelFormat format);
+// "none", "index4" or "index8"; "proxy" or "focus"; "rgb565" or "palette8".
+const char* name_of(format::GuidedTexel texel);
+const char* name_of(format::GuidedSurface surface);
+const char* name_of(format::MeanFormat format);
 
 }  // namespace lumi::tools

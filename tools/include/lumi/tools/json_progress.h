@@ -11,7 +11,7 @@ namespace lumi::tools
 {
 
 // One line without its end: {"elapsed_seconds":3.0,"eta_seconds":9.5,"rays_done":437,"rays_per_second":124.0,
-// "rays_total":1000,"state":"baking"}; eta_seconds is null while unknown.
+// "rays_saved":91,"rays_total":1000,"state":"baking"}; eta_seconds is null while unknown.
 std::string progress_json(const baker::Progress& progress);
 
 // Prints such a line at the beginning, every second, and when all rays are done; each is flushed.

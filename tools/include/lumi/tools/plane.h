@@ -31,6 +31,9 @@ private:
     }
 };
 
+// Which pixels count: those that are not zero.
+using Mask = Plane<uint8_t>;
+
 // Luma by ITU-R BT.601 weights without rounding, 0 .. 255; not core's 8-bit BT.709 luma: the published SSIM and CW-SSIM
 // figures are computed so, and 8-bit rounding would add noise to both.
 Plane<double> luma_plane(const Picture& picture);

@@ -3,7 +3,7 @@
 // Structural Similarity", IEEE TIP 13(4), 2004.
 #pragma once
 
-#include "lumi/tools/picture.h"
+#include "lumi/tools/plane.h"
 
 namespace lumi::tools
 {
@@ -15,5 +15,8 @@ inline constexpr int kSsimWindow = 11;
 // downsampling. Only windows that lie wholly inside count (the "valid" region); nothing is padded.
 // Precondition: same_size(a, b), both sides at least kSsimWindow.
 double ssim(const Picture& a, const Picture& b);
+
+// The mean over the windows whose middle pixel is not zero in the mask; 1 if there is none.
+double ssim(const Picture& a, const Picture& b, const Mask& mask);
 
 }  // namespace lumi::tools

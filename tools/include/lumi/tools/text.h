@@ -37,6 +37,9 @@ struct PartOf {
 };
 std::optional<PartOf> parse_part(std::string_view text);
 
+// "2MB", "512KiB", "1.5MB", "300000": B, kB, MB, GB are powers of 1000; KiB, MiB, GiB of 1024. KB is kB.
+std::optional<uint64_t> parse_bytes(std::string_view text);
+
 // "4.20 MB": units of 1000, three digits.
 std::string byte_text(uint64_t bytes);
 // "33.6 M": three digits.

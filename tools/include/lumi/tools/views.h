@@ -23,8 +23,15 @@ struct ViewOptions {
     Rgb8 background = {0, 0, 0};
 };
 
+// One camera: as people set it, and as core's chord renderer wants it.
+struct Eye {
+    Pose pose;
+    Image image;
+    Camera camera;
+};
+
 // Draws what one camera sees, width_px × height_px pixels.
-using Drawer = std::function<Picture(const Camera&)>;
+using Drawer = std::function<Picture(const Eye&)>;
 
 // Draws and writes all views; returns the written paths in order. One view goes to `output`; a turntable OUT.png writes
 // OUT-000.png, OUT-001.png, … from orbit.azimuth_deg on, counted eastwards, then OUT-sheet.png with all of them. Throws

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Guided fields on the bench: what the best picture and every step down from it costs.
+#pragma once
+
+#include "measure.h"
+
+namespace lumi::bench
+{
+
+// Whether a mode draws guided fields.
+bool is_guided(const std::string& mode);
+
+// One row per core, view and guided mode of the matrix, for two fields of the bench's scene: "residual4" with mean
+// colours, which every bake has by default, and "colour4" without. Modes ending in -aa see four samples a pixel.
+// Set-up is what finds the surface. Pictures are judged by the twin in double precision. Caches are not modelled: reads
+// of lines and misses stay 0.
+Rows measure_guided(const Settings& settings, const Announce& announce);
+
+}  // namespace lumi::bench

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "fit_options.h"
+
+#include <cstdio>
+
+#include "../planner/plan_report.h"
+#include "choice.h"
+#include "lumi/tools/failure.h"
+#include "lumi/tools/interrupt.h"
+#include "lumi/tools/output_file.h"
+#include "lumi/tools/text.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+using planner::ByHand;
+
+std::optional<planner::Layout> layout_by_hand(const FitContext& context)
+{
+    if (context.command.count("--layout") == 0) return std::nullopt;
+    switch (context.guided.layout) {
+        case Layout::guided:
+            return planner::Layout::guided;
+        case Layout::focus:
+            return planner::Layout::focus;
+        case Layout::chord:
+            return planner::Layout::chord;
+    }
+    return std::nullopt;
+}
+
+std::function<uint32_t(uint32_t)> cap_by_hand(const std::string& cap)
+{
+    if (cap.empty()) return {};
+    return [cap](uint32_t origins) {
+        const auto used = parse_cap(cap, origins);
+        if (!used) throw baker::BakeError("--cap " + cap + " is no part of " + std::to_string(origins) + " origins");
+        return *used;
+    };
+}
+
+ByHand by_hand(const FitContext& context)
+{
+    const baker::GuidedSettings guided = guided_settings(context.guided);
+    ByHand set;
+    const auto take = [&](const char* option, auto& value, const auto& given) {
+        if (context.command.count(option) > 0) value = given;
+    };
+    set.layout = layout_by_hand(context);
+    take("--origins", set.origins, context.common.origins);
+    take("--directions", set.directions, context.common.directions);
+    take("--texel", set.chord_texel, context.common.texel);
+    take("--chart", set.chart_size, guided.chart_size);
+    take("--texels", set.texel, guided.texel);
+    take("--jitter", set.jitter, guided.jitter);
+    take("--proxy-triangles", set.triangles, guided.proxy_triangles);
+    take("--mean-resolution", set.mean_resolution, guided.mean_resolution);
+    take("--mean-format", set.mean_format, guided.mean_format);
+    take("--no-occlusion", set.occlusion, guided.occlusion);
+    take("--focus-radius", set.focus_radius, guided.focus_radius);
+    if (context.command.count("--focus") > 0) set.focus = guided.focus;
+    set.cap = cap_by_hand(context.cap);
+    return set;
+}
+
+uint64_t budget_of(const std::string& text)
+{
+    const auto bytes = parse_bytes(text);
+    if (!bytes || *bytes == 0 || *bytes > UINT32_MAX)
+        throw UsageError("--fit takes a size below 4 GB such as 2MB, 512KiB or 1500000, not \"" + text + "\"");
+    return *bytes;
+}
+
+planner::Task task_of(const FitOptions& options, const FitContext& context)
+{
+    planner::Task task;
+    task.budget_bytes = budget_of(options.budget);
+    task.views = options.views;
+    task.by_hand = by_hand(context);
+    task.samples = context.common.samples;
+    task.max_error_levels = context.common.max_error_levels;
+    task.seed = context.common.seed;
+    task.threads = context.common.threads;
+    if (layouts_of(task.by_hand).empty())
+        throw UsageError("no layout has all of the parameters that were set by hand; leave some to --fit");
+    return task;
+}
+
+planner::PlanSettings settings_of(const FitOptions& options)
+{
+    planner::PlanSettings settings;
+    settings.measure.samples = planner::trial_samples(budget_of(options.budget));
+    settings.measure.views = options.view_count;
+    settings.measure.cache = options.cache;
+    settings.search.max_trials = options.max_trials;
+    if (options.pace.empty()) return settings;
+    settings.measure.pace = planner::parse_pace(options.pace);
+    if (!settings.measure.pace)
+        throw UsageError("--for takes a part and a frame rate such as rp2040@30fps, with " + planner::chip_names() +
+                         ", not \"" + options.pace + "\"");
+    return settings;
+}
+
+void print_line(std::FILE* stream, const std::string& line)
+{
+    std::fprintf(stream, "%s\n", line.c_str());
+    std::fflush(stream);
+}
+
+}  // namespace
+
+void add_fit_options(CLI::App& command, FitOptions& options)
+{
+    command
+        .add_option("--fit", options.budget,
+                    "Choose layout and all parameters that are not set by hand, by measuring, so that the file takes "
+                    "at most this: 2MB, 512KiB, 1500000")
+        ->type_name("SIZE");
+    command.add_option("--for", options.pace, "fit: draw on this part at this rate: " + planner::chip_names())
+        ->type_name("PART@RATEfps");
+    add_choice<quality::ViewSet>(
+        command, "--views", options.views,
+        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}}, "SET",
+        "fit: the views that must be good: all around, upper half, or ring [all]");
+    command.add_option("--count", options.view_count, "fit: number of views to measure from")
+        ->type_name("COUNT")
+        ->check(CLI::Range(1u, 100u))
+        ->capture_default_str();
+    command.add_option("--trials", options.max_trials, "fit: trial bakes at most")
+        ->type_name("COUNT")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command.add_flag("--plan-only", options.plan_only, "fit: end with the plan, without a bake");
+    command.add_option("--plan", options.json, "fit: write all that was measured here as JSON")->type_name("FILE");
+    command.add_option("--cache", options.cache, "fit: folder that keeps references, as of lumi report [none]")
+        ->type_name("DIR");
+}
+
+void check_fit(const FitOptions& options, const FitContext& context)
+{
+    if (!options.wanted()) {
+        for (const char* name : {"--for", "--views", "--count", "--trials", "--plan-only", "--plan", "--cache"})
+            if (context.command.count(name) > 0) throw UsageError(std::string(name) + " belongs to --fit");
+        return;
+    }
+    if (context.command.count("--shard") > 0)
+        throw UsageError("--shard does not go with --fit; shard the plan it finds");
+    task_of(options, context);
+    settings_of(options);
+    if (!options.json.empty()) require_writable(options.json);
+}
+
+planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene)
+{
+    planner::Task task = task_of(options, context);
+    task.radius = scene.radius();
+    const baker::ProgressCallback interrupted = [](const baker::Progress&) {
+        return !interrupt_flag().load(std::memory_order_relaxed);
+    };
+    const auto report = [&](const planner::PlanProgress& at) {
+        context.json_progress ? print_line(stdout, json_of(at)) : print_line(stderr, text_of(at));
+    };
+    try {
+        if (!context.json_progress) print_line(stderr, "tracing references to measure against");
+        planner::Result result = planner::plan_field(scene, task, settings_of(options), interrupted, report);
+        result.best.plan = planner::final_plan(scene, result, interrupted);
+        if (!options.json.empty()) write_output(options.json, json_of(result));
+        if (!context.json_progress) std::fputs(text_of(result).c_str(), stdout);
+        std::fflush(stdout);
+        return result.best.plan;
+    } catch (const planner::NoPlan& none) {
+        throw Failure("--fit " + options.budget, none.what(), "give more flash, or set less by hand");
+    } catch (const baker::Cancelled&) {
+        throw Interrupted();
+    }
+}
+
+}  // namespace lumi::tools

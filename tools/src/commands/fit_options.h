@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The options of `lumi bake` that let a planner choose the rest.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "../planner/planner.h"
+#include "guided_options.h"
+
+namespace lumi::tools
+{
+
+struct FitOptions {
+    std::string budget, pace, json, cache;
+    quality::ViewSet views = quality::ViewSet::all;
+    uint32_t view_count = planner::MeasureSettings().views;
+    size_t max_trials = planner::SearchSettings().max_trials;
+    bool plan_only = false;
+
+    bool wanted() const { return !budget.empty(); }
+};
+
+// Adds --fit and what goes with it; `options` must outlive the parse.
+void add_fit_options(CLI::App& command, FitOptions& options);
+
+// What `lumi bake` was told besides.
+struct FitContext {
+    const CLI::App& command;
+    const GuidedOptions& guided;
+    const baker::BakeSettings& common;  // samples, seed, threads, origins, directions, texel
+    const std::string& cap;
+    bool json_progress;
+};
+
+// Throws UsageError for options that cannot be meant: before the scene is loaded.
+void check_fit(const FitOptions& options, const FitContext& context);
+
+// Plans, and prints what was found; the plan has its final size. Throws Failure where nothing fits, Interrupted.
+planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene);
+
+}  // namespace lumi::tools

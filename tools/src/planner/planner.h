@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// From a scene and a flash budget to the plan of the best field: space.h says what may be chosen, trials.h what it is
+// worth, search.h what to try next.
+#pragma once
+
+#include "trials.h"
+
+namespace lumi::planner
+{
+
+// A plan that was measured, by what distinguishes it.
+struct Alternative {
+    std::string what;  // "origins 96", "layout chord"
+    Measurement measurement;
+};
+
+struct Result {
+    Task task;
+    MeasureSettings settings;
+    Measurement best;
+    std::vector<Measurement> tried;          // in order, the best among them
+    std::vector<Alternative> alternatives;   // one step away from the best, and the best of each other layout
+    bool exhausted = false;                  // the search ended because its trials were spent
+    std::optional<Measurement> half, twice;  // the best measured with half and with twice the flash
+    double seconds = 0;
+};
+
+struct PlanProgress {
+    size_t done = 0, left = 0;  // trials; `left` at least
+    double elapsed_seconds = 0, eta_seconds = -1;
+    const Measurement* last = nullptr;
+    const Measurement* best = nullptr;
+};
+using PlanReport = std::function<void(const PlanProgress&)>;
+
+// No plan fits, or none is fast enough; what() says which would.
+struct NoPlan : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct PlanSettings {
+    MeasureSettings measure;
+    SearchSettings search;
+    bool outlook = true;  // also measure half and twice the flash
+};
+
+// `progress` is asked during bakes and cancels them; `report` is told after every trial. Throws NoPlan, Cancelled.
+Result plan_field(const baker::Scene& scene, const Task& task, const PlanSettings& settings,
+                  const baker::ProgressCallback& progress, const PlanReport& report);
+
+// The plan with the size that uses the budget to the byte, for the final bake.
+Plan final_plan(const baker::Scene& scene, const Result& result, const baker::ProgressCallback& progress);
+
+}  // namespace lumi::planner

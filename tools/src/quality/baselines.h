@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What a field is compared with at its own size: the paper's chord field, and what firmware does without a field.
+#pragma once
+
+#include <optional>
+
+#include "lumi/baker/scene.h"
+#include "measured.h"
+
+namespace lumi::quality
+{
+
+struct BaselineSettings {
+    uint32_t chord_samples = 16;   // light paths a texel
+    uint32_t sprite_samples = 64;  // light paths a pixel
+    unsigned threads = 0;
+};
+
+// M and N of the largest RGB565 chord field with as many origins as directions (what shows most per byte) whose file
+// takes at most `bytes`; 0 where none fits.
+uint32_t chord_side(uint64_t bytes);
+
+// Baked into, or found in, `cache`.
+Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
+                        const std::filesystem::path& cache, const std::vector<HeldOutView>& views,
+                        const std::vector<Truth>& truths, const baker::ProgressCallback& progress = {});
+
+// As many RGB565 sprites as fit into `bytes`, path-traced from all around, the one nearest to the view turned and
+// scaled onto the screen; few sharp ones or many coarse ones, whichever looks better. Nothing where not one fits.
+std::optional<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
+                                         const std::vector<HeldOutView>& views, const std::vector<Truth>& truths);
+
+}  // namespace lumi::quality

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "figures.h"
+
+#include <algorithm>
+
+#include "lumi/tools/cw_ssim.h"
+#include "lumi/tools/flip.h"
+#include "lumi/tools/psnr.h"
+#include "lumi/tools/ssim.h"
+
+namespace lumi::quality
+{
+
+namespace
+{
+
+bool is_empty(const tools::Mask& mask)
+{
+    return std::all_of(mask.values.begin(), mask.values.end(), [](uint8_t value) { return value == 0; });
+}
+
+}  // namespace
+
+Figures quick_figures_of(const tools::Picture& picture, const Truth& truth)
+{
+    Figures figures;
+    figures.psnr_db = std::min(kIdenticalDb, tools::psnr_db(picture, truth.picture));
+    figures.ssim = tools::ssim(picture, truth.picture);
+    return figures;
+}
+
+Figures figures_of(const tools::Picture& picture, const Truth& truth)
+{
+    Figures figures = quick_figures_of(picture, truth);
+    figures.cw_ssim = tools::cw_ssim(picture, truth.picture);
+    figures.flip = tools::flip(truth.picture, picture);
+    const bool whole = is_empty(truth.mask);
+    figures.mask_psnr_db =
+        whole ? figures.psnr_db : std::min(kIdenticalDb, tools::psnr_db(picture, truth.picture, truth.mask));
+    figures.mask_ssim = whole ? figures.ssim : tools::ssim(picture, truth.picture, truth.mask);
+    return figures;
+}
+
+Figures mean_of(const std::vector<Figures>& all)
+{
+    Figures mean;
+    constexpr double Figures::*kMembers[] = {&Figures::psnr_db, &Figures::ssim,         &Figures::cw_ssim,
+                                             &Figures::flip,    &Figures::mask_psnr_db, &Figures::mask_ssim};
+    for (const auto member : kMembers) {
+        for (const Figures& figures : all) mean.*member += figures.*member;
+        mean.*member /= static_cast<double>(all.size());
+    }
+    return mean;
+}
+
+}  // namespace lumi::quality

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "held_out.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "lumi/reference/geometry.h"
+#include "lumi/tools/failure.h"
+
+namespace lumi::quality
+{
+
+namespace
+{
+
+constexpr double kNearest = 2.5, kFarthest = 4;
+constexpr double kTurnDeg = 77, kDegrees = 360;
+
+double fraction(double v)
+{
+    return v - std::floor(v);
+}
+
+double degrees(double radians)
+{
+    return radians * kDegrees / (2 * reference::kPi);
+}
+
+double elevation_deg(ViewSet set, int k, int count)
+{
+    constexpr double kRingLow = 15, kRingHeight = 10;
+    const double share = (k + 0.5) / count;
+    if (set == ViewSet::ring) return kRingLow + kRingHeight * fraction(5 * share);
+    return degrees(std::asin(set == ViewSet::upper ? 1 - share : 1 - 2 * share));
+}
+
+HeldOutView view_at(double azimuth, double elevation, double distance, int side_px)
+{
+    HeldOutView v = {azimuth, elevation, distance, {}, {}};
+    v.eye.pose = host::make_pose({azimuth, elevation, distance});
+    v.eye.image = host::make_image(side_px, side_px, host::framing_fov_deg(side_px, side_px, distance));
+    v.view = {"held-out", host::turns32_from_degrees(azimuth), host::signed_turns32_from_degrees(elevation),
+              host::q20_from_radii(distance), v.eye.image.fov_turns32};
+    if (const CameraError error = make_camera(v.eye.pose, v.eye.image, v.eye.camera); error != CameraError::none)
+        throw tools::UsageError(std::string("a view cannot be drawn: ") + describe(error) + "; change --size");
+    return v;
+}
+
+}  // namespace
+
+const char* name_of(ViewSet set)
+{
+    switch (set) {
+        case ViewSet::all:
+            return "all";
+        case ViewSet::upper:
+            return "upper";
+        case ViewSet::ring:
+            return "ring";
+    }
+    return "unknown";
+}
+
+std::vector<HeldOutView> held_out_views(ViewSet set, int count, int side_px)
+{
+    std::vector<HeldOutView> views;
+    for (int k = 0; k < count; ++k) {
+        const double azimuth =
+            set == ViewSet::ring ? kDegrees * k / count : kDegrees * fraction(k / reference::kGolden);
+        const double distance = kNearest + (kFarthest - kNearest) * fraction((k + 0.5) * 5 / 12);
+        views.push_back(view_at(azimuth + kTurnDeg, elevation_deg(set, k, count), distance, side_px));
+    }
+    return views;
+}
+
+std::string text_of(const HeldOutView& view)
+{
+    char text[80];
+    std::snprintf(text, sizeof text, "azimuth %.0f, elevation %.0f, distance %.2f",
+                  fraction(view.azimuth_deg / kDegrees) * kDegrees, view.elevation_deg, view.distance);
+    return text;
+}
+
+}  // namespace lumi::quality

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Text as HTML shows it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lumi/tools/picture.h"
+
+namespace lumi::quality
+{
+
+// With &, <, > and quotes escaped.
+std::string escaped(std::string_view text);
+
+// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
+// An <img> that holds the picture itself.
+std::string image_tag(const tools::Picture& picture, std::string_view alternative_text);
+
+}  // namespace lumi::quality

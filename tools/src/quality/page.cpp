@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "page.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "html.h"
+#include "lumi/tools/error_picture.h"
+#include "lumi/tools/text.h"
+#include "page_style.h"
+#include "svg.h"
+
+namespace lumi::quality
+{
+
+namespace
+{
+
+std::string number(double value, int places)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", places, value);
+    return text;
+}
+
+std::string cell(const std::string& text)
+{
+    return "<td>" + text + "</td>";
+}
+
+std::string file_name(const std::string& path)
+{
+    return std::filesystem::path(path).filename().string();
+}
+
+std::string flash_text(const Measured& m)
+{
+    return m.flash_bytes != 0 ? tools::byte_text(m.flash_bytes) : "";
+}
+
+std::string mean_row(const Measured& m)
+{
+    const Figures& f = m.mean;
+    return "<tr>" + cell(escaped(file_name(m.name))) + cell(m.layout) + cell(flash_text(m)) +
+           cell(number(f.psnr_db, 2)) + cell(number(f.ssim, 4)) + cell(number(f.cw_ssim, 4)) + cell(number(f.flip, 4)) +
+           cell(number(f.mask_psnr_db, 2)) + cell(number(f.mask_ssim, 4)) + "</tr>\n";
+}
+
+std::string mean_table(const ReportData& report)
+{
+    std::string html =
+        "<div class=\"wide\"><table><tr><th>what<th>layout<th>flash<th>PSNR dB<th>SSIM<th>CW-SSIM<th>FLIP"
+        "<th>mask PSNR<th>mask SSIM</tr>\n";
+    for (const Measured& m : report.fields) html += mean_row(m);
+    for (const Measured& m : report.baselines) html += mean_row(m);
+    if (report.one_ray) html += mean_row(*report.one_ray);
+    return html + "</table></div>\n";
+}
+
+// Quality against flash, a line a layout.
+bench::Plot plot_of(const ReportData& report)
+{
+    std::map<std::string, std::vector<const Measured*>> layouts;
+    for (const auto* list : {&report.fields, &report.baselines})
+        for (const Measured& m : *list) layouts[m.layout].push_back(&m);
+    bench::Plot plot = {"Quality against flash", "flash, kB", "mean PSNR, dB", {}};
+    for (auto& [layout, all] : layouts) {
+        std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->flash_bytes < b->flash_bytes; });
+        bench::PlotSeries series = {layout, {}};
+        for (const Measured* m : all)
+            series.points.push_back(
+                {static_cast<double>(m->flash_bytes) / 1000, m->mean.psnr_db, number(m->mean.psnr_db, 1)});
+        plot.series.push_back(series);
+    }
+    if (report.one_ray && !report.fields.empty()) {
+        bench::PlotSeries ceiling = {"one exact ray a pixel", {}};
+        const auto [low, high] =
+            std::minmax_element(report.fields.begin(), report.fields.end(),
+                                [](const Measured& a, const Measured& b) { return a.flash_bytes < b.flash_bytes; });
+        for (const uint64_t bytes : {low->flash_bytes, high->flash_bytes})
+            ceiling.points.push_back({static_cast<double>(bytes) / 1000, report.one_ray->mean.psnr_db, ""});
+        plot.series.push_back(ceiling);
+    }
+    return plot;
+}
+
+// Where a field's bytes go.
+std::string section_bar(const Measured& field)
+{
+    constexpr std::array<const char*, 7> kColours = {"#4477aa", "#ee6677", "#228833", "#ccbb44",
+                                                     "#66ccee", "#aa3377", "#777777"};
+    std::string bar, key;
+    for (size_t i = 0; i < field.sections.size(); ++i) {
+        const tools::Section& section = field.sections[i];
+        const std::string colour = kColours[i % kColours.size()];
+        bar += "<span style=\"flex:" + std::to_string(section.bytes) + ";background:" + colour + "\"></span>";
+        key += "<span><i style=\"background:" + colour + "\"></i>" + escaped(section.type) + " " +
+               tools::byte_text(section.bytes) + "</span>";
+    }
+    return "<h3>" + escaped(file_name(field.name)) + ", " + flash_text(field) + "</h3><div class=\"bar\">" + bar +
+           "</div><div class=\"key\">" + key + "</div>\n";
+}
+
+std::string cost_table(const ReportData& report)
+{
+    if (report.costs.empty()) return "";
+    std::string html =
+        "<h2>Cost of drawing</h2>\n<p>Instructions per covered pixel, as <code>lumi bench</code> counted them.</p>\n"
+        "<div class=\"wide\"><table><tr><th>mode<th>texel<th>span<th>core<th>instructions</tr>\n";
+    for (const ModeCost& cost : report.costs)
+        html += "<tr>" + cell(escaped(cost.mode)) + cell(escaped(cost.texel)) +
+                cell(cost.span == 0 ? "exact" : std::to_string(cost.span)) + cell(escaped(cost.core)) +
+                cell(number(cost.instructions_per_pixel, 0)) + "</tr>\n";
+    return html + "</table></div>\n";
+}
+
+std::string figure(const tools::Picture& picture, const std::string& caption)
+{
+    return "<figure>" + image_tag(picture, caption) + "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
+std::string figures_text(const Figures& f)
+{
+    return number(f.psnr_db, 2) + " dB, SSIM " + number(f.ssim, 4) + ", FLIP " + number(f.flip, 4) + "; mask " +
+           number(f.mask_psnr_db, 2) + " dB, " + number(f.mask_ssim, 4);
+}
+
+std::string view_part(const ReportData& report, size_t v)
+{
+    const Truth& truth = report.truths[v];
+    std::string html = "<h3>View " + std::to_string(v + 1) + ": " + escaped(text_of(report.views[v])) +
+                       "</h3>\n<div class=\"views\">\n" + figure(truth.picture, "reference");
+    for (const Measured& field : report.fields) {
+        html += figure(field.pictures[v], file_name(field.name) + ": " + figures_text(field.figures[v]));
+        html += figure(tools::error_picture(field.pictures[v], truth.picture), "its error, 4 times as bright");
+    }
+    return html + "</div>\n";
+}
+
+std::string introduction(const ReportData& report)
+{
+    return "<p>" + std::to_string(report.views.size()) + " views that no bake aimed at (" + name_of(report.set) +
+           "), 2.5 to 4 radii away, the sphere filling the frame, on black; references with " +
+           std::to_string(report.truth_samples) +
+           " light paths a pixel. Means over the views. Fields are drawn as a microcontroller draws them. FLIP is an "
+           "error, 0 is best; the mask is where the reference is covered. Chord fields and sprites are baselines of "
+           "the "
+           "same flash. One exact ray a pixel is what could be shown without antialiasing.</p>\n";
+}
+
+}  // namespace
+
+std::string page_of(const ReportData& report)
+{
+    const std::string title = "Quality of " + escaped(file_name(report.scene));
+    std::string html =
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\">\n<title>" +
+        title + "</title>\n<style>" + kPageStyle + "</style></head><body>\n<h1>" + title + "</h1>\n" +
+        introduction(report) + mean_table(report) + "<h2>Quality against flash</h2>\n<div class=\"wide plot\">" +
+        bench::svg_of(plot_of(report)) + "</div>\n<h2>Where the bytes go</h2>\n";
+    for (const Measured& field : report.fields) html += section_bar(field);
+    html += cost_table(report) + "<h2>Views</h2>\n";
+    for (size_t v = 0; v < report.views.size(); ++v) html += view_part(report, v);
+    return html + "</body></html>\n";
+}
+
+}  // namespace lumi::quality

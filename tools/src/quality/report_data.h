@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Everything that a report shows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measured.h"
+#include "mode_costs.h"
+
+namespace lumi::quality
+{
+
+struct ReportData {
+    std::string scene;
+    ViewSet set = ViewSet::all;
+    uint32_t truth_samples = 0;
+    std::vector<HeldOutView> views;
+    std::vector<Truth> truths;
+    std::vector<Measured> fields;     // as given
+    std::vector<Measured> baselines;  // chord fields and sprites of the fields' sizes
+    std::optional<Measured> one_ray;
+    std::vector<ModeCost> costs;
+};
+
+std::string text_of(const ReportData& report);
+std::string json_of(const ReportData& report);
+
+}  // namespace lumi::quality
