@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "bake_scenes.h"
+#include "radiance_picture.h"
+#include "scene_fingerprint.h"
 
 namespace lumi::baker
 {
@@ -163,11 +165,47 @@ TEST_CASE("checkpoint: that of other settings or another scene is refused by nam
     CHECK_THAT(changed(&BakeSettings::origins, 10u), Catch::Contains("other origins: 10 there, 9 here"));
     CHECK_THAT(changed(&BakeSettings::directions, 12u), Catch::Contains("other directions"));
     CHECK_THAT(changed(&BakeSettings::used_origins, 3u), Catch::Contains("other cap: 3 there, 9 here"));
+    CHECK_THAT(changed(&BakeSettings::footprint, Footprint::both),
+               Catch::Contains("other footprint: both there, origin here"));
+    CHECK_THAT(changed(&BakeSettings::max_error_levels, 0.5f),
+               Catch::Contains("other greatest error: 0.5 there, 1 here"));
     CHECK_THAT(changed(&BakeSettings::seed, uint64_t{9}), Catch::Contains("other seed"));
     CHECK_THAT(changed(&BakeSettings::texel, TexelFormat::luma8),
                Catch::Contains("other texels: luma8 there, rgb888 here"));
     CHECK_THAT(refusal(tiny_scene(0.71f), settings), Catch::Contains("another scene") && Catch::Contains("--restart"));
     CHECK_THAT(refusal(tiny_scene(0.7f, 1.01f), settings), Catch::Contains("another scene"));
+}
+
+TEST_CASE("checkpoint: lights and skies enter the identity by every number, however small the change")
+{
+    const auto fingerprint = [](const Fixture& fixture, const Environment& sky) {
+        testing::SceneMaker maker;
+        maker.span_unit_sphere();
+        maker.add(fixture);
+        return scene_fingerprint(maker.make(sky).data());
+    };
+    const Environment sky = studio_environment();
+    const SpotLight spot = {{0, 0, 2}, {0, 0, -1}, 0.9f, 0.8f, {3, 2, 1}};
+    std::vector<Digest::Value> seen = {fingerprint(spot, sky)};
+    CHECK(fingerprint(spot, sky) == seen[0]);
+    SpotLight narrower = spot, bluer = spot;
+    narrower.cos_inner = std::nextafter(narrower.cos_inner, 1.0f);
+    bluer.intensity.b = std::nextafter(bluer.intensity.b, 2.0f);
+    seen.push_back(fingerprint(narrower, sky));
+    seen.push_back(fingerprint(bluer, sky));
+    seen.push_back(fingerprint(PointLight{{0, 0, 2}, {3, 2, 1}}, sky));
+    auto picture = std::make_shared<RadiancePicture>(RadiancePicture{2, 1, {grey(1), grey(0.5f)}});
+    Environment pictured = sky;
+    pictured.picture = picture;
+    seen.push_back(fingerprint(spot, pictured));
+    pictured.rotation_degrees = 1e-3f;
+    seen.push_back(fingerprint(spot, pictured));
+    auto brighter = std::make_shared<RadiancePicture>(*picture);
+    brighter->pixels[1].g = std::nextafter(0.5f, 1.0f);
+    pictured.picture = brighter;
+    seen.push_back(fingerprint(spot, pictured));
+    std::sort(seen.begin(), seen.end());
+    CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
 }
 
 TEST_CASE("checkpoint: a cap of all origins, and other threads, are the same bake")

@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "bake_scenes.h"
+#include "texel_tracer.h"
+
 #include "sampler.h"
 #include "statistics.h"
 
@@ -104,6 +107,33 @@ TEST_CASE("field rays: origins and directions are the points of core's lattice, 
     REQUIRE(ray);
     CHECK(static_cast<double>(length(ray->origin + ray->direction * ray->end - target)) < 1e-6);
     CHECK_FALSE(FieldRays::ray(start, start));
+}
+
+TEST_CASE("field rays: a footprint of a point is one ray, of the origin a disc at one end, of both a disc at each")
+{
+    // A texel is partly covered where its rays differ.
+    const Scene scene = testing::tiny_scene();
+    const auto coverages = [&](Footprint footprint) {
+        BakeSettings settings;
+        settings.origins = settings.directions = 32;
+        settings.samples = 64;
+        settings.max_error_levels = 0;
+        settings.footprint = footprint;
+        const TexelTracer tracer(scene.data(), settings);
+        size_t mixed = 0;
+        for (uint32_t i = 0; i < 32; ++i) {
+            for (uint32_t j = 0; j < 32; ++j) {
+                const uint8_t a = tracer.estimate(tracer.disc(i), i, j).covered_colour().a;
+                mixed += a > 0 && a < 255 ? 1u : 0u;
+            }
+        }
+        return mixed;
+    };
+    const size_t point = coverages(Footprint::point), origin = coverages(Footprint::origin),
+                 both = coverages(Footprint::both);
+    CHECK(point == 0);
+    CHECK(origin > 100);
+    CHECK(both > origin + origin / 10);
 }
 
 }  // namespace lumi::baker

@@ -167,6 +167,11 @@ TEST_CASE("maps: what MTL calls glass is glass, and thin paint is not")
         INFO(mtl);
         CHECK_FALSE(material(mtl).glass);
     }
+    // As Blender writes transmission; without Pr, many exporters write Tf 1 1 1 for what is opaque.
+    CHECK(material("Ni 1.45\nillum 2\nPr 0\nTf 1 1 1\n").glass);
+    CHECK(material("Ni 1.45\nillum 2\nPr 0.4\nTf 1 1 1\n").frost);
+    CHECK_FALSE(material("Ni 1.45\nillum 2\nTf 1 1 1\n").glass);
+    CHECK_FALSE(material("Ni 1.45\nillum 2\nPr 0\nTf 0.1 0.1 0.1\n").glass);
     const Material frosted = material("illum 7\nNi 1.33\nPr 0.5\nTf 0.5 1 1\n");
     REQUIRE(frosted.frost);
     CHECK(static_cast<double>(frosted.frost->alpha()) == Approx(0.25));
@@ -174,6 +179,16 @@ TEST_CASE("maps: what MTL calls glass is glass, and thin paint is not")
     CHECK(coated.coat == 0.5f);
     CHECK(static_cast<double>(coated.coat_alpha) == Approx(0.09));
     CHECK_FALSE(material("Pr 0.2\n").coat_skin);
+}
+
+TEST_CASE("maps: Pr 0 is smooth, also without Ns")
+{
+    const testing::ScratchFolder folder;
+    folder.write("m.mtl", "newmtl x\nKd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nPr 0.000000\nPm 0\n");
+    std::vector<std::string> warnings;
+    const Scene scene = load_scene(folder.write("s.obj", kSquare), {}, warnings);
+    CHECK(scene.data().materials[0].alpha == kMinAlpha);
+    CHECK(scene.data().materials[0].specular);
 }
 
 TEST_CASE("tone: the named curves have their values")

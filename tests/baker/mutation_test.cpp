@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Damages scene, material and picture files at random, with fixed seeds: each loads or is refused with a message that
 // names a file and a mend. Run it under the sanitizers.
+#include <ImfRgbaFile.h>
+
 #include <catch2/catch.hpp>
 
+#include "image_file.h"
 #include "path_tracer.h"
+#include "radiance_picture.h"
 #include "sampler.h"
 #include "scene_file.h"
 #include "scratch_folder.h"
@@ -101,7 +105,78 @@ void trace_some(const Scene& scene)
     }
 }
 
+std::string exr_bytes(Imf::Compression compression)
+{
+    constexpr int kWidth = 24, kHeight = 40;  // more than one block of lines, of every compression
+    const testing::ScratchFolder folder;
+    std::vector<Imf::Rgba> pixels;
+    for (int k = 0; k < kWidth * kHeight; ++k) {
+        pixels.emplace_back(0.01f * static_cast<float>(k), 1.0f / static_cast<float>(k + 1), 0.5f, 1.0f);
+    }
+    {
+        Imf::RgbaOutputFile out(folder.at("e.exr").c_str(), kWidth, kHeight, Imf::WRITE_RGB, 1, {0, 0}, 1,
+                                Imf::INCREASING_Y, compression);
+        out.setFrameBuffer(pixels.data(), 1, kWidth);
+        out.writePixels(kHeight);
+    }
+    return testing::read_bytes(folder.at("e.exr"));
+}
+
 }  // namespace
+
+TEST_CASE("mutation: damaged skies are read or refused with a message, whatever their compression")
+{
+    constexpr uint32_t kRounds = 60;
+    const testing::ScratchFolder folder;
+    std::vector<std::string> sound = {testing::read_bytes(LUMI_SCENES "/gallery_sky.hdr")};
+    for (const Imf::Compression compression :
+         {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION,
+          Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION}) {
+        sound.push_back(exr_bytes(compression));
+    }
+    size_t read = 0, refused = 0;
+    for (size_t kind = 0; kind < sound.size(); ++kind) {
+        for (uint32_t round = 0; round < kRounds; ++round) {
+            Mutator mutator(static_cast<uint32_t>(1000 * kind) + round);
+            INFO("kind " << kind << ", round " << round);
+            try {
+                std::vector<std::string> warnings;
+                const RadiancePicture picture =
+                    read_radiance_picture(folder.write("e.exr", mutator.damaged(sound[kind])), warnings);
+                REQUIRE(picture.pixels.size() ==
+                        static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
+                for (const Rgb& c : picture.pixels) {
+                    REQUIRE((std::isfinite(c.r + c.g + c.b) && std::min({c.r, c.g, c.b}) >= 0));
+                }
+                ++read;
+            } catch (const SceneError& e) {
+                CHECK_THAT(e.what(), Catch::Contains("e.exr") && Catch::Contains("; "));
+                ++refused;
+            }
+        }
+    }
+    CHECK(read > kRounds / 2);
+    CHECK(refused > kRounds / 2);
+}
+
+TEST_CASE("mutation: damaged PNG textures are read or refused with a reason")
+{
+    const testing::ScratchFolder folder;
+    const std::string sound = testing::read_bytes(LUMI_SCENES "/gallery_holes.png");
+    size_t read = 0, refused = 0;
+    for (uint32_t round = 0; round < 300; ++round) {
+        Mutator mutator(round);
+        std::string why;
+        if (read_texture(folder.write("t.png", mutator.damaged(sound)), PictureUse::alpha, why)) {
+            ++read;
+        } else {
+            CHECK_FALSE(why.empty());
+            ++refused;
+        }
+    }
+    CHECK(read > 20);
+    CHECK(refused > 100);
+}
 
 TEST_CASE("mutation: damaged scene, material and picture files load or are refused with a message")
 {

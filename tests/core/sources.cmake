@@ -4,10 +4,16 @@ set(LUMI_CORE_TEST_SOURCES
   camera_test.cpp
   color_test.cpp
   field_test.cpp
+  guided_field_test.cpp
+  guided_render_test.cpp
+  guided_shade_test.cpp
   lattice_test.cpp
   math_test.cpp
   polar_test.cpp
+  proxy_test.cpp
+  quality_test.cpp
   render_test.cpp
+  span_range_test.cpp
   span_test.cpp
   sphere_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

@@ -130,6 +130,25 @@ TEST_CASE("spans draw the exact linear picture at every extreme", "[span]")
     }
 }
 
+TEST_CASE("cells that cross the equator keep the diagonals of the exact renderer", "[span]")
+{
+    // 400 and 1024 points are acute at their equator, 300 and 700 obtuse (docs/architecture.md, "Triangles").
+    const Vec3 eye = {2.3, 1.4, 0.1};
+    const View view = {"equator", look_at(eye, {0, 0, 0}, 10), {kSide, kSide, degrees(40)}};
+#ifdef LUMI_TEST_LIGHT
+    const std::vector<uint32_t> sizes = {300, 400};  // larger ones would not fit into a board's memory
+#else
+    const std::vector<uint32_t> sizes = {300, 400, 700, 1024};
+#endif
+    for (const uint32_t n : sizes) {
+        const Bytes bytes = smooth_field(n, n, n, TexelFormat::luma8);
+        const Field field = opened(bytes);
+        const auto exact = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 0);
+        INFO(n);
+        CHECK(difference(exact, draw<Linear, TexelLuma8>(field, view, OverBlack{}, 2)).psnr_db() > 52);
+    }
+}
+
 TEST_CASE("shorter spans come closer to the exact picture", "[span]")
 {
     const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
@@ -180,9 +199,9 @@ TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "
         "%u\n",
         static_cast<unsigned>(kRandomViews), 100 - linear.error, static_cast<unsigned>(linear.where), 100 - paper.error,
         static_cast<unsigned>(paper.where), 100 - voronoi.error, static_cast<unsigned>(voronoi.where));
-    CHECK(100 - linear.error > 40);
-    CHECK(100 - paper.error > 38);
-    CHECK(100 - voronoi.error > 30);
+    CHECK(100 - linear.error > 45);
+    CHECK(100 - paper.error > 42);
+    CHECK(100 - voronoi.error > 32);
 }
 
 TEST_CASE("every texel format is drawn on spans like the exact renderer draws it", "[span]")

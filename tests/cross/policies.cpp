@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every combination of reconstruction × texel × pixel × background that core offers, and all of core's functions that
 // firmware calls, for tests that read symbols and stack sizes. Never run.
+#include "lumi/focus_surface.h"
+#include "lumi/guided_render.h"
 #include "lumi/render.h"
 #include "lumi/span.h"
 
@@ -65,10 +67,72 @@ struct EveryReconstruction {
     EveryTexel<Paper<5>> paper5;
     EveryTexel<Paper<kMaxNeighbours>> paper9;
     EveryTexel<BySpans<Nearest>> nearest_spans;
+    EveryTexel<BySpans<NearestVoronoi>> voronoi_spans;
+    EveryTexel<BySpans<Dither>> dither_spans;
     EveryTexel<BySpans<Linear>> linear_spans;
+    EveryTexel<BySpans<Paper<kMaxNeighbours>>> paper9_spans;
 };
 
 extern const EveryReconstruction kEveryPolicy;
 const EveryReconstruction kEveryPolicy = {};
+
+// Guided fields: the shading policies over any surface. kSamples 4 takes in what mixes surfaces; that surface costs no
+// stack itself.
+using RenderGuided = GuidedError (*)(const GuidedField&, const Camera&, const void* background, const Stripe&);
+
+struct FourSamples {
+    static constexpr uint32_t kSamples = 4;
+    int32_t y = 0;
+
+    void begin_stripe(const Stripe&) {}
+    RowSpan columns() const { return {0, kMaxImageSide}; }
+    void begin_row(int32_t row) { y = row; }
+    uint32_t at(int32_t x, SurfacePoint (&out)[kSamples]) const
+    {
+        out[0] = out[1] = {x, y, x, 2};
+        return static_cast<uint32_t>(x ^ y) & 3u;
+    }
+};
+
+template <class Policy, class Pixel, class Background>
+GuidedError draw_guided_focus(const GuidedField& field, const Camera& camera, const void* background,
+                              const Stripe& stripe)
+{
+    FocusSurface surface(field, camera);
+    return render_guided<Policy, Pixel>(field, camera, surface, *static_cast<const Background*>(background), stripe);
+}
+
+template <class Policy, class Pixel, class Background>
+GuidedError draw_guided_samples(const GuidedField& field, const Camera& camera, const void* background,
+                                const Stripe& stripe)
+{
+    FourSamples surface{};
+    return render_guided<Policy, Pixel>(field, camera, surface, *static_cast<const Background*>(background), stripe);
+}
+
+template <class Policy>
+struct GuidedOverEach {
+    RenderGuided focus = draw_guided_focus<Policy, PixelRgb565Swapped, OverColour>;
+    RenderGuided samples = draw_guided_samples<Policy, PixelRgb888, OverStripe>;
+};
+
+template <class Texel, class Mean>
+struct EveryStep {
+    GuidedOverEach<GuidedPolicy<ThreeOrigins, LinearTaps, Texel, Mean, OcclusionUse::read>> best;
+    GuidedOverEach<GuidedPolicy<ThreeOrigins, NearestTap, Texel, Mean, OcclusionUse::read>> nearest;
+    GuidedOverEach<GuidedPolicy<OneOrigin, NearestTap, Texel, Mean, OcclusionUse::ignored>> one_origin;
+};
+
+struct EveryGuided {
+    EveryStep<GuidedIndex4, MeanRgb565> index4_rgb565;
+    EveryStep<GuidedIndex4, MeanPalette8> index4_palette8;
+    EveryStep<GuidedIndex8, MeanRgb565> index8_rgb565;
+    EveryStep<GuidedIndex4, NoMean> index4;
+    EveryStep<GuidedIndex8, NoMean> index8;
+    GuidedOverEach<GuidedPolicy<ThreeOrigins, LinearTaps, NoChart, MeanRgb565, OcclusionUse::ignored>> mean;
+};
+
+extern const EveryGuided kEveryGuidedPolicy;
+const EveryGuided kEveryGuidedPolicy = {};
 
 }  // namespace lumi::policies

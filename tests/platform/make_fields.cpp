@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// lumi_make_test_fields FOLDER: writes one small field per texel format, FOLDER/{rgb888,rgb565,palette8,luma8}.lumi.
+// lumi_make_test_fields FOLDER: writes one small field per texel format, FOLDER/{rgb888,rgb565,palette8,luma8}.lumi,
+// and FOLDER/guided.lumi.
 #include <cstdio>
 #include <exception>
 
 #include "field_writer.h"
+#include "guided_bytes.h"
 #include "lumi/texel.h"
 #include "synthetic_ray.h"
 
@@ -72,6 +74,18 @@ void write(TexelFormat texel, const std::vector<Rgba8>& seen, const std::filesys
     out.commit();
 }
 
+void write_guided(const std::filesystem::path& path)
+{
+    test::TestGuided guided;
+    guided.origins = kOrigins;
+    guided.used_origins = kUsedOrigins;
+    guided.chart_size = 24;
+    const test::Bytes bytes = test::sample_guided(guided);
+    baker::NewFile out(path);
+    out.append(bytes);
+    out.commit();
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -88,6 +102,7 @@ int main(int argc, char** argv)
         write(TexelFormat::rgb565, seen, folder / "rgb565.lumi");
         write(TexelFormat::palette8, seen, folder / "palette8.lumi");
         write(TexelFormat::luma8, seen, folder / "luma8.lumi");
+        write_guided(folder / "guided.lumi");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());
         return 1;

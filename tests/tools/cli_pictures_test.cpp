@@ -68,9 +68,9 @@ TEST_CASE("a baked field of every texel format renders in every mode")
     for (const std::string texel : {"rgb888", "rgb565", "palette8", "luma8"}) {
         bake(folder / "f.lumi", {"--origins", "48", "--directions", "64", "--spp", "1", "--texel", texel});
         CHECK(json::parse(lumi({"inspect", folder / "f.lumi", "--json", "--verify"}).out)["texel_format"] == texel);
-        for (const std::string mode : {"nearest", "linear", "paper"}) {
+        for (const std::string mode : {"nearest", "voronoi", "dither", "linear", "paper"}) {
             INFO(texel << " " << mode);
-            draw({"render", folder / "f.lumi", "-o", folder / "o.png", "--mode", mode, "--size", "40x30",
+            draw({"render", folder / "f.lumi", "-o", folder / "o.png", "--mode", mode, "--size", "40x30", "--span", "4",
                   "--background", "00ff00"});
             const Picture picture = read_png(folder / "o.png");
             REQUIRE(picture.width_px == 40);
@@ -155,6 +155,33 @@ TEST_CASE("compare prints the promised JSON keys")
     CHECK(same["psnr_db"].is_null());
     CHECK(same["identical"] == true);
     CHECK_THAT(lumi({"compare", folder / "a.png", folder / "a.png"}).out, Catch::Contains("inf dB"));
+}
+
+TEST_CASE("compare looks inside a mask, and refuses one that fits nothing")
+{
+    const test::TemporaryFolder folder;
+    const Picture a(20, 20, {100, 100, 100});
+    Picture b = a, mask(20, 20);
+    for (int x = 0; x < 20; ++x) {
+        b.pixel(x, 2)[0] = 110;
+        mask.pixel(x, 2)[1] = mask.pixel(x, 3)[1] = 200;
+    }
+    write_png(folder / "a.png", a);
+    write_png(folder / "b.png", b);
+    write_png(folder / "mask.png", mask);
+    write_png(folder / "black.png", Picture(20, 20));
+    write_png(folder / "small.png", Picture(19, 20, {255, 255, 255}));
+    const auto masked = [&](const std::string& name) {
+        return lumi({"compare", folder / "a.png", folder / "b.png", "--json", "--mask", folder / name});
+    };
+    const json likeness = json::parse(masked("mask.png").out);
+    // An error of 10 in one of six values inside, in one of sixty everywhere.
+    CHECK(likeness["mask_psnr_db"].get<double>() == Approx(28.1308 + 10 * std::log10(6.0)).margin(1e-3));
+    CHECK(likeness["psnr_db"].get<double>() == Approx(28.1308 + 10 * std::log10(60.0)).margin(1e-3));
+    CHECK(likeness["mask_ssim"] == 1);  // both rows lie nearer to the border than half a window
+    CHECK(likeness["flip"].get<double>() > 0);
+    CHECK(masked("black.png").code == 1);
+    CHECK(masked("small.png").code == 1);
 }
 
 }  // namespace lumi::tools

@@ -131,7 +131,25 @@ TEST_CASE("json progress writes nothing but JSON to stdout, and ends with what w
     CHECK(lines.back().at("state") == "done");
     CHECK(lines.back().at("output") == folder / "f.lumi");
     CHECK(lines.back().at("bytes") == std::filesystem::file_size(folder / "f.lumi"));
+    CHECK(lines.back().at("rays_saved") == 0);
     CHECK(outcome.err.empty());
+}
+
+TEST_CASE("a bake says how many rays adaptive sampling saved; --adaptive 0 saves none")
+{
+    const test::TemporaryFolder folder;
+    Arguments more = bake(folder / "f.lumi", {"--progress", "json"});
+    more[9] = "64";
+    const auto lines = json_lines(lumi(more).out);
+    CHECK(lines[lines.size() - 2].at("rays_done") == 60 * 80 * 64);
+    CHECK(lines.back().at("rays_total") == 60 * 80 * 64);
+    CHECK(lines.back().at("rays_saved") > 60 * 80 * 64 / 10);
+    more.insert(more.end(), {"--adaptive", "0"});
+    CHECK(json_lines(lumi(more).out).back().at("rays_saved") == 0);
+    const Arguments for_people = {"bake", kScene,         "-o", folder / "g.lumi", "--origins",
+                                  "60",   "--directions", "80", "--spp",           "64"};
+    CHECK_THAT(lumi(for_people).out, Catch::Contains(" k of them saved)"));
+    CHECK(lumi(bake(folder / "f.lumi", {"--adaptive", "-1"})).code == 2);
 }
 
 }  // namespace lumi::tools

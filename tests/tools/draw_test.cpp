@@ -5,6 +5,7 @@
 
 #include "lumi/host/camera.h"
 #include "lumi/render.h"
+#include "lumi/tools/psnr.h"
 #include "temporary_folder.h"
 #include "test_field.h"
 
@@ -60,7 +61,7 @@ TEST_CASE("every mode, neighbour count, texel and display format draws the spher
     for (const format::TexelFormat texel : kTexelFormats) {
         const std::string bytes = test::field_bytes({40, 60, 40, texel});
         const Field field = opened(bytes);
-        for (const Mode mode : {Mode::nearest, Mode::linear, Mode::paper})
+        for (const Mode mode : {Mode::nearest, Mode::voronoi, Mode::dither, Mode::linear, Mode::paper})
             for (uint32_t neighbours = 1; neighbours <= (mode == Mode::paper ? 9u : 1u); ++neighbours)
                 for (const DisplayFormat display :
                      {DisplayFormat::rgb888, DisplayFormat::rgb565, DisplayFormat::grey8}) {
@@ -88,6 +89,25 @@ TEST_CASE("drawing in stripes gives the picture that core draws at once")
            drawn_at_once<Linear, TexelRgb888>(field, camera).rgb));
     CHECK((draw(field, camera, {Mode::paper, 4, DisplayFormat::rgb888, kBackground}).rgb ==
            drawn_at_once<Paper<4>, TexelRgb888>(field, camera).rgb));
+}
+
+TEST_CASE("spans are drawn where asked for, and longer ones differ more")
+{
+    const Camera camera = test_camera(120, 120);
+    const std::string bytes = test::field_bytes({200, 300, 200, format::TexelFormat::rgb888});
+    const Field field = opened(bytes);
+    const auto drawn = [&](Mode mode, int32_t span_px) {
+        return draw(field, camera, {mode, 5, DisplayFormat::rgb888, kBackground, span_px});
+    };
+    const Picture exact = drawn(Mode::linear, 0);
+    CHECK(drawn(Mode::linear, 1).rgb == exact.rgb);
+    CHECK(drawn(Mode::voronoi, 0).rgb == drawn(Mode::nearest, 0).rgb);
+    CHECK(drawn(Mode::voronoi, 4).rgb != drawn(Mode::nearest, 4).rgb);
+    CHECK(drawn(Mode::dither, 4).rgb != drawn(Mode::linear, 4).rgb);
+    const double at4 = psnr_db(drawn(Mode::linear, 4), exact);
+    const double at16 = psnr_db(drawn(Mode::linear, 16), exact);
+    CHECK(at16 < at4);
+    CHECK(at16 > 25);
 }
 
 TEST_CASE("modes and neighbour counts are told apart")

@@ -14,7 +14,7 @@ namespace
 
 baker::Progress at(uint64_t done, double elapsed_seconds, double eta_seconds = 9.5)
 {
-    return {done, 1000, 124, eta_seconds, elapsed_seconds};
+    return {done, 1000, 124, eta_seconds, elapsed_seconds, done / 4};
 }
 
 std::vector<nlohmann::json> printed(std::initializer_list<baker::Progress> reports)
@@ -40,6 +40,7 @@ TEST_CASE("a line of JSON says what is done, the pace and the time left, null wh
     CHECK(line == nlohmann::json{{"state", "baking"},
                                  {"rays_done", 437},
                                  {"rays_total", 1000},
+                                 {"rays_saved", 109},
                                  {"rays_per_second", 124.0},
                                  {"eta_seconds", 9.5},
                                  {"elapsed_seconds", 3.0}});

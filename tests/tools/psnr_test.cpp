@@ -39,4 +39,17 @@ TEST_CASE("PSNR of Gaussian noise is that of its variance")
           Approx(10 * std::log10(255 * 255 / (sigma * sigma + 1 / 12.0))).margin(0.1));
 }
 
+TEST_CASE("masked PSNR counts the mask's pixels alone")
+{
+    const Picture a(6, 4, {50, 60, 70});
+    Picture b = a;
+    Mask mask(6, 4);
+    for (int y = 0; y < 4; ++y) {
+        b.pixel(1, y)[0] = 60;
+        b.pixel(4, y)[2] = 200;
+        mask.at(1, y) = mask.at(2, y) = 1;
+    }
+    CHECK(psnr_db(a, b, mask) == Approx(20 * std::log10(255.0 / 10) + 10 * std::log10(6.0)));
+}
+
 }  // namespace lumi::tools

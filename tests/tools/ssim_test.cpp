@@ -84,4 +84,22 @@ TEST_CASE("SSIM is symmetric, falls with noise and turns negative for a negative
     CHECK(ssim(noise, negative) < -0.9);
 }
 
+TEST_CASE("masked SSIM is the mean over the mask's windows")
+{
+    const Picture a = test::ball_picture();
+    Picture b = a;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < b.width_px; ++x) b.pixel(x, y)[1] = static_cast<uint8_t>(b.pixel(x, y)[1] / 2);
+    Mask upper(a.width_px, a.height_px), lower = upper, all = upper;
+    for (int y = 0; y < a.height_px; ++y)
+        for (int x = 0; x < a.width_px; ++x) {
+            (y < 50 ? upper : lower).at(x, y) = 1;
+            all.at(x, y) = 255;
+        }
+    CHECK(ssim(a, b, all) == Approx(ssim(a, b)).epsilon(1e-12));
+    CHECK(ssim(a, b, lower) == Approx(1));
+    CHECK(ssim(a, b, upper) < ssim(a, b));
+    CHECK(ssim(a, b, Mask(a.width_px, a.height_px)) == 1);
+}
+
 }  // namespace lumi::tools

@@ -19,11 +19,11 @@ struct CountingDrawer {
     uint8_t calls = 0;
     std::vector<Camera> cameras;
 
-    Picture operator()(const Camera& camera)
+    Picture operator()(const Eye& eye)
     {
-        cameras.push_back(camera);
+        cameras.push_back(eye.camera);
         ++calls;
-        return Picture(camera.width_px, camera.height_px, {calls, calls, calls});
+        return Picture(eye.image.width_px, eye.image.height_px, {calls, calls, calls});
     }
 };
 

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/guided_render.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "aligned_copy.h"
+#include "guided_bytes.h"
+#include "lumi/focus_surface.h"
+#include "lumi/reference/guided_picture.h"
+#include "report.h"
+#include "views.h"
+
+using namespace lumi;
+using namespace lumi::test;
+using format::GuidedSurface;
+using format::GuidedTexel;
+using format::MeanFormat;
+
+namespace
+{
+
+#ifdef LUMI_TEST_LIGHT
+constexpr int32_t kSide = 20;
+constexpr uint32_t kRandomViews = 2;
+#else
+constexpr int32_t kSide = 80;
+constexpr uint32_t kRandomViews = 60;
+#endif
+
+using Linear3 = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, OcclusionUse::ignored>;
+using Best = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, MeanRgb565, OcclusionUse::read>;
+
+struct Opened {
+    AlignedCopy copy;
+    GuidedField field;
+
+    explicit Opened(const Bytes& bytes) : copy(bytes)
+    {
+        REQUIRE(open_guided(copy.data(), copy.size(), field) == FieldError::none);
+    }
+};
+
+// A focus field whose charts show a smooth function of the exit point's place on the disc, with holes.
+Bytes focus_field(uint32_t origins, uint32_t used, int32_t focus_radius_q14)
+{
+    TestGuided g;
+    g.origins = origins;
+    g.used_origins = used;
+    g.chart_size = 32;
+    g.surface = GuidedSurface::focus;
+    g.focus_q14[0] = 1500;
+    g.focus_q14[1] = -3000;
+    g.focus_q14[2] = 2500;
+    g.focus_radius_q14 = static_cast<uint32_t>(focus_radius_q14);
+    const TestChartRows disc = full_rows(g.chart_size);
+    const uint32_t side = disc.counts[0];
+    return file_of({guided_section(g),
+                    table_section(format::kChartSection, true, std::vector(used, disc),
+                                  [&](uint32_t, uint32_t k) {
+                                      const int32_t du = static_cast<int32_t>(2 * (k % side)) - 41;
+                                      const int32_t dv = static_cast<int32_t>(2 * (k / side)) - 41;
+                                      const int32_t square = (du * du - du * dv + dv * dv) / 120;
+                                      return static_cast<uint32_t>(square > 15 ? 0 : 15 - square);
+                                  }),
+                    chart_colours_section(g, [used](uint32_t group, uint32_t k) {
+                        return k * 17 | (255 - k * 15) << 8 | (group * 255 / (used / 16)) << 16;
+                    })});
+}
+
+View random_view(std::minstd_rand& random)
+{
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * std::generate_canonical<double, 32>(random);
+    };
+    const double z = uniform(-1, 1);
+    const double angle = uniform(0, 2 * reference::kPi);
+    const double distance = 1.01 + std::pow(uniform(0, 1), 3) * 6;
+    const double r = std::sqrt(1 - z * z);
+    const Vec3 eye = distance * Vec3{r * std::cos(angle), r * std::sin(angle), z};
+    const Vec3 target = {uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(-0.4, 0.4)};
+    return {"random", look_at(eye, target, uniform(0, 360)), {kSide, kSide, degrees(uniform(20, 110))}};
+}
+
+// Through the centre of pixel (x, y).
+Vec3 viewing_vector(const View& view, int32_t x, int32_t y)
+{
+    const Image& image = view.image;
+    const double per_px =
+        2 * std::tan(reference::kPi * image.fov_turns32 / 4294967296.0) / std::max(image.width_px, image.height_px);
+    const double right = (x + 0.5 - image.width_px / 2.0 - image.shift_x_q8 / 256.0) * per_px;
+    const double up = -(y + 0.5 - image.height_px / 2.0 - image.shift_y_q8 / 256.0) * per_px;
+    return reference::decoded(view.pose.forward) + right * reference::decoded(view.pose.right) +
+           up * reference::decoded(view.pose.up);
+}
+
+Camera camera_of(const View& view)
+{
+    Camera camera;
+    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+    return camera;
+}
+
+constexpr Rgb8 kBehind = {20, 90, 160};
+
+template <class Policy, class Surface>
+std::vector<uint8_t> draw(const GuidedField& field, const Camera& camera, Surface& surface)
+{
+    const uint32_t width = static_cast<uint32_t>(camera.width_px);
+    std::vector<uint8_t> pixels(width * static_cast<uint32_t>(camera.height_px) * 3, 77);
+    const Stripe stripe = {pixels.data(), 0, 0, camera.width_px, camera.height_px, width * 3};
+    REQUIRE(render_guided<Policy, PixelRgb888>(field, camera, surface, OverColour{kBehind}, stripe) ==
+            GuidedError::none);
+    return pixels;
+}
+
+// The share of channels that differ by more than `levels`, and the mean difference, against double precision.
+struct Agreement {
+    double mean = 0, beyond = 0;
+};
+
+Agreement against_reference(const GuidedField& field, const View& view, const std::vector<uint8_t>& pixels,
+                            double levels)
+{
+    const reference::GuidedPicture exact = reference::draw_guided(field, view.pose, view.image, {}, kBehind);
+    Agreement result;
+    for (size_t k = 0; k < exact.colours.size(); ++k) {
+        const double c[3] = {exact.colours[k].r, exact.colours[k].g, exact.colours[k].b};
+        for (size_t m = 0; m < 3; ++m) {
+            const double d = std::fabs(c[m] - pixels[3 * k + m]);
+            result.mean += d / static_cast<double>(pixels.size());
+            if (d > levels) result.beyond += 1 / static_cast<double>(pixels.size());
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("the focus surface is where double precision puts it", "[guided]")
+{
+    const int32_t radius_q14 = GENERATE(0, 6000);
+    const Opened opened(focus_field(64, 64, radius_q14));
+    Worst worst, far;
+    for (const View& view : extreme_views(kSide)) {
+        if (!view.visible) continue;
+        const Camera camera = camera_of(view);
+        FocusSurface surface(opened.field, camera);
+        const double distance = reference::length(reference::decoded(view.pose.eye));
+        for (int32_t y = 0; y < camera.height_px; y += 3) {
+            const RowSpan covered = covered_span(camera, y, 0, camera.width_px);
+            surface.begin_row(y);
+            for (int32_t x = covered.begin; x < covered.end; x += 2) {
+                SurfacePoint seen[1];
+                REQUIRE(surface.at(x, seen) == 1);
+                const Vec3 eye = reference::decoded(view.pose.eye);
+                const Vec3 d = reference::normalised(viewing_vector(view, x, y));
+                const auto focus = [&](int k) { return opened.field.focus_q14[k] / 16384.0; };
+                const Vec3 f = {focus(0), focus(1), focus(2)};
+                Vec3 nearest = eye + reference::dot(f - eye, d) * d;
+                const double rest = std::pow(radius_q14 / 16384.0, 2) - reference::dot(nearest - f, nearest - f);
+                if (std::fabs(rest) < 0.002) continue;  // where the ray touches the focus sphere the root has no slope
+                if (rest > 0) nearest = nearest + (-std::sqrt(rest)) * d;
+                const Vec3 got = {seen[0].x_q14 / 16384.0, seen[0].y_q14 / 16384.0, seen[0].z_q14 / 16384.0};
+                (distance < 10 ? worst : far)
+                    .see(reference::length(got - nearest), static_cast<uint64_t>(y * 10000 + x));
+            }
+        }
+    }
+    worst.report("focus surface");
+    far.report("focus surface from far away");
+    CHECK(worst.error < 1.0 / 512);
+    CHECK(far.error < 1.0 / 128);
+}
+
+TEST_CASE("pictures of focus fields are those of double precision at every extreme", "[guided]")
+{
+#ifdef LUMI_TEST_LIGHT
+    const uint32_t origins = GENERATE(64u, 300u);  // 4096 would not fit into a board's memory
+#else
+    const uint32_t origins = GENERATE(64u, 300u, 4096u);
+#endif
+    const Opened opened(focus_field(origins, origins, 0));
+    for (const View& view : extreme_views(kSide)) {
+        INFO(view.name << ", " << origins << " origins");
+        const Camera camera = camera_of(view);
+        FocusSurface surface(opened.field, camera);
+        const Agreement a = against_reference(opened.field, view, draw<Linear3>(opened.field, camera, surface), 12);
+        std::printf("%-36s mean %.3f levels, beyond 12: %.4f\n", view.name.c_str(), a.mean, a.beyond);
+        CHECK(a.mean < 1.2);
+        CHECK(a.beyond < 0.02);
+    }
+}
+
+TEST_CASE("pictures of focus fields are those of double precision from anywhere", "[guided]")
+{
+    const Opened opened(focus_field(128, 100, 5000));
+    std::minstd_rand random(11);
+    Worst mean, beyond;
+    for (uint32_t n = 0; n < kRandomViews; ++n) {
+        const View view = random_view(random);
+        const Camera camera = camera_of(view);
+        FocusSurface surface(opened.field, camera);
+        const Agreement a = against_reference(opened.field, view, draw<Linear3>(opened.field, camera, surface), 12);
+        mean.see(a.mean, n);
+        beyond.see(a.beyond, n);
+    }
+    mean.report("mean difference of random views, levels");
+    beyond.report("share beyond 12 levels");
+    // Spans of 16 pixels in pictures of 80: at their real size the error of stepping is a ninth.
+    CHECK(mean.error < 1.4);
+    CHECK(beyond.error < 0.03);
+}
+
+namespace
+{
+
+// What a test wants a pixel to see: any function of its place.
+template <uint32_t kCount, class See>
+struct TestSurface {
+    static constexpr uint32_t kSamples = kCount;
+    See see;
+    int32_t y = 0;
+
+    void begin_stripe(const Stripe&) {}
+    RowSpan columns() const { return {0, kMaxImageSide}; }
+    void begin_row(int32_t row) { y = row; }
+    uint32_t at(int32_t x, SurfacePoint (&out)[kSamples]) const { return see(x, y, out); }
+};
+
+template <uint32_t kCount, class See>
+TestSurface<kCount, See> seeing(See see)
+{
+    return {see, 0};
+}
+
+// Points anywhere within the stated range, in up to four groups a pixel.
+uint32_t scattered(int32_t x, int32_t y, SurfacePoint (&out)[4])
+{
+    std::minstd_rand random(static_cast<uint32_t>(x * 7919 + y * 104729 + 1));
+    random.discard(3);
+    const uint32_t groups = static_cast<uint32_t>(random() % 5);
+    const auto any = [&] { return static_cast<int32_t>(random() % 65537) - 32768; };
+    for (uint32_t k = 0; k < groups; ++k)
+        out[k] = {any(), any(), any(), groups == 1 ? 1 + static_cast<uint32_t>(random() % 4) : 1};
+    return groups;
+}
+
+Bytes guided_file(GuidedTexel texel, MeanFormat mean_format)
+{
+    TestGuided g;
+    g.texel = texel;
+    TestMean mean;
+    mean.format = mean_format;
+    return sample_guided(g, tetrahedron(), mean);
+}
+
+// Draws a field with every policy that fits it, over points anywhere.
+void draw_every_way(const GuidedField& field, const Camera& camera)
+{
+    auto surface = seeing<4>(scattered);
+    const auto draw_as = [&](auto policy) {
+        using Policy = decltype(policy);
+        if (Policy::fits(field)) draw<Policy>(field, camera, surface);
+    };
+
+    constexpr OcclusionUse kRead = OcclusionUse::read;
+    draw_as(GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, MeanRgb565, kRead>());
+    draw_as(GuidedPolicy<ThreeOrigins, NearestTap, GuidedIndex4, MeanPalette8, kRead>());
+    draw_as(GuidedPolicy<OneOrigin, LinearTaps, GuidedIndex8, MeanRgb565, kRead>());
+    draw_as(GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex8, MeanPalette8, kRead>());
+    draw_as(GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, kRead>());
+    draw_as(GuidedPolicy<ThreeOrigins, NearestTap, GuidedIndex8, NoMean, kRead>());
+    draw_as(GuidedPolicy<ThreeOrigins, NearestTap, NoChart, MeanRgb565, kRead>());
+    draw_as(GuidedPolicy<ThreeOrigins, NearestTap, NoChart, MeanPalette8, kRead>());
+}
+
+View close_view()
+{
+    return {"close", look_at({0.9, -0.7, 0.5}, {0, 0, 0}, 33), {kSide, kSide, degrees(80)}};
+}
+
+}  // namespace
+
+TEST_CASE("any rectangle of a guided picture shows the same bits", "[guided]")
+{
+    const Opened opened(focus_field(200, 200, 4000));
+    for (const View& view : extreme_views(kSide)) {
+        if (!view.visible) continue;
+        INFO(view.name);
+        const Camera camera = camera_of(view);
+        FocusSurface surface(opened.field, camera);
+        const std::vector<uint8_t> whole = draw<Linear3>(opened.field, camera, surface);
+        std::minstd_rand random(3);
+        bool same = true;
+        for (int n = 0; n < 12; ++n) {
+            const auto below = [&](int32_t limit) {
+                return static_cast<int32_t>(random() % static_cast<uint32_t>(limit));
+            };
+            const int32_t x = below(camera.width_px), y = below(camera.height_px);
+            const int32_t width = 1 + below(camera.width_px - x), height = 1 + below(camera.height_px - y);
+            std::vector<uint8_t> part(static_cast<size_t>(width * height) * 3);
+            const Stripe stripe = {part.data(), x, y, width, height, static_cast<uint32_t>(width) * 3};
+            REQUIRE(render_guided<Linear3, PixelRgb888>(opened.field, camera, surface, OverColour{kBehind}, stripe) ==
+                    GuidedError::none);
+            for (int32_t row = 0; row < height; ++row) {
+                const auto from = part.begin() + row * width * 3;
+                same =
+                    same && std::equal(from, from + width * 3, whole.begin() + ((y + row) * camera.width_px + x) * 3);
+            }
+        }
+        CHECK(same);
+    }
+}
+
+TEST_CASE("a guided pixel beside the surface is background", "[guided]")
+{
+    const Opened opened(guided_file(GuidedTexel::index4, MeanFormat::rgb565));
+    const Camera camera = camera_of(close_view());
+    auto nothing = seeing<1>([](int32_t, int32_t, SurfacePoint(&)[1]) { return 0u; });
+    size_t k = 0;
+    for (const uint8_t v : draw<Best>(opened.field, camera, nothing)) {
+        REQUIRE(v == (k % 3 == 0 ? kBehind.r : k % 3 == 1 ? kBehind.g : kBehind.b));
+        ++k;
+    }
+    std::vector<uint8_t> kept(static_cast<size_t>(kSide * kSide) * 3, 77);
+    const Stripe stripe = {kept.data(), 0, 0, kSide, kSide, static_cast<uint32_t>(kSide) * 3};
+    REQUIRE(render_guided<Best, PixelRgb888>(opened.field, camera, nothing, OverStripe{}, stripe) == GuidedError::none);
+    CHECK(std::all_of(kept.begin(), kept.end(), [](uint8_t v) { return v == 77; }));
+}
+
+TEST_CASE("surfaces that share a pixel mix as light, and show the background by what they leave", "[guided]")
+{
+    const Opened opened(guided_file(GuidedTexel::index4, MeanFormat::rgb565));
+    const Camera camera = camera_of(close_view());
+    const SurfacePoint a = {3000, 2000, 4000, 1}, b = {-2000, 3000, -1000, 2};
+    const auto shade_of = [&](const SurfacePoint& p) {
+        auto alone = seeing<1>([&](int32_t, int32_t, SurfacePoint(&out)[1]) {
+            out[0] = {p.x_q14, p.y_q14, p.z_q14, 1};
+            return 1u;
+        });
+        return draw<Best>(opened.field, camera, alone);
+    };
+    const std::vector<uint8_t> only_a = shade_of(a), only_b = shade_of(b);
+    auto both = seeing<4>([&](int32_t, int32_t, SurfacePoint(&out)[4]) {
+        out[0] = a;
+        out[1] = b;
+        return 2u;
+    });
+    const std::vector<uint8_t> mixed = draw<Best>(opened.field, camera, both);
+    auto part = seeing<4>([&](int32_t, int32_t, SurfacePoint(&out)[4]) {
+        out[0] = {a.x_q14, a.y_q14, a.z_q14, 3};
+        return 1u;
+    });
+    const std::vector<uint8_t> partly = draw<Best>(opened.field, camera, part);
+    const uint8_t under[3] = {kBehind.r, kBehind.g, kBehind.b};
+    Worst worst;
+    const int32_t y = kSide / 2;
+    const RowSpan covered = covered_span(camera, y, 0, kSide);
+    REQUIRE(covered.end - covered.begin > kSide / 2);
+    for (int32_t k = (y * kSide + covered.begin) * 3; k < (y * kSide + covered.end) * 3; ++k) {
+        const size_t at = static_cast<size_t>(k);
+        const auto light = [](double v) {
+            return v / 255 <= 0.04045 ? v / 255 / 12.92 : std::pow((v / 255 + 0.055) / 1.055, 2.4);
+        };
+        const double mean = (light(only_a[at]) + 2 * light(only_b[at])) / 3;
+        const double level = 255 * (mean <= 0.0031308 ? 12.92 * mean : 1.055 * std::pow(mean, 1 / 2.4) - 0.055);
+        worst.see(std::fabs(mixed[at] - (0.75 * level + 0.25 * under[at % 3])), at);
+        worst.see(std::fabs(partly[at] - (0.75 * only_a[at] + 0.25 * under[at % 3])), at);
+    }
+    worst.report("mixture of surfaces, levels");
+    CHECK(worst.error < 1.01);
+}
+
+TEST_CASE("drawing refuses fields that a policy cannot read, and odd addresses", "[guided]")
+{
+    const Bytes bytes = guided_file(GuidedTexel::index4, MeanFormat::rgb565);
+    const Camera camera = camera_of(close_view());
+    auto nothing = seeing<1>([](int32_t, int32_t, SurfacePoint(&)[1]) { return 0u; });
+    uint8_t pixel[3] = {};
+    const Stripe stripe = {pixel, 0, 0, 1, 1, 3};
+    const auto drawn = [&](const GuidedField& field, auto policy) {
+        return render_guided<decltype(policy), PixelRgb888>(field, camera, nothing, OverBlack{}, stripe);
+    };
+    const Opened opened(bytes);
+    CHECK(drawn(opened.field, Best()) == GuidedError::none);
+    CHECK(drawn(opened.field, Linear3()) == GuidedError::wrong_policy);
+    std::vector<uint8_t> shifted(bytes.size() + 2);
+    std::copy(bytes.begin(), bytes.end(), shifted.begin() + 2);
+    GuidedField odd;
+    REQUIRE(open_guided(shifted.data() + 2, bytes.size(), odd) == FieldError::none);
+    CHECK(drawn(odd, Best()) == GuidedError::unaligned);
+    CHECK(std::string(describe(GuidedError::unaligned)) != describe(GuidedError::wrong_policy));
+}
+
+TEST_CASE("hostile rows, directories and colours are read within the file", "[guided]")
+{
+    const GuidedTexel texel = GENERATE(GuidedTexel::index4, GuidedTexel::index8);
+    const MeanFormat mean = GENERATE(MeanFormat::rgb565, MeanFormat::palette8);
+    Bytes bytes = guided_file(texel, mean);
+    GuidedField layout;
+    REQUIRE(open_guided(bytes.data(), bytes.size(), layout) == FieldError::none);
+    const auto offset = [&](const uint8_t* p) { return static_cast<size_t>(p - bytes.data()); };
+    const size_t rows = offset(layout.chart.rows), coarse_rows = offset(layout.occlusion.rows);
+    const size_t directory = offset(layout.chart.directory);
+    const uint32_t texels = layout.chart.texel_count;
+    std::minstd_rand random(static_cast<uint32_t>(texel) * 2 + static_cast<uint32_t>(mean));
+    const Camera camera = camera_of(close_view());
+    for (int n = 0; n < 12; ++n) {
+        // Rows may hold anything: their section's CRC is checked by verify_field alone.
+        for (uint32_t k = 0; k < 2 * layout.chart.row_count; ++k) bytes[rows + k] = static_cast<uint8_t>(random());
+        for (uint32_t k = 0; k < 2 * layout.occlusion.row_count; ++k)
+            bytes[coarse_rows + k] = static_cast<uint8_t>(random());
+        // Texels may begin anywhere up to the last one, first rows lie anywhere.
+        for (uint32_t i = 0; i < layout.used_origins; ++i) {
+            uint8_t* entry = &bytes[directory + i * format::chart::kEntryBytes];
+            const uint32_t base = n % 3 == 0 ? texels : static_cast<uint32_t>(random() % (texels + 1));
+            for (int b = 0; b < 4; ++b) entry[b] = static_cast<uint8_t>(base >> 8 * b);
+            entry[format::chart::kFirstRowAt] = static_cast<uint8_t>(random());
+            entry[format::chart::kFirstRowAt + 1] = static_cast<uint8_t>(n % 2 == 0 ? 0 : random());
+        }
+        const Opened opened(bytes);
+        draw_every_way(opened.field, camera);
+    }
+}
+
+TEST_CASE("every policy draws points anywhere, from anywhere", "[guided]")
+{
+    for (const GuidedTexel texel : {GuidedTexel::none, GuidedTexel::index4, GuidedTexel::index8}) {
+        for (const MeanFormat mean : {MeanFormat::rgb565, MeanFormat::palette8}) {
+            const Opened opened(guided_file(texel, mean));
+            for (const View& view : extreme_views(kSide / 2)) draw_every_way(opened.field, camera_of(view));
+        }
+    }
+    const Opened bare(focus_field(64, 64, 0));
+    for (const View& view : extreme_views(kSide / 2)) draw_every_way(bare.field, camera_of(view));
+}
