@@ -59,36 +59,44 @@ struct SpanOffsets {
     int32_t origins_q16, directions_q16;
 };
 
-template <class Texel, class Pixel, class Background, class Offset>
-void draw_single(const SpanTarget<Background>& span, Offset offset)
-{
-    const SpanSteps rows(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
-    const SpanSteps texels(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    const uint8_t* base = span.field.texels + rows.base + texels.base;
-    int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
-    int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
-    uint8_t* pixel = span.pixels;
-    for (int32_t k = 0; k < span.length; ++k) {
-        const SpanOffsets add = offset(k);
-        const int32_t row = rows.first * ((uo + add.origins_q16) >> 16) + rows.second * ((vo + add.origins_q16) >> 16);
-        const int32_t column =
-            texels.first * ((ud + add.directions_q16) >> 16) + texels.second * ((vd + add.directions_q16) >> 16);
-        const uint8_t* texel = base + row + column;
-        store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
-        uo += span.origins.du_q16;
-        vo += span.origins.dv_q16;
-        ud += span.directions.du_q16;
-        vd += span.directions.dv_q16;
-        pixel += Pixel::kBytes;
-    }
-}
-
 // Keeps a value in a register as it is, so that GCC does not take sums of addresses apart again.
 template <class T>
 LUMI_ALWAYS_INLINE T settled(T value)
 {
     asm("" : "+r"(value));
     return value;
+}
+
+// `Offsets` has at(column) and kConstant: whether it is the same for all pixels.
+template <class Texel, class Pixel, class Background, class Offsets>
+void draw_single(const SpanTarget<Background>& span, const Offsets& offsets)
+{
+    constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
+    const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
+    const SpanIndex rows(span.origins, 1);
+    const SpanIndex texels(span.directions, kBytes);
+    const uint8_t* const base =
+        settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
+    int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
+    int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
+    const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
+    const int32_t dud = settled(span.directions.du_q16), dvd = settled(span.directions.dv_q16);
+    if (Offsets::kConstant) {
+        const SpanOffsets add = offsets.at(0);
+        uo += add.origins_q16; vo += add.origins_q16; ud += add.directions_q16; vd += add.directions_q16;
+    }
+    uint8_t* pixel = span.pixels;
+    const uint8_t* const end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes;
+    for (int32_t k = 0; pixel != end; ++k, pixel += Pixel::kBytes) {
+        const SpanOffsets add = Offsets::kConstant ? SpanOffsets{0, 0} : offsets.at(k);
+        const uint8_t* row = settled(base + rows.at(uo + add.origins_q16, vo + add.origins_q16) * stride);
+        const uint8_t* texel = row + texels.at(ud + add.directions_q16, vd + add.directions_q16);
+        store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+        uo += duo;
+        vo += dvo;
+        ud += dud;
+        vd += dvd;
+    }
 }
 
 // Calls visit(taps of the origins, taps of the directions, base pointer, pixel pointer) for every pixel.
@@ -133,6 +141,11 @@ inline int32_t heaviest(const SpanTaps& taps)
 template <class Reconstruction>
 struct SpanDraw;
 
+struct Rounding {
+    static constexpr bool kConstant = true;
+    SpanOffsets at(int32_t) const { return {1 << 15, 1 << 15}; }
+};
+
 template <>
 struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
@@ -144,8 +157,7 @@ struct SpanDraw<Nearest> {
                     store_single<Texel, Pixel>(span.field, span.background, base + heaviest(o) + heaviest(d), pixel);
                 });
         } else {
-            constexpr SpanOffsets kHalf = {1 << 15, 1 << 15};
-            draw_single<Texel, Pixel>(span, [](int32_t) { return kHalf; });
+            draw_single<Texel, Pixel>(span, Rounding{});
         }
     }
 };
@@ -158,6 +170,20 @@ struct DitherMatrix {
 
     static constexpr int32_t threshold_q16(int32_t x, int32_t y) { return (kRank[y & 3][x & 3] << 12) + (1 << 11); }
     static constexpr SpanOffsets at(int32_t x, int32_t y) { return {threshold_q16(x, y), threshold_q16(y + 1, ~x)}; }
+};
+
+class DitherRow
+{
+public:
+    static constexpr bool kConstant = false;
+    DitherRow(int32_t x, int32_t y)
+    {
+        for (int32_t k = 0; k < 4; ++k) row_[k] = DitherMatrix::at(x + k, y);
+    }
+    const SpanOffsets& at(int32_t pixel) const { return row_[pixel & 3]; }
+
+private:
+    SpanOffsets row_[4];
 };
 
 inline int32_t dithered(const SpanTaps& taps, int32_t threshold_q16)
@@ -180,9 +206,7 @@ struct SpanDraw<Dither> {
                     store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
                 });
         } else {
-            SpanOffsets row[4];
-            for (int32_t k = 0; k < 4; ++k) row[k] = DitherMatrix::at(span.x + k, span.y);
-            draw_single<Texel, Pixel>(span, [&](int32_t k) { return row[k & 3]; });
+            draw_single<Texel, Pixel>(span, DitherRow(span.x, span.y));
         }
     }
 };

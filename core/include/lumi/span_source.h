@@ -5,6 +5,10 @@
 // both sides' offsets addresses a texel.
 #pragma once
 
+#ifdef __ARM_FEATURE_DSP
+#include <arm_acle.h>
+#endif
+
 #include "lumi/always_inline.h"
 #include "lumi/span_lattice.h"
 
@@ -29,6 +33,34 @@ struct SpanSteps {
     int32_t corner(int32_t u_q16, int32_t v_q16) const { return first * (u_q16 >> 16) + second * (v_q16 >> 16); }
     // Whether the diagonal of the cell at a corner is the difference of both steps.
     bool is_flipped(int32_t corner) const { return ((corner - flip) ^ flip_mask) < 0; }
+};
+
+// A sum of products of the whole parts of both coordinates with a side's steps, counted in `unit` bytes or points. Steps
+// are below 378 (F_14), so they share a register and, with Armv7E-M's DSP extension, each product takes one instruction.
+class SpanIndex
+{
+public:
+    SpanIndex(const SpanSide& side, int32_t unit) : first_(side.first * unit), second_(side.second * unit)
+    {
+        if (kPacked) first_ = (first_ & 0xFFFF) | static_cast<int32_t>(static_cast<uint32_t>(second_) << 16);
+    }
+
+    LUMI_ALWAYS_INLINE int32_t at(int32_t u_q16, int32_t v_q16) const
+    {
+#ifdef __ARM_FEATURE_DSP
+        return __smlatt(v_q16, first_, __smlatb(u_q16, first_, 0));
+#else
+        return (u_q16 >> 16) * first_ + (v_q16 >> 16) * second_;
+#endif
+    }
+
+private:
+#ifdef __ARM_FEATURE_DSP
+    static constexpr bool kPacked = true;
+#else
+    static constexpr bool kPacked = false;
+#endif
+    int32_t first_, second_;
 };
 
 // Three taps of a side: offsets in memory and weights that sum to 2^kBits.
