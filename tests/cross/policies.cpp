@@ -3,6 +3,7 @@
 // firmware calls, for tests that read symbols and stack sizes. Never run.
 #include "lumi/focus_surface.h"
 #include "lumi/guided_render.h"
+#include "lumi/proxy_surface.h"
 #include "lumi/render.h"
 #include "lumi/span.h"
 
@@ -76,44 +77,36 @@ struct EveryReconstruction {
 extern const EveryReconstruction kEveryPolicy;
 const EveryReconstruction kEveryPolicy = {};
 
-// Guided fields: the shading policies over any surface. kSamples 4 takes in what mixes surfaces; that surface costs no
-// stack itself.
-using RenderGuided = GuidedError (*)(const GuidedField&, const Camera&, const void* background, const Stripe&);
-
-struct FourSamples {
-    static constexpr uint32_t kSamples = 4;
-    int32_t y = 0;
-
-    void begin_stripe(const Stripe&) {}
-    RowSpan columns() const { return {0, kMaxImageSide}; }
-    void begin_row(int32_t row) { y = row; }
-    uint32_t at(int32_t x, SurfacePoint (&out)[kSamples]) const
-    {
-        out[0] = out[1] = {x, y, x, 2};
-        return static_cast<uint32_t>(x ^ y) & 3u;
-    }
+// Guided fields: the shading policies over each surface. What firmware holds between stripes is not on its stack.
+struct GuidedView {
+    GuidedField field;
+    Camera camera;
+    ProxyFrame frame;
+    uint16_t* depths;
 };
+using RenderGuided = GuidedError (*)(const GuidedView&, const void* background, const Stripe&);
 
 template <class Policy, class Pixel, class Background>
-GuidedError draw_guided_focus(const GuidedField& field, const Camera& camera, const void* background,
-                              const Stripe& stripe)
+GuidedError draw_guided_focus(const GuidedView& view, const void* background, const Stripe& stripe)
 {
-    FocusSurface surface(field, camera);
-    return render_guided<Policy, Pixel>(field, camera, surface, *static_cast<const Background*>(background), stripe);
+    FocusSurface surface(view.field, view.camera);
+    return render_guided<Policy, Pixel>(view.field, view.camera, surface, *static_cast<const Background*>(background),
+                                        stripe);
 }
 
-template <class Policy, class Pixel, class Background>
-GuidedError draw_guided_samples(const GuidedField& field, const Camera& camera, const void* background,
-                                const Stripe& stripe)
+template <class Policy, uint32_t Samples, class Pixel, class Background>
+GuidedError draw_guided_proxy(const GuidedView& view, const void* background, const Stripe& stripe)
 {
-    FourSamples surface{};
-    return render_guided<Policy, Pixel>(field, camera, surface, *static_cast<const Background*>(background), stripe);
+    ProxySurface<Samples> surface(view.frame, view.depths);
+    return render_guided<Policy, Pixel>(view.field, view.camera, surface, *static_cast<const Background*>(background),
+                                        stripe);
 }
 
 template <class Policy>
 struct GuidedOverEach {
     RenderGuided focus = draw_guided_focus<Policy, PixelRgb565Swapped, OverColour>;
-    RenderGuided samples = draw_guided_samples<Policy, PixelRgb888, OverStripe>;
+    RenderGuided proxy = draw_guided_proxy<Policy, 1, PixelRgb565, OverBlack>;
+    RenderGuided samples = draw_guided_proxy<Policy, 4, PixelRgb888, OverStripe>;
 };
 
 template <class Texel, class Mean>

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# cmake -D NM=arm-none-eabi-nm -D "FILES=lib;lib" [-D EXPECT_VIOLATION=ON] -P check_symbols.cmake
-# Passes if no object, library or program names a symbol of heap, exceptions, run-time types or floating point; with
-# EXPECT_VIOLATION, if one does.
+# cmake -D NM=arm-none-eabi-nm -D "FILES=lib;lib" [-D FORBIDDEN=regex] [-D EXPECT_VIOLATION=ON] -P check_symbols.cmake
+# Passes if no object, library or program names a symbol of heap, exceptions, run-time types or floating point, or that
+# matches FORBIDDEN where it is given; with EXPECT_VIOLATION, if one does.
 cmake_minimum_required(VERSION 3.25)
 set(forbidden
   # heap
@@ -15,6 +15,9 @@ set(forbidden
   "__(add|sub|mul|div|neg|eq|ne|lt|le|gt|ge|cmp|unord|pow|powi)[sdxt][fc][23i]*"
   "__(fix|fixuns|float|floatun|floatuns)[sdxt][if][sdxt][if]" "__(extend|trunc)[sdhxt]f[sdhxt]f2"
   "(sqrt|sin|cos|tan|asin|acos|atan|atan2|exp|log|pow|floor|ceil|round|fmod|ldexp)f?")
+if(DEFINED FORBIDDEN)
+  set(forbidden "${FORBIDDEN}")
+endif()
 
 execute_process(COMMAND ${NM} --format=posix ${FILES} OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "\n" ";" listing "${listing}")
@@ -40,7 +43,7 @@ if(EXPECT_VIOLATION)
   endif()
   message("found, as it should be:\n  ${shown}")
 elseif(violations)
-  message(FATAL_ERROR "core promises to do without these:\n  ${shown}")
+  message(FATAL_ERROR "these must not be there:\n  ${shown}")
 else()
-  message("${count} symbols, none of heap, exceptions, run-time types or floating point")
+  message("${count} symbols, none that is forbidden")
 endif()

@@ -114,13 +114,12 @@ constexpr int32_t larger(int32_t a, int32_t b)
 // Whether sections lie where they can be read in aligned accesses.
 bool is_aligned(const GuidedField& field);
 
+// The rows of a stripe that the surface has begun. Not inlined: the memory of what draws them would lie on the stack
+// below begin_stripe's deepest chain of calls.
 template <class Policy, class Pixel, class Surface, class Background>
-GuidedError render_guided(const GuidedField& field, const Camera& camera, Surface& surface,
-                          const Background& background, const Stripe& stripe)
+__attribute__((noinline)) void draw_guided_rows(const GuidedField& field, const Camera& camera, Surface& surface,
+                                                const Background& background, const Stripe& stripe)
 {
-    if (!Policy::fits(field)) return GuidedError::wrong_policy;
-    if (!is_aligned(field)) return GuidedError::unaligned;
-    surface.begin_stripe(stripe);
     GuidedRenderer<Policy, Surface, Pixel, Background> renderer(field, camera, surface, background);
     OutlineTracker outline(camera, {0, camera.width_px});
     const RowSpan columns = surface.columns();
@@ -134,6 +133,16 @@ GuidedError render_guided(const GuidedField& field, const Camera& camera, Surfac
         renderer.row(span, covered, stripe.y_px + row,
                      pixels + static_cast<uint32_t>(span.begin - stripe.x_px) * Pixel::kBytes);
     }
+}
+
+template <class Policy, class Pixel, class Surface, class Background>
+GuidedError render_guided(const GuidedField& field, const Camera& camera, Surface& surface,
+                          const Background& background, const Stripe& stripe)
+{
+    if (!Policy::fits(field)) return GuidedError::wrong_policy;
+    if (!is_aligned(field)) return GuidedError::unaligned;
+    surface.begin_stripe(stripe);
+    draw_guided_rows<Policy, Pixel>(field, camera, surface, background, stripe);
     return GuidedError::none;
 }
 
