@@ -13,6 +13,7 @@ set(LUMI_CORE_TEST_SOURCES
   proxy_test.cpp
   quality_test.cpp
   render_test.cpp
+  span_node_test.cpp
   span_range_test.cpp
   span_test.cpp
   sphere_test.cpp)

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "field_bytes.h"
-#include "lumi/math.h"
 #include "reference.h"
 #include "report.h"
 #include "views.h"
@@ -14,7 +13,6 @@
 using namespace lumi;
 using namespace lumi::test;
 using format::TexelFormat;
-using reference::decoded;
 
 namespace
 {
@@ -97,20 +95,6 @@ Difference difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>&
     return result;
 }
 
-View random_view(std::minstd_rand& random)
-{
-    const auto uniform = [&](double low, double high) {
-        return low + (high - low) * std::generate_canonical<double, 32>(random);
-    };
-    const double z = uniform(-1, 1);
-    const double angle = uniform(0, 2 * reference::kPi);
-    const double distance = 1.01 + std::pow(uniform(0, 1), 3) * 6;
-    const double r = std::sqrt(1 - z * z);
-    const Vec3 eye = distance * Vec3{r * std::cos(angle), r * std::sin(angle), z};
-    const Vec3 target = {uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(-0.4, 0.4)};
-    return {"random", look_at(eye, target, uniform(0, 360)), {kSide, kSide, degrees(uniform(20, 110))}};
-}
-
 }  // namespace
 
 TEST_CASE("spans draw the exact linear picture at every extreme", "[span]")
@@ -158,7 +142,7 @@ TEST_CASE("shorter spans come closer to the exact picture", "[span]")
         double sum = 0;
         std::minstd_rand random(7);
         for (uint32_t k = 0; k < std::max<uint32_t>(3, kRandomViews / 10); ++k) {
-            const View view = random_view(random);
+            const View view = random_view(random, kSide);
             const auto exact = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 0);
             sum += difference(exact, draw<Linear, TexelRgb888>(field, view, OverBlack{}, span_px)).psnr_db();
         }
@@ -176,7 +160,7 @@ TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "
     Worst paper;
     Worst voronoi;
     for (uint32_t k = 0; k < kRandomViews; ++k) {
-        const View view = random_view(random);
+        const View view = random_view(random, kSide);
         const OverBlack black;
         linear.see(-difference(draw<Linear, TexelRgb888>(field, view, black, 0),
                                draw<Linear, TexelRgb888>(field, view, black, 8))
@@ -320,87 +304,4 @@ TEST_CASE("unaligned fields are drawn by the exact renderer", "[span]")
     const View view = extreme_views(20)[0];
     CHECK(draw<Linear, TexelRgb565>(field, view, OverBlack{}, 8) ==
           draw<Linear, TexelRgb565>(field, view, OverBlack{}, 0));
-}
-
-TEST_CASE("the outline follows the exact covered span from row to row", "[span]")
-{
-    for (const View& view : extreme_views(kSide)) {
-        Camera camera;
-        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        OutlineTracker outline(camera, {0, view.image.width_px});
-        uint32_t off = 0;
-        for (int32_t y = 0; y < view.image.height_px; ++y) {
-            const RowSpan a = outline.row(y);
-            const RowSpan b = covered_span(camera, y, 0, view.image.width_px);
-            INFO(view.name << " row " << y << ": " << a.begin << ".." << a.end << " and " << b.begin << ".." << b.end);
-            if (a.begin != b.begin || a.end != b.end) ++off;
-            REQUIRE(std::abs(a.begin - b.begin) <= 1);
-            REQUIRE(std::abs(a.end - b.end) <= 1);
-        }
-        CHECK(off <= 2);
-    }
-}
-
-TEST_CASE("nodes hit the sphere where the exact rays do", "[span]")
-{
-    Worst angle;
-    Worst height;
-    for (const View& view : extreme_views(kSide)) {
-        Camera camera;
-        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        RowNodes nodes(camera);
-        for (int32_t y = 0; y < view.image.height_px; ++y) {
-            const RowSpan span = covered_span(camera, y, 0, view.image.width_px);
-            if (span.begin >= span.end) continue;
-            nodes.begin_row(span.begin, y);
-            for (int32_t x = span.begin; x < span.end; ++x) {
-                SphereRay ray;
-                if (!ray_at(camera, x, y, ray) || ray.half_chord2_q60 < uint64_t{1} << 54) continue;  // s > 1/8
-                SpanNode node;
-                nodes.evaluate(x - span.begin, node);
-                const SphereHits truth = hits(camera, ray);
-                const auto see = [&](const SpanHit& hit, const Vec3q30& t) {
-                    const uint64_t where = static_cast<uint64_t>(y) * 1000 + static_cast<uint64_t>(x);
-                    height.see(std::fabs(reference::from_q30(hit.z_q30) - reference::from_q30(t.z)), where);
-                    const Vec3 v = decoded(t);
-                    const double turns =
-                        hit.longitude_turns32 / 4294967296.0 - std::atan2(v.y, v.x) / (2 * reference::kPi);
-                    angle.see(std::fabs(turns - std::round(turns)) * 2 * reference::kPi * std::hypot(v.x, v.y), where);
-                };
-                see(node.front, truth.front);
-                see(node.back, truth.back);
-            }
-        }
-    }
-    height.report("span node, error of z where the half chord is above 1/8");
-    angle.report("span node, error along the parallel where the half chord is above 1/8");
-    CHECK(height.error < std::ldexp(1.0, -10));
-    CHECK(angle.error < std::ldexp(1.0, -10));
-}
-
-TEST_CASE("the parts of a node keep their stated errors", "[span]")
-{
-    Worst root;
-    Worst reciprocal;
-    Worst angle;
-    std::minstd_rand random(3);
-    for (uint32_t k = 1; k < kSweep; ++k) {
-        const uint32_t v = static_cast<uint32_t>(std::ldexp(std::generate_canonical<double, 32>(random), 31));
-        root.see(std::fabs(coarse_root_q15(v) - std::sqrt(v / 1073741824.0) * 32768), v);
-        const CoarseReciprocal r = coarse_reciprocal(k);
-        reciprocal.see(std::fabs(std::ldexp(r.mantissa, -r.exponent) * k - 1), k);
-        const int32_t x = static_cast<int32_t>(std::lround(32767 * std::cos(k * 0.37)));
-        const int32_t y = static_cast<int32_t>(std::lround(32767 * std::sin(k * 0.37)));
-        const double turns = coarse_angle_turns32(y, x) / 4294967296.0 - std::atan2(y, x) / (2 * reference::kPi);
-        angle.see(std::fabs(turns - std::round(turns)), k);
-        const uint32_t large = 1 + v % 100000;
-        const uint32_t small = (v >> 7) % (large + 1);
-        REQUIRE(ratio_q15(small, large) == static_cast<uint32_t>((static_cast<uint64_t>(small) << 15) / large));
-    }
-    root.report("coarse_root_q15, units");
-    reciprocal.report("coarse_reciprocal, relative error");
-    angle.report("coarse_angle_turns32, turns");
-    CHECK(root.error < 2);
-    CHECK(reciprocal.error < std::ldexp(1.0, -14));
-    CHECK(angle.error < std::ldexp(1.0, -16));
 }

@@ -2,6 +2,7 @@
 // Cameras for tests: any pose from double precision, and the views at the ends of every stated range.
 #pragma once
 
+#include <random>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,21 @@ inline std::vector<View> extreme_views(int32_t side)
         {"shifted lens", look_at(a, centre), {side, side, degrees(45), side * 100, -side * 60}},
         {"wide and odd", look_at(a, centre), {side * 2 + 1, side / 2 + 1, degrees(70)}},
     };
+}
+
+// Anywhere around the sphere, rather close by, looking somewhere near its centre.
+inline View random_view(std::minstd_rand& random, int32_t side)
+{
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * std::generate_canonical<double, 32>(random);
+    };
+    const double z = uniform(-1, 1);
+    const double angle = uniform(0, 2 * reference::kPi);
+    const double distance = 1.01 + std::pow(uniform(0, 1), 3) * 6;
+    const double r = std::sqrt(1 - z * z);
+    const Vec3 eye = distance * Vec3{r * std::cos(angle), r * std::sin(angle), z};
+    const Vec3 target = {uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(-0.4, 0.4)};
+    return {"random", look_at(eye, target, uniform(0, 360)), {side, side, degrees(uniform(20, 110))}};
 }
 
 }  // namespace lumi::test
