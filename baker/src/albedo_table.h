@@ -35,6 +35,7 @@ public:
         const float f = place - static_cast<float>(k);
         return table_[k] * (1 - f) + table_[k + 1] * f;
     }
+    float at(const Vec3& direction) const { return at(direction.z); }
     // Mean over a hemisphere of diffuse light.
     float mean() const { return mean_; }
 

@@ -24,7 +24,8 @@ std::optional<BsdfSample> Diffuse::sample(const Vec3&, float, const Vec2& u) con
     return BsdfSample{wi, albedo_, cosine_pdf(wi)};
 }
 
-Conductor::Conductor(const Rgb& f0, const FacetTable& facets) : f0_(f0), facets_(&facets)
+template <class Spread>
+ConductorOf<Spread>::ConductorOf(const Rgb& f0, const FacetTableOf<Spread>& facets) : f0_(f0), facets_(&facets)
 {
     const float lost = facets.mean_lost();
     if (lost > kNegligibleLoss) {
@@ -33,33 +34,35 @@ Conductor::Conductor(const Rgb& f0, const FacetTable& facets) : f0_(f0), facets_
     }
 }
 
-float Conductor::broad_probability(float cosine) const
+template <class Spread>
+float ConductorOf<Spread>::broad_probability(const Vec3& wo) const
 {
-    return is_black(broad_) ? 0.0f : std::max(0.0f, facets_->lost(cosine));
+    return is_black(broad_) ? 0.0f : std::max(0.0f, facets_->lost(wo));
 }
 
-Rgb Conductor::eval(const Vec3& wo, const Vec3& wi) const
+template <class Spread>
+Rgb ConductorOf<Spread>::eval(const Vec3& wo, const Vec3& wi) const
 {
     if (wi.z <= 0) {
         return {};
     }
     const Vec3 half = normalized(wo + wi);
-    const float broad = facets_->lost(wo.z) * facets_->lost(wi.z) * cosine_pdf(wi);
-    return schlick_reflectance(dot(wo, half), f0_) * reflection_value(Ggx(facets_->alpha()), wo, wi, half) +
-           broad_ * broad;
+    const float broad = facets_->lost(wo) * facets_->lost(wi) * cosine_pdf(wi);
+    return schlick_reflectance(dot(wo, half), f0_) * reflection_value(facets_->facets(), wo, wi, half) + broad_ * broad;
 }
 
-float Conductor::pdf(const Vec3& wo, const Vec3& wi) const
+template <class Spread>
+float ConductorOf<Spread>::pdf(const Vec3& wo, const Vec3& wi) const
 {
-    const float p = broad_probability(wo.z);
-    return (1 - p) * reflection_pdf(Ggx(facets_->alpha()), wo, wi) + p * cosine_pdf(wi);
+    const float p = broad_probability(wo);
+    return (1 - p) * reflection_pdf(facets_->facets(), wo, wi) + p * cosine_pdf(wi);
 }
 
-std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
+template <class Spread>
+std::optional<BsdfSample> ConductorOf<Spread>::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
 {
-    const bool broad = u_lobe < broad_probability(wo.z);
-    const Ggx facets(facets_->alpha());
-    const Vec3 wi = broad ? square_to_cosine_hemisphere(u) : mirrored(wo, facets.sample_half(wo, u));
+    const bool broad = u_lobe < broad_probability(wo);
+    const Vec3 wi = broad ? square_to_cosine_hemisphere(u) : mirrored(wo, facets_->facets().sample_half(wo, u));
     if (wi.z <= 0) {
         return std::nullopt;
     }
@@ -67,7 +70,8 @@ std::optional<BsdfSample> Conductor::sample(const Vec3& wo, float u_lobe, const 
     return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
 }
 
-Plastic::Plastic(const Rgb& albedo, const Skin& skin) : skin_(&skin)
+template <class Spread>
+PlasticOf<Spread>::PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin) : skin_(&skin)
 {
     // Reflectance seen from inside, from the reciprocity of the two crossings.
     const float eta2 = skin.eta() * skin.eta();
@@ -75,41 +79,50 @@ Plastic::Plastic(const Rgb& albedo, const Skin& skin) : skin_(&skin)
     body_ = albedo / (grey(1) - albedo * inner) * (1 / eta2);
 }
 
-Rgb Plastic::eval(const Vec3& wo, const Vec3& wi) const
+template <class Spread>
+Rgb PlasticOf<Spread>::eval(const Vec3& wo, const Vec3& wi) const
 {
     if (wi.z <= 0) {
         return {};
     }
     const Vec3 half = normalized(wo + wi);
     const float reflected = dielectric_reflectance(std::min(dot(wo, half), 1.0f), skin_->eta()) *
-                            reflection_value(Ggx(skin_->alpha()), wo, wi, half);
-    const float crossings = (1 - skin_->albedo(wo.z)) * (1 - skin_->albedo(wi.z));
+                            reflection_value(skin_->facets(), wo, wi, half);
+    const float crossings = (1 - skin_->albedo(wo)) * (1 - skin_->albedo(wi));
     return grey(reflected) + body_ * (crossings * cosine_pdf(wi));
 }
 
-float Plastic::skin_probability(float cosine) const
+template <class Spread>
+float PlasticOf<Spread>::skin_probability(const Vec3& wo) const
 {
     constexpr float kLeast = 0.1f, kMost = 0.9f;  // both lobes keep a share, so that no bright path becomes rare
-    const float skin = skin_->albedo(cosine);
+    const float skin = skin_->albedo(wo);
     const float body = (1 - skin) * (1 - skin_->mean_albedo()) * max_component(body_);
     return std::clamp(skin / (skin + body), kLeast, kMost);
 }
 
-float Plastic::pdf(const Vec3& wo, const Vec3& wi) const
+template <class Spread>
+float PlasticOf<Spread>::pdf(const Vec3& wo, const Vec3& wi) const
 {
-    const float p = skin_probability(wo.z);
-    return p * reflection_pdf(Ggx(skin_->alpha()), wo, wi) + (1 - p) * cosine_pdf(wi);
+    const float p = skin_probability(wo);
+    return p * reflection_pdf(skin_->facets(), wo, wi) + (1 - p) * cosine_pdf(wi);
 }
 
-std::optional<BsdfSample> Plastic::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
+template <class Spread>
+std::optional<BsdfSample> PlasticOf<Spread>::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
 {
-    const bool skin = u_lobe < skin_probability(wo.z);
-    const Vec3 wi = skin ? mirrored(wo, Ggx(skin_->alpha()).sample_half(wo, u)) : square_to_cosine_hemisphere(u);
+    const bool skin = u_lobe < skin_probability(wo);
+    const Vec3 wi = skin ? mirrored(wo, skin_->facets().sample_half(wo, u)) : square_to_cosine_hemisphere(u);
     if (wi.z <= 0) {
         return std::nullopt;
     }
     const float density = pdf(wo, wi);
     return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
 }
+
+template class ConductorOf<Isotropic>;
+template class ConductorOf<Anisotropic>;
+template class PlasticOf<Isotropic>;
+template class PlasticOf<Anisotropic>;
 
 }  // namespace lumi::baker

@@ -11,6 +11,7 @@
 #include <optional>
 #include <variant>
 
+#include "sheen.h"
 #include "skin.h"
 #include "vec3.h"
 
@@ -37,44 +38,52 @@ private:
 
 // GGX metal with Schlick's Fresnel term. Light that bounces between facets more than once leaves in a second, broad
 // lobe (Kulla & Conty 2017): white metal loses nothing.
-class Conductor
+template <class Spread>
+class ConductorOf
 {
 public:
-    Conductor(const Rgb& f0, const FacetTable& facets);  // borrows the facets
+    ConductorOf(const Rgb& f0, const FacetTableOf<Spread>& facets);  // borrows the facets
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
 
 private:
-    float broad_probability(float cosine) const;
+    float broad_probability(const Vec3& wo) const;
 
     Rgb f0_, broad_;  // broad_: colour of the second lobe over what one bounce loses on average
-    const FacetTable* facets_;
+    const FacetTableOf<Spread>* facets_;
 };
 
 // A diffuse body under a rough dielectric skin: the light that the skin does not reflect is diffused, and what it
 // throws back inside is diffused again (a geometric series). A white body loses nothing.
-class Plastic
+template <class Spread>
+class PlasticOf
 {
 public:
-    Plastic(const Rgb& albedo, const Skin& skin);  // borrows the skin
+    PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin);  // borrows the skin
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
 
 private:
-    float skin_probability(float cosine) const;
+    float skin_probability(const Vec3& wo) const;
 
-    const Skin* skin_;
+    const SkinOf<Spread>* skin_;
     Rgb body_;  // albedo of the body seen through the skin, before the two crossings
 };
+
+// Brushed surfaces: x of the local frame is the direction of alpha_x.
+using Conductor = ConductorOf<Isotropic>;
+using BrushedConductor = ConductorOf<Anisotropic>;
+using Plastic = PlasticOf<Isotropic>;
+using BrushedPlastic = PlasticOf<Anisotropic>;
 
 // A clear coat over an opaque surface. Below it goes on what the coat does not reflect towards either direction, so
 // that the two together never gain and lose at most the coat's mean reflectance.
 class Coated
 {
 public:
-    using Body = std::variant<Diffuse, Conductor, Plastic>;
+    using Body = std::variant<Diffuse, Conductor, Plastic, BrushedConductor, BrushedPlastic>;
 
     // coverage in [0, 1]: how much of the surface the coat covers. Borrows the coat.
     Coated(const Body& body, const Skin& coat, float coverage) : body_(body), coat_(&coat), coverage_(coverage) {}
@@ -88,6 +97,29 @@ private:
     Body body_;
     const Skin* coat_;
     float coverage_;
+};
+
+// Fibres on an opaque surface, above its coat if it has one. What they do not send back goes on below: over a matt
+// surface exactly (Kulla & Conty 2017), over any other as under a coat, never more than there is.
+class Sheened
+{
+public:
+    using Body = std::variant<Diffuse, Conductor, Plastic, BrushedConductor, BrushedPlastic, Coated>;
+
+    // colour in [0, 1]: of the fibres, times their share of the surface. Borrows the fibres.
+    Sheened(const Body& body, const SheenTable& fibres, const Rgb& colour);
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float below(const Vec3& wo, const Vec3& wi) const;
+    float fibre_probability(const Vec3& wo) const;
+
+    Body body_;
+    const SheenTable* fibres_;
+    Rgb colour_;
+    float strength_;  // of the colour's largest component
 };
 
 // A polished boundary between two clear media.
@@ -148,7 +180,9 @@ public:
     }
 
 private:
-    std::variant<Diffuse, Conductor, Plastic, Coated, SmoothGlass, RoughGlass> kind_;
+    std::variant<Diffuse, Conductor, Plastic, Coated, SmoothGlass, RoughGlass, BrushedConductor, BrushedPlastic,
+                 Sheened>
+        kind_;
 };
 
 }  // namespace lumi::baker

@@ -12,7 +12,7 @@ Rgb Coated::eval(const Vec3& wo, const Vec3& wi) const
     }
     const Vec3 half = normalized(wo + wi);
     const float reflected = dielectric_reflectance(std::min(dot(wo, half), 1.0f), coat_->eta()) *
-                            reflection_value(Ggx(coat_->alpha()), wo, wi, half);
+                            reflection_value(coat_->facets(), wo, wi, half);
     const float below = 1 - coverage_ * std::max(coat_->albedo(wo.z), coat_->albedo(wi.z));
     const Rgb body = std::visit([&](const auto& b) { return b.eval(wo, wi); }, body_);
     return grey(coverage_ * reflected) + body * below;
@@ -28,7 +28,7 @@ float Coated::pdf(const Vec3& wo, const Vec3& wi) const
 {
     const float p = coat_probability(wo.z);
     const float body = std::visit([&](const auto& b) { return b.pdf(wo, wi); }, body_);
-    return p * reflection_pdf(Ggx(coat_->alpha()), wo, wi) + (1 - p) * body;
+    return p * reflection_pdf(coat_->facets(), wo, wi) + (1 - p) * body;
 }
 
 std::optional<BsdfSample> Coated::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
@@ -36,7 +36,7 @@ std::optional<BsdfSample> Coated::sample(const Vec3& wo, float u_lobe, const Vec
     const float p = coat_probability(wo.z);
     Vec3 wi;
     if (u_lobe < p) {
-        wi = mirrored(wo, Ggx(coat_->alpha()).sample_half(wo, u));
+        wi = mirrored(wo, coat_->facets().sample_half(wo, u));
     } else {
         const float rest = (u_lobe - p) / (1 - p);
         const std::optional<BsdfSample> s = std::visit([&](const auto& b) { return b.sample(wo, rest, u); }, body_);

@@ -20,6 +20,17 @@ struct Frame {
         bitangent = {b, sign + n.y * n.y * a, -n.y};
     }
 
+    // With the tangent as near to `along` as can be; any tangent where `along` is not across n.
+    Frame(const Vec3& n, const Vec3& along) : Frame(n)
+    {
+        const Vec3 across = along - n * dot(n, along);
+        const float size = length(across);
+        if (size > 0) {
+            tangent = across / size;
+            bitangent = cross(n, tangent);
+        }
+    }
+
     Vec3 to_local(const Vec3& v) const { return {dot(v, tangent), dot(v, bitangent), dot(v, normal)}; }
     Vec3 to_world(const Vec3& v) const { return tangent * v.x + bitangent * v.y + normal * v.z; }
 };

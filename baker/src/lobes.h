@@ -20,7 +20,8 @@ inline float cosine_pdf(const Vec3& wi)
 }
 
 // Density of the mirror direction of a sampled facet.
-inline float reflection_pdf(const Ggx& facets, const Vec3& wo, const Vec3& wi)
+template <class Spread>
+float reflection_pdf(const GgxOf<Spread>& facets, const Vec3& wo, const Vec3& wi)
 {
     if (wi.z <= 0) {
         return 0;
@@ -30,7 +31,8 @@ inline float reflection_pdf(const Ggx& facets, const Vec3& wo, const Vec3& wi)
 }
 
 // Torrance-Sparrow reflection times cos θi, without the Fresnel factor.
-inline float reflection_value(const Ggx& facets, const Vec3& wo, const Vec3& wi, const Vec3& half)
+template <class Spread>
+float reflection_value(const GgxOf<Spread>& facets, const Vec3& wo, const Vec3& wi, const Vec3& half)
 {
     return facets.density(half) * facets.masking_shadowing(wo, wi) / (4 * wo.z);
 }

@@ -46,12 +46,51 @@ float absorption_of(float transmittance, float distance)
     return -std::log(std::max(transmittance, kDarkest)) / distance;
 }
 
-Bsdf coated(const Coated::Body& body, const Material& m)
+// Burley's aspect: his course's section 5.4.
+Anisotropic stretched(float alpha, float anisotropy)
 {
-    if (m.coat_skin) {
-        return Bsdf(Coated(body, *m.coat_skin, m.coat));
+    const float aspect = std::sqrt(1 - 0.9f * anisotropy);
+    return {alpha / aspect, std::max(alpha * aspect, kMinAlpha)};
+}
+
+// Adds the tables that the material needs, of the spread that `spread_of` makes of a width.
+template <class Skins, class Facets, class SpreadOf>
+void add_tables(const Material& m, const SpreadOf& spread_of, Skins& skins, Facets& facets)
+{
+    using Spread = decltype(spread_of(m.alpha));
+    const bool textured = m.maps.roughness.used();
+    if (m.specular && (m.metalness < 1 || m.maps.metalness.used())) {
+        skins =
+            tables<SkinOf<Spread>>(textured, m.alpha, [&](float a) { return SkinOf<Spread>(m.index, spread_of(a)); });
     }
-    return std::visit([](const auto& b) { return Bsdf(b); }, body);
+    if (m.metalness > 0) {
+        facets = tables<FacetTableOf<Spread>>(textured, m.alpha,
+                                              [&](float a) { return FacetTableOf<Spread>(spread_of(a)); });
+    }
+}
+
+template <class Body>
+Bsdf under_fibres(const Body& body, const Material& m, float sheen)
+{
+    return m.fibres ? Bsdf(Sheened(body, *m.fibres, m.sheen_colour * sheen)) : Bsdf(body);
+}
+
+template <class Body>
+Bsdf layered(const Body& body, const Material& m, float sheen)
+{
+    return m.coat_skin ? under_fibres(Coated(body, *m.coat_skin, m.coat), m, sheen) : under_fibres(body, m, sheen);
+}
+
+template <class Skins, class Facets>
+Bsdf opaque(const Material& m, const PointValues& at, float u, const Skins& skins, const Facets& facets)
+{
+    if (u < at.metalness) {
+        return layered(ConductorOf(at.base, nearest(facets, at.roughness)), m, at.sheen);
+    }
+    if (!skins.empty()) {
+        return layered(PlasticOf(at.base, nearest(skins, at.roughness)), m, at.sheen);
+    }
+    return layered(Diffuse(at.base), m, at.sheen);
 }
 
 }  // namespace
@@ -67,10 +106,17 @@ void Material::finish()
     index = index > 1 ? std::min(index, kMaxIndex) : kDefaultIndex;
     coat = std::clamp(coat, 0.0f, 1.0f);
     coat_alpha = clamped_alpha(coat_alpha);
+    anisotropy = std::clamp(anisotropy, 0.0f, 1.0f);
+    sheen = std::clamp(sheen, 0.0f, 1.0f);
+    sheen_colour = clamped(sheen_colour, 0, 1);
+    sheen_roughness = std::clamp(sheen_roughness, static_cast<float>(kMinSheenRoughness), 1.0f);
     skins.clear();
     facets.clear();
+    brushed_skins.clear();
+    brushed_facets.clear();
     frost = nullptr;
     coat_skin = nullptr;
+    fibres = nullptr;
     if (glass) {
         index = std::max(index, kMinGlassIndex);
         transmittance = clamped(transmittance, 0, 1);
@@ -80,14 +126,15 @@ void Material::finish()
         frost = alpha > 0 ? std::make_shared<const GlassTable>(index, alpha) : nullptr;
         return;
     }
-    const bool textured = maps.roughness.used();
-    if (specular && (metalness < 1 || maps.metalness.used())) {
-        skins = tables<Skin>(textured, alpha, [this](float a) { return Skin(index, a); });
-    }
-    if (metalness > 0) {
-        facets = tables<FacetTable>(textured, alpha, [](float a) { return FacetTable(a); });
+    if (anisotropy > 0) {
+        add_tables(
+            *this, [this](float a) { return stretched(a, anisotropy); }, brushed_skins, brushed_facets);
+    } else {
+        add_tables(
+            *this, [](float a) { return Isotropic(a); }, skins, facets);
     }
     coat_skin = coat > 0 ? std::make_shared<const Skin>(kDefaultIndex, coat_alpha) : nullptr;
+    fibres = sheen > 0 ? std::make_shared<const SheenTable>(sheen_roughness) : nullptr;
 }
 
 Rgb Material::absorbed(float distance) const
@@ -97,7 +144,7 @@ Rgb Material::absorbed(float distance) const
 
 PointValues Material::plain_values() const
 {
-    return {base, metalness, 1, true};
+    return {base, metalness, 1, true, sheen};
 }
 
 Bsdf Material::bsdf(const PointValues& at, float u) const
@@ -105,13 +152,7 @@ Bsdf Material::bsdf(const PointValues& at, float u) const
     if (glass) {
         return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
     }
-    if (u < at.metalness) {
-        return coated(Conductor(at.base, nearest(facets, at.roughness)), *this);
-    }
-    if (!skins.empty()) {
-        return coated(Plastic(at.base, nearest(skins, at.roughness)), *this);
-    }
-    return coated(Diffuse(at.base), *this);
+    return brushed() ? opaque(*this, at, u, brushed_skins, brushed_facets) : opaque(*this, at, u, skins, facets);
 }
 
 float alpha_from_phong_exponent(float exponent)

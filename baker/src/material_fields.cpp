@@ -67,6 +67,31 @@ void take_roughness(JsonFields& fields, Material& m)
     m.specular = true;
 }
 
+// Turns are given in degrees here.
+void take_anisotropy(JsonFields& fields, Material& m)
+{
+    if (fields.find("anisotropy")) {
+        fields.number("anisotropy", kShare, m.anisotropy);
+        m.specular = true;
+    }
+    if (fields.find("anisotropy_rotation")) {
+        double degrees = 0;
+        fields.number("anisotropy_rotation", {-360, 360}, degrees);
+        m.anisotropy_turns = static_cast<float>(degrees / 360);
+    }
+}
+
+// A colour alone asks for all of the sheen.
+void take_sheen(JsonFields& fields, Material& m)
+{
+    if (fields.find("sheen_colour")) {
+        fields.colour("sheen_colour", kShare, m.sheen_colour);
+        m.sheen = m.sheen > 0 ? m.sheen : 1;
+    }
+    fields.number("sheen", kShare, m.sheen);
+    fields.number("sheen_roughness", {kMinSheenRoughness, 1}, m.sheen_roughness);
+}
+
 }  // namespace
 
 void apply_material_fields(const std::string& file, const JsonValue& value, Material& m)
@@ -82,11 +107,13 @@ void apply_material_fields(const std::string& file, const JsonValue& value, Mate
         fields.number("metalness", kShare, m.metalness);
         m.specular = true;
     }
+    take_anisotropy(fields, m);
     fields.number("index", {1.01, 4}, m.index);
     fields.number("coat", kShare, m.coat);
     double coat_roughness = -1;
     fields.number("coat_roughness", kShare, coat_roughness);
     m.coat_alpha = coat_roughness < 0 ? m.coat_alpha : alpha_from_roughness(static_cast<float>(coat_roughness));
+    take_sheen(fields, m);
     fields.colour("emission", {0, 1e9}, m.emission);
     fields.number("opacity", kShare, m.opacity);
     fields.finish();

@@ -113,6 +113,9 @@ void open_for_maps(const MtlMaterial& mtl, Material& m)
     if (!mtl.map_pm.name.empty() && !(mtl.metalness > 0)) {
         m.metalness = 1;
     }
+    if (!mtl.map_ps.name.empty() && !(mtl.sheen > 0)) {
+        m.sheen = 1;
+    }
     if (!mtl.map_pr.name.empty() && !(mtl.roughness > 0)) {
         m.alpha = 1;
     }
@@ -125,6 +128,7 @@ void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
     m.maps.emission = textures.slot(mtl.file, mtl.map_ke, PictureUse::colour);
     m.maps.roughness = textures.slot(mtl.file, mtl.map_pr, PictureUse::data);
     m.maps.metalness = textures.slot(mtl.file, mtl.map_pm, PictureUse::data);
+    m.maps.sheen = textures.slot(mtl.file, mtl.map_ps, PictureUse::data);
     m.maps.opacity = textures.slot(mtl.file, mtl.map_d, PictureUse::alpha);
     m.maps.normal = textures.normal_slot(mtl.file, mtl.map_bump);
 }
@@ -141,6 +145,9 @@ Material to_material(const MtlMaterial& mtl)
     m.opacity = mtl.dissolve;
     m.coat = mtl.coat;
     m.coat_alpha = alpha_from_roughness(mtl.coat_roughness);
+    m.sheen = mtl.sheen;
+    m.anisotropy = mtl.anisotropy;
+    m.anisotropy_turns = mtl.anisotropy_turns;
     const bool mapped = !mtl.map_pr.name.empty() || !mtl.map_pm.name.empty();
     const bool physical = mtl.has_pr || mtl.metalness > 0 || mapped;
     m.alpha = physical ? alpha_from_roughness(mtl.roughness) : alpha_from_phong_exponent(mtl.ns);

@@ -25,10 +25,11 @@ struct MtlMap {
 struct MtlMaterial {
     std::string name;
     Rgb kd, ks, ke, tf;
-    float ns = 0, ni = 1, dissolve = 1, roughness = 0, metalness = 0, coat = 0, coat_roughness = 0;
+    float ns = 0, ni = 1, dissolve = 1, roughness = 0, metalness = 0, coat = 0, coat_roughness = 0, sheen = 0;
+    float anisotropy = 0, anisotropy_turns = 0;
     int illum = 0;
     bool has_tf = false, has_pr = false;
-    MtlMap map_kd, map_ks, map_ke, map_pr, map_pm, map_d, map_bump;
+    MtlMap map_kd, map_ks, map_ke, map_pr, map_pm, map_ps, map_d, map_bump;
     std::filesystem::path file;
     uint32_t line = 0;
 };

@@ -18,14 +18,15 @@ struct NumberRule {
 
 constexpr double kAnyHigh = 1e9;
 constexpr NumberRule kRules[] = {
-    {"Kd", 3, 0, 1}, {"Ks", 3, 0, 1}, {"Ke", 3, 0, kAnyHigh}, {"Ns", 1, 0, kAnyHigh}, {"Ni", 1, 0, 4}, {"d", 1, 0, 1},
-    {"Tr", 1, 0, 1}, {"Tf", 3, 0, 1}, {"Pr", 1, 0, 1},        {"Pm", 1, 0, 1},        {"Pc", 1, 0, 1}, {"Pcr", 1, 0, 1},
+    {"Kd", 3, 0, 1}, {"Ks", 3, 0, 1},  {"Ke", 3, 0, kAnyHigh}, {"Ns", 1, 0, kAnyHigh}, {"Ni", 1, 0, 4},
+    {"d", 1, 0, 1},  {"Tr", 1, 0, 1},  {"Tf", 3, 0, 1},        {"Pr", 1, 0, 1},        {"Pm", 1, 0, 1},
+    {"Pc", 1, 0, 1}, {"Pcr", 1, 0, 1}, {"Ps", 1, 0, 1},        {"aniso", 1, 0, 1},     {"anisor", 1, 0, 1},
 };
 
 // Keywords of pictures that are drawn, and keywords that change a surface but are not drawn.
-constexpr const char* kPictures[] = {"map_Kd", "map_Ks", "map_Ke", "map_Pr",   "map_Pm",
+constexpr const char* kPictures[] = {"map_Kd", "map_Ks", "map_Ke", "map_Pr",   "map_Pm",  "map_Ps",
                                      "map_d",  "norm",   "bump",   "map_Bump", "map_bump"};
-constexpr const char* kIgnored[] = {"map_Ns", "map_Ps", "Ps", "aniso", "anisor", "disp", "decal", "refl", "map_Tr"};
+constexpr const char* kIgnored[] = {"map_Ns", "disp", "decal", "refl", "map_Tr"};
 
 template <size_t Size>
 bool is_one_of(const char* const (&list)[Size], const std::string& word)

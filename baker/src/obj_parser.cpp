@@ -134,6 +134,9 @@ std::vector<MtlMaterial> parse_mtl(const std::string& text)
         mtl.metalness = m.metallic;
         mtl.coat = m.clearcoat_thickness;
         mtl.coat_roughness = m.clearcoat_roughness;
+        mtl.sheen = m.sheen;
+        mtl.anisotropy = m.anisotropy;
+        mtl.anisotropy_turns = m.anisotropy_rotation;
         mtl.tf = to_rgb(m.transmittance);
         mtl.illum = m.illum;
         mtl.map_kd = to_map(m.diffuse_texname, m.diffuse_texopt);
@@ -141,6 +144,7 @@ std::vector<MtlMaterial> parse_mtl(const std::string& text)
         mtl.map_ke = to_map(m.emissive_texname, m.emissive_texopt);
         mtl.map_pr = to_map(m.roughness_texname, m.roughness_texopt);
         mtl.map_pm = to_map(m.metallic_texname, m.metallic_texopt);
+        mtl.map_ps = to_map(m.sheen_texname, m.sheen_texopt);
         mtl.map_d = to_map(m.alpha_texname, m.alpha_texopt);
         const bool normals = !m.normal_texname.empty();
         mtl.map_bump = normals ? to_map(m.normal_texname, m.normal_texopt) : to_map(m.bump_texname, m.bump_texopt);

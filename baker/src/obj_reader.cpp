@@ -50,6 +50,7 @@ void name_lines(const MtlText::Lines& lines, MtlMaterial& material)
     material.map_ke.line = line_of("map_Ke");
     material.map_pr.line = line_of("map_Pr");
     material.map_pm.line = line_of("map_Pm");
+    material.map_ps.line = line_of("map_Ps");
     material.map_d.line = line_of("map_d");
     material.map_bump.line = std::max({line_of("norm"), line_of("map_Bump"), line_of("map_bump"), line_of("bump")});
     material.has_tf = lines.has_tf;

@@ -27,8 +27,8 @@ void add(Digest& digest, const Mesh& mesh)
 
 void add(Digest& digest, const TextureSlots& slots)
 {
-    const auto& [base, emission, roughness, metalness, opacity, normal] = slots;
-    for (const TextureSlot* slot : {&base, &emission, &roughness, &metalness, &opacity, &normal}) {
+    const auto& [base, emission, roughness, metalness, opacity, normal, sheen] = slots;
+    for (const TextureSlot* slot : {&base, &emission, &roughness, &metalness, &opacity, &normal, &sheen}) {
         const auto& [texture, scale, offset] = *slot;
         digest.add(texture);
         digest.add(scale);
@@ -38,19 +38,24 @@ void add(Digest& digest, const TextureSlots& slots)
 
 void add(Digest& digest, const Material& material)
 {
-    const auto& [name, base, emission, metalness, specular, alpha, index, opacity, coat, coat_alpha, glass,
-                 transmittance, transmittance_length, maps, skins, facets, frost, coat_skin, absorption] = material;
+    const auto& [name, base, emission, metalness, specular, alpha, index, opacity, anisotropy, anisotropy_turns, coat,
+                 coat_alpha, sheen, sheen_roughness, sheen_colour, glass, transmittance, transmittance_length, maps,
+                 skins, facets, brushed_skins, brushed_facets, frost, coat_skin, fibres, absorption] = material;
     static_cast<void>(name);  // materials are found by number
     // Made by finish() from the others.
     static_cast<void>(skins);
     static_cast<void>(facets);
+    static_cast<void>(brushed_skins);
+    static_cast<void>(brushed_facets);
     static_cast<void>(frost);
     static_cast<void>(coat_skin);
+    static_cast<void>(fibres);
     static_cast<void>(absorption);
-    for (const Rgb& colour : {base, emission, transmittance}) {
+    for (const Rgb& colour : {base, emission, sheen_colour, transmittance}) {
         digest.add(colour);
     }
-    for (const float value : {metalness, alpha, index, opacity, coat, coat_alpha, transmittance_length}) {
+    for (const float value : {metalness, alpha, index, opacity, anisotropy, anisotropy_turns, coat, coat_alpha, sheen,
+                              sheen_roughness, transmittance_length}) {
         digest.add(value);
     }
     digest.add(specular);

@@ -2,7 +2,6 @@
 #include "skin.h"
 
 #include "fresnel.h"
-#include "microfacet.h"
 
 namespace lumi::baker
 {
@@ -13,11 +12,9 @@ namespace
 constexpr int kSamples = 610, kStep = 377;
 
 // Mean of weight(wo, half, facets) over samples of visible facets.
-template <class Weight>
-float directional_albedo(float cosine, float alpha, const Weight& weight)
+template <class Spread, class Weight>
+float directional_albedo(const Vec3& wo, const GgxOf<Spread>& facets, const Weight& weight)
 {
-    const Ggx facets(alpha);
-    const Vec3 wo = direction_at(cosine, 0);
     float sum = 0;
     for (int k = 0; k < kSamples; ++k) {
         const Vec2 u = {(static_cast<float>(k) + 0.5f) / kSamples,
@@ -27,13 +24,28 @@ float directional_albedo(float cosine, float alpha, const Weight& weight)
     return std::min(sum / kSamples, 1.0f);
 }
 
+template <class Weight>
+AlbedoTable table_of(const Isotropic& spread, const Weight& weight)
+{
+    return AlbedoTable([&](float cosine) { return directional_albedo(direction_at(cosine, 0), Ggx(spread), weight); });
+}
+
+template <class Weight>
+AnisotropicAlbedo table_of(const Anisotropic& spread, const Weight& weight)
+{
+    const GgxOf<Anisotropic> facets(spread);
+    return AnisotropicAlbedo(spread, [&](const Vec3& wo) { return directional_albedo(wo, facets, weight); });
+}
+
 // What a sampled facet reflects or refracts, without the Fresnel factor.
-float passed_on(const Vec3& wo, const Vec3& wi, const Ggx& facets)
+template <class Facets>
+float passed_on(const Vec3& wo, const Vec3& wi, const Facets& facets)
 {
     return facets.masking_shadowing(wo, wi) / facets.masking(wo);
 }
 
-float reflected(const Vec3& wo, const Vec3& half, const Ggx& facets)
+template <class Facets>
+float reflected(const Vec3& wo, const Vec3& half, const Facets& facets)
 {
     const Vec3 wi = mirrored(wo, half);
     return wi.z > 0 ? passed_on(wo, wi, facets) : 0.0f;
@@ -47,28 +59,32 @@ float transmitted(const Vec3& wo, const Vec3& half, const Ggx& facets, float eta
 
 AlbedoTable glass_side(float eta, float alpha)
 {
-    const auto weight = [eta](const Vec3& wo, const Vec3& half, const Ggx& facets) {
+    return table_of(Isotropic(alpha), [eta](const Vec3& wo, const Vec3& half, const Ggx& facets) {
         const float f = dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta);
         return f * reflected(wo, half, facets) + (f < 1 ? (1 - f) * transmitted(wo, half, facets, eta) : 0);
-    };
-    return AlbedoTable([&](float cosine) { return directional_albedo(cosine, alpha, weight); });
+    });
 }
 
 }  // namespace
 
-Skin::Skin(float eta, float alpha)
-    : eta_(eta), alpha_(alpha), table_([eta, alpha](float cosine) {
-          return directional_albedo(cosine, alpha, [eta](const Vec3& wo, const Vec3& half, const Ggx& facets) {
-              return dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta) * reflected(wo, half, facets);
-          });
-      })
+template <class Spread>
+SkinOf<Spread>::SkinOf(float eta, const Spread& spread)
+    : eta_(eta), facets_(spread), table_(table_of(spread, [eta](const Vec3& wo, const Vec3& half, const auto& facets) {
+          return dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta) * reflected(wo, half, facets);
+      }))
 {
 }
 
-FacetTable::FacetTable(float alpha)
-    : alpha_(alpha), table_([alpha](float cosine) { return directional_albedo(cosine, alpha, reflected); })
+template <class Spread>
+FacetTableOf<Spread>::FacetTableOf(const Spread& spread)
+    : facets_(spread), table_(table_of(spread, reflected<GgxOf<Spread>>))
 {
 }
+
+template SkinOf<Isotropic>::SkinOf(float, const Isotropic&);
+template SkinOf<Anisotropic>::SkinOf(float, const Anisotropic&);
+template FacetTableOf<Isotropic>::FacetTableOf(const Isotropic&);
+template FacetTableOf<Anisotropic>::FacetTableOf(const Anisotropic&);
 
 GlassTable::GlassTable(float eta, float alpha)
     : eta_(eta), alpha_(alpha), outer_(glass_side(eta, alpha)), inner_(glass_side(1 / eta, alpha))

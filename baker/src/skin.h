@@ -5,43 +5,56 @@
 // Skin: what a dielectric skin reflects; Plastic and Coated need it so that skin and body together conserve energy.
 // FacetTable: what white metal reflects; the rest is light that bounced between facets more than once.
 // GlassTable: what a dielectric boundary reflects and transmits, from either side.
+// Of an Anisotropic spread the tables depend on the azimuth as well.
 // Kulla & Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 course.
 #pragma once
 
-#include "albedo_table.h"
+#include "anisotropic_albedo.h"
+#include "microfacet.h"
 
 namespace lumi::baker
 {
 
-class Skin
+template <class Spread>
+using AlbedoOf = std::conditional_t<std::is_same_v<Spread, Isotropic>, AlbedoTable, AnisotropicAlbedo>;
+
+template <class Spread>
+class SkinOf
 {
 public:
-    // eta > 1, alpha > 0.
-    Skin(float eta, float alpha);
+    // eta > 1; widths > 0.
+    SkinOf(float eta, const Spread& spread);
 
     float eta() const { return eta_; }
-    float alpha() const { return alpha_; }
-    float albedo(float cosine) const { return table_.at(cosine); }
+    const GgxOf<Spread>& facets() const { return facets_; }
+    float albedo(const Vec3& w) const { return table_.at(w); }
+    float albedo(float cosine) const { return table_.at(cosine); }  // of isotropic skins
     float mean_albedo() const { return table_.mean(); }
 
 private:
-    float eta_, alpha_;
-    AlbedoTable table_;
+    float eta_;
+    GgxOf<Spread> facets_;
+    AlbedoOf<Spread> table_;
 };
 
-class FacetTable
+template <class Spread>
+class FacetTableOf
 {
 public:
-    explicit FacetTable(float alpha);
+    explicit FacetTableOf(const Spread& spread);
 
-    float alpha() const { return alpha_; }
-    float lost(float cosine) const { return 1 - table_.at(cosine); }
+    const GgxOf<Spread>& facets() const { return facets_; }
+    float lost(const Vec3& w) const { return 1 - table_.at(w); }
+    float lost(float cosine) const { return 1 - table_.at(cosine); }  // of isotropic facets
     float mean_lost() const { return 1 - table_.mean(); }
 
 private:
-    float alpha_;
-    AlbedoTable table_;
+    GgxOf<Spread> facets_;
+    AlbedoOf<Spread> table_;
 };
+
+using Skin = SkinOf<Isotropic>;
+using FacetTable = FacetTableOf<Isotropic>;
 
 class GlassTable
 {

@@ -2,6 +2,7 @@
 #include "surface.h"
 
 #include "tangents.h"
+#include "warp.h"
 
 namespace lumi::baker
 {
@@ -40,7 +41,7 @@ PointValues values_at(const SceneData& scene, const Material& material, const Hi
 {
     const TextureSlots& maps = material.maps;
     return {material.base * slot_at(scene, maps.base, hit), material.metalness * slot_at(scene, maps.metalness, hit).g,
-            slot_at(scene, maps.roughness, hit).g, outside};
+            slot_at(scene, maps.roughness, hit).g, outside, material.sheen * slot_at(scene, maps.sheen, hit).g};
 }
 
 // `normal` bent as the material's normal map says; itself where that would face away from the viewer.
@@ -66,6 +67,26 @@ Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hi
     const Vec3 bent = (across * (2 * c.r - 1) + upright * (2 * c.g - 1)) / size + front * (2 * c.b - 1);
     const float bent_size = length(bent);
     return bent_size > 0 && dot(bent, view) * side > 0 ? bent * (side / bent_size) : normal;
+}
+
+// Where a brushed material's facets spread widest, as seen from the triangle's front: along u, or without texture
+// coordinates level, around the vertical axis.
+Vec3 brushed_direction(const SceneData& scene, const Material& material, uint32_t triangle, const Vec3& front)
+{
+    constexpr Vec3 kUp = {0, 0, 1};  // of the sphere's frame
+    const std::optional<Tangents> tangents = tangents_of(scene.mesh, triangle);
+    const Frame level(front, tangents ? tangents->u : cross(kUp, front));
+    const SineCosine turn = sine_cosine_of_turns(material.anisotropy_turns);
+    return level.tangent * turn.cosine + level.bitangent * turn.sine;
+}
+
+// The local frame; its tangent matters to brushed materials only.
+Frame shading_frame(const SceneData& scene, const Material& material, const Hit& hit, const Vec3& normal, bool outside)
+{
+    if (!material.brushed()) {
+        return Frame(normal);
+    }
+    return Frame(normal, brushed_direction(scene, material, hit.triangle, outside ? normal : -normal));
 }
 
 Vec3 position_at(const Mesh& mesh, const Hit& hit)
@@ -105,7 +126,7 @@ Surface surface_at(const SceneData& scene, const Ray& ray, const Hit& hit)
     return {hit,
             position_at(scene.mesh, hit),
             geometric,
-            Frame(bent_normal(scene, material, hit, smooth, view, outside)),
+            shading_frame(scene, material, hit, bent_normal(scene, material, hit, smooth, view, outside), outside),
             &material,
             values_at(scene, material, hit, outside),
             material.emits() ? emission_at(scene.mesh, material, scene.textures, hit.triangle, {hit.u, hit.v}) : Rgb{}};

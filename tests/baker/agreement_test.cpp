@@ -88,6 +88,29 @@ TEST_CASE("agreement: the path tracer agrees with brute force through clear, tin
     }
 }
 
+TEST_CASE("agreement: the path tracer agrees with brute force on brushed metal and paint and on cloth")
+{
+    SceneMaker maker;
+    add_room(maker);
+    Material metal = testing::metal({0.9f, 0.7f, 0.3f}, 0.2f), paint = testing::glossy({0.2f, 0.4f, 0.6f}, 0.3f);
+    for (Material* m : {&metal, &paint}) {
+        m->anisotropy = 0.9f;
+        m->anisotropy_turns = 0.1f;
+        m->finish();
+    }
+    maker.ball(maker.add(metal), {0.15f, 0, -0.25f}, 0.22f, 8);
+    maker.ball(maker.add(paint), {-0.25f, -0.1f, -0.3f}, 0.18f, 8);
+    Material cloth = testing::diffuse({0.4f, 0.1f, 0.1f});
+    cloth.sheen = 0.8f;
+    cloth.sheen_colour = {0.9f, 0.8f, 1};
+    cloth.finish();
+    maker.ball(maker.add(cloth), {0, 0.3f, -0.35f}, 0.15f, 8);
+    cloth.coat = 1;
+    cloth.finish();
+    maker.quad(maker.add(cloth), {-0.5f, -0.4f, -0.5f}, {-0.5f, -0.4f, 0}, {0, -0.45f, 0}, {0, -0.45f, -0.5f});
+    check_integrators_agree(maker.make(studio_environment()), 4000);
+}
+
 TEST_CASE(
     "agreement: the path tracer agrees with brute force under spherical and rectangular extra lights and a sky picture")
 {

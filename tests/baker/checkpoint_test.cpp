@@ -176,6 +176,31 @@ TEST_CASE("checkpoint: that of other settings or another scene is refused by nam
     CHECK_THAT(refusal(tiny_scene(0.7f, 1.01f), settings), Catch::Contains("another scene"));
 }
 
+TEST_CASE("checkpoint: anisotropy and sheen enter the identity by every number, however small the change")
+{
+    const auto fingerprint = [](float Material::*number, const TextureSlot& slot = {}, const Rgb& colour = grey(1)) {
+        Material m = testing::metal(grey(0.7f), 0.3f);
+        m.anisotropy = m.anisotropy_turns = m.sheen = m.sheen_roughness = 0.5f;
+        m.*number = std::nextafter(m.*number, 1.0f);
+        m.maps.sheen = slot;
+        m.sheen_colour = colour;
+        m.finish();
+        testing::SceneMaker maker;
+        maker.ball(maker.add(m), {}, 0.5f, 4);
+        return scene_fingerprint(maker.make(studio_environment()).data());
+    };
+    std::vector<Digest::Value> seen;
+    for (const auto number : {&Material::alpha, &Material::anisotropy, &Material::anisotropy_turns, &Material::sheen,
+                              &Material::sheen_roughness}) {
+        seen.push_back(fingerprint(number));
+    }
+    CHECK(fingerprint(&Material::alpha) == seen[0]);
+    seen.push_back(fingerprint(&Material::alpha, {kNoTexture, {1, 1}, {0.5f, 0}}));
+    seen.push_back(fingerprint(&Material::alpha, {}, {1, std::nextafter(1.0f, 0.0f), 1}));
+    std::sort(seen.begin(), seen.end());
+    CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
+}
+
 TEST_CASE("checkpoint: lights and skies enter the identity by every number, however small the change")
 {
     const auto fingerprint = [](const Fixture& fixture, const Environment& sky) {

@@ -111,6 +111,23 @@ TEST_CASE("maps: map_Pr and map_Pm multiply their numbers, read as plain bytes")
     CHECK(peak(0.5f) > 20 * peak(-0.5f));
 }
 
+TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stands alone")
+{
+    const Scene scene = square("Kd 1 1 1\nPr 0.5\nPs 0.5\nmap_Ps t.ppm\naniso 0.6\nanisor 0.25\n",
+                               {255, 255, 255, 51, 51, 51}, studio_environment());
+    const Surface left = surface_below(scene, -0.5f), right = surface_below(scene, 0.5f);
+    CHECK(left.material->anisotropy == 0.6f);
+    CHECK(left.material->anisotropy_turns == 0.25f);
+    CHECK(left.material->brushed());
+    CHECK(static_cast<double>(left.values.sheen) == Approx(0.5));
+    CHECK(static_cast<double>(right.values.sheen) == Approx(0.1));
+    const Scene alone = square("Kd 0 0 0\nmap_Ps t.ppm\n", {255, 255, 255, 0, 0, 0}, studio_environment());
+    CHECK(static_cast<double>(surface_below(alone, -0.5f).values.sheen) == Approx(1));
+    const Surface bald = surface_below(alone, 0.5f);
+    const float sent = bald.material->bsdf(bald.values, 0).eval({0, 0.6f, 0.8f}, {0, 0.8f, 0.6f}).g;
+    CHECK(static_cast<double>(sent) == Approx(0).margin(1e-6));
+}
+
 TEST_CASE("maps: a normal map bends towards u and v on either side, a flat one not at all")
 {
     const Scene scene = square("Kd 1 1 1\nnorm t.ppm\n", {128, 128, 255, 218, 128, 218}, studio_environment());

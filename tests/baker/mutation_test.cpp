@@ -20,14 +20,15 @@ namespace
 
 constexpr char kObj[] = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n";
 constexpr char kMtl[] =
-    "newmtl a\nKd 0.5 0.4 0.3\nKs 1 1 1\nNs 90\nNi 1.5\nillum 7\nTf 0.9 0.9 0.9\nPr 0.3\nPm 0.5\nPc 1\nPcr 0.1\n"
-    "Ke 1 0 0\nd 0.5\nmap_Kd -s 2 2 1 t.ppm\nmap_Bump -bm 0.5 t.ppm\nmap_d t.ppm\nnorm t.ppm\n";
+    "newmtl a\nKd 0.5 0.4 0.3\nKs 1 1 1\nNs 90\nNi 1.5\nillum 7\nTf 0.9 0.9 0.9\nPr 0.3\nPm 0.5\nPc 1\nPcr 0.1\nPs "
+    "0.4\naniso 0.6\nanisor 0.2\n"
+    "Ke 1 0 0\nd 0.5\nmap_Kd -s 2 2 1 t.ppm\nmap_Bump -bm 0.5 t.ppm\nmap_d t.ppm\nmap_Ps t.ppm\nnorm t.ppm\n";
 constexpr char kJson[] = R"({"objects": [{"obj": "o.obj", "scale": 2, "rotate": [1, 2, 3], "translate": [0, 1, 0]}],
 "up": "z", "environment": {"picture": "e.hdr", "rotate": 30, "scale": 2},
 "lights": [{"type": "spot", "position": [0, 2, 0], "target": [0, 0, 0], "angle": 20, "intensity": 3},
 {"type": "rectangle", "position": [3, 2, 0], "target": [0, 0, 0], "size": [1, 2], "radiance": [1, 2, 3]},
 {"type": "sphere", "position": [0, 4, 0], "radius": 0.5, "radiance": 9}],
-"materials": {"a": {"metal": "gold", "roughness": 0.2, "glass": {"transmittance": 0.5, "at": 3}}},
+"materials": {"a": {"metal": "gold", "roughness": 0.2, "anisotropy": 0.5, "sheen": 0.3, "glass": {"transmittance": 0.5, "at": 3}}},
 "ground": {"radius": 3, "material": {"coat": 1}}, "exposure": 1.5, "tone": "aces",
 "sphere": {"centre": [0, 0, 0], "radius": 99}})";
 const std::string kPixel = std::string("P6\n1 1\n255\n") + "abc";

@@ -237,6 +237,11 @@ TEST_CASE("mtl: numbers that are none are refused with their line, those out of 
     CHECK(static_cast<double>(m.base.g) == 0);
     CHECK_THAT(warnings, Catch::Contains("m.mtl:2: Kd 2 is out of range") && Catch::Contains("Kd -1"));
     CHECK(static_cast<double>(only_material("Kd 0.25\n").base.b) == Approx(0.25));
+    const Material brushed = only_material("Pr 0.5\nPm 1\naniso 3\nPs -1\n", &warnings);
+    CHECK(brushed.anisotropy == 1);
+    CHECK(brushed.sheen == 0);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:4: aniso 3 is out of range") && Catch::Contains("m.mtl:5: Ps -1"));
+    CHECK_THROWS_WITH(only_material("anisor x\n"), Catch::Contains("m.mtl:2: 'x' is not a finite number"));
 }
 
 TEST_CASE("mtl: its terms become the materials that material.h states")

@@ -151,6 +151,23 @@ TEST_CASE("scene file: materials override what MTL says")
     CHECK(static_cast<double>(pane.absorbed(4).r) == Approx(0.25));
 }
 
+TEST_CASE("scene file: anisotropy turns by degrees, and a colour of sheen alone asks for all of it")
+{
+    const SceneParts parts = with(R"("materials": {
+      "paint": {"metal": "iron", "roughness": 0.5, "anisotropy": 0.75, "anisotropy_rotation": 90},
+      "pane": {"sheen_colour": [1, 0.5, 0.25], "sheen_roughness": 0.1}})");
+    const Material& iron = parts.materials[0];
+    CHECK(iron.brushed());
+    CHECK(iron.anisotropy == 0.75f);
+    CHECK(iron.anisotropy_turns == 0.25f);
+    CHECK_FALSE(iron.fibres);
+    const Material& felt = parts.materials[1];
+    CHECK(felt.sheen == 1);
+    CHECK(felt.sheen_colour.b == 0.25f);
+    CHECK(felt.sheen_roughness == 0.1f);
+    CHECK(with(R"("materials": {"pane": {"sheen_colour": 1, "sheen": 0.5}})").materials[1].sheen == 0.5f);
+}
+
 TEST_CASE("scene file: the ground lies under the lowest point")
 {
     const SceneParts parts = with(R"("ground": {"radius": 3, "material": {"colour": 0.25}})");
@@ -218,6 +235,11 @@ TEST_CASE("scene file: members that cannot be are refused with their line")
     check_member_refused("\"materials\": {\"gold\": {}}", "no object has a material 'gold'; choose among: paint, pane");
     check_member_refused("\"materials\": {\"paint\": {\"metal\": \"tin\"}}", "choose one of: aluminium");
     check_member_refused("\"materials\": {\"paint\": {\"roughness\": 2}}", "choose it from 0 to 1");
+    check_member_refused("\"materials\": {\"paint\": {\"anisotropy\": 1.5}}", "choose it from 0 to 1");
+    check_member_refused("\"materials\": {\"paint\": {\"anisotropy_rotation\": 361}}", "choose it from -360 to 360");
+    check_member_refused("\"materials\": {\"paint\": {\"sheen\": -0.5}}", "choose it from 0 to 1");
+    check_member_refused("\"materials\": {\"paint\": {\"sheen_colour\": [1, 2, 1]}}", "choose it from 0 to 1");
+    check_member_refused("\"materials\": {\"paint\": {\"sheen_roughness\": 0.05}}", "choose it from 0.1 to 1");
     check_member_refused("\"lights\": {}", "'lights' must be a list");
     check_refused("{\"objects\": [{\n\"obj\": \"no.obj\"}]}", "2", "the object 'no.obj' is missing");
     check_refused("{\"objects\": [{\"obj\": \"o.obj\",\n\"scale\": 0}]}", "2", "'scale' flattens the object");
