@@ -179,6 +179,17 @@ TestSection chart_colours_section(const TestGuided& g, Colour colour)
     return {format::kChartColours, format::kRequired, b};
 }
 
+// Depths that hide some of what an origin sees.
+inline TestSection occlusion_section(const TestGuided& g)
+{
+    TestChartRows coarse = full_rows(g.chart_size);
+    const uint32_t side = static_cast<uint32_t>(coarse.counts.size() >> format::kOcclusionShift) + 1;
+    coarse.first_u.assign(side, 0);
+    coarse.counts.assign(side, side);
+    return table_section(format::kOcclusionSection, false, std::vector(g.used_origins, coarse),
+                         [](uint32_t i, uint32_t k) { return 120 + (i * 5 + k * 17) % 136; });
+}
+
 // A small field with every section: mesh, mean of `mean_format`, charts of full discs, occlusion.
 inline std::vector<TestSection> sample_guided_sections(const TestGuided& g, const TestMesh& mesh = tetrahedron(),
                                                        const TestMean& mean = {})
@@ -198,12 +209,7 @@ inline std::vector<TestSection> sample_guided_sections(const TestGuided& g, cons
     sections.push_back(
         chart_colours_section(g, [](uint32_t group, uint32_t k) { return group * 0x050301 + k * 0x0B0D07; }));
     if (!meshed) return sections;
-    TestChartRows coarse = full_rows(g.chart_size);
-    const uint32_t side = static_cast<uint32_t>(coarse.counts.size() >> format::kOcclusionShift) + 1;
-    coarse.first_u.assign(side, 0);
-    coarse.counts.assign(side, side);
-    sections.push_back(table_section(format::kOcclusionSection, false, std::vector(g.used_origins, coarse),
-                                     [](uint32_t i, uint32_t k) { return 120 + (i * 5 + k * 17) % 136; }));
+    sections.push_back(occlusion_section(g));
     return sections;
 }
 

@@ -5,199 +5,15 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "aligned_copy.h"
-#include "guided_bytes.h"
+#include "guided_drawing.h"
 #include "lumi/focus_surface.h"
-#include "lumi/reference/guided_picture.h"
 #include "report.h"
-#include "views.h"
+#include "srgb.h"
 
 using namespace lumi;
 using namespace lumi::test;
-using format::GuidedSurface;
 using format::GuidedTexel;
 using format::MeanFormat;
-
-namespace
-{
-
-#ifdef LUMI_TEST_LIGHT
-constexpr int32_t kSide = 20;
-constexpr uint32_t kRandomViews = 2;
-#else
-constexpr int32_t kSide = 80;
-constexpr uint32_t kRandomViews = 60;
-#endif
-
-using Linear3 = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, OcclusionUse::ignored>;
-using Best = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, MeanRgb565, OcclusionUse::read>;
-
-struct Opened {
-    AlignedCopy copy;
-    GuidedField field;
-
-    explicit Opened(const Bytes& bytes) : copy(bytes)
-    {
-        REQUIRE(open_guided(copy.data(), copy.size(), field) == FieldError::none);
-    }
-};
-
-// A focus field whose charts show a smooth function of the exit point's place on the disc, with holes.
-Bytes focus_field(uint32_t origins, uint32_t used, int32_t focus_radius_q14)
-{
-    TestGuided g;
-    g.origins = origins;
-    g.used_origins = used;
-    g.chart_size = 32;
-    g.surface = GuidedSurface::focus;
-    g.focus_q14[0] = 1500;
-    g.focus_q14[1] = -3000;
-    g.focus_q14[2] = 2500;
-    g.focus_radius_q14 = static_cast<uint32_t>(focus_radius_q14);
-    const TestChartRows disc = full_rows(g.chart_size);
-    const uint32_t side = disc.counts[0];
-    return file_of({guided_section(g),
-                    table_section(format::kChartSection, true, std::vector(used, disc),
-                                  [&](uint32_t, uint32_t k) {
-                                      const int32_t du = static_cast<int32_t>(2 * (k % side)) - 41;
-                                      const int32_t dv = static_cast<int32_t>(2 * (k / side)) - 41;
-                                      const int32_t square = (du * du - du * dv + dv * dv) / 120;
-                                      return static_cast<uint32_t>(square > 15 ? 0 : 15 - square);
-                                  }),
-                    chart_colours_section(g, [used](uint32_t group, uint32_t k) {
-                        return k * 17 | (255 - k * 15) << 8 | (group * 255 / (used / 16)) << 16;
-                    })});
-}
-
-// Through the centre of pixel (x, y).
-Vec3 viewing_vector(const View& view, int32_t x, int32_t y)
-{
-    const Image& image = view.image;
-    const double per_px =
-        2 * std::tan(reference::kPi * image.fov_turns32 / 4294967296.0) / std::max(image.width_px, image.height_px);
-    const double right = (x + 0.5 - image.width_px / 2.0 - image.shift_x_q8 / 256.0) * per_px;
-    const double up = -(y + 0.5 - image.height_px / 2.0 - image.shift_y_q8 / 256.0) * per_px;
-    return reference::decoded(view.pose.forward) + right * reference::decoded(view.pose.right) +
-           up * reference::decoded(view.pose.up);
-}
-
-Camera camera_of(const View& view)
-{
-    Camera camera;
-    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-    return camera;
-}
-
-constexpr Rgb8 kBehind = {20, 90, 160};
-
-template <class Policy, class Surface>
-std::vector<uint8_t> draw(const GuidedField& field, const Camera& camera, Surface& surface)
-{
-    const uint32_t width = static_cast<uint32_t>(camera.width_px);
-    std::vector<uint8_t> pixels(width * static_cast<uint32_t>(camera.height_px) * 3, 77);
-    const Stripe stripe = {pixels.data(), 0, 0, camera.width_px, camera.height_px, width * 3};
-    REQUIRE(render_guided<Policy, PixelRgb888>(field, camera, surface, OverColour{kBehind}, stripe) ==
-            GuidedError::none);
-    return pixels;
-}
-
-// The share of channels that differ by more than `levels`, and the mean difference, against double precision.
-struct Agreement {
-    double mean = 0, beyond = 0;
-};
-
-Agreement against_reference(const GuidedField& field, const View& view, const std::vector<uint8_t>& pixels,
-                            double levels)
-{
-    const reference::GuidedPicture exact = reference::draw_guided(field, view.pose, view.image, {}, kBehind);
-    Agreement result;
-    for (size_t k = 0; k < exact.colours.size(); ++k) {
-        const double c[3] = {exact.colours[k].r, exact.colours[k].g, exact.colours[k].b};
-        for (size_t m = 0; m < 3; ++m) {
-            const double d = std::fabs(c[m] - pixels[3 * k + m]);
-            result.mean += d / static_cast<double>(pixels.size());
-            if (d > levels) result.beyond += 1 / static_cast<double>(pixels.size());
-        }
-    }
-    return result;
-}
-
-}  // namespace
-
-TEST_CASE("the focus surface is where double precision puts it", "[guided]")
-{
-    const int32_t radius_q14 = GENERATE(0, 6000);
-    const Opened opened(focus_field(64, 64, radius_q14));
-    Worst worst, far;
-    for (const View& view : extreme_views(kSide)) {
-        if (!view.visible) continue;
-        const Camera camera = camera_of(view);
-        FocusSurface surface(opened.field, camera);
-        const double distance = reference::length(reference::decoded(view.pose.eye));
-        for (int32_t y = 0; y < camera.height_px; y += 3) {
-            const RowSpan covered = covered_span(camera, y, 0, camera.width_px);
-            surface.begin_row(y);
-            for (int32_t x = covered.begin; x < covered.end; x += 2) {
-                SurfacePoint seen[1];
-                REQUIRE(surface.at(x, seen) == 1);
-                const Vec3 eye = reference::decoded(view.pose.eye);
-                const Vec3 d = reference::normalised(viewing_vector(view, x, y));
-                const auto focus = [&](int k) { return opened.field.focus_q14[k] / 16384.0; };
-                const Vec3 f = {focus(0), focus(1), focus(2)};
-                Vec3 nearest = eye + reference::dot(f - eye, d) * d;
-                const double rest = std::pow(radius_q14 / 16384.0, 2) - reference::dot(nearest - f, nearest - f);
-                if (std::fabs(rest) < 0.002) continue;  // where the ray touches the focus sphere the root has no slope
-                if (rest > 0) nearest = nearest + (-std::sqrt(rest)) * d;
-                const Vec3 got = {seen[0].x_q14 / 16384.0, seen[0].y_q14 / 16384.0, seen[0].z_q14 / 16384.0};
-                (distance < 10 ? worst : far)
-                    .see(reference::length(got - nearest), static_cast<uint64_t>(y * 10000 + x));
-            }
-        }
-    }
-    worst.report("focus surface");
-    far.report("focus surface from far away");
-    CHECK(worst.error < 1.0 / 512);
-    CHECK(far.error < 1.0 / 128);
-}
-
-TEST_CASE("pictures of focus fields are those of double precision at every extreme", "[guided]")
-{
-#ifdef LUMI_TEST_LIGHT
-    const uint32_t origins = GENERATE(64u, 300u);  // 4096 would not fit into a board's memory
-#else
-    const uint32_t origins = GENERATE(64u, 300u, 4096u);
-#endif
-    const Opened opened(focus_field(origins, origins, 0));
-    for (const View& view : extreme_views(kSide)) {
-        INFO(view.name << ", " << origins << " origins");
-        const Camera camera = camera_of(view);
-        FocusSurface surface(opened.field, camera);
-        const Agreement a = against_reference(opened.field, view, draw<Linear3>(opened.field, camera, surface), 12);
-        std::printf("%-36s mean %.3f levels, beyond 12: %.4f\n", view.name.c_str(), a.mean, a.beyond);
-        CHECK(a.mean < 1.2);
-        CHECK(a.beyond < 0.02);
-    }
-}
-
-TEST_CASE("pictures of focus fields are those of double precision from anywhere", "[guided]")
-{
-    const Opened opened(focus_field(128, 100, 5000));
-    std::minstd_rand random(11);
-    Worst mean, beyond;
-    for (uint32_t n = 0; n < kRandomViews; ++n) {
-        const View view = random_view(random, kSide);
-        const Camera camera = camera_of(view);
-        FocusSurface surface(opened.field, camera);
-        const Agreement a = against_reference(opened.field, view, draw<Linear3>(opened.field, camera, surface), 12);
-        mean.see(a.mean, n);
-        beyond.see(a.beyond, n);
-    }
-    mean.report("mean difference of random views, levels");
-    beyond.report("share beyond 12 levels");
-    // Spans of 16 pixels in pictures of 80: at their real size the error of stepping is a ninth.
-    CHECK(mean.error < 1.4);
-    CHECK(beyond.error < 0.03);
-}
 
 namespace
 {
@@ -271,7 +87,7 @@ View close_view()
 
 TEST_CASE("any rectangle of a guided picture shows the same bits", "[guided]")
 {
-    const Opened opened(focus_field(200, 200, 4000));
+    const OpenedGuided opened(focus_field(200, 200, 4000));
     for (const View& view : extreme_views(kSide)) {
         if (!view.visible) continue;
         INFO(view.name);
@@ -302,7 +118,7 @@ TEST_CASE("any rectangle of a guided picture shows the same bits", "[guided]")
 
 TEST_CASE("a guided pixel beside the surface is background", "[guided]")
 {
-    const Opened opened(guided_file(GuidedTexel::index4, MeanFormat::rgb565));
+    const OpenedGuided opened(guided_file(GuidedTexel::index4, MeanFormat::rgb565));
     const Camera camera = camera_of(close_view());
     auto nothing = seeing<1>([](int32_t, int32_t, SurfacePoint(&)[1]) { return 0u; });
     size_t k = 0;
@@ -318,7 +134,7 @@ TEST_CASE("a guided pixel beside the surface is background", "[guided]")
 
 TEST_CASE("surfaces that share a pixel mix as light, and show the background by what they leave", "[guided]")
 {
-    const Opened opened(guided_file(GuidedTexel::index4, MeanFormat::rgb565));
+    const OpenedGuided opened(guided_file(GuidedTexel::index4, MeanFormat::rgb565));
     const Camera camera = camera_of(close_view());
     const SurfacePoint a = {3000, 2000, 4000, 1}, b = {-2000, 3000, -1000, 2};
     const auto shade_of = [&](const SurfacePoint& p) {
@@ -347,11 +163,8 @@ TEST_CASE("surfaces that share a pixel mix as light, and show the background by 
     REQUIRE(covered.end - covered.begin > kSide / 2);
     for (int32_t k = (y * kSide + covered.begin) * 3; k < (y * kSide + covered.end) * 3; ++k) {
         const size_t at = static_cast<size_t>(k);
-        const auto light = [](double v) {
-            return v / 255 <= 0.04045 ? v / 255 / 12.92 : std::pow((v / 255 + 0.055) / 1.055, 2.4);
-        };
-        const double mean = (light(only_a[at]) + 2 * light(only_b[at])) / 3;
-        const double level = 255 * (mean <= 0.0031308 ? 12.92 * mean : 1.055 * std::pow(mean, 1 / 2.4) - 0.055);
+        const double mean = (light_of_level(only_a[at]) + 2 * light_of_level(only_b[at])) / 3;
+        const double level = level_of_light(mean);
         worst.see(std::fabs(mixed[at] - (0.75 * level + 0.25 * under[at % 3])), at);
         worst.see(std::fabs(partly[at] - (0.75 * only_a[at] + 0.25 * under[at % 3])), at);
     }
@@ -369,7 +182,7 @@ TEST_CASE("drawing refuses fields that a policy cannot read, and odd addresses",
     const auto drawn = [&](const GuidedField& field, auto policy) {
         return render_guided<decltype(policy), PixelRgb888>(field, camera, nothing, OverBlack{}, stripe);
     };
-    const Opened opened(bytes);
+    const OpenedGuided opened(bytes);
     CHECK(drawn(opened.field, Best()) == GuidedError::none);
     CHECK(drawn(opened.field, Linear3()) == GuidedError::wrong_policy);
     std::vector<uint8_t> shifted(bytes.size() + 2);
@@ -406,7 +219,7 @@ TEST_CASE("hostile rows, directories and colours are read within the file", "[gu
             entry[format::chart::kFirstRowAt] = static_cast<uint8_t>(random());
             entry[format::chart::kFirstRowAt + 1] = static_cast<uint8_t>(n % 2 == 0 ? 0 : random());
         }
-        const Opened opened(bytes);
+        const OpenedGuided opened(bytes);
         draw_every_way(opened.field, camera);
     }
 }
@@ -415,10 +228,10 @@ TEST_CASE("every policy draws points anywhere, from anywhere", "[guided]")
 {
     for (const GuidedTexel texel : {GuidedTexel::none, GuidedTexel::index4, GuidedTexel::index8}) {
         for (const MeanFormat mean : {MeanFormat::rgb565, MeanFormat::palette8}) {
-            const Opened opened(guided_file(texel, mean));
+            const OpenedGuided opened(guided_file(texel, mean));
             for (const View& view : extreme_views(kSide / 2)) draw_every_way(opened.field, camera_of(view));
         }
     }
-    const Opened bare(focus_field(64, 64, 0));
+    const OpenedGuided bare(focus_field(64, 64, 0));
     for (const View& view : extreme_views(kSide / 2)) draw_every_way(bare.field, camera_of(view));
 }

@@ -5,10 +5,9 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "aligned_copy.h"
 #include "guided_bytes.h"
-#include "lumi/linear_light.h"
 #include "lumi/reference/guided_shading.h"
+#include "opened_guided.h"
 #include "reference.h"
 #include "report.h"
 
@@ -47,16 +46,6 @@ Vec3 decoded_point(const SurfacePoint& x)
 {
     return {x.x_q14 / 16384.0, x.y_q14 / 16384.0, x.z_q14 / 16384.0};
 }
-
-struct Opened {
-    AlignedCopy copy;
-    GuidedField field;
-
-    explicit Opened(const Bytes& bytes) : copy(bytes)
-    {
-        REQUIRE(open_guided(copy.data(), copy.size(), field) == FieldError::none);
-    }
-};
 
 // A triangle of origins with weights that sum to 256.
 OriginTaps random_taps(const GuidedField& field, std::minstd_rand& random)
@@ -128,14 +117,7 @@ Bytes smooth_field(const TestGuided& g, const TestMean* mean, bool occlusion)
         const uint32_t level = k * 256 / entries;
         return level | (255 - level) << 8 | (level / 2) << 16;
     }));
-    if (occlusion) {
-        TestChartRows coarse = full_rows(g.chart_size);
-        const uint32_t side = static_cast<uint32_t>(coarse.counts.size() >> format::kOcclusionShift) + 1;
-        coarse.first_u.assign(side, 0);
-        coarse.counts.assign(side, side);
-        sections.push_back(table_section(format::kOcclusionSection, false, std::vector(g.used_origins, coarse),
-                                         [](uint32_t i, uint32_t k) { return 120 + (i * 5 + k * 17) % 136; }));
-    }
+    if (occlusion) sections.push_back(occlusion_section(g));
     return file_of(sections);
 }
 
@@ -183,7 +165,7 @@ TEST_CASE("a place in a chart is within 1/16 grid point of the real one", "[guid
     g.chart_size = size;
     g.texel = GuidedTexel::none;
     const TestMean mean = smooth_mean(MeanFormat::rgb565);
-    const Opened opened(smooth_field(g, &mean, false));
+    const OpenedGuided opened(smooth_field(g, &mean, false));
     Worst worst, near;
     for (uint32_t n = 0; n < kPoints; ++n) {
         const uint32_t origin = static_cast<uint32_t>(n % g.origins);
@@ -225,7 +207,7 @@ TEST_CASE("mean colours are trilinear within a level", "[guided]")
     g.texel = GuidedTexel::none;
     const MeanFormat kind = GENERATE(MeanFormat::rgb565, MeanFormat::palette8);
     TestMean mean = smooth_mean(kind);
-    const Opened opened(smooth_field(g, &mean, false));
+    const OpenedGuided opened(smooth_field(g, &mean, false));
     std::minstd_rand random(3);
     Worst worst;
     double sum = 0;
@@ -252,42 +234,42 @@ TEST_CASE("shades are those of double precision, whatever a field stores", "[gui
     const TestMean five = smooth_mean(MeanFormat::rgb565), eight = smooth_mean(MeanFormat::palette8);
     SECTION("4-bit differences over 5-6-5 voxels, with occlusion")
     {
-        const Opened o(smooth_field(g, &five, true));
+        const OpenedGuided o(smooth_field(g, &five, true));
         compare<GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, MeanRgb565, kRead>>(o.field, kBest, 4, 0.98);
     }
     SECTION("8-bit differences over palette voxels")
     {
         g.texel = GuidedTexel::index8;
-        const Opened o(smooth_field(g, &eight, false));
+        const OpenedGuided o(smooth_field(g, &eight, false));
         compare<GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex8, MeanPalette8, kRead>>(o.field, kBest, 4, 0.98);
     }
     SECTION("absolute colours")
     {
-        const Opened o(smooth_field(g, nullptr, true));
+        const OpenedGuided o(smooth_field(g, nullptr, true));
         compare<GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, kRead>>(o.field, kBest, 3, 0.98);
     }
     SECTION("coverage on a focus surface")
     {
         g.surface = GuidedSurface::focus;
         g.used_origins = 40;
-        const Opened o(smooth_field(g, nullptr, false));
+        const OpenedGuided o(smooth_field(g, nullptr, false));
         compare<GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, kRead>>(o.field, kBest, 4, 0.95);
     }
     SECTION("the mean alone")
     {
         g.texel = GuidedTexel::none;
-        const Opened o(smooth_field(g, &five, false));
+        const OpenedGuided o(smooth_field(g, &five, false));
         compare<GuidedPolicy<ThreeOrigins, LinearTaps, NoChart, MeanRgb565, kRead>>(o.field, kBest, 2.5, 0.999);
     }
     SECTION("one origin, nearest tap")
     {
-        const Opened o(smooth_field(g, &five, true));
+        const OpenedGuided o(smooth_field(g, &five, true));
         const reference::GuidedShading least = {reference::Origins::heaviest, reference::Taps::nearest};
         compare<GuidedPolicy<OneOrigin, NearestTap, GuidedIndex4, MeanRgb565, kRead>>(o.field, least, 3, 0.94);
     }
     SECTION("three origins, nearest tap")
     {
-        const Opened o(smooth_field(g, &five, true));
+        const OpenedGuided o(smooth_field(g, &five, true));
         const reference::GuidedShading nearest = {reference::Origins::three, reference::Taps::nearest};
         compare<GuidedPolicy<ThreeOrigins, NearestTap, GuidedIndex4, MeanRgb565, kRead>>(o.field, nearest, 3, 0.94);
     }
@@ -297,7 +279,7 @@ TEST_CASE("policies fit the fields that hold what they read", "[guided]")
 {
     TestGuided g;
     const TestMean five = smooth_mean(MeanFormat::rgb565);
-    const Opened full(smooth_field(g, &five, true)), bare(smooth_field(g, nullptr, false));
+    const OpenedGuided full(smooth_field(g, &five, true)), bare(smooth_field(g, nullptr, false));
     using Full = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, MeanRgb565, kRead>;
     using Bare = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, kRead>;
     using MeanOnly = GuidedPolicy<ThreeOrigins, LinearTaps, NoChart, MeanRgb565, kRead>;
@@ -310,29 +292,4 @@ TEST_CASE("policies fit the fields that hold what they read", "[guided]")
     CHECK_FALSE(Palette::fits(full.field));
     CHECK(Bare::fits(bare.field));
     CHECK_FALSE(Full::fits(bare.field));
-}
-
-TEST_CASE("encoded levels and light are each other's inverse, and mixtures are the nearest level", "[guided]")
-{
-    for (uint32_t level = 0; level < 256; ++level) CHECK(encoded_level(kLinearLight.at[level]) == level);
-    CHECK(encoded_level(65535) == 255);
-    Worst worst;
-    for (uint32_t a = 0; a < 256; ++a) {
-        for (uint32_t b = 0; b < 256; b += 5) {
-            LightMixture mixture;
-            const auto grey = [](uint32_t v) {
-                return Rgb8{static_cast<uint8_t>(v), 0, static_cast<uint8_t>(255 - v)};
-            };
-            mixture.add(grey(a), 1);
-            mixture.add(grey(b), 3);
-            const auto light = [](double v) {
-                return v / 255 <= 0.04045 ? v / 255 / 12.92 : std::pow((v / 255 + 0.055) / 1.055, 2.4);
-            };
-            const double mean = (light(a) + 3 * light(b)) / 4;
-            const double level = 255 * (mean <= 0.0031308 ? 12.92 * mean : 1.055 * std::pow(mean, 1 / 2.4) - 0.055);
-            worst.see(std::fabs(mixture.colour().r - level), a * 256 + b);
-        }
-    }
-    worst.report("mixture of two levels");
-    CHECK(worst.error < 0.56);  // half a level; nearest in light is not quite nearest in level
 }

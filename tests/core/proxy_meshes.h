@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "guided_bytes.h"
 #include "lumi/guided_field.h"
@@ -66,6 +67,28 @@ inline TestMesh needle()
                      vertex_at(-0.495, -0.5, -0.61), vertex_at(-0.5, -0.495, -0.59)};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 3, 2}, {1, 4, 3}};
     mesh.flags = format::kTwoSided;
+    return mesh;
+}
+
+inline uint32_t random_below(std::mt19937& random, uint32_t end)
+{
+    return static_cast<uint32_t>(random() % end);
+}
+
+// Triangles of any size anywhere in the cube, which the file can hold although the sphere cuts its corners off.
+inline TestMesh soup(std::mt19937& random, uint32_t triangles)
+{
+    TestMesh mesh;
+    for (uint32_t k = 0; k < 3 * triangles; ++k) {
+        const bool anywhere = k % 3 == 0 || k % 6 < 3;
+        const Triple base = anywhere ? Triple{} : mesh.vertices[k - k % 3];
+        const auto number = [&](uint32_t from) {
+            return std::min<uint32_t>(4095, from + random_below(random, anywhere ? 4096 : 200));
+        };
+        mesh.vertices.push_back({number(base[0]), number(base[1]), number(base[2])});
+        if (k % 3 == 2) mesh.triangles.push_back({k - 2, k - 1, k});
+    }
+    mesh.flags = random_below(random, 2) == 0 ? format::kTwoSided : 0;
     return mesh;
 }
 

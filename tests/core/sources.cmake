@@ -4,12 +4,16 @@ set(LUMI_CORE_TEST_SOURCES
   camera_test.cpp
   color_test.cpp
   field_test.cpp
+  focus_surface_test.cpp
   guided_field_test.cpp
+  guided_hostile_test.cpp
   guided_render_test.cpp
   guided_shade_test.cpp
   lattice_test.cpp
+  linear_light_test.cpp
   math_test.cpp
   polar_test.cpp
+  proxy_stripes_test.cpp
   proxy_test.cpp
   quality_test.cpp
   render_test.cpp
