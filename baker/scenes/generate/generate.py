@@ -6,12 +6,13 @@ import pathlib
 import sys
 
 import cornell
+import finishes
 import gallery
 import product
 import testcard
 from mesh import Obj
 
-SCENES = (product, cornell, testcard, gallery)
+SCENES = (product, cornell, testcard, gallery, finishes)
 
 
 def _contents():
