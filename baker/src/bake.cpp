@@ -3,6 +3,8 @@
 
 #include "checkpoint.h"
 #include "job.h"
+#include "output_names.h"
+#include "row_file.h"
 #include "texel_encoder.h"
 #include "texel_tracer.h"
 
@@ -25,10 +27,11 @@ public:
     Baker(const Scene& scene, const BakeSettings& settings, Checkpoint& checkpoint, const ProgressCallback& progress)
         : settings_(settings),
           checkpoint_(checkpoint),
-          layout_(checkpoint.rows().layout()),
+          rows_(checkpoint.blocks()),
+          layout_(rows_.layout()),
+          missing_(reserved(checkpoint, rows_)),
           tracer_(scene.data(), settings),
-          missing_(checkpoint.missing_slots()),
-          has_palette_(checkpoint.rows().read_palette(palette_)),
+          has_palette_(rows_.read_palette(palette_)),
           job_(rays_total(), settings.threads, progress, rays_done())
     {
     }
@@ -37,7 +40,7 @@ public:
     {
         if (!has_palette_) {
             fit();
-            checkpoint_.rows().write_palette(palette_);
+            rows_.write_palette(palette_);
         }
         job_.run(static_cast<uint32_t>(missing_.size()), [this](uint32_t k) { bake_slot(missing_[k]); });
         checkpoint_.sync();
@@ -54,6 +57,14 @@ public:
     }
 
 private:
+    // The missing slots of a checkpoint that now takes its whole size.
+    static std::vector<uint32_t> reserved(Checkpoint& checkpoint, const RowFile& rows)
+    {
+        std::vector<uint32_t> missing = missing_slots(rows);
+        checkpoint.reserve(rows.complete_bytes(), missing.size() == rows.slot_count());
+        return missing;
+    }
+
     uint64_t texel_count() const { return uint64_t{layout_.used_origins} * layout_.directions; }
 
     uint64_t palette_samples() const
@@ -63,14 +74,11 @@ private:
 
     uint64_t rays_of_rows(uint64_t rows) const { return rows * layout_.directions * settings_.samples; }
 
-    uint64_t rays_total() const
-    {
-        return rays_of_rows(checkpoint_.rows().slot_count()) + palette_samples() * settings_.samples;
-    }
+    uint64_t rays_total() const { return rays_of_rows(rows_.slot_count()) + palette_samples() * settings_.samples; }
 
     uint64_t rays_done() const
     {
-        return rays_of_rows(checkpoint_.rows().slot_count() - missing_.size()) +
+        return rays_of_rows(rows_.slot_count() - missing_.size()) +
                (has_palette_ ? palette_samples() * settings_.samples : 0);
     }
 
@@ -84,7 +92,7 @@ private:
     void bake_slot(uint32_t slot)
     {
         std::vector<uint8_t> row(layout_.row_stride());
-        const uint32_t i = checkpoint_.rows().row_of(slot);
+        const uint32_t i = rows_.row_of(slot);
         const OriginDisc disc = tracer_.disc(i);
         for (uint32_t j = 0; j < layout_.directions; ++j) {
             if (job_.stopping()) {
@@ -92,14 +100,14 @@ private:
             }
             encode_texel(layout_.texel, palette_, estimate(disc, i, j), row.data(), j);
         }
-        checkpoint_.store(slot, row);
+        rows_.write_row(slot, row);
+        checkpoint_.sync_now_and_then();
     }
 
     void read_back(uint32_t slot, std::vector<uint8_t>& row) const
     {
-        const RowFile& rows = checkpoint_.rows();
-        if (!rows.read_row(slot, row)) {
-            throw BakeError(rows.path().string() +
+        if (!rows_.read_row(slot, row)) {
+            throw BakeError(rows_.path().string() +
                             ": a row changed after it was written; check the disk, then bake again, which traces that "
                             "row only");
         }
@@ -135,43 +143,19 @@ private:
 
     const BakeSettings settings_;
     Checkpoint& checkpoint_;
+    RowFile rows_;
     const FieldLayout layout_;
+    const std::vector<uint32_t> missing_;
     const TexelTracer tracer_;
     Palette palette_{};
-    const std::vector<uint32_t> missing_;
     const bool has_palette_;
     Job job_;
 };
 
-fs::path checkpoint_of(const fs::path& output)
+bool has_all(BlockFile& file)
 {
-    std::error_code ignored;
-    if (fs::is_directory(output, ignored)) {
-        throw BakeError(output.string() + ": this is a folder; name a file in it");
-    }
-    fs::path path = output;
-    path += ".part";
-    return path;
-}
-
-enum class Finished : uint8_t { none, complete, damaged };
-
-// Whether `output` is a shard of this very bake already.
-Finished find_finished(const fs::path& output, const BakeIdentity& identity)
-{
-    std::error_code ignored;
-    if (!fs::is_regular_file(output, ignored)) {
-        return Finished::none;
-    }
-    try {
-        const RowFile rows(std::make_unique<PosixFile>(output, PosixFile::Mode::read));
-        if (!difference(rows.identity(), identity).empty() || rows.identity().shard.index != identity.shard.index) {
-            return Finished::none;
-        }
-        return missing_slots(rows).empty() && rows.has_intact_palette() ? Finished::complete : Finished::damaged;
-    } catch (const BakeError&) {
-        return Finished::none;  // anything else gets replaced, as any earlier output
-    }
+    const RowFile rows(file);
+    return missing_slots(rows).empty() && rows.has_intact_palette();
 }
 
 }  // namespace
@@ -202,18 +186,10 @@ void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& s
                 const ProgressCallback& progress, Earlier earlier)
 {
     const BakeIdentity identity = identity_of(scene, settings, shard);
-    const fs::path part = checkpoint_of(output);
-    if (earlier == Earlier::resume) {
-        const Finished finished = find_finished(output, identity);
-        if (finished == Finished::complete) {
-            return;
-        }
-        std::error_code ignored;
-        if (finished == Finished::damaged && !fs::exists(part, ignored)) {
-            fs::rename(output, part, ignored);
-        }
+    if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all)) {
+        return;
     }
-    Checkpoint checkpoint(part, identity, earlier);
+    Checkpoint checkpoint(checkpoint_of(output), identity, earlier);
     Baker baker(scene, settings, checkpoint, progress);
     baker.bake();
     checkpoint.rename_to(output);

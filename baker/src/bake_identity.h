@@ -2,33 +2,35 @@
 // What makes rows of two bakes belong together.
 #pragma once
 
-#include <optional>
-#include <string>
-
-#include "byte_stream.h"
 #include "digest.h"
 #include "field_writer.h"
-#include "lumi/baker/bake.h"
+#include "settings_codec.h"
 
 namespace lumi::baker
 {
 
 struct BakeIdentity {
-    std::string program;    // its version
-    BakeSettings settings;  // used_origins resolved, threads 0
+    std::string program;  // its version
+    AnySettings settings;
     Shard shard;
     std::array<float, 3> centre = {};
     float radius = 0;
     Digest::Value scene = {};
     uint64_t tracing = 0;
 
-    // Throws BakeError for settings or shards that cannot be.
+    bool is_guided() const { return std::holds_alternative<GuidedSettings>(settings); }
+    // Of a chord bake. Throws BakeError for settings or shards that cannot be.
     FieldLayout layout() const;
 };
 
-inline constexpr size_t kIdentityBytes = 120;
+inline constexpr size_t kIdentityBytes = 160;
 
+// Throw BakeError for settings or shards that cannot be.
 BakeIdentity identity_of(const Scene& scene, const BakeSettings& settings, const Shard& shard);
+BakeIdentity identity_of(const Scene& scene, const GuidedSettings& settings, const Shard& shard);
+
+// Throws BakeError for settings or shards that cannot be.
+void require_possible(const BakeIdentity& identity);
 
 std::vector<uint8_t> encode(const BakeIdentity& identity);  // kIdentityBytes
 BakeIdentity decode_identity(const uint8_t* bytes);         // reads kIdentityBytes

@@ -87,34 +87,27 @@ void require_same(const fs::path& path, const BakeIdentity& there, const BakeIde
 }  // namespace
 
 Checkpoint::Checkpoint(const fs::path& path, const BakeIdentity& identity, Earlier earlier)
-    : rows_(open_or_begin(path, identity, earlier)),
+    : blocks_(open_or_begin(path, identity, earlier)),
       next_sync_((Clock::now() + kSyncInterval).time_since_epoch().count())
 {
-    require_same(path, rows_.identity(), identity);
-    reserve();
-    // What a damaged file has too much of goes.
-    if (rows_.file().size() > rows_.complete_bytes()) {
-        rows_.file().cut(rows_.complete_bytes());
-    }
+    require_same(path, blocks_.identity(), identity);
 }
 
-// A full disk is told before the work. A checkpoint without rows would then only be in the way of a smaller bake.
-void Checkpoint::reserve()
+// A checkpoint without results would only be in the way of a smaller bake.
+void Checkpoint::reserve(uint64_t bytes, bool is_empty)
 {
     try {
-        rows_.file().reserve(rows_.complete_bytes());
+        blocks_.file().reserve(bytes);
     } catch (const BakeError&) {
-        if (missing_slots().size() == rows_.slot_count()) {
+        if (is_empty) {
             remove();
         }
         throw;
     }
-}
-
-void Checkpoint::store(uint32_t slot, const std::vector<uint8_t>& row)
-{
-    rows_.write_row(slot, row);
-    sync_now_and_then();
+    // What a damaged file has too much of goes.
+    if (blocks_.file().size() > bytes) {
+        blocks_.file().cut(bytes);
+    }
 }
 
 // By whichever thread comes first after the interval; the others go on.
@@ -131,13 +124,13 @@ void Checkpoint::sync_now_and_then()
 void Checkpoint::remove()
 {
     std::error_code ignored;
-    fs::remove(rows_.path(), ignored);
+    fs::remove(blocks_.path(), ignored);
 }
 
 void Checkpoint::rename_to(const fs::path& output)
 {
     sync();
-    rows_.file().rename_to(output);
+    blocks_.file().rename_to(output);
     sync_folder(output.parent_path());
 }
 

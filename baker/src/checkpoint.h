@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The rows of a bake that are done, kept where neither the end of the process nor a loss of power loses them.
+// What of a bake is done, kept where neither the end of the process nor a loss of power loses them.
 //
-// Rows are handed to the system at once, so that a killed process loses none; every kSyncInterval they are forced to
+// Blocks are handed to the system at once, so that a killed process loses none; every kSyncInterval they are forced to
 // the disk, so that a loss of power loses a few seconds and costs a few writes. The head is on the disk before the file
 // has its name: a checkpoint with a damaged head is no remnant of an interruption, and is refused rather than
 // overwritten.
@@ -9,9 +9,8 @@
 
 #include <atomic>
 #include <chrono>
-#include <vector>
 
-#include "row_file.h"
+#include "block_file.h"
 
 namespace lumi::baker
 {
@@ -25,11 +24,13 @@ public:
     // is in use.
     Checkpoint(const std::filesystem::path& path, const BakeIdentity& identity, Earlier earlier);
 
-    RowFile& rows() { return rows_; }
-    std::vector<uint32_t> missing_slots() const { return baker::missing_slots(rows_); }
-    // Thread-safe for different slots.
-    void store(uint32_t slot, const std::vector<uint8_t>& row);
-    void sync() { rows_.file().sync(); }
+    BlockFile& blocks() { return blocks_; }
+    // Takes the disk space of `bytes`, the end of the last block, so that a full disk is told before the work. Where
+    // that fails, a checkpoint that is_empty goes.
+    void reserve(uint64_t bytes, bool is_empty);
+    // To be called after each block that was written. Thread-safe.
+    void sync_now_and_then();
+    void sync() { blocks_.file().sync(); }
     void remove();
     // The complete checkpoint becomes the output itself.
     void rename_to(const std::filesystem::path& output);
@@ -37,10 +38,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    void reserve();
-    void sync_now_and_then();
-
-    RowFile rows_;
+    BlockFile blocks_;
     std::atomic<Clock::rep> next_sync_;
 };
 

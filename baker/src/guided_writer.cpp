@@ -173,14 +173,11 @@ void check_charts(const std::vector<PackedChart>& charts)
     }
 }
 
-struct Part {
-    uint32_t type;
-    std::vector<uint8_t> bytes;
-};
+}  // namespace
 
-std::vector<Part> sections_of(const GuidedParts& parts)
+std::vector<FieldSection> base_sections(const GuidedParts& parts)
 {
-    std::vector<Part> sections;
+    std::vector<FieldSection> sections;
     sections.push_back({format::kGuidedSection, guided_section(parts)});
     if (parts.surface == format::GuidedSurface::proxy) {
         sections.push_back({format::kProxySection, proxy_section(parts.proxy)});
@@ -188,6 +185,13 @@ std::vector<Part> sections_of(const GuidedParts& parts)
     if (parts.mean.resolution != 0) {
         sections.push_back({format::kMeanSection, mean_section(parts.mean)});
     }
+    return sections;
+}
+
+std::vector<FieldSection> chart_sections(const GuidedParts& parts)
+{
+    check_charts(parts.charts);
+    std::vector<FieldSection> sections;
     if (parts.texel != format::GuidedTexel::none) {
         const uint32_t bits = parts.texel == format::GuidedTexel::index4 ? 4 : 8;
         sections.push_back({format::kChartSection, chart_section(parts.charts, bits)});
@@ -199,15 +203,11 @@ std::vector<Part> sections_of(const GuidedParts& parts)
     return sections;
 }
 
-}  // namespace
-
-std::vector<uint8_t> guided_file(const GuidedParts& parts)
+std::vector<uint8_t> guided_file(const std::vector<FieldSection>& contents)
 {
-    check_charts(parts.charts);
-    const std::vector<Part> contents = sections_of(parts);
     std::vector<Section> sections;
     uint64_t size = head_bytes(contents.size());
-    for (const Part& part : contents) {
+    for (const FieldSection& part : contents) {
         sections.push_back({part.type, part.bytes.size(), crc_of(part.bytes)});
         size += aligned(part.bytes.size());
     }
@@ -216,11 +216,20 @@ std::vector<uint8_t> guided_file(const GuidedParts& parts)
                         " bytes, and a field file holds less than 4 GiB; choose fewer origins or a smaller chart");
     }
     std::vector<uint8_t> file = file_head(sections);
-    for (const Part& part : contents) {
+    for (const FieldSection& part : contents) {
         file.insert(file.end(), part.bytes.begin(), part.bytes.end());
         file.resize(aligned(file.size()));
     }
     return file;
+}
+
+std::vector<uint8_t> guided_file(const GuidedParts& parts)
+{
+    std::vector<FieldSection> sections = base_sections(parts);
+    for (FieldSection& section : chart_sections(parts)) {
+        sections.push_back(std::move(section));
+    }
+    return guided_file(sections);
 }
 
 }  // namespace lumi::baker

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/merge.h"
 
-#include <algorithm>
-#include <map>
-
+#include "guided_merge.h"
 #include "row_file.h"
+#include "shard_set.h"
 
 namespace lumi::baker
 {
@@ -22,142 +21,79 @@ std::string joined(const std::vector<std::string>& lines)
     return text;
 }
 
-// The open shards, and what is wrong with them.
-class ShardSet
+bool same_colour(const Rgba8& a, const Rgba8& b)
+{
+    return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+}
+
+// The rows of all shards.
+class ChordShards
 {
 public:
-    explicit ShardSet(const std::vector<fs::path>& files)
+    // Says what is wrong with them.
+    ChordShards(ShardSet& set, const std::function<void()>& leave_if_cancelled) : set_(set)
     {
-        for (const fs::path& file : files) {
-            open(file);
-        }
-        if (!opened_.empty()) {
-            sort_out(most_common());
-        }
-    }
-
-    // All problems of the set, or none.
-    std::vector<std::string> problems(const std::function<void()>& leave_if_cancelled)
-    {
-        for (const auto& [index, rows] : shards_) {
+        for (const auto& [index, file] : set.shards()) {
             leave_if_cancelled();
-            check_rows(*rows);
+            check(*shards_.emplace(index, *file).first);
         }
-        check_palettes();
-        name_missing();
-        if (opened_.empty() && problems_.empty()) {
-            problems_.push_back("there are no shards to merge; name the files that `lumi bake --shard` wrote");
-        }
-        return problems_;
     }
 
-    const FieldLayout& layout() const { return shards_.begin()->second->layout(); }
-    uint32_t count() const { return shards_.begin()->second->identity().shard.count; }
-    Palette palette() const
+    const FieldLayout& layout() const { return shards_.begin()->second.layout(); }
+    const Palette& palette() const { return palette_; }
+
+    void read(uint32_t i, std::vector<uint8_t>& row) const
     {
-        Palette palette{};
-        shards_.begin()->second->read_palette(palette);
-        return palette;
+        const RowFile& rows = shards_.at(ShardRows::index_of(i, set_.count()));
+        if (!rows.read_row(ShardRows::slot_of(i, set_.count()), row)) {
+            throw BakeError(changed_meanwhile(rows.path()));
+        }
     }
-    const RowFile& of_row(uint32_t i) const { return *shards_.at(ShardRows::index_of(i, count())); }
 
 private:
-    void say(const fs::path& file, const std::string& text) { problems_.push_back(file.string() + ": " + text); }
-
-    void open(const fs::path& file)
+    void check(const std::pair<const uint32_t, RowFile>& shard)
     {
-        try {
-            opened_.push_back(std::make_unique<RowFile>(std::make_unique<PosixFile>(file, PosixFile::Mode::read)));
-        } catch (const BakeError& error) {
-            problems_.push_back(error.what());
-        }
-    }
-
-    // The bake that most shards belong to, by its first shard.
-    const RowFile& most_common() const
-    {
-        const auto relatives = [&](const std::unique_ptr<RowFile>& rows) {
-            return std::count_if(opened_.begin(), opened_.end(), [&](const std::unique_ptr<RowFile>& other) {
-                return difference(other->identity(), rows->identity()).empty();
-            });
-        };
-        return **std::max_element(opened_.begin(), opened_.end(),
-                                  [&](const auto& a, const auto& b) { return relatives(a) < relatives(b); });
-    }
-
-    void sort_out(const RowFile& model)
-    {
-        for (const std::unique_ptr<RowFile>& rows : opened_) {
-            const std::string text = difference(rows->identity(), model.identity());
-            if (!text.empty()) {
-                const bool stale = !same_program(rows->identity(), model.identity());
-                say(rows->path(), std::string(stale ? "is stale" : "belongs to another bake than ") +
-                                      (stale ? ", against " : "") + model.path().string() + " (" + text +
-                                      "); leave it out, or bake it again with the scene and options of the others");
-                continue;
-            }
-            const auto [twin, is_new] = shards_.emplace(rows->identity().shard.index, rows.get());
-            if (!is_new) {
-                say(rows->path(), "is shard " + std::to_string(twin->first) + ", as " + twin->second->path().string() +
-                                      " is; leave one of them out");
-            }
-        }
-    }
-
-    void check_rows(const RowFile& rows)
-    {
+        const RowFile& rows = shard.second;
         const std::vector<uint32_t> missing = missing_slots(rows);
         if (!missing.empty()) {
-            say(rows.path(), std::to_string(missing.size()) + " of " + std::to_string(rows.slot_count()) +
-                                 " rows are missing or damaged, first that of origin " +
-                                 std::to_string(rows.row_of(missing.front())) +
-                                 "; run its bake again, which traces only these");
+            set_.say_missing(rows.path(), missing.size(), rows.slot_count(), rows.row_of(missing.front()));
         }
-        if (!rows.has_intact_palette()) {
-            say(rows.path(), "its palette is damaged; run its bake again");
-        }
-    }
-
-    void check_palettes()
-    {
-        Palette first{}, own{};
-        for (const auto& [index, rows] : shards_) {
-            if (!rows->read_palette(own)) {
-                continue;
-            }
-            if (rows == shards_.begin()->second) {
-                first = own;
-            } else if (!std::equal(own.begin(), own.end(), first.begin(), same_colour)) {
-                say(rows->path(),
-                    "has another palette than the first shard; bake it again on the machine of the others");
-            }
+        Palette own{};
+        if (!rows.read_palette(own)) {
+            set_.say(rows.path(), "its palette is damaged; run its bake again");
+        } else if (!has_palette_) {
+            palette_ = own;
+            has_palette_ = true;
+        } else if (!std::equal(own.begin(), own.end(), palette_.begin(), same_colour)) {
+            set_.say(rows.path(),
+                     "has another palette than the first shard; bake it again on the machine of the others");
         }
     }
 
-    static bool same_colour(const Rgba8& a, const Rgba8& b)
-    {
-        return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
-    }
-
-    void name_missing()
-    {
-        if (shards_.empty() || shards_.size() == count()) {
-            return;
-        }
-        std::string list;
-        for (uint32_t k = 1; k <= count(); ++k) {
-            list += shards_.count(k) ? "" : (list.empty() ? "" : ", ") + std::to_string(k);
-        }
-        const bool one = count() - shards_.size() == 1;
-        problems_.push_back((one ? "shard " : "shards ") + list + " of " + std::to_string(count()) +
-                            (one ? " is missing; bake it with --shard " : " are missing; bake each with --shard ") +
-                            (one ? list : std::string("K")) + "/" + std::to_string(count()));
-    }
-
-    std::vector<std::unique_ptr<RowFile>> opened_;
-    std::map<uint32_t, const RowFile*> shards_;  // by index, from 1
-    std::vector<std::string> problems_;
+    ShardSet& set_;
+    std::map<uint32_t, RowFile> shards_;  // by index
+    Palette palette_{};
+    bool has_palette_ = false;
 };
+
+MergedField merge_chord(ShardSet& set, const fs::path& output, const std::function<void()>& leave_if_cancelled)
+{
+    const ChordShards shards(set, leave_if_cancelled);
+    set.throw_problems();
+    NewFile out(output);
+    const auto read = [&](uint32_t i, std::vector<uint8_t>& row) {
+        leave_if_cancelled();
+        shards.read(i, row);
+    };
+    write_field(shards.layout(), read, shards.palette(), out);
+    out.commit();
+    MergedField field;
+    field.bytes = file_bytes(shards.layout());
+    field.origins = shards.layout().used_origins;
+    field.directions = shards.layout().directions;
+    field.shards = set.count();
+    return field;
+}
 
 void refuse_own_input(const std::vector<fs::path>& shards, const fs::path& output)
 {
@@ -183,21 +119,8 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
     };
     refuse_own_input(shards, output);
     ShardSet set(shards);
-    std::vector<std::string> problems = set.problems(leave_if_cancelled);
-    if (!problems.empty()) {
-        throw MergeError(std::move(problems));
-    }
-    NewFile out(output);
-    const auto read = [&](uint32_t i, std::vector<uint8_t>& row) {
-        leave_if_cancelled();
-        const RowFile& rows = set.of_row(i);
-        if (!rows.read_row(ShardRows::slot_of(i, set.count()), row)) {
-            throw BakeError(rows.path().string() + ": changes while it is read; merge again when its bake has ended");
-        }
-    };
-    write_field(set.layout(), read, set.palette(), out);
-    out.commit();
-    return {file_bytes(set.layout()), set.layout().used_origins, set.layout().directions, set.count()};
+    return set.is_guided() ? merge_guided(set, output, leave_if_cancelled)
+                           : merge_chord(set, output, leave_if_cancelled);
 }
 
 }  // namespace lumi::baker

@@ -5,6 +5,7 @@
 
 #include "bake_scenes.h"
 #include "radiance_picture.h"
+#include "row_file.h"
 #include "scene_fingerprint.h"
 
 namespace lumi::baker
@@ -22,17 +23,20 @@ std::string checkpoint_bytes(const Scene& scene, const BakeSettings& settings, u
     const ScratchFolder folder;
     const BakeIdentity identity = identity_of(scene, settings, {});
     bake_shard(scene, settings, {}, folder.at("all"));
-    const RowFile all(std::make_unique<PosixFile>(folder.at("all"), PosixFile::Mode::read));
-    Checkpoint part(folder.at("part"), identity, Earlier::resume);
+    BlockFile all_blocks(std::make_unique<PosixFile>(folder.at("all"), PosixFile::Mode::read));
+    const RowFile all(all_blocks);
+    Checkpoint checkpoint(folder.at("part"), identity, Earlier::resume);
+    RowFile part(checkpoint.blocks());
+    checkpoint.reserve(part.complete_bytes(), true);
     Palette palette{};
     REQUIRE(all.read_palette(palette));
     if (settings.texel == TexelFormat::palette8) {
-        part.rows().write_palette(palette);
+        part.write_palette(palette);
     }
     std::vector<uint8_t> row;
     for (uint32_t slot = 0; slot < done; ++slot) {
         REQUIRE(all.read_row(slot, row));
-        part.store(slot, row);
+        part.write_row(slot, row);
     }
     return read_bytes(folder.at("part"));
 }

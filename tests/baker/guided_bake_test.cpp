@@ -204,18 +204,6 @@ TEST_CASE("Settings that no guided field can hold are refused", "[guided]")
     });
 }
 
-TEST_CASE("A cancelled guided bake leaves the earlier file and nothing else", "[guided]")
-{
-    const ScratchFolder folder;
-    const std::filesystem::path file = folder.write("f.lumi", "earlier");
-    const auto cancel = [](const Progress& p) { return p.rays_done < 500; };
-    CHECK_THROWS_AS(bake_guided(ball_on_plate(), small_settings(), file, cancel), Cancelled);
-    CHECK(read_bytes(file) == "earlier");
-    CHECK(folder.file_count() == 1);
-    const GuidedBake bake = bake_guided(ball_on_plate(), small_settings(), file);
-    CHECK(read_bytes(file) == std::string(bake.file.begin(), bake.file.end()));
-}
-
 TEST_CASE("Scenes of every shape become guided fields", "[guided]")
 {
     SceneMaker maker;

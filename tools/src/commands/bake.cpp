@@ -119,15 +119,16 @@ Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::Progres
         return progress(report);
     };
     try {
-        if (job.guided)
-            outcome.guided = baker::bake_guided(scene, *job.guided, job.target, note);
+        if (job.guided && job.shard)
+            baker::bake_guided_shard(scene, *job.guided, *job.shard, job.target, note, job.earlier);
+        else if (job.guided)
+            outcome.guided = baker::bake_guided(scene, *job.guided, job.target, note, job.earlier);
         else if (job.shard)
             baker::bake_shard(scene, job.settings, *job.shard, job.target, note, job.earlier);
         else
             baker::bake_field(scene, job.settings, job.target, note, job.earlier);
         return outcome;
     } catch (const baker::Cancelled&) {
-        if (job.guided) throw Interrupted(job.name + " is as it was; a guided bake starts anew");
         throw Interrupted(job.name + ".part keeps the finished rows; the same command goes on from there");
     }
 }

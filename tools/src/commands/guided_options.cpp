@@ -19,7 +19,7 @@ const Choices<format::MeanFormat> kMeanFormats = {{"rgb565", format::MeanFormat:
 const Choices<format::GuidedTexel> kTexels = {
     {"none", format::GuidedTexel::none}, {"4", format::GuidedTexel::index4}, {"8", format::GuidedTexel::index8}};
 
-constexpr const char* kChordOnly[] = {"--directions", "--texel", "--footprint", "--adaptive", "--shard", "--restart"};
+constexpr const char* kChordOnly[] = {"--directions", "--texel", "--footprint", "--adaptive"};
 constexpr const char* kGuidedOnly[] = {"--proxy-triangles", "--mean-resolution", "--mean-format", "--no-occlusion"};
 constexpr const char* kFocusOnly[] = {"--focus", "--focus-radius"};
 constexpr const char* kChartOnly[] = {"--chart", "--texels", "--jitter"};

@@ -42,8 +42,11 @@ void run(const MergeOptions& options)
     const std::string target = regular_target(options.output);
     require_writable(target);
     const baker::MergedField field = merge(options, target);
-    std::printf("%s: %s, %u x %u rays from %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(),
-                field.origins, field.directions, field.shards);
+    const std::string rays =
+        field.chart_size == 0 ? std::to_string(field.directions) + " rays"
+                              : std::to_string(field.chart_size) + " x " + std::to_string(field.chart_size) + " charts";
+    std::printf("%s: %s, %u x %s from %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(),
+                field.origins, rays.c_str(), field.shards);
 }
 
 }  // namespace
