@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/bake.h"
 
+#include "catcher.h"
 #include "checkpoint.h"
 #include "job.h"
 #include "output_names.h"
@@ -174,6 +175,7 @@ uint32_t shard_rows(const BakeSettings& settings, const Shard& shard)
 void bake_field(const Scene& scene, const BakeSettings& settings, const fs::path& output,
                 const ProgressCallback& progress, Earlier earlier)
 {
+    require_partial_coverage(scene.data(), settings.texel == format::TexelFormat::palette8);
     const BakeIdentity identity = identity_of(scene, settings, {});
     Checkpoint checkpoint(checkpoint_of(output), identity, earlier);
     Baker baker(scene, settings, checkpoint, progress);
@@ -185,6 +187,7 @@ void bake_field(const Scene& scene, const BakeSettings& settings, const fs::path
 void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& shard, const fs::path& output,
                 const ProgressCallback& progress, Earlier earlier)
 {
+    require_partial_coverage(scene.data(), settings.texel == format::TexelFormat::palette8);
     const BakeIdentity identity = identity_of(scene, settings, shard);
     if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all)) {
         return;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "catcher.h"
 #include "chart_occlusion.h"
 #include "guided_assembly.h"
 #include "guided_keeper.h"
@@ -220,6 +221,7 @@ GuidedBake guided_field(const Scene& scene, const GuidedSettings& settings, cons
                         ProxyCache* cache)
 {
     ProxyCache own;
+    require_partial_coverage(scene.data(), false);
     const GuidedSettings s = checked(settings);
     NothingKept keeper(s.used_origins);
     GuidedBaker baker(scene, s, cache == nullptr ? own : *cache, keeper, progress);
@@ -230,6 +232,7 @@ GuidedBake guided_field(const Scene& scene, const GuidedSettings& settings, cons
 uint64_t guided_file_bytes(const Scene& scene, const GuidedSettings& settings, ProxyCache& cache,
                            uint32_t sampled_origins, const ProgressCallback& progress)
 {
+    require_partial_coverage(scene.data(), false);
     const GuidedSettings s = checked(settings);
     const uint32_t stride = sampled_origins == 0 ? 1 : std::max(1u, s.used_origins / sampled_origins);
     GuidedOutline outline(scene, s, cache.contents());
@@ -240,6 +243,7 @@ uint64_t guided_file_bytes(const Scene& scene, const GuidedSettings& settings, P
 GuidedBake bake_guided(const Scene& scene, const GuidedSettings& settings, const std::filesystem::path& output,
                        const ProgressCallback& progress, Earlier earlier)
 {
+    require_partial_coverage(scene.data(), false);
     const GuidedSettings s = checked(settings);
     GuidedCheckpoint checkpoint(checkpoint_of(output), identity_of(scene, s, {}), earlier);
     ProxyCache cache;
@@ -257,6 +261,7 @@ GuidedBake bake_guided(const Scene& scene, const GuidedSettings& settings, const
 void bake_guided_shard(const Scene& scene, const GuidedSettings& settings, const Shard& shard,
                        const std::filesystem::path& output, const ProgressCallback& progress, Earlier earlier)
 {
+    require_partial_coverage(scene.data(), false);
     const GuidedSettings s = checked(settings);
     const BakeIdentity identity = identity_of(scene, s, shard);
     if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "path_tracer.h"
 
+#include "catcher.h"
 #include "surface.h"
 
 namespace lumi::baker
@@ -9,6 +10,7 @@ namespace
 {
 
 constexpr int kRouletteAfter = 2;      // bounces that every path makes
+constexpr float kOnCatcher = 1e-5f;    // radii; far above the rounding error of a hit
 constexpr float kMaxSurvival = 0.95f;  // even a white path ends some time
 
 // Veach's power heuristic with exponent 2.
@@ -145,6 +147,25 @@ bool survives(Walk& walk, Sampler& sampler)
 }  // namespace
 
 PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
+{
+    const std::optional<float> catcher = scene_.catcher ? distance_to_catcher(*scene_.catcher, ray) : std::nullopt;
+    if (!catcher) {
+        return trace_scene(ray, sampler);
+    }
+    // What lies on the catcher hides it.
+    const PathResult before = trace_scene({ray.origin, ray.direction, *catcher + kOnCatcher}, sampler);
+    if (before.covered) {
+        return before;
+    }
+    const Vec3 position = ray.origin + ray.direction * *catcher;
+    const float shadow = shadow_at(scene_, position, sampler);
+    if (sampler.next_1d() < shadow) {
+        return {true, {}};
+    }
+    return trace_scene({position, ray.direction, ray.end - *catcher}, sampler);
+}
+
+PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
 {
     PathResult result;
     Walk walk{ray};

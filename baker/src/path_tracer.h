@@ -17,7 +17,7 @@ namespace lumi::baker
 inline constexpr int kMaxBounces = 64;
 
 struct PathResult {
-    bool covered = false;  // the ray meets the scene
+    bool covered = false;  // the ray meets the scene, or a shadow on its catcher
     Rgb radiance;          // of what it meets; 0 if not covered
 };
 
@@ -36,6 +36,8 @@ public:
     PathResult trace(const Ray& ray, Sampler& sampler) const override;
 
 private:
+    PathResult trace_scene(const Ray& ray, Sampler& sampler) const;  // the scene without its catcher
+
     const SceneData& scene_;
 };
 

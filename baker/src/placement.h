@@ -2,6 +2,7 @@
 // Puts several scenes into one.
 #pragma once
 
+#include "disc.h"
 #include "scene_data.h"
 
 namespace lumi::baker
@@ -21,11 +22,7 @@ void place(const Placement& placement, Mesh& mesh);
 // Adds the second to the first: its mesh, materials and textures.
 void append(SceneParts& parts, SceneParts&& other);
 
-// Adds a disc whose normal is the up axis.
-struct Disc {
-    Vec3 centre;
-    float radius;
-};
+// Adds a disc of triangles.
 void append_disc(SceneParts& parts, const Disc& disc, UpAxis up, const Material& material);
 
 }  // namespace lumi::baker

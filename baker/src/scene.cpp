@@ -14,8 +14,20 @@ Vec3 to_sphere_axes(const Vec3& v, UpAxis up)
     return up == UpAxis::y ? Vec3{v.z, v.x, v.y} : v;
 }
 
+// Corners of a polygon around the disc.
+void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
+{
+    constexpr int kCorners = 64;
+    const float reach = disc.radius / std::cos(kPi / kCorners);
+    for (int k = 0; k < kCorners; ++k) {
+        const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
+        const float a = reach * std::cos(angle), b = reach * std::sin(angle);
+        points.push_back(disc.centre + (up == UpAxis::z ? Vec3{a, b, 0} : Vec3{b, 0, a}));
+    }
+}
+
 // Only what triangles use: a stray vertex must not enlarge the sphere.
-BoundingSphere fit_sphere(const Mesh& mesh)
+BoundingSphere fit_sphere(const Mesh& mesh, const std::optional<Disc>& catcher, UpAxis up)
 {
     std::vector<bool> used(mesh.positions.size(), false);
     for (const Mesh::Corners& c : mesh.corners) {
@@ -28,16 +40,24 @@ BoundingSphere fit_sphere(const Mesh& mesh)
             points.push_back(mesh.positions[i]);
         }
     }
+    if (catcher) {
+        add_rim(*catcher, up, points);
+    }
     return smallest_sphere(points);
 }
 
-Mesh moved_into_sphere(Mesh mesh, const std::array<double, 3>& centre, double radius, UpAxis up)
+Vec3 moved_into_sphere(const Vec3& p, const BoundingSphere& sphere, UpAxis up)
+{
+    return to_sphere_axes({static_cast<float>((static_cast<double>(p.x) - sphere.centre[0]) / sphere.radius),
+                           static_cast<float>((static_cast<double>(p.y) - sphere.centre[1]) / sphere.radius),
+                           static_cast<float>((static_cast<double>(p.z) - sphere.centre[2]) / sphere.radius)},
+                          up);
+}
+
+Mesh moved_into_sphere(Mesh mesh, const BoundingSphere& sphere, UpAxis up)
 {
     for (Vec3& p : mesh.positions) {
-        const Vec3 moved = {static_cast<float>((static_cast<double>(p.x) - centre[0]) / radius),
-                            static_cast<float>((static_cast<double>(p.y) - centre[1]) / radius),
-                            static_cast<float>((static_cast<double>(p.z) - centre[2]) / radius)};
-        p = to_sphere_axes(moved, up);
+        p = moved_into_sphere(p, sphere, up);
     }
     for (Vec3& n : mesh.normals) {
         n = to_sphere_axes(n, up);
@@ -45,23 +65,45 @@ Mesh moved_into_sphere(Mesh mesh, const std::array<double, 3>& centre, double ra
     return mesh;
 }
 
-// The sphere that the scene asks for, which must hold every triangle, or the fitted one with its margin.
-BoundingSphere sphere_of(const SceneParts& parts, double margin)
+std::optional<Disc> moved_into_sphere(const std::optional<Disc>& disc, const BoundingSphere& sphere, UpAxis up)
 {
-    BoundingSphere sphere = fit_sphere(parts.mesh);
+    if (!disc) {
+        return std::nullopt;
+    }
+    return Disc{moved_into_sphere(disc->centre, sphere, up), static_cast<float>(disc->radius / sphere.radius)};
+}
+
+// How far triangles and catcher reach from the sphere's centre.
+double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up)
+{
+    std::vector<Vec3> rim;
+    if (parts.catcher) {
+        add_rim(*parts.catcher, up, rim);
+    }
+    double farthest = 0;
+    const auto take = [&](const Vec3& p) {
+        farthest = std::max(farthest, std::hypot(static_cast<double>(p.x) - sphere.centre[0],
+                                                 static_cast<double>(p.y) - sphere.centre[1],
+                                                 static_cast<double>(p.z) - sphere.centre[2]));
+    };
+    for (const Mesh::Corners& corners : parts.mesh.corners) {
+        for (const uint32_t c : corners) {
+            take(parts.mesh.positions[c]);
+        }
+    }
+    std::for_each(rim.begin(), rim.end(), take);
+    return farthest;
+}
+
+// The sphere that the scene asks for, which must hold every triangle, or the fitted one with its margin.
+BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
+{
     if (!parts.sphere) {
+        BoundingSphere sphere = fit_sphere(parts.mesh, parts.catcher, up);
         sphere.radius *= 1 + margin;
         return sphere;
     }
-    double farthest = 0;
-    for (const Mesh::Corners& corners : parts.mesh.corners) {
-        for (const uint32_t c : corners) {
-            const Vec3& p = parts.mesh.positions[c];
-            farthest = std::max(farthest, std::hypot(static_cast<double>(p.x) - parts.sphere->centre[0],
-                                                     static_cast<double>(p.y) - parts.sphere->centre[1],
-                                                     static_cast<double>(p.z) - parts.sphere->centre[2]));
-        }
-    }
+    const double farthest = reach_of(parts, *parts.sphere, up);
     if (farthest > parts.sphere->radius) {
         throw SceneError("the scene reaches " + std::to_string(farthest) +
                          " from the centre of its 'sphere' of radius " + std::to_string(parts.sphere->radius) +
@@ -123,15 +165,16 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       radius(),
       up(options.up.value_or(parts.up.value_or(UpAxis::y))),
       mesh([&] {
-          const BoundingSphere sphere = sphere_of(parts, options.margin);
+          const BoundingSphere sphere = sphere_of(parts, options.margin, up);
           centre = sphere.centre;
           radius = sphere.radius;
-          return moved_into_sphere(std::move(parts.mesh), centre, radius, up);
+          return moved_into_sphere(std::move(parts.mesh), sphere, up);
       }()),
       materials(scaled(std::move(parts.materials), radius, parts.exposure)),
       textures(std::move(parts.textures)),
       tone(parts.tone),
       has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
+      catcher(moved_into_sphere(parts.catcher, {centre, radius}, up)),
       accelerator(mesh),
       lights(mesh, materials, textures, environment_of(parts, options),
              moved_into_sphere(parts.fixtures, centre, radius, up, parts.exposure))

@@ -8,6 +8,7 @@
 
 #include "accelerator.h"
 #include "bounding_sphere.h"
+#include "disc.h"
 #include "light_set.h"
 #include "lumi/baker/scene.h"
 #include "material.h"
@@ -25,7 +26,8 @@ struct SceneParts {
     std::vector<Material> materials;  // finished
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;
-    float exposure = 1;  // factor on all light
+    std::optional<Disc> catcher;  // of shadows, see catcher.h
+    float exposure = 1;           // factor on all light
     ToneCurve tone = ToneCurve::srgb;
     // In place of the defaults, where LoadOptions leave them open:
     std::optional<UpAxis> up;
@@ -47,11 +49,12 @@ struct SceneData {
     std::vector<Texture> textures;
     ToneCurve tone;
     bool has_transparency;  // some material may let light pass
+    std::optional<Disc> catcher;
     Accelerator accelerator;
     LightSet lights;
 };
 
-// Throws SceneError if the parts hold no triangle, or one that a given sphere does not hold.
+// Throws SceneError if the parts hold no triangle, or one (or a catcher) that a given sphere does not hold.
 Scene build_scene(SceneParts parts, const LoadOptions& options);
 
 }  // namespace lumi::baker

@@ -36,6 +36,7 @@ public:
         }
         read_materials();
         read_ground();
+        read_catcher();
         read_lights();
         read_picture();
         read_sphere();
@@ -128,17 +129,7 @@ private:
             return;
         }
         JsonFields fields(name_, *value, "the ground");
-        Vec3 low = {0, 0, 0};
-        float lowest = std::numeric_limits<float>::infinity();
-        for (const Mesh::Corners& corners : parts_.mesh.corners) {
-            for (const uint32_t c : corners) {
-                const Vec3& p = parts_.mesh.positions[c];
-                lowest = std::min(lowest, up_ == UpAxis::y ? p.y : p.z);
-            }
-        }
-        fields.number("height", kPlace, lowest);
-        (up_ == UpAxis::y ? low.y : low.z) = lowest;
-        const double radius = fields.number_of(fields.require("radius"), "radius", kLength);
+        const Disc disc = read_disc(fields);
         Material material;
         material.name = "ground";
         material.finish();
@@ -146,7 +137,38 @@ private:
             apply_material_fields(name_, *changes, material);
         }
         fields.finish();
-        append_disc(parts_, {low, static_cast<float>(radius)}, up_, material);
+        append_disc(parts_, disc, up_, material);
+    }
+
+    void read_catcher()
+    {
+        const JsonValue* value = scene_.find("catcher");
+        if (!value) {
+            return;
+        }
+        if (scene_.find("ground")) {
+            scene_.fail(*value, "a scene has a 'ground' or a 'catcher'; remove one of them");
+        }
+        JsonFields fields(name_, *value, "the catcher");
+        parts_.catcher = read_disc(fields);
+        fields.finish();
+    }
+
+    // Under the lowest point of the objects, unless told otherwise.
+    Disc read_disc(JsonFields& fields) const
+    {
+        Disc disc = {};
+        float& height = up_ == UpAxis::y ? disc.centre.y : disc.centre.z;
+        height = std::numeric_limits<float>::infinity();
+        for (const Mesh::Corners& corners : parts_.mesh.corners) {
+            for (const uint32_t c : corners) {
+                const Vec3& p = parts_.mesh.positions[c];
+                height = std::min(height, up_ == UpAxis::y ? p.y : p.z);
+            }
+        }
+        fields.number("height", kPlace, height);
+        disc.radius = static_cast<float>(fields.number_of(fields.require("radius"), "radius", kLength));
+        return disc;
     }
 
     void read_lights()

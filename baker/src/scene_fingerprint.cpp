@@ -76,7 +76,8 @@ void add(Digest& digest, const Texture& texture)
 
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
-    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, accelerator, lights] = scene;
+    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, catcher, accelerator, lights] =
+        scene;
     static_cast<void>(has_transparency);
     static_cast<void>(accelerator);
     Digest digest;
@@ -84,6 +85,10 @@ Digest::Value scene_fingerprint(const SceneData& scene)
     digest.add(radius);
     digest.add(up);
     digest.add(tone);
+    if (catcher) {
+        digest.add(catcher->centre);
+        digest.add(catcher->radius);
+    }
     add(digest, mesh);
     for (const Material& material : materials) {
         add(digest, material);

@@ -66,6 +66,11 @@ void SceneMaker::add(const Fixture& fixture)
     parts_.fixtures.push_back(fixture);
 }
 
+void SceneMaker::catch_shadows(const Disc& disc)
+{
+    parts_.catcher = disc;
+}
+
 void SceneMaker::expose(float factor)
 {
     parts_.exposure = factor;
