@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/guided_origin.h"
 
+#include "sections.h"
+
 namespace lumi
 {
-namespace
-{
 
-uint32_t u16_at(const uint8_t* p)
-{
-    return p[0] | static_cast<uint32_t>(p[1]) << 8;
-}
-
-uint32_t u32_at(const uint8_t* p)
-{
-    return u16_at(p) | u16_at(p + 2) << 16;
-}
-
-}  // namespace
+using container::load_u16, container::load_u32;
 
 ChartRows chart_rows(const ChartTable& table, uint32_t origin)
 {
     const uint8_t* entry = table.directory + origin * format::chart::kEntryBytes;
-    const uint32_t row_base = u32_at(entry + format::chart::kRowBaseAt);
-    const uint32_t texel_base = u32_at(entry + format::chart::kTexelBaseAt);
+    const uint32_t row_base = load_u32(entry + format::chart::kRowBaseAt);
+    const uint32_t texel_base = load_u32(entry + format::chart::kTexelBaseAt);
     const uint32_t rest = table.texel_count - texel_base;
-    return {table.rows + 2 * row_base, static_cast<int32_t>(u16_at(entry + format::chart::kFirstRowAt)),
-            u16_at(entry + format::chart::kRowCountAt), texel_base, rest < 65536 ? rest : 65536};
+    return {table.rows + 2 * row_base, static_cast<int32_t>(load_u16(entry + format::chart::kFirstRowAt)),
+            load_u16(entry + format::chart::kRowCountAt), texel_base, rest < 65536 ? rest : 65536};
 }
 
 namespace

@@ -114,7 +114,7 @@ LUMI_ALWAYS_INLINE int32_t limited_slope(int64_t slope)
     return static_cast<int32_t>(slope > kMaxSlope ? kMaxSlope : slope < -kMaxSlope ? -kMaxSlope : slope);
 }
 
-__attribute__((noinline)) void set_wide_step(Gradient& g, const Sorted& s, const Rises& rise, int64_t area_q12)
+__attribute__((noinline)) void set_step(Gradient& g, const Sorted& s, const Rises& rise, int64_t area_q12)
 {
     const int64_t over_q6 = static_cast<int64_t>(rise.middle) * (s.bottom->y_q6 - s.top->y_q6) -
                             static_cast<int64_t>(rise.bottom) * (s.middle->y_q6 - s.top->y_q6);
@@ -132,7 +132,7 @@ __attribute__((noinline)) void set_thin(Gradient& g, int32_t step, int32_t left)
 }
 
 // The same for |area| < 2^31 and heights below 2^14.
-LUMI_ALWAYS_INLINE void set_small_step(Gradient& g, const Sorted& s, const Rises& rise, int32_t area_q12)
+LUMI_ALWAYS_INLINE void set_step(Gradient& g, const Sorted& s, const Rises& rise, int32_t area_q12)
 {
     const int32_t over_q6 = wrapped_sum(wrapped_product(rise.middle, s.bottom->y_q6 - s.top->y_q6),
                                         wrapped_product(-rise.bottom, s.middle->y_q6 - s.top->y_q6));
@@ -263,16 +263,22 @@ LUMI_ALWAYS_INLINE Gradient limits(const Sorted& s, const Rises& rise)
     return {0, false, 0, s.top->depth + (lower < 0 ? lower : 0), s.top->depth + (upper > 0 ? upper : 0)};
 }
 
-__attribute__((noinline)) void fill_wide(const Sorted& s, const DepthTarget& target)
+// Fills a triangle whose doubled area is `area_q12`: 32 bits for a small one, else 64.
+template <class Area>
+LUMI_ALWAYS_INLINE void fill_sorted(const Sorted& s, Area area_q12, const DepthTarget& target)
 {
-    const int64_t area_q12 = wide_doubled_area(*s.top, *s.middle, *s.bottom);
     if (area_q12 == 0) return;
     const Rises rise = {s.middle->depth - s.top->depth, s.bottom->depth - s.top->depth};
     Gradient g = limits(s, rise);
-    set_wide_step(g, s, rise, area_q12);
-    const TriangleFiller<false> filler(s, g, area_q12 > 0, target);
+    set_step(g, s, rise, area_q12);
+    const TriangleFiller<sizeof(Area) == sizeof(int32_t)> filler(s, g, area_q12 > 0, target);
     filler.fill(*s.top, *s.middle);
     filler.fill(*s.middle, *s.bottom);
+}
+
+__attribute__((noinline)) void fill_wide(const Sorted& s, const DepthTarget& target)
+{
+    fill_sorted(s, wide_doubled_area(*s.top, *s.middle, *s.bottom), target);
 }
 
 }  // namespace
@@ -286,14 +292,7 @@ void fill_triangle(const SamplePoint& p, const SamplePoint& q, const SamplePoint
         !is_small(s.middle->x_q6 - s.top->x_q6) || !is_small(s.bottom->x_q6 - s.middle->x_q6)) {
         return fill_wide(s, target);
     }
-    const int32_t area_q12 = doubled_area(*s.top, *s.middle, *s.bottom);
-    if (area_q12 == 0) return;
-    const Rises rise = {s.middle->depth - s.top->depth, s.bottom->depth - s.top->depth};
-    Gradient g = limits(s, rise);
-    set_small_step(g, s, rise, area_q12);
-    const TriangleFiller<true> filler(s, g, area_q12 > 0, target);
-    filler.fill(*s.top, *s.middle);
-    filler.fill(*s.middle, *s.bottom);
+    fill_sorted(s, doubled_area(*s.top, *s.middle, *s.bottom), target);
 }
 
 }  // namespace lumi::proxy_math

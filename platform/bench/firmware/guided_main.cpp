@@ -3,16 +3,11 @@
 //     view generic span 0 covered 42272 instructions 2345678 setup 345678 stack 600 crc 1234abcd
 // Set-up is all that finds the surface: the frame's proxy, its depths, every pixel's point. The field is loaded to the
 // start of the board's PSRAM. Arguments: names of views (none: all).
-#include <cstring>
-
 #include "guided_instance.h"
-#include "lumi/bench/views.h"
+#include "loaded_view.h"
 #include "lumi/crc32.h"
 #include "lumi/mps2/instruction_counter.h"
-#include "lumi/mps2/loaded_field.h"
-#include "lumi/mps2/semihosting.h"
 #include "lumi/mps2/stack_meter.h"
-#include "lumi/sphere.h"
 #include "text_line.h"
 
 namespace lumi::bench
@@ -22,16 +17,6 @@ namespace
 
 using firmware::TextLine;
 uint8_t frame_pixels[kSidePx * kGuidedStrideBytes];
-
-uint32_t covered_pixels(const Camera& camera)
-{
-    uint32_t count = 0;
-    for (int32_t y = 0; y < kSidePx; ++y) {
-        const RowSpan span = covered_span(camera, y, 0, kSidePx);
-        count += static_cast<uint32_t>(span.end - span.begin);
-    }
-    return count;
-}
 
 bool report(const View& view, const GuidedField& field)
 {
@@ -54,30 +39,17 @@ bool report(const View& view, const GuidedField& field)
     return true;
 }
 
-bool is_wanted(const View& view, int argc, char** argv)
-{
-    for (int k = 1; k < argc; ++k)
-        if (std::strcmp(argv[k], view.name) == 0) return true;
-    return argc <= 1;
-}
-
 }  // namespace
 }  // namespace lumi::bench
 
 int main(int argc, char** argv)
 {
     using namespace lumi;
-    const mps2::LoadedField file = mps2::loaded_field(0);
     GuidedField field;
-    const FieldError error = open_guided(file.bytes, file.size, field);
-    if (error != FieldError::none) {
-        mps2::write("error: ");
-        mps2::write(describe(error));
-        mps2::write("\n");
-        return 1;
-    }
+    if (!bench::open_loaded(open_guided, field)) return 1;
     mps2::start_instruction_counter();
+    const bench::Words names = bench::words_of(argc, argv);
     for (const bench::View& view : bench::kViews)
-        if (bench::is_wanted(view, argc, argv) && !bench::report(view, field)) return 1;
+        if (names.contain(view.name) && !bench::report(view, field)) return 1;
     return 0;
 }

@@ -7,11 +7,9 @@
 #include <cstring>
 
 #include "instance.h"
-#include "lumi/bench/views.h"
+#include "loaded_view.h"
 #include "lumi/crc32.h"
 #include "lumi/mps2/instruction_counter.h"
-#include "lumi/mps2/loaded_field.h"
-#include "lumi/mps2/semihosting.h"
 #include "lumi/mps2/stack_meter.h"
 #include "text_line.h"
 
@@ -45,16 +43,6 @@ __attribute__((noinline)) uint64_t count_frame(Draw draw_stripe, const Field& fi
     return error == RenderError::none ? count : 0;
 }
 
-uint32_t covered_pixels(const Camera& camera)
-{
-    uint32_t count = 0;
-    for (int32_t y = 0; y < kSidePx; ++y) {
-        const RowSpan span = covered_span(camera, y, 0, kSidePx);
-        count += static_cast<uint32_t>(span.end - span.begin);
-    }
-    return count;
-}
-
 void report(const View& view, const Field& field, const Camera& camera, int32_t span_px)
 {
     const uint64_t setup = count_frame(draw_setup_only, field, camera, span_px);
@@ -77,19 +65,6 @@ bool is_view(const char* word)
     return false;
 }
 
-// The words of the command line that are names of views come first.
-struct Words {
-    const char* const* begin;
-    const char* const* end;
-
-    bool contain(const char* wanted) const
-    {
-        for (const char* const* word = begin; word != end; ++word)
-            if (std::strcmp(*word, wanted) == 0) return true;
-        return begin == end;
-    }
-};
-
 void report_views(const Field& field, const Words& names, int32_t span_px)
 {
     for (const View& view : kViews) {
@@ -99,12 +74,13 @@ void report_views(const Field& field, const Words& names, int32_t span_px)
     }
 }
 
-void report_all(const Field& field, const char* const* words, const char* const* end)
+// The names of views come first, then spans.
+void report_all(const Field& field, const Words& words)
 {
-    Words names = {words, words};
-    while (names.end != end && is_view(*names.end)) ++names.end;
-    if (names.end == end) report_views(field, names, 0);
-    for (const char* const* span = names.end; span != end; ++span)
+    Words names = {words.begin, words.begin};
+    while (names.end != words.end && is_view(*names.end)) ++names.end;
+    if (names.end == words.end) report_views(field, names, 0);
+    for (const char* const* span = names.end; span != words.end; ++span)
         report_views(field, names, static_cast<int32_t>(std::strtol(*span, nullptr, 10)));
 }
 
@@ -114,17 +90,9 @@ void report_all(const Field& field, const char* const* words, const char* const*
 int main(int argc, char** argv)
 {
     using namespace lumi;
-    const mps2::LoadedField file = mps2::loaded_field(0);
     Field field;
-    const FieldError error = open_field(file.bytes, file.size, field);
-    if (error != FieldError::none) {
-        mps2::write("error: ");
-        mps2::write(describe(error));
-        mps2::write("\n");
-        return 1;
-    }
+    if (!bench::open_loaded(open_field, field)) return 1;
     mps2::start_instruction_counter();
-    const int first = argc > 0 ? 1 : 0;
-    bench::report_all(field, argv + first, argv + argc);
+    bench::report_all(field, bench::words_of(argc, argv));
     return 0;
 }
