@@ -48,14 +48,14 @@ public:
         for (size_t k = 0; k < kAimed; ++k) {
             const float step = static_cast<float>(k);
             // Each place in the row of lights, and in the row of one light's parts, gets its share of the samples.
-            add(lights.sample(from, fraction(choice.x + step / kAimed), fraction(choice.y + radical_inverse(k)),
-                              {fraction(place.x + step * kStep1), fraction(place.y + step * kStep2)}));
+            add(lights.sample_outside(from, fraction(choice.x + step / kAimed), fraction(choice.y + radical_inverse(k)),
+                                      {fraction(place.x + step * kStep1), fraction(place.y + step * kStep2)}));
         }
         for (size_t k = 0; k < kSpread; ++k) {
             const float step = static_cast<float>(k);
             const Vec3 towards = square_to_cosine_hemisphere(
                 {fraction(direction.x + step / kSpread), fraction(direction.y + step * kGoldenStep)});
-            add({towards, kEverywhere, lights.sky_radiance(towards), lights.sky_pdf(towards)});
+            add({towards, kEverywhere, lights.sky_radiance(towards), lights.outside_sky_pdf(towards)});
         }
     }
 
@@ -101,7 +101,7 @@ std::optional<float> distance_to_catcher(const Disc& catcher, const Ray& ray)
 
 float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
 {
-    if (scene.lights.empty()) {
+    if (scene.lights.none_outside()) {
         return 0;
     }
     const Candidates candidates(scene.lights, position, sampler);

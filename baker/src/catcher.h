@@ -6,8 +6,9 @@
 // back to the objects, shades nothing, and from below it is not there.
 //
 // The opacity is the share of light that does not arrive, 1 - E/E0: E is the irradiance (as luminance) that arrives
-// at the point straight from all lights, E0 what would arrive if nothing stood between. Light by way of other objects
-// counts in neither.
+// at the point straight from the environment and the extra lights, E0 what would arrive without the objects. What the
+// objects themselves emit or reflect counts in neither: it would not be there without them either, and a catcher can
+// only darken (compare P. Debevec, "Rendering Synthetic Objects into Real Scenes", SIGGRAPH 1998, section 6).
 #pragma once
 
 #include <optional>

@@ -13,21 +13,44 @@ LightSet::LightSet(const Mesh& mesh, const std::vector<Material>& materials, con
     powers[kEmitters] = static_cast<double>(emitters_.power());
     powers[kFixtures] = static_cast<double>(fixtures_.power());
     choice_ = Distribution(powers);
+    powers[kEmitters] = 0;
+    outside_ = Distribution(powers);
+}
+
+LightSample LightSet::sample(const Distribution& choice, const Vec3& from, float u_light, float u_select,
+                             const Vec2& u) const
+{
+    const size_t kind = choice.draw(u_light).index;
+    LightSample s = kind == kSky        ? sky_.sample(from, u_select, u)
+                    : kind == kEmitters ? emitters_.sample(from, u_select, u)
+                                        : fixtures_.sample(from, u_select, u);
+    s.pdf *= choice.probability(kind);
+    return s;
 }
 
 LightSample LightSet::sample(const Vec3& from, float u_light, float u_select, const Vec2& u) const
 {
-    const size_t kind = choice_.draw(u_light).index;
-    LightSample s = kind == kSky        ? sky_.sample(from, u_select, u)
-                    : kind == kEmitters ? emitters_.sample(from, u_select, u)
-                                        : fixtures_.sample(from, u_select, u);
-    s.pdf *= choice_.probability(kind);
-    return s;
+    return sample(choice_, from, u_light, u_select, u);
+}
+
+LightSample LightSet::sample_outside(const Vec3& from, float u_light, float u_select, const Vec2& u) const
+{
+    return sample(outside_, from, u_light, u_select, u);
+}
+
+float LightSet::sky_pdf(const Distribution& choice, const Vec3& direction) const
+{
+    return sky_.power() > 0 ? choice.probability(kSky) * sky_.pdf(direction) : 0.0f;
 }
 
 float LightSet::sky_pdf(const Vec3& direction) const
 {
-    return sky_.power() > 0 ? choice_.probability(kSky) * sky_.pdf(direction) : 0.0f;
+    return sky_pdf(choice_, direction);
+}
+
+float LightSet::outside_sky_pdf(const Vec3& direction) const
+{
+    return sky_pdf(outside_, direction);
 }
 
 float LightSet::emitter_pdf(uint32_t triangle, const Vec3& direction, float distance) const

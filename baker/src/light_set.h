@@ -20,6 +20,10 @@ public:
     size_t count() const { return emitters_.count() + fixtures_.count(); }
 
     LightSample sample(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
+    // The same for the light from outside, without the emissive triangles of the objects themselves.
+    bool none_outside() const { return outside_.empty(); }
+    LightSample sample_outside(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
+    float outside_sky_pdf(const Vec3& direction) const;
     // All that decides their light, but for the emissive triangles, which are those of mesh, materials and textures.
     void add_to(Digest& digest) const;
 
@@ -36,12 +40,16 @@ public:
     }
 
 private:
+    LightSample sample(const Distribution& choice, const Vec3& from, float u_light, float u_select,
+                       const Vec2& u) const;
+    float sky_pdf(const Distribution& choice, const Vec3& direction) const;
+
     enum Kind : size_t { kSky, kEmitters, kFixtures };
 
     Sky sky_;
     Emitters emitters_;
     Fixtures fixtures_;
-    Distribution choice_;
+    Distribution choice_, outside_;
 };
 
 }  // namespace lumi::baker

@@ -90,18 +90,10 @@ Arriving arriving(const SceneData& scene, const Ray& ray, Sampler& sampler)
                                    [&](const Rgb& c, float) { sum += static_cast<double>(luminance(c)); });
         return sum;
     };
-    const auto emission = [&](const Ray& rest, const Hit& hit) {
-        return static_cast<double>(luminance(surface_at(scene, rest, hit).emission));
-    };
     const double sky = static_cast<double>(luminance(scene.lights.sky_radiance(ray.direction)));
     const std::optional<Hit> first = closest_opaque(scene, ray, sampler);
-    result.shadowed = first ? emission(ray, *first) + fixtures(first->distance) : sky + fixtures(ray.end);
+    result.shadowed = first ? fixtures(first->distance) : sky + fixtures(ray.end);
     result.all = sky + fixtures(ray.end);
-    Ray rest = ray;
-    while (const std::optional<Hit> hit = scene.accelerator.closest(rest)) {
-        result.all += emission(rest, *hit);
-        rest.origin = rest.origin + rest.direction * (hit->distance + 1e-5f);
-    }
     return result;
 }
 
@@ -209,6 +201,23 @@ TEST_CASE("catcher: aiming at lights and rays into all directions agree on the s
         CHECK(std::abs(ours.value() - brute.value()) < kBias + kSigmas * std::hypot(ours.error(), brute.error()));
         CHECK(brute.value() > 0.02);
     }
+}
+
+TEST_CASE("catcher: what objects emit throws no shadows, nor does it lighten any")
+{
+    SceneMaker glowing = ball();
+    const uint32_t lamp = glowing.add(testing::lamp(grey(50)));
+    glowing.quad(lamp, {-0.1f, -0.1f, 0.1f}, {0.1f, -0.1f, 0.1f}, {0.1f, 0.1f, 0.1f}, {-0.1f, 0.1f, 0.1f});
+    const Vec3 at = {0.45f, 0, -0.5f};
+    SceneMaker alone = glowing;
+    CHECK(shadow(alone.make(constant_environment(0)), at, 100).value() == 0);
+    SceneMaker black = ball();
+    const uint32_t unlit = black.add(testing::diffuse(grey(0)));
+    black.quad(unlit, {-0.1f, -0.1f, 0.1f}, {0.1f, -0.1f, 0.1f}, {0.1f, 0.1f, 0.1f}, {-0.1f, 0.1f, 0.1f});
+    const Mean lit = shadow(glowing.make(studio_environment()), at, 20000);
+    const Mean dark = shadow(black.make(studio_environment()), at, 20000);
+    CHECK(std::abs(lit.value() - dark.value()) < kSigmas * std::hypot(lit.error(), dark.error()));
+    CHECK(dark.value() > 0.02);
 }
 
 TEST_CASE("catcher: rays are covered by black as often as the share in shadow, else they see what lies behind")
