@@ -1,30 +1,42 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/bench_baker.sh [--smoke]
-# Measures the baker against Embree alone, its convergence, threads and memory, and writes the tables of docs/scale.md,
-# between their two marker comments. Times are of this machine: leave it alone for the two minutes. With --smoke it only
-# tries every measurement on little work, and writes nothing.
+# tools/bench_baker.sh [--smoke] [speed] [adaptive] [footprint]
+# Measures the baker and writes the tables of docs/scale.md, each between two marker comments; without a name, all of
+# them. speed: against Embree alone, convergence, threads and memory; times are of this machine: leave it alone for the two
+# minutes. adaptive: what adaptive sampling leaves out. footprint: what the footprint filters show. The last two are the
+# same on every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scenes=(cornell.obj testcard.obj product.obj gallery.json)
+matt_scenes=(testcard.obj product.obj)
 share_rows=30        # of 1448 texels at 16 paths
 convergence_rows=10  # of 64 texels
 thread_rows=200
 triangles=500000
+adaptive_scenes=(cornell.obj product.obj gallery.json)
+adaptive_texels=2000
+footprint_scene=$root/baker/scenes/product.obj
+footprint_size=724  # origins and directions
+footprints=(point origin both)
+modes=(nearest linear)
+orbit=30,20,3
+views=4
+picture=240x240
+reference_spp=256
 bench=${LUMI_BAKER_BENCH:-$root/build/release/baker/bench/lumi_baker_bench}
+lumi=${LUMI:-$root/build/release/tools/lumi}
 page=$root/docs/scale.md
-begin_marker='<!-- baker tables: begin (tools/bench_baker.sh) -->'
-end_marker='<!-- baker tables: end -->'
-tables=$(mktemp)
-trap 'rm -f "$tables"' EXIT
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
-# for_scenes COMMAND ROWS
+# for_scenes COMMAND COUNT SCENE...
 for_scenes() {
-  local scene
-  for scene in "${scenes[@]}"; do
-    "$bench" "$1" "$root/baker/scenes/$scene" "$2"
+  local command=$1 count=$2 scene
+  shift 2
+  for scene; do
+    "$bench" "$command" "$root/baker/scenes/$scene" "$count"
   done
 }
 
@@ -32,13 +44,14 @@ processor() {
   awk -F': ' '/^model name/ { print $2; exit }' /proc/cpuinfo
 }
 
-print_tables() {
+print_speed() {
   printf 'One thread of %s; millions a CPU second, the best of five runs. A path is a light path from the eye, a ray\nwhat Embree is asked for.\n\n' "$(processor)"
   printf '| scene | triangles | rays a path | paths | rays | rays, Embree alone | share of Embree |\n|---|---|---|---|---|---|---|\n'
-  for_scenes share "$share_rows"
+  for_scenes share "$share_rows" "${scenes[@]}"
+  for_scenes matt "$share_rows" "${matt_scenes[@]}"
   printf '\nRms error in steps of 255 against 4,096 paths, over 640 texels, and the exponent of the number of paths by which it falls\n(independent samples: -0.5).\n\n'
   printf '| scene | 4 paths | 16 | 64 | 256 | exponent |\n|---|---|---|---|---|---|\n'
-  for_scenes convergence "$convergence_rows"
+  for_scenes convergence "$convergence_rows" "${scenes[@]}"
   printf '\nMillions of paths a second by the clock.\n\n| scene | threads | paths | times one thread |\n|---|---|---|---|\n'
   "$bench" threads "$root/baker/scenes/product.obj" "$thread_rows"
   printf '\nMemory of a mesh with texture coordinates and smooth normals, for each million triangles.\n\n'
@@ -46,26 +59,79 @@ print_tables() {
   "$bench" memory "$triangles"
 }
 
+print_adaptive() {
+  printf '| scene | paths | levels | error, all | error, adaptive | paths taken | shift |\n|---|---|---|---|---|---|---|\n'
+  for_scenes adaptive "$adaptive_texels" "${adaptive_scenes[@]}"
+}
+
+# draw NAME COMMAND...: the pictures of a turntable, NAME-000.png and so on.
+draw() {
+  local name=$1
+  shift
+  "$@" -o "$work/$name.png" --orbit "$orbit" --size "$picture" --turntable "$views" >/dev/null
+}
+
+# Mean PSNR and SSIM of the turntable NAME against the reference's.
+figures() {
+  local name=$1 view number
+  for ((view = 0; view < views; ++view)); do
+    printf -v number '%03d' "$view"
+    "$lumi" compare "$work/$name-$number.png" "$work/reference-$number.png"
+  done | awk -v count="$views" '{ sum[$1] += $2 }
+    END { printf " %.1f dB / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count }'
+}
+
+print_footprint() {
+  local footprint mode
+  draw reference "$lumi" reference "$footprint_scene" --spp "$reference_spp"
+  printf '| footprint | nearest | linear |\n|---|---|---|\n'
+  for footprint in "${footprints[@]}"; do
+    "$lumi" bake "$footprint_scene" -o "$work/$footprint.lumi" --origins "$footprint_size" --directions "$footprint_size" \
+      --spp 16 --footprint "$footprint" >/dev/null
+    printf '| %s |' "\`$footprint\`"
+    for mode in "${modes[@]}"; do
+      draw "$footprint-$mode" "$lumi" render "$work/$footprint.lumi" --mode "$mode"
+      figures "$footprint-$mode"
+    done
+    printf '\n'
+  done
+}
+
+# write_page NAME TABLE
 write_page() {
   local new
-  new=$(awk -v begin="$begin_marker" -v end="$end_marker" -v table="$tables" '
+  new=$(awk -v begin="<!-- baker $1: begin (tools/bench_baker.sh $1) -->" -v end="<!-- baker $1: end -->" -v table="$2" '
     $0 == end { inside = 0 }
     !inside { print }
     $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$page")
   printf '%s\n' "$new" >"$page"
 }
 
-main() {
-  case ${1:-} in
-    '') ;;
-    --smoke) share_rows=1 convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj) ;;
-    --help) help "$0" && exit ;;
-    *) wrong_call "unknown option '$1'" ;;
-  esac
-  [[ -x $bench ]] || die "$bench is missing: build it with 'cmake --preset release && cmake --build --preset release'"
-  print_tables >"$tables"
-  cat "$tables"
-  [[ ${1:-} == --smoke ]] || write_page
+# A part's measurement goes where the smoke test or the page wants it.
+measure() {
+  "print_$1" >"$work/$1"
+  cat "$work/$1"
+  "$smoke" || write_page "$1" "$work/$1"
 }
 
-main "$@"
+smoke=false
+parts=()
+for word; do
+  case $word in
+    speed | adaptive | footprint) parts+=("$word") ;;
+    --smoke)
+      smoke=true share_rows=1 convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj) matt_scenes=(cornell.obj)
+      adaptive_scenes=(cornell.obj) adaptive_texels=20
+      footprint_scene=$root/baker/scenes/cornell.obj footprint_size=64 picture=32x32 views=1 reference_spp=4
+      ;;
+    --help) help "$0" && exit ;;
+    *) wrong_call "unknown option '$word'" ;;
+  esac
+done
+((${#parts[@]} > 0)) || parts=(speed adaptive footprint)
+for program in "$bench" "$lumi"; do
+  [[ -x $program ]] || die "$program is missing: build it with 'cmake --preset release && cmake --build --preset release'"
+done
+for part in "${parts[@]}"; do
+  measure "$part"
+done

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lumi_baker_bench share|convergence|threads SCENE ROWS, or memory TRIANGLES
+// lumi_baker_bench share|matt|convergence|threads SCENE ROWS, adaptive SCENE TEXELS, or memory TRIANGLES
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,7 +18,9 @@ struct Named {
 };
 
 constexpr Named kCommands[] = {{"share", lumi::baker::bench::print_share},
+                               {"matt", lumi::baker::bench::print_matt_share},
                                {"convergence", lumi::baker::bench::print_convergence},
+                               {"adaptive", lumi::baker::bench::print_adaptive},
                                {"threads", lumi::baker::bench::print_threads}};
 
 unsigned count_of(const char* word)
@@ -50,8 +52,10 @@ int main(int words, char** word)
         if (run(words, word)) {
             return 0;
         }
-        std::fprintf(stderr,
-                     "lumi_baker_bench share|convergence|threads SCENE ROWS\nlumi_baker_bench memory TRIANGLES\n");
+        std::fprintf(
+            stderr,
+            "lumi_baker_bench share|matt|convergence|threads SCENE ROWS\nlumi_baker_bench adaptive SCENE TEXELS\n"
+            "lumi_baker_bench memory TRIANGLES\n");
         return 2;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "lumi_baker_bench: %s\n", error.what());

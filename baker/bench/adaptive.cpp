@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "commands.h"
+#include "texels.h"
+
+namespace lumi::baker::bench
+{
+namespace
+{
+
+constexpr uint32_t kTruth = 4096;
+constexpr uint64_t kTruthSeed = 2, kChoiceSeed = 3;
+
+struct Setup {
+    uint32_t paths;
+    float levels;
+};
+constexpr Setup kSetups[] = {{64, 1}, {256, 1}, {256, 2}};
+
+struct Texels {
+    std::vector<std::optional<Rgb8>> colours;  // none where most rays miss
+    uint64_t paths = 0;
+};
+
+// The same texels of a field, drawn by lot, for all settings.
+Texels traced(const Scene& scene, unsigned count, uint32_t paths, float levels, uint64_t seed)
+{
+    BakeSettings settings;
+    settings.origins = settings.directions = 1448;
+    settings.samples = paths;
+    settings.max_error_levels = levels;
+    settings.seed = seed;
+    const TexelTracer tracer(scene.data(), settings);
+    Texels result;
+    for (uint32_t k = 0; k < count; ++k) {
+        const Vec2 u = Sampler(kChoiceSeed, k, 0).next_2d();
+        const uint32_t i = static_cast<uint32_t>(u.x * static_cast<float>(settings.origins));
+        const uint32_t j = static_cast<uint32_t>(u.y * static_cast<float>(settings.directions));
+        const Estimate estimate = tracer.estimate(tracer.disc(i), i, j);
+        result.colours.push_back(estimate.mostly_covered() ? std::optional(estimate.colour()) : std::nullopt);
+        result.paths += estimate.samples();
+    }
+    return result;
+}
+
+// Differences in steps of 255 over all channels of texels that both sides cover.
+struct Difference {
+    double rms = 0, mean = 0;
+};
+
+Difference difference(const Texels& found, const Texels& truth)
+{
+    double squares = 0, sum = 0;
+    size_t count = 0;
+    for (size_t k = 0; k < found.colours.size(); ++k) {
+        const auto &a = found.colours[k], &b = truth.colours[k];
+        if (a && b) {
+            for (const int d : {a->r - b->r, a->g - b->g, a->b - b->b}) {
+                squares += d * d;
+                sum += d;
+                ++count;
+            }
+        }
+    }
+    const double n = static_cast<double>(count);
+    return {std::sqrt(squares / n), sum / n};
+}
+
+}  // namespace
+
+void print_adaptive(const char* scene_file, unsigned count)
+{
+    const Scene scene = load(scene_file);
+    const std::string name = std::filesystem::path(scene_file).filename();
+    const Texels truth = traced(scene, count, kTruth, 0, kTruthSeed);
+    for (const Setup& setup : kSetups) {
+        const Texels all = traced(scene, count, setup.paths, 0, 1);
+        const Texels adaptive = traced(scene, count, setup.paths, setup.levels, 1);
+        std::printf("| `%s` | %u | %.0f | %.2f | %.2f | %.0f | %+.2f |\n", name.c_str(), setup.paths,
+                    static_cast<double>(setup.levels), difference(all, truth).rms, difference(adaptive, truth).rms,
+                    static_cast<double>(adaptive.paths) / count, difference(adaptive, all).mean);
+    }
+}
+
+}  // namespace lumi::baker::bench
