@@ -27,10 +27,6 @@ using tools::GuidedMode;
 constexpr char kPrefix[] = "guided-";
 constexpr char kAntialiased[] = "-aa";
 
-// Of the targets: M = 128, 2.5k triangles.
-constexpr uint32_t kOrigins = 128;
-constexpr uint32_t kChartSize = 96;
-constexpr uint32_t kTriangles = 2500;
 constexpr uint32_t kMeanResolution = 96;
 
 const std::vector<std::string> kGuidedTexels = {"residual4", "colour4"};
@@ -72,9 +68,9 @@ void bake(const FieldSettings& settings, const std::string& texel, const std::fi
     std::vector<std::string> warnings;
     const baker::Scene scene = baker::load_scene(settings.scene, {}, warnings);
     baker::GuidedSettings guided;
-    guided.origins = kOrigins;
-    guided.chart_size = kChartSize;
-    guided.proxy_triangles = kTriangles;
+    guided.origins = kGuidedOrigins;
+    guided.chart_size = kGuidedChartSize;
+    guided.proxy_triangles = kGuidedTriangles;
     guided.mean_resolution = texel == "colour4" ? 0 : kMeanResolution;
     guided.samples = settings.samples;
     tools::ProgressPrinter printer(stderr, tools::stderr_is_terminal());

@@ -7,6 +7,9 @@
 namespace lumi::bench
 {
 
+// The fields that are drawn, the size of which the aims are about.
+inline constexpr uint32_t kGuidedOrigins = 128, kGuidedChartSize = 96, kGuidedTriangles = 2500;
+
 // Whether a mode draws guided fields.
 bool is_guided(const std::string& mode);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "guided.h"
 #include "tables.h"
 
 namespace lumi::bench
@@ -26,7 +27,7 @@ std::string opening(const FieldSettings& field)
            "from "
            "1.3 radii, all 57,600 pixels covered. Cost is the whole frame, rows and\nrim included, divided by covered "
            "pixels. S is the span length: a pixel in S is evaluated exactly, in between lattice\ncoordinates are "
-           "stepped. *exact* is render() itself, which render_spans() calls for S = 1.\n\n";
+           "stepped. S = 1 is render() itself: every\npixel exact.\n\n";
 }
 
 // The renderer with the best picture that reaches a rate on a part, by order of kModes, then by longer spans last.
@@ -75,6 +76,22 @@ std::string how_to_choose(const Rows& rows)
            "The best reconstruction, then the shortest span, then the finest texel that reaches a rate in the model "
            "below (generic view;\nin brackets the modelled rate):\n\n" +
            choice_table(rows) + "\n";
+}
+
+std::string guided_section(const Rows& rows)
+{
+    const std::string table = guided_table(rows);
+    if (table.empty()) return "";
+    return "## Guided fields, generic view\n\n"
+           "The same scene as guided fields: " +
+           std::to_string(kGuidedOrigins) + " origins, charts of " + std::to_string(kGuidedChartSize) + ", " +
+           std::to_string(kGuidedTriangles) +
+           " triangles. Instructions per covered pixel / those of them that find the\nsurface; *-aa* has four samples "
+           "a "
+           "pixel. *residual4*: differences from mean colours, what bakes have by default; *colour4*:\ncolours without "
+           "a "
+           "mean. dB and worst pixel are against the double-precision twin. Stack includes the `ProxyFrame`.\n\n" +
+           table + "\n";
 }
 
 std::string parts_model()
@@ -161,7 +178,7 @@ std::string markdown_page(const Rows& rows, const Baselines& baselines, const st
         "\n## Aims and results\n\nInstructions per covered pixel and PSNR; S = 8 may cost 20 (M4) or 30 (M0+) "
         "more.\n\n" +
         target_table(rows);
-    page += "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n";
+    page += "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n" + guided_section(rows);
     page += accuracy_section(rows) + parts_model() + chip_table(rows) + "\n";
     return page + baseline_section(rows, baselines) + method(rows);
 }

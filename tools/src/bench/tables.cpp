@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <functional>
 
+#include "guided.h"
+
 namespace lumi::bench
 {
 namespace
@@ -30,13 +32,14 @@ void for_each_renderer(const Rows& rows, const std::function<void(const std::str
     }
 }
 
-// The spans of which there is a row.
+// The spans of which there is a row. Guided modes have none.
 std::vector<int> spans_of(const Rows& rows)
 {
     std::vector<int> spans;
-    for (const int span : kSpans)
-        if (std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.count.span == span; }))
-            spans.push_back(span);
+    for (const int span : kSpans) {
+        const auto has_it = [&](const Row& row) { return row.count.span == span && !is_guided(row.mode); };
+        if (std::any_of(rows.begin(), rows.end(), has_it)) spans.push_back(span);
+    }
     return spans;
 }
 
