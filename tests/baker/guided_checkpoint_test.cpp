@@ -147,6 +147,19 @@ TEST_CASE("guided checkpoint: a bake stopped again and again is bit-identical to
     }
 }
 
+TEST_CASE("guided checkpoint: a chart that was cut off in the middle is not kept")
+{
+    const Scene scene = tiny_scene();
+    GuidedSettings settings = tiny_focus();
+    settings.used_origins = 2;
+    settings.chart_size = 24;
+    settings.samples = 600;  // a chart takes longer than it takes to be told to stop
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(bake_guided(scene, settings, folder.at("f.lumi"), stop_after(1)), Cancelled);
+    bake_guided(scene, settings, folder.at("f.lumi"));
+    CHECK(read_bytes(folder.at("f.lumi")) == baked(scene, settings));
+}
+
 TEST_CASE("guided checkpoint: every truncation is survived or refused")
 {
     const Scene scene = tiny_scene();
