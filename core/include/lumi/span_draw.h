@@ -67,7 +67,7 @@ LUMI_ALWAYS_INLINE T settled(T value)
     return value;
 }
 
-// `Offsets` has at(column) and kConstant: whether it is the same for all pixels.
+// `Offsets` has at(pixel of the span) and kConstant: whether it is the same for all of them.
 template <class Texel, class Pixel, class Background, class Offsets>
 void draw_single(const SpanTarget<Background>& span, const Offsets& offsets)
 {
@@ -75,15 +75,17 @@ void draw_single(const SpanTarget<Background>& span, const Offsets& offsets)
     const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
     const SpanIndex rows(span.origins, 1);
     const SpanIndex texels(span.directions, kBytes);
-    const uint8_t* const base =
-        settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
+    const uint8_t* const base = settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
     int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
     int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
     const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
     const int32_t dud = settled(span.directions.du_q16), dvd = settled(span.directions.dv_q16);
     if (Offsets::kConstant) {
         const SpanOffsets add = offsets.at(0);
-        uo += add.origins_q16; vo += add.origins_q16; ud += add.directions_q16; vd += add.directions_q16;
+        uo += add.origins_q16;
+        vo += add.origins_q16;
+        ud += add.directions_q16;
+        vd += add.directions_q16;
     }
     uint8_t* pixel = span.pixels;
     const uint8_t* const end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes;
@@ -141,6 +143,7 @@ inline int32_t heaviest(const SpanTaps& taps)
 template <class Reconstruction>
 struct SpanDraw;
 
+// To the nearest whole coordinates.
 struct Rounding {
     static constexpr bool kConstant = true;
     SpanOffsets at(int32_t) const { return {1 << 15, 1 << 15}; }
@@ -172,6 +175,7 @@ struct DitherMatrix {
     static constexpr SpanOffsets at(int32_t x, int32_t y) { return {threshold_q16(x, y), threshold_q16(y + 1, ~x)}; }
 };
 
+// The thresholds of a span's row.
 class DitherRow
 {
 public:

@@ -35,32 +35,36 @@ struct SpanSteps {
     bool is_flipped(int32_t corner) const { return ((corner - flip) ^ flip_mask) < 0; }
 };
 
-// A sum of products of the whole parts of both coordinates with a side's steps, counted in `unit` bytes or points. Steps
-// are below 378 (F_14), so they share a register and, with Armv7E-M's DSP extension, each product takes one instruction.
+// Where the whole parts of two coordinates lie: their products with a side's steps, counted in `unit` bytes or points.
+// Steps are below 378 (F_14) and a texel has at most three bytes, so with Armv7E-M's DSP extension both steps share a
+// register and each product takes one instruction (SMULTB, SMLATT); the sums are the same.
 class SpanIndex
 {
 public:
-    SpanIndex(const SpanSide& side, int32_t unit) : first_(side.first * unit), second_(side.second * unit)
+#ifdef __ARM_FEATURE_DSP
+    SpanIndex(const SpanSide& side, int32_t unit)
+        : steps_((side.first * unit & 0xFFFF) | static_cast<int32_t>(static_cast<uint32_t>(side.second * unit) << 16))
     {
-        if (kPacked) first_ = (first_ & 0xFFFF) | static_cast<int32_t>(static_cast<uint32_t>(second_) << 16);
     }
 
     LUMI_ALWAYS_INLINE int32_t at(int32_t u_q16, int32_t v_q16) const
     {
-#ifdef __ARM_FEATURE_DSP
-        return __smlatt(v_q16, first_, __smlatb(u_q16, first_, 0));
-#else
-        return (u_q16 >> 16) * first_ + (v_q16 >> 16) * second_;
-#endif
+        return __smlatt(v_q16, steps_, __smlatb(u_q16, steps_, 0));
     }
 
 private:
-#ifdef __ARM_FEATURE_DSP
-    static constexpr bool kPacked = true;
+    int32_t steps_;
 #else
-    static constexpr bool kPacked = false;
-#endif
+    SpanIndex(const SpanSide& side, int32_t unit) : first_(side.first * unit), second_(side.second * unit) {}
+
+    LUMI_ALWAYS_INLINE int32_t at(int32_t u_q16, int32_t v_q16) const
+    {
+        return first_ * (u_q16 >> 16) + second_ * (v_q16 >> 16);
+    }
+
+private:
     int32_t first_, second_;
+#endif
 };
 
 // Three taps of a side: offsets in memory and weights that sum to 2^kBits.
