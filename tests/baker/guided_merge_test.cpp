@@ -3,13 +3,12 @@
 
 #include "block_file.h"
 #include "guided_scenes.h"
-#include "lumi/baker/merge.h"
+#include "merge_problems.h"
 
 namespace lumi::baker
 {
 
 using namespace testing;
-using Paths = std::vector<std::filesystem::path>;
 
 namespace
 {
@@ -22,19 +21,6 @@ Paths bake_shards(const ScratchFolder& folder, const Scene& scene, const GuidedS
         bake_guided_shard(scene, settings, {k, count}, shards.back());
     }
     return shards;
-}
-
-// What merging says; the output must then be as before.
-std::vector<std::string> problems_of(const ScratchFolder& folder, const Paths& shards)
-{
-    folder.write("f.lumi", "earlier");
-    try {
-        merge_shards(shards, folder.at("f.lumi"));
-    } catch (const MergeError& error) {
-        CHECK(read_bytes(folder.at("f.lumi")) == "earlier");
-        return error.problems;
-    }
-    return {};
 }
 
 }  // namespace

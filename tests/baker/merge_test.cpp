@@ -7,13 +7,13 @@
 #include "bake_layout.h"
 #include "bake_scenes.h"
 #include "lumi/crc32.h"
+#include "merge_problems.h"
 #include "row_file.h"
 
 namespace lumi::baker
 {
 
 using namespace testing;
-using Paths = std::vector<std::filesystem::path>;
 using format::TexelFormat;
 
 namespace
@@ -31,19 +31,6 @@ void bake_shards(const ScratchFolder& folder, const Scene& scene, const BakeSett
     for (uint32_t k = 1; k <= count; ++k) {
         bake_shard(scene, settings, {k, count}, folder.at(name_of(k)));
     }
-}
-
-// What merging says; the output must then be as before.
-std::vector<std::string> problems_of(const ScratchFolder& folder, const Paths& shards)
-{
-    folder.write("f.lumi", "earlier");
-    try {
-        merge_shards(shards, folder.at("f.lumi"));
-    } catch (const MergeError& error) {
-        CHECK(read_bytes(folder.at("f.lumi")) == "earlier");
-        return error.problems;
-    }
-    return {};
 }
 
 // A shard as an older lumi would have written it.
