@@ -93,3 +93,14 @@ TEST_CASE("a plot leaves out what has no place on it", "[bench]")
     CHECK(svg.find("inf") == std::string::npos);
     CHECK(svg_of({"t", "x", "y", {}}).find("nan") == std::string::npos);
 }
+
+TEST_CASE("a narrow plot puts its legend below, and marks a short axis densely", "[bench]")
+{
+    Plot plot = {"", "x", "y", {{"first", {{600, 40, ""}, {900, 41, ""}}}, {"second", {{600, 42, ""}}}}, true};
+    const std::string svg = svg_of(plot);
+    CHECK(svg.find("viewBox=\"0 0 440.0 384.0\"") != std::string::npos);  // the grid, and a row for each series
+    for (const char* mark : {">600<", ">700<", ">800<", ">900<"}) CHECK(svg.find(mark) != std::string::npos);
+    plot.series[0].points[0].x = 60;  // more than half a decade
+    CHECK(svg_of(plot).find(">200<") != std::string::npos);
+    CHECK(svg_of(plot).find(">700<") == std::string::npos);
+}

@@ -38,7 +38,8 @@ uint32_t read_u32(const uint8_t* bytes)
            static_cast<uint32_t>(bytes[2]) << 16 | static_cast<uint32_t>(bytes[3]) << 24;
 }
 
-// What people call a section.
+}  // namespace
+
 std::string title_of(const std::string& type)
 {
     static const std::map<std::string, std::string> titles = {
@@ -48,8 +49,6 @@ std::string title_of(const std::string& type)
     const auto title = titles.find(type);
     return title != titles.end() ? title->second : "\"" + type + "\"";
 }
-
-}  // namespace
 
 FieldFile::FieldFile(const std::string& path) : path_(path)
 {

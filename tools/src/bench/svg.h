@@ -21,6 +21,7 @@ struct PlotSeries {
 struct Plot {
     std::string title, x_title, y_title;  // x is logarithmic
     std::vector<PlotSeries> series;
+    bool narrow = false;  // drawn so that a phone's width shows it readably: half as wide, the legend below
 };
 
 // Series without points and points without finite values are left out. The same text for the same plot.

@@ -96,6 +96,7 @@ planner::PlanSettings settings_of(const FitOptions& options)
     settings.measure.views = options.view_count;
     settings.measure.cache = options.cache;
     settings.search.max_trials = options.max_trials;
+    settings.outlook = options.max_trials > 1;  // who asks for one trial asks what one plan is worth
     if (options.pace.empty()) return settings;
     settings.measure.pace = planner::parse_pace(options.pace);
     if (!settings.measure.pace)

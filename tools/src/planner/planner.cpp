@@ -62,6 +62,7 @@ public:
             result.twice = best_with(best, task_.budget_bytes * 2);
         }
         result.seconds = seconds_since(start);
+        result.proxies = measurer_.proxies();
         return result;
     }
 
@@ -187,10 +188,9 @@ Result plan_field(const baker::Scene& scene, const Task& task, const PlanSetting
 
 Plan final_plan(const baker::Scene& scene, const Result& result, const baker::ProgressCallback& progress)
 {
-    baker::ProxyCache proxies;
     const BytesOf bytes_of = [&](const Plan& plan) {
         if (plan.layout == Layout::chord) return baker::field_file_bytes(plan.chord);
-        return baker::guided_file_bytes(scene, plan.guided, proxies, 0, progress);
+        return baker::guided_file_bytes(scene, plan.guided, *result.proxies, 0, progress);
     };
     const Fit fit = fit_plan(result.task, result.best.plan, bytes_of, 0);
     if (!fit.fits) throw NoPlan("the plan does not fit after all: " + fit.note);

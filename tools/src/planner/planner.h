@@ -23,6 +23,7 @@ struct Result {
     bool exhausted = false;                  // the search ended because its trials were spent
     std::optional<Measurement> half, twice;  // the best measured with half and with twice the flash
     double seconds = 0;
+    std::shared_ptr<baker::ProxyCache> proxies;  // of the plans that were tried: they take seconds to make
 };
 
 struct PlanProgress {

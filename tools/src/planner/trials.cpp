@@ -84,7 +84,7 @@ BytesOf Measurer::size_of(const Task& task, const baker::ProgressCallback& progr
     return [this, &task, &progress](const Plan& plan) {
         if (plan.layout == Layout::chord) return baker::field_file_bytes(plan.chord);
         const bool exact = task.by_hand.chart_size || plan.guided.chart_size == format::kMinChart;
-        return baker::guided_file_bytes(scene_, plan.guided, proxies_, exact ? 0 : kSampledOrigins, progress);
+        return baker::guided_file_bytes(scene_, plan.guided, *proxies_, exact ? 0 : kSampledOrigins, progress);
     };
 }
 
@@ -144,7 +144,7 @@ void Measurer::measure_guided(Measurement& result, const baker::ProgressCallback
 {
     baker::GuidedSettings cheap = result.plan.guided;
     cheap.samples = settings_.samples;
-    const baker::GuidedBake bake = baker::guided_field(scene_, cheap, progress, &proxies_);
+    const baker::GuidedBake bake = baker::guided_field(scene_, cheap, progress, proxies_.get());
     result.bytes = bake.file.size();
     GuidedField field;
     if (const FieldError error = open_guided(bake.file.data(), bake.file.size(), field); error != FieldError::none)

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 
 #include "fit.h"
 #include "speed.h"
@@ -43,6 +44,9 @@ public:
     // earlier one is not baked again. Throws Cancelled.
     Measurement measure(const Task& task, const Plan& plan, const baker::ProgressCallback& progress);
 
+    // Of all plans that were measured.
+    std::shared_ptr<baker::ProxyCache> proxies() const { return proxies_; }
+
 private:
     Measurement fresh(const Fit& fit, const baker::ProgressCallback& progress);
     void measure_chord(Measurement& result, const baker::ProgressCallback& progress);
@@ -55,7 +59,7 @@ private:
     std::vector<quality::HeldOutView> views_;
     std::vector<quality::Truth> truths_;
     FrameShare share_;
-    baker::ProxyCache proxies_;
+    const std::shared_ptr<baker::ProxyCache> proxies_ = std::make_shared<baker::ProxyCache>();
     std::map<std::string, Measurement> known_;  // by the sized plan's text
 };
 

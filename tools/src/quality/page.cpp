@@ -66,7 +66,7 @@ bench::Plot plot_of(const ReportData& report)
     std::map<std::string, std::vector<const Measured*>> layouts;
     for (const auto* list : {&report.fields, &report.baselines})
         for (const Measured& m : *list) layouts[m.layout].push_back(&m);
-    bench::Plot plot = {"Quality against flash", "flash, kB", "mean PSNR, dB", {}};
+    bench::Plot plot = {"", "flash, kB", "mean PSNR, dB", {}, true};
     for (auto& [layout, all] : layouts) {
         std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->flash_bytes < b->flash_bytes; });
         bench::PlotSeries series = {layout, {}};
@@ -76,7 +76,7 @@ bench::Plot plot_of(const ReportData& report)
         plot.series.push_back(series);
     }
     if (report.one_ray && !report.fields.empty()) {
-        bench::PlotSeries ceiling = {"one exact ray a pixel", {}};
+        bench::PlotSeries ceiling = {"one exact ray a pixel, " + number(report.one_ray->mean.psnr_db, 1) + " dB", {}};
         const auto [low, high] =
             std::minmax_element(report.fields.begin(), report.fields.end(),
                                 [](const Measured& a, const Measured& b) { return a.flash_bytes < b.flash_bytes; });
@@ -97,7 +97,7 @@ std::string section_bar(const Measured& field)
         const tools::Section& section = field.sections[i];
         const std::string colour = kColours[i % kColours.size()];
         bar += "<span style=\"flex:" + std::to_string(section.bytes) + ";background:" + colour + "\"></span>";
-        key += "<span><i style=\"background:" + colour + "\"></i>" + escaped(section.type) + " " +
+        key += "<span><i style=\"background:" + colour + "\"></i>" + escaped(tools::title_of(section.type)) + " " +
                tools::byte_text(section.bytes) + "</span>";
     }
     return "<h3>" + escaped(file_name(field.name)) + ", " + flash_text(field) + "</h3><div class=\"bar\">" + bar +
@@ -128,15 +128,21 @@ std::string figures_text(const Figures& f)
            number(f.mask_psnr_db, 2) + " dB, " + number(f.mask_ssim, 4);
 }
 
+// A field's picture beside its error, with one caption.
+std::string pair(const Measured& field, size_t v, const Truth& truth)
+{
+    const std::string name = file_name(field.name);
+    return "<figure class=\"pair\">" + image_tag(field.pictures[v], name) +
+           image_tag(tools::error_picture(field.pictures[v], truth.picture), "error of " + name) + "<figcaption><b>" +
+           escaped(name) + "</b>: " + figures_text(field.figures[v]) + "</figcaption></figure>\n";
+}
+
 std::string view_part(const ReportData& report, size_t v)
 {
     const Truth& truth = report.truths[v];
     std::string html = "<h3>View " + std::to_string(v + 1) + ": " + escaped(text_of(report.views[v])) +
                        "</h3>\n<div class=\"views\">\n" + figure(truth.picture, "reference");
-    for (const Measured& field : report.fields) {
-        html += figure(field.pictures[v], file_name(field.name) + ": " + figures_text(field.figures[v]));
-        html += figure(tools::error_picture(field.pictures[v], truth.picture), "its error, 4 times as bright");
-    }
+    for (const Measured& field : report.fields) html += pair(field, v, truth);
     return html + "</div>\n";
 }
 
@@ -163,7 +169,8 @@ std::string page_of(const ReportData& report)
         introduction(report) + mean_table(report) + "<h2>Quality against flash</h2>\n<div class=\"wide plot\">" +
         bench::svg_of(plot_of(report)) + "</div>\n<h2>Where the bytes go</h2>\n";
     for (const Measured& field : report.fields) html += section_bar(field);
-    html += cost_table(report) + "<h2>Views</h2>\n";
+    html += cost_table(report) +
+            "<h2>Views</h2>\n<p>Each field's picture, and beside it its error, 4 times as bright.</p>\n";
     for (size_t v = 0; v < report.views.size(); ++v) html += view_part(report, v);
     return html + "</body></html>\n";
 }

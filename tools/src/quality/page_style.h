@@ -13,13 +13,20 @@ h2 { font-size: 1.1rem; margin: 1.6rem 0 0.4rem; }
 h3 { font-size: 0.95rem; margin: 1rem 0 0.3rem; }
 p { margin: 0.4rem 0; max-width: 46rem; }
 .wide { overflow-x: auto; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 0.88rem; }
+table { border-collapse: separate; border-spacing: 0; font-variant-numeric: tabular-nums; font-size: 0.88rem; }
 th, td { padding: 0.25rem 0.6rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: Canvas; }
-td:first-child { white-space: normal; overflow-wrap: anywhere; min-width: 8.5rem; max-width: 16rem; }
-.plot svg { width: 100%; min-width: 620px; max-width: 880px; height: auto; border-radius: 6px; }
-.views { display: grid; grid-template-columns: repeat(auto-fit, minmax(160px, 1fr)); gap: 0.5rem; }
-@media (max-width: 500px) { .views { grid-template-columns: repeat(2, 1fr); } .views figure:first-child { grid-column: 1 / -1; } }
+td:first-child { white-space: normal; overflow-wrap: anywhere; min-width: 7rem; max-width: 16rem; }
+.plot svg { display: block; width: 100%; max-width: 640px; height: auto; border-radius: 6px; }
+.views { display: grid; grid-template-columns: repeat(auto-fill, minmax(160px, 1fr)); gap: 0.5rem; align-items: start; }
+.views .pair { grid-column: span 2; display: grid; grid-template-columns: 1fr 1fr; }
+.pair figcaption { grid-column: 1 / -1; }
+@media (max-width: 500px) {
+  table { font-size: 0.8rem; }
+  th, td { padding: 0.25rem 0.3rem; }
+  .views { grid-template-columns: repeat(2, 1fr); }
+  .views figure:first-child { grid-column: 1 / -1; }
+}
 figure { margin: 0; background: var(--soft); border-radius: 6px; overflow: hidden; }
 figure img { display: block; width: 100%; height: auto; }
 figcaption { padding: 0.3rem 0.5rem 0.45rem; font-size: 0.8rem; overflow-wrap: anywhere; }

@@ -19,6 +19,9 @@ struct Section {
     uint32_t offset, bytes, crc32;
 };
 
+// What people call a section of this type: "mean colour"; an unknown type in quotes.
+std::string title_of(const std::string& type);
+
 class FieldFile
 {
 public:
