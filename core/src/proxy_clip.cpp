@@ -112,7 +112,7 @@ void fill_clipped(const ProxyFrame& frame, const Triple12& triangle, const Depth
     for (int k = 2; k < rest.count; ++k) {
         const SamplePoint here = place(frame.projection, rest.corners[k]);
         const bool outside = wide_doubled_area(first, before, here) < 0;  // seen counter-clockwise
-        if (outside || frame.mesh.two_sided) fill_triangle(first, before, here, target);
+        if (outside || frame.mesh.two_sided) fill_triangle(packed(first), packed(before), packed(here), target);
         before = here;
     }
 }

@@ -2,159 +2,62 @@
 #include "proxy_fill.h"
 
 #include "lumi/always_inline.h"
+#include "lumi/render.h"
+#include "proxy_ramp.h"
 
 namespace lumi::proxy_math
 {
 namespace
 {
 
-// Edges and triangles up to 256 samples wide and high take 32-bit products; others are rare.
-constexpr int32_t kSmallQ6 = 1 << 14;
+// Where an edge crosses the rows, Q16 samples, modulo 2^32.
+struct Walk {
+    int32_t x_q16, step_q16;
+};
 
 LUMI_ALWAYS_INLINE bool is_small(int32_t difference_q6)
 {
     return static_cast<uint32_t>(difference_q6 + kSmallQ6) < 2 * static_cast<uint32_t>(kSmallQ6);
 }
 
-// A value along an edge, at the samples' height in each row; both modulo 2^32.
-struct Walk {
-    int32_t value, step;
-
-    LUMI_ALWAYS_INLINE int32_t after(int32_t rows) const { return wrapped_sum(value, wrapped_product(step, rows)); }
-};
-
-// An edge downwards from its upper end.
-struct Edge {
-    int32_t first_row, end_row;
-    int32_t dy_q6, ahead_q6;  // its height; from its upper end to the first row, 0 .. 63
-    Reciprocal per_dy;
-};
-
-LUMI_ALWAYS_INLINE Edge edge_between(const SamplePoint& top, const SamplePoint& bottom)
+__attribute__((noinline)) Walk wide_walk(int32_t x_q6, int32_t dx_q6, int32_t dy_q6, int32_t ahead_q6)
 {
-    const int32_t first = row_from(top.y_q6), dy_q6 = bottom.y_q6 - top.y_q6;
-    return {first, row_from(bottom.y_q6), dy_q6, 64 * first + 32 - top.y_q6, reciprocal(static_cast<uint32_t>(dy_q6))};
+    const int64_t dx_q16 = static_cast<int64_t>(dx_q6) * 1024;
+    const int64_t first_q16 = static_cast<int64_t>(x_q6) * 1024 + dx_q16 * ahead_q6 / dy_q6;
+    return {static_cast<int32_t>(static_cast<uint32_t>(first_q16)),
+            dy_q6 < 64 ? 0 : static_cast<int32_t>(static_cast<uint32_t>(64 * dx_q16 / dy_q6))};
 }
 
-__attribute__((noinline)) Walk wide_walk(const Edge& e, int32_t from, int32_t rise, int fraction_bits)
+// From the first row at or below the upper end on; that row is `ahead`, 0 to 63/64, below it. An edge that is less than
+// a row high crosses one at most.
+LUMI_ALWAYS_INLINE Walk small_walk(int32_t x_q6, int32_t dx_q6, int32_t dy_q6, int32_t ahead_q6)
 {
-    const int64_t scaled = static_cast<int64_t>(rise) * (int64_t{1} << fraction_bits);
-    const int64_t first = static_cast<int64_t>(from) * (int64_t{1} << fraction_bits) + scaled * e.ahead_q6 / e.dy_q6;
-    return {static_cast<int32_t>(static_cast<uint32_t>(first)),
-            e.dy_q6 < 64 ? 0 : static_cast<int32_t>(static_cast<uint32_t>(64 * scaled / e.dy_q6))};
-}
-
-// Where an edge crosses the rows, Q16. One that is less than a row high crosses one at most.
-template <bool kSmall>
-LUMI_ALWAYS_INLINE Walk x_walk(const Edge& e, int32_t from_q6, int32_t dx_q6)
-{
-    if (!kSmall && !(e.dy_q6 < kSmallQ6 && is_small(dx_q6))) return wide_walk(e, from_q6, dx_q6, 10);
-    const int32_t mantissa = static_cast<int32_t>(e.per_dy.mantissa), shift = 31 - e.per_dy.leading;
-    if (e.dy_q6 >= 64) {
+    const Reciprocal r = reciprocal(static_cast<uint32_t>(dy_q6));
+    const int32_t mantissa = static_cast<int32_t>(r.mantissa), shift = 31 - r.leading;
+    if (dy_q6 >= 64) {
         const int32_t step_q16 = (dx_q6 * mantissa) >> shift;
-        return {from_q6 * 1024 + ((step_q16 * e.ahead_q6) >> 6), step_q16};
+        return {x_q6 * 1024 + ((step_q16 * ahead_q6) >> 6), step_q16};
     }
-    const int32_t share_q16 = (e.ahead_q6 * mantissa) >> shift;
-    return {from_q6 * 1024 + ((dx_q6 * share_q16) >> 6), 0};
+    const int32_t share_q16 = (ahead_q6 * mantissa) >> shift;
+    return {x_q6 * 1024 + ((dx_q6 * share_q16) >> 6), 0};
 }
 
-// Its depth there, Q14.
+// The crossing with a row at or below the upper end, and from there on. The same bits for both triangles of an edge.
 template <bool kSmall>
-LUMI_ALWAYS_INLINE Walk depth_walk(const Edge& e, int32_t from, int32_t rise)
+LUMI_ALWAYS_INLINE Walk walk_from(const SamplePoint& top, const SamplePoint& bottom, int32_t row)
 {
-    if (!kSmall && e.dy_q6 >= kSmallQ6) return wide_walk(e, from, rise, 14);
-    const int32_t mantissa = static_cast<int32_t>(e.per_dy.mantissa);
-    if (e.dy_q6 >= 64) {
-        const int32_t step_q14 = ((rise >> 1) * mantissa) >> (26 - e.per_dy.leading);
-        return {from * 16384 + (step_q14 >> 6) * e.ahead_q6, step_q14};
-    }
-    const int32_t share_q16 = (e.ahead_q6 * mantissa) >> (31 - e.per_dy.leading);
-    return {from * 16384 + (((rise >> 1) * share_q16) >> 1), 0};
+    const int32_t first = row_from(top.y_q6), ahead_q6 = 64 * first + 32 - top.y_q6;
+    const int32_t dx_q6 = bottom.x_q6 - top.x_q6, dy_q6 = bottom.y_q6 - top.y_q6;
+    const Walk w = kSmall || (dy_q6 < kSmallQ6 && is_small(dx_q6)) ? small_walk(top.x_q6, dx_q6, dy_q6, ahead_q6)
+                                                                   : wide_walk(top.x_q6, dx_q6, dy_q6, ahead_q6);
+    return {wrapped_sum(w.x_q16, wrapped_product(w.step_q16, row - first)), w.step_q16};
 }
 
-// How depth grows from sample to sample along a row, Q14. A triangle so thin that depth would grow by more than it has
-// in all never holds two samples of a row: there is no step, but a slope from its edge, and its corners' limits.
-struct Gradient {
-    int32_t step_q14;
-    bool thin;
-    int32_t slope;  // of a thin one, whole depths a sample
-    int32_t least, most;
-};
-
-struct Sorted {
-    const SamplePoint *top, *middle, *bottom;
-};
-
-LUMI_ALWAYS_INLINE Sorted by_height(const SamplePoint& p, const SamplePoint& q, const SamplePoint& r)
+// What makes a crossing's whole part the first sample at it or to its right.
+LUMI_ALWAYS_INLINE int32_t bias_q16(const DepthTarget& target, int32_t row)
 {
-    Sorted s = {&p, &q, &r};
-    const auto order = [](const SamplePoint*& a, const SamplePoint*& b) {
-        if (b->y_q6 < a->y_q6) {
-            const SamplePoint* t = a;
-            a = b;
-            b = t;
-        }
-    };
-    order(s.top, s.middle);
-    order(s.middle, s.bottom);
-    order(s.top, s.middle);
-    return s;
+    return 0xFFFF - 1024 * target.phase_q6[row & 1];
 }
-
-// Rise of depth from the top to the other corners.
-struct Rises {
-    int32_t middle, bottom;
-};
-
-// A depth a sample of 2^14 wide and 2^16 deep triangles, in whole numbers, fits.
-constexpr int32_t kMaxSlope = 1 << 22;
-
-LUMI_ALWAYS_INLINE int32_t limited_slope(int64_t slope)
-{
-    return static_cast<int32_t>(slope > kMaxSlope ? kMaxSlope : slope < -kMaxSlope ? -kMaxSlope : slope);
-}
-
-__attribute__((noinline)) void set_step(Gradient& g, const Sorted& s, const Rises& rise, int64_t area_q12)
-{
-    const int64_t over_q6 = static_cast<int64_t>(rise.middle) * (s.bottom->y_q6 - s.top->y_q6) -
-                            static_cast<int64_t>(rise.bottom) * (s.middle->y_q6 - s.top->y_q6);
-    const int64_t step_q14 = over_q6 * (int64_t{1} << 20) / area_q12;
-    const int64_t limit_q14 = (g.most - g.least) * int64_t{16384};
-    g.thin = step_q14 > limit_q14 || step_q14 < -limit_q14;
-    g.step_q14 = g.thin ? 0 : static_cast<int32_t>(step_q14);
-    g.slope = limited_slope(step_q14 >> 14);
-}
-
-__attribute__((noinline)) void set_thin(Gradient& g, int32_t step, int32_t left)
-{
-    g.thin = true;
-    g.slope = limited_slope(static_cast<int64_t>(step) * (int64_t{1} << left) >> 14);
-}
-
-// The same for |area| < 2^31 and heights below 2^14.
-LUMI_ALWAYS_INLINE void set_step(Gradient& g, const Sorted& s, const Rises& rise, int32_t area_q12)
-{
-    const int32_t over_q6 = wrapped_sum(wrapped_product(rise.middle, s.bottom->y_q6 - s.top->y_q6),
-                                        wrapped_product(-rise.bottom, s.middle->y_q6 - s.top->y_q6));
-    const Reciprocal r = reciprocal(static_cast<uint32_t>(area_q12 < 0 ? -area_q12 : area_q12));
-    const int32_t step = times_q16(area_q12 < 0 ? -over_q6 : over_q6, r.mantissa);
-    const int32_t left = r.leading - 11;  // at most 20
-    if (left <= 0) {
-        g.step_q14 = step >> -left;
-        return;
-    }
-    const int32_t most = ((g.most - g.least) * 16384) >> left;
-    if (step > most || step < -most) return set_thin(g, step, left);
-    g.step_q14 = step * (int32_t{1} << left);
-}
-
-// Rows of a triangle between two edges. Samples lie at whole numbers of left and right, which have the rows' phase
-// taken off and all but one 2^-16 added: the first sample at or right of an edge is the whole part.
-struct Trapezium {
-    int32_t left_q16, left_step, right_q16, right_step, depth_q14, depth_step;
-    int32_t toggle_q16;  // added to both from the first row to the second, then taken off
-    int32_t rows;
-};
 
 LUMI_ALWAYS_INLINE void fill_span(uint16_t* at, const uint16_t* end, uint32_t depth_q14, uint32_t step_q14)
 {
@@ -165,134 +68,178 @@ LUMI_ALWAYS_INLINE void fill_span(uint16_t* at, const uint16_t* end, uint32_t de
     } while (++at != end);
 }
 
-// The depth at the first sample of a thin triangle's row.
-int32_t thin_depth_q14(int32_t edge_q14, int32_t ahead_q8, const Gradient& g)
+// Image rows [begin, end) of a triangle within the target, and the row where its short edges meet.
+struct Rows {
+    int32_t begin, bend, end;
+
+    LUMI_ALWAYS_INLINE Rows(const Wound& w, const DepthTarget& target)
+    {
+        const bool left_is_short = w.left.y_q6 < w.right.y_q6;
+        const int32_t first = row_from(w.top.y_q6), below = target.y + target.height;
+        const int32_t last = row_from(left_is_short ? w.right.y_q6 : w.left.y_q6);
+        begin = first > target.y ? first : target.y;
+        bend = row_from(left_is_short ? w.left.y_q6 : w.right.y_q6);
+        end = last < below ? last : below;
+    }
+};
+
+// Turns a triangle's corners until the upper one is first. Depth's bits below y's decide between corners of the same
+// height, which may come in any order.
+LUMI_ALWAYS_INLINE Wound from_top(const ProxyVertex* a, const ProxyVertex* b, const ProxyVertex* c)
 {
-    const int32_t depth = (edge_q14 >> 14) + ((g.slope * ahead_q8) >> 8);
-    return (depth < g.least ? g.least : depth > g.most ? g.most : depth) * 16384;
+    if (b->y < a->y && b->y <= c->y) return {unpacked(*b), unpacked(*c), unpacked(*a)};
+    if (c->y < a->y) return {unpacked(*c), unpacked(*a), unpacked(*b)};
+    return {unpacked(*a), unpacked(*b), unpacked(*c)};
 }
 
-__attribute__((noinline)) void fill_rows(const Trapezium& all, uint16_t* row, const Gradient& g, int32_t width)
-{
-    const int32_t step_q14 = g.step_q14;
-    Trapezium t = all;
-    do {
-        int32_t from = t.left_q16 >> 16, to = t.right_q16 >> 16;
-        const int32_t ahead_q8 = (~t.left_q16 >> 8) & 0xFF;
-        const int32_t edge_q14 = t.depth_q14;
-        int32_t depth_q14 = wrapped_sum(edge_q14, (step_q14 >> 8) * ahead_q8);
-        t.left_q16 = wrapped_sum(t.left_q16, wrapped_sum(t.left_step, t.toggle_q16));
-        t.right_q16 = wrapped_sum(t.right_q16, wrapped_sum(t.right_step, t.toggle_q16));
-        t.depth_q14 = wrapped_sum(t.depth_q14, t.depth_step);
-        t.toggle_q16 = -t.toggle_q16;
-        if (to > width) to = width;
-        if (from < to && to > 0) {
-            if (g.thin) depth_q14 = thin_depth_q14(edge_q14, ahead_q8, g);
-            if (from < 0) {
-                depth_q14 = wrapped_sum(depth_q14, wrapped_product(step_q14, -from));
-                from = 0;
-            }
-            fill_span(row + from, row + to, static_cast<uint32_t>(depth_q14), static_cast<uint32_t>(step_q14));
-        }
-        row += width;
-    } while (--t.rows != 0);
-}
-
+// A triangle's edges, from the row where it begins or its short edges meet; x_q16 from `place_q16` on.
 template <bool kSmall>
-class TriangleFiller
+LUMI_ALWAYS_INLINE void set_edges(const Wound& w, bool is_first, bool is_lower, int32_t row, int32_t place_q16,
+                                  Walk& left, Walk& right)
+{
+    const auto placed = [&](const SamplePoint& top, const SamplePoint& bottom) {
+        const Walk walk = walk_from<kSmall>(top, bottom, row);
+        return Walk{wrapped_sum(walk.x_q16, place_q16), walk.step_q16};
+    };
+    const bool left_is_short = w.left.y_q6 < w.right.y_q6;
+    if (is_lower && left_is_short) {
+        left = placed(w.left, w.right);
+    } else if (is_first) {
+        left = placed(w.top, w.left);
+    }
+    if (is_lower && !left_is_short) {
+        right = placed(w.right, w.left);
+    } else if (is_first) {
+        right = placed(w.top, w.right);
+    }
+}
+
+// A small triangle on its way down the target, without clipping or exact depths.
+template <bool kShifted>
+class Descent
 {
 public:
-    LUMI_ALWAYS_INLINE TriangleFiller(const Sorted& s, const Gradient& g, bool middle_is_right,
-                                      const DepthTarget& target)
-        : s_(s),
-          gradient_(g),
-          target_(target),
-          whole_(edge_between(*s.top, *s.bottom)),
-          depth_{0, 0},
-          middle_is_right_(middle_is_right)
+    LUMI_ALWAYS_INLINE Descent(const Ramp& ramp, int32_t y, const DepthTarget& target)
+        : y_(y),
+          row_(target.depths + (y - target.y) * target.width),
+          width_(target.width),
+          depth_q14_(ramp.depth_q14(0, y)),
+          right_q14_(ramp.right_q14),
+          down_q14_(ramp.down_q14),
+          place_q16_(bias_q16(target, y) - 65536 * target.x)
     {
-        x_ = x_walk<kSmall>(whole_, s.top->x_q6, s.bottom->x_q6 - s.top->x_q6);
-        if (middle_is_right_) {
-            depth_ = depth_walk<kSmall>(whole_, s.top->depth, s.bottom->depth - s.top->depth);
-        }
+        if (!kShifted) return;
+        shift_q16_ = bias_q16(target, ~y) - bias_q16(target, y);
+        shift_q14_ = ramp.base_q14[~y & 1] - ramp.base_q14[y & 1];
     }
 
-    // The rows of the short edge from `top` to `bottom`.
-    __attribute__((noinline)) void fill(const SamplePoint& top, const SamplePoint& bottom) const
+    LUMI_ALWAYS_INLINE void fill(const Wound& w, const Rows& rows)
     {
-        const int32_t first = row_from(top.y_q6), last = row_from(bottom.y_q6);
-        const int32_t begin = first > target_.y ? first : target_.y;
-        const int32_t end = last < target_.y + target_.height ? last : target_.y + target_.height;
-        if (begin >= end) return;
-        const Edge e = edge_between(top, bottom);
-        const int32_t phase_q16 = target_.phase_q16[begin & 1];
-        const int32_t bias_q16 = 0xFFFF - phase_q16;
-        // Modulo 2^32: in range again where the row has samples of the target.
-        const auto placed = [&](int32_t x_q16) {
-            return wrapped_sum(x_q16, wrapped_sum(bias_q16, wrapped_product(target_.x, -65536)));
-        };
-        const Walk part = x_walk<kSmall>(e, top.x_q6, bottom.x_q6 - top.x_q6);
-        const int32_t part_x = placed(part.after(begin - first));
-        const int32_t whole_rows = begin - whole_.first_row;
-        const int32_t whole_x = placed(x_.after(whole_rows));
-        Trapezium t;
-        if (middle_is_right_) {
-            t = {whole_x, x_.step, part_x, part.step, depth_.after(whole_rows), depth_.step, 0, 0};
-        } else {
-            const Walk depth = depth_walk<kSmall>(e, top.depth, bottom.depth - top.depth);
-            t = {part_x, part.step, whole_x, x_.step, depth.after(begin - first), depth.step, 0, 0};
+        set_edges<true>(w, true, y_ >= rows.bend, y_, place_q16_, left_, right_);
+        if (y_ < rows.bend && rows.bend < rows.end) {
+            fill_until(rows.bend);
+            set_edges<true>(w, false, true, y_, place_q16_, left_, right_);
         }
-        t.toggle_q16 = phase_q16 - target_.phase_q16[~begin & 1];
-        t.rows = end - begin;
-        fill_rows(t, target_.depths + (begin - target_.y) * target_.width, gradient_, target_.width);
+        fill_until(rows.end);
     }
 
 private:
-    const Sorted& s_;
-    const Gradient& gradient_;
-    const DepthTarget& target_;
-    const Edge whole_;
-    Walk x_, depth_;
-    const bool middle_is_right_;
+    LUMI_ALWAYS_INLINE void fill_until(int32_t end)
+    {
+        do {
+            const bool shifted = kShifted && is_shifted_;
+            fill_row((left_.x_q16 + (shifted ? shift_q16_ : 0)) >> 16,
+                     (right_.x_q16 + (shifted ? shift_q16_ : 0)) >> 16, shifted ? depth_q14_ + shift_q14_ : depth_q14_);
+            left_.x_q16 += left_.step_q16;
+            right_.x_q16 += right_.step_q16;
+            row_ += width_;
+            depth_q14_ += down_q14_;
+            is_shifted_ = !is_shifted_;
+        } while (++y_ != end);
+    }
+
+    LUMI_ALWAYS_INLINE void fill_row(int32_t from, int32_t to, uint32_t depth_q14)
+    {
+        if (from < 0) from = 0;
+        if (to > width_) to = width_;
+        if (from >= to) return;
+        fill_span(row_ + from, row_ + to, depth_q14 + right_q14_ * static_cast<uint32_t>(from), right_q14_);
+    }
+
+    int32_t y_;
+    uint16_t* row_;
+    const int32_t width_;
+    uint32_t depth_q14_;
+    const uint32_t right_q14_, down_q14_;
+    const int32_t place_q16_;
+    Walk left_{0, 0}, right_{0, 0};
+    // Of the second row, the fourth and so on.
+    int32_t shift_q16_ = 0;
+    uint32_t shift_q14_ = 0;
+    bool is_shifted_ = false;
 };
 
-LUMI_ALWAYS_INLINE Gradient limits(const Sorted& s, const Rises& rise)
+// Columns [from, to) of a row of the target.
+__attribute__((noinline)) void fill_exactly(const Wound& w, const DepthTarget& target, int32_t row, RowSpan columns)
 {
-    const int32_t lower = rise.middle < rise.bottom ? rise.middle : rise.bottom;
-    const int32_t upper = rise.middle < rise.bottom ? rise.bottom : rise.middle;
-    return {0, false, 0, s.top->depth + (lower < 0 ? lower : 0), s.top->depth + (upper > 0 ? upper : 0)};
+    uint16_t* const at = target.depths + (row - target.y) * target.width;
+    for (int32_t x = columns.begin; x < columns.end; ++x) {
+        const int32_t depth = exact_depth(w, 64 * (x + target.x) + target.phase_q6[row & 1], 64 * row + 32);
+        if (depth > at[x]) at[x] = static_cast<uint16_t>(depth);
+    }
 }
 
-// Fills a triangle whose doubled area is `area_q12`: 32 bits for a small one, else 64.
-template <class Area>
-LUMI_ALWAYS_INLINE void fill_sorted(const Sorted& s, Area area_q12, const DepthTarget& target)
+// The first sample at a crossing or to its right, within the target.
+int32_t column_of(const Walk& walk, int32_t row, const DepthTarget& target)
 {
-    if (area_q12 == 0) return;
-    const Rises rise = {s.middle->depth - s.top->depth, s.bottom->depth - s.top->depth};
-    Gradient g = limits(s, rise);
-    set_step(g, s, rise, area_q12);
-    const TriangleFiller<sizeof(Area) == sizeof(int32_t)> filler(s, g, area_q12 > 0, target);
-    filler.fill(*s.top, *s.middle);
-    filler.fill(*s.middle, *s.bottom);
+    const int32_t x = (wrapped_sum(walk.x_q16, bias_q16(target, row)) >> 16) - target.x;
+    return x < 0 ? 0 : x > target.width ? target.width : x;
 }
 
-__attribute__((noinline)) void fill_wide(const Sorted& s, const DepthTarget& target)
+void fill_columns(const Wound& w, const Ramp& ramp, int32_t y, const RowSpan& columns, const DepthTarget& target)
 {
-    fill_sorted(s, wide_doubled_area(*s.top, *s.middle, *s.bottom), target);
+    if (columns.begin >= columns.end) return;
+    if (ramp.kind == Ramp::Kind::exact) return fill_exactly(w, target, y, columns);
+    uint16_t* const row = target.depths + (y - target.y) * target.width;
+    fill_span(row + columns.begin, row + columns.end, ramp.depth_q14(columns.begin, y), ramp.right_q14);
+}
+
+__attribute__((noinline)) void fill_any(const Wound& w, const DepthTarget& target)
+{
+    const Rows rows(w, target);
+    if (rows.begin >= rows.end) return;
+    const Ramp ramp = wide_ramp(w, target);
+    if (ramp.kind == Ramp::Kind::none) return;
+    Walk left = {0, 0}, right = {0, 0};
+    for (int32_t y = rows.begin; y < rows.end; ++y) {
+        const bool is_first = y == rows.begin;
+        if (is_first || y == rows.bend) set_edges<false>(w, is_first, y >= rows.bend, y, 0, left, right);
+        fill_columns(w, ramp, y, {column_of(left, y, target), column_of(right, y, target)}, target);
+        left.x_q16 = wrapped_sum(left.x_q16, left.step_q16);
+        right.x_q16 = wrapped_sum(right.x_q16, right.step_q16);
+    }
 }
 
 }  // namespace
 
-void fill_triangle(const SamplePoint& p, const SamplePoint& q, const SamplePoint& r, const DepthTarget& target)
+template <bool kShifted>
+void fill_small_triangle(const ProxyVertex& p, const ProxyVertex& q, const ProxyVertex& r, const DepthTarget& target)
 {
-    const Sorted s = by_height(p, q, r);
-    const int32_t first = row_from(s.top->y_q6), end = row_from(s.bottom->y_q6);
-    if (first >= end || first >= target.y + target.height || end <= target.y) return;
-    if (s.bottom->y_q6 - s.top->y_q6 >= kSmallQ6 || !is_small(s.bottom->x_q6 - s.top->x_q6) ||
-        !is_small(s.middle->x_q6 - s.top->x_q6) || !is_small(s.bottom->x_q6 - s.middle->x_q6)) {
-        return fill_wide(s, target);
-    }
-    fill_sorted(s, doubled_area(*s.top, *s.middle, *s.bottom), target);
+    const Wound w = from_top(&p, &q, &r);
+    const Rows rows(w, target);
+    if (rows.begin >= rows.end) return;
+    const Ramp ramp = small_ramp(w, target);
+    if (ramp.kind != Ramp::Kind::linear) return fill_any(w, target);
+    Descent<kShifted>(ramp, rows.begin, target).fill(w, rows);
+}
+template void fill_small_triangle<false>(const ProxyVertex&, const ProxyVertex&, const ProxyVertex&,
+                                         const DepthTarget&);
+template void fill_small_triangle<true>(const ProxyVertex&, const ProxyVertex&, const ProxyVertex&, const DepthTarget&);
+
+void fill_triangle(const ProxyVertex& p, const ProxyVertex& q, const ProxyVertex& r, const DepthTarget& target)
+{
+    const bool inside = wide_doubled_area(unpacked(p), unpacked(q), unpacked(r)) > 0;
+    fill_any(inside ? from_top(&p, &r, &q) : from_top(&p, &q, &r), target);
 }
 
 }  // namespace lumi::proxy_math

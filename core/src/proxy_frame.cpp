@@ -16,30 +16,20 @@ using namespace proxy_math;
 static_assert(format::kMaxProxyTriangles <= kLinkMask + 1, "a link holds every triangle's number");
 static_assert(kBandReach <= 1 << (16 - kLinkBits), "and how far it reaches");
 
-LUMI_ALWAYS_INLINE int32_t least(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a < b ? a : b;
-    return ab < c ? ab : c;
-}
-LUMI_ALWAYS_INLINE int32_t most(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a > b ? a : b;
-    return ab > c ? ab : c;
-}
-
 // The image on the sample grid.
 struct Extent {
     int32_t rows, right_q6;
+    bool is_whole;  // no vertex is missing
 };
 
 // Whether the outside of a triangle is seen, or any side of a two-sided mesh. Not of triangles seen edge-on.
 LUMI_ALWAYS_INLINE bool is_seen(const ProxyFrame& frame, const Corners& c)
 {
     if (frame.narrow) {
-        const int32_t area = doubled_area(c.point[0], c.point[1], c.point[2]);
+        const int32_t area = doubled_area(unpacked(*c.a), unpacked(*c.b), unpacked(*c.c));
         return area < 0 || (area > 0 && frame.mesh.two_sided);
     }
-    const int64_t area = wide_doubled_area(c.point[0], c.point[1], c.point[2]);
+    const int64_t area = wide_doubled_area(unpacked(*c.a), unpacked(*c.b), unpacked(*c.c));
     return area < 0 || (area > 0 && frame.mesh.two_sided);
 }
 
@@ -67,23 +57,24 @@ void put_by_rows(ProxyFrame& frame, uint32_t k, int32_t begin, int32_t end)
 
 LUMI_ALWAYS_INLINE void put_triangle(ProxyFrame& frame, uint32_t k, const Extent& extent)
 {
-    const Corners c = corners_of(frame, triple12(frame.mesh.triangles, k));
-    if (!c.are_all_there) return put(frame, frame.clipped_band, k, 0);
+    ProxyVertex room[3];
+    const Corners c = corners_of(frame, triple12(frame.mesh.triangles, k), room);
+    if (!extent.is_whole && !c.are_all_there()) return put(frame, frame.clipped_band, k, 0);
     if (!is_seen(frame, c)) return;
-    const SamplePoint *p = c.point, *q = p + 1, *r = p + 2;
-    const int32_t first = row_from(least(p->y_q6, q->y_q6, r->y_q6));
-    const int32_t last = row_from(most(p->y_q6, q->y_q6, r->y_q6));
+    // Packed numbers compare as their upper bits do.
+    const int32_t upper_q6 = least_of(c.a->y, c.b->y, c.c->y) >> 8, lower_q6 = most_of(c.a->y, c.b->y, c.c->y) >> 8;
+    const int32_t left_q6 = least_of(c.a->x, c.b->x, c.c->x) >> 8, right_q6 = most_of(c.a->x, c.b->x, c.c->x) >> 8;
+    const int32_t first = row_from(upper_q6), last = row_from(lower_q6);
     const int32_t begin = first > 0 ? first : 0, end = last < extent.rows ? last : extent.rows;
-    if (begin >= end || most(p->x_q6, q->x_q6, r->x_q6) < 0 || least(p->x_q6, q->x_q6, r->x_q6) > extent.right_q6) {
-        return;
-    }
+    if (begin >= end || right_q6 < 0 || left_q6 > extent.right_q6) return;
+    if (lower_q6 - upper_q6 >= kSmallQ6 || right_q6 - left_q6 >= kSmallQ6) return put(frame, frame.clipped_band, k, 0);
     put_by_rows(frame, k, begin, end);
 }
 
-void put_triangles(ProxyFrame& frame)
+void put_triangles(ProxyFrame& frame, bool is_whole)
 {
     for (uint32_t k = 0; k <= frame.clipped_band; ++k) frame.memory.bands[k] = kEmptyBand;
-    const Extent extent = {frame.height_px << frame.samples_log2, frame.width_px << (frame.samples_log2 + 6)};
+    const Extent extent = {frame.height_px << frame.samples_log2, frame.width_px << (frame.samples_log2 + 6), is_whole};
     for (uint32_t k = 0; k < frame.mesh.triangle_count; ++k) put_triangle(frame, k, extent);
 }
 
@@ -99,18 +90,25 @@ struct Range {
     bool is_narrow() const { return most < least || most - least < 46340; }
 };
 
-// Projects the vertices, once, and keeps them where there is memory.
-void put_vertices(ProxyFrame& frame)
+// Projects the vertices, once, and keeps them where there is memory. Returns whether all of them are there.
+bool put_vertices(ProxyFrame& frame)
 {
     Range x, y;
-    for (uint32_t k = 0; k < frame.mesh.vertex_count; ++k) {
-        const SamplePoint p = project_vertex(frame.projection, triple12(frame.mesh.vertices, k));
-        if (frame.memory.vertices != nullptr) frame.memory.vertices[k] = packed(p);
-        if (p.depth == 0) continue;
+    bool is_whole = true;
+    const ProxyMesh mesh = frame.mesh;
+    ProxyVertex* const vertices = frame.memory.vertices;
+    for (uint32_t k = 0; k < mesh.vertex_count; ++k) {
+        const SamplePoint p = projected(frame.projection, triple12(mesh.vertices, k));
+        if (vertices != nullptr) vertices[k] = packed(p);
+        if (p.depth == 0) {
+            is_whole = false;
+            continue;
+        }
         x.add(p.x_q6);
         y.add(p.y_q6);
     }
     frame.narrow = x.is_narrow() && y.is_narrow();
+    return is_whole;
 }
 
 }  // namespace
@@ -125,8 +123,8 @@ void prepare_proxy(const ProxyMesh& mesh, const GuidedCamera& camera, uint32_t s
     out.samples_log2 = samples > 1 ? 1 : 0;
     out.clipped_band = proxy_bands(out.height_px, memory.band_log2) - 1;
     if (!set_projection(mesh, camera, out)) out.mesh.triangle_count = 0;
-    if (out.mesh.triangle_count != 0) put_vertices(out);
-    put_triangles(out);
+    const bool is_whole = out.mesh.triangle_count == 0 || put_vertices(out);
+    put_triangles(out, is_whole);
 }
 
 }  // namespace lumi

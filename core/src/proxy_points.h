@@ -10,7 +10,7 @@ namespace lumi::proxy_math
 {
 
 // The guard band: samples are addressed from -2^15 to 2^15, an image has at most 2^14 of them a side.
-static_assert(kFarDepth >= 256, "corners_of looks at the upper byte of a depth");
+static_assert(kFarDepth >= 256, "corners look at the upper byte of a depth");
 inline constexpr int32_t kGuardQ6 = ((1 << 15) - 64) * 64;
 
 // A point on the sample grid; depth 0: not there, see ProxyVertex.
@@ -32,9 +32,41 @@ LUMI_ALWAYS_INLINE int32_t axis_sum(const ProxyProjection& p, int k, const Tripl
     return static_cast<int32_t>(sum);
 }
 
+LUMI_ALWAYS_INLINE ViewPoint view_of(const ProxyProjection& p, const Triple12& v)
+{
+    const int32_t sum = axis_sum(p, 2, v);
+    return {(axis_sum(p, 0, v) >> p.shift[0]) + p.eye[0], (axis_sum(p, 1, v) >> p.shift[1]) + p.eye[1],
+            (sum >> p.shift[2]) + p.eye[2], sum};
+}
+
+LUMI_ALWAYS_INLINE SamplePoint projected(const ProxyProjection& p, const ViewPoint& v)
+{
+    if (v.z < p.near_z) return {0, 0, 0};
+    const Reciprocal r = reciprocal(static_cast<uint32_t>(v.z));
+    // A place grows as its vertex comes near: one that needs a shift to the left is out of the guard band or unknown
+    // to less than 1/64 sample.
+    const int32_t shift = p.place_shift - r.leading;
+    if (shift < 1) return {0, 0, 0};
+    const int32_t half = int32_t{1} << (shift - 1);
+    const int32_t x_q6 = ((times_q16(v.x, r.mantissa) + half) >> shift) + p.centre_x_q6;
+    const int32_t y_q6 = ((times_q16(v.y, r.mantissa) + half) >> shift) + p.centre_y_q6;
+    if (x_q6 < -kGuardQ6 || x_q6 > kGuardQ6 || y_q6 < -kGuardQ6 || y_q6 > kGuardQ6) return {0, 0, 0};
+    const uint32_t ahead = static_cast<uint32_t>(p.far_sum - v.sum) >> p.ahead_shift;
+    const uint32_t ratio = (ahead * r.mantissa) >> 16;
+    const uint32_t depth = (ratio * p.depth_factor) >> (p.depth_shift - r.leading);
+    return {x_q6, y_q6, static_cast<int32_t>(kFarDepth + depth)};
+}
+
+// Both in one.
+LUMI_ALWAYS_INLINE SamplePoint projected(const ProxyProjection& p, const Triple12& v)
+{
+    return projected(p, view_of(p, v));
+}
+
+// The same, where they are rare.
 ViewPoint view_point(const ProxyProjection& p, const Triple12& v);
 SamplePoint project(const ProxyProjection& p, const ViewPoint& v);
-SamplePoint project_vertex(const ProxyProjection& p, const Triple12& v);  // both in one
+SamplePoint project_vertex(const ProxyProjection& p, const Triple12& v);
 
 LUMI_ALWAYS_INLINE ProxyVertex packed(const SamplePoint& p)
 {
@@ -47,25 +79,40 @@ LUMI_ALWAYS_INLINE SamplePoint unpacked(const ProxyVertex& v)
     return {v.x >> 8, v.y >> 8, (v.x & 0xFF) | (v.y & 0xFF) << 8};
 }
 
+// A triangle's vertices: the frame's, or three in `room`.
 struct Corners {
-    SamplePoint point[3];
-    bool are_all_there;
+    const ProxyVertex *a, *b, *c;
+
+    // A depth is 0 or at least kFarDepth, so its upper byte alone tells.
+    LUMI_ALWAYS_INLINE bool are_all_there() const
+    {
+        return (a->y & 0xFF) != 0 && (b->y & 0xFF) != 0 && (c->y & 0xFF) != 0;
+    }
 };
 
-LUMI_ALWAYS_INLINE Corners corners_of(const ProxyFrame& frame, const Triple12& triangle)
+LUMI_ALWAYS_INLINE Corners corners_of(const ProxyFrame& frame, const Triple12& triangle, ProxyVertex (&room)[3])
 {
-    if (frame.memory.vertices != nullptr) {
-        const ProxyVertex& a = frame.memory.vertices[triangle.a];
-        const ProxyVertex& b = frame.memory.vertices[triangle.b];
-        const ProxyVertex& c = frame.memory.vertices[triangle.c];
-        // A depth is 0 or at least kFarDepth, so its upper byte alone tells.
-        return {{unpacked(a), unpacked(b), unpacked(c)}, (a.y & 0xFF) != 0 && (b.y & 0xFF) != 0 && (c.y & 0xFF) != 0};
+    const ProxyVertex* vertices = frame.memory.vertices;
+    if (vertices != nullptr) return {vertices + triangle.a, vertices + triangle.b, vertices + triangle.c};
+    const uint32_t numbers[] = {triangle.a, triangle.b, triangle.c};
+    for (int k = 0; k < 3; ++k) {
+        room[k] = packed(project_vertex(frame.projection, triple12(frame.mesh.vertices, numbers[k])));
     }
-    const auto point = [&](uint32_t vertex) {
-        return project_vertex(frame.projection, triple12(frame.mesh.vertices, vertex));
-    };
-    const SamplePoint a = point(triangle.a), b = point(triangle.b), c = point(triangle.c);
-    return {{a, b, c}, a.depth != 0 && b.depth != 0 && c.depth != 0};
+    return {room, room + 1, room + 2};
+}
+
+// Triangles up to 256 samples wide and high take 32-bit products.
+inline constexpr int32_t kSmallQ6 = 1 << 14;
+
+LUMI_ALWAYS_INLINE int32_t least_of(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a < b ? a : b;
+    return ab < c ? ab : c;
+}
+LUMI_ALWAYS_INLINE int32_t most_of(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a > b ? a : b;
+    return ab > c ? ab : c;
 }
 
 // Rows of samples, at y = row + 1/2, that lie between two heights: the first at or below the upper one.

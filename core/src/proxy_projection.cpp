@@ -160,7 +160,7 @@ Line line(uint32_t focal_q12, int32_t centre_q8, const ProxyProjection& p)
             wrapped(first_q8 * step_q38 >> 20), wrapped(step_q38 >> 12)};
 }
 
-void set_rays(const ProxyProjection& p, const GuidedCamera& camera, ProxyRays& rays)
+void set_rays(const ProxyProjection& p, const GuidedCamera& camera, ProxyRays& rays, ProxyRowRays& rows)
 {
     const auto q26 = [](int32_t v_q20) { return static_cast<int32_t>(static_cast<uint32_t>(v_q20) << 6); };
     const Line x = line(camera.focal_q12, camera.centre_x_q8, p);
@@ -169,20 +169,20 @@ void set_rays(const ProxyProjection& p, const GuidedCamera& camera, ProxyRays& r
     rays.across_q26 = wrapped_sum(q26(camera.eye.x), x.place_q26);
     rays.across_step_q26 = x.place_step_q26;
     const Line y = line(camera.focal_q12, camera.centre_y_q8, p);
-    rays.down_q26 = y.tangent_q26;
-    rays.down_step_q26 = y.tangent_step_q26;
-    rays.lift_q26 = wrapped_sum(q26(camera.eye.y), wrapped_product(y.place_q26, -1));
-    rays.lift_step_q26 = wrapped_product(y.place_step_q26, -1);
-    rays.far_q26 = p.far_sum >> 3;
-    rays.up = camera.up;
-    rays.forward = camera.forward;
+    rows.down_q26 = y.tangent_q26;
+    rows.down_step_q26 = y.tangent_step_q26;
+    rows.lift_q26 = wrapped_sum(q26(camera.eye.y), wrapped_product(y.place_q26, -1));
+    rows.lift_step_q26 = wrapped_product(y.place_step_q26, -1);
+    rows.far_q26 = p.far_sum >> 3;
+    rows.up = camera.up;
+    rows.forward = camera.forward;
     const auto set = [](const Vec3q30& v, int32_t(&q13)[3]) {
         q13[0] = (v.x + (1 << 16)) >> 17;
         q13[1] = (v.y + (1 << 16)) >> 17;
         q13[2] = (v.z + (1 << 16)) >> 17;
     };
     set(camera.right, rays.right_q13);
-    set(camera.up, rays.up_q13);
+    set(camera.up, rows.up_q13);
 }
 
 int32_t rounded_q6(int32_t v_q8, uint32_t samples_log2)
@@ -217,7 +217,7 @@ bool set_projection(const ProxyMesh& mesh, const GuidedCamera& camera, ProxyFram
     p.centre_y_q6 = rounded_q6(camera.centre_y_q8, out.samples_log2);
     set_depth_factor(p);
     set_depths(p, out.depths);
-    set_rays(p, camera, out.rays);
+    set_rays(p, camera, out.rays, out.row_rays);
     return true;
 }
 

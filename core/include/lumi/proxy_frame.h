@@ -102,38 +102,43 @@ struct ProxyProjection {
 
 // From a depth in the buffer back to a length: how far before the far end of the range.
 struct ProxyDepths {
-    uint16_t back_q13[kDepthSteps];  // at b = 256·k
-    uint16_t exact_below;            // where linear interpolation would err by more than 2^-13
-    uint16_t same_surface;           // depths that differ by no more are never farther apart than kSameSurface
-    uint32_t offset;                 // ((b - kFarDepth) << scale) + offset is proportional to 1/depth
+    uint16_t exact_below;   // where linear interpolation would err by more than 2^-13
+    uint16_t same_surface;  // depths that differ by no more are never farther apart than kSameSurface
+    uint32_t offset;        // ((b - kFarDepth) << scale) + offset is proportional to 1/depth
     int32_t scale;
     uint32_t factor;  // 16 bits
     int32_t shift;
+    uint16_t back_q13[kDepthSteps];  // at b = 256·k
 };
 
 // Depths of a pixel's samples closer than this are one surface: 0.03 R.
 inline constexpr int32_t kSameSurfaceQ13 = 246;
 
-// Pixels to points, see ProxyRow in proxy_surface.h.
+// Pixels to points, see ProxyRow in proxy_surface.h: what every pixel needs, and what rows do.
 struct ProxyRays {
     int32_t tangent_q26, tangent_step_q26;  // at pixel 0 and per pixel to the right
     int32_t across_q26, across_step_q26;    // the far end's place along the right axis
-    int32_t right_q13[3], up_q13[3];
+    int32_t right_q13[3];
+};
+struct ProxyRowRays {
     int32_t down_q26, down_step_q26;  // tangent at row 0 and per pixel downwards
     int32_t lift_q26, lift_step_q26;  // the far end's place along the up axis
     int32_t far_q26;                  // and along the forward axis
     Vec3q30 up, forward;
+    int32_t up_q13[3];
 };
 
+// What a pixel reads comes first: offsets up to 124 are free on Cortex-M0+.
 struct ProxyFrame {
     ProxyMesh mesh;
+    ProxyRays rays;
+    ProxyDepths depths;
+    ProxyRowRays row_rays;
     ProxyMemory memory;
     ProxyProjection projection;
-    ProxyDepths depths;
-    ProxyRays rays;
     int32_t width_px, height_px;
     uint32_t samples_log2;  // a side of a pixel: 0 or 1
-    uint32_t clipped_band;  // the last of all
+    uint32_t clipped_band;  // the last of all: triangles that are cut or large
     bool narrow;            // areas of the mesh's triangles fit 32 bits
 };
 

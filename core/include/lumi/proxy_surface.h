@@ -25,6 +25,7 @@ constexpr uint32_t proxy_stripe_bytes(int32_t width_px, int32_t rows_px, uint32_
 
 // Clears the depths of a stripe and draws the triangles that reach it. Returns the columns outside which all of it is
 // empty, at most the stripe's.
+template <uint32_t Samples>
 RowSpan rasterize_proxy(const ProxyFrame& frame, const Stripe& stripe, uint16_t* depths);
 
 // Points of a row: X = end - back·ray + across·right, with `back` the depth before the far end of the range and
@@ -32,7 +33,7 @@ RowSpan rasterize_proxy(const ProxyFrame& frame, const Stripe& stripe, uint16_t*
 struct ProxyRow {
     int32_t end_q26[3], ray_q13[3];
 };
-ProxyRow proxy_row(const ProxyRays& rays, int32_t y);
+ProxyRow proxy_row(const ProxyRowRays& rays, int32_t y);
 
 // A pixel's samples in rows, at [0] and [1] of an upper and a lower row; finds their distinct surfaces, each X at the
 // mean of its samples' places.
@@ -81,7 +82,7 @@ public:
     {
         stripe_ = {stripe.x_px, stripe.y_px, stripe.width_px};
         y_ = INT32_MIN;
-        columns_ = rasterize_proxy(frame_, stripe, depths_);
+        columns_ = rasterize_proxy<Samples>(frame_, stripe, depths_);
     }
 
     // The columns of the stripe outside which every pixel is background.
@@ -99,7 +100,7 @@ public:
     LUMI_ALWAYS_INLINE uint32_t at(int32_t x, SurfacePoint (&out)[kSamples]) const
     {
         if constexpr (kSamples == 1) {
-            const uint32_t depth = row_depths_[x - stripe_.x];
+            const uint32_t depth = *depths_at(x);
             if (depth == kEmptyDepth) return 0;
             out[0] = proxy_point(frame_.rays, row_, x, proxy_back_q13(frame_.depths, depth), 1);
             return 1;
@@ -111,39 +112,55 @@ public:
     __attribute__((noinline)) void begin_row(int32_t y)
     {
         y_ = y;
-        row_ = proxy_row(frame_.rays, y);
-        row_depths_ = depths_ + static_cast<uint32_t>(y - stripe_.y) * static_cast<uint32_t>(stripe_.width) * kSamples;
+        row_ = proxy_row(frame_.row_rays, y);
+        const uint32_t row = static_cast<uint32_t>(y - stripe_.y) * static_cast<uint32_t>(stripe_.width) * kSamples;
+        column_0_ = reinterpret_cast<uintptr_t>(depths_ + row) - static_cast<uintptr_t>(stripe_.x) * kColumnBytes;
     }
 
 private:
     struct Place {
         int32_t x, y, width;
     };
+    static constexpr uintptr_t kColumnBytes = sizeof(uint16_t) * (kSamples > 1 ? 2 : 1);
+
+    LUMI_ALWAYS_INLINE const uint16_t* depths_at(int32_t x) const
+    {
+        return reinterpret_cast<const uint16_t*>(column_0_ + static_cast<uintptr_t>(x) * kColumnBytes);
+    }
 
     // Nearly every pixel is empty or lies on one surface: one comparison of its four samples tells.
     LUMI_ALWAYS_INLINE uint32_t mixture_at(int32_t x, SurfacePoint (&out)[kSamples]) const
     {
-        const uint16_t* upper = row_depths_ + 2 * (x - stripe_.x);
+        const uint16_t* upper = depths_at(x);
         const uint16_t* lower = upper + 2 * stripe_.width;
-        const int32_t a = upper[0], b = upper[1], c = lower[0], d = lower[1];
-        if ((a | b | c | d) == 0) return 0;
+        const uint32_t above = pair(upper), below = pair(lower);
+        if ((above | below) == 0) return 0;
+        const uint32_t a = above & 0xFFFF, b = above >> 16, c = below & 0xFFFF, d = below >> 16;
         const uint32_t near = frame_.depths.same_surface;
-        const auto is_near = [&](int32_t difference) { return static_cast<uint32_t>(difference) + near <= 2 * near; };
-        if (is_near(a - b) && is_near(a - c) && is_near(a - d)) {
-            const uint32_t mean = static_cast<uint32_t>(a + b + c + d + 2) >> 2;
+        const auto is_near = [&](uint32_t other) { return a - other + near <= 2 * near; };
+        if (is_near(b) && is_near(c) && is_near(d)) {
+            const uint32_t mean = (a + b + c + d + 2) >> 2;
             out[0] = proxy_point(frame_.rays, row_, x, proxy_back_q13(frame_.depths, mean), 4);
             return 1;
         }
         return proxy_mixture(frame_, row_, upper, lower, x, out);
     }
 
+    // Two samples beside each other in one load; their order is the processor's and does not matter.
+    LUMI_ALWAYS_INLINE static uint32_t pair(const uint16_t* at)
+    {
+        uint32_t both;
+        __builtin_memcpy(&both, __builtin_assume_aligned(at, 4), sizeof both);
+        return both;
+    }
+
     const ProxyFrame& frame_;
+    uintptr_t column_0_ = 0;  // where the row's depths would begin at the image's left side
+    ProxyRow row_ = {};
     uint16_t* depths_;
-    const uint16_t* row_depths_ = nullptr;
     Place stripe_ = {0, 0, 0};
     RowSpan columns_ = {0, 0};
     int32_t y_ = INT32_MIN;
-    ProxyRow row_ = {};
 };
 
 }  // namespace lumi
