@@ -11,9 +11,12 @@ namespace
 constexpr ReciprocalRoots make_reciprocal_roots()
 {
     ReciprocalRoots t{};
+    uint32_t last = 0;
     for (uint32_t k = 0; k <= ReciprocalRoots::kSteps; ++k) {
         const double v = 32768 / generate::root((64.0 + k) / 256) + 0.5;
-        t.at_q15[k] = static_cast<uint16_t>(v > 65535 ? 65535 : v);
+        const uint32_t rounded = v > 65535 ? 65535 : static_cast<uint32_t>(v);
+        if (k > 0) t.at_q15[k - 1] = last << 16 | (last - rounded);
+        last = rounded;
     }
     return t;
 }
@@ -43,14 +46,16 @@ ChartAxes chart_axes(const Vec3q30& p, const ChartFrame& frame, uint32_t chart_s
     // A unit vector's component, at most 2/√3 long after the shear: Q30 below 2^31, Q16 times G <= 400 below 2^26.
     const auto grid_q8 = [&](int32_t axis_q30) { return ((axis_q30 >> 14) * size + 256) >> 9; };
     const int32_t place_q30[3] = {p.x, p.y, p.z};
-    ChartAxes axes;
+    uint32_t u_q8[3], v_q8[3], p_q14[3];
     for (int k = 0; k < 3; ++k) {
         const int32_t tangent_q30 = frame.tangent_q14[k] * (int32_t{1} << 16);
-        axes.p_q14[k] = (place_q30[k] + (1 << 15)) >> 16;
-        axes.step[k].u_q8 = grid_q8(tangent_q30 + frame.bitangent_q14[k] * kInverseRoot3Q16);
-        axes.step[k].v_q8 = grid_q8(frame.bitangent_q14[k] * kTwoInverseRoot3Q16);
+        p_q14[k] = static_cast<uint32_t>((place_q30[k] + (1 << 15)) >> 16);
+        u_q8[k] = static_cast<uint32_t>(grid_q8(tangent_q30 + frame.bitangent_q14[k] * kInverseRoot3Q16));
+        v_q8[k] = static_cast<uint32_t>(grid_q8(frame.bitangent_q14[k] * kTwoInverseRoot3Q16));
     }
-    return axes;
+    const auto with_p = [&](const uint32_t(&a)[3]) { return a[0] * p_q14[0] + a[1] * p_q14[1] + a[2] * p_q14[2]; };
+    const auto from_p = [&](const uint32_t(&a)[3]) -> PointForm { return {a[0], a[1], a[2], 0u - with_p(a)}; };
+    return {{0u - 2 * p_q14[0], 0u - 2 * p_q14[1], 0u - 2 * p_q14[2], with_p(p_q14)}, from_p(u_q8), from_p(v_q8)};
 }
 
 }  // namespace lumi

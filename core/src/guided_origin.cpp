@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/guided_origin.h"
 
+#include "lumi/span_sum.h"
 #include "sections.h"
 
 namespace lumi
@@ -14,21 +15,25 @@ ChartRows chart_rows(const ChartTable& table, uint32_t origin)
     const uint32_t row_base = load_u32(entry + format::chart::kRowBaseAt);
     const uint32_t texel_base = load_u32(entry + format::chart::kTexelBaseAt);
     const uint32_t rest = table.texel_count - texel_base;
-    return {table.rows + 2 * row_base, static_cast<int32_t>(load_u16(entry + format::chart::kFirstRowAt)),
-            load_u16(entry + format::chart::kRowCountAt), texel_base, rest < 65536 ? rest : 65536};
+    const uint32_t row_count = load_u16(entry + format::chart::kRowCountAt);
+    return {table.rows + 2 * row_base,
+            static_cast<int32_t>(load_u16(entry + format::chart::kFirstRowAt)),
+            row_count,
+            row_count == 0 ? 0 : row_count - 1,
+            texel_base,
+            rest < 65536 ? rest : 65536};
 }
 
 namespace
 {
 
-// Of the palette at `colours`, aligned or not.
 void pack_palette(const uint8_t* colours, bool differences, PackedPalette& out)
 {
-    const uint32_t bias = differences ? 0x80u : 0;
+    const uint32_t bias = differences ? 0x00808080u : 0;
     out.colour[0] = {0, 0};
     for (uint32_t k = 1; k < 16; ++k) {
-        const uint8_t* c = colours + k * format::kChartColourBytes;
-        out.colour[k] = {(c[0] ^ bias) | (c[2] ^ bias) << 16, (c[1] ^ bias) | 1u << 16};
+        const uint32_t rgb = load_aligned<uint32_t>(colours + k * format::kChartColourBytes) ^ bias;
+        out.colour[k] = {rgb & 0x00FF00FFu, (rgb >> 8 & 0xFFu) | 1u << 16};
     }
 }
 
@@ -38,9 +43,9 @@ const OriginCharts::Frame& OriginCharts::frame(int32_t index)
 {
     Frame& f = frame_[static_cast<uint32_t>(index) % kFrames];
     if (f.origin != index) {
-        f.origin = index;
-        f.p = point(field_.origins, static_cast<uint32_t>(index));
-        f.frame = chart_frame(f.p);
+        const Vec3q30 p = point(field_.origins, static_cast<uint32_t>(index));
+        const auto q14 = [](int32_t v_q30) { return static_cast<int16_t>((v_q30 + (1 << 15)) >> 16); };
+        f = {static_cast<int16_t>(index), {q14(p.x), q14(p.y), q14(p.z)}, chart_frame(p)};
     }
     return f;
 }
@@ -49,10 +54,13 @@ void OriginCharts::make(int32_t index, OriginChart& out)
 {
     const uint32_t origin = static_cast<uint32_t>(index);
     out.origin = index;
-    out.texels = out.occlusion = {};
-    if (origin >= field_.used_origins) return;
+    if (origin >= field_.used_origins) {
+        out.texels = out.occlusion = {};
+        return;
+    }
     const Frame& f = frame(index);
-    out.axes = chart_axes(f.p, f.frame, field_.chart_size);
+    const auto q30 = [](int16_t v_q14) { return v_q14 * (int32_t{1} << 16); };
+    out.axes = chart_axes({q30(f.p_q14[0]), q30(f.p_q14[1]), q30(f.p_q14[2])}, f.frame, field_.chart_size);
     if (field_.chart.texel_count != 0) {
         const bool narrow = field_.texel == format::GuidedTexel::index4;
         const uint32_t group_bytes = (narrow ? 16 : 256) * format::kChartColourBytes;

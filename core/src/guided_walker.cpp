@@ -144,23 +144,35 @@ bool OriginWalker::move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16)
 }
 
 // Pixels that are not stepped through cells.
+bool OriginWalker::move_uncharted(int32_t ahead)
+{
+    return kind_ == Kind::cap ? move_over_cap(ahead) : move_to_exact(ahead);
+}
+
 bool OriginWalker::move_over_cap(int32_t ahead)
 {
+    for (; at_ < ahead; ++at_) cap_.advance(at_ + 1 - begin_);
+    const uint32_t middle = (static_cast<uint32_t>(cap_.weight_q16[1]) + 128) >> 8;
+    const uint32_t far = static_cast<uint32_t>(cap_.weight_q16[2]) >> 8;
+    taps_.weight_q8[0] = middle + far < 256 ? 256 - middle - far : 0;
+    taps_.weight_q8[1] = middle;
+    taps_.weight_q8[2] = far;
+    if (key_ == static_cast<uint32_t>(cap_.triangle)) return false;
+    key_ = static_cast<uint32_t>(cap_.triangle);
+    bool differs = false;
+    for (int k = 0; k < 3; ++k) differs |= set_index(k, cell_.steps.base + cap_.corner[k] * cell_.steps.first);
+    return differs;
+}
+
+bool OriginWalker::move_to_exact(int32_t ahead)
+{
     key_ = kNoKey;
-    OriginTaps taps;
-    if (kind_ == Kind::exact) {
-        taps = exact_triangle(camera_, origins_, covered_.begin + ahead, y_);
-    } else {
-        for (; at_ < ahead; ++at_) cap_.advance(at_ + 1 - begin_);
-        taps.weight_q8[1] = (static_cast<uint32_t>(cap_.weight_q16[1]) + 128) >> 8;
-        taps.weight_q8[2] = static_cast<uint32_t>(cap_.weight_q16[2]) >> 8;
-        const uint32_t others = taps.weight_q8[1] + taps.weight_q8[2];
-        taps.weight_q8[0] = others < 256 ? 256 - others : 0;
-        for (int k = 0; k < 3; ++k) taps.index[k] = cell_.steps.base + cap_.corner[k] * cell_.steps.first;
+    const OriginTaps taps = exact_triangle(camera_, origins_, covered_.begin + ahead, y_);
+    bool differs = false;
+    for (int k = 0; k < 3; ++k) {
+        differs |= set_index(k, taps.index[k]);
+        taps_.weight_q8[k] = taps.weight_q8[k];
     }
-    const bool differs =
-        taps.index[0] != taps_.index[0] || taps.index[1] != taps_.index[1] || taps.index[2] != taps_.index[2];
-    taps_ = taps;
     return differs;
 }
 

@@ -7,6 +7,7 @@
 
 #include "lumi/always_inline.h"
 #include "lumi/guided_field.h"
+#include "lumi/guided_registers.h"
 #include "lumi/span_sum.h"
 #include "lumi/surface_point.h"
 
@@ -17,9 +18,9 @@ struct LevelsQ8 {
     int32_t r, g, b;
 };
 
-// Weighted sums of nodes: channels as the policy packs them.
+// Weighted sums of nodes: red and blue apart, and all channels where the node has them. Green is the difference.
 struct MeanSum {
-    uint32_t rb = 0, g = 0;
+    uint32_t rb = 0, all = 0;
 };
 
 struct MeanRgb565 {
@@ -32,14 +33,15 @@ struct MeanRgb565 {
     {
         const uint32_t v = load_aligned<uint16_t>(node);
         sum.rb += (v & 0xF81Fu) * weight;
-        sum.g += (v & 0x07E0u) * weight;
+        sum.all += v * weight;
     }
     // 255/31 and 255/63 in Q8 of sums with 6 bits of weight: within 0.7 level of unpack_rgb565, which repeats high
     // bits.
     LUMI_ALWAYS_INLINE static LevelsQ8 levels(const MeanSum& sum)
     {
         constexpr uint32_t kFive = 2106, kSix = 1036;  // times 4 over 2^8
-        return {static_cast<int32_t>((sum.rb >> 11) * kFive >> 6), static_cast<int32_t>((sum.g >> 5) * kSix >> 6),
+        return {static_cast<int32_t>((sum.rb >> 11) * kFive >> 6),
+                static_cast<int32_t>(((sum.all - sum.rb) >> 5) * kSix >> 6),
                 static_cast<int32_t>((sum.rb & 0x7FFu) * kFive >> 6)};
     }
 };
@@ -54,11 +56,12 @@ struct MeanPalette8 {
     {
         const uint32_t rgb = load_aligned<uint32_t>(mean.palette + 4u * *node);
         sum.rb += (rgb & 0x00FF00FFu) * weight;
-        sum.g += (rgb >> 8 & 0xFFu) * weight;
+        sum.all += rgb * weight;
     }
+    // A palette's fourth byte, 0 by format, lies above green's 16 bits.
     LUMI_ALWAYS_INLINE static LevelsQ8 levels(const MeanSum& sum)
     {
-        return {static_cast<int32_t>(sum.rb & 0xFFFFu), static_cast<int32_t>(sum.g),
+        return {static_cast<int32_t>(sum.rb & 0xFFFFu), static_cast<int32_t>((sum.all - sum.rb) >> 8 & 0xFFFFu),
                 static_cast<int32_t>(sum.rb >> 16)};
     }
 };
@@ -78,7 +81,7 @@ public:
           stride_{1, mean.box[0], static_cast<uint32_t>(mean.box[0]) * mean.box[1]}
     {
         for (int k = 0; k < 3; ++k) {
-            first_q8_[k] = mean.first_brick[k] * (4 << 8);
+            origin_q15_[k] = (resolution_ << 14) - mean.first_brick[k] * (4 << 15);
             last_[k] = 4 * mean.box[k] - 1;
         }
     }
@@ -115,14 +118,12 @@ private:
     // The sums as two words, which stay in registers across the call.
     __attribute__((noinline)) uint64_t words_at(int32_t x_q14, int32_t y_q14, int32_t z_q14) const
     {
-        // Node coordinates in the box: (x + 1)·resolution/2, Q8 below 2^16.
-        const auto position = [&](int32_t q14, int k) {
-            return (((q14 + (1 << 14)) * resolution_) >> 7) - first_q8_[k];
-        };
+        // Node coordinates in the box: (x + 1)·resolution/2 less the box's first, Q8 below 2^16.
+        const auto position = [&](int32_t q14, int k) { return (q14 * resolution_ + origin_q15_[k]) >> 7; };
         const int32_t px = position(x_q14, 0), py = position(y_q14, 1), pz = position(z_q14, 2);
         const Weights w(bits(px & 255), bits(py & 255), bits(pz & 255));
         const MeanSum sum = sum_at(px >> 8, py >> 8, pz >> 8, w);
-        return static_cast<uint64_t>(sum.g) << 32 | sum.rb;
+        return static_cast<uint64_t>(sum.all) << 32 | sum.rb;
     }
 
     LUMI_ALWAYS_INLINE MeanSum sum_at(int32_t nx, int32_t ny, int32_t nz, const Weights& w) const
@@ -137,7 +138,14 @@ private:
         const uint32_t brick_y = beyond_y * stride_[1], brick_z = beyond_z * stride_[2];
         const uint32_t node_y = 4 - 16 * beyond_y, node_z = 16 - 64 * beyond_z;
         MeanSum sum;
-        if (beyond_x == 0) {
+        if ((beyond_y | beyond_z) == 0) {
+            const uint8_t* const near = brick(place) + node * Mean::kNodeBytes;
+            const uint8_t* const far = beyond_x == 0 ? near + Mean::kNodeBytes : next_in_row(place, node);
+            add_edge_at(near, far, 0, w, 0, sum);
+            add_edge_at(near, far, 4, w, 1, sum);
+            add_edge_at(near, far, 16, w, 2, sum);
+            add_edge_at(near, far, 20, w, 3, sum);
+        } else if (beyond_x == 0) {
             add_edge(place, node, w, 0, sum);
             add_edge(place + brick_y, node + node_y, w, 1, sum);
             add_edge(place + brick_z, node + node_z, w, 2, sum);
@@ -157,21 +165,34 @@ private:
         return mean_.bricks + number * (format::kBrickNodes * Mean::kNodeBytes);
     }
 
+    // The node after `node`, the last of its row in a brick.
+    LUMI_ALWAYS_INLINE const uint8_t* next_in_row(uint32_t place, uint32_t node) const
+    {
+        return brick(place + 1) + (node - 3) * Mean::kNodeBytes;
+    }
+
+    // An edge along x whose nodes lie `nodes` after two of the same bricks.
+    LUMI_ALWAYS_INLINE void add_edge_at(const uint8_t* near_node, const uint8_t* far_node, uint32_t nodes,
+                                        const Weights& w, int k, MeanSum& sum) const
+    {
+        const uint32_t far = w.far(k);
+        Mean::add(mean_, near_node + nodes * Mean::kNodeBytes, w.edge[k] - far, sum);
+        settle(sum.rb, sum.all);
+        Mean::add(mean_, far_node + nodes * Mean::kNodeBytes, far, sum);
+        settle(sum.rb, sum.all);
+    }
+
     // Both nodes of an edge along x in one brick.
     LUMI_ALWAYS_INLINE void add_edge(uint32_t place, uint32_t node, const Weights& w, int k, MeanSum& sum) const
     {
-        const uint32_t far = w.far(k);
         const uint8_t* const at = brick(place) + node * Mean::kNodeBytes;
-        Mean::add(mean_, at, w.edge[k] - far, sum);
-        Mean::add(mean_, at + Mean::kNodeBytes, far, sum);
+        add_edge_at(at, at + Mean::kNodeBytes, 0, w, k, sum);
     }
 
     // The far node in the next brick.
     LUMI_ALWAYS_INLINE void add_cut_edge(uint32_t place, uint32_t node, const Weights& w, int k, MeanSum& sum) const
     {
-        const uint32_t far = w.far(k);
-        Mean::add(mean_, brick(place) + node * Mean::kNodeBytes, w.edge[k] - far, sum);
-        Mean::add(mean_, brick(place + 1) + (node - 3) * Mean::kNodeBytes, far, sum);
+        add_edge_at(brick(place) + node * Mean::kNodeBytes, next_in_row(place, node), 0, w, k, sum);
     }
 
     // Beside the box nodes are clamped one by one; no X on a well-baked surface comes here.
@@ -197,8 +218,8 @@ private:
     MeanColours mean_;
     int32_t resolution_;
     uint32_t stride_[3];
-    int32_t first_q8_[3];
-    int32_t last_[3];  // of the box's nodes along each axis
+    int32_t origin_q15_[3];  // node coordinates in the box of the sphere's centre
+    int32_t last_[3];        // of the box's nodes along each axis
 };
 
 }  // namespace lumi

@@ -13,6 +13,7 @@ struct ChartRows {
     const uint8_t* rows = nullptr;  // u16 each; row 0 is grid row first_row
     int32_t first_row = 0;
     uint32_t row_count = 0;
+    uint32_t last_row = 0;  // the last of them, 0 where there is none
     uint32_t texel_base = 0;
     uint32_t texel_span = 0;  // texels from texel_base on that a row's 16 bits can address, at most 2^16
 };
@@ -58,11 +59,13 @@ public:
     void hold_one(int32_t index);
 
 private:
+    // What a chart's axes are made of; places keep the bits that these need.
     struct Frame {
-        int32_t origin = -1;
-        Vec3q30 p{};
+        int16_t origin = -1;
+        int16_t p_q14[3] = {};
         ChartFrame frame{};
     };
+    static_assert(format::kMaxGuidedOrigins <= 32768, "an origin's index fits 16 bits");
     // Indices of a triangle's corners differ by Fibonacci numbers; none up to the largest lattice's is a multiple of 16
     // but 144.
     static constexpr uint32_t kFrames = 16;

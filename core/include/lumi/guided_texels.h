@@ -23,8 +23,8 @@ struct GuidedSum {
     int32_t b_q8() const { return static_cast<int32_t>(rb >> 16); }
 };
 
-// Texel formats: add(texels, chart, number, weight, sum); number is below the table's texel_count. kDifferences: the
-// colours are differences and enter the sum with 128 more each.
+// Texel formats: add(texels, chart, number, weight, sum); number is below the table's texel_count. add_pair adds texels
+// `number` and the one after it. kDifferences: the colours are differences and enter the sum with 128 more each.
 struct GuidedIndex4 {
     static constexpr format::GuidedTexel kFormat = format::GuidedTexel::index4;
 
@@ -33,7 +33,24 @@ struct GuidedIndex4 {
                                        uint32_t weight_q8, GuidedSum& sum)
     {
         const uint32_t pair = texels[number >> 1];
-        const uint32_t index = (pair >> (4 * (number & 1))) & 15u;
+        add_colour(chart, (number & 1) != 0 ? pair >> 4 : pair & 15u, weight_q8, sum);
+    }
+
+    template <bool kDifferences>
+    LUMI_ALWAYS_INLINE static void add_pair(const uint8_t* texels, const OriginChart& chart, uint32_t number,
+                                            uint32_t weight_q8, uint32_t next_weight_q8, GuidedSum& sum)
+    {
+        const uint8_t* const at = texels + (number >> 1);
+        const bool in_two = (number & 1) != 0;
+        const uint32_t nibbles = in_two ? at[0] >> 4 | static_cast<uint32_t>(at[1]) << 4 : at[0];
+        add_colour(chart, nibbles & 15u, weight_q8, sum);
+        add_colour(chart, nibbles >> 4 & 15u, next_weight_q8, sum);
+    }
+
+private:
+    LUMI_ALWAYS_INLINE static void add_colour(const OriginChart& chart, uint32_t index, uint32_t weight_q8,
+                                              GuidedSum& sum)
+    {
         const PackedColour& colour = chart.packed.colour[index];
         sum.rb += colour.rb * weight_q8;
         sum.wg += colour.wg * weight_q8;
@@ -53,6 +70,14 @@ struct GuidedIndex8 {
         const uint32_t rgb = kDifferences ? entry ^ 0x00808080u : entry;
         sum.rb += (rgb & 0x00FF00FFu) * weight_q8;
         sum.wg += ((rgb >> 8 & 0xFFu) | 0x10000u) * weight_q8;
+    }
+
+    template <bool kDifferences>
+    LUMI_ALWAYS_INLINE static void add_pair(const uint8_t* texels, const OriginChart& chart, uint32_t number,
+                                            uint32_t weight_q8, uint32_t next_weight_q8, GuidedSum& sum)
+    {
+        add<kDifferences>(texels, chart, number, weight_q8, sum);
+        add<kDifferences>(texels, chart, number + 1, next_weight_q8, sum);
     }
 };
 
@@ -85,6 +110,14 @@ public:
         Texel::template add<kDifferences>(texels_, chart, chart.texels.texel_base + offset, weight_q8, sum);
     }
 
+    // The texels at an offset and the next, both below texel_span.
+    LUMI_ALWAYS_INLINE void add_pair_at(const OriginChart& chart, uint32_t offset, uint32_t weight_q8,
+                                        uint32_t next_weight_q8, GuidedSum& sum) const
+    {
+        Texel::template add_pair<kDifferences>(texels_, chart, chart.texels.texel_base + offset, weight_q8,
+                                               next_weight_q8, sum);
+    }
+
     // Grid point (u, v), if it has a texel.
     LUMI_ALWAYS_INLINE void add(const OriginChart& chart, int32_t u, int32_t v, uint32_t weight_q8,
                                 GuidedSum& sum) const
@@ -107,46 +140,62 @@ struct LinearTaps {
     LUMI_ALWAYS_INLINE static void add(const Reader& reader, const OriginChart& chart, int32_t u_q8, int32_t v_q8,
                                        uint32_t weight_q8, GuidedSum& sum)
     {
-        const int32_t fv = v_q8 & 255;
-        const int32_t difference = (u_q8 & 255) - fv;
-        const int32_t upper = difference >> 31;  // all ones where fu < fv
-        const uint32_t between = static_cast<uint32_t>((difference ^ upper) - upper);
-        const uint32_t less = static_cast<uint32_t>(fv + (difference & upper));
-        const uint32_t middle_weight = (weight_q8 * between + 128) >> 8;
-        const uint32_t far_weight = (weight_q8 * less) >> 8;
-        const uint32_t near_weight = weight_q8 - middle_weight - far_weight;
-
-        const int32_t u = u_q8 >> 8;
         const ChartRows& rows = chart.texels;
         const uint32_t row = static_cast<uint32_t>((v_q8 >> 8) - rows.first_row);
-        if (row < rows.row_count && row + 1 < rows.row_count) {
-            const uint32_t near = texel_offset(row_entry(rows, row), u);
-            const uint32_t far = texel_offset(row_entry(rows, row + 1), u);
-            if (near + 1 < rows.texel_span && far + 1 < rows.texel_span) {
-                reader.add_at(chart, near, near_weight, sum);
-                reader.add_at(chart, upper != 0 ? far : near + 1, middle_weight, sum);
-                reader.add_at(chart, far + 1, far_weight, sum);
-                return;
-            }
+        if (row < rows.last_row) {
+            const uint32_t near = texel_offset(row_entry(rows, row), u_q8 >> 8);
+            const uint32_t far = texel_offset(row_entry(rows, row + 1), u_q8 >> 8);
+            if ((near | far) + 1 < rows.texel_span)
+                return add_inside(reader, chart, {near, far}, u_q8, v_q8, weight_q8, sum);
         }
-        add_at_border(reader, chart, u, v_q8 >> 8, upper, {near_weight, middle_weight, far_weight}, sum);
+        sum = add_at_border(reader, chart, u_q8, v_q8, weight_q8, sum);
     }
 
 private:
-    struct Weights {
-        uint32_t near, middle, far;
+    struct Offsets {
+        uint32_t near, far;  // of grid point (u, v) and of the one below it
     };
+    // A share of the origin's weight, rounded and cut.
+    LUMI_ALWAYS_INLINE static uint32_t middle_share(uint32_t weight_q8, int32_t share_q8)
+    {
+        return (weight_q8 * static_cast<uint32_t>(share_q8) + 128) >> 8;
+    }
+    LUMI_ALWAYS_INLINE static uint32_t far_share(uint32_t weight_q8, int32_t share_q8)
+    {
+        return (weight_q8 * static_cast<uint32_t>(share_q8)) >> 8;
+    }
+
+    template <class Reader>
+    LUMI_ALWAYS_INLINE static void add_inside(const Reader& reader, const OriginChart& chart, const Offsets& offset,
+                                              int32_t u_q8, int32_t v_q8, uint32_t weight_q8, GuidedSum& sum)
+    {
+        const int32_t fu = u_q8 & 255, fv = v_q8 & 255;
+        if (fu >= fv) {
+            const uint32_t middle = middle_share(weight_q8, fu - fv), far = far_share(weight_q8, fv);
+            reader.add_at(chart, offset.far + 1, far, sum);
+            reader.add_pair_at(chart, offset.near, weight_q8 - middle - far, middle, sum);
+        } else {
+            const uint32_t middle = middle_share(weight_q8, fv - fu), far = far_share(weight_q8, fu);
+            reader.add_at(chart, offset.near, weight_q8 - middle - far, sum);
+            reader.add_pair_at(chart, offset.far, middle, far, sum);
+        }
+    }
 
     // Next to the first and last rows and texels, every tap on its own.
     template <class Reader>
-    __attribute__((noinline)) static void add_at_border(const Reader& reader, const OriginChart& chart, int32_t u,
-                                                        int32_t v, int32_t upper, const Weights& weight, GuidedSum& sum)
+    __attribute__((noinline)) static GuidedSum add_at_border(const Reader& reader, const OriginChart& chart,
+                                                             int32_t u_q8, int32_t v_q8, uint32_t weight_q8,
+                                                             GuidedSum sum)
     {
-        GuidedSum local = sum;
-        reader.add(chart, u, v, weight.near, local);
-        reader.add(chart, u + 1 + upper, v - upper, weight.middle, local);
-        reader.add(chart, u + 1, v + 1, weight.far, local);
-        sum = local;
+        const int32_t fu = u_q8 & 255, fv = v_q8 & 255;
+        const int32_t u = u_q8 >> 8, v = v_q8 >> 8;
+        const int32_t upper = fu < fv ? 1 : 0;
+        const uint32_t middle = middle_share(weight_q8, upper != 0 ? fv - fu : fu - fv);
+        const uint32_t far = far_share(weight_q8, upper != 0 ? fu : fv);
+        reader.add(chart, u, v, weight_q8 - middle - far, sum);
+        reader.add(chart, u + 1 - upper, v + upper, middle, sum);
+        reader.add(chart, u + 1, v + 1, far, sum);
+        return sum;
     }
 };
 
@@ -170,18 +219,17 @@ struct NearestTap {
     }
 };
 
-// Whether an origin does not see the X at a place of its chart. Places are absolute, Q8.
-LUMI_ALWAYS_INLINE bool is_hidden(const uint8_t* depths, const ChartRows& rows, int32_t u_q8, int32_t v_q8,
-                                  uint32_t distance2_q28)
+// Whether an origin does not see the X at a place of its chart.
+LUMI_ALWAYS_INLINE bool is_hidden(const uint8_t* depths, const ChartRows& rows, const ChartPlace& place)
 {
     constexpr int kBlockShift = 8 + static_cast<int>(format::kOcclusionShift);
     constexpr uint32_t kHidesNothing = 255;
-    const uint32_t row = static_cast<uint32_t>((v_q8 >> kBlockShift) - rows.first_row);
+    const uint32_t row = static_cast<uint32_t>((place.v_q8 >> kBlockShift) - rows.first_row);
     if (row >= rows.row_count) return false;
-    const uint32_t offset = texel_offset(row_entry(rows, row), u_q8 >> kBlockShift);
+    const uint32_t offset = texel_offset(row_entry(rows, row), place.u_q8 >> kBlockShift);
     if (offset >= rows.texel_span) return false;
     const uint32_t depth = depths[rows.texel_base + offset];  // in 1/128
-    return depth != kHidesNothing && distance2_q28 > depth * depth << 14;
+    return place.distance2_q28 > depth * depth << 14 && depth != kHidesNothing;
 }
 
 }  // namespace lumi

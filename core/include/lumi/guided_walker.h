@@ -30,34 +30,34 @@ public:
     {
         const int32_t ahead = x - covered_.begin;
         if (ahead >= end_) begin_segment(ahead);
-        if (kind_ != Kind::cells) return move_over_cap(ahead);
+        if (kind_ != Kind::cells) return move_uncharted(ahead);
         const uint32_t n = static_cast<uint32_t>(ahead - begin_);
         const auto stepped = [&](int32_t start, int32_t step) {
             return static_cast<int32_t>(static_cast<uint32_t>(start) + n * static_cast<uint32_t>(step));
         };
         const int32_t u_q16 = stepped(cell_.u_q16, cell_.du_q16);
         const int32_t v_q16 = stepped(cell_.v_q16, cell_.dv_q16);
-        const int32_t corner = cell_.steps.corner(u_q16, v_q16);
-        if (__builtin_expect(cell_.steps.is_flipped(corner), false)) return move_to_flipped(corner, u_q16, v_q16);
         const int32_t fv = (v_q16 >> 8) & 255;
         const int32_t difference = ((u_q16 >> 8) & 255) - fv;
         const int32_t upper = difference >> 31;  // all ones where fu < fv
-        const int32_t between = (difference ^ upper) - upper;
-        const int32_t less = fv + (difference & upper);
-        taps_.weight_q8[0] = static_cast<uint32_t>(256 - less - between);
-        taps_.weight_q8[1] = static_cast<uint32_t>(between);
-        taps_.weight_q8[2] = static_cast<uint32_t>(less);
-        const int32_t key = 2 * corner - upper;
-        if (__builtin_expect(key == key_, true)) return false;
-        key_ = key;
-        return set_cell(corner, upper);
+        // Cells number less than 2^14 either way.
+        const uint32_t cell = (static_cast<uint32_t>(u_q16) & 0xFFFF0000u) | static_cast<uint32_t>(v_q16) >> 16;
+        const uint32_t key = 2 * cell - static_cast<uint32_t>(upper);
+        bool moved = false;
+        if (__builtin_expect(key != key_, false)) {
+            const int32_t corner = cell_.steps.corner(u_q16, v_q16);
+            if (__builtin_expect(cell_.steps.is_flipped(corner), false)) return move_to_flipped(corner, u_q16, v_q16);
+            key_ = key;
+            moved = set_cell(corner, upper);
+        }
+        return set_weights(difference, upper, fv, moved);
     }
 
     const OriginTaps& taps() const { return taps_; }
 
 private:
     enum class Kind : uint8_t { cells, cap, exact };
-    static constexpr int32_t kNoKey = INT32_MIN;
+    static constexpr uint32_t kNoKey = 1u << 31;  // of a cell 2^14 away
 
     struct Cells {
         SpanSteps steps;
@@ -68,6 +68,17 @@ private:
         int32_t ahead = -1;  // of the row; -1: none
     };
 
+    // Of the triangle's corners in a cell, where fu - fv is `difference`. Passes `moved` on.
+    LUMI_ALWAYS_INLINE bool set_weights(int32_t difference, int32_t upper, int32_t fv, bool moved)
+    {
+        const int32_t between = (difference ^ upper) - upper;
+        const int32_t less = fv + (difference & upper);
+        taps_.weight_q8[0] = static_cast<uint32_t>(256 - less - between);
+        taps_.weight_q8[1] = static_cast<uint32_t>(between);
+        taps_.weight_q8[2] = static_cast<uint32_t>(less);
+        return moved;
+    }
+
     void begin_segment(int32_t ahead);
     int longest_log2(int32_t ahead) const;
     const Node& node_at(int32_t ahead, const Node* keep);
@@ -75,7 +86,9 @@ private:
     void set_segment(int32_t begin, int32_t length);
     bool set_cell(int32_t corner, int32_t upper);
     bool move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16);
+    bool move_uncharted(int32_t ahead);
     bool move_over_cap(int32_t ahead);
+    bool move_to_exact(int32_t ahead);
     bool set_index(int k, int32_t index);
 
     const Camera& camera_;
@@ -89,7 +102,7 @@ private:
     // The segment, in pixels from covered_.begin, and how far a cap's was walked.
     int32_t begin_ = 0, end_ = 0, at_ = 0;
     Kind kind_ = Kind::exact;
-    int32_t key_ = kNoKey;  // of the cell's triangle that taps_ holds
+    uint32_t key_ = kNoKey;  // of the triangle, in a cell or a cap, that taps_ holds
     Cells cell_;
     SpanCap cap_{};
     OriginTaps taps_{{-1, -1, -1}, {0, 0, 0}};
