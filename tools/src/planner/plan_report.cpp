@@ -30,11 +30,11 @@ std::string quality_text(const Measurement& m)
     return text;
 }
 
-std::string alternative_line(const Alternative& other, const Measurement& best)
+std::string alternative_line(const Alternative& other)
 {
     const Measurement& m = other.measurement;
     if (!m.works) return formatted("  %-30s %s", other.what.c_str(), m.note.c_str());
-    return formatted("  %-30s %+6.2f dB  %8s", other.what.c_str(), m.psnr_db - best.psnr_db,
+    return formatted("  %-30s %+6.2f dB  %8s", other.what.c_str(), other.difference_db,
                      tools::byte_text(m.bytes).c_str());
 }
 
@@ -80,7 +80,7 @@ std::string text_of(const Result& result)
         " light paths a texel" + (result.exhausted ? " (all that were allowed)" : "") + "\n  " + text_of(best.plan) +
         "\n  " + quality_text(best) + "\n  by hand: " + options_of(best.plan) + "\n";
     if (!result.alternatives.empty()) text += "dropped, each measured in the same budget:\n";
-    for (const Alternative& other : result.alternatives) text += alternative_line(other, best) + "\n";
+    for (const Alternative& other : result.alternatives) text += alternative_line(other) + "\n";
     if (result.half || result.twice) {
         text += outlook_line(result.task.budget_bytes / 2, result.half, best);
         text += outlook_line(result.task.budget_bytes * 2, result.twice, best);
@@ -95,6 +95,7 @@ std::string json_of(const Result& result)
     for (const Alternative& other : result.alternatives) {
         json object = json_of(other.measurement);
         object["what"] = other.what;
+        if (other.measurement.works) object["difference_db"] = other.difference_db;
         dropped.push_back(object);
     }
     const json object = {{"budget_bytes", result.task.budget_bytes},

@@ -38,6 +38,7 @@ public:
           progress_(progress),
           report_(report),
           families_(families_of(task)),
+          noise_db_(families_.size()),
           measurer_(scene, task, settings.measure, progress)
     {
     }
@@ -45,6 +46,7 @@ public:
     Result run()
     {
         const Clock::time_point start = Clock::now();
+        for (size_t f = 0; families_.size() > 1 && f < families_.size(); ++f) noise_db_[f] = noise_of(f);
         const Trial trial = [this](const Candidate& candidate) { return outcome(candidate); };
         const SearchResult found = search(families_, trial, settings_.search,
                                           [&](const SearchProgress& at) { tell(found_so_far(at, start)); });
@@ -86,11 +88,21 @@ private:
         return measurer_.measure(task, plan, progress_);
     }
 
+    // Layouts differ in what few light paths cost them: a blurred picture hides noise.
+    double noise_of(size_t family)
+    {
+        try {
+            return measurer_.noise_db(task_, plan_of(task_, families_, start_of(families_, family)), progress_);
+        } catch (const baker::BakeError&) {
+            return 0;  // the trial of this plan tells why
+        }
+    }
+
     Outcome outcome(const Candidate& candidate)
     {
         tried_.push_back(measured(task_, candidate));
         const Measurement& m = tried_.back();
-        return {m.works, m.psnr_db, m.bytes, m.note};
+        return {m.works, m.psnr_db + noise_db_[candidate.family], m.bytes, m.note};
     }
 
     PlanProgress found_so_far(const SearchProgress& at, Clock::time_point start) const
@@ -101,12 +113,8 @@ private:
                 progress.elapsed_seconds / static_cast<double>(at.done) * static_cast<double>(at.left);
             progress.last = &tried_.back();
         }
-        const auto works = [](const Measurement& m) { return m.works; };
-        const auto better = [](const Measurement& a, const Measurement& b) {
-            return a.works != b.works ? b.works : a.psnr_db < b.psnr_db;
-        };
-        if (std::any_of(tried_.begin(), tried_.end(), works))
-            progress.best = &*std::max_element(tried_.begin(), tried_.end(), better);
+        // Both lists have the same order.
+        if (at.best != nullptr) progress.best = &tried_.back() - (at.last - at.best);
         return progress;
     }
 
@@ -118,6 +126,10 @@ private:
     std::vector<Alternative> alternatives(const SearchResult& found) const
     {
         const Candidate& best = found.tried[*found.best].candidate;
+        const double best_db = found.tried[*found.best].outcome.score_db;
+        const auto named = [&](const std::string& what, size_t t) {
+            return Alternative{what, tried_[t], found.tried[t].outcome.score_db - best_db};
+        };
         std::vector<Alternative> all;
         std::vector<std::optional<size_t>> of_family(families_.size());
         for (size_t t = 0; t < found.tried.size(); ++t) {
@@ -125,7 +137,7 @@ private:
             if (t == *found.best) continue;
             if (family == best.family) {
                 const std::string what = difference(families_, found.tried[t].candidate, best);
-                if (!what.empty()) all.push_back({what, tried_[t]});
+                if (!what.empty()) all.push_back(named(what, t));
                 continue;
             }
             std::optional<size_t>& chosen = of_family[family];
@@ -134,7 +146,7 @@ private:
             if (better) chosen = t;
         }
         for (const auto& chosen : of_family)
-            if (chosen) all.push_back({difference(families_, found.tried[*chosen].candidate, best), tried_[*chosen]});
+            if (chosen) all.push_back(named(difference(families_, found.tried[*chosen].candidate, best), *chosen));
         return all;
     }
 
@@ -174,6 +186,7 @@ private:
     const baker::ProgressCallback& progress_;
     const PlanReport& report_;
     const std::vector<Family> families_;
+    std::vector<double> noise_db_;  // of each, see Measurer
     Measurer measurer_;
     std::vector<Measurement> tried_;
 };

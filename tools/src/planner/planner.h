@@ -12,6 +12,7 @@ namespace lumi::planner
 struct Alternative {
     std::string what;  // "origins 96", "layout chord"
     Measurement measurement;
+    double difference_db = 0;  // to the best; other layouts as with the light paths of the final bake
 };
 
 struct Result {

@@ -85,15 +85,17 @@ double start_origins(double megabytes)
     return std::clamp<double>(kOfOneMegabyte * megabytes, kOrigins.front(), kOrigins.back());
 }
 
+// 51, 79, 94, 112, 133, 158 for 0.1, 0.25, 0.5, 1, 2, 4 MB.
 double start_resolution(double megabytes)
 {
-    constexpr double kOfOneMegabyte = 96;
-    return kOfOneMegabyte * std::sqrt(megabytes);
+    constexpr double kOfOneMegabyte = 112, kPower = 0.25;
+    constexpr double kOfLittle = 160;  // its voxels then take a quarter of the flash; they grow with the square
+    return std::min(kOfOneMegabyte * std::pow(megabytes, kPower), kOfLittle * std::sqrt(megabytes));
 }
 
 double start_triangles(double megabytes)
 {
-    return megabytes < 0.1 ? 1000 : megabytes < 0.4 ? 2000 : 4000;
+    return megabytes < 0.1 ? 1000 : megabytes < 0.2 ? 2000 : 4000;
 }
 
 Family guided_family(const Task& task)

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "lumi/tools/failure.h"
@@ -56,7 +57,21 @@ FrameShare share_of(const std::vector<quality::Truth>& truths)
     return share;
 }
 
+// Light paths a texel of a trial.
+uint32_t texel_samples(Layout layout, uint32_t samples)
+{
+    return layout == Layout::chord ? 2 * samples : samples;  // a chord field's texels are larger, so they are fewer
+}
+
 }  // namespace
+
+double noise_gain_db(double few_psnr_db, double twice_psnr_db, double share)
+{
+    constexpr double kLeast = 0.1;  // of the error is no noise, whatever two measurements seem to say
+    const auto error = [](double psnr_db) { return std::pow(10, -psnr_db / 10); };
+    const double few = error(few_psnr_db), noise = 2 * std::max(0.0, few - error(twice_psnr_db));
+    return -10 * std::log10(std::max(kLeast, 1 - noise / few * (1 - 1 / share)));
+}
 
 uint32_t trial_samples(uint64_t budget_bytes)
 {
@@ -102,10 +117,19 @@ Measurement Measurer::measure(const Task& task, const Plan& plan, const baker::P
     const std::string key = text_of(fit.plan);
     const auto found = known_.find(key);
     if (found != known_.end()) return found->second;
-    return known_[key] = fresh(fit, progress);
+    return known_[key] = fresh(fit, settings_.samples, progress);
 }
 
-Measurement Measurer::fresh(const Fit& fit, const baker::ProgressCallback& progress)
+double Measurer::noise_db(const Task& task, const Plan& plan, const baker::ProgressCallback& progress)
+{
+    const Measurement few = measure(task, plan, progress);
+    if (!few.works) return 0;
+    const Measurement twice = fresh({true, few.plan, few.bytes, ""}, 2 * settings_.samples, progress);
+    const uint32_t trial = texel_samples(few.plan.layout, settings_.samples);
+    return noise_gain_db(few.psnr_db, twice.psnr_db, std::max(1.0, 1.0 * task.samples / trial));
+}
+
+Measurement Measurer::fresh(const Fit& fit, uint32_t samples, const baker::ProgressCallback& progress)
 {
     Measurement result;
     result.plan = fit.plan;
@@ -116,19 +140,19 @@ Measurement Measurer::fresh(const Fit& fit, const baker::ProgressCallback& progr
     }
     try {
         if (fit.plan.layout == Layout::chord)
-            measure_chord(result, progress);
+            measure_chord(result, samples, progress);
         else
-            measure_guided(result, progress);
+            measure_guided(result, samples, progress);
     } catch (const baker::BakeError& error) {
         result.note = error.what();
     }
     return result;
 }
 
-void Measurer::measure_chord(Measurement& result, const baker::ProgressCallback& progress)
+void Measurer::measure_chord(Measurement& result, uint32_t samples, const baker::ProgressCallback& progress)
 {
     baker::BakeSettings cheap = result.plan.chord;
-    cheap.samples = 2 * settings_.samples;  // its texels are larger, so they are fewer
+    cheap.samples = texel_samples(Layout::chord, samples);
     cheap.max_error_levels = 0;
     const ScratchFolder folder;
     baker::bake_field(scene_, cheap, folder / "trial.lumi", progress, baker::Earlier::discard);
@@ -140,10 +164,10 @@ void Measurer::measure_chord(Measurement& result, const baker::ProgressCallback&
     });
 }
 
-void Measurer::measure_guided(Measurement& result, const baker::ProgressCallback& progress)
+void Measurer::measure_guided(Measurement& result, uint32_t samples, const baker::ProgressCallback& progress)
 {
     baker::GuidedSettings cheap = result.plan.guided;
-    cheap.samples = settings_.samples;
+    cheap.samples = texel_samples(Layout::guided, samples);
     const baker::GuidedBake bake = baker::guided_field(scene_, cheap, progress, proxies_.get());
     result.bytes = bake.file.size();
     GuidedField field;

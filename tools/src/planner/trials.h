@@ -44,13 +44,17 @@ public:
     // earlier one is not baked again. Throws Cancelled.
     Measurement measure(const Task& task, const Plan& plan, const baker::ProgressCallback& progress);
 
+    // What the noise of a trial's few light paths costs this plan against task.samples of them, in dB; 0 where the plan
+    // does not work. Measured by baking it with twice as many paths: the noise's share of the squared error halves.
+    double noise_db(const Task& task, const Plan& plan, const baker::ProgressCallback& progress);
+
     // Of all plans that were measured.
     std::shared_ptr<baker::ProxyCache> proxies() const { return proxies_; }
 
 private:
-    Measurement fresh(const Fit& fit, const baker::ProgressCallback& progress);
-    void measure_chord(Measurement& result, const baker::ProgressCallback& progress);
-    void measure_guided(Measurement& result, const baker::ProgressCallback& progress);
+    Measurement fresh(const Fit& fit, uint32_t samples, const baker::ProgressCallback& progress);
+    void measure_chord(Measurement& result, uint32_t samples, const baker::ProgressCallback& progress);
+    void measure_guided(Measurement& result, uint32_t samples, const baker::ProgressCallback& progress);
     void judge(Measurement& result, const std::function<tools::Picture(const DrawMode&, const tools::Eye&)>& draw);
     BytesOf size_of(const Task& task, const baker::ProgressCallback& progress);
 
@@ -62,6 +66,10 @@ private:
     const std::shared_ptr<baker::ProxyCache> proxies_ = std::make_shared<baker::ProxyCache>();
     std::map<std::string, Measurement> known_;  // by the sized plan's text
 };
+
+// Squared errors of the same plan with few light paths a texel and with twice as many give what it has with `share`
+// times the few: how many dB better that is. At least 0: noise only harms.
+double noise_gain_db(double few_psnr_db, double twice_psnr_db, double share);
 
 // A number of light paths a texel with which trials of all budgets take about the same time.
 uint32_t trial_samples(uint64_t budget_bytes);
