@@ -6,13 +6,13 @@
 # light paths. Prints a Markdown table; ends with 1 if a choice is more than 0.3 dB below the best.
 # LUMI: the program [build/release/tools/lumi]. WORK: a folder for references and plans, kept [build/plan-sweep]; what
 # it holds is not measured again. ORIGINS, MEANS, TRIANGLES: the grid; every place is tried with and without occlusion.
-# THREADS: of a bake [all]. An hour for the default grid, on two cores.
+# THREADS: of a bake [all]. The default grid takes about ten minutes of CPU time a budget.
 set -euo pipefail
 
 lumi=${LUMI:-build/release/tools/lumi}
 work=${WORK:-build/plan-sweep}
-read -ra origin_counts <<<"${ORIGINS:-64 128 256}"
-read -ra mean_resolutions <<<"${MEANS:-48 64 80 96 128}"
+read -ra origin_counts <<<"${ORIGINS:-64 96 128 192}"
+read -ra mean_resolutions <<<"${MEANS:-48 80 112}"
 read -ra triangle_counts <<<"${TRIANGLES:-2000 4000}"
 threads=${THREADS:-0}
 limit_db=0.3
