@@ -179,7 +179,7 @@ TEST_CASE("the page holds every picture and asks the network for nothing")
     CHECK(count_of(page, "http") == count_of(page, "xmlns=\"http://www.w3.org/2000/svg\""));
     CHECK_THAT(page, Catch::Contains("a &lt;b&gt; &amp; &quot;c&quot;.obj"));
     CHECK_THAT(page, Catch::Contains("width=device-width"));
-    CHECK_THAT(page, Catch::Contains("PROX 400 bytes") && Catch::Contains("<td>190</td>"));
+    CHECK_THAT(page, Catch::Contains(">proxy 400 bytes<") && Catch::Contains("<td>190</td>"));
 }
 
 TEST_CASE("the report for programs has the promised keys")
