@@ -2,6 +2,7 @@
 #include "lumi/camera.h"
 
 #include "lumi/math.h"
+#include "lumi/outline.h"
 
 namespace lumi
 {
@@ -194,6 +195,7 @@ CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
     set_view(view_vectors(pose, image), out);
     out.width_px = image.width_px;
     out.height_px = image.height_px;
+    out.outline = make_outline(out);
     return CameraError::none;
 }
 

@@ -33,7 +33,8 @@ OriginWalker::OriginWalker(const Camera& camera, const Lattice& origins)
       origins_(origins),
       lattice_(origins),
       nodes_(camera),
-      walker_(lattice_, &SpanNode::front),
+      track_(lattice_, &SpanNode::front),
+      walker_(track_),
       cell_{SpanSteps(walker_.side(), 1), 0, 0, 0, 0}
 {
 }
@@ -79,7 +80,7 @@ int OriginWalker::halvings_of(int32_t begin, int log2)
     const Node& at = node_at(begin, nullptr);
     const Node& next = at_last ? at : node_at(begin + (1 << log2), &at);
     walker_.begin(at.node);
-    return walker_.prepare(at.node, next.node, log2);
+    return walker_.prepare(at.node, next.node, 1 << log2);
 }
 
 void OriginWalker::set_segment(int32_t begin, int32_t length)
@@ -89,8 +90,8 @@ void OriginWalker::set_segment(int32_t begin, int32_t length)
     end_ = begin + length;
     key_ = kNoKey;
     cell_ = {SpanSteps(side, 1), side.u_q16, side.v_q16, side.du_q16, side.dv_q16};
-    kind_ = side.in_cap ? Kind::cap : Kind::cells;
-    if (side.in_cap) cap_ = side.cap;
+    kind_ = side.cap != nullptr ? Kind::cap : Kind::cells;
+    if (side.cap != nullptr) cap_ = *side.cap;
 }
 
 void OriginWalker::begin_segment(int32_t ahead)

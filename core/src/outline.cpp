@@ -67,65 +67,145 @@ OutlineQuadratic make_outline(const Camera& camera)
 
 OutlineTracker::OutlineTracker(const Camera& camera, const RowSpan& limits)
     : camera_(camera),
-      outline_(make_outline(camera)),
       limits_{limits.begin > 0 ? limits.begin : 0, limits.end < camera.width_px ? limits.end : camera.width_px},
       span_{0, 0},
+      first_{},
+      last_{},
       last_y_(INT32_MIN)
 {
 }
 
-void OutlineTracker::Walk::right()
+OutlineTracker::Walk OutlineTracker::at(int32_t x, int32_t y) const
 {
-    f += df;
-    df += ddf;
-    m += dm;
+    const OutlineQuadratic& o = camera_.outline;
+    const int64_t slope = o.x1 + y * o.xy;
+    const int64_t column = o.y1 + y * o.y2;
+    return {o.constant + y * column + x * (slope + x * o.x2), slope + (2 * x + 1) * o.x2,
+            column + (y + 1) * o.y2 + x * o.xy, camera_.facing.at(x, y)};
 }
 
-void OutlineTracker::Walk::left()
+void OutlineTracker::move_right(Walk& walk) const
 {
-    df -= ddf;
-    f -= df;
-    m -= dm;
+    walk.f += walk.right;
+    walk.right += 2 * camera_.outline.x2;
+    walk.down += camera_.outline.xy;
+    walk.m += camera_.facing.step_x;
 }
 
-OutlineTracker::Walk OutlineTracker::walk_at(int32_t x, int32_t y) const
+void OutlineTracker::move_left(Walk& walk) const
 {
-    const int64_t slope = outline_.x1 + y * outline_.xy;
-    const int64_t f = outline_.constant + y * (outline_.y1 + y * outline_.y2) + x * (slope + x * outline_.x2);
-    return {f, slope + (2 * x + 1) * outline_.x2, 2 * outline_.x2, camera_.facing.at(x, y), camera_.facing.step_x};
+    walk.right -= 2 * camera_.outline.x2;
+    walk.f -= walk.right;
+    walk.down -= camera_.outline.xy;
+    walk.m -= camera_.facing.step_x;
 }
 
-// Moves both ends of the last span to row y; false if no covered pixel lies between them.
-bool OutlineTracker::follow(int32_t y)
+void OutlineTracker::move_down(Walk& walk) const
 {
-    int32_t begin = span_.begin;
-    Walk left = walk_at(begin, y);
-    if (left.covered()) {
-        for (left.left(); begin > limits_.begin && left.covered(); left.left()) --begin;
-    } else {
-        while (begin < span_.end && !left.covered()) {
-            ++begin;
-            left.right();
+    walk.f += walk.down;
+    walk.right += camera_.outline.xy;
+    walk.down += 2 * camera_.outline.y2;
+    walk.m += camera_.facing.step_y;
+}
+
+// Moves both walks along their row to the ends of its span; false if no covered pixel lies between them.
+bool OutlineTracker::adjust()
+{
+    if (first_.covered()) {
+        for (; span_.begin > limits_.begin; --span_.begin) {
+            move_left(first_);
+            if (first_.covered()) continue;
+            move_right(first_);
+            break;
         }
-        if (begin == span_.end) return false;
-    }
-    int32_t end = span_.end;
-    Walk right = walk_at(end - 1, y);
-    if (right.covered()) {
-        for (right.right(); end < limits_.end && right.covered(); right.right()) ++end;
     } else {
-        for (; !right.covered(); right.left()) --end;
+        for (; !first_.covered(); ++span_.begin) {
+            if (span_.begin + 1 >= span_.end) return false;
+            move_right(first_);
+        }
     }
-    span_ = {begin, end};
+    if (last_.covered()) {
+        for (; span_.end < limits_.end; ++span_.end) {
+            move_right(last_);
+            if (last_.covered()) continue;
+            move_left(last_);
+            break;
+        }
+    } else {
+        for (; !last_.covered(); --span_.end) move_left(last_);
+    }
     return true;
+}
+
+// Looks for a row's span at 16 pixels or fewer of the limits.
+bool OutlineTracker::search(int32_t y)
+{
+    if (y < 0 || y >= camera_.height_px) return false;
+    const int32_t step = 1 + (limits_.end - limits_.begin) / 16;
+    span_ = {limits_.end, limits_.begin};
+    for (int32_t x = limits_.begin; x < limits_.end; x += step) {
+        const Walk walk = at(x, y);
+        if (!walk.covered()) continue;
+        if (span_.begin > x) {
+            span_.begin = x;
+            first_ = walk;
+        }
+        span_.end = x + 1;
+        last_ = walk;
+    }
+    return span_.begin < span_.end && adjust();
 }
 
 RowSpan OutlineTracker::row(int32_t y)
 {
-    const bool follows = span_.begin < span_.end && y == last_y_ + 1 && y < camera_.height_px;
-    if (!follows || !follow(y)) span_ = covered_span(camera_, y, limits_.begin, limits_.end);
+    bool found = span_.begin < span_.end && y == last_y_ + 1 && y < camera_.height_px;
+    if (found) {
+        move_down(first_);
+        move_down(last_);
+        found = adjust();
+    }
     last_y_ = y;
+    if (found || search(y)) return span_;
+    span_ = covered_span(camera_, y, limits_.begin, limits_.end);
+    if (span_.begin < span_.end) {
+        first_ = at(span_.begin, y);
+        last_ = at(span_.end - 1, y);
+    }
     return span_;
+}
+
+// The first of `count` columns, `from` and on by `step`, that both rows cover; none: the one beyond the last.
+int32_t OutlineTracker::find_column(int32_t top, int32_t bottom, int32_t from, int32_t step, int32_t count) const
+{
+    const OutlineQuadratic& o = camera_.outline;
+    const int64_t bend = o.x2 * step * step;
+    Walk walks[2] = {at(from, top), at(from, bottom)};
+    for (Walk& walk : walks) walk.right = (walk.right - o.x2) * step + bend;
+    int32_t x = from;
+    for (; count > 0 && !(walks[0].covered() && walks[1].covered()); --count, x += step) {
+        for (Walk& walk : walks) {
+            walk.f += walk.right;
+            walk.right += 2 * bend;
+            walk.m += camera_.facing.step_x * step;
+        }
+    }
+    return x;
+}
+
+RowSpan OutlineTracker::columns(int32_t top, int32_t bottom, const RowSpan& between, int step_log2) const
+{
+    const int32_t step = 1 << step_log2;
+    const int32_t first = (between.begin + step - 1) & -step;
+    const int32_t last = (between.end - 1) & -step;
+    const int32_t count = (last - first) / step + 1;
+    if (count < 2) return {0, 0};
+    const int32_t begin = find_column(top, bottom, first, step, count);
+    if (begin > last) return {0, 0};
+    const int32_t end = find_column(top, bottom, last, -step, count);
+    const auto reaches = [&](int32_t x) { return at(x, top).covered() && at(x, bottom).covered(); };
+    const bool open_left = begin - step < limits_.begin && reaches(limits_.begin);
+    const bool open_right = end + step >= limits_.end && reaches(limits_.end - 1);
+    return {open_left ? begin : begin + step, open_right ? end : end - step};
 }
 
 }  // namespace lumi

@@ -46,7 +46,7 @@ struct Shape {
 
 SpanMetric::SpanMetric(const SpanSide& side) : e_q12(0), f_q12(0), g_q12(0)
 {
-    if (side.in_cap) return;
+    if (side.cap != nullptr) return;
     const Shape shape(side);
     e_q12 = over_root5(shape.x_q12 + shape.inverse_q12);
     g_q12 = over_root5((shape.x_q12 * kInversePhi2Q12 + shape.inverse_q12 * kPhi2Q12) >> 12);
@@ -60,10 +60,10 @@ SpanNeighbours KernelSource::cap_neighbours() const
 {
     constexpr int32_t kInversePiQ15 = 10430;
     SpanNeighbours result;
-    const int32_t x = cap_.x_q12 + ((pixel_ * cap_.dx_q16) >> 4);
-    const int32_t y = cap_.y_q12 + ((pixel_ * cap_.dy_q16) >> 4);
-    const uint8_t* beyond = polar::beyond(cap_.triangle);
-    const uint8_t* own = polar::corners(cap_.triangle);
+    const int32_t x = cap_->x_q12 + ((pixel_ * cap_->dx_q16) >> 4);
+    const int32_t y = cap_->y_q12 + ((pixel_ * cap_->dy_q16) >> 4);
+    const uint8_t* beyond = polar::beyond(cap_->triangle);
+    const uint8_t* own = polar::corners(cap_->triangle);
     for (int k = 0; k < kKernelCandidates; ++k) {
         int32_t corner = own[k % 3];
         if (k >= 3 && beyond[k - 3] != polar::kNone) {

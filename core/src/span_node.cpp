@@ -62,17 +62,31 @@ int leading_zeros(uint32_t v)
 }
 #endif
 
-int32_t saturated_q28(int64_t v_q40)
-{
-    const int64_t v = v_q40 >> 12;
-    return v > INT32_MAX ? INT32_MAX : v < INT32_MIN ? INT32_MIN : static_cast<int32_t>(v);
-}
-
 int32_t add_steps(int32_t value, int32_t step, int32_t count)
 {
     // Modulo 2^32: the sum is in range where the pixel is covered, whatever the product overflows to.
     return static_cast<int32_t>(static_cast<uint32_t>(value) +
                                 static_cast<uint32_t>(step) * static_cast<uint32_t>(count));
+}
+
+// A Q40 quantity as Q28 modulo 2^32, and the 12 bits below.
+struct Split {
+    uint32_t high, low;
+
+    explicit Split(int64_t v_q40)
+        : high(static_cast<uint32_t>(static_cast<uint64_t>(v_q40) >> 12)), low(static_cast<uint32_t>(v_q40) & 0xFFFu)
+    {
+    }
+};
+
+// a.at(x, y) >> 12 modulo 2^32, x and y in the image, without a 64-bit product.
+int32_t affine_q28(const AffineQ40& a, uint32_t x, uint32_t y)
+{
+    const Split origin(a.at_origin);
+    const Split dx(a.step_x);
+    const Split dy(a.step_y);
+    const uint32_t carried = (origin.low + x * dx.low + y * dy.low) >> 12;
+    return static_cast<int32_t>(origin.high + x * dx.high + y * dy.high + carried);
 }
 
 // Angle of small/large in [0, 1], large > 0, in units of 2^-27 turn.
@@ -135,29 +149,28 @@ uint32_t ratio_q15(uint32_t small, uint32_t large)
     return ratio;
 }
 
-RowNodes::RowNodes(const Camera& camera)
+NodeEvaluator::NodeEvaluator(const Camera& camera)
     : camera_(camera),
       eye_direction_q15_{camera.eye_direction.x >> 15, camera.eye_direction.y >> 15, camera.eye_direction.z >> 15},
       inverse_distance_q15_(camera.inverse_distance_q30 >> 15),
-      perpendicular_q15_(camera.perpendicular_q30 >> 15)
+      perpendicular_q15_(camera.perpendicular_q30 >> 15),
+      step_q28_{}
 {
-    for (int k = 0; k < 4; ++k) quantity_[k].step_q28 = saturated_q28(source(k).step_x);
+    for (int k = 0; k < 4; ++k) step_q28_[k] = static_cast<int32_t>(Split(source(k).step_x).high);
 }
 
-void RowNodes::begin_row(int32_t x, int32_t y)
+RayRow NodeEvaluator::row_at(int32_t x, int32_t y) const
 {
-    const bool follows = y - 1 == y_;
-    y_ = y;
+    RayRow row;
     for (int k = 0; k < 4; ++k) {
-        Quantity& q = quantity_[k];
-        q.row_start_q40 = follows ? q.row_start_q40 + source(k).step_y : source(k).at(0, y);
-        q.value_q28 = saturated_q28(q.row_start_q40 + x * source(k).step_x);
+        row.value_q28[k] = affine_q28(source(k), static_cast<uint32_t>(x), static_cast<uint32_t>(y));
     }
+    return row;
 }
 
-void RowNodes::evaluate(int32_t ahead, SpanNode& out) const
+void NodeEvaluator::evaluate(const RayRow& row, int32_t ahead, SpanNode& out) const
 {
-    const auto q15 = [&](int k) { return add_steps(quantity_[k].value_q28, quantity_[k].step_q28, ahead) >> 13; };
+    const auto q15 = [&](int k) { return add_steps(row.value_q28[k], step_q28_[k], ahead) >> 13; };
     const int32_t px = q15(0);
     const int32_t py = q15(1);
     const int32_t pz = q15(2);

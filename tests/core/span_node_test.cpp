@@ -46,6 +46,84 @@ TEST_CASE("the outline follows the exact covered span from row to row", "[span]"
     }
 }
 
+TEST_CASE("the sphere covers all between the columns that two rows share", "[span]")
+{
+    for (const View& view : extreme_views(kSide)) {
+        Camera camera;
+        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        const int32_t width = view.image.width_px;
+        for (int32_t top = 0; top + 8 < view.image.height_px; top += 5) {
+            OutlineTracker outline(camera, {0, width});
+            const RowSpan middle = outline.row(top + 4);
+            const RowSpan columns = outline.columns(top, top + 8, middle, 2);
+            if (columns.begin >= columns.end) continue;
+            INFO(view.name << " row " << top << ": " << columns.begin << ".." << columns.end);
+            CHECK(columns.begin % 4 == 0);
+            CHECK(columns.end % 4 == 0);
+            for (int32_t y = top; y <= top + 8; ++y) {
+                const RowSpan span = covered_span(camera, y, 0, width);
+                REQUIRE(columns.begin >= span.begin + (span.begin > 0 ? 3 : 0));
+                REQUIRE(columns.end < span.end - (span.end < width ? 3 : 0));
+            }
+        }
+    }
+}
+
+TEST_CASE("spans are as long as the rim allows, and end where they must", "[span]")
+{
+    for (const int32_t longest : {2, 4, 8, 16}) {
+        const SpanRamp ramp(longest);
+        for (int32_t from_left = 0; from_left < 60; ++from_left) {
+            for (int32_t from_right = 1; from_right < 60; ++from_right) {
+                for (const int32_t room : {1, 7, 100}) {
+                    const int32_t length = ramp.length(from_left, from_right, room);
+                    REQUIRE(length >= 1);
+                    REQUIRE(length <= std::min({longest, from_right, room}));
+                    // Never much longer than the distance from the rim.
+                    REQUIRE(length <= 4 * from_left + 3);
+                    REQUIRE(length <= 5 * (from_right - length) + 3);
+                    const int32_t shift = SpanRamp::shift_q8(from_left, from_right - length, length);
+                    REQUIRE(std::abs(shift) <= 128 * length);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a span's step leads to its end", "[span]")
+{
+    Worst error;
+    for (int32_t length = 1; length <= 16; ++length) {
+        for (int32_t difference = -(1 << 21); difference < 1 << 21; difference += 997) {
+            REQUIRE(is_steppable(difference));
+            const double exact = static_cast<double>(difference) / length;
+            error.see(std::fabs(step_of(difference, length) - exact) / (std::fabs(exact) + 65536), length);
+        }
+    }
+    CHECK(!is_steppable(1 << 21));
+    CHECK(!is_steppable(-(1 << 21) - 1));
+    CHECK(!is_steppable(INT32_MAX));
+    error.report("step_of, share of the step and a cell");
+    CHECK(error.error < std::ldexp(1.0, -11));
+}
+
+TEST_CASE("a row of rays begins where the camera's 64 bits say", "[span]")
+{
+    for (const View& view : extreme_views(kSide)) {
+        Camera camera;
+        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        const NodeEvaluator nodes(camera);
+        for (int32_t y = 0; y < view.image.height_px; y += 7) {
+            for (int32_t x = 0; x < view.image.width_px; x += 5) {
+                const RayRow row = nodes.row_at(x, y);
+                const auto low_word = [](int64_t v) { return static_cast<int32_t>(static_cast<uint32_t>(v >> 12)); };
+                for (int k = 0; k < 3; ++k) REQUIRE(row.value_q28[k] == low_word(camera.offset[k].at(x, y)));
+                REQUIRE(row.value_q28[3] == low_word(camera.facing.at(x, y)));
+            }
+        }
+    }
+}
+
 TEST_CASE("nodes hit the sphere where the exact rays do", "[span]")
 {
     Worst angle;

@@ -274,22 +274,29 @@ TEST_CASE("rows drawn as stripes of any height give the same frame", "[span]")
 {
     const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb565);
     const Field field = opened(bytes);
-    Camera camera;
-    const View view = extreme_views(48)[0];
-    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-    const auto frame = [&](int32_t height) {
-        std::vector<uint8_t> pixels(48 * 48 * 2);
-        for (int32_t y = 0; y < 48; y += height) {
-            const Stripe stripe = {&pixels[static_cast<size_t>(y) * 96], 0, y, 48, std::min(height, 48 - y), 96};
-            REQUIRE(render_spans<Linear, TexelRgb565, PixelRgb565>(field, camera, OverBlack{}, stripe, 8) ==
-                    RenderError::none);
-        }
-        return pixels;
-    };
-    const auto whole = frame(48);
-    CHECK(difference(whole, frame(16)).worst.error == 0);
-    CHECK(difference(whole, frame(5)).worst.error == 0);
-    CHECK(difference(whole, frame(1)).worst.error == 0);
+    const int32_t span_px = GENERATE(2, 8, 16);
+    for (const View& view : extreme_views(kSide)) {
+        Camera camera;
+        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        const int32_t width = view.image.width_px;
+        const int32_t image_height = view.image.height_px;
+        const auto frame = [&](int32_t height) {
+            const uint32_t stride = static_cast<uint32_t>(width) * 2;
+            std::vector<uint8_t> pixels(stride * static_cast<uint32_t>(image_height));
+            for (int32_t y = 0; y < image_height; y += height) {
+                const Stripe stripe = {&pixels[static_cast<size_t>(y) * stride], 0,     y, width,
+                                       std::min(height, image_height - y),       stride};
+                REQUIRE(render_spans<Linear, TexelRgb565, PixelRgb565>(field, camera, OverBlack{}, stripe, span_px) ==
+                        RenderError::none);
+            }
+            return pixels;
+        };
+        INFO(view.name << " " << span_px);
+        const auto whole = frame(image_height);
+        CHECK(whole == frame(16));
+        CHECK(whole == frame(5));
+        CHECK(whole == frame(1));
+    }
 }
 
 TEST_CASE("unaligned fields are drawn by the exact renderer", "[span]")

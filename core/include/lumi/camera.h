@@ -57,6 +57,14 @@ struct AffineQ40 {
     int64_t at(int32_t x, int32_t y) const { return at_origin + x * step_x + y * step_y; }
 };
 
+// The sphere's outline as a quadratic polynomial of the pixel, f = constant + x·(x1 + x·x2 + y·xy) + y·(y1 + y·y2),
+// scaled so that 64 bits hold it at every pixel of the image: see outline.h.
+struct OutlineQuadratic {
+    int64_t constant, x1, y1, x2, xy, y2;
+
+    int64_t at(int32_t x, int32_t y) const { return constant + x * (x1 + x * x2 + y * xy) + y * (y1 + y * y2); }
+};
+
 // What the renderer needs of a camera. Every quantity is scaled by one positive factor so that a pixel's viewing vector
 // D is at most 1 long. With ê the unit vector towards the eye, e its distance, m = -ê·D and P = e·(D + m·ê), the ray
 // hits the sphere where |P|² + s² = q with q = m² + |P|²/e² and s² = m² - (1 - 1/e²)|P|², at
@@ -69,6 +77,7 @@ struct Camera {
     int32_t perpendicular_q30;     // 1 - 1/e² in [0, 1)
     AffineQ40 facing;              // m
     AffineQ40 offset[3];           // P (x, y, z)
+    OutlineQuadratic outline;
     int32_t width_px, height_px;
 };
 

@@ -9,6 +9,7 @@
 #include "lumi/always_inline.h"
 #include "lumi/guided_origin.h"
 #include "lumi/span_source.h"
+#include "lumi/span_walker.h"
 #include "lumi/sphere.h"
 
 namespace lumi
@@ -95,6 +96,7 @@ private:
     const Lattice& origins_;
     SpanLattice lattice_;
     RowNodes nodes_;
+    SpanTrack track_;
     SpanWalker walker_;
     Node node_[2];
     RowSpan covered_{0, 0};

@@ -11,13 +11,7 @@
 namespace lumi
 {
 
-// f = constant + x·(x1 + x·x2 + y·xy) + y·(y1 + y·y2), scaled to the image so that 64 bits hold it at every pixel.
-struct OutlineQuadratic {
-    int64_t constant, x1, y1, x2, xy, y2;
-
-    int64_t at(int32_t x, int32_t y) const { return constant + x * (x1 + x * x2 + y * xy) + y * (y1 + y * y2); }
-};
-
+// Of a camera whose other members are set.
 OutlineQuadratic make_outline(const Camera& camera);
 
 // Yields the covered span of successive rows of a stripe. The first row is searched for, the following ones are found
@@ -30,24 +24,31 @@ public:
     // The span of row y; call with rows in increasing order.
     RowSpan row(int32_t y);
 
+    // The columns, at multiples of 2^step_log2 within the limits, that rows `top` and `bottom` of the image both cover:
+    // the first and the last, but the ones next to them where the rim is nearer than the limits. The sphere covers all
+    // between them. None: begin >= end. `between` is the span of a row between them.
+    RowSpan columns(int32_t top, int32_t bottom, const RowSpan& between, int step_log2) const;
+
 private:
-    // f and m along a row, advanced by additions.
+    // f and m at a pixel, and how f changes to the pixels right of it and below.
     struct Walk {
-        int64_t f, df, ddf;  // f(x), f(x+1) - f(x), and twice x2
-        int64_t m, dm;
+        int64_t f, right, down, m;
 
         bool covered() const { return f >= 0 && m > 0; }
-        void right();
-        void left();
     };
 
-    Walk walk_at(int32_t x, int32_t y) const;
-    bool follow(int32_t y);
+    Walk at(int32_t x, int32_t y) const;
+    int32_t find_column(int32_t top, int32_t bottom, int32_t from, int32_t step, int32_t count) const;
+    void move_right(Walk& walk) const;
+    void move_left(Walk& walk) const;
+    void move_down(Walk& walk) const;
+    bool search(int32_t y);
+    bool adjust();
 
     const Camera& camera_;
-    OutlineQuadratic outline_;
     RowSpan limits_;
     RowSpan span_;
+    Walk first_, last_;  // at the first and the last pixel of the span
     int32_t last_y_;
 };
 

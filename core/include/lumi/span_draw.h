@@ -25,6 +25,12 @@ struct SpanTarget {
     const SpanSide& directions;
 };
 
+template <class Background>
+bool over_cap(const SpanTarget<Background>& span)
+{
+    return span.origins.cap != nullptr || span.directions.cap != nullptr;
+}
+
 // A texel whose bits are the pixel's is copied.
 template <class Texel, class Pixel>
 inline constexpr bool kSameBits = false;
@@ -101,6 +107,33 @@ void draw_single(const SpanTarget<Background>& span, const Offsets& offsets)
     }
 }
 
+// The same where a side lies over a cap: there the corner that Offsets::pick() chooses by the weights.
+template <bool kOriginsInCap, bool kDirectionsInCap, class Texel, class Pixel, class Background, class Offsets>
+void draw_single_over_cap(const SpanTarget<Background>& span, const Offsets& offsets)
+{
+    OneTap<kOriginsInCap> origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
+    OneTap<kDirectionsInCap> directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    const uint8_t* const base = settled(span.field.texels + origins.base() + directions.base());
+    uint8_t* pixel = span.pixels;
+    for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
+        const SpanOffsets add = offsets.at(k);
+        const uint8_t* const row = base + origins.template offset<Offsets>(add.origins_q16);
+        const uint8_t* const texel = row + directions.template offset<Offsets>(add.directions_q16);
+        store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+        origins.advance();
+        directions.advance();
+    }
+}
+
+template <class Texel, class Pixel, class Background, class Offsets>
+void draw_one_tap(const SpanTarget<Background>& span, const Offsets& offsets)
+{
+    if (!over_cap(span)) return draw_single<Texel, Pixel>(span, offsets);
+    if (span.directions.cap == nullptr) return draw_single_over_cap<true, false, Texel, Pixel>(span, offsets);
+    if (span.origins.cap == nullptr) return draw_single_over_cap<false, true, Texel, Pixel>(span, offsets);
+    draw_single_over_cap<true, true, Texel, Pixel>(span, offsets);
+}
+
 // Calls visit(taps of the origins, taps of the directions, base pointer, pixel pointer) for every pixel.
 template <class Source, int kTapBits, class Texel, class Pixel, class Background, class Visit>
 void for_pixels(const SpanTarget<Background>& span, Visit visit)
@@ -134,12 +167,6 @@ LUMI_ALWAYS_INLINE auto sum_of_taps(const Field& field, const uint8_t* base, con
     return sum;
 }
 
-inline int32_t heaviest(const SpanTaps& taps)
-{
-    const int first = taps.weight[1] > taps.weight[0] ? 1 : 0;
-    return taps.offset[taps.weight[2] > taps.weight[first] ? 2 : first];
-}
-
 template <class Reconstruction>
 struct SpanDraw;
 
@@ -147,6 +174,12 @@ struct SpanDraw;
 struct Rounding {
     static constexpr bool kConstant = true;
     SpanOffsets at(int32_t) const { return {1 << 15, 1 << 15}; }
+
+    static int pick(const int32_t weight_q16[3], int32_t)
+    {
+        const int first = weight_q16[1] > weight_q16[0] ? 1 : 0;
+        return weight_q16[2] > weight_q16[first] ? 2 : first;
+    }
 };
 
 template <>
@@ -154,14 +187,7 @@ struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        if (span.origins.in_cap || span.directions.in_cap) {
-            for_pixels<AnySource, kSpanBits, Texel, Pixel>(
-                span, [&](const SpanTaps& o, const SpanTaps& d, const uint8_t* base, uint8_t* pixel) {
-                    store_single<Texel, Pixel>(span.field, span.background, base + heaviest(o) + heaviest(d), pixel);
-                });
-        } else {
-            draw_single<Texel, Pixel>(span, Rounding{});
-        }
+        draw_one_tap<Texel, Pixel>(span, Rounding{});
     }
 };
 
@@ -186,32 +212,22 @@ public:
     }
     const SpanOffsets& at(int32_t pixel) const { return row_[pixel & 3]; }
 
+    static int pick(const int32_t weight_q16[3], int32_t threshold_q16)
+    {
+        const int32_t t = 65535 - threshold_q16;
+        return t < weight_q16[0] ? 0 : t < weight_q16[0] + weight_q16[1] ? 1 : 2;
+    }
+
 private:
     SpanOffsets row_[4];
 };
-
-inline int32_t dithered(const SpanTaps& taps, int32_t threshold_q16)
-{
-    const uint32_t t = 255u - static_cast<uint32_t>(threshold_q16 >> 8);
-    return taps.offset[t < taps.weight[0] ? 0 : t < taps.weight[0] + taps.weight[1] ? 1 : 2];
-}
 
 template <>
 struct SpanDraw<Dither> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        if (span.origins.in_cap || span.directions.in_cap) {
-            int32_t x = span.x;
-            for_pixels<AnySource, kSpanBits, Texel, Pixel>(
-                span, [&](const SpanTaps& o, const SpanTaps& d, const uint8_t* base, uint8_t* pixel) {
-                    const SpanOffsets t = DitherMatrix::at(x++, span.y);
-                    const uint8_t* texel = base + dithered(o, t.origins_q16) + dithered(d, t.directions_q16);
-                    store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
-                });
-        } else {
-            draw_single<Texel, Pixel>(span, DitherRow(span.x, span.y));
-        }
+        draw_one_tap<Texel, Pixel>(span, DitherRow(span.x, span.y));
     }
 };
 
@@ -227,7 +243,7 @@ struct SpanDraw<Linear> {
             const auto sum = sum_of_taps<Texel, Background>(span.field, base, origins, directions);
             sum.template store<Pixel>(span.background, pixel);
         };
-        if (span.origins.in_cap || span.directions.in_cap) {
+        if (over_cap(span)) {
             for_pixels<AnySource, Sum::kTapBits, Texel, Pixel>(span, visit);
         } else if (span.origins.uniform && span.directions.uniform) {
             for_pixels<CellSource<false>, Sum::kTapBits, Texel, Pixel>(span, visit);

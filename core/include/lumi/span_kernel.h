@@ -47,7 +47,7 @@ public:
     // The first `count` candidates; the first three are the corners of the pixel's triangle.
     SpanNeighbours neighbours(int count) const
     {
-        if (side_.in_cap) return cap_neighbours();
+        if (side_.cap != nullptr) return cap_neighbours();
         SpanNeighbours result;
         const int32_t fu = (u_q16_ >> 4) & 4095;
         const int32_t fv = (v_q16_ >> 4) & 4095;
@@ -64,8 +64,8 @@ public:
 
     void advance()
     {
-        if (side_.in_cap) {
-            cap_.advance(++pixel_);
+        if (side_.cap != nullptr) {
+            cap_->advance(++pixel_);
         } else {
             u_q16_ += side_.du_q16;
             v_q16_ += side_.dv_q16;
@@ -87,7 +87,7 @@ private:
     SpanMetric metric_;
     const SpanSide& side_;
     int32_t u_q16_, v_q16_;
-    SpanCap cap_;
+    SpanCap* cap_;
     int32_t pixel_ = 0;
 };
 

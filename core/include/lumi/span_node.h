@@ -26,32 +26,47 @@ struct SpanNode {
     int shift;
 };
 
-// Evaluates the nodes of a stripe's rows. From row to row and along a row, rays advance by additions.
-class RowNodes
+// A row's rays, from one of its pixels on: P and m there, Q28 modulo 16: in range where a pixel is covered.
+struct RayRow {
+    int32_t value_q28[4];
+};
+
+// Evaluates the nodes of rows. Along a row, rays advance by additions.
+class NodeEvaluator
 {
 public:
-    explicit RowNodes(const Camera& camera);
+    explicit NodeEvaluator(const Camera& camera);
 
-    // Goes to row y; `x` is its first covered pixel. Successive rows cost four 64-bit products less.
-    void begin_row(int32_t x, int32_t y);
+    // The row of rays that begins at pixel (x, y) of the image.
+    RayRow row_at(int32_t x, int32_t y) const;
 
-    // Sets `out` to the node at pixel x + ahead; that pixel is covered.
-    void evaluate(int32_t ahead, SpanNode& out) const;
+    // Sets `out` to the node `ahead` pixels on; that pixel is covered.
+    void evaluate(const RayRow& row, int32_t ahead, SpanNode& out) const;
 
 private:
-    struct Quantity {
-        int64_t row_start_q40;  // at column 0 of the row
-        int32_t value_q28, step_q28;
-    };
-
     const AffineQ40& source(int k) const { return k < 3 ? camera_.offset[k] : camera_.facing; }
 
     const Camera& camera_;
     Vec3q30 eye_direction_q15_;  // components Q15
     int32_t inverse_distance_q15_;
     int32_t perpendicular_q15_;
-    Quantity quantity_[4];  // P, m
-    int32_t y_ = INT32_MIN;
+    int32_t step_q28_[4];
+};
+
+// The nodes of one row.
+class RowNodes
+{
+public:
+    explicit RowNodes(const Camera& camera) : evaluator_(camera), row_{} {}
+
+    // Goes to row y; `x` is a covered pixel of it.
+    void begin_row(int32_t x, int32_t y) { row_ = evaluator_.row_at(x, y); }
+    // Sets `out` to the node at pixel x + ahead; that pixel is covered.
+    void evaluate(int32_t ahead, SpanNode& out) const { evaluator_.evaluate(row_, ahead, out); }
+
+private:
+    NodeEvaluator evaluator_;
+    RayRow row_;
 };
 
 // The parts of a node, for tests. Vectors of 16-bit components; error below 2^-16 turn.

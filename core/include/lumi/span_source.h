@@ -127,12 +127,73 @@ private:
     int32_t u_q16_, v_q16_, du_q16_, dv_q16_;
 };
 
+// One tap of a side, pixel by pixel; its offset is relative to base().
+template <bool kInCap>
+class OneTap;
+
+template <>
+class OneTap<false>
+{
+public:
+    OneTap(const SpanSide& side, int32_t stride_bytes)
+        : index_(side, 1),
+          stride_(stride_bytes),
+          base_(side.base * stride_bytes),
+          u_q16_(side.u_q16),
+          v_q16_(side.v_q16),
+          du_q16_(side.du_q16),
+          dv_q16_(side.dv_q16)
+    {
+    }
+
+    int32_t base() const { return base_; }
+    // At the coordinates, rounded down after `add` was added to both.
+    template <class Offsets>
+    int32_t offset(int32_t add_q16) const
+    {
+        return index_.at(u_q16_ + add_q16, v_q16_ + add_q16) * stride_;
+    }
+    void advance()
+    {
+        u_q16_ += du_q16_;
+        v_q16_ += dv_q16_;
+    }
+
+private:
+    SpanIndex index_;
+    int32_t stride_, base_;
+    int32_t u_q16_, v_q16_, du_q16_, dv_q16_;
+};
+
+template <>
+class OneTap<true>
+{
+public:
+    OneTap(const SpanSide& side, int32_t stride_bytes)
+        : cap_(*side.cap), step_(side.first * stride_bytes), base_(side.base * stride_bytes)
+    {
+    }
+
+    int32_t base() const { return base_; }
+    template <class Offsets>
+    int32_t offset(int32_t add_q16) const
+    {
+        return cap_.corner[Offsets::pick(cap_.weight_q16, add_q16)] * step_;
+    }
+    void advance() { cap_.advance(++pixel_); }
+
+private:
+    SpanCap& cap_;
+    int32_t step_, base_;
+    int32_t pixel_ = 0;
+};
+
 // The taps of a side that may lie in a pole's cap: the rare spans share one loop.
 class AnySource
 {
 public:
     AnySource(const SpanSide& side, int32_t stride_bytes)
-        : cell_(side, stride_bytes), cap_(side.cap), step_(side.first * stride_bytes), in_cap_(side.in_cap)
+        : cell_(side, stride_bytes), cap_(side.cap), step_(side.first * stride_bytes)
     {
     }
 
@@ -141,18 +202,18 @@ public:
     template <int kBits>
     SpanTaps taps() const
     {
-        if (!in_cap_) return cell_.template taps<kBits>();
+        if (cap_ == nullptr) return cell_.template taps<kBits>();
         constexpr uint32_t kOne = 1u << kBits;
-        const uint32_t w1 = (static_cast<uint32_t>(cap_.weight_q16[1]) + (kOne >> 1)) >> (16 - kBits);
-        const uint32_t w2 = static_cast<uint32_t>(cap_.weight_q16[2]) >> (16 - kBits);
-        return {{cap_.corner[0] * step_, cap_.corner[1] * step_, cap_.corner[2] * step_},
+        const uint32_t w1 = (static_cast<uint32_t>(cap_->weight_q16[1]) + (kOne >> 1)) >> (16 - kBits);
+        const uint32_t w2 = static_cast<uint32_t>(cap_->weight_q16[2]) >> (16 - kBits);
+        return {{cap_->corner[0] * step_, cap_->corner[1] * step_, cap_->corner[2] * step_},
                 {w1 + w2 < kOne ? kOne - w1 - w2 : 0, w1, w2}};
     }
 
     void advance()
     {
-        if (in_cap_) {
-            cap_.advance(++pixel_);
+        if (cap_ != nullptr) {
+            cap_->advance(++pixel_);
         } else {
             cell_.advance();
         }
@@ -160,10 +221,9 @@ public:
 
 private:
     CellSource<true> cell_;
-    SpanCap cap_;
+    SpanCap* cap_;
     int32_t step_;
     int32_t pixel_ = 0;
-    bool in_cap_;
 };
 
 }  // namespace lumi

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// One lattice along the rows at the rim and over the caps: coordinates at the ends of a span, stepped in between.
+#pragma once
+
+#include "lumi/span_chart.h"
+#include "lumi/span_node.h"
+
+namespace lumi
+{
+
+// Follows one lattice along a row. `at` is always the node that begin() or the last commit() stood for.
+class SpanWalker
+{
+public:
+    explicit SpanWalker(SpanTrack& track) : track_(track) {}
+    SpanWalker(const SpanWalker&) = delete;  // side() points into it
+    SpanWalker& operator=(const SpanWalker&) = delete;
+
+    // Begins at a node: a row, or anew.
+    void begin(const SpanNode& at);
+    // Sets side() for the span up to the node `length` pixels on, 1 .. 16, and returns 0; or returns how often the span
+    // must be halved at least, as it enters or leaves a pole's cap or turns by more than 1/16 turn.
+    int prepare(const SpanNode& at, const SpanNode& next, int32_t length);
+    // Moves the span that prepare() set up by a share of a pixel's step. Not over caps.
+    void shift(int32_t share_q8)
+    {
+        SpanSide& side = track_.side;
+        if (side.cap != nullptr) return;
+        side.u_q16 += (side.du_q16 * share_q8) >> 8;
+        side.v_q16 += (side.dv_q16 * share_q8) >> 8;
+    }
+    // Moves on to the node that was prepared for, once the span is drawn.
+    void commit()
+    {
+        longitude_q20_ = next_longitude_q20_;
+        set_begin(next_);
+    }
+
+    const SpanSide& side() const { return track_.side; }
+
+private:
+    void set_begin(const LatticePoint& p)
+    {
+        track_.side.u_q16 = p.u_q16;
+        track_.side.v_q16 = p.v_q16;
+    }
+    void prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length);
+
+    SpanTrack& track_;
+    SpanCap cap_{};
+    int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
+    LatticePoint next_{};
+};
+
+}  // namespace lumi

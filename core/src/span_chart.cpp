@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/span_chart.h"
+
+namespace lumi
+{
+namespace
+{
+
+constexpr int32_t kFibonacci[kFirstSpanZone + kSpanZones + 1] = {0,  1,  1,  2,  3,   5,   8,  13,
+                                                                 21, 34, 55, 89, 144, 233, 377};
+
+}  // namespace
+
+void SpanChart::choose(int32_t z_q30, SpanSide& side)
+{
+    const int32_t height = z_q30 < 0 ? -z_q30 : z_q30;
+    while (zone_ > 0 && height >= lattice_.zone[zone_].begin_z_q30) --zone_;
+    while (zone_ + 1 < kSpanZones && height < lattice_.zone[zone_ + 1].begin_z_q30) ++zone_;
+    const SpanZone& z = lattice_.zone[zone_];
+    const int32_t first = kFibonacci[kFirstSpanZone + zone_];
+    const int32_t second = kFibonacci[kFirstSpanZone + zone_ + 1];
+    const bool mirrored = z_q30 < 0;
+    const bool acute = height >= z.obtuse_z_q30;
+    const int32_t odd = ((zone_ + kFirstSpanZone) & 1) != 0 ? 1 : -1;
+    const int32_t hemisphere = mirrored ? -1 : 1;
+    const int32_t reflection = acute ? -1 : 1;
+
+    side.zone = &z;
+    shift_ = z.shift;
+    u_longitude_ = reflection * odd * hemisphere * second;
+    v_longitude_ = -odd * hemisphere * first;
+    u_z_ = -reflection * hemisphere * z.scale_u;
+    v_z_ = -hemisphere * z.scale_v;
+    u_q16_ = reflection * z.origin_u_q16;
+    v_q16_ = z.origin_v_q16;
+    if (mirrored) {
+        u_q16_ += reflection * odd * ((second * lattice_.mirror_turns20) >> 4);
+        v_q16_ -= odd * ((first * lattice_.mirror_turns20) >> 4);
+    }
+    side.first = reflection * hemisphere * first;
+    side.second = hemisphere * second;
+    side.base = mirrored ? lattice_.size - 1 : 0;
+
+    // A corner of this hemisphere's cells lies `half` below its cell's middle.
+    const int32_t half_q10 = 512 * (acute ? second - first : first + second);
+    const int32_t limit = (z.obtuse_index_q10 - half_q10 + 1023) >> 10;
+    side.flip = mirrored ? 1 - limit : limit;
+    side.flip_mask = mirrored != acute ? -1 : 0;
+    set_borders(z, mirrored, acute, first, second);
+}
+
+void SpanChart::set_borders(const SpanZone& z, bool mirrored, bool acute, int32_t first, int32_t second)
+{
+    // The middle of a cell lies within (first + second)/2 indices of any point of it, (first + second)/n in height; an
+    // eighth more for spans that are bent.
+    const int32_t reach = (first + second) * lattice_.step_z_q30;
+    const int32_t margin = reach + reach / 8;
+    const int32_t uniform_low = acute && z.obtuse_z_q30 != 0 ? z.obtuse_z_q30 + margin : -kOneQ30;
+    const int32_t uniform_high = acute ? kOneQ30 : z.obtuse_z_q30 - margin;
+    uniform_low_z_q30_ = mirrored ? -uniform_high : uniform_low;
+    uniform_high_z_q30_ = mirrored ? -uniform_low : uniform_high;
+
+    const int32_t next_begin = zone_ + 1 < kSpanZones ? lattice_.zone[zone_ + 1].begin_z_q30 : 0;
+    const int32_t low = acute ? z.obtuse_z_q30 : next_begin;
+    const int32_t zone_high = acute ? z.begin_z_q30 : z.obtuse_z_q30;
+    const int32_t high = zone_high <= lattice_.cap_z_q30 ? zone_high : lattice_.cap_z_q30 + 1;
+    low_z_q30_ = mirrored ? 1 - high : low;
+    high_z_q30_ = mirrored ? 1 - low : high;
+    // Up to the height of this index no corner of a cell lies beyond the pole.
+    const int32_t limit_index = (acute ? second : first + second) + 1;
+    limit_z_q30_ = kOneQ30 - (2 * limit_index + 1) * lattice_.step_z_q30;
+}
+
+}  // namespace lumi

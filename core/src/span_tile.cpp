@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/span_tile.h"
+
+#include "lumi/always_inline.h"
+
+namespace lumi
+{
+namespace
+{
+
+constexpr int32_t kTwoThirdsQ8 = 171;
+
+// Whether the magnitude is at most `limit`, which is not negative.
+LUMI_ALWAYS_INLINE bool within(int32_t v, int32_t limit)
+{
+    return static_cast<uint32_t>(v + limit) <= 2 * static_cast<uint32_t>(limit);
+}
+
+}  // namespace
+
+bool TileWalker::prepare(const TileCorners& corners, int width_log2)
+{
+    const SpanHit& top_left = corners.top_left->*track_.hit;
+    const SpanHit& top_right = corners.top_right->*track_.hit;
+    const SpanHit& bottom_left = corners.bottom_left->*track_.hit;
+    const SpanHit& bottom_right = corners.bottom_right->*track_.hit;
+    const SpanHit& centre = corners.centre->*track_.hit;
+    SpanChart& chart = track_.chart;
+    SpanSide& side = track_.side;
+    if (!chart.holds(centre.z_q30)) {
+        if (!within(centre.z_q30, chart.lattice().cap_z_q30)) return false;
+        chart.choose(centre.z_q30, side);
+    }
+    const auto turn_q20 = [&](const SpanHit& hit) {
+        return static_cast<int32_t>(hit.longitude_turns32 - top_left.longitude_turns32) >> 12;
+    };
+    const int32_t turns[] = {turn_q20(top_right), turn_q20(bottom_left), turn_q20(bottom_right)};
+    if (!within(turns[0], kMaxTurnQ20) || !within(turns[1], kMaxTurnQ20) || !within(turns[2], kMaxTurnQ20))
+        return false;
+    const int32_t limit = chart.limit_z_q30();
+    if (!within(top_left.z_q30, limit) || !within(top_right.z_q30, limit) || !within(bottom_left.z_q30, limit) ||
+        !within(bottom_right.z_q30, limit))
+        return false;
+
+    const int32_t longitude_q20 = static_cast<int32_t>(top_left.longitude_turns32 >> 12);
+    const LatticePoint a = chart.at(longitude_q20, top_left.z_q30);
+    const LatticePoint b = chart.at(longitude_q20 + turns[0], top_right.z_q30);
+    const LatticePoint c = chart.at(longitude_q20 + turns[1], bottom_left.z_q30);
+    const LatticePoint d = chart.at(longitude_q20 + turns[2], bottom_right.z_q30);
+    const LatticePoint m = chart.at(longitude_q20 + turn_q20(centre), centre.z_q30);
+    const auto set = [&](int32_t LatticePoint::*p, int32_t& begin, int32_t& step, int32_t& down, int32_t& step_down) {
+        // The middle of a tile lies off the plane between its corners by the most, two thirds of it in the mean.
+        const int32_t rise = m.*p - ((a.*p + b.*p + c.*p + d.*p) >> 2);
+        begin = a.*p + (((rise >> 3) * kTwoThirdsQ8) >> 5);
+        step = (b.*p - a.*p) >> width_log2;
+        down = (c.*p - a.*p) >> kTileRowsLog2;
+        step_down = (((d.*p - c.*p) >> width_log2) - step) >> kTileRowsLog2;
+    };
+    set(&LatticePoint::u_q16, side.u_q16, side.du_q16, down_.u_q16, down_.du_q16);
+    set(&LatticePoint::v_q16, side.v_q16, side.dv_q16, down_.v_q16, down_.dv_q16);
+    side.uniform = chart.is_uniform_at(top_left.z_q30) && chart.is_uniform_at(top_right.z_q30) &&
+                   chart.is_uniform_at(bottom_left.z_q30) && chart.is_uniform_at(bottom_right.z_q30);
+    side.z_q30 = centre.z_q30;
+    side.cap = nullptr;
+    return true;
+}
+
+int32_t TileWalker::highest(int32_t width) const
+{
+    SpanSide row = track_.side;
+    const int32_t top = row.highest(width);
+    row.u_q16 += (kTileRows - 1) * down_.u_q16;
+    row.v_q16 += (kTileRows - 1) * down_.v_q16;
+    row.du_q16 += (kTileRows - 1) * down_.du_q16;
+    row.dv_q16 += (kTileRows - 1) * down_.dv_q16;
+    const int32_t bottom = row.highest(width);
+    return top > bottom ? top : bottom;
+}
+
+}  // namespace lumi
