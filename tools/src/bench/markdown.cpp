@@ -26,8 +26,11 @@ std::string opening(const FieldSettings& field)
            "*pole* (straight down) from 3 radii, the sphere's disc 232\npixels wide, 42,272 covered pixels; *close* "
            "from "
            "1.3 radii, all 57,600 pixels covered. Cost is the whole frame, rows and\nrim included, divided by covered "
-           "pixels. S is the span length: a pixel in S, from 8 on about one in 4·S, is evaluated exactly;\nlattice "
-           "coordinates are linear in between. S = 1 is render() itself: every pixel exact.\n\n";
+           "pixels. S is the span length: hits are exact every S pixels of a row, from 8 on at the corners of "
+           "tiles\nof "
+           "S × 8 pixels inside the sphere; in between lattice coordinates are linear. S = 1 is render() itself: "
+           "every\n"
+           "pixel exact.\n\n";
 }
 
 // The renderer with the best picture that reaches a rate on a part, by order of kModes, then by longer spans last.
