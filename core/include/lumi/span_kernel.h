@@ -26,11 +26,6 @@ struct SpanMetric {
     int32_t e_q12, f_q12, g_q12;
 
     explicit SpanMetric(const SpanSide& side);
-
-    int32_t distance2_q12(int32_t du_q12, int32_t dv_q12) const
-    {
-        return (((e_q12 * du_q12 + 2 * f_q12 * dv_q12) >> 12) * du_q12 + ((g_q12 * dv_q12) >> 12) * dv_q12) >> 12;
-    }
 };
 
 // Walks one side of a span, through cells or over a cap, and names the candidates of each pixel.
@@ -44,22 +39,12 @@ public:
 
     int32_t base() const { return steps_.base; }
 
-    // The first `count` candidates; the first three are the corners of the pixel's triangle.
-    SpanNeighbours neighbours(int count) const
+    // The candidates; the first three are the corners of the pixel's triangle, of which alone kThree leaves the others
+    // undefined.
+    template <bool kThree>
+    LUMI_ALWAYS_INLINE SpanNeighbours neighbours() const
     {
-        if (side_.cap != nullptr) return cap_neighbours();
-        SpanNeighbours result;
-        const int32_t fu = (u_q16_ >> 4) & 4095;
-        const int32_t fv = (v_q16_ >> 4) & 4095;
-        const int32_t corner = steps_.corner(u_q16_, v_q16_);
-        const Step* steps = steps_.is_flipped(corner) ? (fu + fv < 4096 ? kNear : kFar) : fu > fv ? kLower : kUpper;
-        for (int k = 0; k < count; ++k) {
-            const int32_t u = steps[k].u;
-            const int32_t v = steps[k].v;
-            result.offset[k] = corner + steps_.first * u + steps_.second * v;
-            result.distance2_q12[k] = metric_.distance2_q12(4096 * u - fu, 4096 * v - fv);
-        }
-        return result;
+        return side_.cap != nullptr ? cap_neighbours() : cell_neighbours<kThree>();
     }
 
     void advance()
@@ -73,13 +58,64 @@ public:
     }
 
 private:
-    struct Step {
-        int8_t u, v;
+    // With f the position in the cell, M the form and c a corner's steps, the squared distance to the corner is
+    // f·M·f - 2·c·M·f + c·M·c: all candidates of a pixel share the products of the first two.
+    template <bool kThree>
+    LUMI_ALWAYS_INLINE SpanNeighbours cell_neighbours() const
+    {
+        const int32_t fu = (u_q16_ >> 4) & 4095;
+        const int32_t fv = (v_q16_ >> 4) & 4095;
+        const int32_t corner = steps_.corner(u_q16_, v_q16_);
+        const int32_t mu = (metric_.e_q12 * fu + metric_.f_q12 * fv) >> 12;
+        const int32_t mv = (metric_.f_q12 * fu + metric_.g_q12 * fv) >> 12;
+        const int32_t here = (mu * fu + mv * fv) >> 12;
+        const Axis u = {steps_.first, metric_.e_q12 - 2 * mu, 2 * mu};
+        const Axis v = {steps_.second, metric_.g_q12 - 2 * mv, 2 * mv};
+        const int32_t both = 2 * metric_.f_q12;
+        SpanNeighbours result;
+        const auto set = [&](int k, int32_t offset, int32_t distance2_q12) {
+            result.offset[k] = corner + offset;
+            result.distance2_q12[k] = here + distance2_q12;
+        };
+        const int32_t across = u.step + v.step;
+        if (__builtin_expect(steps_.is_flipped(corner), false)) {
+            const bool near = fu + fv < 4096;
+            set(near ? 0 : 3, 0, 0);
+            set(1, u.step, u.one);
+            set(2, v.step, v.one);
+            set(near ? 3 : 0, across, u.one + v.one + both);
+            if (!near) {
+                set(4, 2 * u.step, 2 * u.one + 2 * metric_.e_q12);
+                set(5, 2 * v.step, 2 * v.one + 2 * metric_.g_q12);
+            } else {
+                set(4, u.step - v.step, u.one + v.minus_one(metric_.g_q12) - both);
+                set(5, v.step - u.step, v.one + u.minus_one(metric_.e_q12) - both);
+            }
+            return result;
+        }
+        // The triangle below the diagonal; the one above it is the same with u and v exchanged.
+        const bool lower = fu > fv;
+        const Axis& a = lower ? u : v;
+        const Axis& b = lower ? v : u;
+        const int32_t aa = lower ? metric_.e_q12 : metric_.g_q12;
+        const int32_t bb = lower ? metric_.g_q12 : metric_.e_q12;
+        const int32_t diagonal = a.one + b.one + both;
+        set(0, 0, 0);
+        set(1, a.step, a.one);
+        set(2, across, diagonal);
+        if (kThree) return result;
+        set(3, b.step, b.one);
+        set(4, -b.step, b.minus_one(bb));
+        set(5, across + a.step, diagonal + a.one + 2 * aa + both);
+        return result;
+    }
+
+    // One step along u or v: its offset, and what it adds to the squared distance. Two steps add 2·one + 2·c·M·c.
+    struct Axis {
+        int32_t step, one, twice_m;
+
+        int32_t minus_one(int32_t own_q12) const { return own_q12 + twice_m; }
     };
-    static constexpr Step kLower[kKernelCandidates] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, -1}, {2, 1}};
-    static constexpr Step kNear[kKernelCandidates] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, -1}, {-1, 1}};
-    static constexpr Step kFar[kKernelCandidates] = {{1, 1}, {1, 0}, {0, 1}, {0, 0}, {2, 0}, {0, 2}};
-    static constexpr Step kUpper[kKernelCandidates] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}, {-1, 0}, {1, 2}};
 
     SpanNeighbours cap_neighbours() const;
 
@@ -134,7 +170,8 @@ void for_kernel_pixels(const SpanTarget<Background>& span, Visit visit)
     const uint8_t* base = span.field.texels + origins.base() + directions.base();
     uint8_t* pixel = span.pixels;
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
-        visit(origins.neighbours(kCandidates), directions.neighbours(kCandidates), base, pixel);
+        visit(origins.template neighbours<kCandidates == 3>(), directions.template neighbours<kCandidates == 3>(), base,
+              pixel);
         origins.advance();
         directions.advance();
     }
