@@ -86,13 +86,18 @@ SpanNeighbours KernelSource::cap_neighbours() const
 KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRange& range, int bits) : count(0)
 {
     uint32_t sum = 0;
+    int found = 0;
+#pragma GCC unroll 6
     for (int k = 0; k < kKernelCandidates; ++k) {
         const int32_t inside = kOneQ12 - near.distance2_q12[k];
         if (inside <= 0 || !range.holds(near.offset[k])) continue;
-        weight[count] = static_cast<uint32_t>(inside * inside) >> 12;
-        offset[count] = near.offset[k];
-        sum += weight[count++];
+        const uint32_t w = static_cast<uint32_t>(inside * inside) >> 12;
+        weight[found] = w;
+        offset[found] = near.offset[k];
+        sum += w;
+        ++found;
     }
+    count = found;
     while (count > static_cast<int>(most)) sum -= drop_lightest();
     const CoarseReciprocal r = coarse_reciprocal(sum != 0 ? sum : 1);
     uint32_t rest = 1u << bits;

@@ -127,14 +127,15 @@ private:
     int32_t pixel_ = 0;
 };
 
-// Offsets of a side's first and last point relative to SpanSteps::base.
+// Offsets of a side's points relative to SpanSteps::base: from the lowest on.
 struct OffsetRange {
-    int32_t lowest, highest;
+    int32_t lowest;
+    uint32_t extent;
 
-    bool holds(int32_t offset) const { return offset >= lowest && offset <= highest; }
+    bool holds(int32_t offset) const { return static_cast<uint32_t>(offset - lowest) <= extent; }
 
     OffsetRange(const SpanSide& side, uint32_t points, int32_t stride_bytes)
-        : lowest(-side.base * stride_bytes), highest((static_cast<int32_t>(points) - 1 - side.base) * stride_bytes)
+        : lowest(-side.base * stride_bytes), extent((points - 1) * static_cast<uint32_t>(stride_bytes))
     {
     }
 };
