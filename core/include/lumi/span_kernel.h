@@ -184,6 +184,7 @@ struct SpanDraw<Paper<K>> {
     static void draw(const SpanTarget<Background>& span)
     {
         using Sum = SpanSum<Texel, !Background::kIsBlack>;
+        constexpr int kTaps = K < kKernelCandidates ? static_cast<int>(K) : kKernelCandidates;
         const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
         const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
         const OffsetRange rows(span.origins, span.field.used_origins, stride);
@@ -196,7 +197,9 @@ struct SpanDraw<Paper<K>> {
                 for (int m = 0; m < origins.count; ++m) {
                     const uint8_t* row = base + origins.offset[m];
                     typename Sum::Row taps;
-                    for (int k = 0; k < directions.count; ++k) {
+#pragma GCC unroll 6
+                    for (int k = 0; k < kTaps; ++k) {
+                        if (k == directions.count) break;
                         taps.add(span.field, row + directions.offset[k], directions.weight[k]);
                     }
                     sum.add(taps, origins.weight[m]);
