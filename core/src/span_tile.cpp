@@ -37,7 +37,13 @@ bool TileWalker::prepare(const TileCorners& corners, int width_log2)
     const int32_t turns[] = {turn_q20(top_right), turn_q20(bottom_left), turn_q20(bottom_right)};
     if (!within(turns[0], kMaxTurnQ20) || !within(turns[1], kMaxTurnQ20) || !within(turns[2], kMaxTurnQ20))
         return false;
-    const int32_t limit = chart.limit_z_q30();
+    // Indices depend on heights alone: moving the tile by its middle's rise changes them by no more than that height,
+    // and rounding by less than two.
+    const int32_t mean_z =
+        (top_left.z_q30 >> 2) + (top_right.z_q30 >> 2) + (bottom_left.z_q30 >> 2) + (bottom_right.z_q30 >> 2);
+    const int32_t rise_z = centre.z_q30 - mean_z;
+    const int32_t limit = chart.limit_z_q30() - (rise_z < 0 ? -rise_z : rise_z) - 4 * chart.lattice().step_z_q30;
+    if (limit < 0) return false;
     if (!within(top_left.z_q30, limit) || !within(top_right.z_q30, limit) || !within(bottom_left.z_q30, limit) ||
         !within(bottom_right.z_q30, limit))
         return false;

@@ -72,6 +72,10 @@ int SpanWalker::prepare(const SpanNode& at_node, const SpanNode& next_node, int3
     if (!is_steppable(u_q16) || !is_steppable(v_q16)) return 1;
     side.du_q16 = step_of(u_q16, length);
     side.dv_q16 = step_of(v_q16, length);
+    // One step on either side changes heights by no more than the whole span does.
+    const int32_t reach = magnitude((next.z_q30 >> 1) - (at.z_q30 >> 1));
+    const int32_t highest = magnitude(at.z_q30) > next_height ? magnitude(at.z_q30) : next_height;
+    may_shift_ = (highest >> 1) + reach < chart.limit_z_q30() >> 1;
     side.z_q30 = at.z_q30;
     side.cap = nullptr;
     side.uniform = chart.is_uniform_at(at.z_q30) && chart.is_uniform_at(next.z_q30);

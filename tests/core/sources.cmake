@@ -19,6 +19,7 @@ set(LUMI_CORE_TEST_SOURCES
   render_test.cpp
   span_node_test.cpp
   span_range_test.cpp
+  span_reads_test.cpp
   span_test.cpp
   sphere_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

@@ -7,15 +7,16 @@
 namespace lumi
 {
 
-inline int32_t reciprocal_q14(int32_t n)  // 1 .. 16
+// 1/n rounded down, n = 1 .. 16.
+inline int32_t reciprocal_q14(int32_t n)
 {
-    static constexpr uint16_t kReciprocalQ14[17] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
+    static constexpr uint16_t kReciprocalQ14[17] = {0,    16384, 8192, 5461, 4096, 3276, 2730, 2340, 2048,
                                                     1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024};
     return kReciprocalQ14[n];
 }
 
 // A coordinate's step a pixel along a span of 1 .. 16 pixels, from its difference in Q16, where that is steppable.
-// Off by less than 2^-11 of itself and of a cell.
+// Short of the exact one by less than 2^-10 of itself, so that no span overshoots its end.
 inline int32_t step_of(int32_t difference_q16, int32_t length_px)
 {
     return ((difference_q16 >> 4) * reciprocal_q14(length_px)) >> 10;

@@ -21,11 +21,12 @@ public:
     // Sets side() for the span up to the node `length` pixels on, 1 .. 16, and returns 0; or returns how often the span
     // must be halved at least, as it enters or leaves a pole's cap or turns by more than 1/16 turn.
     int prepare(const SpanNode& at, const SpanNode& next, int32_t length);
-    // Moves the span that prepare() set up by a share of a pixel's step. Not over caps.
+    // Moves the span that prepare() set up by a share of a pixel's step, at most one. Not over caps, nor where the
+    // chart could end.
     void shift(int32_t share_q8)
     {
         SpanSide& side = track_.side;
-        if (side.cap != nullptr) return;
+        if (side.cap != nullptr || !may_shift_) return;
         side.u_q16 += (side.du_q16 * share_q8) >> 8;
         side.v_q16 += (side.dv_q16 * share_q8) >> 8;
     }
@@ -50,6 +51,7 @@ private:
     SpanCap cap_{};
     int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
     LatticePoint next_{};
+    bool may_shift_ = false;
 };
 
 }  // namespace lumi
