@@ -16,7 +16,7 @@ inline int32_t reciprocal_q14(int32_t n)
 }
 
 // A coordinate's step a pixel along a span of 1 .. 16 pixels, from its difference in Q16, where that is steppable.
-// Short of the exact one by less than 2^-10 of itself, so that no span overshoots its end.
+// Short of the exact one by less than 2^-10 of itself: no span overshoots its end by more than 2^-12 of a cell.
 inline int32_t step_of(int32_t difference_q16, int32_t length_px)
 {
     return ((difference_q16 >> 4) * reciprocal_q14(length_px)) >> 10;
