@@ -44,8 +44,8 @@ public:
     {
         const int32_t left = from_left < first_ ? first_ - from_left : second_ - from_left;
         const int32_t right = from_right - (from_right > second_ ? second_ : from_right > first_ ? first_ : 0);
-        const int32_t quarter = 1 + ((from_left + from_right) >> 2);  // of what the row covers: of a small sphere
-        int32_t length = quarter < longest_ ? quarter : longest_;
+        const int32_t eighth = 1 + ((from_left + from_right) >> 3);  // of what the row covers: of a small sphere
+        int32_t length = eighth < longest_ ? eighth : longest_;
         if (left > 0 && left < length) length = left;
         if (right < length) length = right;
         return room < length ? room : length;
