@@ -8,11 +8,6 @@ namespace lumi
 namespace
 {
 
-int64_t magnitude(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 // The largest magnitude of an affine quantity over the image: it lies at a corner.
 int64_t largest(const AffineQ40& a, const Camera& camera)
 {

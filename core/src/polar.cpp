@@ -29,16 +29,50 @@ constexpr uint8_t kBeyond[kTriangles][3] = {
     {255, 47, 48}, {255, 28, 52}, {255, 52, 35}, {255, 50, 51}, {255, 54, 38}, {255, 30, 53}, {255, 56, 41},
     {255, 33, 55}, {255, 58, 44}, {255, 36, 57}, {255, 60, 47}, {255, 39, 59}};
 
+constexpr int16_t quotient_q14(int32_t part, int32_t whole)
+{
+    const double v = 16384.0 * 4096 * part / whole;
+    return static_cast<int16_t>(v + (v < 0 ? -0.5 : 0.5));
+}
+
+// Of the corner opposite the edge from `a` on to `b`, in a triangle of twice the area `area_q24`.
+constexpr Gradient gradient(PlanePoint a, PlanePoint b, int32_t area_q24)
+{
+    return {quotient_q14(a.y_q12 - b.y_q12, area_q24), quotient_q14(b.x_q12 - a.x_q12, area_q24)};
+}
+
+constexpr Triangle make_triangle(const uint8_t corner[3], const uint8_t beyond[3])
+{
+    const PlanePoint p0 = kPattern.point[corner[0]];
+    const PlanePoint p1 = kPattern.point[corner[1]];
+    const PlanePoint p2 = kPattern.point[corner[2]];
+    const int32_t area_q24 =
+        (p1.x_q12 - p0.x_q12) * (p2.y_q12 - p0.y_q12) - (p1.y_q12 - p0.y_q12) * (p2.x_q12 - p0.x_q12);
+    return {{corner[0], corner[1], corner[2]},
+            {beyond[0], beyond[1], beyond[2]},
+            {gradient(p2, p0, area_q24), gradient(p0, p1, area_q24)}};
+}
+
+constexpr Mesh make_mesh()
+{
+    Mesh mesh{};
+    for (int k = 0; k < kTriangles; ++k) mesh.triangle[k] = make_triangle(kCorners[k], kBeyond[k]);
+    return mesh;
+}
+
+constexpr bool are_short(const Mesh& mesh)
+{
+    for (const Triangle& t : mesh.triangle) {
+        for (const Gradient& g : t.weight) {
+            if (g.x_q14 * g.x_q14 + g.y_q14 * g.y_q14 >= 1 << 28) return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
-const uint8_t* corners(int k)
-{
-    return kCorners[k];
-}
-
-const uint8_t* beyond(int k)
-{
-    return kBeyond[k];
-}
+constexpr Mesh kMesh = make_mesh();
+static_assert(are_short(kMesh));
 
 }  // namespace lumi::polar

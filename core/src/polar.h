@@ -52,11 +52,34 @@ inline PlanePoint plane_point(uint32_t i)
     return kPattern.point[i];
 }
 
-// Corners of triangle k < kTriangles, counter-clockwise, the lowest index first. Triangles come in the order of it.
-const uint8_t* corners(int k);
-
-// The triangles across the edges opposite the corners of triangle k; kNone where the pattern's table ends.
 inline constexpr uint8_t kNone = 255;
-const uint8_t* beyond(int k);
+
+// How a weight changes along x and y.
+struct Gradient {
+    int16_t x_q14, y_q14;
+};
+
+struct Triangle {
+    uint8_t corner[3];   // counter-clockwise, the lowest index first; triangles come in the order of it
+    uint8_t beyond[3];   // the triangles across the edges opposite the corners; kNone where the pattern's table ends
+    Gradient weight[2];  // barycentric, of the corners 1 and 2; both are 0 at corner 0. Shorter than 1
+};
+
+struct Mesh {
+    Triangle triangle[kTriangles];
+};
+
+extern const Mesh kMesh;
+
+// Of triangle k < kTriangles.
+inline const uint8_t* corners(int k)
+{
+    return kMesh.triangle[k].corner;
+}
+
+inline const uint8_t* beyond(int k)
+{
+    return kMesh.triangle[k].beyond;
+}
 
 }  // namespace lumi::polar

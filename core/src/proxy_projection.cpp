@@ -20,11 +20,6 @@ int64_t shifted(int64_t v, int left)
     return left >= 0 ? v * (int64_t{1} << left) : v >> -left;
 }
 
-int64_t magnitude(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 // How far to shift right until fewer than `bits` bits remain.
 int shift_to(uint64_t v, int bits)
 {
@@ -47,7 +42,7 @@ void set_axis(ProxyProjection& p, int k, const Vec3q30& axis, int64_t scale_q18)
 void set_depth_axis(ProxyProjection& p, const GuidedCamera& camera)
 {
     set_axis(p, 2, camera.forward, int64_t{1} << kAxisBits);
-    p.shift[2] = shift_to(static_cast<uint64_t>(magnitude(camera.eye.z)), 20);  // |eye| then takes kSumBits bits
+    p.shift[2] = shift_to(static_cast<uint64_t>(magnitude(int64_t{camera.eye.z})), 20);  // |eye| then takes kSumBits bits
     p.depth_bits = kSumBits - p.shift[2];
     p.eye[2] = static_cast<int32_t>(-shifted(camera.eye.z, p.depth_bits - 20));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/span_cap.h"
 
-#include "lumi/span_node.h"
 #include "polar.h"
 
 namespace lumi
@@ -9,54 +8,24 @@ namespace lumi
 namespace
 {
 
-// A triangle of the pattern, its parts at a position (twice the area opposite each corner, Q24) and how they change.
-struct Parts {
-    polar::PlanePoint p[3];
-    int32_t area[3];
+constexpr int32_t kWholeQ16 = 1 << 16;
 
-    Parts(int32_t triangle, int32_t x_q12, int32_t y_q12)
-    {
-        const uint8_t* c = polar::corners(triangle);
-#pragma GCC unroll 3
-        for (int k = 0; k < 3; ++k) p[k] = polar::plane_point(c[k]);
-#pragma GCC unroll 3
-        for (int k = 0; k < 3; ++k) {
-            const polar::PlanePoint a = p[(k + 1) % 3];
-            const polar::PlanePoint b = p[(k + 2) % 3];
-            area[k] = (b.x_q12 - a.x_q12) * (y_q12 - a.y_q12) - (b.y_q12 - a.y_q12) * (x_q12 - a.x_q12);
-        }
-    }
-
-    // The edge to cross, opposite the most negative part that has a triangle beyond; -1 where there is none.
-    int way_out(const uint8_t* beyond) const
-    {
-        int edge = -1;
-#pragma GCC unroll 3
-        for (int k = 0; k < 3; ++k) {
-            if (area[k] < 0 && beyond[k] != polar::kNone && (edge < 0 || area[k] < area[edge])) edge = k;
-        }
-        return edge;
-    }
-
-    int32_t change(int k, int32_t dx_q16, int32_t dy_q16) const
-    {
-        const polar::PlanePoint a = p[(k + 1) % 3];
-        const polar::PlanePoint b = p[(k + 2) % 3];
-        return ((b.x_q12 - a.x_q12) * (dy_q16 >> 2) - (b.y_q12 - a.y_q12) * (dx_q16 >> 2)) >> 2;
-    }
-};
-
-// Walks towards the triangle that holds (x, y); beyond the table's end it stops at one next to it.
-Parts locate(int32_t& triangle, int32_t x_q12, int32_t y_q12)
+// Gradients are shorter than 1 and positions within the cap less than 12 apart: 2^14 · 2^12 · 12 < 2^31, and as much
+// for steps in Q13 of at most 10.
+int32_t change_q16(const polar::Gradient& g, int32_t dx_q12, int32_t dy_q12)
 {
-    Parts parts(triangle, x_q12, y_q12);
-    for (int step = 0; step < polar::kTriangles; ++step) {
-        const int edge = parts.way_out(polar::beyond(triangle));
-        if (edge < 0) break;
-        triangle = polar::beyond(triangle)[edge];
-        parts = Parts(triangle, x_q12, y_q12);
+    return (g.x_q14 * dx_q12 + g.y_q14 * dy_q12) >> 10;
+}
+
+// The edge to cross, opposite the most negative weight that has a triangle beyond; -1 where there is none.
+int way_out(const int32_t weight_q16[3], const uint8_t beyond[3])
+{
+    int edge = -1;
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) {
+        if (weight_q16[k] < 0 && beyond[k] != polar::kNone && (edge < 0 || weight_q16[k] < weight_q16[edge])) edge = k;
     }
-    return parts;
+    return edge;
 }
 
 }  // namespace
@@ -65,37 +34,36 @@ void SpanCap::find(int32_t at)
 {
     const int32_t x = x_q12 + ((at * dx_q16) >> 4);
     const int32_t y = y_q12 + ((at * dy_q16) >> 4);
-    const Parts parts = locate(triangle, x, y);
-    int32_t area[3];
-    int32_t sum = 0;
-#pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
-        area[k] = parts.area[k] > 0 ? parts.area[k] : 0;
-        sum += area[k];
+    const polar::Triangle* found = &polar::kMesh.triangle[triangle];
+    for (int crossed = 0;; ++crossed) {
+        const polar::PlanePoint p = polar::plane_point(found->corner[0]);
+        weight_q16[1] = change_q16(found->weight[0], x - p.x_q12, y - p.y_q12);
+        weight_q16[2] = change_q16(found->weight[1], x - p.x_q12, y - p.y_q12);
+        weight_q16[0] = kWholeQ16 - weight_q16[1] - weight_q16[2];
+        if ((weight_q16[0] | weight_q16[1] | weight_q16[2]) >= 0) break;
+        const int edge = way_out(weight_q16, found->beyond);
+        if (edge < 0 || crossed == polar::kTriangles) {
+            clamp();
+            break;
+        }
+        triangle = found->beyond[edge];
+        found = &polar::kMesh.triangle[triangle];
     }
-    // The weights of Q24 areas over their sum; sum is about π in Q24, so the reciprocal keeps 15 bits of it.
-    const CoarseReciprocal r = coarse_reciprocal(static_cast<uint32_t>(sum));
-    const int shift = r.exponent - 16 - 11;
-    // A step that crosses whole triangles is cut short: the next pixel finds its own.
-    const auto share = [&](int32_t a) {
-        constexpr int32_t kLimit = 1 << 26;
-        const int32_t kept = a > kLimit ? kLimit : a < -kLimit ? -kLimit : a;
-        return ((kept >> 11) * r.mantissa) >> shift;
-    };
-    const uint8_t* corners = polar::corners(triangle);
-    corner[0] = corners[0];
-#pragma GCC unroll 2
-    for (int k = 1; k < 3; ++k) {
-        corner[k] = corners[k];
-        weight_q16[k] = share(area[k]);
-        step_q16[k] = share(parts.change(k, dx_q16, dy_q16));
-    }
-    weight_q16[0] = 65536 - weight_q16[1] - weight_q16[2];
+    corner[0] = found->corner[0];
+    corner[1] = found->corner[1];
+    corner[2] = found->corner[2];
+    step_q16[1] = change_q16(found->weight[0], dx_q16 >> 3, dy_q16 >> 3) >> 1;
+    step_q16[2] = change_q16(found->weight[1], dx_q16 >> 3, dy_q16 >> 3) >> 1;
     step_q16[0] = -step_q16[1] - step_q16[2];
-    if (weight_q16[0] < 0) {
-        weight_q16[1] += weight_q16[0];
-        weight_q16[0] = 0;
-    }
+}
+
+// Beside the table's last triangles: the nearest point of their edge, near enough.
+void SpanCap::clamp()
+{
+    const auto clamped = [](int32_t v, int32_t most) { return v < 0 ? 0 : v < most ? v : most; };
+    weight_q16[1] = clamped(weight_q16[1], kWholeQ16);
+    weight_q16[2] = clamped(weight_q16[2], kWholeQ16 - weight_q16[1]);
+    weight_q16[0] = kWholeQ16 - weight_q16[1] - weight_q16[2];
 }
 
 }  // namespace lumi

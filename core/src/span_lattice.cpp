@@ -34,11 +34,6 @@ constexpr PowerTables kPowers = make_tables();
 
 constexpr int kScaleBits = 14;
 
-int32_t magnitude(int32_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 // |z| where n·(1 - z²) has the given value; 0 where it is never reached.
 int32_t height_of_q30(uint32_t n_sine2_q10, const Lattice& lattice)
 {

@@ -8,11 +8,6 @@ namespace lumi
 namespace
 {
 
-int32_t magnitude(int32_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 // The scale of the polar pattern's plane at height z: sqrt(n/(2·(1 + |z|))), Q7.
 int32_t plane_scale_q7(int32_t n, int32_t z_q30)
 {

@@ -19,11 +19,6 @@ struct RowQuadratic {
 
 constexpr int kFactorBits = 20;
 
-int64_t magnitude(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 // How far to shift values up to `largest` right so that they take at most kFactorBits bits.
 int shift_for(int64_t largest)
 {

@@ -24,6 +24,16 @@ struct Vec3q20 {
     int32_t x, y, z;
 };
 
+constexpr int32_t magnitude(int32_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+constexpr int64_t magnitude(int64_t v)
+{
+    return v < 0 ? -v : v;
+}
+
 constexpr int64_t wide_product(int32_t a, int32_t b)
 {
     return static_cast<int64_t>(a) * b;
