@@ -73,8 +73,8 @@ const OriginWalker::Node& OriginWalker::node_at(int32_t ahead, const Node* keep)
     return n;
 }
 
-// Makes walker_ ready for a segment and returns 0; or how often it must be halved.
-int OriginWalker::halvings_of(int32_t begin, int log2)
+// Makes walker_ ready for a segment and returns its length; or how long it may be at most.
+int32_t OriginWalker::length_at(int32_t begin, int log2)
 {
     const bool at_last = begin == covered_.end - covered_.begin - 1;
     const Node& at = node_at(begin, nullptr);
@@ -102,9 +102,10 @@ void OriginWalker::begin_segment(int32_t ahead)
     }
     for (int log2 = longest_log2(ahead); log2 >= 0;) {
         const int32_t begin = segment_begin(ahead, log2);
-        const int halvings = halvings_of(begin, log2);
-        if (halvings == 0) return set_segment(begin, 1 << log2);
-        log2 -= halvings;
+        const int32_t fits = length_at(begin, log2);
+        if (fits == 1 << log2) return set_segment(begin, fits);
+        do --log2;
+        while (log2 >= 0 && 1 << log2 > fits);
     }
     kind_ = Kind::exact;
     begin_ = ahead;

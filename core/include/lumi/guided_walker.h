@@ -83,7 +83,7 @@ private:
     void begin_segment(int32_t ahead);
     int longest_log2(int32_t ahead) const;
     const Node& node_at(int32_t ahead, const Node* keep);
-    int halvings_of(int32_t begin, int log2);
+    int32_t length_at(int32_t begin, int log2);
     void set_segment(int32_t begin, int32_t length);
     bool set_cell(int32_t corner, int32_t upper);
     bool move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16);

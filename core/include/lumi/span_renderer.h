@@ -176,9 +176,9 @@ private:
         const int32_t from_right = row_.span.end - 1 - x;
         for (int32_t length = ramp_.length(from_left, from_right, row_.part.end - x); length > 0;) {
             nodes_.evaluate(row_.rays, x - row_.part.begin + length, next);
-            int halvings = front_.prepare(at, next, length);
-            if (halvings == 0) halvings = back_.prepare(at, next, length);
-            if (halvings == 0) {
+            int32_t fits = front_.prepare(at, next, length);
+            if (fits == length) fits = back_.prepare(at, next, length);
+            if (fits == length) {
                 const int32_t share = SpanRamp::shift_q8(from_left, from_right - length, length);
                 if (share != 0) {
                     front_.shift(share);
@@ -191,7 +191,7 @@ private:
                 back_.commit();
                 return drawn;
             }
-            length >>= halvings;
+            length = fits;
         }
         draw_pixel(at, x);
         nodes_.evaluate(row_.rays, x - row_.part.begin + 1, next);
@@ -203,7 +203,7 @@ private:
     // The last pixel of a row, or one next to a cap.
     int32_t draw_pixel(const SpanNode& at, int32_t x)
     {
-        if (front_.prepare(at, at, 1) == 0 && back_.prepare(at, at, 1) == 0) {
+        if (front_.prepare(at, at, 1) == 1 && back_.prepare(at, at, 1) == 1) {
             draw(front_.side(), back_.side(), x, row_.y, 1);
         } else {
             draw_exactly(x, row_.y, 1);

@@ -18,18 +18,12 @@ public:
 
     // Begins at a node: a row, or anew.
     void begin(const SpanNode& at);
-    // Sets side() for the span up to the node `length` pixels on, 1 .. 16, and returns 0; or returns how often the span
-    // must be halved at least, as it enters or leaves a pole's cap or turns by more than 1/16 turn.
-    int prepare(const SpanNode& at, const SpanNode& next, int32_t length);
+    // Sets side() for the span up to the node `length` pixels on, 1 .. 16, and returns `length`; or returns how long to
+    // make it at most, 0 .. length - 1, as it enters or leaves a pole's cap or turns by more than 1/16 turn.
+    int32_t prepare(const SpanNode& at, const SpanNode& next, int32_t length);
     // Moves the span that prepare() set up by a share of a pixel's step, at most one. Not over caps, nor where the
     // chart could end.
-    void shift(int32_t share_q8)
-    {
-        SpanSide& side = track_.side;
-        if (side.cap != nullptr || !may_shift_) return;
-        side.u_q16 += (side.du_q16 * share_q8) >> 8;
-        side.v_q16 += (side.dv_q16 * share_q8) >> 8;
-    }
+    void shift(int32_t share_q8);
     // Moves on to the node that was prepared for, once the span is drawn.
     void commit()
     {
@@ -45,13 +39,14 @@ private:
         track_.side.u_q16 = p.u_q16;
         track_.side.v_q16 = p.v_q16;
     }
+    LatticePoint in_plane(const SpanNode& node, bool mirrored) const;
     void prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length);
 
     SpanTrack& track_;
     SpanCap cap_{};
     int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
     LatticePoint next_{};
-    bool may_shift_ = false;
+    int32_t next_z_q30_ = 0;
 };
 
 }  // namespace lumi
