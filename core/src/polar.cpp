@@ -6,7 +6,7 @@ namespace lumi::polar
 namespace
 {
 
-// Delaunay triangles that reach into the cap, by their lowest corner.
+// Delaunay triangles with a corner below kReach, by their lowest corner.
 constexpr uint8_t kCorners[kTriangles][3] = {
     {0, 2, 1},    {0, 1, 3},    {0, 5, 2},    {0, 3, 8},    {0, 8, 5},    {1, 2, 4},    {1, 6, 3},    {1, 4, 9},
     {1, 9, 6},    {2, 7, 4},    {2, 5, 10},   {2, 15, 7},   {2, 10, 15},  {3, 6, 11},   {3, 16, 8},   {3, 11, 16},
@@ -15,19 +15,31 @@ constexpr uint8_t kCorners[kTriangles][3] = {
     {10, 23, 15}, {10, 18, 31}, {10, 31, 23}, {11, 24, 16}, {11, 19, 32}, {11, 32, 24}, {12, 25, 17}, {12, 20, 33},
     {12, 33, 25}, {13, 26, 18}, {13, 21, 34}, {13, 34, 26}, {14, 27, 19}, {14, 22, 35}, {14, 35, 27}, {15, 28, 20},
     {15, 23, 36}, {15, 36, 28}, {16, 29, 21}, {16, 24, 37}, {16, 37, 29}, {17, 25, 38}, {17, 38, 30}, {18, 26, 39},
-    {18, 39, 31}, {19, 27, 40}, {19, 40, 32}, {20, 28, 41}, {20, 41, 33}};
+    {18, 39, 31}, {19, 27, 40}, {19, 40, 32}, {20, 28, 41}, {20, 41, 33}, {21, 29, 42}, {21, 42, 34}, {22, 30, 43},
+    {22, 43, 35}, {23, 31, 44}, {23, 44, 36}, {24, 32, 45}, {24, 45, 37}, {25, 33, 46}, {25, 46, 38}, {26, 34, 47},
+    {26, 47, 39}, {27, 35, 48}, {27, 48, 40}, {28, 36, 49}, {28, 49, 41}, {29, 37, 50}, {29, 50, 42}, {30, 38, 51},
+    {30, 51, 43}, {31, 39, 52}, {31, 52, 44}, {32, 40, 53}, {32, 53, 45}, {33, 41, 54}, {33, 54, 67}, {33, 67, 46},
+    {34, 42, 55}, {34, 55, 68}, {34, 68, 47}, {35, 43, 56}, {35, 56, 69}, {35, 69, 48}, {36, 44, 57}, {36, 57, 70},
+    {36, 70, 49}, {37, 45, 58}, {37, 58, 71}, {37, 71, 50}, {38, 46, 59}, {38, 59, 72}, {38, 72, 51}, {39, 47, 60},
+    {39, 60, 73}, {39, 73, 52}, {40, 48, 61}, {40, 61, 74}, {40, 74, 53}, {41, 49, 62}, {41, 62, 75}, {41, 75, 54},
+    {42, 50, 63}, {42, 63, 76}, {42, 76, 55}, {43, 51, 64}, {43, 64, 77}, {43, 77, 56}, {44, 52, 65}, {44, 65, 78},
+    {44, 78, 57}, {45, 53, 66}, {45, 66, 79}, {45, 79, 58}, {46, 67, 80}, {46, 80, 59}, {47, 68, 81}, {47, 81, 60}};
 
-// The triangle beyond the edge opposite each corner.
-constexpr uint8_t kBeyond[kTriangles][3] = {
-    {5, 1, 2},     {6, 3, 0},     {10, 0, 4},    {14, 4, 1},    {19, 2, 3},    {9, 7, 0},     {13, 1, 8},
-    {17, 8, 5},    {22, 6, 7},    {16, 5, 11},   {20, 12, 2},   {26, 9, 12},   {32, 11, 10},  {23, 15, 6},
-    {28, 3, 15},   {35, 14, 13},  {25, 18, 9},   {30, 7, 18},   {38, 17, 16},  {27, 21, 4},   {33, 10, 21},
-    {41, 20, 19},  {29, 24, 8},   {36, 13, 24},  {44, 23, 22},  {39, 16, 26},  {47, 25, 11},  {42, 19, 28},
-    {50, 27, 14},  {45, 22, 31},  {54, 31, 17},  {255, 29, 30}, {48, 12, 34},  {56, 34, 20},  {255, 32, 33},
-    {51, 15, 37},  {58, 37, 23},  {255, 35, 36}, {53, 18, 40},  {60, 40, 25},  {255, 38, 39}, {55, 21, 43},
-    {255, 43, 27}, {255, 41, 42}, {57, 24, 46},  {255, 46, 29}, {255, 44, 45}, {59, 26, 49},  {255, 49, 32},
-    {255, 47, 48}, {255, 28, 52}, {255, 52, 35}, {255, 50, 51}, {255, 54, 38}, {255, 30, 53}, {255, 56, 41},
-    {255, 33, 55}, {255, 58, 44}, {255, 36, 57}, {255, 60, 47}, {255, 39, 59}};
+constexpr bool has(const uint8_t corner[3], uint8_t c)
+{
+    return corner[0] == c || corner[1] == c || corner[2] == c;
+}
+
+// The triangle across the edge opposite corner e of triangle k.
+constexpr uint8_t beyond_of(int k, int e)
+{
+    for (int other = 0; other < kTriangles; ++other) {
+        const uint8_t* c = kCorners[other];
+        if (other != k && has(c, kCorners[k][(e + 1) % 3]) && has(c, kCorners[k][(e + 2) % 3]))
+            return static_cast<uint8_t>(other);
+    }
+    return kNone;
+}
 
 constexpr int16_t quotient_q14(int32_t part, int32_t whole)
 {
@@ -41,22 +53,23 @@ constexpr Gradient gradient(PlanePoint a, PlanePoint b, int32_t area_q24)
     return {quotient_q14(a.y_q12 - b.y_q12, area_q24), quotient_q14(b.x_q12 - a.x_q12, area_q24)};
 }
 
-constexpr Triangle make_triangle(const uint8_t corner[3], const uint8_t beyond[3])
+constexpr Triangle make_triangle(int k)
 {
+    const uint8_t* const corner = kCorners[k];
     const PlanePoint p0 = kPattern.point[corner[0]];
     const PlanePoint p1 = kPattern.point[corner[1]];
     const PlanePoint p2 = kPattern.point[corner[2]];
     const int32_t area_q24 =
         (p1.x_q12 - p0.x_q12) * (p2.y_q12 - p0.y_q12) - (p1.y_q12 - p0.y_q12) * (p2.x_q12 - p0.x_q12);
     return {{corner[0], corner[1], corner[2]},
-            {beyond[0], beyond[1], beyond[2]},
+            {beyond_of(k, 0), beyond_of(k, 1), beyond_of(k, 2)},
             {gradient(p2, p0, area_q24), gradient(p0, p1, area_q24)}};
 }
 
 constexpr Mesh make_mesh()
 {
     Mesh mesh{};
-    for (int k = 0; k < kTriangles; ++k) mesh.triangle[k] = make_triangle(kCorners[k], kBeyond[k]);
+    for (int k = 0; k < kTriangles; ++k) mesh.triangle[k] = make_triangle(k);
     return mesh;
 }
 

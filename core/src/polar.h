@@ -13,23 +13,24 @@
 namespace lumi::polar
 {
 
-// Triangles cover the disc of radius sqrt(kCapHeight + 1/2): all directions whose real-valued index is below
-// kCapHeight.
+// Triangles cover the disc of radius sqrt(kReach + 1/2): all directions whose real-valued index is below kReach.
+// Those below kCapHeight belong to no cell.
 inline constexpr int32_t kCapHeight = 21;
-inline constexpr uint32_t kPoints = 42;
-inline constexpr int kTriangles = 61;
+inline constexpr int32_t kReach = 48;
+inline constexpr uint32_t kPoints = 82;
+inline constexpr int kTriangles = 128;
 
 struct PlanePoint {
-    int16_t x_q12, y_q12;
+    int32_t x_q12, y_q12;
 };
 
 struct Pattern {
     PlanePoint point[kPoints];
 };
 
-constexpr int16_t round_q12(double v)
+constexpr int32_t round_q12(double v)
 {
-    return static_cast<int16_t>(v * 4096 + (v < 0 ? -0.5 : 0.5));
+    return static_cast<int32_t>(v * 4096 + (v < 0 ? -0.5 : 0.5));
 }
 
 constexpr Pattern make_pattern()

@@ -10,8 +10,8 @@ namespace
 
 constexpr int32_t kWholeQ16 = 1 << 16;
 
-// Gradients are shorter than 1 and positions within the cap less than 12 apart: 2^14 · 2^12 · 12 < 2^31, and as much
-// for steps in Q13 of at most 10.
+// Gradients are shorter than 1, places less than 7 from the pole and points less than 10: 2^14 · 2^12 · 17 < 2^31, and
+// 2^14 · 2^13 · 14 for steps in Q13.
 int32_t change_q16(const polar::Gradient& g, int32_t dx_q12, int32_t dy_q12)
 {
     return (g.x_q14 * dx_q12 + g.y_q14 * dy_q12) >> 10;

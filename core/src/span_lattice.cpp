@@ -3,6 +3,7 @@
 
 #include "generate.h"
 #include "lumi/math.h"
+#include "polar.h"
 
 namespace lumi
 {
@@ -33,6 +34,8 @@ constexpr PowerTables make_tables()
 constexpr PowerTables kPowers = make_tables();
 
 constexpr int kScaleBits = 14;
+
+static_assert(kSpanCapReach < polar::kReach && polar::kPoints <= kMinReachLattice);
 
 // |z| where n·(1 - z²) has the given value; 0 where it is never reached.
 int32_t height_of_q30(uint32_t n_sine2_q10, const Lattice& lattice)
@@ -74,6 +77,7 @@ SpanZone make_zone(const Lattice& lattice, int k)
 SpanLattice::SpanLattice(const Lattice& lattice)
     : size(static_cast<int32_t>(lattice.size())),
       cap_z_q30(height_of_index_q30(lattice, kSpanCapHeight)),
+      reach_z_q30(lattice.size() < kMinReachLattice ? cap_z_q30 : height_of_index_q30(lattice, kSpanCapReach)),
       mirror_turns20(static_cast<int32_t>(longitude_turns32(lattice.size() - 1) >> 12)),
       step_z_q30(static_cast<int32_t>(lattice.reciprocal_q30())),
       zone{}
@@ -90,7 +94,7 @@ SpanLattice::SpanLattice(const Lattice& lattice)
 
 int32_t SpanSide::highest(int32_t length) const
 {
-    if (cap != nullptr) return first > 0 ? 2 * kSpanCapHeight : base;
+    if (cap != nullptr) return first > 0 ? static_cast<int32_t>(polar::kPoints) - 1 : base;
     const auto index = [&](int32_t u, int32_t v) { return base + first * (u >> 16) + second * (v >> 16); };
     const int32_t a = index(u_q16, v_q16);
     const int32_t b = index(u_q16 + length * du_q16, v_q16 + length * dv_q16);

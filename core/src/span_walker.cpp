@@ -51,17 +51,18 @@ int32_t SpanWalker::prepare(const SpanNode& at_node, const SpanNode& next_node, 
     SpanChart& chart = track_.chart;
     SpanSide& side = track_.side;
     if (!chart.holds(at.z_q30)) {
-        const int32_t cap_height = chart.lattice().cap_z_q30;
-        if (height > cap_height) {
-            if (next_height <= cap_height) return length_before(cap_height, height, next_height, length);
-            prepare_cap(at_node, next_node, length);
-            return length;
+        if (height > chart.lattice().cap_z_q30) {
+            if (reaches_cap(at, next)) return prepare_cap(at_node, next_node, length);
+            return length_before(chart.lattice().reach_z_q30, height, next_height, length);
         }
         chart.choose(at.z_q30, side);
         side.cap = nullptr;
         set_begin(chart.at(longitude_q20_, at.z_q30));
     }
-    if (next_height > chart.limit_z_q30()) return length_before(chart.limit_z_q30(), height, next_height, length);
+    if (next_height > chart.limit_z_q30()) {
+        if (reaches_cap(at, next)) return prepare_cap(at_node, next_node, length);
+        return length_before(chart.limit_z_q30(), height, next_height, length);
+    }
     if (magnitude(turn_q20) > kMaxTurnQ20) return magnitude(turn_q20) > 2 * kMaxTurnQ20 ? length >> 2 : length >> 1;
     next_ = chart.at(next_longitude_q20_, next.z_q30);
     const int32_t u_q16 = next_.u_q16 - side.u_q16;
@@ -102,8 +103,15 @@ LatticePoint SpanWalker::in_plane(const SpanNode& node, bool mirrored) const
     return {(north_x * scale_q7) >> 6, (north_y * scale_q7) >> 6};
 }
 
+// Whether the polar pattern holds both hits.
+bool SpanWalker::reaches_cap(const SpanHit& at, const SpanHit& next) const
+{
+    const int32_t reach = track_.chart.lattice().reach_z_q30;
+    return at.z_q30 >= reach ? next.z_q30 >= reach : at.z_q30 <= -reach && next.z_q30 <= -reach;
+}
+
 // Leaves the chart behind: the side now counts from the pole, and its coordinates are places in the plane.
-void SpanWalker::prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length)
+int32_t SpanWalker::prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length)
 {
     SpanSide& side = track_.side;
     const bool mirrored = (at.*track_.hit).z_q30 < 0;
@@ -121,6 +129,7 @@ void SpanWalker::prepare_cap(const SpanNode& at, const SpanNode& next, int32_t l
     cap_.dx_q16 = step_of(next_.u_q16 - side.u_q16, length);
     cap_.dy_q16 = step_of(next_.v_q16 - side.v_q16, length);
     cap_.find(0);
+    return length;
 }
 
 }  // namespace lumi

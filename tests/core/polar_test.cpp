@@ -60,11 +60,11 @@ using Corners = std::array<uint32_t, 3>;
 // Every Delaunay triangle with a corner inside the cap.
 std::set<Corners> delaunay_triangles()
 {
-    constexpr uint32_t kEnough = 60;
+    constexpr uint32_t kEnough = 120;
     std::vector<Plane> all;
     for (uint32_t i = 0; i < kEnough; ++i) all.push_back(pattern_point(i));
     std::set<Corners> found;
-    for (uint32_t i = 0; i < static_cast<uint32_t>(polar::kCapHeight); ++i) {
+    for (uint32_t i = 0; i < static_cast<uint32_t>(polar::kReach); ++i) {
         for (uint32_t j = i + 1; j < kEnough; ++j) {
             for (uint32_t k = i + 1; k < kEnough; ++k) {
                 if (j != k && cross(all[i], all[j], all[k]) > 1e-9 && is_delaunay(all, i, j, k))

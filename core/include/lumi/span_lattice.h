@@ -19,6 +19,9 @@ inline constexpr uint32_t kMinSpanLattice = 64;
 // The lattice's coordinates end where the pole's own pattern begins (a real-valued index): F_8 = 21, and one for the
 // rounding of heights.
 inline constexpr int32_t kSpanCapHeight = 22;
+// Up to here (a real-valued index) the pole's own pattern may go on: tiles and spans that cross the cap's border take it.
+inline constexpr int32_t kSpanCapReach = 47;
+inline constexpr uint32_t kMinReachLattice = 256;  // smaller ones end their caps at kSpanCapHeight
 
 inline constexpr int kMaxSpanLog2 = 4;  // spans are up to 16 pixels long
 
@@ -38,6 +41,7 @@ struct SpanZone {
 struct SpanLattice {
     int32_t size;
     int32_t cap_z_q30;       // |z| at kSpanCapHeight
+    int32_t reach_z_q30;     // |z| at kSpanCapReach, or cap_z_q30
     int32_t mirror_turns20;  // longitude of point n-1, Q20: the mirror image of longitude p is mirror - p
     int32_t mirror_cos_q15, mirror_sin_q15;
     int32_t step_z_q30;  // 1/n: half a point's share of the height

@@ -40,7 +40,8 @@ private:
         track_.side.v_q16 = p.v_q16;
     }
     LatticePoint in_plane(const SpanNode& node, bool mirrored) const;
-    void prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length);
+    bool reaches_cap(const SpanHit& at, const SpanHit& next) const;
+    int32_t prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length);
 
     SpanTrack& track_;
     SpanCap cap_{};
