@@ -9,6 +9,16 @@ namespace
 constexpr int32_t kFibonacci[kFirstSpanZone + kSpanZones + 1] = {0,  1,  1,  2,  3,   5,   8,  13,
                                                                  21, 34, 55, 89, 144, 233, 377};
 
+// The scale of the polar pattern's plane at height z: sqrt(n/(2·(1 + |z|))), Q7.
+int32_t plane_scale_q7(int32_t n, int32_t z_q30)
+{
+    const uint32_t z_q15 = static_cast<uint32_t>(magnitude(z_q30)) >> 15;
+    const CoarseReciprocal r = coarse_reciprocal(2 * (32768 + z_q15));  // about 2^17
+    // n/(2(1 + |z|)) < 2^15 in Q14, whose root is Q7 where coarse_root_q15 takes Q30 to Q15.
+    const uint32_t scale2_q14 = (static_cast<uint32_t>(n) * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 29);
+    return coarse_root_q15(scale2_q14);
+}
+
 }  // namespace
 
 void SpanChart::choose(int32_t z_q30, SpanSide& side)
@@ -52,7 +62,7 @@ void SpanChart::choose(int32_t z_q30, SpanSide& side)
 void SpanChart::set_borders(const SpanZone& z, bool mirrored, bool acute, int32_t first, int32_t second)
 {
     // The middle of a cell lies within (first + second)/2 indices of any point of it, (first + second)/n in height; an
-    // eighth more for spans that are bent.
+    // eighth more, as tiles and spans are moved.
     const int32_t reach = (first + second) * lattice_.step_z_q30;
     const int32_t margin = reach + reach / 8;
     const int32_t uniform_low = acute && z.obtuse_z_q30 != 0 ? z.obtuse_z_q30 + margin : -kOneQ30;
@@ -69,6 +79,36 @@ void SpanChart::set_borders(const SpanZone& z, bool mirrored, bool acute, int32_
     // Up to the height of this index no corner of a cell lies beyond the pole.
     const int32_t limit_index = (acute ? second : first + second) + 1;
     limit_z_q30_ = kOneQ30 - (2 * limit_index + 1) * lattice_.step_z_q30;
+}
+
+LatticePoint SpanTrack::in_plane(const SpanNode& node, bool mirrored) const
+{
+    const SpanLattice& lattice = chart.lattice();
+    const SpanHit& at = node.*hit;
+    const int32_t scale_q7 = plane_scale_q7(lattice.size, at.z_q30);
+    const int32_t x = (at.x_q15 * node.inverse_mantissa) >> node.shift;
+    const int32_t y = (at.y_q15 * node.inverse_mantissa) >> node.shift;
+    const int32_t north_x = mirrored ? (x * lattice.mirror_cos_q15 + y * lattice.mirror_sin_q15) >> 15 : x;
+    const int32_t north_y = mirrored ? (x * lattice.mirror_sin_q15 - y * lattice.mirror_cos_q15) >> 15 : y;
+    return {(north_x * scale_q7) >> 6, (north_y * scale_q7) >> 6};
+}
+
+void SpanTrack::enter_cap(bool mirrored)
+{
+    chart.leave();
+    side.cap = &cap;
+    side.first = mirrored ? -1 : 1;
+    side.second = 0;
+    side.base = mirrored ? chart.lattice().size - 1 : 0;
+}
+
+void SpanTrack::follow_cap()
+{
+    cap.x_q12 = side.u_q16 >> 4;
+    cap.y_q12 = side.v_q16 >> 4;
+    cap.dx_q16 = side.du_q16;
+    cap.dy_q16 = side.dv_q16;
+    cap.find(0);
 }
 
 }  // namespace lumi

@@ -8,16 +8,6 @@ namespace lumi
 namespace
 {
 
-// The scale of the polar pattern's plane at height z: sqrt(n/(2·(1 + |z|))), Q7.
-int32_t plane_scale_q7(int32_t n, int32_t z_q30)
-{
-    const uint32_t z_q15 = static_cast<uint32_t>(magnitude(z_q30)) >> 15;
-    const CoarseReciprocal r = coarse_reciprocal(2 * (32768 + z_q15));  // about 2^17
-    // n/(2(1 + |z|)) < 2^15 in Q14, whose root is Q7 where coarse_root_q15 takes Q30 to Q15.
-    const uint32_t scale2_q14 = (static_cast<uint32_t>(n) * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 29);
-    return coarse_root_q15(scale2_q14);
-}
-
 // How many of a span's pixels lie on this side of |z| = limit, as far as heights are linear along it: 0 .. length - 1.
 int32_t length_before(int32_t limit, int32_t from_height, int32_t next_height, int32_t length)
 {
@@ -35,7 +25,7 @@ void SpanWalker::begin(const SpanNode& at)
     const SpanHit& hit = at.*track_.hit;
     longitude_q20_ = static_cast<int32_t>(hit.longitude_turns32 >> 12);
     track_.side.cap = nullptr;
-    cap_.triangle = 0;  // a row's picture must not depend on the rows before it
+    track_.cap.triangle = 0;  // a row's picture must not depend on the rows before it
     const SpanChart& chart = track_.chart;
     if (chart.holds(hit.z_q30)) set_begin(chart.at(longitude_q20_, hit.z_q30));
 }
@@ -90,19 +80,6 @@ void SpanWalker::shift(int32_t share_q8)
     side.v_q16 += (side.dv_q16 * share_q8) >> 8;
 }
 
-// A hit's place in the polar pattern's plane, Q16.
-LatticePoint SpanWalker::in_plane(const SpanNode& node, bool mirrored) const
-{
-    const SpanLattice& lattice = track_.chart.lattice();
-    const SpanHit& hit = node.*track_.hit;
-    const int32_t scale_q7 = plane_scale_q7(lattice.size, hit.z_q30);
-    const int32_t x = (hit.x_q15 * node.inverse_mantissa) >> node.shift;
-    const int32_t y = (hit.y_q15 * node.inverse_mantissa) >> node.shift;
-    const int32_t north_x = mirrored ? (x * lattice.mirror_cos_q15 + y * lattice.mirror_sin_q15) >> 15 : x;
-    const int32_t north_y = mirrored ? (x * lattice.mirror_sin_q15 - y * lattice.mirror_cos_q15) >> 15 : y;
-    return {(north_x * scale_q7) >> 6, (north_y * scale_q7) >> 6};
-}
-
 // Whether the polar pattern holds both hits.
 bool SpanWalker::reaches_cap(const SpanHit& at, const SpanHit& next) const
 {
@@ -110,25 +87,18 @@ bool SpanWalker::reaches_cap(const SpanHit& at, const SpanHit& next) const
     return at.z_q30 >= reach ? next.z_q30 >= reach : at.z_q30 <= -reach && next.z_q30 <= -reach;
 }
 
-// Leaves the chart behind: the side now counts from the pole, and its coordinates are places in the plane.
 int32_t SpanWalker::prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length)
 {
     SpanSide& side = track_.side;
     const bool mirrored = (at.*track_.hit).z_q30 < 0;
     if (side.cap == nullptr) {
-        track_.chart.leave();
-        side.cap = &cap_;
-        side.first = mirrored ? -1 : 1;
-        side.second = 0;
-        side.base = mirrored ? track_.chart.lattice().size - 1 : 0;
-        set_begin(in_plane(at, mirrored));
+        track_.enter_cap(mirrored);
+        set_begin(track_.in_plane(at, mirrored));
     }
-    next_ = in_plane(next, mirrored);
-    cap_.x_q12 = side.u_q16 >> 4;
-    cap_.y_q12 = side.v_q16 >> 4;
-    cap_.dx_q16 = step_of(next_.u_q16 - side.u_q16, length);
-    cap_.dy_q16 = step_of(next_.v_q16 - side.v_q16, length);
-    cap_.find(0);
+    next_ = track_.in_plane(next, mirrored);
+    side.du_q16 = step_of(next_.u_q16 - side.u_q16, length);
+    side.dv_q16 = step_of(next_.v_q16 - side.v_q16, length);
+    track_.follow_cap();
     return length;
 }
 

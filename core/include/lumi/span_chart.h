@@ -55,11 +55,21 @@ private:
 
 // One lattice of the stripe being drawn: what spans and tiles follow it with, by turns.
 struct SpanTrack {
-    SpanTrack(const SpanLattice& lattice, SpanHit SpanNode::*of) : chart(lattice), hit(of), side{} {}
+    SpanTrack(const SpanLattice& lattice, SpanHit SpanNode::*of) : chart(lattice), hit(of), side{}, cap{} {}
+    SpanTrack(const SpanTrack&) = delete;  // side may point to cap
+    SpanTrack& operator=(const SpanTrack&) = delete;
+
+    // A node's place in the plane of the polar pattern, Q16; `mirrored` for the pole below.
+    LatticePoint in_plane(const SpanNode& node, bool mirrored) const;
+    // Leaves the chart behind: `side` counts from a pole, and its coordinates are places in the plane.
+    void enter_cap(bool mirrored);
+    // Makes `cap` the way of a row from side's coordinates on.
+    void follow_cap();
 
     SpanChart chart;
     SpanHit SpanNode::*hit;
     SpanSide side;
+    SpanCap cap;
 };
 
 }  // namespace lumi

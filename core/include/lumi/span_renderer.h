@@ -109,7 +109,8 @@ private:
                 nodes_.evaluate(rows[0], x + width - begin, corners[0][right]);
                 nodes_.evaluate(rows[1], x + width / 2 - begin, centre);
                 nodes_.evaluate(rows[2], x + width - begin, corners[1][right]);
-                fits = front_tile_.prepare(tile, log2) && back_tile_.prepare(tile, log2) && rows_present(width);
+                fits = front_tile_.prepare(tile, log2) && back_tile_.prepare(tile, log2) &&
+                       (all_baked() || is_baked(front_tile_.highest(width)));
             }
             if (fits && note_tile(x, 1 << log2)) draw_tile(x, 1 << log2);
             left = right;
@@ -131,14 +132,13 @@ private:
 
     void draw_tile(int32_t x, int32_t width)
     {
-        front_tile_.begin(y_ & (kTileRows - 1));
-        back_tile_.begin(y_ & (kTileRows - 1));
-        const SpanSide& front = front_tile_.side();
-        Target target = {field_, background_, pixel_at(x, y_), width, x, y_, front, back_tile_.side()};
-        for (; target.y < y_ + rows_; ++target.y, target.pixels += stripe_.stride_bytes) {
+        Target target = {field_, background_, pixel_at(x, y_), width, x, y_, front_tile_.side(), back_tile_.side()};
+        for (int32_t rows = y_ & (kTileRows - 1); target.y < y_ + rows_; rows = 1) {
+            front_tile_.advance(rows);
+            back_tile_.advance(rows);
             SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
-            front_tile_.next_row();
-            back_tile_.next_row();
+            ++target.y;
+            target.pixels += stripe_.stride_bytes;
         }
     }
 
@@ -213,7 +213,7 @@ private:
 
     void draw(const SpanSide& front, const SpanSide& back, int32_t x, int32_t y, int32_t length) const
     {
-        if (rows_present(front, length)) {
+        if (all_baked() || is_baked(front.highest(length))) {
             const Target target = {field_, background_, pixel_at(x, y), length, x, y, front, back};
             SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
         } else {
@@ -226,18 +226,8 @@ private:
         draw_exact<Reconstruction, Texel, Pixel>(field_, camera_, background_, {x, x + length}, y, pixel_at(x, y));
     }
 
-    // Whether all origins under the tile that is prepared are baked.
-    bool rows_present(int32_t width) const
-    {
-        return field_.used_origins == field_.origins.size() ||
-               front_tile_.highest(width) < static_cast<int32_t>(field_.used_origins);
-    }
-
-    bool rows_present(const SpanSide& side, int32_t length) const
-    {
-        return field_.used_origins == field_.origins.size() ||
-               side.highest(length) < static_cast<int32_t>(field_.used_origins);
-    }
+    bool all_baked() const { return field_.used_origins == field_.origins.size(); }
+    bool is_baked(int32_t origin) const { return origin < static_cast<int32_t>(field_.used_origins); }
 
     static constexpr int kMinTileLog2 = 3;
     static constexpr int kMaxGaps = 6;  // both rims, two poles in front and two behind

@@ -24,28 +24,31 @@ class TileWalker
 public:
     explicit TileWalker(SpanTrack& track) : track_(track) {}
 
-    // Sets up a tile 2^width_log2 pixels wide; false where it reaches a pole's cap or turns by more than 1/16 turn.
+    // Sets up a tile 2^width_log2 pixels wide, side() for its first row; false where it neither lies within a pole's
+    // pattern nor outside the caps, or turns by more than 1/16 turn.
     bool prepare(const TileCorners& corners, int width_log2);
-    // Makes side() the part of row `row`, 0 .. kTileRows - 1.
-    void begin(int32_t row)
-    {
-        SpanSide& side = track_.side;
-        side.u_q16 += row * down_.u_q16;
-        side.v_q16 += row * down_.v_q16;
-        side.du_q16 += row * down_.du_q16;
-        side.dv_q16 += row * down_.dv_q16;
-    }
-    void next_row() { begin(1); }
+    // Goes on to the part of a row further down; 0 begins the tile's first row.
+    void advance(int32_t rows);
     // The highest index under the tile that prepare() set up.
     int32_t highest(int32_t width) const;
 
     const SpanSide& side() const { return track_.side; }
 
 private:
+    struct TilePoints {
+        LatticePoint top_left, top_right, bottom_left, bottom_right, centre;
+    };
+
+    bool prepare_cells(const TileCorners& corners, int width_log2);
+    bool prepare_cap(const TileCorners& corners, int width_log2);
+    void set_bilinear(const TilePoints& at, int width_log2);
+    void move_down(SpanSide& side, int32_t rows) const;
+
     SpanTrack& track_;
     struct {
         int32_t u_q16, v_q16, du_q16, dv_q16;
-    } down_{};  // how the row's values change from one row to the next
+    } down_{};              // how the row's values change from one row to the next
+    int32_t triangle_ = 0;  // over a cap, where rows begin to look for theirs
 };
 
 }  // namespace lumi

@@ -13,8 +13,6 @@ class SpanWalker
 {
 public:
     explicit SpanWalker(SpanTrack& track) : track_(track) {}
-    SpanWalker(const SpanWalker&) = delete;  // side() points into it
-    SpanWalker& operator=(const SpanWalker&) = delete;
 
     // Begins at a node: a row, or anew.
     void begin(const SpanNode& at);
@@ -39,12 +37,10 @@ private:
         track_.side.u_q16 = p.u_q16;
         track_.side.v_q16 = p.v_q16;
     }
-    LatticePoint in_plane(const SpanNode& node, bool mirrored) const;
     bool reaches_cap(const SpanHit& at, const SpanHit& next) const;
     int32_t prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length);
 
     SpanTrack& track_;
-    SpanCap cap_{};
     int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
     LatticePoint next_{};
     int32_t next_z_q30_ = 0;
