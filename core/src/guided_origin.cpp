@@ -24,6 +24,12 @@ ChartRows chart_rows(const ChartTable& table, uint32_t origin)
             rest < 65536 ? rest : 65536};
 }
 
+DepthRows depth_rows(const ChartTable& table, uint32_t origin)
+{
+    const ChartRows c = chart_rows(table, origin);
+    return {c.rows, c.first_row, c.row_count, c.texel_span, table.texels + c.texel_base};
+}
+
 namespace
 {
 
@@ -55,7 +61,8 @@ void OriginCharts::make(int32_t index, OriginChart& out)
     const uint32_t origin = static_cast<uint32_t>(index);
     out.origin = index;
     if (origin >= field_.used_origins) {
-        out.texels = out.occlusion = {};
+        out.texels = {};
+        out.occlusion = {};
         return;
     }
     const Frame& f = frame(index);
@@ -69,7 +76,7 @@ void OriginCharts::make(int32_t index, OriginChart& out)
         out.colours = colours;
         out.texels = chart_rows(field_.chart, origin);
     }
-    if (field_.occlusion.texel_count != 0) out.occlusion = chart_rows(field_.occlusion, origin);
+    if (field_.occlusion.texel_count != 0) out.occlusion = depth_rows(field_.occlusion, origin);
 }
 
 void OriginCharts::hold(const int32_t (&index)[3])

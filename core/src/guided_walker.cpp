@@ -151,11 +151,18 @@ bool OriginWalker::move_uncharted(int32_t ahead)
     return kind_ == Kind::cap ? move_over_cap(ahead) : move_to_exact(ahead);
 }
 
+// The weights that cap_ holds for pixel at_, moved on; where one has turned negative on the way, step by step.
 bool OriginWalker::move_over_cap(int32_t ahead)
 {
-    for (; at_ < ahead; ++at_) cap_.advance(at_ + 1 - begin_);
-    const uint32_t middle = (static_cast<uint32_t>(cap_.weight_q16[1]) + 128) >> 8;
-    const uint32_t far = static_cast<uint32_t>(cap_.weight_q16[2]) >> 8;
+    const int32_t n = ahead - at_;
+    const auto moved_on = [&](int k) { return cap_.weight_q16[k] + n * cap_.step_q16[k]; };
+    int32_t middle_q16 = moved_on(1), far_q16 = moved_on(2);
+    if ((moved_on(0) | middle_q16 | far_q16) < 0) {
+        step_over_cap(ahead);
+        middle_q16 = cap_.weight_q16[1];
+        far_q16 = cap_.weight_q16[2];
+    }
+    const uint32_t middle = (static_cast<uint32_t>(middle_q16) + 128) >> 8, far = static_cast<uint32_t>(far_q16) >> 8;
     taps_.weight_q8[0] = middle + far < 256 ? 256 - middle - far : 0;
     taps_.weight_q8[1] = middle;
     taps_.weight_q8[2] = far;
@@ -164,6 +171,11 @@ bool OriginWalker::move_over_cap(int32_t ahead)
     bool differs = false;
     for (int k = 0; k < 3; ++k) differs |= set_index(k, cell_.steps.base + cap_.corner[k] * cell_.steps.first);
     return differs;
+}
+
+__attribute__((noinline)) void OriginWalker::step_over_cap(int32_t ahead)
+{
+    for (; at_ < ahead; ++at_) cap_.advance(at_ + 1 - begin_);
 }
 
 bool OriginWalker::move_to_exact(int32_t ahead)

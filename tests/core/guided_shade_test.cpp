@@ -174,7 +174,7 @@ TEST_CASE("a place in a chart is within 1/16 grid point of the real one", "[guid
         const SurfacePoint x = random_point(random, 1);
         const Vec3 e = decoded_point(x) - reference::point(g.origins, origin);
         const double distance = reference::length(e);
-        const ChartPlace place = chart_place(axes, x, square_q28(x), 0);
+        const ChartPlace place = chart_place(axes, squared(x), 0);
         const reference::ChartPlace exact = reference::chart_place(opened.field, origin, decoded_point(x));
         const double centre = format::chart_centre(size);
         const double error = std::max(std::fabs(place.u_q8 / 256.0 + centre - exact.u),
@@ -196,7 +196,7 @@ TEST_CASE("an origin that the surface point coincides with has a place, too", "[
     const Vec3q30 p = {0, 0, kOneQ30};
     const ChartAxes axes = chart_axes(p, chart_frame(p), 400);
     const SurfacePoint x = {0, 0, 16384, 1};
-    const ChartPlace place = chart_place(axes, x, square_q28(x), 0);
+    const ChartPlace place = chart_place(axes, squared(x), 0);
     CHECK(place.u_q8 == 0);
     CHECK(place.v_q8 == 0);
     CHECK(place.distance2_q28 == 0);

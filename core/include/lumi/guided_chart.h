@@ -5,7 +5,7 @@
 
 #include "lumi/always_inline.h"
 #include "lumi/fixed.h"
-#include "lumi/surface_point.h"
+#include "lumi/guided_sums.h"
 
 namespace lumi
 {
@@ -19,23 +19,6 @@ struct ChartFrame {
 // listing 3. One 32-bit division.
 ChartFrame chart_frame(const Vec3q30& p);
 
-// A number that is affine in X, modulo 2^32: constant + x·X.x + y·X.y + z·X.z.
-struct PointForm {
-    uint32_t x, y, z, constant;
-
-    LUMI_ALWAYS_INLINE uint32_t at(const SurfacePoint& point) const
-    {
-        const auto wrapped = [](int32_t v) { return static_cast<uint32_t>(v); };
-        return constant + x * wrapped(point.x_q14) + y * wrapped(point.y_q14) + z * wrapped(point.z_q14);
-    }
-};
-
-// An origin p as its chart needs it: |X - p|² - |X|², and the grid point (u, v) times |X - p|. A unit direction along
-// an axis makes (T + B/√3)·G/2 and (2/√3)·B·G/2, |step| <= 231 grid points; products with X - p are the same modulo
-// 2^32 whether p is taken off before or after.
-struct ChartAxes {
-    PointForm distance2_q28, u_q22, v_q22;
-};
 ChartAxes chart_axes(const Vec3q30& p, const ChartFrame& frame, uint32_t chart_size);
 
 // Grid coordinates, and |X - p|². Within 1/24 grid point of the real numbers at the
@@ -62,12 +45,16 @@ struct Scaled {
     int scale;
 };
 
-// Of v > 0. Armv6-M does not count zeros; distances near 1 take two steps.
+// Of v > 0. Armv6-M does not count zeros; distances of 1/8 to 1 take one step or two, besides the first.
 #if defined(__ARM_ARCH_6M__)
 LUMI_ALWAYS_INLINE Scaled scaled(uint32_t v)
 {
     int scale = 0;
-    for (; v < uint32_t{1} << 30; v <<= 2) ++scale;
+    if (v >> 26 == 0) {
+        v <<= 4;
+        scale = 2;
+    }
+    for (; v >> 30 == 0; v <<= 2) ++scale;
     return {v, scale};
 }
 #else
@@ -80,20 +67,12 @@ LUMI_ALWAYS_INLINE Scaled scaled(uint32_t v)
 
 }  // namespace chart_detail
 
-LUMI_ALWAYS_INLINE uint32_t square_q28(const SurfacePoint& x)
+// Where X lies in a chart whose centre is `centre_q8`. About 40 instructions: nine products, no division. Modulo 2^32:
+// in range for every X inside the unit sphere; whatever a file may hold, only the place is wrong.
+LUMI_ALWAYS_INLINE ChartPlace chart_place(const ChartAxes& axes, const SquaredPoint& x, int32_t centre_q8)
 {
-    const auto square = [](int32_t v) { return static_cast<uint32_t>(v) * static_cast<uint32_t>(v); };
-    return square(x.x_q14) + square(x.y_q14) + square(x.z_q14);
-}
-
-// Where X, with square_q28 = |X|², lies in a chart whose centre is `centre_q8`. About 40 instructions: nine products,
-// no division. Modulo 2^32: in range for every X inside the unit sphere; whatever a file may hold, only the place is
-// wrong.
-LUMI_ALWAYS_INLINE ChartPlace chart_place(const ChartAxes& axes, const SurfacePoint& x, uint32_t square_q28,
-                                          int32_t centre_q8)
-{
-    const uint32_t distance2_q28 = square_q28 + axes.distance2_q28.at(x);
-    const chart_detail::Scaled distance = chart_detail::scaled(distance2_q28 | 1);
+    const PointSums sums = point_sums(axes, x);
+    const chart_detail::Scaled distance = chart_detail::scaled(sums.distance2_q28 | 1);
     const uint32_t entry = kReciprocalRoots.at_q15[(distance.mantissa_q32 >> 24) - 64];
     const uint32_t drop = ((entry & 0xFFFFu) * ((distance.mantissa_q32 >> 8) & 0xFFFFu)) >> 16;
     const uint32_t inverse_q15 = (entry >> 16) - drop;
@@ -103,7 +82,7 @@ LUMI_ALWAYS_INLINE ChartPlace chart_place(const ChartAxes& axes, const SurfacePo
         const int32_t along_q8 = static_cast<int32_t>(along_q22) >> (16 - distance.scale);
         return centre_q8 + (static_cast<int32_t>(static_cast<uint32_t>(along_q8) * inverse_q15) >> 15);
     };
-    return {coordinate(axes.u_q22.at(x)), coordinate(axes.v_q22.at(x)), distance2_q28};
+    return {coordinate(sums.u_q22), coordinate(sums.v_q22), sums.distance2_q28};
 }
 
 }  // namespace lumi

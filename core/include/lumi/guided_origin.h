@@ -19,6 +19,16 @@ struct ChartRows {
 };
 ChartRows chart_rows(const ChartTable& table, uint32_t origin);
 
+// The same of a table of one byte each.
+struct DepthRows {
+    const uint8_t* rows = nullptr;
+    int32_t first_row = 0;
+    uint32_t row_count = 0;
+    uint32_t depth_span = 0;
+    const uint8_t* depths = nullptr;  // depth_span of them
+};
+DepthRows depth_rows(const ChartTable& table, uint32_t origin);
+
 // A palette of 16 colours ready to sum: blue above red, and 1 above green; a missing texel's are 0. Differences are 128
 // more each.
 struct PackedColour {
@@ -30,9 +40,10 @@ struct PackedPalette {
 
 // What a pixel needs of an origin. An origin beyond the used ones has no rows: all of its texels are missing.
 struct OriginChart {
-    int32_t origin = -1;
     ChartAxes axes{};
-    ChartRows texels, occlusion;
+    int32_t origin = -1;
+    ChartRows texels;
+    DepthRows occlusion;
     const uint8_t* colours = nullptr;  // its palette
     PackedPalette packed;              // with GuidedTexel::index4
 };

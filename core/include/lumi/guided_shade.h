@@ -79,8 +79,7 @@ class GuidedShader
 {
 public:
     explicit GuidedShader(const GuidedField& field)
-        : depths_(field.occlusion.texels),
-          reader_(field),
+        : reader_(field),
           mean_(field.mean),
           centre_q8_(static_cast<int32_t>(format::chart_centre(field.chart_size)) << 8),
           fades_(field.surface == format::GuidedSurface::focus)
@@ -92,8 +91,8 @@ public:
     {
         GuidedSum sum;
         if constexpr (Policy::kChart) {
-            const SquaredPoint point = {x, square_q28(x)};
-#pragma GCC unroll 1
+            const SquaredPoint point = squared(x);
+#pragma GCC unroll 3
             for (int k = 0; k < Policy::Origins::kCount; ++k) {
                 const uint32_t weight_q8 = Policy::Origins::weight_q8(taps, k);
                 if (weight_q8 == 0) continue;
@@ -130,18 +129,13 @@ private:
         using Type = NoMeanReader;
     };
 
-    struct SquaredPoint {
-        SurfacePoint x;
-        uint32_t square_q28;
-    };
-
     // What an origin adds to the sum, as two words, which stay in registers across the call.
     __attribute__((noinline)) uint64_t words_of(const OriginChart& chart, const SquaredPoint& point,
                                                 uint32_t weight_q8) const
     {
-        const ChartPlace place = chart_place(chart.axes, point.x, point.square_q28, centre_q8_);
+        const ChartPlace place = chart_place(chart.axes, point, centre_q8_);
         if constexpr (Policy::kOcclusion) {
-            if (is_hidden(depths_, chart.occlusion, place)) return 0;
+            if (is_hidden(chart.occlusion, place)) return 0;
         }
         GuidedSum sum;
         Policy::Taps::add(reader_, chart, place.u_q8, place.v_q8, weight_q8, sum);
@@ -179,7 +173,6 @@ private:
         return {{channel(sum.r_q8()), channel(sum.g_q8()), channel(sum.b_q8())}, fades_ ? weight_q8 : known_q8};
     }
 
-    const uint8_t* depths_;
     typename Readers<Policy::kChart, Policy>::Chart reader_;
     typename MeanOf<typename Policy::Mean, Policy::Mean::kHasMean>::Type mean_;
     int32_t centre_q8_;

@@ -220,15 +220,15 @@ struct NearestTap {
 };
 
 // Whether an origin does not see the X at a place of its chart.
-LUMI_ALWAYS_INLINE bool is_hidden(const uint8_t* depths, const ChartRows& rows, const ChartPlace& place)
+LUMI_ALWAYS_INLINE bool is_hidden(const DepthRows& rows, const ChartPlace& place)
 {
     constexpr int kBlockShift = 8 + static_cast<int>(format::kOcclusionShift);
     constexpr uint32_t kHidesNothing = 255;
     const uint32_t row = static_cast<uint32_t>((place.v_q8 >> kBlockShift) - rows.first_row);
     if (row >= rows.row_count) return false;
-    const uint32_t offset = texel_offset(row_entry(rows, row), place.u_q8 >> kBlockShift);
-    if (offset >= rows.texel_span) return false;
-    const uint32_t depth = depths[rows.texel_base + offset];  // in 1/128
+    const uint32_t offset = texel_offset(load_aligned<uint16_t>(rows.rows + 2 * row), place.u_q8 >> kBlockShift);
+    if (offset >= rows.depth_span) return false;
+    const uint32_t depth = rows.depths[offset];  // in 1/128
     return place.distance2_q28 > depth * depth << 14 && depth != kHidesNothing;
 }
 

@@ -88,7 +88,8 @@ private:
     bool set_cell(int32_t corner, int32_t upper);
     bool move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16);
     bool move_uncharted(int32_t ahead);
-    bool move_over_cap(int32_t ahead);
+    LUMI_ALWAYS_INLINE bool move_over_cap(int32_t ahead);
+    void step_over_cap(int32_t ahead);
     bool move_to_exact(int32_t ahead);
     bool set_index(int k, int32_t index);
 
@@ -101,7 +102,7 @@ private:
     Node node_[2];
     RowSpan covered_{0, 0};
     int32_t y_ = 0, nodes_y_ = INT32_MIN;
-    // The segment, in pixels from covered_.begin, and how far a cap's was walked.
+    // The segment, in pixels from covered_.begin, and the one whose weights cap_ holds.
     int32_t begin_ = 0, end_ = 0, at_ = 0;
     Kind kind_ = Kind::exact;
     uint32_t key_ = kNoKey;  // of the triangle, in a cell or a cap, that taps_ holds
