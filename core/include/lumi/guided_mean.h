@@ -121,15 +121,16 @@ private:
         // Node coordinates in the box: (x + 1)·resolution/2 less the box's first, Q8 below 2^16.
         const auto position = [&](int32_t q14, int k) { return (q14 * resolution_ + origin_q15_[k]) >> 7; };
         const int32_t px = position(x_q14, 0), py = position(y_q14, 1), pz = position(z_q14, 2);
-        const Weights w(bits(px & 255), bits(py & 255), bits(pz & 255));
-        const MeanSum sum = sum_at(px >> 8, py >> 8, pz >> 8, w);
-        return static_cast<uint64_t>(sum.all) << 32 | sum.rb;
+        const int32_t nx = px >> 8, ny = py >> 8, nz = pz >> 8;
+        if (bits(nx) >= bits(last_[0]) || bits(ny) >= bits(last_[1]) || bits(nz) >= bits(last_[2]))
+            return words_at_border(px, py, pz);
+        return words_of(sum_at(nx, ny, nz, Weights(bits(px & 255), bits(py & 255), bits(pz & 255))));
     }
+
+    static uint64_t words_of(const MeanSum& sum) { return static_cast<uint64_t>(sum.all) << 32 | sum.rb; }
 
     LUMI_ALWAYS_INLINE MeanSum sum_at(int32_t nx, int32_t ny, int32_t nz, const Weights& w) const
     {
-        if (bits(nx) >= bits(last_[0]) || bits(ny) >= bits(last_[1]) || bits(nz) >= bits(last_[2]))
-            return at_border(nx, ny, nz, w);
         const uint32_t place = bits(nx >> 2) + stride_[1] * bits(ny >> 2) + stride_[2] * bits(nz >> 2);
         const uint32_t node = bits(nx & 3) + 4 * bits(ny & 3) + 16 * bits(nz & 3);
         // 1 where the next node along an axis lies in the next brick.
@@ -196,15 +197,17 @@ private:
     }
 
     // Beside the box nodes are clamped one by one; no X on a well-baked surface comes here.
-    __attribute__((noinline)) MeanSum at_border(int32_t nx, int32_t ny, int32_t nz, const Weights& w) const
+    __attribute__((noinline)) uint64_t words_at_border(int32_t px, int32_t py, int32_t pz) const
     {
+        const Weights w(bits(px & 255), bits(py & 255), bits(pz & 255));
+        const int32_t nx = px >> 8, ny = py >> 8, nz = pz >> 8;
         MeanSum sum;
         for (int k = 0; k < 4; ++k) {
             const uint32_t far = w.far(k);
             Mean::add(mean_, clamped_node(nx, ny + (k & 1), nz + (k >> 1)), w.edge[k] - far, sum);
             Mean::add(mean_, clamped_node(nx + 1, ny + (k & 1), nz + (k >> 1)), far, sum);
         }
-        return sum;
+        return words_of(sum);
     }
 
     const uint8_t* clamped_node(int32_t nx, int32_t ny, int32_t nz) const

@@ -15,6 +15,8 @@ LUMI_ALWAYS_INLINE void settle([[maybe_unused]] uint32_t& a, [[maybe_unused]] ui
 {
 #if defined(__ARM_ARCH_6M__)
     __asm("" : "+l"(a), "+l"(b));
+#elif defined(__thumb2__)
+    __asm("" : "+r"(a), "+r"(b));
 #endif
 }
 
