@@ -29,13 +29,13 @@ OriginTaps exact_triangle(const Camera& camera, const Lattice& origins, int32_t 
 }  // namespace
 
 OriginWalker::OriginWalker(const Camera& camera, const Lattice& origins)
-    : camera_(camera),
+    : cell_{SpanSteps(SpanSide{}, 1), 0, 0, 0, 0},
+      camera_(camera),
       origins_(origins),
       lattice_(origins),
       nodes_(camera),
       track_(lattice_, &SpanNode::front),
-      walker_(track_),
-      cell_{SpanSteps(walker_.side(), 1), 0, 0, 0, 0}
+      walker_(track_)
 {
 }
 
@@ -43,7 +43,7 @@ void OriginWalker::begin_row(const RowSpan& covered, int32_t y)
 {
     covered_ = covered;
     y_ = y;
-    end_ = 0;
+    end_x_ = INT32_MIN;
     node_[0].ahead = node_[1].ahead = -1;
 }
 
@@ -86,8 +86,8 @@ int32_t OriginWalker::length_at(int32_t begin, int log2)
 void OriginWalker::set_segment(int32_t begin, int32_t length)
 {
     const SpanSide& side = walker_.side();
-    begin_ = at_ = begin;
-    end_ = begin + length;
+    begin_x_ = cap_x_ = covered_.begin + begin;
+    end_x_ = begin_x_ + length;
     key_ = kNoKey;
     cell_ = {SpanSteps(side, 1), side.u_q16, side.v_q16, side.du_q16, side.dv_q16};
     kind_ = side.cap != nullptr ? Kind::cap : Kind::cells;
@@ -108,8 +108,8 @@ void OriginWalker::begin_segment(int32_t ahead)
         while (log2 >= 0 && 1 << log2 > fits);
     }
     kind_ = Kind::exact;
-    begin_ = ahead;
-    end_ = ahead + 1;
+    begin_x_ = covered_.begin + ahead;
+    end_x_ = begin_x_ + 1;
 }
 
 bool OriginWalker::set_index(int k, int32_t index)
@@ -146,19 +146,19 @@ bool OriginWalker::move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16)
 }
 
 // Pixels that are not stepped through cells.
-bool OriginWalker::move_uncharted(int32_t ahead)
+bool OriginWalker::move_uncharted(int32_t x)
 {
-    return kind_ == Kind::cap ? move_over_cap(ahead) : move_to_exact(ahead);
+    return kind_ == Kind::cap ? move_over_cap(x) : move_to_exact(x);
 }
 
-// The weights that cap_ holds for pixel at_, moved on; where one has turned negative on the way, step by step.
-bool OriginWalker::move_over_cap(int32_t ahead)
+// The weights that cap_ holds for column cap_x_, moved on; where one has turned negative on the way, step by step.
+bool OriginWalker::move_over_cap(int32_t x)
 {
-    const int32_t n = ahead - at_;
+    const int32_t n = x - cap_x_;
     const auto moved_on = [&](int k) { return cap_.weight_q16[k] + n * cap_.step_q16[k]; };
     int32_t middle_q16 = moved_on(1), far_q16 = moved_on(2);
     if ((moved_on(0) | middle_q16 | far_q16) < 0) {
-        step_over_cap(ahead);
+        step_over_cap(x);
         middle_q16 = cap_.weight_q16[1];
         far_q16 = cap_.weight_q16[2];
     }
@@ -173,15 +173,15 @@ bool OriginWalker::move_over_cap(int32_t ahead)
     return differs;
 }
 
-__attribute__((noinline)) void OriginWalker::step_over_cap(int32_t ahead)
+__attribute__((noinline)) void OriginWalker::step_over_cap(int32_t x)
 {
-    for (; at_ < ahead; ++at_) cap_.advance(at_ + 1 - begin_);
+    for (; cap_x_ < x; ++cap_x_) cap_.advance(cap_x_ + 1 - begin_x_);
 }
 
-bool OriginWalker::move_to_exact(int32_t ahead)
+bool OriginWalker::move_to_exact(int32_t x)
 {
     key_ = kNoKey;
-    const OriginTaps taps = exact_triangle(camera_, origins_, covered_.begin + ahead, y_);
+    const OriginTaps taps = exact_triangle(camera_, origins_, x, y_);
     bool differs = false;
     for (int k = 0; k < 3; ++k) {
         differs |= set_index(k, taps.index[k]);

@@ -84,9 +84,9 @@ private:
     void make(int32_t index, OriginChart& out);
     const Frame& frame(int32_t index);
 
+    OriginChart* chart_[3] = {&slot_[0], &slot_[1], &slot_[2]};
     const GuidedField& field_;
     OriginChart slot_[3] = {};
-    OriginChart* chart_[3] = {&slot_[0], &slot_[1], &slot_[2]};
     Frame frame_[kFrames];
 };
 

@@ -30,7 +30,7 @@ class GuidedRenderer
 {
 public:
     GuidedRenderer(const GuidedField& field, const Camera& camera, Surface& surface, const Background& background)
-        : surface_(surface), background_(background), walker_(camera, field.origins), charts_(field), shader_(field)
+        : surface_(surface), background_(background), shader_(field), charts_(field), walker_(camera, field.origins)
     {
     }
 
@@ -88,9 +88,9 @@ private:
 
     Surface& surface_;
     const Background& background_;
-    OriginWalker walker_;
-    OriginCharts charts_;
     GuidedShader<Policy> shader_;
+    OriginCharts charts_;
+    OriginWalker walker_;
 };
 
 enum class [[nodiscard]] GuidedError : uint8_t{

@@ -29,10 +29,9 @@ public:
     // whether its corners are others than the last pixel's. About 40 instructions, and 25 for segments.
     LUMI_ALWAYS_INLINE bool move_to(int32_t x)
     {
-        const int32_t ahead = x - covered_.begin;
-        if (ahead >= end_) begin_segment(ahead);
-        if (kind_ != Kind::cells) return move_uncharted(ahead);
-        const uint32_t n = static_cast<uint32_t>(ahead - begin_);
+        if (x >= end_x_) begin_segment(x - covered_.begin);
+        if (kind_ != Kind::cells) return move_uncharted(x);
+        const uint32_t n = static_cast<uint32_t>(x - begin_x_);
         const auto stepped = [&](int32_t start, int32_t step) {
             return static_cast<int32_t>(static_cast<uint32_t>(start) + n * static_cast<uint32_t>(step));
         };
@@ -87,12 +86,24 @@ private:
     void set_segment(int32_t begin, int32_t length);
     bool set_cell(int32_t corner, int32_t upper);
     bool move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16);
-    bool move_uncharted(int32_t ahead);
-    LUMI_ALWAYS_INLINE bool move_over_cap(int32_t ahead);
-    void step_over_cap(int32_t ahead);
-    bool move_to_exact(int32_t ahead);
+    bool move_uncharted(int32_t x);
+    LUMI_ALWAYS_INLINE bool move_over_cap(int32_t x);
+    void step_over_cap(int32_t x);
+    bool move_to_exact(int32_t x);
     bool set_index(int k, int32_t index);
 
+    // What every pixel needs comes first: Armv6-M reads 124 bytes beyond an object's address in one instruction.
+    // The segment, as columns of the image; the triangle, in a cell or a cap, that taps_ holds; and how cells are
+    // stepped.
+    int32_t begin_x_ = 0, end_x_ = 0;
+    uint32_t key_ = kNoKey;
+    Kind kind_ = Kind::exact;
+    OriginTaps taps_{{-1, -1, -1}, {0, 0, 0}};
+    Cells cell_;
+    SpanCap cap_{};
+    int32_t cap_x_ = 0;  // the column whose weights cap_ holds
+    RowSpan covered_{0, 0};
+    int32_t y_ = 0, nodes_y_ = INT32_MIN;
     const Camera& camera_;
     const Lattice& origins_;
     SpanLattice lattice_;
@@ -100,15 +111,6 @@ private:
     SpanTrack track_;
     SpanWalker walker_;
     Node node_[2];
-    RowSpan covered_{0, 0};
-    int32_t y_ = 0, nodes_y_ = INT32_MIN;
-    // The segment, in pixels from covered_.begin, and the one whose weights cap_ holds.
-    int32_t begin_ = 0, end_ = 0, at_ = 0;
-    Kind kind_ = Kind::exact;
-    uint32_t key_ = kNoKey;  // of the triangle, in a cell or a cap, that taps_ holds
-    Cells cell_;
-    SpanCap cap_{};
-    OriginTaps taps_{{-1, -1, -1}, {0, 0, 0}};
 };
 
 }  // namespace lumi
