@@ -37,6 +37,7 @@ void pack_palette(const uint8_t* colours, bool differences, PackedPalette& out)
 {
     const uint32_t bias = differences ? 0x00808080u : 0;
     out.colour[0] = {0, 0};
+#pragma GCC unroll 5
     for (uint32_t k = 1; k < 16; ++k) {
         const uint32_t rgb = load_aligned<uint32_t>(colours + k * format::kChartColourBytes) ^ bias;
         out.colour[k] = {rgb & 0x00FF00FFu, (rgb >> 8 & 0xFFu) | 1u << 16};
