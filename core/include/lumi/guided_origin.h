@@ -63,8 +63,8 @@ public:
     // Whether chart(k) is that of origin `index`.
     bool holds(int k, int32_t index) const { return chart_[k]->origin == index; }
     const OriginChart& chart(int k) const { return *chart_[k]; }
-    // Makes chart(0 .. 2) those of a triangle's corners. Costs about 250 instructions a corner that was not there, and
-    // some 500 more if its frame is not known.
+    // Makes chart(0 .. 2) those of a triangle's corners. Costs about 400 instructions a corner that was not there, 100 of
+    // them its palette, and some 500 more if its frame is not known.
     void hold(const int32_t (&index)[3]);
     // Makes chart(0) that of one origin.
     void hold_one(int32_t index);

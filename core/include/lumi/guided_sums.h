@@ -41,7 +41,8 @@ struct PointSums {
     uint32_t distance2_q28, u_q22, v_q22;
 };
 
-#if defined(__ARM_ARCH_6M__)
+// Only where all registers may be used: GCC leaves r8 and up alone when it optimises for size.
+#if defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 LUMI_ALWAYS_INLINE PointSums point_sums(const ChartAxes& axes, const SquaredPoint& point)
 {
     uint32_t distance2_q28, u_q22;
@@ -49,38 +50,39 @@ LUMI_ALWAYS_INLINE PointSums point_sums(const ChartAxes& axes, const SquaredPoin
     const SquaredPoint* sum = &point;
     // r4 to r6 hold X, r2 and r3 the form's words.
     __asm(
+        ".syntax unified\n\t"
         "ldmia %[sum]!, {r4, r5, r6}\n\t"
         "ldr %[sum], [%[sum]]\n\t"
         "ldmia %[form]!, {r2, r3}\n\t"
-        "mul r2, r4\n\t"
-        "mul r3, r5\n\t"
-        "add %[sum], %[sum], r2\n\t"
-        "add %[sum], %[sum], r3\n\t"
+        "muls r2, r4, r2\n\t"
+        "muls r3, r5, r3\n\t"
+        "adds %[sum], %[sum], r2\n\t"
+        "adds %[sum], %[sum], r3\n\t"
         "ldmia %[form]!, {r2, r3}\n\t"
-        "mul r2, r6\n\t"
-        "add %[sum], %[sum], r2\n\t"
-        "add %[sum], %[sum], r3\n\t"
+        "muls r2, r6, r2\n\t"
+        "adds %[sum], %[sum], r2\n\t"
+        "adds %[sum], %[sum], r3\n\t"
         "mov %[distance2], %[sum]\n\t"
         "ldmia %[form]!, {r2, r3}\n\t"
-        "mul r2, r4\n\t"
-        "mul r3, r5\n\t"
-        "add %[sum], r2, r3\n\t"
+        "muls r2, r4, r2\n\t"
+        "muls r3, r5, r3\n\t"
+        "adds %[sum], r2, r3\n\t"
         "ldmia %[form]!, {r2, r3}\n\t"
-        "mul r2, r6\n\t"
-        "add %[sum], %[sum], r2\n\t"
-        "add %[sum], %[sum], r3\n\t"
+        "muls r2, r6, r2\n\t"
+        "adds %[sum], %[sum], r2\n\t"
+        "adds %[sum], %[sum], r3\n\t"
         "mov %[u], %[sum]\n\t"
         "ldmia %[form]!, {r2, r3}\n\t"
-        "mul r2, r4\n\t"
-        "mul r3, r5\n\t"
-        "add %[sum], r2, r3\n\t"
+        "muls r2, r4, r2\n\t"
+        "muls r3, r5, r3\n\t"
+        "adds %[sum], r2, r3\n\t"
         "ldmia %[form]!, {r2, r3}\n\t"
-        "mul r2, r6\n\t"
-        "add %[sum], %[sum], r2\n\t"
-        "add %[sum], %[sum], r3"
+        "muls r2, r6, r2\n\t"
+        "adds %[sum], %[sum], r2\n\t"
+        "adds %[sum], %[sum], r3"
         : [sum] "+l"(sum), [form] "+l"(form), [distance2] "=&h"(distance2_q28), [u] "=&h"(u_q22)
-        : "m"(axes), "m"(point)
-        : "r2", "r3", "r4", "r5", "r6", "cc");
+        :
+        : "r2", "r3", "r4", "r5", "r6", "cc", "memory");
     return {distance2_q28, u_q22, reinterpret_cast<uint32_t>(sum)};
 }
 #elif defined(__thumb2__)
@@ -108,7 +110,8 @@ LUMI_ALWAYS_INLINE PointSums point_sums(const ChartAxes& axes, const SquaredPoin
         "mla %[v], %[b], %[y], %[v]"
         : [d] "=&r"(distance2_q28), [u] "=&r"(u_q22), [v] "=&r"(v_q22), [x] "=&r"(x), [y] "=&r"(y), [z] "=&r"(z),
           [a] "=&r"(a), [b] "=&r"(b)
-        : [form] "r"(&axes), [point] "r"(&point), "m"(axes), "m"(point));
+        : [form] "r"(&axes), [point] "r"(&point)
+        : "memory");
     return {distance2_q28, u_q22, v_q22};
 }
 #else
