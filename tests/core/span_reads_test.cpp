@@ -51,7 +51,13 @@ namespace lumi
 
 template <bool kCoverage>
 struct SpanSum<CheckedLuma8, kCoverage> {
-    static constexpr int kTapBits = kSpanBits;
+    static constexpr int kRowBits = 8;
+    static constexpr int kTapBits = 8;
+    static constexpr bool kUpperHalves = false;
+    static constexpr bool kLowerHalves = false;
+    static constexpr bool kRowByRow = false;
+    static constexpr int kBefore = 0;
+
     struct Row {
         void add(const Field& field, const uint8_t* texel, uint32_t) { check(field, texel); }
     };

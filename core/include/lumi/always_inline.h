@@ -1,5 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Inner loops must not pass their values through memory.
+// Hints to GCC for inner loops, which must not pass their values through memory.
 #pragma once
 
 #define LUMI_ALWAYS_INLINE __attribute__((always_inline)) inline
+
+namespace lumi
+{
+
+// Keeps a value in a register as it is, so that GCC does not take sums of addresses apart again.
+template <class T>
+LUMI_ALWAYS_INLINE T settled(T value)
+{
+    asm("" : "+r"(value));
+    return value;
+}
+
+// The same, and what comes before it in the program is done before it: fewer values in flight.
+template <class T>
+LUMI_ALWAYS_INLINE T settled_in_order(T value)
+{
+    asm volatile("" : "+r"(value));
+    return value;
+}
+
+}  // namespace lumi

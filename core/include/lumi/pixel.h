@@ -26,7 +26,8 @@ inline uint16_t load_even16(const uint8_t* p)
 // 16 bits, low byte first: a Cortex-M's own order.
 struct PixelRgb565 {
     static constexpr uint32_t kBytes = 2;
-    static void store(uint8_t* p, const Rgb8& c) { store_even16(p, pack_rgb565(c)); }
+    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_rgb565(c)); }
+    static void store_packed(uint8_t* p, uint16_t v) { store_even16(p, v); }
     static void store_grey(uint8_t* p, uint8_t v) { store_even16(p, kGreyTable.rgb565[v]); }
     static Rgb8 load(const uint8_t* p) { return unpack_rgb565(load_even16(p)); }
 };
@@ -34,10 +35,19 @@ struct PixelRgb565 {
 // 16 bits, high byte first: the order in which SPI panels take them.
 struct PixelRgb565Swapped {
     static constexpr uint32_t kBytes = 2;
-    static void store(uint8_t* p, const Rgb8& c) { store_even16(p, __builtin_bswap16(pack_rgb565(c))); }
-    static void store_grey(uint8_t* p, uint8_t v) { store_even16(p, __builtin_bswap16(kGreyTable.rgb565[v])); }
+    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_rgb565(c)); }
+    static void store_packed(uint8_t* p, uint16_t v) { store_even16(p, __builtin_bswap16(v)); }
+    static void store_grey(uint8_t* p, uint8_t v) { store_packed(p, kGreyTable.rgb565[v]); }
     static Rgb8 load(const uint8_t* p) { return unpack_rgb565(__builtin_bswap16(load_even16(p))); }
 };
+
+// Formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits).
+template <class Pixel>
+inline constexpr bool kPacks565 = false;
+template <>
+inline constexpr bool kPacks565<PixelRgb565> = true;
+template <>
+inline constexpr bool kPacks565<PixelRgb565Swapped> = true;
 
 // 3 bytes: red, green, blue.
 struct PixelRgb888 {

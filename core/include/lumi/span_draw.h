@@ -7,6 +7,7 @@
 
 #include "lumi/pixel.h"
 #include "lumi/reconstruction.h"
+#include "lumi/span_pair.h"
 #include "lumi/span_source.h"
 #include "lumi/span_sum.h"
 
@@ -64,14 +65,6 @@ LUMI_ALWAYS_INLINE void store_single(const Field& field, const Background& backg
 struct SpanOffsets {
     int32_t origins_q16, directions_q16;
 };
-
-// Keeps a value in a register as it is, so that GCC does not take sums of addresses apart again.
-template <class T>
-LUMI_ALWAYS_INLINE T settled(T value)
-{
-    asm("" : "+r"(value));
-    return value;
-}
 
 // `Offsets` has at(pixel of the span) and kConstant: whether it is the same for all of them.
 template <class Texel, class Pixel, class Background, class Offsets>
@@ -134,37 +127,59 @@ void draw_one_tap(const SpanTarget<Background>& span, const Offsets& offsets)
     draw_single_over_cap<true, true, Texel, Pixel>(span, offsets);
 }
 
-// Calls visit(taps of the origins, taps of the directions, base pointer, pixel pointer) for every pixel.
-template <class Source, int kTapBits, class Texel, class Pixel, class Background, class Visit>
-void for_pixels(const SpanTarget<Background>& span, Visit visit)
+// Through cells, both sides at once.
+template <bool kFlips, class Texel, class Pixel, class Background>
+void draw_pairs(const SpanTarget<Background>& span)
 {
-    Source origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
-    Source directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    const uint8_t* base = settled(span.field.texels + origins.base() + directions.base());
+    using Sum = SpanSum<Texel, !Background::kIsBlack>;
+    const Field field = span.field;  // stores of pixels do not change it
+    PairSource<kFlips> source(
+        span.origins, span.directions, field.texels - Sum::kBefore,
+        {static_cast<int32_t>(field.row_stride_bytes), static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat))});
     uint8_t* pixel = span.pixels;
     for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
          pixel += Pixel::kBytes) {
-        visit(origins.template taps<kSpanBits>(), directions.template taps<kTapBits>(), base, pixel);
-        origins.advance();
-        directions.advance();
+        const PairTaps taps = source.template taps<Sum>();
+        Sum sum;
+#pragma GCC unroll 3
+        for (int m = 0; m < 3; ++m) {
+            const uint8_t* row = Sum::kRowByRow ? settled_in_order(taps.row[m]) : settled(taps.row[m]);
+            typename Sum::Row of_row;
+            of_row.add(field, row, taps.weight[0]);
+            of_row.add(field, row + taps.offset[0], taps.weight[1]);
+            of_row.add(field, row + taps.offset[1], taps.weight[2]);
+            sum.add(of_row, taps.row_weight[m]);
+        }
+        sum.template store<Pixel>(span.background, pixel);
+        source.advance();
     }
 }
 
-template <class Texel, class Background>
-LUMI_ALWAYS_INLINE auto sum_of_taps(const Field& field, const uint8_t* base, const SpanTaps& origins,
-                                    const SpanTaps& directions)
+// Anywhere, side by side.
+template <class Texel, class Pixel, class Background>
+void draw_any(const SpanTarget<Background>& span)
 {
     using Sum = SpanSum<Texel, !Background::kIsBlack>;
-    Sum sum;
+    AnySource origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
+    AnySource directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    const uint8_t* base = settled(span.field.texels - Sum::kBefore + origins.base() + directions.base());
+    uint8_t* pixel = span.pixels;
+    for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
+        const SpanTaps rows = origins.template taps<Sum::kRowBits>();
+        const SpanTaps texels = directions.template taps<Sum::kTapBits>();
+        Sum sum;
 #pragma GCC unroll 3
-    for (int m = 0; m < 3; ++m) {
-        const uint8_t* row = settled(base + origins.offset[m]);
-        typename Sum::Row taps;
+        for (int m = 0; m < 3; ++m) {
+            const uint8_t* row = settled(base + rows.offset[m]);
+            typename Sum::Row of_row;
 #pragma GCC unroll 3
-        for (int j = 0; j < 3; ++j) taps.add(field, row + directions.offset[j], directions.weight[j]);
-        sum.add(taps, origins.weight[m]);
+            for (int j = 0; j < 3; ++j) of_row.add(span.field, row + texels.offset[j], texels.weight[j]);
+            sum.add(of_row, row_weight<Sum>(rows.weight[m]));
+        }
+        sum.template store<Pixel>(span.background, pixel);
+        origins.advance();
+        directions.advance();
     }
-    return sum;
 }
 
 template <class Reconstruction>
@@ -236,19 +251,12 @@ struct SpanDraw<Linear> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        using Sum = SpanSum<Texel, !Background::kIsBlack>;
-        const auto visit = [&](const SpanTaps& origins, const SpanTaps& directions, const uint8_t* base, uint8_t* pixel)
-            __attribute__((always_inline))
-        {
-            const auto sum = sum_of_taps<Texel, Background>(span.field, base, origins, directions);
-            sum.template store<Pixel>(span.background, pixel);
-        };
-        if (over_cap(span)) {
-            for_pixels<AnySource, Sum::kTapBits, Texel, Pixel>(span, visit);
+        if (over_cap(span) || !can_follow(span.origins, span.directions, span.length)) {
+            draw_any<Texel, Pixel>(span);
         } else if (span.origins.uniform && span.directions.uniform) {
-            for_pixels<CellSource<false>, Sum::kTapBits, Texel, Pixel>(span, visit);
+            draw_pairs<false, Texel, Pixel>(span);
         } else {
-            for_pixels<CellSource<true>, Sum::kTapBits, Texel, Pixel>(span, visit);
+            draw_pairs<true, Texel, Pixel>(span);
         }
     }
 };

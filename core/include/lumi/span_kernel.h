@@ -191,18 +191,18 @@ struct SpanDraw<Paper<K>> {
         const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
         for_kernel_pixels<kKernelCandidates, Texel, Pixel>(
             span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
-                const KernelTaps origins(o, K, rows, kSpanBits);
+                const KernelTaps origins(o, K, rows, Sum::kRowBits);
                 const KernelTaps directions(d, K, columns, Sum::kTapBits);
                 Sum sum;
                 for (int m = 0; m < origins.count; ++m) {
-                    const uint8_t* row = base + origins.offset[m];
+                    const uint8_t* row = base + origins.offset[m] - Sum::kBefore;
                     typename Sum::Row taps;
 #pragma GCC unroll 6
                     for (int k = 0; k < kTaps; ++k) {
                         if (k == directions.count) break;
                         taps.add(span.field, row + directions.offset[k], directions.weight[k]);
                     }
-                    sum.add(taps, origins.weight[m]);
+                    sum.add(taps, row_weight<Sum>(origins.weight[m]));
                 }
                 sum.template store<Pixel>(span.background, pixel);
             });

@@ -73,9 +73,7 @@ struct SpanTaps {
     uint32_t weight[3];
 };
 
-// The taps of a side that runs through the lattice's cells. Without kFlips the span has no flipped cells, and nothing
-// is spent on them.
-template <bool kFlips>
+// The taps of a side that runs through the lattice's cells.
 class CellSource
 {
 public:
@@ -94,7 +92,7 @@ public:
         const int32_t fu = (u_q16_ >> (16 - kBits)) & (kOne - 1);
         const int32_t fv = (v_q16_ >> (16 - kBits)) & (kOne - 1);
         const int32_t corner = steps_.corner(u_q16_, v_q16_);
-        if (kFlips && __builtin_expect(steps_.is_flipped(corner), false)) return flipped(corner, fu, fv, kOne);
+        if (__builtin_expect(steps_.is_flipped(corner), false)) return flipped(corner, fu, fv, kOne);
         const int32_t difference = fu - fv;
         const int32_t upper = difference >> 31;  // all ones where fu < fv
         const int32_t between = (difference ^ upper) - upper;
@@ -188,7 +186,7 @@ private:
     int32_t pixel_ = 0;
 };
 
-// The taps of a side that may lie in a pole's cap: the rare spans share one loop.
+// The taps of a side that may lie in a pole's cap: the rare spans that span_pair.h does not draw share one loop.
 class AnySource
 {
 public:
@@ -204,7 +202,8 @@ public:
     {
         if (cap_ == nullptr) return cell_.template taps<kBits>();
         constexpr uint32_t kOne = 1u << kBits;
-        const uint32_t w1 = (static_cast<uint32_t>(cap_->weight_q16[1]) + (kOne >> 1)) >> (16 - kBits);
+        constexpr uint32_t kHalf = 1u << (15 - kBits);
+        const uint32_t w1 = (static_cast<uint32_t>(cap_->weight_q16[1]) + kHalf) >> (16 - kBits);
         const uint32_t w2 = static_cast<uint32_t>(cap_->weight_q16[2]) >> (16 - kBits);
         return {{cap_->corner[0] * step_, cap_->corner[1] * step_, cap_->corner[2] * step_},
                 {w1 + w2 < kOne ? kOne - w1 - w2 : 0, w1, w2}};
@@ -220,7 +219,7 @@ public:
     }
 
 private:
-    CellSource<true> cell_;
+    CellSource cell_;
     SpanCap* cap_;
     int32_t step_;
     int32_t pixel_ = 0;

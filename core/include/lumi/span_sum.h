@@ -7,12 +7,21 @@
 // Without kCoverage (over black) nothing is spent on it.
 #pragma once
 
+#include "lumi/halves.h"
+#include "lumi/pixel.h"
 #include "lumi/texel.h"
 
 namespace lumi
 {
 
 inline constexpr int kSpanBits = 8;  // of an origin's weight: weights of a side sum to 2^8
+
+// A row's weight as Sum::add takes it: in the upper half of a word, or by itself.
+template <class Sum>
+constexpr uint32_t row_weight(uint32_t weight)
+{
+    return Sum::kUpperHalves ? weight << 16 : weight;
+}
 
 template <class T>
 T load_aligned(const uint8_t* p)
@@ -27,7 +36,7 @@ constexpr uint8_t blended(uint32_t sum_q16, uint32_t transparency_q16, uint8_t u
     return static_cast<uint8_t>((sum_q16 + transparency_q16 * under + 0x8000u) >> 16);
 }
 
-// Two channels at a time, (r, b) and (g, a) in the halves of a word, 8 bits of weight above 8 of colour: half the
+// Two channels at a time, (r, b) and (g, a) in the halves of a word, 7 bits of weight above 8 of colour: half the
 // multiplications and half the registers of one at a time. Halves::load reads a texel so.
 struct SpanHalves {
     uint32_t rb, ga;
@@ -35,13 +44,15 @@ struct SpanHalves {
 
 template <class Load, bool kCoverage>
 struct SpanSumHalves {
-    static constexpr int kTapBits = kSpanBits;
-    static constexpr uint32_t kMask = 0x00FF00FFu;
-    // Half a level for each of the two roundings down, less 1/256 so that white stays within its half.
-    static constexpr uint32_t kRound = 0x00FF00FFu;
+    static constexpr int kRowBits = 7;
+    static constexpr int kTapBits = 7;
+    static constexpr bool kUpperHalves = kHasHalfProducts;
+    static constexpr bool kLowerHalves = false;
+    static constexpr int kBefore = Load::kBefore;
+    static constexpr bool kRowByRow = Load::kRowByRow;
 
     struct Row {
-        uint32_t rb = 0, ga = 0;
+        uint32_t rb = 0, ga = 0;  // Q7, below 2^15 in each half
 
         void add(const Field& field, const uint8_t* texel, uint32_t weight)
         {
@@ -50,34 +61,69 @@ struct SpanSumHalves {
             ga += c.ga * weight;
         }
     };
-    uint32_t rb = kRound, ga = kRound;
+    uint32_t r = 0, g = 0, b = 0, a = 0;  // Q14
 
     void add(const Row& row, uint32_t weight)
     {
-        rb += ((row.rb >> 8) & kMask) * weight;
-        ga += ((row.ga >> 8) & kMask) * weight;
+        r = add_product_low(row.rb, weight, r);
+        b = add_product_high(row.rb, weight, b);
+        if (Load::kGreenIsHigh) {
+            g = add_product_high(row.ga, weight, g);
+        } else {
+            g = kCoverage || kHasHalfProducts ? add_product_low(row.ga, weight, g) : g + row.ga * weight;
+        }
+        if (kCoverage)
+            a = Load::kGreenIsHigh ? add_product_low(row.ga, weight, a) : add_product_high(row.ga, weight, a);
     }
 
     Rgb8 over(const Rgb8& under) const
     {
-        const auto high = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 24); };
-        const auto low = [](uint32_t sum) { return static_cast<uint8_t>(sum >> 8); };
-        if (!kCoverage) return {low(rb), low(ga), high(rb)};
-        const uint32_t t = 255u - high(ga);
-        const auto over_one = [&](uint8_t c, uint8_t u) {
-            return static_cast<uint8_t>(c + (t * u * 257u + 32768u) / 65536u);
+        if (!kCoverage) return {rounded(r), rounded(g), rounded(b)};
+        const uint32_t t = 255u - rounded(a);
+        const auto over_one = [&](uint8_t v, uint8_t u) {
+            return static_cast<uint8_t>(v + (t * u * 257u + 32768u) / 65536u);
         };
-        return {over_one(low(rb), under.r), over_one(low(ga), under.g), over_one(high(rb), under.b)};
+        return {over_one(rounded(r), under.r), over_one(rounded(g), under.g), over_one(rounded(b), under.b)};
     }
 
     template <class Pixel, class Background>
     void store(const Background& background, uint8_t* pixel) const
     {
-        Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
+        if constexpr (!kCoverage && kPacks565<Pixel>) {
+            // As pack_rgb565 does it, rounded once.
+            const auto five = [](uint32_t v) { return (v * settled(249u) + (1016u << 14)) >> 25; };
+            const uint32_t six = (g * settled(253u) + (508u << 14)) >> 24;
+            Pixel::store_packed(pixel, static_cast<uint16_t>(five(r) << 11 | six << 5 | five(b)));
+        } else {
+            Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
+        }
     }
+
+private:
+    static uint8_t rounded(uint32_t q14) { return static_cast<uint8_t>((q14 + (1u << 13)) >> 14); }
 };
 
 struct LoadRgb888 {
+#ifdef __ARM_FEATURE_UNALIGNED
+    // One word, and with it the byte before the texel: a field's texels never begin it. That byte's products stay
+    // below the green ones, and nothing reads them.
+    static constexpr bool kGreenIsHigh = true;
+    static constexpr int kBefore = 1;
+    static constexpr bool kRowByRow = true;
+
+    template <bool kCoverage>
+    LUMI_ALWAYS_INLINE static SpanHalves halves(const Field&, const uint8_t* texel)
+    {
+        uint32_t v;
+        __builtin_memcpy(&v, texel, sizeof(v));
+        if (!kCoverage) return {odd_bytes(v), even_bytes(v)};
+        return {odd_bytes(v), (v & 0x00FF0000u) | (v >> 8 != 0 ? 255u : 0)};
+    }
+#else
+    static constexpr bool kGreenIsHigh = false;
+    static constexpr int kBefore = 0;
+    static constexpr bool kRowByRow = true;
+
     template <bool kCoverage>
     static SpanHalves halves(const Field&, const uint8_t* texel)
     {
@@ -86,14 +132,20 @@ struct LoadRgb888 {
         const uint32_t b = texel[2];
         return {r | b << 16, kCoverage && (r | g | b) != 0 ? g | 255u << 16 : g};
     }
+#endif
 };
 
 struct LoadPalette8 {
+    static constexpr bool kGreenIsHigh = false;
+    static constexpr int kBefore = 0;
+    static constexpr bool kRowByRow = false;
+
     template <bool kCoverage>
     static SpanHalves halves(const Field& field, const uint8_t* texel)
     {
         const uint32_t entry = load_aligned<uint32_t>(field.palette + 4u * *texel);
-        return {entry & 0x00FF00FFu, (entry >> 8) & 0x00FF00FFu};
+        if (!kCoverage && !kHasHalfProducts) return {even_bytes(entry), (entry >> 8) & 0xFF};
+        return {even_bytes(entry), odd_bytes(entry)};
     }
 };
 
@@ -108,17 +160,23 @@ template <bool kCoverage>
 struct SpanSum<TexelPalette8, kCoverage> : SpanSumHalves<LoadPalette8, kCoverage> {
 };
 
-// One channel.
+// One channel: weights of 12 bits on both sides fill 32 bits, 255·2^24.
 template <bool kCoverage>
 struct SpanSum<TexelLuma8, kCoverage> {
-    static constexpr int kTapBits = kSpanBits;
+    static constexpr int kRowBits = 12;
+    static constexpr int kTapBits = 12;
+    static constexpr bool kUpperHalves = false;
+    static constexpr bool kLowerHalves = kHasHalfProducts && !kCoverage;
+    static constexpr int kBefore = 0;
+    static constexpr bool kRowByRow = false;
+
     struct Row {
         uint32_t y = 0, a = 0;
 
         void add(const Field&, const uint8_t* texel, uint32_t weight)
         {
             const uint32_t v = *texel;
-            y += v * weight;
+            y = add_product16(v, weight, y);
             if (kCoverage) a += v != 0 ? weight : 0;
         }
     };
@@ -133,10 +191,13 @@ struct SpanSum<TexelLuma8, kCoverage> {
     template <class Pixel, class Background>
     void store(const Background& background, uint8_t* pixel) const
     {
-        if (!kCoverage) return Pixel::store_grey(pixel, blended(y, 0, 0));
+        const auto over = [&](uint8_t under) {
+            const uint32_t t = kCoverage ? (1u << 24) - a : 0;
+            return static_cast<uint8_t>((y + t * under + (1u << 23)) >> 24);
+        };
+        if (!kCoverage) return Pixel::store_grey(pixel, over(0));
         const Rgb8 under = background.template under<Pixel>(pixel);
-        const uint32_t t = 65536u - a;
-        Pixel::store(pixel, {blended(y, t, under.r), blended(y, t, under.g), blended(y, t, under.b)});
+        Pixel::store(pixel, {over(under.r), over(under.g), over(under.b)});
     }
 };
 
@@ -144,7 +205,12 @@ struct SpanSum<TexelLuma8, kCoverage> {
 // of weight above each: 31·32 < 2^10, 63·32 < 2^11.
 template <bool kCoverage>
 struct SpanSum<TexelRgb565, kCoverage> {
+    static constexpr int kRowBits = kSpanBits;
     static constexpr int kTapBits = 5;
+    static constexpr bool kUpperHalves = false;
+    static constexpr bool kLowerHalves = false;
+    static constexpr int kBefore = 0;
+    static constexpr bool kRowByRow = true;
     static constexpr uint32_t kFields = 0x07E0F81Fu;
 
     struct Row {
@@ -178,7 +244,12 @@ struct SpanSum<TexelRgb565, kCoverage> {
     template <class Pixel, class Background>
     void store(const Background& background, uint8_t* pixel) const
     {
-        Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
+        if constexpr (!kCoverage && kPacks565<Pixel>) {
+            const auto whole = [](uint32_t q13) { return (q13 + 4096u) >> 13; };
+            Pixel::store_packed(pixel, static_cast<uint16_t>(whole(r) << 11 | whole(g) << 5 | whole(b)));
+        } else {
+            Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
+        }
     }
 };
 
