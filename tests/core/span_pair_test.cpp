@@ -132,8 +132,9 @@ TEST_CASE("spans too fast for halves of a word are told", "[span]")
     SpanSide still{};
     CHECK(can_follow(still, still, kPixels));
     CHECK_FALSE(can_follow(still, still, kPixels + 1));
+    static constexpr int32_t kTooFast[] = {30584, -34953, 1 << 20, -(1 << 20), INT32_MAX, INT32_MIN};
     for (int32_t SpanSide::*step : {&SpanSide::du_q16, &SpanSide::dv_q16}) {
-        for (const int32_t too_fast : {30584, -34953, 1 << 20, -(1 << 20), INT32_MAX, INT32_MIN}) {
+        for (const int32_t too_fast : kTooFast) {
             SpanSide fast{};
             fast.*step = too_fast;
             CHECK_FALSE(can_follow(fast, still, 2));

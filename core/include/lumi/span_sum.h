@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Sums of weighted texels for the span renderer: 8-bit weights, 32-bit sums, one pass over a row of taps and one over
-// rows.
+// Sums of weighted texels for the span renderer: 32-bit sums, one pass over a row of taps and one over rows.
 //
 // SpanSum<Texel, kCoverage> has a `Row` with add(texel pointer, weight) for the taps of one origin, and itself add(row,
-// weight) for the origins; `store<Pixel>(background, pixel)` blends and writes the pixel.
-// Without kCoverage (over black) nothing is spent on it.
+// weight) for the origins; `store<Pixel>(background, pixel)` blends and writes the pixel. Without kCoverage (over
+// black) nothing is spent on it. How it takes them:
+//   kRowBits, kTapBits  weights of the origins and of a row's taps sum to 2 to these powers
+//   kUpperHalves        an origin's weight lies in the upper half of a word, and the lower one is ignored
+//   kLowerHalves        a tap's weight lies in the lower half of a word, and the upper one is ignored
+//   kBefore             a texel is given by the address so many bytes before it
+//   kRowByRow           loops run faster if a row is done before the next one is loaded
 #pragma once
 
 #include "lumi/halves.h"
@@ -13,8 +17,6 @@
 
 namespace lumi
 {
-
-inline constexpr int kSpanBits = 8;  // of an origin's weight: weights of a side sum to 2^8
 
 // A row's weight as Sum::add takes it: in the upper half of a word, or by itself.
 template <class Sum>
@@ -106,7 +108,8 @@ private:
 struct LoadRgb888 {
 #ifdef __ARM_FEATURE_UNALIGNED
     // One word, and with it the byte before the texel: a field's texels never begin it. That byte's products stay
-    // below the green ones, and nothing reads them.
+    // below the green ones, and nothing reads them. Flash and RAM bear unaligned words; memory of Armv7-M's Device type
+    // does not.
     static constexpr bool kGreenIsHigh = true;
     static constexpr int kBefore = 1;
     static constexpr bool kRowByRow = true;
@@ -205,7 +208,7 @@ struct SpanSum<TexelLuma8, kCoverage> {
 // of weight above each: 31·32 < 2^10, 63·32 < 2^11.
 template <bool kCoverage>
 struct SpanSum<TexelRgb565, kCoverage> {
-    static constexpr int kRowBits = kSpanBits;
+    static constexpr int kRowBits = 8;
     static constexpr int kTapBits = 5;
     static constexpr bool kUpperHalves = false;
     static constexpr bool kLowerHalves = false;
