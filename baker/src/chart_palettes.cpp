@@ -84,28 +84,26 @@ private:
 
 }  // namespace
 
-uint32_t origins_per_palette(uint64_t texels, size_t origins, size_t entries)
+uint32_t origins_per_palette(uint64_t texels, size_t origins, format::GuidedTexel texel)
 {
-    const double bytes = static_cast<double>(texels) * (entries == 16 ? 0.5 : 1) / static_cast<double>(origins);
-    const double palette = static_cast<double>(entries) * format::kChartColourBytes;
+    const double texel_bytes = texel == format::GuidedTexel::index4 ? 0.5
+                               : texel == format::GuidedTexel::vq8  ? 0.25
+                                                                    : 1;
+    const double bytes = static_cast<double>(texels) * texel_bytes / static_cast<double>(origins);
+    const double palette = static_cast<double>(format::chart_colours(texel)) * format::kChartColourBytes;
     const double group = bytes > 0 ? std::ceil(palette / (kMaxPaletteShare * bytes)) : 1;
     return static_cast<uint32_t>(std::clamp(group, 1.0, static_cast<double>(origins)));
 }
 
-uint32_t palette_entries(format::GuidedTexel texel)
-{
-    return texel == format::GuidedTexel::index4 ? 16 : 256;
-}
-
 Palettes palettes_of(const std::vector<ChartColours>& charts, format::GuidedTexel texel, bool differences, Job& job)
 {
-    const size_t entries = palette_entries(texel);
+    const size_t entries = format::chart_colours(texel);
     uint64_t texels = 0;
     for (const ChartColours& chart : charts) {
         texels += chart.levels.size();
     }
     Palettes result;
-    result.origins_per_palette = origins_per_palette(texels, charts.size(), entries);
+    result.origins_per_palette = origins_per_palette(texels, charts.size(), texel);
     const size_t per_group = result.origins_per_palette, groups = (charts.size() + per_group - 1) / per_group;
     result.colours.resize(groups * entries * format::kChartColourBytes);
     result.texels.resize(charts.size());

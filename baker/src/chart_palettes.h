@@ -22,8 +22,7 @@ struct Palettes {
 };
 
 // How many origins share a palette, so that palettes take a small share of the file.
-uint32_t origins_per_palette(uint64_t texels, size_t origins, size_t entries);
-uint32_t palette_entries(format::GuidedTexel texel);
+uint32_t origins_per_palette(uint64_t texels, size_t origins, format::GuidedTexel texel);
 
 // Entry 0 of each palette is the missing texel. The same colours give the same bytes for any number of threads.
 Palettes palettes_of(const std::vector<ChartColours>& charts, format::GuidedTexel texel, bool differences, Job& job);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "guided_outline.h"
 
+#include "chart_blocks.h"
 #include "guided_settings.h"
 
 namespace lumi::baker
@@ -76,7 +77,7 @@ void GuidedOutline::prepare(uint32_t stride, const ProgressCallback& progress)
         texels_before_.push_back(texels() + rows(i).texel_count);
     }
     if (has_texels()) {
-        parts_.origins_per_palette = origins_per_palette(texels(), origins_.size(), palette_entries(s_.texel));
+        parts_.origins_per_palette = origins_per_palette(texels(), origins_.size(), s_.texel);
     }
     if (has_mean()) {
         grid_.emplace(proxy_->mesh(), s_.mean_resolution);
@@ -124,9 +125,10 @@ uint64_t GuidedOutline::bytes() const
     GuidedParts parts = base_without_light();
     if (has_texels()) {
         const uint32_t group = parts.origins_per_palette, palettes = (s_.used_origins + group - 1) / group;
-        parts.colours.resize(size_t{palettes} * palette_entries(s_.texel) * format::kChartColourBytes);
+        parts.colours.resize(size_t{palettes} * format::chart_colours(s_.texel) * format::kChartColourBytes);
         for (uint32_t i = 0; i < s_.used_origins; ++i) {
-            parts.charts.push_back({rows(i), std::vector<uint8_t>(rows(i).texel_count)});
+            const ChartRows stored = s_.texel == format::GuidedTexel::vq8 ? block_rows(rows(i)) : rows(i);
+            parts.charts.push_back({stored, std::vector<uint8_t>(stored.texel_count)});
             if (s_.occlusion) {
                 const ChartRows occluded = occluded_rows(i);
                 parts.occluded.push_back({occluded, std::vector<uint8_t>(occluded.texel_count)});

@@ -35,6 +35,8 @@ GuidedSettings checked(const GuidedSettings& settings)
     s.used_origins = s.used_origins == 0 ? s.origins : s.used_origins;
     if (s.surface == format::GuidedSurface::focus) {
         require(s.texel != format::GuidedTexel::none, "a refocused field consists of texels; choose 4 or 8 bits");
+        require(s.texel != format::GuidedTexel::vq8,
+                "texels of a refocused field say where there is nothing, which blocks cannot; choose 4 or 8 bits");
         require(s.focus_radius >= 0, "the focus sphere's radius must not be negative");
         s.mean_resolution = 0;
         s.occlusion = false;

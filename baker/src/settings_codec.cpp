@@ -46,6 +46,8 @@ std::string texel_name(format::GuidedTexel texel)
             return "4 bits";
         case format::GuidedTexel::index8:
             return "8 bits";
+        case format::GuidedTexel::vq8:
+            return "blocks";
     }
     return "unknown";
 }

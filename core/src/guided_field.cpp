@@ -176,7 +176,7 @@ FieldError read_chart(const uint8_t* b, uint32_t size, GuidedField& out)
 FieldError read_colours(const uint8_t* b, uint32_t size, GuidedField& out)
 {
     const uint32_t groups = (out.used_origins + out.origins_per_palette - 1) / out.origins_per_palette;
-    const uint32_t group_bytes = kChartColourBytes * (out.texel == GuidedTexel::index4 ? 16 : 256);
+    const uint32_t group_bytes = kChartColourBytes * chart_colours(out.texel);
     if (size != groups * group_bytes) return FieldError::bad_chart_colours;
     for (uint32_t k = 0; k < groups; ++k) {
         if (load_u32(b + k * group_bytes) != 0) return FieldError::bad_chart_colours;

@@ -71,7 +71,7 @@ void OriginCharts::make(int32_t index, OriginChart& out)
     out.axes = chart_axes({q30(f.p_q14[0]), q30(f.p_q14[1]), q30(f.p_q14[2])}, f.frame, field_.chart_size);
     if (field_.chart.texel_count != 0) {
         const bool narrow = field_.texel == format::GuidedTexel::index4;
-        const uint32_t group_bytes = (narrow ? 16 : 256) * format::kChartColourBytes;
+        const uint32_t group_bytes = format::chart_colours(field_.texel) * format::kChartColourBytes;
         const uint8_t* colours = field_.colours + (origin / field_.origins_per_palette) * group_bytes;
         if (narrow && out.colours != colours) pack_palette(colours, field_.mean.resolution != 0, out.packed);
         out.colours = colours;

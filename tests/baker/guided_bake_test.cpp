@@ -119,6 +119,15 @@ TEST_CASE("A glowing ball has its colour everywhere", "[guided]")
         s.mean_resolution = 0;
         s.texel = format::GuidedTexel::index8;
     }
+    SECTION("as mean and blocks of differences")
+    {
+        s.texel = format::GuidedTexel::vq8;
+    }
+    SECTION("as blocks alone")
+    {
+        s.mean_resolution = 0;
+        s.texel = format::GuidedTexel::vq8;
+    }
     const GuidedBake bake = guided_field(scene, s);
     const GuidedField field = opened(bake);
     CHECK(bake.loss.missed < 0.01);

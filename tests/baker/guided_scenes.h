@@ -32,14 +32,16 @@ inline GuidedSettings tiny_focus()
 
 inline std::vector<GuidedSettings> tiny_guided_of_every_kind()
 {
-    GuidedSettings mean_alone = tiny_guided(), texels_alone = tiny_guided(), bare = tiny_guided();
+    GuidedSettings mean_alone = tiny_guided(), texels_alone = tiny_guided(), bare = tiny_guided(),
+                   blocks = tiny_guided();
     mean_alone.texel = format::GuidedTexel::none;
     texels_alone.mean_resolution = 0;
     texels_alone.texel = format::GuidedTexel::index8;
     bare.occlusion = false;
     bare.used_origins = 20;
     bare.mean_format = format::MeanFormat::rgb565;
-    return {tiny_guided(), mean_alone, texels_alone, bare, tiny_focus()};
+    blocks.texel = format::GuidedTexel::vq8;
+    return {tiny_guided(), mean_alone, texels_alone, bare, blocks, tiny_focus()};
 }
 
 inline std::string baked(const Scene& scene, const GuidedSettings& settings)

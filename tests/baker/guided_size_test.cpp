@@ -36,7 +36,7 @@ GuidedSettings small_settings()
 // Every kind of guided field.
 std::vector<GuidedSettings> kinds()
 {
-    std::vector<GuidedSettings> all(7, small_settings());
+    std::vector<GuidedSettings> all(8, small_settings());
     all[1].mean_format = format::MeanFormat::rgb565;
     all[2].mean_resolution = 0;
     all[3].texel = format::GuidedTexel::none;
@@ -44,6 +44,7 @@ std::vector<GuidedSettings> kinds()
     all[5].occlusion = false;
     all[5].used_origins = 61;
     all[6].surface = format::GuidedSurface::focus;
+    all[7].texel = format::GuidedTexel::vq8;
     return all;
 }
 

@@ -132,6 +132,22 @@ inline TestChartRows full_rows(uint32_t size)
     return rows;
 }
 
+// The same of blocks of 2×2 grid points.
+inline TestChartRows full_block_rows(uint32_t size)
+{
+    TestChartRows rows;
+    const uint32_t side = format::chart_centre(size) + 1;
+    rows.first_u.assign(side, 0);
+    rows.counts.assign(side, side);
+    return rows;
+}
+
+// What a full chart's table holds rows of: grid points or blocks.
+inline TestChartRows full_chart_rows(const TestGuided& g)
+{
+    return g.texel == format::GuidedTexel::vq8 ? full_block_rows(g.chart_size) : full_rows(g.chart_size);
+}
+
 // A chart table with texels from a function of (origin, number in the origin), 4 bits or 8 bits each.
 template <class Texel>
 TestSection table_section(uint32_t type, bool nibbles, const std::vector<TestChartRows>& origins, Texel texel)
@@ -172,7 +188,7 @@ TestSection chart_colours_section(const TestGuided& g, Colour colour)
 {
     Bytes b;
     const uint32_t groups = (g.used_origins + g.origins_per_palette - 1) / g.origins_per_palette;
-    const uint32_t entries = g.texel == format::GuidedTexel::index4 ? 16 : 256;
+    const uint32_t entries = format::chart_colours(g.texel);
     for (uint32_t group = 0; group < groups; ++group) {
         for (uint32_t k = 0; k < entries; ++k) put32(b, k == 0 ? 0 : colour(group, k) & 0xFFFFFF);
     }
@@ -201,7 +217,7 @@ inline std::vector<TestSection> sample_guided_sections(const TestGuided& g, cons
     sections.push_back(mean_section(
         mean, [&](uint32_t k) { return k % mean.bricks; }, [](uint32_t k) { return static_cast<uint8_t>(k * 37); }));
     if (g.texel == GuidedTexel::none) return sections;
-    const std::vector<TestChartRows> charts(g.used_origins, full_rows(g.chart_size));
+    const std::vector<TestChartRows> charts(g.used_origins, full_chart_rows(g));
     const bool nibbles = g.texel == GuidedTexel::index4;
     const uint32_t entries = nibbles ? 16 : 256;
     sections.push_back(table_section(format::kChartSection, nibbles, charts,

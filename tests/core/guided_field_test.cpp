@@ -74,12 +74,12 @@ TEST_CASE("a well-formed guided field opens with every value in place", "[guided
 
 TEST_CASE("guided fields of every kind open", "[guided]")
 {
-    const uint32_t kind = GENERATE(0u, 1u, 2u, 3u, 4u, 5u);
+    const uint32_t kind = GENERATE(0u, 1u, 2u, 3u, 4u, 5u, kBlocksKind);
     const Bytes bytes = small_file(kind);
     GuidedField field;
     REQUIRE(open_guided(bytes.data(), bytes.size(), field) == FieldError::none);
     CHECK((field.chart.texel_count != 0) == (field.texel != GuidedTexel::none));
-    CHECK((field.occlusion.texel_count != 0) == (kind < 2));
+    CHECK((field.occlusion.texel_count != 0) == (kind < 2 || kind == kBlocksKind));
     CHECK((field.mean.palette != nullptr) == (kind % 2 == 1));
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("guided sections out of range are refused by name", "[guided]")
     CHECK(with([](TestGuided& g) { g.used_origins = 0; }) == FieldError::bad_lattice_size);
     CHECK(with([](TestGuided& g) { g.chart_size = 7; }) == FieldError::bad_chart_size);
     CHECK(with([](TestGuided& g) { g.chart_size = 401; }) == FieldError::bad_chart_size);
-    CHECK(with([](TestGuided& g) { g.texel = static_cast<GuidedTexel>(3); }) == FieldError::bad_texel_format);
+    CHECK(with([](TestGuided& g) { g.texel = static_cast<GuidedTexel>(4); }) == FieldError::bad_texel_format);
     CHECK(with([](TestGuided& g) { g.surface = static_cast<GuidedSurface>(2); }) == FieldError::bad_guided);
     CHECK(with([](TestGuided& g) { g.colour_space = 1; }) == FieldError::bad_colour_space);
     CHECK(with([](TestGuided& g) { g.reserved = 1; }) == FieldError::bad_guided);
@@ -241,6 +241,23 @@ TEST_CASE("a palette group whose first entry is not 0 is refused", "[guided]")
     }
 }
 
+TEST_CASE("a group's blocks are refused unless all 256 are there", "[guided]")
+{
+    const TestGuided g = small_guided(kBlocksKind);
+    constexpr size_t kGroupBytes = 256 * 4 * 4;
+    const auto with_size = [&](size_t size) {
+        return open_with(g, format::kChartColours, [size](Bytes& b) { b.resize(size); });
+    };
+    CHECK(with_size(kGroupBytes) == FieldError::none);
+    for (const size_t size :
+         {size_t{0}, size_t{4}, size_t{64}, size_t{1024}, kGroupBytes - 1, kGroupBytes + 1, 2 * kGroupBytes}) {
+        CHECK(with_size(size) == FieldError::bad_chart_colours);
+    }
+    for (const size_t at : {0u, 3u}) {
+        CHECK(open_with(g, format::kChartColours, [&](Bytes& b) { b[at] = 1; }) == FieldError::bad_chart_colours);
+    }
+}
+
 TEST_CASE("missing, doubled and useless sections of guided fields are refused by name", "[guided]")
 {
     const auto without = [](uint32_t kind, uint32_t type) {
@@ -255,6 +272,7 @@ TEST_CASE("missing, doubled and useless sections of guided fields are refused by
     CHECK(without(2, format::kMeanSection) == FieldError::missing_mean);
     CHECK(without(0, format::kChartSection) == FieldError::missing_chart);
     CHECK(without(0, format::kChartColours) == FieldError::missing_chart_colours);
+    CHECK(without(kBlocksKind, format::kChartColours) == FieldError::missing_chart_colours);
     CHECK(without(0, format::kOcclusionSection) == FieldError::none);
     const auto with_from = [](uint32_t kind, uint32_t other_kind, uint32_t type) {
         std::vector<TestSection> sections = sample_guided_sections(small_guided(kind));

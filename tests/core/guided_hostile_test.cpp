@@ -46,7 +46,7 @@ TEST_CASE("a damaged byte of any guided section is found by verify_field", "[gui
 
 TEST_CASE("every single-byte change of a guided field gives an error or a field that reads safely", "[guided]")
 {
-    const uint32_t kind = GENERATE(0u, 1u, 3u);
+    const uint32_t kind = GENERATE(0u, 1u, 3u, kBlocksKind);
     const Bytes bytes = small_file(kind);
 #ifdef LUMI_TEST_LIGHT
     const int values[] = {255};
@@ -73,12 +73,12 @@ TEST_CASE("random changes of several bytes of a guided field are harmless", "[gu
     const int rounds = 5000;
 #endif
     std::mt19937 random(20261121);
-    const Bytes files[] = {small_file(0), small_file(1), small_file(5)};
+    const Bytes files[] = {small_file(0), small_file(1), small_file(5), small_file(kBlocksKind)};
     // Most changes hit the bytes that steer the reader: those before the mesh's end.
     constexpr uint32_t kSteeringBytes = 400;
     uint32_t accepted = 0;
     for (int round = 0; round < rounds; ++round) {
-        Bytes bytes = files[static_cast<size_t>(round) % 3];
+        Bytes bytes = files[static_cast<size_t>(round) % 4];
         const uint32_t changes = 1 + random() % 4;
         for (uint32_t k = 0; k < changes; ++k) {
             const uint32_t reach = random() % 2 == 0 ? kSteeringBytes : static_cast<uint32_t>(bytes.size());

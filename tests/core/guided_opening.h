@@ -78,14 +78,16 @@ inline uint32_t touch_mean(const MeanColours& mean)
 inline uint32_t touch(const GuidedField& field)
 {
     const uint32_t groups = (field.used_origins + field.origins_per_palette - 1) / field.origins_per_palette;
-    const uint32_t entries = field.texel == format::GuidedTexel::index4 ? 16 : 256;
+    const uint32_t entries = format::chart_colours(field.texel);
     uint32_t sum = touch_mesh(field.proxy) + touch_mean(field.mean);
     for (uint32_t k = 0; field.colours != nullptr && k < groups * entries * 4; ++k) sum += field.colours[k];
     return sum + touch_table(field.chart, field.used_origins, field.texel == format::GuidedTexel::index4 ? 2 : 1) +
            touch_table(field.occlusion, field.used_origins, 1);
 }
 
-// A small field of every kind that the format knows.
+constexpr uint32_t kBlocksKind = 6;
+
+// A small field of every kind that the format knows, 0 to kBlocksKind.
 inline TestGuided small_guided(uint32_t kind)
 {
     TestGuided g;
@@ -95,6 +97,11 @@ inline TestGuided small_guided(uint32_t kind)
     g.surface = kind < 3 ? format::GuidedSurface::proxy : format::GuidedSurface::focus;
     g.used_origins = 3;
     g.origins_per_palette = 2;
+    if (kind == kBlocksKind) {
+        g.texel = format::GuidedTexel::vq8;
+        g.surface = format::GuidedSurface::proxy;
+        g.origins_per_palette = 3;
+    }
     return g;
 }
 

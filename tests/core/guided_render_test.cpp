@@ -6,7 +6,9 @@
 #include <random>
 
 #include "guided_drawing.h"
+#include "lumi/crc32.h"
 #include "lumi/focus_surface.h"
+#include "lumi/guided_vq.h"
 #include "report.h"
 #include "srgb.h"
 
@@ -74,6 +76,8 @@ void draw_every_way(const GuidedField& field, const Camera& camera)
     draw_as(GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex8, MeanPalette8, kRead>());
     draw_as(GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, kRead>());
     draw_as(GuidedPolicy<ThreeOrigins, NearestTap, GuidedIndex8, NoMean, kRead>());
+    draw_as(GuidedPolicy<ThreeOrigins, LinearTaps, GuidedVq8, MeanRgb565, kRead>());
+    draw_as(GuidedPolicy<OneOrigin, NearestTap, GuidedVq8, MeanPalette8, kRead>());
     draw_as(GuidedPolicy<ThreeOrigins, NearestTap, NoChart, MeanRgb565, kRead>());
     draw_as(GuidedPolicy<ThreeOrigins, NearestTap, NoChart, MeanPalette8, kRead>());
 }
@@ -193,9 +197,25 @@ TEST_CASE("drawing refuses fields that a policy cannot read, and odd addresses",
     CHECK(std::string(describe(GuidedError::unaligned)) != describe(GuidedError::wrong_policy));
 }
 
+TEST_CASE("a picture of blocks has the same bits on every machine", "[guided]")
+{
+    const OpenedGuided opened(guided_file(GuidedTexel::vq8, MeanFormat::palette8));
+    const View view = {"close", look_at({0.9, -0.7, 0.5}, {0, 0, 0}, 33), {20, 20, degrees(80)}};
+    const Camera camera = camera_of(view);
+    auto surface = seeing<4>(scattered);
+    const auto crc_as = [&](auto policy) {
+        const std::vector<uint8_t> pixels = draw<decltype(policy)>(opened.field, camera, surface);
+        return crc32(0, pixels.data(), pixels.size());
+    };
+    constexpr OcclusionUse kRead = OcclusionUse::read;
+    CHECK(crc_as(GuidedPolicy<ThreeOrigins, LinearTaps, GuidedVq8, MeanPalette8, kRead>()) == 0xE4DCE109u);
+    CHECK(crc_as(GuidedPolicy<ThreeOrigins, NearestTap, GuidedVq8, MeanPalette8, kRead>()) == 0x62B27886u);
+    CHECK(crc_as(GuidedPolicy<OneOrigin, NearestTap, GuidedVq8, MeanPalette8, kRead>()) == 0x403C2944u);
+}
+
 TEST_CASE("hostile rows, directories and colours are read within the file", "[guided]")
 {
-    const GuidedTexel texel = GENERATE(GuidedTexel::index4, GuidedTexel::index8);
+    const GuidedTexel texel = GENERATE(GuidedTexel::index4, GuidedTexel::index8, GuidedTexel::vq8);
     const MeanFormat mean = GENERATE(MeanFormat::rgb565, MeanFormat::palette8);
     Bytes bytes = guided_file(texel, mean);
     GuidedField layout;
@@ -226,7 +246,7 @@ TEST_CASE("hostile rows, directories and colours are read within the file", "[gu
 
 TEST_CASE("every policy draws points anywhere, from anywhere", "[guided]")
 {
-    for (const GuidedTexel texel : {GuidedTexel::none, GuidedTexel::index4, GuidedTexel::index8}) {
+    for (const GuidedTexel texel : {GuidedTexel::none, GuidedTexel::index4, GuidedTexel::index8, GuidedTexel::vq8}) {
         for (const MeanFormat mean : {MeanFormat::rgb565, MeanFormat::palette8}) {
             const OpenedGuided opened(guided_file(texel, mean));
             for (const View& view : extreme_views(kSide / 2)) draw_every_way(opened.field, camera_of(view));

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "guided_bytes.h"
+#include "lumi/guided_vq.h"
 #include "lumi/reference/guided_shading.h"
 #include "opened_guided.h"
 #include "reference.h"
@@ -109,12 +110,14 @@ Bytes smooth_field(const TestGuided& g, const TestMean* mean, bool occlusion)
     }
     if (g.texel == GuidedTexel::none) return file_of(sections);
     const bool nibbles = g.texel == GuidedTexel::index4;
+    const bool blocks = g.texel == GuidedTexel::vq8;
     const uint32_t entries = nibbles ? 16 : 256;
-    const std::vector<TestChartRows> charts(g.used_origins, full_rows(g.chart_size));
+    const std::vector<TestChartRows> charts(g.used_origins, full_chart_rows(g));
     sections.push_back(table_section(format::kChartSection, nibbles, charts,
                                      [&](uint32_t i, uint32_t k) { return smooth_texel(i, k, entries); }));
     sections.push_back(chart_colours_section(g, [&](uint32_t, uint32_t k) {
-        const uint32_t level = k * 256 / entries;
+        // The corners of a block are further apart than the tolerance.
+        const uint32_t level = blocks ? k / 16 + 12 * (k % 4) : k * 256 / entries;
         return level | (255 - level) << 8 | (level / 2) << 16;
     }));
     if (occlusion) sections.push_back(occlusion_section(g));
@@ -256,6 +259,26 @@ TEST_CASE("shades are those of double precision, whatever a field stores", "[gui
         const OpenedGuided o(smooth_field(g, nullptr, false));
         compare<GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, NoMean, kRead>>(o.field, kBest, 4, 0.95);
     }
+    SECTION("blocks of differences over palette voxels, with occlusion")
+    {
+        g.texel = GuidedTexel::vq8;
+        const OpenedGuided o(smooth_field(g, &eight, true));
+        compare<GuidedPolicy<ThreeOrigins, LinearTaps, GuidedVq8, MeanPalette8, kRead>>(o.field, kBest, 4, 0.98);
+    }
+    SECTION("blocks of absolute colours")
+    {
+        g.texel = GuidedTexel::vq8;
+        g.used_origins = 50;
+        const OpenedGuided o(smooth_field(g, nullptr, false));
+        compare<GuidedPolicy<ThreeOrigins, LinearTaps, GuidedVq8, NoMean, kRead>>(o.field, kBest, 3, 0.98);
+    }
+    SECTION("blocks, one origin, nearest tap")
+    {
+        g.texel = GuidedTexel::vq8;
+        const OpenedGuided o(smooth_field(g, &five, true));
+        const reference::GuidedShading least = {reference::Origins::heaviest, reference::Taps::nearest};
+        compare<GuidedPolicy<OneOrigin, NearestTap, GuidedVq8, MeanRgb565, kRead>>(o.field, least, 3, 0.94);
+    }
     SECTION("the mean alone")
     {
         g.texel = GuidedTexel::none;
@@ -286,10 +309,12 @@ TEST_CASE("policies fit the fields that hold what they read", "[guided]")
     using MeanOnly = GuidedPolicy<ThreeOrigins, LinearTaps, NoChart, MeanRgb565, kRead>;
     using Wide = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex8, MeanRgb565, kRead>;
     using Palette = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedIndex4, MeanPalette8, kRead>;
+    using Blocks = GuidedPolicy<ThreeOrigins, LinearTaps, GuidedVq8, MeanRgb565, kRead>;
     CHECK(Full::fits(full.field));
     CHECK(MeanOnly::fits(full.field));
     CHECK_FALSE(Bare::fits(full.field));
     CHECK_FALSE(Wide::fits(full.field));
+    CHECK_FALSE(Blocks::fits(full.field));
     CHECK_FALSE(Palette::fits(full.field));
     CHECK(Bare::fits(bare.field));
     CHECK_FALSE(Full::fits(bare.field));

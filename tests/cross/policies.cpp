@@ -3,6 +3,7 @@
 // firmware calls, for tests that read symbols and stack sizes. Never run.
 #include "lumi/focus_surface.h"
 #include "lumi/guided_render.h"
+#include "lumi/guided_vq.h"
 #include "lumi/proxy_surface.h"
 #include "lumi/render.h"
 #include "lumi/span.h"
@@ -122,6 +123,7 @@ struct EveryGuided {
     EveryStep<GuidedIndex8, MeanRgb565> index8_rgb565;
     EveryStep<GuidedIndex4, NoMean> index4;
     EveryStep<GuidedIndex8, NoMean> index8;
+    EveryStep<GuidedVq8, MeanPalette8> vq8_palette8;
     GuidedOverEach<GuidedPolicy<ThreeOrigins, LinearTaps, NoChart, MeanRgb565, OcclusionUse::ignored>> mean;
 };
 

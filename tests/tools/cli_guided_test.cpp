@@ -67,6 +67,27 @@ TEST_CASE("render refuses modes of the other kind of field")
     CHECK(code("c.lumi", {"--twin"}) == 2);
 }
 
+TEST_CASE("texels in blocks are baked, named, drawn, and refused where they cannot tell what is missing")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = folder / "f.lumi";
+    const test::Arguments bake = {"bake",    LUMI_TEST_SCENE,        "-o",    field, "--origins", "64",
+                                  "--chart", std::to_string(kChart), "--spp", "1",   "--texels",  "vq8",
+                                  "--layout"};
+    const auto with = [](test::Arguments call, const std::string& layout) {
+        call.push_back(layout);
+        return lumi(call);
+    };
+    const test::Outcome baked = with(bake, "guided"), focus = with(bake, "focus");
+    INFO(baked.err);
+    REQUIRE(baked.code == 0);
+    CHECK(focus.code == 1);
+    CHECK_THAT(focus.err, Catch::Contains("choose 4 or 8 bits"));
+    CHECK_THAT(lumi({"inspect", field, "--verify", "--json"}).out, Catch::Contains("\"vq8\""));
+    for (const std::string mode : {"linear", "nearest", "one-origin", "mean"})
+        CHECK(lumi({"render", field, "-o", folder / "o.png", "--size", "64x64", "--mode", mode}).code == 0);
+}
+
 TEST_CASE("inspect accounts for every byte of a guided field")
 {
     const test::TemporaryFolder folder;

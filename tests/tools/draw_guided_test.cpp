@@ -119,7 +119,7 @@ TEST_CASE("guided pictures are those of the twin from the sphere's skin, from fa
 TEST_CASE("guided pictures are those of the twin for every kind of texel, mean and surface")
 {
     baker::GuidedSettings bytes = small_settings(), absolute = small_settings(), alone = small_settings(),
-                          wide = small_settings(), focus = small_settings();
+                          wide = small_settings(), focus = small_settings(), blocks = small_settings();
     bytes.texel = format::GuidedTexel::index8;
     absolute.mean_resolution = 0;
     absolute.occlusion = false;
@@ -128,9 +128,10 @@ TEST_CASE("guided pictures are those of the twin for every kind of texel, mean a
     focus.surface = format::GuidedSurface::focus;
     focus.mean_resolution = 0;
     focus.texel = format::GuidedTexel::index8;
+    blocks.texel = format::GuidedTexel::vq8;
     const Eye eye = eye_at(120, 20, 2.6, 48);
     int kind = 0;
-    for (const auto& settings : {bytes, absolute, alone, wide, focus}) {
+    for (const auto& settings : {bytes, absolute, alone, wide, focus, blocks}) {
         const Baked baked(settings);
         const Picture drawn = draw_guided(baked.field, eye);
         const Picture twin = quality::draw_twin(baked.field, eye, {}, {0, 0, 0});

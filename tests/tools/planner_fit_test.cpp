@@ -83,6 +83,46 @@ TEST_CASE("what is set by hand is the same in every plan")
     }
 }
 
+TEST_CASE("texels in blocks are planned of guided fields, and of these alone where they are set by hand")
+{
+    Task task = task_of(1'000'000);
+    task.by_hand.texel = format::GuidedTexel::vq8;
+    const auto plans = plans_around_start(task);
+    CHECK(plans.size() > 1);
+    for (const Plan& plan : plans) {
+        CHECK(plan.layout == Layout::guided);
+        CHECK(plan.guided.texel == format::GuidedTexel::vq8);
+    }
+    task.by_hand.texel = {};
+    size_t in_blocks = 0;
+    for (const Plan& plan : plans_around_start(task)) {
+        if (plan.guided.texel != format::GuidedTexel::vq8) continue;
+        CHECK(plan.layout == Layout::guided);
+        CHECK(text_of(plan).find("vq8 texels") != std::string::npos);
+        CHECK(options_of(plan).find("--texels vq8") != std::string::npos);
+        ++in_blocks;
+    }
+    CHECK(in_blocks == 1);
+}
+
+TEST_CASE("a search ends with texels in blocks where these look best, and nowhere else")
+{
+    const Task task = task_of(250'000);
+    const auto families = families_of(task);
+    for (const double gain_db : {0.4, -0.4}) {
+        const auto trial = [&](const Candidate& candidate) {
+            const Plan plan = plan_of(task, families, candidate);
+            const bool in_blocks = plan.layout == Layout::guided && plan.guided.texel == format::GuidedTexel::vq8;
+            const double layout_db = plan.layout == Layout::guided ? 31 : 20;
+            return Outcome{true, layout_db + (in_blocks ? gain_db : 0), 1, ""};
+        };
+        const SearchResult result = search(families, trial, {});
+        REQUIRE(result.best);
+        const Plan best = plan_of(task, families, result.tried[*result.best].candidate);
+        CHECK((best.guided.texel == format::GuidedTexel::vq8) == (gain_db > 0));
+    }
+}
+
 TEST_CASE("one parameter set by hand stays in all plans while others move")
 {
     Task task = task_of(1'000'000);

@@ -121,6 +121,8 @@ const char* name_of(format::GuidedTexel texel)
             return "index4";
         case format::GuidedTexel::index8:
             return "index8";
+        case format::GuidedTexel::vq8:
+            return "vq8";
     }
     return "unknown";
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lumi/guided_render.h"
+#include "lumi/guided_vq.h"
 #include "lumi/tools/draw_guided.h"
 #include "lumi/tools/interrupt.h"
 
@@ -70,6 +71,8 @@ Picture draw_with_mean(const GuidedField& field, const Camera& camera, Surface& 
             return draw_in_mode<GuidedIndex4, Mean>(field, camera, surface, mode, background);
         case format::GuidedTexel::index8:
             return draw_in_mode<GuidedIndex8, Mean>(field, camera, surface, mode, background);
+        case format::GuidedTexel::vq8:
+            return draw_in_mode<GuidedVq8, Mean>(field, camera, surface, mode, background);
         case format::GuidedTexel::none:
             break;
     }

@@ -37,8 +37,14 @@ enum class GuidedTexel : uint8_t {
     none = 0,    // no chart: the mean alone
     index4 = 1,  // two texels a byte, the even one in the low bits; 16 colours a group of origins
     index8 = 2,  // a byte; 256 colours a group
+    vq8 = 3,     // a byte for 2×2 grid points; 256 blocks of four colours a group
 };
-inline constexpr uint32_t kGuidedTexels = 3;
+inline constexpr uint32_t kGuidedTexels = 4;
+// Colours of a group of origins.
+constexpr uint32_t chart_colours(GuidedTexel texel)
+{
+    return texel == GuidedTexel::index4 ? 16 : texel == GuidedTexel::vq8 ? 1024 : 256;
+}
 
 inline constexpr uint32_t kGuidedBytes = 44;
 namespace guided
@@ -109,7 +115,8 @@ inline constexpr uint32_t kMeanFormats = 2;
 // A chart table: for every used origin the texels of its chart, stored row by row from the first grid point that the
 // surface needs to the last. Header, directory, row table of u16 padded to 4, texels.
 // Texel of grid point (u, v) of origin i: number texel_base + ((row[row_base + v - first_row] + u) mod 2^16).
-// v outside the origin's rows, or a number beyond the texels: missing.
+// v outside the origin's rows, or a number beyond the texels: missing. With GuidedTexel::vq8 the same of blocks: grid
+// point (u, v) lies in block (u >> 1, v >> 1), which has one number; texels, rows and first_row count blocks.
 namespace chart
 {
 inline constexpr uint32_t kRowsAt = 0;    // u32: entries of the row table, of all origins together
@@ -136,8 +143,9 @@ constexpr uint32_t chart_centre(uint32_t size)
 // hidden from the origin where |X - p| > byte/128. 255 hides nothing.
 inline constexpr uint32_t kOcclusionShift = 3;
 
-// Chart colours: groups of 16 or 256 entries (r, g, b, 0), ceil(used_origins / origins_per_palette) groups. With a mean
-// section r, g, b are differences, two's complement. Entry 0 of each group means a missing texel and is 0.
+// Chart colours: groups of chart_colours() entries (r, g, b, 0), ceil(used_origins / origins_per_palette) groups. With
+// a mean section r, g, b are differences, two's complement. Entry 0 of each group means a missing texel and is 0. With
+// vq8, number c stands for the entries 4c + 2·(v mod 2) + (u mod 2) of grid points (u, v); 0 for four missing ones.
 inline constexpr uint32_t kChartColourBytes = 4;
 
 }  // namespace lumi::format

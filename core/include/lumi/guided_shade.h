@@ -19,7 +19,7 @@ template <class OriginsPolicy, class TapsPolicy, class TexelPolicy, class MeanPo
 struct GuidedPolicy {
     using Origins = OriginsPolicy;  // ThreeOrigins, OneOrigin
     using Taps = TapsPolicy;        // LinearTaps, NearestTap
-    using Texel = TexelPolicy;      // GuidedIndex4, GuidedIndex8, NoChart
+    using Texel = TexelPolicy;      // GuidedIndex4, GuidedIndex8, GuidedVq8 (guided_vq.h), NoChart
     using Mean = MeanPolicy;        // MeanRgb565, MeanPalette8, NoMean
     static constexpr bool kChart = Texel::kFormat != format::GuidedTexel::none;
     static constexpr bool kOcclusion = kUse == OcclusionUse::read;

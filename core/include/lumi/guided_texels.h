@@ -57,6 +57,16 @@ private:
     }
 };
 
+// Adds a colour as it is stored.
+template <bool kDifferences>
+LUMI_ALWAYS_INLINE void add_entry(const OriginChart& chart, uint32_t number, uint32_t weight_q8, GuidedSum& sum)
+{
+    const uint32_t stored = load_aligned<uint32_t>(chart.colours + format::kChartColourBytes * number);
+    const uint32_t rgb = kDifferences ? stored ^ 0x00808080u : stored;
+    sum.rb += (rgb & 0x00FF00FFu) * weight_q8;
+    sum.wg += ((rgb >> 8 & 0xFFu) | 0x10000u) * weight_q8;
+}
+
 struct GuidedIndex8 {
     static constexpr format::GuidedTexel kFormat = format::GuidedTexel::index8;
 
@@ -66,10 +76,7 @@ struct GuidedIndex8 {
     {
         const uint32_t index = texels[number];
         if (index == 0) return;
-        const uint32_t entry = load_aligned<uint32_t>(chart.colours + format::kChartColourBytes * index);
-        const uint32_t rgb = kDifferences ? entry ^ 0x00808080u : entry;
-        sum.rb += (rgb & 0x00FF00FFu) * weight_q8;
-        sum.wg += ((rgb >> 8 & 0xFFu) | 0x10000u) * weight_q8;
+        add_entry<kDifferences>(chart, index, weight_q8, sum);
     }
 
     template <bool kDifferences>
@@ -102,6 +109,8 @@ template <class Texel, bool kDifferences>
 class ChartReader
 {
 public:
+    static constexpr int kBlockShift = 0;  // rows and numbers are those of grid points
+
     explicit ChartReader(const GuidedField& field) : texels_(field.chart.texels) {}
 
     // The texel at an offset below texel_span.
@@ -132,6 +141,17 @@ private:
     const uint8_t* texels_;
 };
 
+// Rows around a place, as offsets of what is stored at (u, v) and below it.
+struct RowOffsets {
+    uint32_t near, far;
+};
+
+// The corners of a grid triangle: (u, v), (u + 1, v) or, of the upper one, (u, v + 1), and (u + 1, v + 1).
+struct TriangleWeights {
+    uint32_t upper;  // 1 or 0
+    uint32_t first_q8, middle_q8, far_q8;
+};
+
 // Which grid points a place reads: policies with add(reader, chart, u, v, weight, sum). Places are absolute, Q8.
 //
 // Linear: the corners of the grid triangle. Their weights share the origin's without rest, so that Σw stays <= 2^8.
@@ -141,20 +161,23 @@ struct LinearTaps {
                                        uint32_t weight_q8, GuidedSum& sum)
     {
         const ChartRows& rows = chart.texels;
-        const uint32_t row = static_cast<uint32_t>((v_q8 >> 8) - rows.first_row);
+        constexpr int kShift = 8 + Reader::kBlockShift;
+        const uint32_t row = static_cast<uint32_t>((v_q8 >> kShift) - rows.first_row);
         if (row < rows.last_row) {
-            const uint32_t near = texel_offset(row_entry(rows, row), u_q8 >> 8);
-            const uint32_t far = texel_offset(row_entry(rows, row + 1), u_q8 >> 8);
-            if ((near | far) + 1 < rows.texel_span)
-                return add_inside(reader, chart, {near, far}, u_q8, v_q8, weight_q8, sum);
+            const uint32_t near = texel_offset(row_entry(rows, row), u_q8 >> kShift);
+            const uint32_t far = texel_offset(row_entry(rows, row + 1), u_q8 >> kShift);
+            if ((near | far) + 1 < rows.texel_span) {
+                if constexpr (Reader::kBlockShift == 0)
+                    return add_inside(reader, chart, {near, far}, u_q8, v_q8, weight_q8, sum);
+                else
+                    return reader.add_triangle(chart, {near, far}, u_q8 >> 8, v_q8 >> 8,
+                                               weights_of(u_q8, v_q8, weight_q8), sum);
+            }
         }
         sum = add_at_border(reader, chart, u_q8, v_q8, weight_q8, sum);
     }
 
 private:
-    struct Offsets {
-        uint32_t near, far;  // of grid point (u, v) and of the one below it
-    };
     // A share of the origin's weight, rounded and cut.
     LUMI_ALWAYS_INLINE static uint32_t middle_share(uint32_t weight_q8, int32_t share_q8)
     {
@@ -166,7 +189,7 @@ private:
     }
 
     template <class Reader>
-    LUMI_ALWAYS_INLINE static void add_inside(const Reader& reader, const OriginChart& chart, const Offsets& offset,
+    LUMI_ALWAYS_INLINE static void add_inside(const Reader& reader, const OriginChart& chart, const RowOffsets& offset,
                                               int32_t u_q8, int32_t v_q8, uint32_t weight_q8, GuidedSum& sum)
     {
         const int32_t fu = u_q8 & 255, fv = v_q8 & 255;
@@ -181,20 +204,27 @@ private:
         }
     }
 
+    LUMI_ALWAYS_INLINE static TriangleWeights weights_of(int32_t u_q8, int32_t v_q8, uint32_t weight_q8)
+    {
+        const int32_t fu = u_q8 & 255, fv = v_q8 & 255;
+        const bool upper = fu < fv;
+        const uint32_t middle = middle_share(weight_q8, upper ? fv - fu : fu - fv);
+        const uint32_t far = far_share(weight_q8, upper ? fu : fv);
+        return {upper ? 1u : 0u, weight_q8 - middle - far, middle, far};
+    }
+
     // Next to the first and last rows and texels, every tap on its own.
     template <class Reader>
     __attribute__((noinline)) static GuidedSum add_at_border(const Reader& reader, const OriginChart& chart,
                                                              int32_t u_q8, int32_t v_q8, uint32_t weight_q8,
                                                              GuidedSum sum)
     {
-        const int32_t fu = u_q8 & 255, fv = v_q8 & 255;
         const int32_t u = u_q8 >> 8, v = v_q8 >> 8;
-        const int32_t upper = fu < fv ? 1 : 0;
-        const uint32_t middle = middle_share(weight_q8, upper != 0 ? fv - fu : fu - fv);
-        const uint32_t far = far_share(weight_q8, upper != 0 ? fu : fv);
-        reader.add(chart, u, v, weight_q8 - middle - far, sum);
-        reader.add(chart, u + 1 - upper, v + upper, middle, sum);
-        reader.add(chart, u + 1, v + 1, far, sum);
+        const TriangleWeights weights = weights_of(u_q8, v_q8, weight_q8);
+        const int32_t upper = static_cast<int32_t>(weights.upper);
+        reader.add(chart, u, v, weights.first_q8, sum);
+        reader.add(chart, u + 1 - upper, v + upper, weights.middle_q8, sum);
+        reader.add(chart, u + 1, v + 1, weights.far_q8, sum);
         return sum;
     }
 };

@@ -3,6 +3,7 @@
 #include "guided_instance.h"
 
 #include "lumi/guided_render.h"
+#include "lumi/guided_vq.h"
 #include "lumi/proxy_surface.h"
 
 namespace lumi::bench

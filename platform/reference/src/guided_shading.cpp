@@ -50,15 +50,19 @@ std::optional<uint32_t> texel_number(const ChartTable& table, uint32_t origin, i
 // The chart colour of a grid point, a difference where there is a mean; nothing if it is missing.
 std::optional<Colour> texel_colour(const GuidedField& field, uint32_t origin, int64_t u, int64_t v)
 {
-    const auto number = texel_number(field.chart, origin, u, v);
+    const bool blocks = field.texel == format::GuidedTexel::vq8;
+    const auto number =
+        blocks ? texel_number(field.chart, origin, u >> 1, v >> 1) : texel_number(field.chart, origin, u, v);
     if (!number) return std::nullopt;
     const bool narrow = field.texel == format::GuidedTexel::index4;
     const uint8_t* texels = field.chart.texels;
     const int index = narrow ? texels[*number / 2] >> *number % 2 * 4 & 0xF : texels[*number];
     if (index == 0) return std::nullopt;
     const size_t group = origin / field.origins_per_palette;
+    const size_t entry = blocks ? 4 * static_cast<size_t>(index) + static_cast<size_t>(2 * (v & 1) + (u & 1))
+                                : static_cast<size_t>(index);
     const uint8_t* rgb =
-        field.colours + (group * (narrow ? 16 : 256) + static_cast<size_t>(index)) * format::kChartColourBytes;
+        field.colours + (group * format::chart_colours(field.texel) + entry) * format::kChartColourBytes;
     const auto value = [&](int channel) {
         return field.mean.resolution != 0 ? static_cast<double>(static_cast<int8_t>(rgb[channel])) : rgb[channel];
     };

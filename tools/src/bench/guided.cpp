@@ -29,7 +29,7 @@ constexpr char kAntialiased[] = "-aa";
 
 constexpr uint32_t kMeanResolution = 96;
 
-const std::vector<std::string> kGuidedTexels = {"residual4", "colour4"};
+const std::vector<std::string> kGuidedTexels = {"residual4", "residual_vq8", "colour4"};
 
 bool ends_with(const std::string& text, const std::string& end)
 {
@@ -63,13 +63,21 @@ std::string renderer_of(const std::string& mode, const std::string& texel)
     return kPrefix + step_of(mode) + "_" + texel + (is_antialiased(mode) ? kAntialiased : "");
 }
 
+// The mean alone has no texels; blocks are measured with the most taps.
+bool is_measured(const std::string& step, const std::string& texel)
+{
+    return texel == "residual4" || (texel == "residual_vq8" ? step == "linear" : step != "mean");
+}
+
 void bake(const FieldSettings& settings, const std::string& texel, const std::filesystem::path& path)
 {
     std::vector<std::string> warnings;
     const baker::Scene scene = baker::load_scene(settings.scene, {}, warnings);
     baker::GuidedSettings guided;
     guided.origins = kGuidedOrigins;
-    guided.chart_size = kGuidedChartSize;
+    const bool blocks = texel == "residual_vq8";
+    guided.chart_size = blocks ? kGuidedBlockChartSize : kGuidedChartSize;
+    guided.texel = blocks ? format::GuidedTexel::vq8 : format::GuidedTexel::index4;
     guided.proxy_triangles = kGuidedTriangles;
     guided.mean_resolution = texel == "colour4" ? 0 : kMeanResolution;
     guided.samples = settings.samples;
@@ -149,7 +157,7 @@ public:
         for (const std::string& mode : settings_.matrix.modes) {
             if (!is_guided(mode)) continue;
             for (const std::string& texel : kGuidedTexels)
-                if (texel != "colour4" || step_of(mode) != "mean") programs_.push_back({mode, texel});
+                if (is_measured(step_of(mode), texel)) programs_.push_back({mode, texel});
         }
         if (programs_.empty()) return {};
         std::filesystem::create_directories(settings_.work);

@@ -91,9 +91,11 @@ std::string guided_section(const Rows& rows)
            std::to_string(kGuidedTriangles) +
            " triangles. Instructions per covered pixel / those of them that find the\nsurface; *-aa* has four samples "
            "a "
-           "pixel. *residual4*: differences from mean colours, what bakes have by default; *colour4*:\ncolours without "
-           "a "
-           "mean. dB and worst pixel are against the double-precision twin. Stack includes the `ProxyFrame`.\n\n" +
+           "pixel. *residual4*: differences from mean colours, what bakes have by default; "
+           "*residual_vq8*:\nthe same bytes in blocks of 2 × 2, charts of " +
+           std::to_string(kGuidedBlockChartSize) +
+           "; *colour4*: colours without a mean.\ndB and worst pixel are against the double-precision twin. Stack "
+           "includes the `ProxyFrame`.\n\n" +
            table + "\n";
 }
 

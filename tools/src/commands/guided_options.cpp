@@ -16,8 +16,10 @@ const Choices<Layout> kLayouts = {{"chord", Layout::chord}, {"guided", Layout::g
 const Choices<format::MeanFormat> kMeanFormats = {{"rgb565", format::MeanFormat::rgb565},
                                                   {"palette8", format::MeanFormat::palette8}};
 
-const Choices<format::GuidedTexel> kTexels = {
-    {"none", format::GuidedTexel::none}, {"4", format::GuidedTexel::index4}, {"8", format::GuidedTexel::index8}};
+const Choices<format::GuidedTexel> kTexels = {{"none", format::GuidedTexel::none},
+                                              {"4", format::GuidedTexel::index4},
+                                              {"8", format::GuidedTexel::index8},
+                                              {"vq8", format::GuidedTexel::vq8}};
 
 constexpr const char* kChordOnly[] = {"--directions", "--texel", "--footprint", "--adaptive"};
 constexpr const char* kGuidedOnly[] = {"--proxy-triangles", "--mean-resolution", "--mean-format", "--no-occlusion"};
@@ -58,8 +60,10 @@ void add_chart_options(CLI::App& command, GuidedOptions& options)
         ->type_name("G")
         ->check(CLI::Range(format::kMinChart, format::kMaxChart))
         ->capture_default_str();
-    add_choice(command, "--texels", s.texel, kTexels, "BITS",
-               "guided, focus: bits a texel: 4, 8, or none where the mean colours say enough [4]");
+    add_choice(
+        command, "--texels", s.texel, kTexels, "BITS",
+        "guided, focus: bits a texel: 4, 8, or guided alone: vq8, eight for blocks of 2x2, or none where the mean "
+        "colours say enough [4]");
     command
         .add_option("--jitter", s.jitter, "guided, focus: how far a texel's samples spread, in its share of the disc")
         ->type_name("RADIUS")

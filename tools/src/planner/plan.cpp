@@ -20,7 +20,10 @@ std::string number(float value)
 
 const char* texel_word(format::GuidedTexel texel)
 {
-    return texel == format::GuidedTexel::none ? "none" : texel == format::GuidedTexel::index4 ? "4" : "8";
+    return texel == format::GuidedTexel::none     ? "none"
+           : texel == format::GuidedTexel::index4 ? "4"
+           : texel == format::GuidedTexel::vq8    ? "vq8"
+                                                  : "8";
 }
 
 std::string cap_text(uint32_t used, uint32_t all)
@@ -31,7 +34,8 @@ std::string cap_text(uint32_t used, uint32_t all)
 std::string texel_text(const baker::GuidedSettings& s)
 {
     if (s.texel == format::GuidedTexel::none) return ", no texels";
-    return ", chart " + std::to_string(s.chart_size) + ", " + texel_word(s.texel) + "-bit texels";
+    const char* texels = s.texel == format::GuidedTexel::vq8 ? " texels" : "-bit texels";
+    return ", chart " + std::to_string(s.chart_size) + ", " + texel_word(s.texel) + texels;
 }
 
 std::string mean_text(const baker::GuidedSettings& s)

@@ -19,15 +19,15 @@ constexpr std::array<uint32_t, 12> kOrigins = {64, 96, 128, 192, 256, 384, 512, 
 constexpr std::array<uint32_t, 8> kTriangles = {500, 1000, 1500, 2000, 3000, 4000, 6000, 8000};
 constexpr std::array<uint32_t, 12> kMeans = {16, 24, 32, 48, 64, 80, 96, 112, 128, 160, 192, 240};
 constexpr std::array<format::MeanFormat, 2> kMeanFormats = {format::MeanFormat::palette8, format::MeanFormat::rgb565};
-constexpr std::array<format::GuidedTexel, 3> kTexels = {format::GuidedTexel::index4, format::GuidedTexel::index8,
-                                                        format::GuidedTexel::none};
+constexpr std::array<format::GuidedTexel, 4> kTexels = {format::GuidedTexel::index4, format::GuidedTexel::index8,
+                                                        format::GuidedTexel::none, format::GuidedTexel::vq8};
 constexpr std::array<uint32_t, 6> kCapPercent = {50, 60, 70, 80, 90, 100};
 constexpr std::array<float, 5> kFocusRadii = {0, 0.25f, 0.5f, 0.75f, 0.9f};  // radii of the sphere
 constexpr std::array<double, 5> kShapes = {0.25, 0.5, 1, 2, 4};              // N/M
 
 // The coordinates of the families by their names, which are also what people read.
 constexpr const char kOriginsName[] = "origins", kTrianglesName[] = "triangles", kMeanName[] = "mean",
-                     kResolutionName[] = "mean resolution", kFormatName[] = "mean format", kTexelName[] = "texel bits",
+                     kResolutionName[] = "mean resolution", kFormatName[] = "mean format", kTexelName[] = "texels",
                      kOcclusionName[] = "occlusion", kCapName[] = "cap", kFocusName[] = "focus radius",
                      kShapeName[] = "directions per origin", kChordTexelName[] = "texel";
 
@@ -110,7 +110,7 @@ Family guided_family(const Task& task)
             {numbers(kOriginsName, kOrigins, set.origins, start_origins(megabytes)),
              numbers(kResolutionName, kMeans, resolution, start_resolution(megabytes)),
              numbers(kTrianglesName, kTriangles, set.triangles, start_triangles(megabytes)),
-             words(kTexelName, {"4", "8", "none"}, place_of(kTexels, set.texel)),
+             words(kTexelName, {"4", "8", "none", "vq8"}, place_of(kTexels, set.texel)),
              words(kFormatName, {"palette8", "rgb565"}, place_of(kMeanFormats, set.mean_format)),
              words(kOcclusionName, {"with", "without"}, occlusion), words(kMeanName, {"with", "without"}, with_mean),
              cap_coordinate(task)}};
@@ -171,9 +171,10 @@ uint32_t used_of(const Task& task, const Chosen& chosen, uint32_t origins)
 
 format::GuidedTexel texel_named(const std::string& bits)
 {
-    return bits == "4"   ? format::GuidedTexel::index4
-           : bits == "8" ? format::GuidedTexel::index8
-                         : format::GuidedTexel::none;
+    return bits == "4"     ? format::GuidedTexel::index4
+           : bits == "8"   ? format::GuidedTexel::index8
+           : bits == "vq8" ? format::GuidedTexel::vq8
+                           : format::GuidedTexel::none;
 }
 
 Plan guided_plan(const Task& task, const Chosen& chosen, Layout layout)
@@ -257,7 +258,8 @@ std::vector<Layout> layouts_of(const ByHand& set)
         if (!useless && set.layout.value_or(layout) == layout) layouts.push_back(layout);
     };
     add(Layout::guided, focus || chord);
-    add(Layout::focus, surface || chord || set.texel == format::GuidedTexel::none);
+    const bool no_focus = set.texel == format::GuidedTexel::none || set.texel == format::GuidedTexel::vq8;
+    add(Layout::focus, surface || chord || no_focus);
     add(Layout::chord, surface || focus || chart);
     return layouts;
 }

@@ -56,7 +56,7 @@ private:
 
 // "rgb888", "rgb565", "palette8" or "luma8".
 const char* name_of(format::TexelFormat format);
-// "none", "index4" or "index8"; "proxy" or "focus"; "rgb565" or "palette8".
+// "none", "index4", "index8" or "vq8"; "proxy" or "focus"; "rgb565" or "palette8".
 const char* name_of(format::GuidedTexel texel);
 const char* name_of(format::GuidedSurface surface);
 const char* name_of(format::MeanFormat format);
