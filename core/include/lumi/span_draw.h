@@ -155,14 +155,15 @@ void draw_pairs(const SpanTarget<Background>& span)
     }
 }
 
-// Anywhere, side by side.
-template <class Texel, class Pixel, class Background>
-void draw_any(const SpanTarget<Background>& span)
+// Side by side, each through cells or over a cap.
+template <class Origins, class Directions, class Texel, class Pixel, class Background>
+void draw_sides(const SpanTarget<Background>& span)
 {
     using Sum = SpanSum<Texel, !Background::kIsBlack>;
-    AnySource origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
-    AnySource directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    const uint8_t* base = settled(span.field.texels - Sum::kBefore + origins.base() + directions.base());
+    const Field field = span.field;  // stores of pixels do not change it
+    Origins origins(span.origins, static_cast<int32_t>(field.row_stride_bytes));
+    Directions directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    const uint8_t* base = settled(field.texels - Sum::kBefore + origins.base() + directions.base());
     uint8_t* pixel = span.pixels;
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
         const SpanTaps rows = origins.template taps<Sum::kRowBits>();
@@ -173,7 +174,7 @@ void draw_any(const SpanTarget<Background>& span)
             const uint8_t* row = settled(base + rows.offset[m]);
             typename Sum::Row of_row;
 #pragma GCC unroll 3
-            for (int j = 0; j < 3; ++j) of_row.add(span.field, row + texels.offset[j], texels.weight[j]);
+            for (int j = 0; j < 3; ++j) of_row.add(field, row + texels.offset[j], texels.weight[j]);
             sum.add(of_row, row_weight<Sum>(rows.weight[m]));
         }
         sum.template store<Pixel>(span.background, pixel);
@@ -190,10 +191,11 @@ struct Rounding {
     static constexpr bool kConstant = true;
     SpanOffsets at(int32_t) const { return {1 << 15, 1 << 15}; }
 
-    static int pick(const int32_t weight_q16[3], int32_t)
+    static int pick(int32_t first_q16, int32_t second_q16, int32_t third_q16, int32_t)
     {
-        const int first = weight_q16[1] > weight_q16[0] ? 1 : 0;
-        return weight_q16[2] > weight_q16[first] ? 2 : first;
+        const bool is_second = second_q16 > first_q16;
+        const int32_t most_q16 = is_second ? second_q16 : first_q16;
+        return third_q16 > most_q16 ? 2 : is_second ? 1 : 0;
     }
 };
 
@@ -227,10 +229,10 @@ public:
     }
     const SpanOffsets& at(int32_t pixel) const { return row_[pixel & 3]; }
 
-    static int pick(const int32_t weight_q16[3], int32_t threshold_q16)
+    static int pick(int32_t first_q16, int32_t second_q16, int32_t, int32_t threshold_q16)
     {
         const int32_t t = 65535 - threshold_q16;
-        return t < weight_q16[0] ? 0 : t < weight_q16[0] + weight_q16[1] ? 1 : 2;
+        return t < first_q16 ? 0 : t < first_q16 + second_q16 ? 1 : 2;
     }
 
 private:
@@ -251,8 +253,12 @@ struct SpanDraw<Linear> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        if (over_cap(span) || !can_follow(span.origins, span.directions, span.length)) {
-            draw_any<Texel, Pixel>(span);
+        if (over_cap(span)) {
+            if (span.directions.cap == nullptr) return draw_sides<CapSource, CellSource, Texel, Pixel>(span);
+            if (span.origins.cap == nullptr) return draw_sides<CellSource, CapSource, Texel, Pixel>(span);
+            draw_sides<CapSource, CapSource, Texel, Pixel>(span);
+        } else if (!can_follow(span.origins, span.directions, span.length)) {
+            draw_sides<CellSource, CellSource, Texel, Pixel>(span);
         } else if (span.origins.uniform && span.directions.uniform) {
             draw_pairs<false, Texel, Pixel>(span);
         } else {

@@ -163,12 +163,50 @@ private:
     int32_t u_q16_, v_q16_, du_q16_, dv_q16_;
 };
 
+// Walks a side over a cap pixel by pixel: two weights in registers, the third is what is left of 2^16.
+class CapWalk
+{
+public:
+    CapWalk(SpanCap& cap, int32_t step_bytes) : cap_(cap), step_(step_bytes) { take(); }
+
+    int32_t offset(int corner) const { return offset_[corner]; }
+    int32_t first_q16() const { return 65536 - second_ - third_; }
+    int32_t second_q16() const { return second_; }
+    int32_t third_q16() const { return third_; }
+
+    LUMI_ALWAYS_INLINE void advance()
+    {
+        ++pixel_;
+        second_ += step_second_;
+        third_ += step_third_;
+        if ((second_ | third_ | first_q16()) >= 0) return;
+        cap_.find(pixel_);
+        take();
+    }
+
+private:
+    void take()
+    {
+        for (int k = 0; k < 3; ++k) offset_[k] = cap_.corner[k] * step_;
+        second_ = cap_.weight_q16[1];
+        third_ = cap_.weight_q16[2];
+        step_second_ = cap_.step_q16[1];
+        step_third_ = cap_.step_q16[2];
+    }
+
+    SpanCap& cap_;
+    int32_t step_;
+    int32_t second_, third_, step_second_, step_third_;
+    int32_t offset_[3];
+    int32_t pixel_ = 0;
+};
+
 template <>
 class OneTap<true>
 {
 public:
     OneTap(const SpanSide& side, int32_t stride_bytes)
-        : cap_(*side.cap), step_(side.first * stride_bytes), base_(side.base * stride_bytes)
+        : walk_(*side.cap, side.first * stride_bytes), base_(side.base * stride_bytes)
     {
     }
 
@@ -176,53 +214,41 @@ public:
     template <class Offsets>
     int32_t offset(int32_t add_q16) const
     {
-        return cap_.corner[Offsets::pick(cap_.weight_q16, add_q16)] * step_;
+        return walk_.offset(Offsets::pick(walk_.first_q16(), walk_.second_q16(), walk_.third_q16(), add_q16));
     }
-    void advance() { cap_.advance(++pixel_); }
+    void advance() { walk_.advance(); }
 
 private:
-    SpanCap& cap_;
-    int32_t step_, base_;
-    int32_t pixel_ = 0;
+    CapWalk walk_;
+    int32_t base_;
 };
 
-// The taps of a side that may lie in a pole's cap: the rare spans that span_pair.h does not draw share one loop.
-class AnySource
+// The taps of a side over a cap.
+class CapSource
 {
 public:
-    AnySource(const SpanSide& side, int32_t stride_bytes)
-        : cell_(side, stride_bytes), cap_(side.cap), step_(side.first * stride_bytes)
+    CapSource(const SpanSide& side, int32_t stride_bytes)
+        : walk_(*side.cap, side.first * stride_bytes), base_(side.base * stride_bytes)
     {
     }
 
-    int32_t base() const { return cell_.base(); }
+    int32_t base() const { return base_; }
 
     template <int kBits>
-    SpanTaps taps() const
+    LUMI_ALWAYS_INLINE SpanTaps taps() const
     {
-        if (cap_ == nullptr) return cell_.template taps<kBits>();
         constexpr uint32_t kOne = 1u << kBits;
         constexpr uint32_t kHalf = 1u << (15 - kBits);
-        const uint32_t w1 = (static_cast<uint32_t>(cap_->weight_q16[1]) + kHalf) >> (16 - kBits);
-        const uint32_t w2 = static_cast<uint32_t>(cap_->weight_q16[2]) >> (16 - kBits);
-        return {{cap_->corner[0] * step_, cap_->corner[1] * step_, cap_->corner[2] * step_},
-                {w1 + w2 < kOne ? kOne - w1 - w2 : 0, w1, w2}};
+        const uint32_t w1 = (static_cast<uint32_t>(walk_.second_q16()) + kHalf) >> (16 - kBits);
+        const uint32_t w2 = static_cast<uint32_t>(walk_.third_q16()) >> (16 - kBits);
+        return {{walk_.offset(0), walk_.offset(1), walk_.offset(2)}, {w1 + w2 < kOne ? kOne - w1 - w2 : 0, w1, w2}};
     }
 
-    void advance()
-    {
-        if (cap_ != nullptr) {
-            cap_->advance(++pixel_);
-        } else {
-            cell_.advance();
-        }
-    }
+    void advance() { walk_.advance(); }
 
 private:
-    CellSource cell_;
-    SpanCap* cap_;
-    int32_t step_;
-    int32_t pixel_ = 0;
+    CapWalk walk_;
+    int32_t base_;
 };
 
 }  // namespace lumi
