@@ -70,8 +70,8 @@ void SpanWalker::shift(int32_t share_q8)
 {
     SpanSide& side = track_.side;
     if (side.cap != nullptr) return;
-    // One step on either side changes heights by no more than the whole span does.
-    const int32_t reach = magnitude((next_z_q30_ >> 1) - (side.z_q30 >> 1));
+    // A share is below an eighth of the span's length: it changes heights by less than an eighth of what the span does.
+    const int32_t reach = magnitude((next_z_q30_ >> 1) - (side.z_q30 >> 1)) >> 3;
     const int32_t height = magnitude(side.z_q30);
     const int32_t next_height = magnitude(next_z_q30_);
     const int32_t highest = height > next_height ? height : next_height;

@@ -83,6 +83,7 @@ TEST_CASE("spans are as long as the rim allows, and end where they must", "[span
                     REQUIRE(length <= 4 * from_left + 3);
                     REQUIRE(length <= 5 * (from_right - length) + 3);
                     const int32_t shift = SpanRamp::shift_q8(from_left, from_right - length, length);
+                    REQUIRE(std::abs(shift) < 32 * length);
                     REQUIRE(std::abs(shift) <= 128 * length);
                 }
             }

@@ -53,8 +53,8 @@ public:
 
     // At the rim a hit moves like the root s of the distance from it: along a span from s0 to s1 the mean of s is
     // (s1 - s0)²/(6·(s0 + s1)) more than (s0 + s1)/2; with s² the distance to the rim, about length/(12·(s0² + s1²)) of
-    // the way. How far a span is to be moved for that, in its steps, by the pixels between the rim and its nearer end;
-    // spans of one or two pixels lie where they are.
+    // the way. How far a span is to be moved for that, in its steps, by the pixels between the rim and its nearer end:
+    // by less than an eighth of its length; spans of one or two pixels lie where they are.
     static int32_t shift_q8(int32_t from_left, int32_t from_right, int32_t length)
     {
         if (length < 3) return 0;

@@ -19,7 +19,7 @@ public:
     // Sets side() for the span up to the node `length` pixels on, 1 .. 16, and returns `length`; or returns how long to
     // make it at most, 0 .. length - 1, as it enters or leaves a pole's cap or turns by more than 1/16 turn.
     int32_t prepare(const SpanNode& at, const SpanNode& next, int32_t length);
-    // Moves the span that prepare() set up by a share of a pixel's step, at most one. Not over caps, nor where the
+    // Moves the span that prepare() set up by a share of a pixel's step (SpanRamp::shift_q8). Not over caps, nor where the
     // chart could end.
     void shift(int32_t share_q8);
     // Moves on to the node that was prepared for, once the span is drawn.

@@ -22,20 +22,22 @@ struct Cost {
 
 // A fill of the background, a pixel.
 constexpr Cost kBackground = {3, 4};
-// Guided fields, measured on whole frames of M = 128, G = 96, 2,592 triangles (docs/planner.md). A triangle with its
+// Guided fields, measured on whole frames of M = 128, G = 96, 2,500 triangles (docs/planner.md). A triangle with its
 // share of the vertices; an object pixel's surface with one sample, and with four and their mixing; its shading by
 // GuidedMode.
-constexpr Cost kTriangle = {154, 262}, kSurface = {119, 187}, kFourSamples = {258, 435};
-constexpr Cost kShade[] = {{880, 1800}, {770, 1570}, {480, 980}, {225, 460}};
+constexpr Cost kTriangle = {154, 262}, kSurface = {119, 187}, kFourSamples = {267, 381};
+constexpr Cost kShade[] = {{755, 1330}, {682, 1250}, {455, 845}, {193, 370}};
+// What texels in blocks cost more, where taps are linear.
+constexpr Cost kBlocks = {120, 250};
 // A ray against the focus sphere, per pixel of the sphere: assumed.
 constexpr Cost kFocusPixel = {60, 110};
 
 // Chord fields by render_spans, S = 8, per pixel of the sphere: docs/tradeoff.md, the dearest texel format.
-constexpr Cost kChord[] = {{152, 279}, {300, 535}, {1029, 1888}};  // by chord_kind()
+constexpr Cost kChord[] = {{119, 204}, {224, 461}, {769, 1220}};  // by chord_kind()
 
 // Misses per pixel of an RP2040's cache, of 8-byte lines. Chord fields: docs/tradeoff.md. Guided ones: neighbouring
 // pixels read texels half a step apart, 16 to a line in each of three origins' rows, and voxels of four rows.
-constexpr double kChordMisses[] = {0.08, 0.9, 0.9};
+constexpr double kChordMisses[] = {0.09, 0.35, 0.35};
 constexpr double kGuidedMisses[] = {0.7, 0.6, 0.5, 0.4};
 
 const std::vector<DrawMode> kGuided = {{"linear, antialiased", GuidedMode::linear, true, Mode::linear},
@@ -64,7 +66,9 @@ FrameCost guided_cost(bool m0plus, const Plan& plan, const DrawMode& mode, const
         return {share.sphere_px * pixel, share.sphere_px * kGuidedMisses[kind]};
     }
     const double mesh = plan.guided.proxy_triangles * kTriangle.of(m0plus);
-    const double pixel = (mode.antialiased ? kFourSamples : kSurface).of(m0plus) + kShade[kind].of(m0plus);
+    const bool has_blocks = plan.guided.texel == format::GuidedTexel::vq8 && mode.guided == GuidedMode::linear;
+    const double pixel = (mode.antialiased ? kFourSamples : kSurface).of(m0plus) + kShade[kind].of(m0plus) +
+                         (has_blocks ? kBlocks.of(m0plus) : 0);
     return {mesh + share.object_px * pixel, share.object_px * kGuidedMisses[kind]};
 }
 
