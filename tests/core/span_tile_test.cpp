@@ -97,11 +97,11 @@ TEST_CASE("tiles take the sphere's inside, and run close to each pixel's own hit
         if (!pole && view.name != "generic") continue;
         Camera camera;
         REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        for (const uint32_t points : {1024u, 4096u}) {
-            const Counts front = count_tiles(camera, Lattice(points), &SpanNode::front);
-            const Counts back = count_tiles(camera, Lattice(points), &SpanNode::back);
+        for (const int points : {1024, 4096}) {
+            const Counts front = count_tiles(camera, Lattice(static_cast<uint32_t>(points)), &SpanNode::front);
+            const Counts back = count_tiles(camera, Lattice(static_cast<uint32_t>(points)), &SpanNode::back);
             for (const Counts* side : {&front, &back}) {
-                std::printf("%s, %u points: %d of %d tiles taken, %d over caps; %.4f of a cell off\n",
+                std::printf("%s, %d points: %d of %d tiles taken, %d over caps; %.4f of a cell off\n",
                             view.name.c_str(), points, side->cells + side->caps, side->tried, side->caps,
                             side->worst.error);
                 CHECK(side->taken() > 0.9);
