@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sampler.h"
+#include "k_means.h"
 
 namespace lumi::baker
 {
@@ -21,20 +21,11 @@ BlockBook seeded(const std::vector<TexelBlock>& blocks, size_t count, uint64_t s
     std::vector<float> distances(blocks.size(), 1);
     Sampler sampler(seed, 0, 0);
     while (book.size() < count) {
-        double total = 0;
-        for (const float d : distances) {
-            total += static_cast<double>(d);
-        }
-        if (!(total > 0)) {
+        const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
+        if (!chosen) {
             break;  // every block has an entry of its own
         }
-        double left = static_cast<double>(sampler.next_1d()) * total;
-        size_t chosen = 0;
-        for (size_t k = 0; k < blocks.size() && left >= 0; ++k) {
-            chosen = distances[k] > 0 ? k : chosen;
-            left -= static_cast<double>(distances[k]);
-        }
-        book.push_back(blocks[chosen].filled());
+        book.push_back(blocks[*chosen].filled());
         for (size_t k = 0; k < blocks.size(); ++k) {
             const float d = distance2(book.back(), blocks[k]);
             distances[k] = book.size() == 1 ? d : std::min(distances[k], d);

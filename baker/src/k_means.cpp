@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "sampler.h"
-
 namespace lumi::baker
 {
 namespace
@@ -21,15 +19,6 @@ float distance2(const ColourPoint& a, const ColourPoint& b)
         sum += (a[k] - b[k]) * (a[k] - b[k]);
     }
     return sum;
-}
-
-double sum_of(const std::vector<float>& distances)
-{
-    double total = 0;
-    for (const float d : distances) {
-        total += static_cast<double>(d);
-    }
-    return total;
 }
 
 // Each further centre is drawn with probability proportional to the squared distance from those already there.
@@ -48,17 +37,11 @@ void seed_centres(std::vector<ColourPoint>& centres, const std::vector<ColourPoi
     }
     Sampler sampler(seed, 0, 0);
     while (centres.size() < count) {
-        const double total = sum_of(distances);
-        if (!(total > 0)) {
+        const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
+        if (!chosen) {
             break;  // every colour has a centre of its own
         }
-        double left = static_cast<double>(sampler.next_1d()) * total;
-        size_t chosen = 0;
-        for (size_t k = 0; k < points.size() && left >= 0; ++k) {
-            chosen = distances[k] > 0 ? k : chosen;
-            left -= static_cast<double>(distances[k]);
-        }
-        centres.push_back(points[chosen]);
+        centres.push_back(points[*chosen]);
         note(centres.back(), centres.size() == 1);
     }
 }
@@ -82,6 +65,24 @@ void refine(std::vector<ColourPoint>& centres, size_t fixed, const std::vector<C
 }
 
 }  // namespace
+
+std::optional<size_t> drawn_by_distance(const std::vector<float>& distances2, Sampler& sampler)
+{
+    double total = 0;
+    for (const float d : distances2) {
+        total += static_cast<double>(d);
+    }
+    if (!(total > 0)) {
+        return std::nullopt;
+    }
+    double left = static_cast<double>(sampler.next_1d()) * total;
+    size_t chosen = 0;
+    for (size_t k = 0; k < distances2.size() && left >= 0; ++k) {
+        chosen = distances2[k] > 0 ? k : chosen;
+        left -= static_cast<double>(distances2[k]);
+    }
+    return chosen;
+}
 
 NearestCentre nearest_centre(const std::vector<ColourPoint>& centres, const ColourPoint& p)
 {

@@ -3,9 +3,6 @@
 
 namespace lumi::polar
 {
-namespace
-{
-
 // Delaunay triangles with a corner below kReach, by their lowest corner.
 constexpr uint8_t kCorners[kTriangles][3] = {
     {0, 2, 1},    {0, 1, 3},    {0, 5, 2},    {0, 3, 8},    {0, 8, 5},    {1, 2, 4},    {1, 6, 3},    {1, 4, 9},
@@ -24,6 +21,9 @@ constexpr uint8_t kCorners[kTriangles][3] = {
     {39, 60, 73}, {39, 73, 52}, {40, 48, 61}, {40, 61, 74}, {40, 74, 53}, {41, 49, 62}, {41, 62, 75}, {41, 75, 54},
     {42, 50, 63}, {42, 63, 76}, {42, 76, 55}, {43, 51, 64}, {43, 64, 77}, {43, 77, 56}, {44, 52, 65}, {44, 65, 78},
     {44, 78, 57}, {45, 53, 66}, {45, 66, 79}, {45, 79, 58}, {46, 67, 80}, {46, 80, 59}, {47, 68, 81}, {47, 81, 60}};
+
+namespace
+{
 
 constexpr bool has(const uint8_t corner[3], uint8_t c)
 {
@@ -53,7 +53,7 @@ constexpr Gradient gradient(PlanePoint a, PlanePoint b, int32_t area_q24)
     return {quotient_q14(a.y_q12 - b.y_q12, area_q24), quotient_q14(b.x_q12 - a.x_q12, area_q24)};
 }
 
-constexpr Triangle make_triangle(int k)
+constexpr TriangleWalk make_walk(int k)
 {
     const uint8_t* const corner = kCorners[k];
     const PlanePoint p0 = kPattern.point[corner[0]];
@@ -61,21 +61,20 @@ constexpr Triangle make_triangle(int k)
     const PlanePoint p2 = kPattern.point[corner[2]];
     const int32_t area_q24 =
         (p1.x_q12 - p0.x_q12) * (p2.y_q12 - p0.y_q12) - (p1.y_q12 - p0.y_q12) * (p2.x_q12 - p0.x_q12);
-    return {{corner[0], corner[1], corner[2]},
-            {beyond_of(k, 0), beyond_of(k, 1), beyond_of(k, 2)},
+    return {{beyond_of(k, 0), beyond_of(k, 1), beyond_of(k, 2)},
             {gradient(p2, p0, area_q24), gradient(p0, p1, area_q24)}};
 }
 
-constexpr Mesh make_mesh()
+constexpr Walks make_walks()
 {
-    Mesh mesh{};
-    for (int k = 0; k < kTriangles; ++k) mesh.triangle[k] = make_triangle(k);
-    return mesh;
+    Walks walks{};
+    for (int k = 0; k < kTriangles; ++k) walks.triangle[k] = make_walk(k);
+    return walks;
 }
 
-constexpr bool are_short(const Mesh& mesh)
+constexpr bool are_short(const Walks& walks)
 {
-    for (const Triangle& t : mesh.triangle) {
+    for (const TriangleWalk& t : walks.triangle) {
         for (const Gradient& g : t.weight) {
             if (g.x_q14 * g.x_q14 + g.y_q14 * g.y_q14 >= 1 << 28) return false;
         }
@@ -85,7 +84,7 @@ constexpr bool are_short(const Mesh& mesh)
 
 }  // namespace
 
-constexpr Mesh kMesh = make_mesh();
-static_assert(are_short(kMesh));
+constexpr Walks kWalks = make_walks();
+static_assert(are_short(kWalks));
 
 }  // namespace lumi::polar

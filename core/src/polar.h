@@ -19,6 +19,7 @@ inline constexpr int32_t kCapHeight = 21;
 inline constexpr int32_t kReach = 48;
 inline constexpr uint32_t kPoints = 82;
 inline constexpr int kTriangles = 128;
+inline constexpr int kCapTriangles = 61;  // those with a corner below kCapHeight: they come first
 
 struct PlanePoint {
     int32_t x_q12, y_q12;
@@ -60,27 +61,29 @@ struct Gradient {
     int16_t x_q14, y_q14;
 };
 
-struct Triangle {
-    uint8_t corner[3];   // counter-clockwise, the lowest index first; triangles come in the order of it
+// What walking needs, apart from the corners: render(), which does not walk, links those alone.
+struct TriangleWalk {
     uint8_t beyond[3];   // the triangles across the edges opposite the corners; kNone where the pattern's table ends
     Gradient weight[2];  // barycentric, of the corners 1 and 2; both are 0 at corner 0. Shorter than 1
 };
 
-struct Mesh {
-    Triangle triangle[kTriangles];
+struct Walks {
+    TriangleWalk triangle[kTriangles];
 };
 
-extern const Mesh kMesh;
+// Of triangle k: counter-clockwise, the lowest index first; triangles come in the order of it.
+extern const uint8_t kCorners[kTriangles][3];
+extern const Walks kWalks;
 
 // Of triangle k < kTriangles.
 inline const uint8_t* corners(int k)
 {
-    return kMesh.triangle[k].corner;
+    return kCorners[k];
 }
 
 inline const uint8_t* beyond(int k)
 {
-    return kMesh.triangle[k].beyond;
+    return kWalks.triangle[k].beyond;
 }
 
 }  // namespace lumi::polar

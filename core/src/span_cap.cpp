@@ -28,42 +28,43 @@ int way_out(const int32_t weight_q16[3], const uint8_t beyond[3])
     return edge;
 }
 
+// Beside the table's last triangles: the nearest point of their edge, near enough.
+void clamp(int32_t weight_q16[3])
+{
+    const auto clamped = [](int32_t v, int32_t most) { return v < 0 ? 0 : v < most ? v : most; };
+    weight_q16[1] = clamped(weight_q16[1], kWholeQ16);
+    weight_q16[2] = clamped(weight_q16[2], kWholeQ16 - weight_q16[1]);
+    weight_q16[0] = kWholeQ16 - weight_q16[1] - weight_q16[2];
+}
+
 }  // namespace
 
 void SpanCap::find(int32_t at)
 {
     const int32_t x = x_q12 + ((at * dx_q16) >> 4);
     const int32_t y = y_q12 + ((at * dy_q16) >> 4);
-    const polar::Triangle* found = &polar::kMesh.triangle[triangle];
+    const polar::TriangleWalk* found = &polar::kWalks.triangle[triangle];
     for (int crossed = 0;; ++crossed) {
-        const polar::PlanePoint p = polar::plane_point(found->corner[0]);
+        const polar::PlanePoint p = polar::plane_point(polar::corners(triangle)[0]);
         weight_q16[1] = change_q16(found->weight[0], x - p.x_q12, y - p.y_q12);
         weight_q16[2] = change_q16(found->weight[1], x - p.x_q12, y - p.y_q12);
         weight_q16[0] = kWholeQ16 - weight_q16[1] - weight_q16[2];
         if ((weight_q16[0] | weight_q16[1] | weight_q16[2]) >= 0) break;
         const int edge = way_out(weight_q16, found->beyond);
         if (edge < 0 || crossed == polar::kTriangles) {
-            clamp();
+            clamp(weight_q16);
             break;
         }
         triangle = found->beyond[edge];
-        found = &polar::kMesh.triangle[triangle];
+        found = &polar::kWalks.triangle[triangle];
     }
-    corner[0] = found->corner[0];
-    corner[1] = found->corner[1];
-    corner[2] = found->corner[2];
+    const uint8_t* const corners = polar::corners(triangle);
+    corner[0] = corners[0];
+    corner[1] = corners[1];
+    corner[2] = corners[2];
     step_q16[1] = change_q16(found->weight[0], dx_q16 >> 3, dy_q16 >> 3) >> 1;
     step_q16[2] = change_q16(found->weight[1], dx_q16 >> 3, dy_q16 >> 3) >> 1;
     step_q16[0] = -step_q16[1] - step_q16[2];
-}
-
-// Beside the table's last triangles: the nearest point of their edge, near enough.
-void SpanCap::clamp()
-{
-    const auto clamped = [](int32_t v, int32_t most) { return v < 0 ? 0 : v < most ? v : most; };
-    weight_q16[1] = clamped(weight_q16[1], kWholeQ16);
-    weight_q16[2] = clamped(weight_q16[2], kWholeQ16 - weight_q16[1]);
-    weight_q16[0] = kWholeQ16 - weight_q16[1] - weight_q16[2];
 }
 
 }  // namespace lumi

@@ -53,7 +53,7 @@ Triangle polar_triangle(const Lattice& lattice, const Query& q)
 {
     const PolarPosition position = polar_position(q);
     PolarParts best = divide(0, position);
-    for (int k = 1; k < polar::kTriangles && best.smallest() < 0; ++k) {
+    for (int k = 1; k < polar::kCapTriangles && best.smallest() < 0; ++k) {
         const PolarParts parts = divide(k, position);
         if (parts.smallest() > best.smallest()) best = parts;
     }

@@ -23,7 +23,6 @@ struct SpanCap {
 
     // Finds the triangle under pixel `at`, walking from `triangle`. Weights are clamped to >= 0 and sum to 65,536.
     void find(int32_t at);
-    void clamp();
 
     // Advances to pixel `at`, the next one.
     void advance(int32_t at)
