@@ -2,6 +2,7 @@
 #include "lumi/span_node.h"
 
 #include "generate.h"
+#include "lumi/always_inline.h"
 
 namespace lumi
 {
@@ -168,20 +169,44 @@ RayRow NodeEvaluator::row_at(int32_t x, int32_t y) const
     return row;
 }
 
-void NodeEvaluator::evaluate(const RayRow& row, int32_t ahead, SpanNode& out) const
+RayRow NodeEvaluator::moved(const RayRow& row, int32_t right_px, int32_t down_px) const
+{
+    RayRow to;
+    for (int k = 0; k < 4; ++k) {
+        const auto step_y_q28 = static_cast<int32_t>(Split(source(k).step_y).high);
+        to.value_q28[k] = add_steps(add_steps(row.value_q28[k], step_q28_[k], right_px), step_y_q28, down_px);
+    }
+    return to;
+}
+
+LUMI_ALWAYS_INLINE NodeEvaluator::Ray NodeEvaluator::ray(const RayRow& row, int32_t ahead) const
 {
     const auto q15 = [&](int k) { return add_steps(row.value_q28[k], step_q28_[k], ahead) >> 13; };
     const int32_t px = q15(0);
     const int32_t py = q15(1);
     const int32_t pz = q15(2);
     const int32_t m = q15(3);
-
     const int32_t offset2_q30 = px * px + py * py + pz * pz;
-    const int32_t offset2_q15 = offset2_q30 >> 15;
-    const int32_t half_chord2 = m * m - perpendicular_q15_ * offset2_q15;
-    const uint32_t half_chord2_q30 = half_chord2 > 0 ? static_cast<uint32_t>(half_chord2) : 0;
-    const int32_t s = coarse_root_q15(half_chord2_q30);
-    const CoarseReciprocal inverse = coarse_reciprocal((half_chord2_q30 + static_cast<uint32_t>(offset2_q30)) >> 14);
+    const int32_t half_chord2 = m * m - perpendicular_q15_ * (offset2_q30 >> 15);
+    return {px, py, pz, m, offset2_q30, half_chord2 > 0 ? static_cast<uint32_t>(half_chord2) : 0};
+}
+
+int32_t NodeEvaluator::half_chord_q15(const RayRow& row, int32_t ahead) const
+{
+    return coarse_root_q15(ray(row, ahead).half_chord2_q30);
+}
+
+void NodeEvaluator::evaluate(const RayRow& row, int32_t ahead, SpanNode& out) const
+{
+    const Ray r = ray(row, ahead);
+    const int32_t px = r.px_q15;
+    const int32_t py = r.py_q15;
+    const int32_t pz = r.pz_q15;
+    const int32_t m = r.m_q15;
+    const int32_t offset2_q15 = r.offset2_q30 >> 15;
+    const int32_t s = coarse_root_q15(r.half_chord2_q30);
+    const CoarseReciprocal inverse =
+        coarse_reciprocal((r.half_chord2_q30 + static_cast<uint32_t>(r.offset2_q30)) >> 14);
     out.inverse_mantissa = inverse.mantissa;
     out.shift = inverse.exponent - 16;
 

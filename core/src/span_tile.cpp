@@ -112,18 +112,8 @@ void TileWalker::set_bilinear(const TilePoints& at, int width_log2)
     set(&LatticePoint::v_q16, side.v_q16, side.dv_q16, down_.v_q16, down_.dv_q16);
 }
 
-void TileWalker::move_down(SpanSide& side, int32_t rows) const
+void TileWalker::follow_cap()
 {
-    side.u_q16 += rows * down_.u_q16;
-    side.v_q16 += rows * down_.v_q16;
-    side.du_q16 += rows * down_.du_q16;
-    side.dv_q16 += rows * down_.dv_q16;
-}
-
-void TileWalker::advance(int32_t rows)
-{
-    move_down(track_.side, rows);
-    if (track_.side.cap == nullptr) return;
     track_.cap.triangle = triangle_;
     track_.follow_cap();
 }

@@ -22,6 +22,7 @@ set(LUMI_CORE_TEST_SOURCES
   span_range_test.cpp
   span_reads_test.cpp
   span_test.cpp
+  span_rim_test.cpp
   span_tile_test.cpp
   sphere_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

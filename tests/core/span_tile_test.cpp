@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/outline.h"
+#include "own_place.h"
 #include "report.h"
 #include "views.h"
 
@@ -23,26 +24,6 @@ struct Counts {
 
     double taken() const { return (cells + caps) / static_cast<double>(tried); }
 };
-
-// A pixel's coordinates in the chart or the plane of the tile that is prepared, from its own hit.
-LatticePoint own_place(const SpanTrack& track, const SpanNode& node, const LatticePoint& near)
-{
-    const SpanHit& hit = node.*track.hit;
-    if (track.side.cap != nullptr) return track.in_plane(node, hit.z_q30 < 0);
-    // Longitudes wrap: of the three turns that of the nearest place is meant.
-    LatticePoint best{};
-    double least = 1e9;
-    for (int32_t turn = -1; turn <= 1; ++turn) {
-        const int32_t longitude_q20 = static_cast<int32_t>(hit.longitude_turns32 >> 12) + turn * (1 << 20);
-        const LatticePoint p = track.chart.at(longitude_q20, hit.z_q30);
-        const double off = std::abs(static_cast<double>(p.u_q16) - near.u_q16);
-        if (off < least) {
-            least = off;
-            best = p;
-        }
-    }
-    return best;
-}
 
 void compare_rows(const Camera& camera, int32_t x, int32_t y, const NodeEvaluator& nodes, SpanTrack& track,
                   TileWalker& tile, Worst& worst)

@@ -24,6 +24,9 @@ public:
     // The span of row y; call with rows in increasing order.
     RowSpan row(int32_t y);
 
+    // Whether an end of a row's span is the sphere's and not the limits'.
+    bool is_outline(int32_t x) const { return x != limits_.begin && x != limits_.end; }
+
     // The columns, at multiples of 2^step_log2 within the limits, that rows `top` and `bottom` of the image both cover:
     // the first and the last, but the ones next to them where the rim is nearer than the limits. The sphere covers all
     // between them. None: begin >= end. `between` is the span of a row between them.

@@ -60,6 +60,7 @@ void fill_beside(const Background& background, const Stripe& stripe, const RowSp
     const Rgb8 colour = background.template under<Pixel>(nullptr);
     const auto fill = [&](int32_t begin, int32_t end) {
         uint8_t* pixel = pixels + static_cast<uint32_t>(begin - stripe.x_px) * Pixel::kBytes;
+#pragma GCC unroll 8
         for (int32_t x = begin; x < end; ++x, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
     };
     fill(stripe.x_px, span.begin);

@@ -6,6 +6,7 @@
 #include "lumi/render.h"
 #include "lumi/span_draw.h"
 #include "lumi/span_ramp.h"
+#include "lumi/span_rim.h"
 #include "lumi/span_tile.h"
 #include "lumi/span_walker.h"
 
@@ -29,10 +30,6 @@ public:
           directions_(field.directions),
           front_track_(origins_, &SpanNode::front),
           back_track_(directions_, &SpanNode::back),
-          front_(front_track_),
-          back_(back_track_),
-          front_tile_(front_track_),
-          back_tile_(back_track_),
           ramp_(1 << span_log2)
     {
     }
@@ -50,6 +47,26 @@ public:
 private:
     using Target = SpanTarget<Background>;
 
+    // A RowSpan in half the space.
+    struct Columns {
+        int16_t begin, end;
+
+        static Columns of(const RowSpan& span)
+        {
+            static_assert(kMaxImageSide <= INT16_MAX);
+            return {static_cast<int16_t>(span.begin), static_cast<int16_t>(span.end)};
+        }
+        RowSpan span() const { return {begin, end}; }
+    };
+
+    // Both lattices, through a row's spans or a row of tiles.
+    template <class Walker>
+    struct Walkers {
+        Walker front, back;
+
+        explicit Walkers(SpanRenderer& r) : front(r.front_track_), back(r.back_track_) {}
+    };
+
     uint8_t* pixel_at(int32_t x, int32_t y) const
     {
         return stripe_.pixels + static_cast<size_t>(y - stripe_.y_px) * stripe_.stride_bytes +
@@ -61,17 +78,27 @@ private:
     {
         y_ = y;
         rows_ = end - y;
+        const int32_t top = y & -kTileRows;
+        if (has_tiles() && y != top) edge_[0] = Columns::of(outline_.row(top));
         bool covered = false;
         for (int32_t row = 0; row < rows_; ++row) {
-            spans_[row] = outline_.row(y + row);
+            spans_[row] = y + row == below_y_ ? edge_[1] : Columns::of(outline_.row(y + row));
             covered = covered || spans_[row].begin < spans_[row].end;
-            fill_beside<Pixel>(background_, stripe_, spans_[row], pixel_at(stripe_.x_px, y + row));
+            fill_beside<Pixel>(background_, stripe_, spans_[row].span(), pixel_at(stripe_.x_px, y + row));
         }
         if (!covered) return;
         gaps_ = 0;
-        gap_[0] = {INT32_MIN, INT32_MAX};
-        if (span_log2_ >= kMinTileLog2) draw_tiles();
-        for (int k = 0; k <= gaps_; ++k) draw_between(gap_[k].begin, gap_[k].end);
+        gap_[0] = {INT16_MIN, INT16_MAX};
+        if (has_tiles()) draw_tiles();
+        if (gaps_ > 0) {
+            if (y == top) edge_[0] = spans_[0];
+            below_y_ = top + kTileRows;
+            edge_[1] = Columns::of(outline_.row(below_y_));
+        }
+        for (int k = 0; k <= gaps_; ++k) {
+            const bool rim = gaps_ > 0 && (k == 0 || k == gaps_);
+            if (!rim || !draw_rim(gap_[k])) draw_between(gap_[k]);
+        }
     }
 
     // Draws the band's tiles and lists what they leave.
@@ -84,13 +111,14 @@ private:
         if (top < 0 || bottom > below) return;
         const int32_t above_top = top > kMargin ? top - kMargin : 0;
         const int32_t below_bottom = bottom + kMargin < below ? bottom + kMargin : below;
-        const RowSpan inside = outline_.columns(above_top, below_bottom, spans_[0], kMinTileLog2 - 1);
+        const RowSpan inside = outline_.columns(above_top, below_bottom, spans_[0].span(), kMinTileLog2 - 1);
         constexpr int32_t kStep = 1 << kMinTileLog2;
         const int32_t begin = (inside.begin + kStep - 1) & -kStep;
         const int32_t end = inside.end & -kStep;
         if (begin >= end) return;
-        const RayRow rows[] = {nodes_.row_at(begin, top), nodes_.row_at(begin, top + kTileRows / 2),
-                               nodes_.row_at(begin, bottom)};
+        const RayRow first = nodes_.row_at(begin, top);
+        const RayRow rows[] = {first, nodes_.moved(first, 0, kTileRows / 2), nodes_.moved(first, 0, kTileRows)};
+        Walkers<TileWalker> walkers(*this);
         SpanNode corners[2][2];
         SpanNode centre;
         int left = 0;
@@ -109,10 +137,10 @@ private:
                 nodes_.evaluate(rows[0], x + width - begin, corners[0][right]);
                 nodes_.evaluate(rows[1], x + width / 2 - begin, centre);
                 nodes_.evaluate(rows[2], x + width - begin, corners[1][right]);
-                fits = front_tile_.prepare(tile, log2) && back_tile_.prepare(tile, log2) &&
-                       (all_baked() || is_baked(front_tile_.highest(width)));
+                fits = walkers.front.prepare(tile, log2) && walkers.back.prepare(tile, log2) &&
+                       (all_baked() || is_baked(walkers.front.highest(width)));
             }
-            if (fits && note_tile(x, 1 << log2)) draw_tile(x, 1 << log2);
+            if (fits && note_tile(x, 1 << log2)) draw_tile(walkers, x, 1 << log2);
             left = right;
             x += 1 << log2;
         }
@@ -123,32 +151,82 @@ private:
     {
         if (gap_[gaps_].begin != x) {
             if (gaps_ + 1 == kMaxGaps) return false;
-            gap_[gaps_].end = x;
+            gap_[gaps_].end = static_cast<int16_t>(x);
             ++gaps_;
         }
-        gap_[gaps_] = {x + width, INT32_MAX};
+        gap_[gaps_] = {static_cast<int16_t>(x + width), INT16_MAX};
         return true;
     }
 
-    void draw_tile(int32_t x, int32_t width)
+    void draw_tile(Walkers<TileWalker>& walkers, int32_t x, int32_t width)
     {
-        Target target = {field_, background_, pixel_at(x, y_), width, x, y_, front_tile_.side(), back_tile_.side()};
+        Target target = {field_, background_, pixel_at(x, y_), width, x, y_, walkers.front.side(), walkers.back.side()};
         for (int32_t rows = y_ & (kTileRows - 1); target.y < y_ + rows_; rows = 1) {
-            front_tile_.advance(rows);
-            back_tile_.advance(rows);
+            walkers.front.advance(rows);
+            walkers.back.advance(rows);
             SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
             ++target.y;
             target.pixels += stripe_.stride_bytes;
         }
     }
 
-    // Draws what the band's rows cover from column `from` to before `to`.
-    void draw_between(int32_t from, int32_t to)
+    // Draws one of both gaps between the outline and the tiles from exact hits of two rows; false where there are none.
+    LUMI_NEVER_INLINE bool draw_rim(const Columns& gap)
+    {
+        SpanRim rim(front_track_, back_track_);
+        const int32_t inner = gap.begin == INT16_MIN ? gap.end : gap.begin;
+        const RayRow rays = nodes_.row_at(inner, y_ & -kTileRows);
+        if (!prepare_rim(gap, rays, rim)) return false;
+        const int32_t first = y_ & (kTileRows - 1);
+        for (int32_t row = 0; row < rows_; ++row) {
+            const RowSpan part = part_of(gap, spans_[row]);
+            if (part.begin >= part.end) continue;
+            row_ = {spans_[row].span(), part, nodes_.moved(rays, part.begin - inner, first + row), y_ + row};
+            rim.begin_row(first + row, nodes_.half_chord_q15(row_.rays, 0));
+            for (int32_t x = part.begin; x < part.end;) x += draw_rim_span(rim, x);
+        }
+        return true;
+    }
+
+    // `rays` begin at the gap's border to the tiles, in their first row.
+    bool prepare_rim(const Columns& gap, const RayRow& rays, SpanRim& rim) const
+    {
+        const bool left = gap.begin == INT16_MIN;
+        int32_t outer_px[2];
+        for (int k = 0; k < 2; ++k) {
+            const Columns& edge = edge_[k];
+            if (edge.begin >= edge.end || !outline_.is_outline(left ? edge.begin : edge.end)) return false;
+            outer_px[k] = left ? edge.begin - gap.end : edge.end - 1 - gap.begin;
+        }
+        return rim.prepare(nodes_, rays, outer_px);
+    }
+
+    // Returns how many pixels it drew.
+    int32_t draw_rim_span(SpanRim& rim, int32_t x)
+    {
+        const int32_t from_left = x - row_.span.begin;
+        const int32_t from_right = row_.span.end - 1 - x;
+        const int32_t length = from_right > 0 ? ramp_.length(from_left, from_right, row_.part.end - x) : 0;
+        const int32_t half_chord_q15 = nodes_.half_chord_q15(row_.rays, x - row_.part.begin + length);
+        rim.prepare_span(half_chord_q15, length > 0 ? length : 1,
+                         SpanRamp::shift_q8(from_left, from_right - length, length));
+        // The row's last pixel is the last span's end.
+        const int32_t drawn = length == from_right ? length + 1 : length;
+        draw(front_track_.side, back_track_.side, x, row_.y, drawn);
+        return drawn;
+    }
+
+    static RowSpan part_of(const Columns& gap, const Columns& span)
+    {
+        return {gap.begin > span.begin ? gap.begin : span.begin, gap.end < span.end ? gap.end : span.end};
+    }
+
+    // Draws what the band's rows cover of a gap.
+    void draw_between(const Columns& gap)
     {
         for (int32_t row = 0; row < rows_; ++row) {
-            const RowSpan& span = spans_[row];
-            const RowSpan part = {from > span.begin ? from : span.begin, to < span.end ? to : span.end};
-            if (part.begin < part.end) draw_row(span, part, y_ + row);
+            const RowSpan part = part_of(gap, spans_[row]);
+            if (part.begin < part.end) draw_row(spans_[row].span(), part, y_ + row);
         }
     }
 
@@ -158,11 +236,12 @@ private:
         SpanNode buffer[2];
         SpanNode* at = &buffer[0];
         SpanNode* next = &buffer[1];
+        Walkers<SpanWalker> walkers(*this);
         nodes_.evaluate(row_.rays, 0, *at);
-        front_.begin(*at);
-        back_.begin(*at);
+        walkers.front.begin(*at);
+        walkers.back.begin(*at);
         for (int32_t x = part.begin; x < part.end;) {
-            x += x + 1 < span.end ? draw_span(*at, *next, x) : draw_pixel(*at, x);
+            x += x + 1 < span.end ? draw_span(walkers, *at, *next, x) : draw_pixel(walkers, *at, x);
             SpanNode* const drawn = at;
             at = next;
             next = drawn;
@@ -170,41 +249,41 @@ private:
     }
 
     // Draws the longest span that both lattices allow and sets `next` to the node at its end; returns its length.
-    int32_t draw_span(const SpanNode& at, SpanNode& next, int32_t x)
+    int32_t draw_span(Walkers<SpanWalker>& walkers, const SpanNode& at, SpanNode& next, int32_t x)
     {
         const int32_t from_left = x - row_.span.begin;
         const int32_t from_right = row_.span.end - 1 - x;
         for (int32_t length = ramp_.length(from_left, from_right, row_.part.end - x); length > 0;) {
             nodes_.evaluate(row_.rays, x - row_.part.begin + length, next);
-            int32_t fits = front_.prepare(at, next, length);
-            if (fits == length) fits = back_.prepare(at, next, length);
+            int32_t fits = walkers.front.prepare(at, next, length);
+            if (fits == length) fits = walkers.back.prepare(at, next, length);
             if (fits == length) {
                 const int32_t share = SpanRamp::shift_q8(from_left, from_right - length, length);
                 if (share != 0) {
-                    front_.shift(share);
-                    back_.shift(share);
+                    walkers.front.shift(share);
+                    walkers.back.shift(share);
                 }
                 // The row's last pixel is the last span's end.
                 const int32_t drawn = length == from_right ? length + 1 : length;
-                draw(front_.side(), back_.side(), x, row_.y, drawn);
-                front_.commit();
-                back_.commit();
+                draw(walkers.front.side(), walkers.back.side(), x, row_.y, drawn);
+                walkers.front.commit();
+                walkers.back.commit();
                 return drawn;
             }
             length = fits;
         }
-        draw_pixel(at, x);
+        draw_pixel(walkers, at, x);
         nodes_.evaluate(row_.rays, x - row_.part.begin + 1, next);
-        front_.begin(next);
-        back_.begin(next);
+        walkers.front.begin(next);
+        walkers.back.begin(next);
         return 1;
     }
 
     // The last pixel of a row, or one next to a cap.
-    int32_t draw_pixel(const SpanNode& at, int32_t x)
+    int32_t draw_pixel(Walkers<SpanWalker>& walkers, const SpanNode& at, int32_t x)
     {
-        if (front_.prepare(at, at, 1) == 1 && back_.prepare(at, at, 1) == 1) {
-            draw(front_.side(), back_.side(), x, row_.y, 1);
+        if (walkers.front.prepare(at, at, 1) == 1 && walkers.back.prepare(at, at, 1) == 1) {
+            draw(walkers.front.side(), walkers.back.side(), x, row_.y, 1);
         } else {
             draw_exactly(x, row_.y, 1);
         }
@@ -226,6 +305,7 @@ private:
         draw_exact<Reconstruction, Texel, Pixel>(field_, camera_, background_, {x, x + length}, y, pixel_at(x, y));
     }
 
+    bool has_tiles() const { return span_log2_ >= kMinTileLog2; }
     bool all_baked() const { return field_.used_origins == field_.origins.size(); }
     bool is_baked(int32_t origin) const { return origin < static_cast<int32_t>(field_.used_origins); }
 
@@ -242,14 +322,12 @@ private:
     SpanLattice origins_;
     SpanLattice directions_;
     SpanTrack front_track_, back_track_;
-    SpanWalker front_;
-    SpanWalker back_;
-    TileWalker front_tile_;
-    TileWalker back_tile_;
     SpanRamp ramp_;
     int32_t y_ = 0, rows_ = 0;  // of the band
-    RowSpan spans_[kTileRows];
-    RowSpan gap_[kMaxGaps];  // columns without tiles, 0 .. gaps_, from left to right
+    Columns spans_[kTileRows];
+    Columns edge_[2] = {};         // of the tiles' first row and the one below their last ...
+    int32_t below_y_ = INT32_MIN;  // ... which is this one
+    Columns gap_[kMaxGaps];        // columns without tiles, 0 .. gaps_, from left to right
     int gaps_ = 0;
     struct {
         RowSpan span, part;  // what the row covers, and what of it is drawn

@@ -28,7 +28,11 @@ public:
     // pattern nor outside the caps, or turns by more than 1/16 turn.
     bool prepare(const TileCorners& corners, int width_log2);
     // Goes on to the part of a row further down; 0 begins the tile's first row.
-    void advance(int32_t rows);
+    void advance(int32_t rows)
+    {
+        move_down(track_.side, rows);
+        if (track_.side.cap != nullptr) follow_cap();
+    }
     // The highest index under the tile that prepare() set up.
     int32_t highest(int32_t width) const;
 
@@ -42,7 +46,14 @@ private:
     bool prepare_cells(const TileCorners& corners, int width_log2);
     bool prepare_cap(const TileCorners& corners, int width_log2);
     void set_bilinear(const TilePoints& at, int width_log2);
-    void move_down(SpanSide& side, int32_t rows) const;
+    void move_down(SpanSide& side, int32_t rows) const
+    {
+        side.u_q16 += rows * down_.u_q16;
+        side.v_q16 += rows * down_.v_q16;
+        side.du_q16 += rows * down_.du_q16;
+        side.dv_q16 += rows * down_.dv_q16;
+    }
+    void follow_cap();
 
     SpanTrack& track_;
     struct {
