@@ -18,6 +18,7 @@ set(LUMI_CORE_TEST_SOURCES
   quality_test.cpp
   render_test.cpp
   span_node_test.cpp
+  span_nine_test.cpp
   span_pair_test.cpp
   span_range_test.cpp
   span_reads_test.cpp

@@ -86,7 +86,6 @@ double worst_difference(const SpanSide& origins, const SpanSide& directions)
                          std::fabs(mean(row, got.row_weight, kRowBits) - mean(of_row.offset, of_row.weight, kRowBits)));
         worst = std::max(
             worst, std::fabs(mean(texel, got.weight, kTapBits) - mean(of_texel.offset, of_texel.weight, kTapBits)));
-        both.advance();
         rows.advance();
         taps.advance();
     }

@@ -136,22 +136,13 @@ void draw_pairs(const SpanTarget<Background>& span)
     PairSource<kFlips> source(
         span.origins, span.directions, field.texels - Sum::kBefore,
         {static_cast<int32_t>(field.row_stride_bytes), static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat))});
-    uint8_t* pixel = span.pixels;
-    for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
-         pixel += Pixel::kBytes) {
-        const PairTaps taps = source.template taps<Sum>();
-        Sum sum;
-#pragma GCC unroll 3
-        for (int m = 0; m < 3; ++m) {
-            const uint8_t* row = Sum::kRowByRow ? settled_in_order(taps.row[m]) : settled(taps.row[m]);
-            typename Sum::Row of_row;
-            of_row.add(field, row, taps.weight[0]);
-            of_row.add(field, row + taps.offset[0], taps.weight[1]);
-            of_row.add(field, row + taps.offset[1], taps.weight[2]);
-            sum.add(of_row, taps.row_weight[m]);
-        }
-        sum.template store<Pixel>(span.background, pixel);
-        source.advance();
+    WordPair<uint8_t*> pixels = {span.pixels, span.pixels + static_cast<uint32_t>(span.length) * Pixel::kBytes};
+    for (bool is_last = false; !is_last;) {
+        const Sum sum = NineTaps<Sum>::sum(field, source.template taps<Sum>());
+        const WordPair<uint8_t*> at = reload(pixels);
+        sum.template store<Pixel>(span.background, at.a);
+        pixels.a = at.a + Pixel::kBytes;
+        is_last = pixels.a == at.b;
     }
 }
 

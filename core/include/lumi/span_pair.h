@@ -8,22 +8,20 @@
 // Two halves are added as one word: a lower half below zero takes 2^-12 cells from the upper one, on every core.
 #pragma once
 
+#include "lumi/span_nine.h"
 #include "lumi/span_pair_steps.h"
 
 namespace lumi
 {
 
-// Nine taps: rows of three origins, the same three texels of each, weights that sum to Bits::kOnes.
-struct PairTaps {
-    const uint8_t* row[3];
-    int32_t offset[2];  // of the second and third texel
-    uint32_t row_weight[3], weight[3];
-};
-
 // Whether a side's cell is divided by the difference of its steps.
 struct PairFlip {
-    int32_t border, mask;
-    bool is_flipped(int32_t offset) const { return ((offset - border) ^ mask) < 0; }
+    WordPair<int32_t> border_and_mask;
+    LUMI_ALWAYS_INLINE bool is_flipped(int32_t offset) const
+    {
+        const WordPair<int32_t> flip = reload(border_and_mask);
+        return ((offset - flip.a) ^ flip.b) < 0;
+    }
 };
 
 // Whether the span's steps are few and short enough: from 4095/4096 of a cell 15 of them end within [-8, 8).
@@ -49,65 +47,60 @@ class PairSource
 public:
     PairSource(const SpanSide& origins, const SpanSide& directions, const uint8_t* texels, const PairUnits& units)
         : steps_(origins, directions, units.texel_bytes),
-          stride_(units.row_bytes),
-          u_(begin(origins.u_q16, directions.u_q16)),
-          v_(begin(origins.v_q16, directions.v_q16)),
-          du_(step(origins.du_q16, directions.du_q16)),
-          dv_(step(origins.dv_q16, directions.dv_q16))
+          at_{begin(origins.u_q16, directions.u_q16), begin(origins.v_q16, directions.v_q16)},
+          step_{step(origins.du_q16, directions.du_q16), step(origins.dv_q16, directions.dv_q16)}
     {
         const int32_t origin = steps_.origin_cell(origins.u_q16, origins.v_q16);
         const int32_t direction = steps_.direction_cell(directions.u_q16, directions.v_q16);
-        base_ = settled(texels + (origins.base + origin) * stride_ + (directions.base * units.texel_bytes + direction));
-        across_row_ = steps_.across_origin() * stride_;
-        across_ = steps_.across_direction();
+        const int32_t first = (origins.base + origin) * units.row_bytes + directions.base * units.texel_bytes;
+        rows_ = {settled(texels + (first + direction)), units.row_bytes};
+        across_ = {steps_.across_origin() * units.row_bytes, steps_.across_direction()};
         if (kFlips) {
-            origin_flip_ = {origins.flip - origin, origins.flip_mask};
-            direction_flip_ = {directions.flip * units.texel_bytes - direction, directions.flip_mask};
+            origin_flip_ = {{origins.flip - origin, origins.flip_mask}};
+            direction_flip_ = {{directions.flip * units.texel_bytes - direction, directions.flip_mask}};
         }
     }
 
+    // Of the next pixel.
     template <class Sum>
-    LUMI_ALWAYS_INLINE PairTaps taps() const
+    LUMI_ALWAYS_INLINE PairTaps taps()
     {
         using Bits = PairBits<Sum::kRowBits, Sum::kTapBits>;
-        const uint32_t fu = Bits::fraction(u_);
-        uint32_t fv = Bits::fraction(v_);
-        PairSteps steps = steps_;
-        int32_t origin = steps.origin(u_, v_);
-        int32_t direction = steps.direction(u_, v_);
-        int32_t across_row = across_row_, across = across_;
+        const WordPair<uint32_t> at = reload(at_), step = reload(step_);
+        at_ = {at.a + step.a, at.b + step.b};
+        const uint32_t fu = Bits::fraction(at.a);
+        uint32_t fv = Bits::fraction(at.b);
+        PairSteps steps = steps_.reloaded();
+        int32_t origin = steps.origin(at.a, at.b);
+        int32_t direction = steps.direction(at.a, at.b);
+        const WordPair<const uint8_t*, int32_t> rows = reload(rows_);
+        WordPair<int32_t> across = reload(across_);
         // The same cell in the basis of `first` and -`second` is one of the others.
         if (kFlips && __builtin_expect(origin_flip_.is_flipped(origin), false)) {
             origin += steps.second_origin();
             fv += Bits::kOneOrigin - 2 * (fv & 0xFFFF0000u);
             steps.reflect_origins();
-            across_row = steps.across_origin() * stride_;
+            across.a = steps.across_origin() * rows.b;
         }
         if (kFlips && __builtin_expect(direction_flip_.is_flipped(direction), false)) {
             direction += steps.second_direction();
             fv += Bits::kOneDirection - 2 * (fv & 0xFFFFu);
             steps.reflect_directions();
-            across = steps.across_direction();
+            across.b = steps.across_direction();
         }
         const PairTriangle t = steps.template triangle<Bits>(fu, fv);
         PairTaps taps;
-        taps.row[0] = base_ + origin * stride_ + direction;
-        taps.row[1] = taps.row[0] + t.middle_origin * stride_;
-        taps.row[2] = taps.row[0] + across_row;
+        taps.row[0] = settled(rows.a + direction) + origin * rows.b;
+        taps.row[1] = taps.row[0] + t.middle_origin * rows.b;
+        taps.row[2] = taps.row[0] + across.a;
         taps.offset[0] = t.middle_direction;
-        taps.offset[1] = across;
+        taps.offset[1] = across.b;
 #pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) {
             taps.row_weight[k] = Sum::kUpperHalves ? t.weight[k] : t.weight[k] >> 16;
             taps.weight[k] = Sum::kLowerHalves ? t.weight[k] : t.weight[k] & 0xFFFF;
         }
         return taps;
-    }
-
-    void advance()
-    {
-        u_ += du_;
-        v_ += dv_;
     }
 
 private:
@@ -127,10 +120,9 @@ private:
     }
 
     PairSteps steps_;
-    int32_t stride_;
-    uint32_t u_, v_, du_, dv_;
-    const uint8_t* base_;
-    int32_t across_row_, across_;
+    WordPair<uint32_t> at_, step_;            // u and v
+    WordPair<const uint8_t*, int32_t> rows_;  // the texel of (0, 0) on both sides, bytes from one origin to the next
+    WordPair<int32_t> across_;                // to the corner across, of the origins' rows and within them, in bytes
     PairFlip origin_flip_, direction_flip_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "lumi/halves.h"
 #include "lumi/span_lattice.h"
+#include "lumi/word_pair.h"
 
 namespace lumi
 {
@@ -44,28 +45,30 @@ class PairSteps
 {
 public:
     PairSteps(const SpanSide& origins, const SpanSide& directions, int32_t bytes)
-        : first_(pack(origins.first, directions.first * bytes)),
-          second_(pack(origins.second, directions.second * bytes))
+        : steps_{pack(origins.first, directions.first * bytes), pack(origins.second, directions.second * bytes)}
     {
     }
+
+    // In registers.
+    PairSteps reloaded() const { return PairSteps(reload(steps_)); }
 
     // Offsets of the cells that hold whole coordinates, in the upper halves of u and v, of one side.
     int32_t origin_cell(int32_t u_q16, int32_t v_q16) const
     {
-        return __smlatt(v_q16, second_, (u_q16 >> 16) * (first_ >> 16));
+        return __smlatt(v_q16, steps_.b, (u_q16 >> 16) * (steps_.a >> 16));
     }
     int32_t direction_cell(int32_t u_q16, int32_t v_q16) const
     {
-        return __smlatb(v_q16, second_, (u_q16 >> 16) * static_cast<int16_t>(first_));
+        return __smlatb(v_q16, steps_.b, (u_q16 >> 16) * static_cast<int16_t>(steps_.a));
     }
     // The same from halves.
     LUMI_ALWAYS_INLINE int32_t origin(uint32_t u, uint32_t v) const
     {
-        return __smlatt(whole(v), second_, product_tops(whole(u), first_)) >> kPairBits;
+        return __smlatt(whole(v), steps_.b, product_tops(whole(u), steps_.a)) >> kPairBits;
     }
     LUMI_ALWAYS_INLINE int32_t direction(uint32_t u, uint32_t v) const
     {
-        return __smlabb(whole(v), second_, product_bottoms(whole(u), first_)) >> kPairBits;
+        return __smlabb(whole(v), steps_.b, product_bottoms(whole(u), steps_.a)) >> kPairBits;
     }
 
     // Of fractions of u and v; Bits::kOnes is one in each half.
@@ -76,17 +79,17 @@ public:
         const uint32_t less = __sel(fv, fu);
         const uint32_t more = __sel(fu, fv);
         const int32_t middle =
-            static_cast<int32_t>(__sel(static_cast<uint32_t>(first_), static_cast<uint32_t>(second_)));
+            static_cast<int32_t>(__sel(static_cast<uint32_t>(steps_.a), static_cast<uint32_t>(steps_.b)));
         return {{Bits::kOnes - more, more - less, less}, middle >> 16, static_cast<int16_t>(middle)};
     }
 
-    void reflect_origins() { second_ = pack(-second_origin(), second_direction()); }
-    void reflect_directions() { second_ = pack(second_origin(), -second_direction()); }
+    void reflect_origins() { steps_.b = pack(-second_origin(), second_direction()); }
+    void reflect_directions() { steps_.b = pack(second_origin(), -second_direction()); }
 
-    int32_t second_origin() const { return second_ >> 16; }
-    int32_t second_direction() const { return static_cast<int16_t>(second_); }
-    int32_t across_origin() const { return (first_ >> 16) + second_origin(); }
-    int32_t across_direction() const { return static_cast<int16_t>(first_) + second_direction(); }
+    int32_t second_origin() const { return steps_.b >> 16; }
+    int32_t second_direction() const { return static_cast<int16_t>(steps_.b); }
+    int32_t across_origin() const { return (steps_.a >> 16) + second_origin(); }
+    int32_t across_direction() const { return static_cast<int16_t>(steps_.a) + second_direction(); }
 
 private:
     static int32_t pack(int32_t origin, int32_t direction)
@@ -95,7 +98,9 @@ private:
     }
     static int32_t whole(uint32_t q12) { return static_cast<int32_t>(q12 & 0xF000F000u); }
 
-    int32_t first_, second_;
+    explicit PairSteps(const WordPair<int32_t>& steps) : steps_(steps) {}
+
+    WordPair<int32_t> steps_;  // first and second
 };
 #else
 class PairSteps
@@ -108,6 +113,8 @@ public:
           second_direction_(directions.second * bytes)
     {
     }
+
+    const PairSteps& reloaded() const { return *this; }
 
     int32_t origin_cell(int32_t u_q16, int32_t v_q16) const
     {

@@ -38,6 +38,32 @@ constexpr uint8_t blended(uint32_t sum_q16, uint32_t transparency_q16, uint8_t u
     return static_cast<uint8_t>((sum_q16 + transparency_q16 * under + 0x8000u) >> 16);
 }
 
+// As pack_rgb565 does it, rounded once: of colours below 2^22, Q14. DSP's upper bits are not zero.
+#ifdef __ARM_FEATURE_DSP
+inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
+{
+    uint32_t packed;
+    // Upper words of products by 2^18: each channel from bit 11 on.
+    asm("smmla %[r], %[r], %[five], %[half]\n\t"
+        "smmla %[g], %[g], %[six], %[half]\n\t"
+        "smmla %[b], %[b], %[five], %[half]\n\t"
+        "lsr %[g], %[g], #11\n\t"
+        "lsr %[b], %[b], #11\n\t"
+        "bfi %[r], %[g], #5, #6\n\t"
+        "bfi %[r], %[b], #0, #5"
+        : [r] "=&r"(packed), [g] "+r"(g), [b] "+r"(b)
+        : "0"(r), [five] "r"(249u << 18), [six] "r"(2 * 253u << 18), [half] "r"(1016u));
+    return packed;
+}
+#else
+inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
+{
+    const auto five = [](uint32_t v) { return (v * settled(249u) + (1016u << 14)) >> 25; };
+    const uint32_t six = (g * settled(253u) + (508u << 14)) >> 24;
+    return five(r) << 11 | six << 5 | five(b);
+}
+#endif
+
 // Two channels at a time, (r, b) and (g, a) in the halves of a word, 7 bits of weight above 8 of colour: half the
 // multiplications and half the registers of one at a time. Halves::load reads a texel so.
 struct SpanHalves {
@@ -92,10 +118,7 @@ struct SpanSumHalves {
     void store(const Background& background, uint8_t* pixel) const
     {
         if constexpr (!kCoverage && kPacks565<Pixel>) {
-            // As pack_rgb565 does it, rounded once.
-            const auto five = [](uint32_t v) { return (v * settled(249u) + (1016u << 14)) >> 25; };
-            const uint32_t six = (g * settled(253u) + (508u << 14)) >> 24;
-            Pixel::store_packed(pixel, static_cast<uint16_t>(five(r) << 11 | six << 5 | five(b)));
+            Pixel::store_packed(pixel, static_cast<uint16_t>(packed_rgb565_q14(r, g, b)));
         } else {
             Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
         }
