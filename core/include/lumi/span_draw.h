@@ -159,15 +159,12 @@ void draw_sides(const SpanTarget<Background>& span)
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
         const SpanTaps rows = origins.template taps<Sum::kRowBits>();
         const SpanTaps texels = directions.template taps<Sum::kTapBits>();
-        Sum sum;
-#pragma GCC unroll 3
-        for (int m = 0; m < 3; ++m) {
-            const uint8_t* row = settled(base + rows.offset[m]);
-            typename Sum::Row of_row;
-#pragma GCC unroll 3
-            for (int j = 0; j < 3; ++j) of_row.add(field, row + texels.offset[j], texels.weight[j]);
-            sum.add(of_row, row_weight<Sum>(rows.weight[m]));
-        }
+        const uint8_t* const first = base + texels.offset[0];
+        const Sum sum = NineTaps<Sum>::sum(
+            field, {{first + rows.offset[0], first + rows.offset[1], first + rows.offset[2]},
+                    {texels.offset[1] - texels.offset[0], texels.offset[2] - texels.offset[0]},
+                    {row_weight<Sum>(rows.weight[0]), row_weight<Sum>(rows.weight[1]), row_weight<Sum>(rows.weight[2])},
+                    {texels.weight[0], texels.weight[1], texels.weight[2]}});
         sum.template store<Pixel>(span.background, pixel);
         origins.advance();
         directions.advance();
