@@ -70,6 +70,32 @@ OutlineTracker::OutlineTracker(const Camera& camera, const RowSpan& limits)
 {
 }
 
+// Walks along a row by more than a pixel at a time; f and m are those of Walk, `right` is a stride's.
+class OutlineTracker::Stride
+{
+public:
+    Stride(const Camera& camera, int32_t step)
+        : x2_(camera.outline.x2), bend_(x2_ * step * step), facing_(camera.facing.step_x * step), step_(step)
+    {
+    }
+
+    Walk begin(Walk walk) const
+    {
+        walk.right = (walk.right - x2_) * step_ + bend_;
+        return walk;
+    }
+    void move(Walk& walk) const
+    {
+        walk.f += walk.right;
+        walk.right += 2 * bend_;
+        walk.m += facing_;
+    }
+
+private:
+    int64_t x2_, bend_, facing_;
+    int32_t step_;
+};
+
 OutlineTracker::Walk OutlineTracker::at(int32_t x, int32_t y) const
 {
     const OutlineQuadratic& o = camera_.outline;
@@ -135,20 +161,46 @@ bool OutlineTracker::adjust()
 // Looks for a row's span at 16 pixels or fewer of the limits.
 bool OutlineTracker::search(int32_t y)
 {
-    if (y < 0 || y >= camera_.height_px) return false;
+    if (y < 0 || y >= camera_.height_px || limits_.begin >= limits_.end) return false;
     const int32_t step = 1 + (limits_.end - limits_.begin) / 16;
+    const Stride stride(camera_, step);
     span_ = {limits_.end, limits_.begin};
-    for (int32_t x = limits_.begin; x < limits_.end; x += step) {
-        const Walk walk = at(x, y);
-        if (!walk.covered()) continue;
-        if (span_.begin > x) {
-            span_.begin = x;
-            first_ = walk;
+    Walk walk = stride.begin(at(limits_.begin, y));
+    int32_t highest = limits_.begin;
+    int64_t highest_f = walk.f;
+    for (int32_t x = limits_.begin; x < limits_.end; x += step, stride.move(walk)) {
+        if (walk.f > highest_f) {
+            highest_f = walk.f;
+            highest = x;
         }
+        if (!walk.covered()) continue;
+        if (span_.begin > x) span_.begin = x;
         span_.end = x + 1;
-        last_ = walk;
     }
-    return span_.begin < span_.end && adjust();
+    if (span_.begin >= span_.end) {
+        if (!is_concave()) return false;
+        const int32_t top = top_between(highest - step, highest + step, y);
+        span_ = {top, top + 1};
+    }
+    first_ = at(span_.begin, y);
+    last_ = at(span_.end - 1, y);
+    return first_.covered() && adjust();
+}
+
+// The pixel within the limits where the row's f is highest, which lies between both.
+int32_t OutlineTracker::top_between(int32_t from, int32_t to, int32_t y) const
+{
+    if (from < limits_.begin) from = limits_.begin;
+    if (to > limits_.end - 1) to = limits_.end - 1;
+    while (from < to) {
+        const int32_t middle = from + (to - from) / 2;
+        if (at(middle, y).right > 0) {
+            from = middle + 1;
+        } else {
+            to = middle;
+        }
+    }
+    return from;
 }
 
 RowSpan OutlineTracker::row(int32_t y)
@@ -161,6 +213,7 @@ RowSpan OutlineTracker::row(int32_t y)
     }
     last_y_ = y;
     if (found || search(y)) return span_;
+    if (is_concave()) return span_ = {limits_.begin, limits_.begin};
     span_ = covered_span(camera_, y, limits_.begin, limits_.end);
     if (span_.begin < span_.end) {
         first_ = at(span_.begin, y);
@@ -172,17 +225,13 @@ RowSpan OutlineTracker::row(int32_t y)
 // The first of `count` columns, `from` and on by `step`, that both rows cover; none: the one beyond the last.
 int32_t OutlineTracker::find_column(int32_t top, int32_t bottom, int32_t from, int32_t step, int32_t count) const
 {
-    const OutlineQuadratic& o = camera_.outline;
-    const int64_t bend = o.x2 * step * step;
-    Walk walks[2] = {at(from, top), at(from, bottom)};
-    for (Walk& walk : walks) walk.right = (walk.right - o.x2) * step + bend;
+    const Stride stride(camera_, step);
+    Walk upper = stride.begin(at(from, top));
+    Walk lower = stride.begin(at(from, bottom));
     int32_t x = from;
-    for (; count > 0 && !(walks[0].covered() && walks[1].covered()); --count, x += step) {
-        for (Walk& walk : walks) {
-            walk.f += walk.right;
-            walk.right += 2 * bend;
-            walk.m += camera_.facing.step_x * step;
-        }
+    for (; count > 0 && !(upper.covered() && lower.covered()); --count, x += step) {
+        stride.move(upper);
+        stride.move(lower);
     }
     return x;
 }

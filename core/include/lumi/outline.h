@@ -40,11 +40,16 @@ private:
         bool covered() const { return f >= 0 && m > 0; }
     };
 
+    class Stride;
+
     Walk at(int32_t x, int32_t y) const;
     int32_t find_column(int32_t top, int32_t bottom, int32_t from, int32_t step, int32_t count) const;
     void move_right(Walk& walk) const;
     void move_left(Walk& walk) const;
     void move_down(Walk& walk) const;
+    // Whether f has one highest place along a row, and none is covered where that one is not.
+    bool is_concave() const { return camera_.outline.x2 < 0; }
+    int32_t top_between(int32_t from, int32_t to, int32_t y) const;
     bool search(int32_t y);
     bool adjust();
 
