@@ -10,6 +10,7 @@
 #include "lumi/span_pair.h"
 #include "lumi/span_source.h"
 #include "lumi/span_sum.h"
+#include "lumi/span_sum_thumb.h"
 
 namespace lumi
 {
@@ -146,6 +147,30 @@ void draw_pairs(const SpanTarget<Background>& span)
     }
 }
 
+// The same where the core has a loop of its own.
+template <bool kFlips, class Texel, class Pixel, class Background>
+void draw_thumb_pairs(const SpanTarget<Background>& span)
+{
+    using Sum = SpanSum<Texel, false>;
+    ThumbPairs<kFlips, Sum> pairs(span.origins, span.directions, span.field,
+                                  static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    uint8_t* pixel = span.pixels;
+    for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
+         pixel += Pixel::kBytes) {
+        pairs.pixel().template store<Pixel>(span.background, pixel);
+    }
+}
+
+template <bool kFlips, class Texel, class Pixel, class Background>
+void draw_cells(const SpanTarget<Background>& span)
+{
+    if constexpr (kHasThumbPairs<SpanSum<Texel, !Background::kIsBlack>>) {
+        draw_thumb_pairs<kFlips, Texel, Pixel>(span);
+    } else {
+        draw_pairs<kFlips, Texel, Pixel>(span);
+    }
+}
+
 // Side by side, each through cells or over a cap.
 template <class Origins, class Directions, class Texel, class Pixel, class Background>
 void draw_sides(const SpanTarget<Background>& span)
@@ -248,9 +273,9 @@ struct SpanDraw<Linear> {
         } else if (!can_follow(span.origins, span.directions, span.length)) {
             draw_sides<CellSource, CellSource, Texel, Pixel>(span);
         } else if (span.origins.uniform && span.directions.uniform) {
-            draw_pairs<false, Texel, Pixel>(span);
+            draw_cells<false, Texel, Pixel>(span);
         } else {
-            draw_pairs<true, Texel, Pixel>(span);
+            draw_cells<true, Texel, Pixel>(span);
         }
     }
 };

@@ -35,6 +35,21 @@ inline bool can_follow(const SpanSide& origins, const SpanSide& directions, int3
                                      above(directions.dv_q16)) < kRange;
 }
 
+// Coordinates of both sides in the first pixel's cells, and their steps.
+inline uint32_t pair_begin(int32_t origin_q16, int32_t direction_q16)
+{
+    const auto fraction = [](int32_t q16) {
+        return (static_cast<uint32_t>(q16) >> (16 - kPairBits)) & ((1u << kPairBits) - 1);
+    };
+    return (fraction(origin_q16) << 16) + fraction(direction_q16);
+}
+inline uint32_t pair_step(int32_t origin_q16, int32_t direction_q16)
+{
+    constexpr int kShift = 16 - kPairBits;
+    const auto rounded = [](int32_t q16) { return static_cast<uint32_t>((q16 + (1 << (kShift - 1))) >> kShift); };
+    return (rounded(origin_q16) << 16) + rounded(direction_q16);
+}
+
 // From one origin's texels to the next one's, and from texel to texel.
 struct PairUnits {
     int32_t row_bytes, texel_bytes;
@@ -47,8 +62,8 @@ class PairSource
 public:
     PairSource(const SpanSide& origins, const SpanSide& directions, const uint8_t* texels, const PairUnits& units)
         : steps_(origins, directions, units.texel_bytes),
-          at_{begin(origins.u_q16, directions.u_q16), begin(origins.v_q16, directions.v_q16)},
-          step_{step(origins.du_q16, directions.du_q16), step(origins.dv_q16, directions.dv_q16)}
+          at_{pair_begin(origins.u_q16, directions.u_q16), pair_begin(origins.v_q16, directions.v_q16)},
+          step_{pair_step(origins.du_q16, directions.du_q16), pair_step(origins.dv_q16, directions.dv_q16)}
     {
         const int32_t origin = steps_.origin_cell(origins.u_q16, origins.v_q16);
         const int32_t direction = steps_.direction_cell(directions.u_q16, directions.v_q16);
@@ -104,21 +119,6 @@ public:
     }
 
 private:
-    static constexpr int kShift = 16 - kPairBits;
-
-    static uint32_t begin(int32_t origin_q16, int32_t direction_q16)
-    {
-        const auto fraction = [](int32_t q16) {
-            return (static_cast<uint32_t>(q16) >> kShift) & ((1u << kPairBits) - 1);
-        };
-        return (fraction(origin_q16) << 16) + fraction(direction_q16);
-    }
-    static uint32_t step(int32_t origin_q16, int32_t direction_q16)
-    {
-        const auto rounded = [](int32_t q16) { return static_cast<uint32_t>((q16 + (1 << (kShift - 1))) >> kShift); };
-        return (rounded(origin_q16) << 16) + rounded(direction_q16);
-    }
-
     PairSteps steps_;
     WordPair<uint32_t> at_, step_;            // u and v
     WordPair<const uint8_t*, int32_t> rows_;  // the texel of (0, 0) on both sides, bytes from one origin to the next

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// draw_pairs' pixels in Armv6-M code, which has eight registers at hand: compilers spill most of what nine taps need.
+// The same bits as PairSource and SpanSum.
+//
+// A coordinate is kept as its fraction at the top of a word, so that an addition's carry tells a new cell and the
+// cell's offset moves by additions alone. Of an origin's word, what lies below its 12 bits is the direction's
+// coordinate, of which it takes carries as PairSource's halves do; it cannot change how a triangle is chosen but where
+// both choices weigh the same corners.
+#pragma once
+
+#include "lumi/span_pair.h"
+#include "lumi/span_sum.h"
+
+namespace lumi
+{
+
+// Whether a sum has an assembled loop.
+template <class Sum>
+inline constexpr bool kHasThumbPairs = false;
+template <bool kFlips, class Sum>
+class ThumbPairs;
+
+// Only where all registers may be used: GCC leaves r8 and up alone when it optimises for size, Clang r7 always.
+#if defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__)
+#define LUMI_HAS_THUMB_PAIRS
+
+// What the code below loads and stores in this order. Offsets and steps are in bytes.
+struct ThumbCell {
+    uint32_t* moving;        // the address of u
+    uint32_t du, dv, drift;  // a pixel's steps; what the offset moves where neither addition carries
+    uint32_t u, v, offset;   // of the pixel before; the offset of the cell
+};
+template <bool kFlips>
+struct ThumbOrigins {
+    ThumbCell cell;  // its offset is an address
+    uint32_t across, first, second, one;
+};
+template <>
+struct ThumbOrigins<true> {
+    ThumbCell cell;  // its offset counts from the border of flipped cells, below 2^31 for fields of less than 1 GB
+    uint32_t across, first, second, mask, base, one;
+};
+struct ThumbDirections {
+    ThumbCell cell;  // with flips its offset counts from the border
+    uint32_t mask_or_one, across, first, second;
+};
+template <bool kFlips>
+struct ThumbState {
+    const uint8_t* palette;
+    ThumbOrigins<kFlips> origins;
+    ThumbDirections directions;
+    uint32_t pushed[8];  // not used: as much as the code pushes, which compilers' figures of stacks leave out
+};
+
+// ThumbSum<Sum>::of(state) moves on to the next pixel and returns its sum (span_sum_thumb.h).
+template <class Sum>
+struct ThumbSum;
+
+// clang-format off
+#define LUMI_THUMB(...) #__VA_ARGS__ "\n\t"
+
+// Moves a side to its next pixel: r4 u, r5 v, `t` the offset; r0 passes them. `at_first`, `at_second`: where the steps
+// are, from u on.
+#define LUMI_THUMB_ADVANCE(t, at_first, at_second)    \
+    LUMI_THUMB(ldmia r0, {r0, r1, r2, r3, r4, r5, t}) \
+    LUMI_THUMB(adds t, t, r3)                         \
+    LUMI_THUMB(adds r4, r4, r1)                       \
+    LUMI_THUMB(bcc 1f)                                \
+    LUMI_THUMB(ldr r3, [r0, at_first])                \
+    LUMI_THUMB(adds t, t, r3)                         \
+    LUMI_THUMB(1: adds r5, r5, r2)                    \
+    LUMI_THUMB(bcc 1f)                                \
+    LUMI_THUMB(ldr r3, [r0, at_second])               \
+    LUMI_THUMB(adds t, t, r3)                         \
+    LUMI_THUMB(1: stmia r0!, {r4, r5, t})
+
+// The triangle of the cell: from r2, r3 (first and second step), r4 and r5 to r2, the middle corner's step, r3 and r5,
+// the larger and the smaller fraction of 32 - `shift` bits.
+#define LUMI_THUMB_TRIANGLE(shift)    \
+    LUMI_THUMB(cmp r4, r5)            \
+    LUMI_THUMB(bcs 1f)                \
+    LUMI_THUMB(movs r2, r3)           \
+    LUMI_THUMB(lsrs r3, r5, shift)    \
+    LUMI_THUMB(lsrs r5, r4, shift)    \
+    LUMI_THUMB(b 2f)                  \
+    LUMI_THUMB(1: lsrs r3, r4, shift) \
+    LUMI_THUMB(lsrs r5, r5, shift)    \
+    LUMI_THUMB(2:)
+
+// The same, or of a flipped cell where `t` and the mask in `other` say so: that is another one of `first` and
+// -`second`. r1 is the step to the corner across.
+#define LUMI_THUMB_TRIANGLE_OR_FLIPPED(t, other, shift, bits) \
+    LUMI_THUMB(eors other, t)                                 \
+    LUMI_THUMB(bpl 3f)                                        \
+    LUMI_THUMB(adds t, t, r3)                                 \
+    LUMI_THUMB(negs r3, r3)                                   \
+    LUMI_THUMB(adds r1, r2, r3)                               \
+    LUMI_THUMB(lsrs r4, r4, shift)                            \
+    LUMI_THUMB(lsrs r5, r5, shift)                            \
+    LUMI_THUMB(movs other, 1)                                 \
+    LUMI_THUMB(lsls other, other, bits)                       \
+    LUMI_THUMB(subs r5, other, r5)                            \
+    LUMI_THUMB(cmp r4, r5)                                    \
+    LUMI_THUMB(bcs 1f)                                        \
+    LUMI_THUMB(movs r2, r3)                                   \
+    LUMI_THUMB(movs r3, r5)                                   \
+    LUMI_THUMB(movs r5, r4)                                   \
+    LUMI_THUMB(b 2f)                                          \
+    LUMI_THUMB(1: movs r3, r4)                                \
+    LUMI_THUMB(b 2f)                                          \
+    LUMI_THUMB(3:)                                            \
+    LUMI_THUMB_TRIANGLE(shift)
+
+// From r0, the state, to nine taps: r6 is the first one's address, r2 and r1 the offsets of a row's second and third
+// texel, r4, r3 and r5 their weights; pushed are the first row's weight, the step to the second row, its weight, and so
+// on. r0 and r7 are free.
+#define LUMI_THUMB_TAPS                     \
+    LUMI_THUMB_ADVANCE(r7, 16, 20)          \
+    LUMI_THUMB(ldmia r0!, {r1, r2, r3, r6}) \
+    LUMI_THUMB_TRIANGLE(%[row_shift])       \
+    LUMI_THUMB(subs r4, r1, r2)             \
+    LUMI_THUMB(subs r1, r6, r3)             \
+    LUMI_THUMB(subs r3, r3, r5)             \
+    LUMI_THUMB(push {r1, r2, r3, r4, r5})   \
+    LUMI_THUMB_ADVANCE(r6, 20, 24)          \
+    LUMI_THUMB(ldmia r0, {r0, r1, r2, r3})  \
+    LUMI_THUMB_TRIANGLE(%[tap_shift])       \
+    LUMI_THUMB(subs r4, r0, r3)             \
+    LUMI_THUMB(subs r3, r3, r5)             \
+    LUMI_THUMB(adds r6, r6, r7)
+
+#define LUMI_THUMB_TAPS_OR_FLIPPED                                    \
+    LUMI_THUMB_ADVANCE(r7, 16, 20)                                    \
+    LUMI_THUMB(ldmia r0!, {r1, r2, r3, r6})                           \
+    LUMI_THUMB_TRIANGLE_OR_FLIPPED(r7, r6, %[row_shift], %[row_bits]) \
+    LUMI_THUMB(ldmia r0!, {r4, r6})                                   \
+    LUMI_THUMB(adds r7, r7, r4)                                       \
+    LUMI_THUMB(subs r4, r1, r2)                                       \
+    LUMI_THUMB(subs r1, r6, r3)                                       \
+    LUMI_THUMB(subs r3, r3, r5)                                       \
+    LUMI_THUMB(push {r1, r2, r3, r4, r5})                             \
+    LUMI_THUMB_ADVANCE(r6, 20, 24)                                    \
+    LUMI_THUMB(ldmia r0, {r0, r1, r2, r3})                            \
+    LUMI_THUMB_TRIANGLE_OR_FLIPPED(r6, r0, %[tap_shift], %[tap_bits]) \
+    LUMI_THUMB(movs r0, 1)                                            \
+    LUMI_THUMB(lsls r0, r0, %[tap_bits])                              \
+    LUMI_THUMB(subs r4, r0, r3)                                       \
+    LUMI_THUMB(subs r3, r3, r5)                                       \
+    LUMI_THUMB(adds r6, r6, r7)
+// clang-format on
+
+// What PairSource, its taps and Sum make of a pixel, one pixel after the other.
+template <bool kFlips, class Sum>
+class ThumbPairs
+{
+public:
+    ThumbPairs(const SpanSide& origins, const SpanSide& directions, const Field& field, int32_t texel_bytes)
+    {
+        const Steps rows(origins, static_cast<int32_t>(field.row_stride_bytes));
+        const Steps taps(directions, texel_bytes);
+        const uint32_t du = pair_step(origins.du_q16, directions.du_q16);
+        const uint32_t dv = pair_step(origins.dv_q16, directions.dv_q16);
+        const uint32_t u = pair_begin(origins.u_q16, directions.u_q16) - du;
+        const uint32_t v = pair_begin(origins.v_q16, directions.v_q16) - dv;
+        set(state_.origins.cell, rows, {du << 4, dv << 4, u << 4, v << 4});
+        set(state_.directions.cell, taps, {du << 20, dv << 20, u << 20, v << 20});
+        state_.origins.cell.drift = rows.at(whole(du), whole(dv));
+        state_.directions.cell.drift = taps.at(whole(du << 16), whole(dv << 16));
+        const uint32_t origin = rows.at(origins.u_q16 >> 16, origins.v_q16 >> 16) + rows.at(whole(u), whole(v));
+        const uint32_t direction =
+            taps.at(directions.u_q16 >> 16, directions.v_q16 >> 16) + taps.at(whole(u << 16), whole(v << 16));
+        const uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels)) +
+                              static_cast<uint32_t>(origins.base) * rows.unit +
+                              static_cast<uint32_t>(directions.base) * taps.unit;
+        state_.origins.across = rows.first + rows.second;
+        state_.origins.first = rows.first;
+        state_.origins.second = rows.second;
+        state_.origins.one = 1u << Sum::kRowBits;
+        state_.directions.across = taps.first + taps.second;
+        state_.directions.first = taps.first;
+        state_.directions.second = taps.second;
+        state_.palette = field.palette;
+        if constexpr (kFlips) {
+            const uint32_t row_border = static_cast<uint32_t>(origins.flip) * rows.unit;
+            const uint32_t tap_border = static_cast<uint32_t>(directions.flip) * taps.unit;
+            state_.origins.cell.offset = origin - row_border;
+            state_.origins.mask = static_cast<uint32_t>(origins.flip_mask);
+            state_.origins.base = base + row_border + tap_border;
+            state_.directions.cell.offset = direction - tap_border;
+            state_.directions.mask_or_one = static_cast<uint32_t>(directions.flip_mask);
+        } else {
+            state_.origins.cell.offset = base + origin;
+            state_.directions.cell.offset = direction;
+            state_.directions.mask_or_one = 1u << Sum::kTapBits;
+        }
+    }
+
+    // The next pixel's sum.
+    LUMI_ALWAYS_INLINE Sum pixel() { return ThumbSum<Sum>::template of<kFlips>(state_); }
+
+private:
+    struct Steps {
+        uint32_t unit, first, second;  // bytes
+        Steps(const SpanSide& side, int32_t unit_bytes)
+            : unit(static_cast<uint32_t>(unit_bytes)),
+              first(static_cast<uint32_t>(side.first) * unit),
+              second(static_cast<uint32_t>(side.second) * unit)
+        {
+        }
+        uint32_t at(int32_t u, int32_t v) const
+        {
+            return first * static_cast<uint32_t>(u) + second * static_cast<uint32_t>(v);
+        }
+    };
+    struct Words {
+        uint32_t du, dv, u, v;
+    };
+
+    static int32_t whole(uint32_t q28) { return static_cast<int32_t>(q28) >> 28; }
+
+    static void set(ThumbCell& cell, const Steps&, const Words& words)
+    {
+        cell.moving = &cell.u;
+        cell.du = words.du;
+        cell.dv = words.dv;
+        cell.u = words.u;
+        cell.v = words.v;
+    }
+
+    ThumbState<kFlips> state_;
+};
+
+#endif
+
+}  // namespace lumi
