@@ -101,3 +101,8 @@ TEST_CASE("a core's own loop draws a span of RGB888 texels as the common one doe
 {
     compare_loops<TexelRgb888>();
 }
+
+TEST_CASE("a core's own loop draws a span of RGB565 texels as the common one does", "[span]")
+{
+    compare_loops<TexelRgb565>();
+}

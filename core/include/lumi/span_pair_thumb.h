@@ -156,42 +156,26 @@ class ThumbPairs
 public:
     ThumbPairs(const SpanSide& origins, const SpanSide& directions, const Field& field, int32_t texel_bytes)
     {
-        const Steps rows(origins, static_cast<int32_t>(field.row_stride_bytes));
-        const Steps taps(directions, texel_bytes);
         const uint32_t du = pair_step(origins.du_q16, directions.du_q16);
         const uint32_t dv = pair_step(origins.dv_q16, directions.dv_q16);
         const uint32_t u = pair_begin(origins.u_q16, directions.u_q16) - du;
         const uint32_t v = pair_begin(origins.v_q16, directions.v_q16) - dv;
-        set(state_.origins.cell, rows, {du << 4, dv << 4, u << 4, v << 4});
-        set(state_.directions.cell, taps, {du << 20, dv << 20, u << 20, v << 20});
-        state_.origins.cell.drift = rows.at(whole(du), whole(dv));
-        state_.directions.cell.drift = taps.at(whole(du << 16), whole(dv << 16));
-        const uint32_t origin = rows.at(origins.u_q16 >> 16, origins.v_q16 >> 16) + rows.at(whole(u), whole(v));
-        const uint32_t direction =
-            taps.at(directions.u_q16 >> 16, directions.v_q16 >> 16) + taps.at(whole(u << 16), whole(v << 16));
-        const uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels)) +
-                              static_cast<uint32_t>(origins.base) * rows.unit +
-                              static_cast<uint32_t>(directions.base) * taps.unit;
-        state_.origins.across = rows.first + rows.second;
-        state_.origins.first = rows.first;
-        state_.origins.second = rows.second;
-        state_.origins.one = 1u << Sum::kRowBits;
-        state_.directions.across = taps.first + taps.second;
-        state_.directions.first = taps.first;
-        state_.directions.second = taps.second;
+        const uint32_t stride = field.row_stride_bytes;
+        const uint32_t bytes = static_cast<uint32_t>(texel_bytes);
+        uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels));
         state_.palette = field.palette;
+        begin(state_.directions, directions, bytes, {du << 16, dv << 16, u << 16, v << 16});
+        base += static_cast<uint32_t>(directions.base + (kFlips ? directions.flip : 0)) * bytes;
+        state_.directions.mask_or_one = kFlips ? static_cast<uint32_t>(directions.flip_mask) : 1u << Sum::kTapBits;
+        in_order();
+        begin(state_.origins, origins, stride, {du, dv, u, v});
+        base += static_cast<uint32_t>(origins.base + (kFlips ? origins.flip : 0)) * stride;
+        state_.origins.one = 1u << Sum::kRowBits;
         if constexpr (kFlips) {
-            const uint32_t row_border = static_cast<uint32_t>(origins.flip) * rows.unit;
-            const uint32_t tap_border = static_cast<uint32_t>(directions.flip) * taps.unit;
-            state_.origins.cell.offset = origin - row_border;
             state_.origins.mask = static_cast<uint32_t>(origins.flip_mask);
-            state_.origins.base = base + row_border + tap_border;
-            state_.directions.cell.offset = direction - tap_border;
-            state_.directions.mask_or_one = static_cast<uint32_t>(directions.flip_mask);
+            state_.origins.base = base;
         } else {
-            state_.origins.cell.offset = base + origin;
-            state_.directions.cell.offset = direction;
-            state_.directions.mask_or_one = 1u << Sum::kTapBits;
+            state_.origins.cell.offset += base;
         }
     }
 
@@ -199,32 +183,35 @@ public:
     LUMI_ALWAYS_INLINE Sum pixel() { return ThumbSum<Sum>::template of<kFlips>(state_); }
 
 private:
-    struct Steps {
-        uint32_t unit, first, second;  // bytes
-        Steps(const SpanSide& side, int32_t unit_bytes)
-            : unit(static_cast<uint32_t>(unit_bytes)),
-              first(static_cast<uint32_t>(side.first) * unit),
-              second(static_cast<uint32_t>(side.second) * unit)
-        {
-        }
-        uint32_t at(int32_t u, int32_t v) const
-        {
-            return first * static_cast<uint32_t>(u) + second * static_cast<uint32_t>(v);
-        }
-    };
+    // Coordinates and steps of a side in the upper half of a word, Q12.
     struct Words {
         uint32_t du, dv, u, v;
     };
 
-    static int32_t whole(uint32_t q28) { return static_cast<int32_t>(q28) >> 28; }
+    // What comes before is done before: fewer values in flight.
+    LUMI_ALWAYS_INLINE static void in_order() { asm volatile("" ::: "memory"); }
 
-    static void set(ThumbCell& cell, const Steps&, const Words& words)
+    static uint32_t whole(uint32_t q28) { return static_cast<uint32_t>(static_cast<int32_t>(q28) >> 28); }
+    static uint32_t whole(int32_t q16) { return static_cast<uint32_t>(q16 >> 16); }
+
+    template <class State>
+    LUMI_ALWAYS_INLINE static void begin(State& state, const SpanSide& side, uint32_t unit, const Words& words)
     {
+        const uint32_t first = static_cast<uint32_t>(side.first) * unit;
+        const uint32_t second = static_cast<uint32_t>(side.second) * unit;
+        state.first = first;
+        state.second = second;
+        state.across = first + second;
+        ThumbCell& cell = state.cell;
         cell.moving = &cell.u;
-        cell.du = words.du;
-        cell.dv = words.dv;
-        cell.u = words.u;
-        cell.v = words.v;
+        cell.du = words.du << 4;
+        cell.dv = words.dv << 4;
+        cell.u = words.u << 4;
+        cell.v = words.v << 4;
+        cell.drift = first * whole(words.du) + second * whole(words.dv);
+        const uint32_t border = kFlips ? static_cast<uint32_t>(side.flip) * unit : 0;
+        cell.offset =
+            first * (whole(words.u) + whole(side.u_q16)) + second * (whole(words.v) + whole(side.v_q16)) - border;
     }
 
     ThumbState<kFlips> state_;

@@ -33,7 +33,8 @@ namespace lumi
     LUMI_THUMB(adds r6, r6, r7)  \
     LUMI_THUMB(add r12, r12, r0) \
     LUMI_THUMB_ROW_LUMA8         \
-    LUMI_THUMB(add r0, r0, r12)
+    LUMI_THUMB(add r0, r0, r12)   \
+    LUMI_THUMB(add r0, r0, %[half])
 
 // One channel of a row of three RGB888 texels at r6, r2 and r1, moved or added `to` its sum.
 #define LUMI_THUMB_CHANNEL(weight, at, to, sum) \
@@ -107,7 +108,7 @@ namespace lumi
     LUMI_THUMB(muls r1, r7, r1)             \
     LUMI_THUMB(to %[r], r1)
 
-#define LUMI_THUMB_NEXT_PALETTE8(step) \
+#define LUMI_THUMB_NEXT_ROW(step) \
     LUMI_THUMB(ldr r7, [sp, step])     \
     LUMI_THUMB(adds r6, r6, r7)
 
@@ -116,15 +117,56 @@ namespace lumi
     LUMI_THUMB(push {r1, r2})        \
     LUMI_THUMB(ldr r2, [sp, 28])     \
     LUMI_THUMB_ROW_PALETTE8(8, mov)  \
-    LUMI_THUMB_NEXT_PALETTE8(12)     \
+    LUMI_THUMB_NEXT_ROW(12)     \
     LUMI_THUMB_ROW_PALETTE8(16, add) \
-    LUMI_THUMB_NEXT_PALETTE8(20)     \
+    LUMI_THUMB_NEXT_ROW(20)     \
     LUMI_THUMB_ROW_PALETTE8(24, add) \
     LUMI_THUMB(add sp, 32)
 
 #define LUMI_THUMB_PUSH_PALETTE \
     LUMI_THUMB(ldmia r0!, {r1}) \
     LUMI_THUMB(push {r1})
+// The RGB565 texel in r0, its channels apart, times a weight.
+#define LUMI_THUMB_FIELDS(weight)   \
+    LUMI_THUMB(lsls r7, r0, 16)     \
+    LUMI_THUMB(orrs r0, r0, r7)     \
+    LUMI_THUMB(mov r7, %[mask])     \
+    LUMI_THUMB(ands r0, r0, r7)     \
+    LUMI_THUMB(muls r0, weight, r0)
+
+#define LUMI_THUMB_ROW_RGB565(weight, to) \
+    LUMI_THUMB(ldrh r0, [r6])             \
+    LUMI_THUMB_FIELDS(r4)                 \
+    LUMI_THUMB(movs r1, r0)               \
+    LUMI_THUMB(ldrh r0, [r6, r2])         \
+    LUMI_THUMB_FIELDS(r3)                 \
+    LUMI_THUMB(adds r1, r1, r0)           \
+    LUMI_THUMB(ldr r0, [sp])              \
+    LUMI_THUMB(ldrh r0, [r6, r0])         \
+    LUMI_THUMB_FIELDS(r5)                 \
+    LUMI_THUMB(adds r0, r0, r1)           \
+    LUMI_THUMB(ldr r7, [sp, weight])      \
+    LUMI_THUMB(lsrs r1, r0, 21)           \
+    LUMI_THUMB(muls r1, r7, r1)           \
+    LUMI_THUMB(to %[g], r1)               \
+    LUMI_THUMB(lsls r1, r0, 21)           \
+    LUMI_THUMB(lsrs r1, r1, 21)           \
+    LUMI_THUMB(muls r1, r7, r1)           \
+    LUMI_THUMB(to %[b], r1)               \
+    LUMI_THUMB(lsls r0, r0, 11)           \
+    LUMI_THUMB(lsrs r0, r0, 22)           \
+    LUMI_THUMB(muls r0, r7, r0)           \
+    LUMI_THUMB(to %[r], r0)
+
+// Pushed are the offset of the third texel and the rows.
+#define LUMI_THUMB_RGB565          \
+    LUMI_THUMB(push {r1})          \
+    LUMI_THUMB_ROW_RGB565(4, mov)  \
+    LUMI_THUMB_NEXT_ROW(8)    \
+    LUMI_THUMB_ROW_RGB565(12, add) \
+    LUMI_THUMB_NEXT_ROW(16)   \
+    LUMI_THUMB_ROW_RGB565(20, add) \
+    LUMI_THUMB(add sp, 24)
 // clang-format on
 
 // What all statements read and spoil. All low registers are spoken for, so it is r0 that holds the state.
@@ -139,6 +181,7 @@ inline constexpr bool kHasThumbPairs<SpanSum<TexelLuma8, false>> = true;
 template <>
 struct ThumbSum<SpanSum<TexelLuma8, false>> {
     using Sum = SpanSum<TexelLuma8, false>;
+    static constexpr uint32_t kHalf = 1u << 23;  // what Sum::store adds, at no cost while a register holds it
 
     template <bool kFlips>
     LUMI_ALWAYS_INLINE static Sum of(ThumbState<kFlips>& state)
@@ -148,15 +191,15 @@ struct ThumbSum<SpanSum<TexelLuma8, false>> {
         if constexpr (kFlips) {
             asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS_OR_FLIPPED LUMI_THUMB_LUMA8
                          : "+l"(at)
-                         : LUMI_THUMB_BITS
+                         : LUMI_THUMB_BITS, [half] "h"(kHalf)
                          : LUMI_THUMB_CLOBBERS, "r12");
         } else {
             asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS LUMI_THUMB_LUMA8
                          : "+l"(at)
-                         : LUMI_THUMB_BITS
+                         : LUMI_THUMB_BITS, [half] "h"(kHalf)
                          : LUMI_THUMB_CLOBBERS, "r12");
         }
-        sum.y = reinterpret_cast<uint32_t>(at);
+        sum.y = reinterpret_cast<uint32_t>(at) - kHalf;
         return sum;
     }
 };
@@ -181,6 +224,32 @@ struct ThumbSum<SpanSum<TexelRgb888, false>> {
             asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS LUMI_THUMB_RGB888
                          : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
                          : LUMI_THUMB_BITS
+                         : LUMI_THUMB_CLOBBERS);
+        }
+        return sum;
+    }
+};
+
+template <>
+inline constexpr bool kHasThumbPairs<SpanSum<TexelRgb565, false>> = true;
+template <>
+struct ThumbSum<SpanSum<TexelRgb565, false>> {
+    using Sum = SpanSum<TexelRgb565, false>;
+
+    template <bool kFlips>
+    LUMI_ALWAYS_INLINE static Sum of(ThumbState<kFlips>& state)
+    {
+        Sum sum;
+        void* at = &state.origins;
+        if constexpr (kFlips) {
+            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS_OR_FLIPPED LUMI_THUMB_RGB565
+                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
+                         : LUMI_THUMB_BITS, [mask] "h"(Sum::kFields)
+                         : LUMI_THUMB_CLOBBERS);
+        } else {
+            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS LUMI_THUMB_RGB565
+                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
+                         : LUMI_THUMB_BITS, [mask] "h"(Sum::kFields)
                          : LUMI_THUMB_CLOBBERS);
         }
         return sum;
