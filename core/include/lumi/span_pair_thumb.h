@@ -156,36 +156,55 @@ class ThumbPairs
 public:
     ThumbPairs(const SpanSide& origins, const SpanSide& directions, const Field& field, int32_t texel_bytes)
     {
-        const uint32_t du = pair_step(origins.du_q16, directions.du_q16);
-        const uint32_t dv = pair_step(origins.dv_q16, directions.dv_q16);
-        const uint32_t u = pair_begin(origins.u_q16, directions.u_q16) - du;
-        const uint32_t v = pair_begin(origins.v_q16, directions.v_q16) - dv;
         const uint32_t stride = field.row_stride_bytes;
         const uint32_t bytes = static_cast<uint32_t>(texel_bytes);
-        uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels));
+        ThumbOrigins<kFlips>& rows = state_.origins;
+        ThumbDirections& taps = state_.directions;
         state_.palette = field.palette;
-        begin(state_.directions, directions, bytes, {du << 16, dv << 16, u << 16, v << 16});
-        base += static_cast<uint32_t>(directions.base + (kFlips ? directions.flip : 0)) * bytes;
-        state_.directions.mask_or_one = kFlips ? static_cast<uint32_t>(directions.flip_mask) : 1u << Sum::kTapBits;
-        in_order();
-        begin(state_.origins, origins, stride, {du, dv, u, v});
-        base += static_cast<uint32_t>(origins.base + (kFlips ? origins.flip : 0)) * stride;
-        state_.origins.one = 1u << Sum::kRowBits;
+        rows.one = 1u << Sum::kRowBits;
+        rows.cell.moving = &rows.cell.u;
+        taps.cell.moving = &taps.cell.u;
+        const uint32_t row = static_cast<uint32_t>(origins.base + (kFlips ? origins.flip : 0)) * stride;
+        const uint32_t tap = static_cast<uint32_t>(directions.base + (kFlips ? directions.flip : 0)) * bytes;
+        const uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels)) + row + tap;
         if constexpr (kFlips) {
-            state_.origins.mask = static_cast<uint32_t>(origins.flip_mask);
-            state_.origins.base = base;
+            rows.mask = static_cast<uint32_t>(origins.flip_mask);
+            rows.base = base;
+            rows.cell.offset = 0u - static_cast<uint32_t>(origins.flip) * stride;
+            taps.mask_or_one = static_cast<uint32_t>(directions.flip_mask);
+            taps.cell.offset = 0u - static_cast<uint32_t>(directions.flip) * bytes;
         } else {
-            state_.origins.cell.offset += base;
+            rows.cell.offset = base;
+            taps.mask_or_one = 1u << Sum::kTapBits;
+            taps.cell.offset = 0;
         }
+        rows.cell.drift = 0;
+        taps.cell.drift = 0;
+        in_order();
+        rows.first = static_cast<uint32_t>(origins.first) * stride;
+        taps.first = static_cast<uint32_t>(directions.first) * bytes;
+        begin(Axis{rows.cell.du, taps.cell.du, rows.cell.u, taps.cell.u, rows.first, taps.first},
+              {origins.du_q16, directions.du_q16, origins.u_q16, directions.u_q16});
+        in_order();
+        rows.second = static_cast<uint32_t>(origins.second) * stride;
+        taps.second = static_cast<uint32_t>(directions.second) * bytes;
+        begin(Axis{rows.cell.dv, taps.cell.dv, rows.cell.v, taps.cell.v, rows.second, taps.second},
+              {origins.dv_q16, directions.dv_q16, origins.v_q16, directions.v_q16});
+        rows.across = rows.first + rows.second;
+        taps.across = taps.first + taps.second;
     }
 
     // The next pixel's sum.
     LUMI_ALWAYS_INLINE Sum pixel() { return ThumbSum<Sum>::template of<kFlips>(state_); }
 
 private:
-    // Coordinates and steps of a side in the upper half of a word, Q12.
-    struct Words {
-        uint32_t du, dv, u, v;
+    // Along u or v: where its words are, and the cells' steps.
+    struct Axis {
+        uint32_t &row_step, &tap_step, &row, &tap;
+        uint32_t row_bytes, tap_bytes;
+    };
+    struct Coordinates {
+        int32_t row_step_q16, tap_step_q16, row_q16, tap_q16;
     };
 
     // What comes before is done before: fewer values in flight.
@@ -194,24 +213,18 @@ private:
     static uint32_t whole(uint32_t q28) { return static_cast<uint32_t>(static_cast<int32_t>(q28) >> 28); }
     static uint32_t whole(int32_t q16) { return static_cast<uint32_t>(q16 >> 16); }
 
-    template <class State>
-    LUMI_ALWAYS_INLINE static void begin(State& state, const SpanSide& side, uint32_t unit, const Words& words)
+    LUMI_ALWAYS_INLINE void begin(const Axis& axis, const Coordinates& at)
     {
-        const uint32_t first = static_cast<uint32_t>(side.first) * unit;
-        const uint32_t second = static_cast<uint32_t>(side.second) * unit;
-        state.first = first;
-        state.second = second;
-        state.across = first + second;
-        ThumbCell& cell = state.cell;
-        cell.moving = &cell.u;
-        cell.du = words.du << 4;
-        cell.dv = words.dv << 4;
-        cell.u = words.u << 4;
-        cell.v = words.v << 4;
-        cell.drift = first * whole(words.du) + second * whole(words.dv);
-        const uint32_t border = kFlips ? static_cast<uint32_t>(side.flip) * unit : 0;
-        cell.offset =
-            first * (whole(words.u) + whole(side.u_q16)) + second * (whole(words.v) + whole(side.v_q16)) - border;
+        const uint32_t step = pair_step(at.row_step_q16, at.tap_step_q16);
+        axis.row_step = step << 4;
+        axis.tap_step = step << 20;
+        state_.origins.cell.drift += axis.row_bytes * whole(step);
+        state_.directions.cell.drift += axis.tap_bytes * whole(step << 16);
+        const uint32_t before = pair_begin(at.row_q16, at.tap_q16) - step;
+        axis.row = before << 4;
+        axis.tap = before << 20;
+        state_.origins.cell.offset += axis.row_bytes * (whole(before) + whole(at.row_q16));
+        state_.directions.cell.offset += axis.tap_bytes * (whole(before << 16) + whole(at.tap_q16));
     }
 
     ThumbState<kFlips> state_;
