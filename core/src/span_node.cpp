@@ -198,6 +198,17 @@ int32_t NodeEvaluator::half_chord_q15(const RayRow& row, int32_t ahead) const
 
 void NodeEvaluator::evaluate(const RayRow& row, int32_t ahead, SpanNode& out) const
 {
+    evaluate_sides<true>(row, ahead, out);
+}
+
+void NodeEvaluator::evaluate_front(const RayRow& row, int32_t ahead, SpanNode& out) const
+{
+    evaluate_sides<false>(row, ahead, out);
+}
+
+template <bool kBack>
+LUMI_ALWAYS_INLINE void NodeEvaluator::evaluate_sides(const RayRow& row, int32_t ahead, SpanNode& out) const
+{
     const Ray r = ray(row, ahead);
     const int32_t px = r.px_q15;
     const int32_t py = r.py_q15;
@@ -222,7 +233,7 @@ void NodeEvaluator::evaluate(const RayRow& row, int32_t ahead, SpanNode& out) co
         hit.longitude_turns32 = coarse_angle_turns32(hit.y_q15, hit.x_q15);
     };
     set(out.front, (lift + along) >> 15, m - shrink);
-    set(out.back, (lift - along) >> 15, m + shrink);
+    if constexpr (kBack) set(out.back, (lift - along) >> 15, m + shrink);
 }
 
 }  // namespace lumi

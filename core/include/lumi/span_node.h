@@ -45,6 +45,8 @@ public:
 
     // Sets `out` to the node `ahead` pixels on; that pixel is covered.
     void evaluate(const RayRow& row, int32_t ahead, SpanNode& out) const;
+    // The same but for out.back, which is left as it is.
+    void evaluate_front(const RayRow& row, int32_t ahead, SpanNode& out) const;
     // Half the chord of that pixel's ray, s of camera.h.
     int32_t half_chord_q15(const RayRow& row, int32_t ahead) const;
 
@@ -57,6 +59,8 @@ private:
     };
 
     Ray ray(const RayRow& row, int32_t ahead) const;
+    template <bool kBack>
+    void evaluate_sides(const RayRow& row, int32_t ahead, SpanNode& out) const;
     const AffineQ40& source(int k) const { return k < 3 ? camera_.offset[k] : camera_.facing; }
 
     const Camera& camera_;
@@ -76,6 +80,7 @@ public:
     void begin_row(int32_t x, int32_t y) { row_ = evaluator_.row_at(x, y); }
     // Sets `out` to the node at pixel x + ahead; that pixel is covered.
     void evaluate(int32_t ahead, SpanNode& out) const { evaluator_.evaluate(row_, ahead, out); }
+    void evaluate_front(int32_t ahead, SpanNode& out) const { evaluator_.evaluate_front(row_, ahead, out); }
 
 private:
     NodeEvaluator evaluator_;
