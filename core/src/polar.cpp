@@ -82,9 +82,45 @@ constexpr bool are_short(const Walks& walks)
     return true;
 }
 
+// The least of a triangle's weights at a place, Q25 but for the gradients' rounding; negative outside.
+constexpr int32_t least_weight(const TriangleWalk& t, PlanePoint from, PlanePoint at)
+{
+    const int32_t x = at.x_q12 - from.x_q12, y = at.y_q12 - from.y_q12;
+    const int32_t second = (t.weight[0].x_q14 * x + t.weight[0].y_q14 * y) / 2;
+    const int32_t third = (t.weight[1].x_q14 * x + t.weight[1].y_q14 * y) / 2;
+    const int32_t first = (1 << 25) - second - third;
+    const int32_t least = second < third ? second : third;
+    return first < least ? first : least;
+}
+
+constexpr uint8_t start_at(const Walks& walks, PlanePoint at)
+{
+    int best = 0;
+    int32_t most = INT32_MIN;
+    for (int k = 0; k < kTriangles; ++k) {
+        const int32_t least = least_weight(walks.triangle[k], kPattern.point[kCorners[k][0]], at);
+        if (least > most) best = k;
+        if (least > most) most = least;
+    }
+    return static_cast<uint8_t>(best);
+}
+
+constexpr Starts make_starts(const Walks& walks)
+{
+    Starts starts{};
+    constexpr int32_t kSquare = 1 << Starts::kSquareLog2;
+    const auto centre = [](int square) { return (square - Starts::kSide / 2) * kSquare + kSquare / 2; };
+    for (int y = 0; y < Starts::kSide; ++y) {
+        for (int x = 0; x < Starts::kSide; ++x)
+            starts.triangle[Starts::kSide * y + x] = start_at(walks, {centre(x), centre(y)});
+    }
+    return starts;
+}
+
 }  // namespace
 
 constexpr Walks kWalks = make_walks();
 static_assert(are_short(kWalks));
+constexpr Starts kStarts = make_starts(kWalks);
 
 }  // namespace lumi::polar

@@ -71,6 +71,24 @@ struct Walks {
     TriangleWalk triangle[kTriangles];
 };
 
+// Triangles to begin a search at: those at the centres of squares of the plane, or nearest to them.
+struct Starts {
+    static constexpr int kSide = 16;
+    static constexpr int kSquareLog2 = 12;  // one unit wide, Q12
+    uint8_t triangle[kSide * kSide];
+};
+extern const Starts kStarts;
+
+// Of a place less than 8 from the pole; some triangle for others.
+inline int32_t start(int32_t x_q12, int32_t y_q12)
+{
+    constexpr uint32_t kMask = Starts::kSide - 1;
+    const auto square = [](int32_t v) {
+        return (static_cast<uint32_t>(v >> Starts::kSquareLog2) + Starts::kSide / 2) & kMask;
+    };
+    return kStarts.triangle[Starts::kSide * square(y_q12) + square(x_q12)];
+}
+
 // Of triangle k: counter-clockwise, the lowest index first; triangles come in the order of it.
 extern const uint8_t kCorners[kTriangles][3];
 extern const Walks kWalks;

@@ -43,6 +43,7 @@ void SpanCap::find(int32_t at)
 {
     const int32_t x = x_q12 + ((at * dx_q16) >> 4);
     const int32_t y = y_q12 + ((at * dy_q16) >> 4);
+    if (triangle < 0) triangle = polar::start(x, y);
     const polar::TriangleWalk* found = &polar::kWalks.triangle[triangle];
     for (int crossed = 0;; ++crossed) {
         const polar::PlanePoint p = polar::plane_point(polar::corners(triangle)[0]);

@@ -14,7 +14,8 @@ struct SpanCap {
     // Position in the plane and its step, Q12 (a point covers an area of π); set by SpanWalker.
     int32_t x_q12, y_q12;
     int32_t dx_q16, dy_q16;
-    int32_t triangle;  // a triangle to begin the search at
+    static constexpr int32_t kAnywhere = -1;
+    int32_t triangle;  // a triangle to begin the search at, or kAnywhere
 
     // The triangle under pixel `at` of the span: corners as indices from the pole, weights and their steps in Q16.
     int32_t corner[3];
