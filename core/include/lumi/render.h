@@ -52,16 +52,23 @@ void draw_exact(const Field& field, const Camera& camera, const Background& back
     }
 }
 
+// Writes `count` pixels of a background of the kind that fills.
+template <class Pixel, class Background>
+void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
+{
+    const Rgb8 colour = background.template under<Pixel>(nullptr);
+#pragma GCC unroll 8
+    for (int32_t k = 0; k < count; ++k, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
+}
+
 // Writes the background on both sides of a row's covered span, where the background is of the kind that fills.
 template <class Pixel, class Background>
 void fill_beside(const Background& background, const Stripe& stripe, const RowSpan& span, uint8_t* pixels)
 {
     if (!Background::kFills) return;
-    const Rgb8 colour = background.template under<Pixel>(nullptr);
     const auto fill = [&](int32_t begin, int32_t end) {
         uint8_t* pixel = pixels + static_cast<uint32_t>(begin - stripe.x_px) * Pixel::kBytes;
-#pragma GCC unroll 8
-        for (int32_t x = begin; x < end; ++x, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
+        fill_pixels<Pixel>(background, pixel, end - begin);
     };
     fill(stripe.x_px, span.begin);
     fill(span.end, stripe.x_px + stripe.width_px);
