@@ -168,10 +168,10 @@ ProxyRow proxy_row(const ProxyRowRays& rays, int32_t y)
     for (int k = 0; k < 3; ++k) {
         constexpr int64_t kRounding = 1 << 11;  // of the point, Q14
         const int64_t end_q56 = wide_product(up[k], lift_q26) + wide_product(forward[k], rays.far_q26);
-        row.end_q26[k] = static_cast<int32_t>(static_cast<uint32_t>((end_q56 >> 30) + kRounding));
+        row.component[k].end_q26 = static_cast<int32_t>(static_cast<uint32_t>((end_q56 >> 30) + kRounding));
         const int64_t ray_q56 =
             static_cast<int64_t>(forward[k]) * (int64_t{1} << 26) - wide_product(up[k], tangent_q26);
-        row.ray_q13[k] = static_cast<int32_t>((ray_q56 + (int64_t{1} << 42)) >> 43);
+        row.component[k].ray_q13 = static_cast<int32_t>((ray_q56 + (int64_t{1} << 42)) >> 43);
     }
     return row;
 }

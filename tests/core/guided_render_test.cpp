@@ -28,6 +28,7 @@ struct TestSurface {
     int32_t y = 0;
 
     void begin_stripe(const Stripe&) {}
+    int32_t next(int32_t x, int32_t) const { return x; }
     RowSpan columns() const { return {0, kMaxImageSide}; }
     void begin_row(int32_t row) { y = row; }
     uint32_t at(int32_t x, SurfacePoint (&out)[kSamples]) const { return see(x, y, out); }

@@ -24,6 +24,7 @@ public:
     FocusSurface(const GuidedField& field, const Camera& camera);
 
     void begin_stripe(const Stripe&) {}
+    int32_t next(int32_t x, int32_t) const { return x; }
     RowSpan columns() const { return {0, camera_.width_px}; }
     void begin_row(int32_t y);
     // Pixel x of the row, whose ray meets the unit sphere. About 90 instructions, 60 more with a focus sphere.

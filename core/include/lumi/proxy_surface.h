@@ -31,7 +31,10 @@ RowSpan rasterize_proxy(const ProxyFrame& frame, const Stripe& stripe, uint16_t*
 // Points of a row: X = end - back·ray + across·right, with `back` the depth before the far end of the range and
 // `across` the place along the right axis.
 struct ProxyRow {
-    int32_t end_q26[3], ray_q13[3];
+    struct Component {
+        int32_t end_q26, ray_q13;
+    };
+    Component component[3];
 };
 ProxyRow proxy_row(const ProxyRowRays& rays, int32_t y);
 
@@ -60,7 +63,8 @@ LUMI_ALWAYS_INLINE SurfacePoint proxy_point(const ProxyRays& rays, const ProxyRo
                                 wrapped(back_q13) * wrapped(tangent_q13);
     const uint32_t across_q13 = wrapped(static_cast<int32_t>(across_q26) >> 13);
     const auto component = [&](int k) {
-        return static_cast<int32_t>(wrapped(row.end_q26[k]) - wrapped(back_q13) * wrapped(row.ray_q13[k]) +
+        return static_cast<int32_t>(wrapped(row.component[k].end_q26) -
+                                    wrapped(back_q13) * wrapped(row.component[k].ray_q13) +
                                     across_q13 * wrapped(rays.right_q13[k])) >>
                12;
     };
@@ -107,6 +111,20 @@ public:
         } else {
             return mixture_at(x, out);
         }
+    }
+
+    // The first column of [x, end) of a row that was begun that is not background, or `end`.
+    LUMI_ALWAYS_INLINE int32_t next(int32_t x, int32_t end) const
+    {
+        const uint16_t* upper = depths_at(x);
+        for (; x < end; ++x, upper += kColumnBytes / sizeof(uint16_t)) {
+            if constexpr (kSamples == 1) {
+                if (*upper != kEmptyDepth) break;
+            } else {
+                if ((pair(upper) | pair(upper + 2 * stripe_.width)) != 0) break;
+            }
+        }
+        return x;
     }
 
     __attribute__((noinline)) void begin_row(int32_t y)
