@@ -68,7 +68,7 @@ const OriginWalker::Node& OriginWalker::node_at(int32_t ahead, const Node* keep)
     for (const Node& n : node_)
         if (n.ahead == ahead) return n;
     Node& n = keep == &node_[0] ? node_[1] : node_[0];
-    nodes_.evaluate(ahead, n.node);
+    nodes_.evaluate_front(ahead, n.node);
     n.ahead = ahead;
     return n;
 }
@@ -80,10 +80,11 @@ int32_t OriginWalker::length_at(int32_t begin, int log2)
     const Node& at = node_at(begin, nullptr);
     const Node& next = at_last ? at : node_at(begin + (1 << log2), &at);
     walker_.begin(at.node);
+    track_.cap.triangle = SpanCap::kAnywhere;
     return walker_.prepare(at.node, next.node, 1 << log2);
 }
 
-void OriginWalker::set_segment(int32_t begin, int32_t length)
+bool OriginWalker::set_segment(int32_t begin, int32_t length)
 {
     const SpanSide& side = walker_.side();
     begin_x_ = cap_x_ = covered_.begin + begin;
@@ -91,10 +92,13 @@ void OriginWalker::set_segment(int32_t begin, int32_t length)
     key_ = kNoKey;
     cell_ = {SpanSteps(side, 1), side.u_q16, side.v_q16, side.du_q16, side.dv_q16};
     kind_ = side.cap != nullptr ? Kind::cap : Kind::cells;
-    if (side.cap != nullptr) cap_ = *side.cap;
+    if (side.cap == nullptr) return false;
+    cap_ = *side.cap;
+    return set_cap();
 }
 
-void OriginWalker::begin_segment(int32_t ahead)
+// Returns whether the corners changed already: those of cells are set pixel by pixel.
+bool OriginWalker::begin_segment(int32_t ahead)
 {
     if (nodes_y_ != y_) {
         nodes_.begin_row(covered_.begin, y_);
@@ -110,6 +114,13 @@ void OriginWalker::begin_segment(int32_t ahead)
     kind_ = Kind::exact;
     begin_x_ = covered_.begin + ahead;
     end_x_ = begin_x_ + 1;
+    return false;
+}
+
+__attribute__((noinline)) bool OriginWalker::begin_and_move(int32_t x)
+{
+    const bool begun_elsewhere = begin_segment(x - covered_.begin);
+    return move_within(x) || begun_elsewhere;
 }
 
 bool OriginWalker::set_index(int k, int32_t index)
@@ -145,37 +156,26 @@ bool OriginWalker::move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16)
     return differs[0] || differs[1] || differs[2];
 }
 
-// Pixels that are not stepped through cells.
-bool OriginWalker::move_uncharted(int32_t x)
+// The corners of the cap's triangle.
+bool OriginWalker::set_cap()
 {
-    return kind_ == Kind::cap ? move_over_cap(x) : move_to_exact(x);
-}
-
-// The weights that cap_ holds for column cap_x_, moved on; where one has turned negative on the way, step by step.
-bool OriginWalker::move_over_cap(int32_t x)
-{
-    const int32_t n = x - cap_x_;
-    const auto moved_on = [&](int k) { return cap_.weight_q16[k] + n * cap_.step_q16[k]; };
-    int32_t middle_q16 = moved_on(1), far_q16 = moved_on(2);
-    if ((moved_on(0) | middle_q16 | far_q16) < 0) {
-        step_over_cap(x);
-        middle_q16 = cap_.weight_q16[1];
-        far_q16 = cap_.weight_q16[2];
-    }
-    const uint32_t middle = (static_cast<uint32_t>(middle_q16) + 128) >> 8, far = static_cast<uint32_t>(far_q16) >> 8;
-    taps_.weight_q8[0] = middle + far < 256 ? 256 - middle - far : 0;
-    taps_.weight_q8[1] = middle;
-    taps_.weight_q8[2] = far;
-    if (key_ == static_cast<uint32_t>(cap_.triangle)) return false;
-    key_ = static_cast<uint32_t>(cap_.triangle);
     bool differs = false;
     for (int k = 0; k < 3; ++k) differs |= set_index(k, cell_.steps.base + cap_.corner[k] * cell_.steps.first);
     return differs;
 }
 
-__attribute__((noinline)) void OriginWalker::step_over_cap(int32_t x)
+bool OriginWalker::step_over_cap(int32_t x)
 {
+    // Where the pixel before lies in the triangle, so do all up to it.
+    const int32_t n = x - 1 - cap_x_;
+    const auto before = [&](int k) { return cap_.weight_q16[k] + n * cap_.step_q16[k]; };
+    if ((before(0) | before(1) | before(2)) >= 0) {
+        cap_x_ = x;
+        cap_.find(x - begin_x_);
+    }
     for (; cap_x_ < x; ++cap_x_) cap_.advance(cap_x_ + 1 - begin_x_);
+    set_cap_weights(cap_.weight_q16[1], cap_.weight_q16[2]);
+    return set_cap();
 }
 
 bool OriginWalker::move_to_exact(int32_t x)
