@@ -40,22 +40,37 @@ ChartFrame chart_frame(const Vec3q30& p)
 
 ChartAxes chart_axes(const Vec3q30& p, const ChartFrame& frame, uint32_t chart_size)
 {
+    const auto q14 = [](int32_t v_q30) { return static_cast<int16_t>((v_q30 + (1 << 15)) >> 16); };
+    return chart_axes(ChartPoint{{q14(p.x), q14(p.y), q14(p.z)}}, frame, chart_size);
+}
+
+ChartAxes chart_axes(const ChartPoint& p, const ChartFrame& frame, uint32_t chart_size)
+{
     constexpr int32_t kInverseRoot3Q16 = 37837;     // 1/√3
     constexpr int32_t kTwoInverseRoot3Q16 = 75674;  // 2/√3
     const int32_t size = static_cast<int32_t>(chart_size);
     // A unit vector's component, at most 2/√3 long after the shear: Q30 below 2^31, Q16 times G <= 400 below 2^26.
     const auto grid_q8 = [&](int32_t axis_q30) { return ((axis_q30 >> 14) * size + 256) >> 9; };
-    const int32_t place_q30[3] = {p.x, p.y, p.z};
-    uint32_t u_q8[3], v_q8[3], p_q14[3];
+    ChartAxes axes;
+    uint32_t* const to_distance[] = {&axes.distance2_q28.x, &axes.distance2_q28.y, &axes.distance2_q28.z};
+    uint32_t* const to_u[] = {&axes.u_q22.x, &axes.u_q22.y, &axes.u_q22.z};
+    uint32_t* const to_v[] = {&axes.v_q22.x, &axes.v_q22.y, &axes.v_q22.z};
+    uint32_t square = 0, u = 0, v = 0;  // products with p
+#pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) {
         const int32_t tangent_q30 = frame.tangent_q14[k] * (int32_t{1} << 16);
-        p_q14[k] = static_cast<uint32_t>((place_q30[k] + (1 << 15)) >> 16);
-        u_q8[k] = static_cast<uint32_t>(grid_q8(tangent_q30 + frame.bitangent_q14[k] * kInverseRoot3Q16));
-        v_q8[k] = static_cast<uint32_t>(grid_q8(frame.bitangent_q14[k] * kTwoInverseRoot3Q16));
+        const uint32_t p_q14 = static_cast<uint32_t>(p.q14[k]);
+        *to_distance[k] = 0u - 2 * p_q14;
+        *to_u[k] = static_cast<uint32_t>(grid_q8(tangent_q30 + frame.bitangent_q14[k] * kInverseRoot3Q16));
+        *to_v[k] = static_cast<uint32_t>(grid_q8(frame.bitangent_q14[k] * kTwoInverseRoot3Q16));
+        square += p_q14 * p_q14;
+        u += *to_u[k] * p_q14;
+        v += *to_v[k] * p_q14;
     }
-    const auto with_p = [&](const uint32_t(&a)[3]) { return a[0] * p_q14[0] + a[1] * p_q14[1] + a[2] * p_q14[2]; };
-    const auto from_p = [&](const uint32_t(&a)[3]) -> PointForm { return {a[0], a[1], a[2], 0u - with_p(a)}; };
-    return {{0u - 2 * p_q14[0], 0u - 2 * p_q14[1], 0u - 2 * p_q14[2], with_p(p_q14)}, from_p(u_q8), from_p(v_q8)};
+    axes.distance2_q28.constant = square;
+    axes.u_q22.constant = 0u - u;
+    axes.v_q22.constant = 0u - v;
+    return axes;
 }
 
 }  // namespace lumi

@@ -40,7 +40,7 @@ void pack_palette(const uint8_t* colours, bool differences, PackedPalette& out)
 #pragma GCC unroll 5
     for (uint32_t k = 1; k < 16; ++k) {
         const uint32_t rgb = load_aligned<uint32_t>(colours + k * format::kChartColourBytes) ^ bias;
-        out.colour[k] = {rgb & 0x00FF00FFu, (rgb >> 8 & 0xFFu) | 1u << 16};
+        out.colour[k] = {even_bytes(rgb), (rgb >> 8 & 0xFFu) | 1u << 16};
     }
 }
 
@@ -52,7 +52,7 @@ const OriginCharts::Frame& OriginCharts::frame(int32_t index)
     if (f.origin != index) {
         const Vec3q30 p = point(field_.origins, static_cast<uint32_t>(index));
         const auto q14 = [](int32_t v_q30) { return static_cast<int16_t>((v_q30 + (1 << 15)) >> 16); };
-        f = {static_cast<int16_t>(index), {q14(p.x), q14(p.y), q14(p.z)}, chart_frame(p)};
+        f = {static_cast<int16_t>(index), {{q14(p.x), q14(p.y), q14(p.z)}}, chart_frame(p)};
     }
     return f;
 }
@@ -61,14 +61,14 @@ void OriginCharts::make(int32_t index, OriginChart& out)
 {
     const uint32_t origin = static_cast<uint32_t>(index);
     out.origin = index;
+    out.seen = {};
     if (origin >= field_.used_origins) {
         out.texels = {};
         out.occlusion = {};
         return;
     }
     const Frame& f = frame(index);
-    const auto q30 = [](int16_t v_q14) { return v_q14 * (int32_t{1} << 16); };
-    out.axes = chart_axes({q30(f.p_q14[0]), q30(f.p_q14[1]), q30(f.p_q14[2])}, f.frame, field_.chart_size);
+    out.axes = chart_axes(f.p, f.frame, field_.chart_size);
     if (field_.chart.texel_count != 0) {
         const bool narrow = field_.texel == format::GuidedTexel::index4;
         const uint32_t group_bytes = format::chart_colours(field_.texel) * format::kChartColourBytes;
@@ -83,24 +83,25 @@ void OriginCharts::make(int32_t index, OriginChart& out)
 void OriginCharts::hold(const int32_t (&index)[3])
 {
     // Corners that stay keep their slot; the others take the slots that are left.
-    OriginChart* kept[3] = {};
-    bool taken[3] = {};
+    constexpr int kNowhere = 3;
+    int place[3];
+    uint32_t taken = 0;
+#pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) {
-        for (int s = 0; s < 3; ++s) {
-            if (!taken[s] && slot_[s].origin == index[k]) {
-                kept[k] = &slot_[s];
-                taken[s] = true;
-                break;
-            }
-        }
+        const int32_t origin = index[k];
+        place[k] = slot_[0].origin == origin   ? 0
+                   : slot_[1].origin == origin ? 1
+                   : slot_[2].origin == origin ? 2
+                                               : kNowhere;
+        taken |= 1u << place[k];
     }
-    for (int k = 0, s = 0; k < 3; ++k) {
-        if (kept[k] == nullptr) {
-            while (taken[s]) ++s;
-            make(index[k], slot_[s]);
-            kept[k] = &slot_[s++];
+    for (int k = 0; k < 3; ++k) {
+        if (place[k] == kNowhere) {
+            place[k] = (taken & 1) == 0 ? 0 : (taken & 2) == 0 ? 1 : 2;
+            taken |= 1u << place[k];
+            make(index[k], slot_[place[k]]);
         }
-        chart_[k] = kept[k];
+        chart_[k] = &slot_[place[k]];
     }
 }
 

@@ -6,6 +6,7 @@
 #include "lumi/always_inline.h"
 #include "lumi/fixed.h"
 #include "lumi/guided_sums.h"
+#include "lumi/halves.h"
 
 namespace lumi
 {
@@ -19,6 +20,11 @@ struct ChartFrame {
 // listing 3. One 32-bit division.
 ChartFrame chart_frame(const Vec3q30& p);
 
+// An origin to the bits that its axes need.
+struct ChartPoint {
+    int16_t q14[3];
+};
+ChartAxes chart_axes(const ChartPoint& p, const ChartFrame& frame, uint32_t chart_size);
 ChartAxes chart_axes(const Vec3q30& p, const ChartFrame& frame, uint32_t chart_size);
 
 // Grid coordinates, and |X - p|². Within 1/24 grid point of the real numbers at the
@@ -33,6 +39,13 @@ struct ChartPlace {
 struct ReciprocalRoots {
     static constexpr uint32_t kSteps = 192;
     uint32_t at_q15[kSteps];
+
+    // The entry of v = step/256, step >= 64: the table's address less 64 entries is a constant, too.
+    LUMI_ALWAYS_INLINE uint32_t from(uint32_t step) const
+    {
+        const uintptr_t first = reinterpret_cast<uintptr_t>(at_q15) - 64 * sizeof at_q15[0];
+        return *reinterpret_cast<const uint32_t*>(first + sizeof at_q15[0] * step);
+    }
 };
 extern const ReciprocalRoots kReciprocalRoots;
 
@@ -68,13 +81,14 @@ LUMI_ALWAYS_INLINE Scaled scaled(uint32_t v)
 }  // namespace chart_detail
 
 // Where X lies in a chart whose centre is `centre_q8`. About 40 instructions: nine products, no division. Modulo 2^32:
-// in range for every X inside the unit sphere; whatever a file may hold, only the place is wrong.
-LUMI_ALWAYS_INLINE ChartPlace chart_place(const ChartAxes& axes, const SquaredPoint& x, int32_t centre_q8)
+// in range for every X inside the unit sphere; whatever a file may hold, only the place is wrong. The centre is a
+// reference so that it is read after the sums, which need the registers.
+LUMI_ALWAYS_INLINE ChartPlace chart_place(const ChartAxes& axes, const SquaredPoint& x, const int32_t& centre_q8)
 {
     const PointSums sums = point_sums(axes, x);
     const chart_detail::Scaled distance = chart_detail::scaled(sums.distance2_q28 | 1);
-    const uint32_t entry = kReciprocalRoots.at_q15[(distance.mantissa_q32 >> 24) - 64];
-    const uint32_t drop = ((entry & 0xFFFFu) * ((distance.mantissa_q32 >> 8) & 0xFFFFu)) >> 16;
+    const uint32_t entry = kReciprocalRoots.from(distance.mantissa_q32 >> 24);
+    const uint32_t drop = part_by_low((distance.mantissa_q32 >> 8) & 0xFFFFu, entry);
     const uint32_t inverse_q15 = (entry >> 16) - drop;
 
     // A product with X - p is Q22 and at most 231·|X - p|; at Q8, times the inverse mantissa's root, below 2^31.

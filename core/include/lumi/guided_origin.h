@@ -29,6 +29,15 @@ struct DepthRows {
 };
 DepthRows depth_rows(const ChartTable& table, uint32_t origin);
 
+// A cell of the table of depths and how far its origin sees there, |X - p|² at most. Cells are wide: nearly every pixel
+// asks for the one of the pixel before.
+struct DepthCell {
+    static constexpr uint32_t kNone = 0x7FFF7FFFu;  // farther away than any chart reaches
+
+    uint32_t place = kNone;  // row above column
+    uint32_t limit2_q28 = 0;
+};
+
 // A palette of 16 colours ready to sum: blue above red, and 1 above green; a missing texel's are 0. Differences are 128
 // more each.
 struct PackedColour {
@@ -41,6 +50,7 @@ struct PackedPalette {
 // What a pixel needs of an origin. An origin beyond the used ones has no rows: all of its texels are missing.
 struct OriginChart {
     ChartAxes axes{};
+    mutable DepthCell seen;  // of occlusion, as it was asked last: a function of the chart alone
     int32_t origin = -1;
     ChartRows texels;
     DepthRows occlusion;
@@ -54,7 +64,7 @@ struct OriginTaps {
     uint32_t weight_q8[3];
 };
 
-// Keeps the charts of the last triangle's corners, and the frames of recent origins. 1,100 bytes on a 32-bit core.
+// Keeps the charts of the last triangle's corners, and the frames of recent origins. 1,124 bytes on a 32-bit core.
 class OriginCharts
 {
 public:
@@ -63,17 +73,17 @@ public:
     // Whether chart(k) is that of origin `index`.
     bool holds(int k, int32_t index) const { return chart_[k]->origin == index; }
     const OriginChart& chart(int k) const { return *chart_[k]; }
-    // Makes chart(0 .. 2) those of a triangle's corners. Costs about 400 instructions a corner that was not there, 100 of
-    // them its palette, and some 500 more if its frame is not known.
+    // Makes chart(0 .. 2) those of a triangle's corners. Costs about 330 instructions a corner that was not there, 100
+    // of them its palette, and some 500 more if its frame is not known.
     void hold(const int32_t (&index)[3]);
     // Makes chart(0) that of one origin.
     void hold_one(int32_t index);
 
 private:
-    // What a chart's axes are made of; places keep the bits that these need.
+    // What a chart's axes are made of.
     struct Frame {
         int16_t origin = -1;
-        int16_t p_q14[3] = {};
+        ChartPoint p{};
         ChartFrame frame{};
     };
     static_assert(format::kMaxGuidedOrigins <= 32768, "an origin's index fits 16 bits");

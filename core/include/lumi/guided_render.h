@@ -10,15 +10,17 @@
 // however the image is cut. The file's address is divisible by 4.
 //
 // A surface policy has `kSamples` (1 or 4 a pixel), begin_stripe(stripe), columns(), the columns outside which all of
-// the stripe is background, begin_row(y), and at(x, points), which tells the distinct surfaces that a pixel's samples
-// see: it writes at most kSamples points and returns how many, 0 for the background. Rows come from the top, pixels
-// from left to right; only those whose rays meet the sphere are asked for, others are background.
+// the stripe is background, begin_row(y), next(x, end), the first column from x on that may have a surface, and
+// at(x, points), which tells the distinct surfaces that a pixel's samples see: it writes at most kSamples points and
+// returns how many, 0 for the background. Rows come from the top, pixels from left to right; only those whose rays meet
+// the sphere are asked for, others are background.
 #pragma once
 
 #include "lumi/guided_shade.h"
 #include "lumi/guided_walker.h"
 #include "lumi/linear_light.h"
 #include "lumi/outline.h"
+#include "lumi/pixel.h"
 #include "lumi/render.h"
 
 namespace lumi
@@ -44,7 +46,10 @@ public:
             SurfacePoint seen[Surface::kSamples];
             const uint32_t surfaces = surface_.at(x, seen);
             if (surfaces == 0) {
-                if (Background::kFills) Pixel::store(pixel, background_.template under<Pixel>(pixel));
+                const int32_t next = surface_.next(x + 1, span.end);
+                if (Background::kFills) fill_pixels<Pixel>(background_, pixel, next - x);
+                pixel += static_cast<uint32_t>(next - x - 1) * Pixel::kBytes;
+                x = next - 1;
                 continue;
             }
             if constexpr (Policy::kChart) {
@@ -52,8 +57,7 @@ public:
                 Policy::Origins::hold(charts_, walker_.taps(), moved);
             }
             if (surfaces == 1) {
-                const Shade shade = shader_.shade(seen[0], charts_, walker_.taps());
-                store(pixel, shade.colour, shade.coverage_q8 * seen[0].samples / Surface::kSamples);
+                store_one(pixel, seen[0]);
             } else if constexpr (Surface::kSamples > 1) {
                 store_mixture(pixel, seen, surfaces);
             }
@@ -62,6 +66,17 @@ public:
 
 private:
     static_assert(Surface::kSamples == 1 || Surface::kSamples == 4, "one sample a pixel, or four");
+
+    LUMI_ALWAYS_INLINE void store_one(uint8_t* pixel, const SurfacePoint& seen) const
+    {
+        const GuidedSum sum = shader_.sum_at(seen, charts_, walker_.taps());
+        if constexpr (!Policy::Mean::kHasMean && kPacks565<Pixel>) {
+            if (shader_.is_whole(sum) && seen.samples == Surface::kSamples)
+                return Pixel::store_packed(pixel, shader_.packed565(sum));
+        }
+        const Shade shade = shader_.shade_of(seen, sum);
+        store(pixel, shade.colour, shade.coverage_q8 * seen.samples / Surface::kSamples);
+    }
 
     // Colours of a pixel's surfaces are mixed as light; what is not covered shows the background, in encoded values.
     __attribute__((noinline)) void store_mixture(uint8_t* pixel, const SurfacePoint* seen, uint32_t surfaces) const

@@ -89,23 +89,50 @@ public:
     // `charts` hold the taps' origins. Inlined: the caller makes a function of it where it likes.
     LUMI_ALWAYS_INLINE Shade shade(const SurfacePoint& x, const OriginCharts& charts, const OriginTaps& taps) const
     {
+        return shade_of(x, sum_at(x, charts, taps));
+    }
+
+    // The same in two steps.
+    LUMI_ALWAYS_INLINE GuidedSum sum_at(const SurfacePoint& x, const OriginCharts& charts, const OriginTaps& taps) const
+    {
         GuidedSum sum;
         if constexpr (Policy::kChart) {
             const SquaredPoint point = squared(x);
 #pragma GCC unroll 3
             for (int k = 0; k < Policy::Origins::kCount; ++k) {
                 const uint32_t weight_q8 = Policy::Origins::weight_q8(taps, k);
-                if (weight_q8 == 0) continue;
+                const uint32_t own_q8 = Policy::Taps::kSingle ? weight_q8 : 1;
                 const uint64_t words = words_of(charts.chart(k), point, weight_q8);
-                sum.rb += static_cast<uint32_t>(words);
-                sum.wg += static_cast<uint32_t>(words >> 32);
+                sum.rb += static_cast<uint32_t>(words) * own_q8;
+                sum.wg += static_cast<uint32_t>(words >> 32) * own_q8;
             }
         }
+        return sum;
+    }
+    LUMI_ALWAYS_INLINE Shade shade_of(const SurfacePoint& x, const GuidedSum& sum) const
+    {
         if constexpr (Policy::Mean::kHasMean) return {over_mean(mean_.at(x), sum), 256};
-        return absolute(sum);
+        const Rgb8 colour = colour_of(levels(sum));
+        if (sum.weight_q8() == 0) return {{0, 0, 0}, 0};
+        return {colour, fades_ ? sum.weight_q8() : 256};
+    }
+
+    // Without a mean: whether a sum covers all of its pixel, and its colour as 5, 6 and 5 bits.
+    LUMI_ALWAYS_INLINE bool is_whole(const GuidedSum& sum) const
+    {
+        return sum.weight_q8() != 0 && !fades_;
+    }
+    LUMI_ALWAYS_INLINE static uint16_t packed565(const GuidedSum& sum)
+    {
+        const LevelsQ16 level = levels(sum);
+        return pack_rgb565_q16(level.r, level.g, level.b);
     }
 
 private:
+    struct LevelsQ16 {
+        uint32_t r, g, b;
+    };
+
     struct NoReader {
         explicit NoReader(const GuidedField&) {}
     };
@@ -129,16 +156,37 @@ private:
         using Type = NoMeanReader;
     };
 
-    // What an origin adds to the sum, as two words, which stay in registers across the call.
+    // What an origin adds to the sum, as two words, which stay in registers across the call. Of a single tap: its
+    // colour.
     __attribute__((noinline)) uint64_t words_of(const OriginChart& chart, const SquaredPoint& point,
-                                                uint32_t weight_q8) const
+                                                [[maybe_unused]] uint32_t weight_q8) const
     {
         const ChartPlace place = chart_place(chart.axes, point, centre_q8_);
         if constexpr (Policy::kOcclusion) {
-            if (is_hidden(chart.occlusion, place)) return 0;
+            if (is_hidden(chart, place)) return 0;
         }
         GuidedSum sum;
-        Policy::Taps::add(reader_, chart, place.u_q8, place.v_q8, weight_q8, sum);
+        if constexpr (Policy::Taps::kSingle) {
+            Policy::Taps::add(reader_, chart, place.u_q8, place.v_q8, 1, sum);
+        } else {
+            if (!Policy::Taps::add(reader_, chart, place.u_q8, place.v_q8, weight_q8, sum))
+                return words_at_border(chart, point, weight_q8);
+        }
+        return words(sum);
+    }
+
+    // The same of an origin that sees X next to its chart's border. All over again: so nothing has to be kept for it.
+    __attribute__((noinline)) uint64_t words_at_border(const OriginChart& chart, const SquaredPoint& point,
+                                                       uint32_t weight_q8) const
+    {
+        const ChartPlace place = chart_place(chart.axes, point, centre_q8_);
+        GuidedSum sum;
+        Policy::Taps::add_at_border(reader_, chart, place.u_q8, place.v_q8, weight_q8, sum);
+        return words(sum);
+    }
+
+    static uint64_t words(const GuidedSum& sum)
+    {
         return static_cast<uint64_t>(sum.wg) << 32 | sum.rb;
     }
 
@@ -162,15 +210,18 @@ private:
         return {channel(mean.r, sum.r_q8()), channel(mean.g, sum.g_q8()), channel(mean.b, sum.b_q8())};
     }
 
-    LUMI_ALWAYS_INLINE Shade absolute(const GuidedSum& sum) const
+    // A sum's mean, and half a level to round it by; below 256.
+    LUMI_ALWAYS_INLINE static LevelsQ16 levels(const GuidedSum& sum)
     {
-        const uint32_t weight_q8 = sum.weight_q8();
-        const uint32_t scale_q16 = kWeightReciprocals.q16[weight_q8];
-        const auto channel = [&](int32_t sum_q8) {
-            return static_cast<uint8_t>((static_cast<uint32_t>(sum_q8) * scale_q16 + 0x8000u) >> 16);
-        };
-        const uint32_t known_q8 = weight_q8 == 0 ? 0 : 256;
-        return {{channel(sum.r_q8()), channel(sum.g_q8()), channel(sum.b_q8())}, fades_ ? weight_q8 : known_q8};
+        const uint32_t scale_q16 = kWeightReciprocals.q16[sum.weight_q8()];
+        const auto level = [&](int32_t sum_q8) { return static_cast<uint32_t>(sum_q8) * scale_q16 + 0x8000u; };
+        return {level(sum.r_q8()), level(sum.g_q8()), level(sum.b_q8())};
+    }
+
+    static Rgb8 colour_of(const LevelsQ16& levels)
+    {
+        const auto rounded = [](uint32_t v_q16) { return static_cast<uint8_t>(v_q16 >> 16); };
+        return {rounded(levels.r), rounded(levels.g), rounded(levels.b)};
     }
 
     typename Readers<Policy::kChart, Policy>::Chart reader_;

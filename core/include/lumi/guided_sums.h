@@ -85,33 +85,32 @@ LUMI_ALWAYS_INLINE PointSums point_sums(const ChartAxes& axes, const SquaredPoin
         : "r2", "r3", "r4", "r5", "r6", "cc", "memory");
     return {distance2_q28, u_q22, reinterpret_cast<uint32_t>(sum)};
 }
-#elif defined(__thumb2__)
+#elif defined(__thumb2__) && defined(__OPTIMIZE__)
 LUMI_ALWAYS_INLINE PointSums point_sums(const ChartAxes& axes, const SquaredPoint& point)
 {
-    uint32_t distance2_q28, u_q22, v_q22, x, y, z, a, b;
+    register uint32_t distance2_q28 __asm("r8");
+    register uint32_t u_q22 __asm("r12");
+    register uint32_t v_q22 __asm("lr");
+    const ChartAxes* form = &axes;
+    // r4 to r6 hold X, r9 to r11 a form's factors; a form's constant comes into the register of its sum.
     __asm(
-        "ldrd %[x], %[y], [%[point]]\n\t"
-        "ldrd %[z], %[d], [%[point], #8]\n\t"
-        "ldrd %[a], %[b], [%[form]]\n\t"
-        "mla %[d], %[a], %[x], %[d]\n\t"
-        "mla %[d], %[b], %[y], %[d]\n\t"
-        "ldrd %[a], %[b], [%[form], #8]\n\t"
-        "mla %[d], %[a], %[z], %[d]\n\t"
-        "add %[d], %[d], %[b]\n\t"
-        "ldrd %[a], %[u], [%[form], #24]\n\t"
-        "mla %[u], %[a], %[z], %[u]\n\t"
-        "ldrd %[a], %[b], [%[form], #16]\n\t"
-        "mla %[u], %[a], %[x], %[u]\n\t"
-        "mla %[u], %[b], %[y], %[u]\n\t"
-        "ldrd %[a], %[v], [%[form], #40]\n\t"
-        "mla %[v], %[a], %[z], %[v]\n\t"
-        "ldrd %[a], %[b], [%[form], #32]\n\t"
-        "mla %[v], %[a], %[x], %[v]\n\t"
-        "mla %[v], %[b], %[y], %[v]"
-        : [d] "=&r"(distance2_q28), [u] "=&r"(u_q22), [v] "=&r"(v_q22), [x] "=&r"(x), [y] "=&r"(y), [z] "=&r"(z),
-          [a] "=&r"(a), [b] "=&r"(b)
-        : [form] "r"(&axes), [point] "r"(&point)
-        : "memory");
+        "ldmia %[point], {r4, r5, r6, r8}\n\t"
+        "ldmia %[form]!, {r9, r10, r11, r12}\n\t"
+        "mla r8, r9, r4, r8\n\t"
+        "mla r8, r10, r5, r8\n\t"
+        "mla r8, r11, r6, r8\n\t"
+        "add r8, r8, r12\n\t"
+        "ldmia %[form]!, {r9, r10, r11, r12}\n\t"
+        "mla r12, r9, r4, r12\n\t"
+        "mla r12, r10, r5, r12\n\t"
+        "mla r12, r11, r6, r12\n\t"
+        "ldmia %[form], {r9, r10, r11, lr}\n\t"
+        "mla lr, r9, r4, lr\n\t"
+        "mla lr, r10, r5, lr\n\t"
+        "mla lr, r11, r6, lr"
+        : [form] "+r"(form), "=r"(distance2_q28), "=r"(u_q22), "=r"(v_q22)
+        : [point] "r"(&point)
+        : "r4", "r5", "r6", "r9", "r10", "r11", "memory");
     return {distance2_q28, u_q22, v_q22};
 }
 #else

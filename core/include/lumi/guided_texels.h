@@ -156,25 +156,38 @@ struct TriangleWeights {
 //
 // Linear: the corners of the grid triangle. Their weights share the origin's without rest, so that Σw stays <= 2^8.
 struct LinearTaps {
+    static constexpr bool kSingle = false;
+
+    // False, with nothing added, next to the first and last rows and texels: add_at_border()'s.
     template <class Reader>
-    LUMI_ALWAYS_INLINE static void add(const Reader& reader, const OriginChart& chart, int32_t u_q8, int32_t v_q8,
+    LUMI_ALWAYS_INLINE static bool add(const Reader& reader, const OriginChart& chart, int32_t u_q8, int32_t v_q8,
                                        uint32_t weight_q8, GuidedSum& sum)
     {
         const ChartRows& rows = chart.texels;
         constexpr int kShift = 8 + Reader::kBlockShift;
         const uint32_t row = static_cast<uint32_t>((v_q8 >> kShift) - rows.first_row);
-        if (row < rows.last_row) {
-            const uint32_t near = texel_offset(row_entry(rows, row), u_q8 >> kShift);
-            const uint32_t far = texel_offset(row_entry(rows, row + 1), u_q8 >> kShift);
-            if ((near | far) + 1 < rows.texel_span) {
-                if constexpr (Reader::kBlockShift == 0)
-                    return add_inside(reader, chart, {near, far}, u_q8, v_q8, weight_q8, sum);
-                else
-                    return reader.add_triangle(chart, {near, far}, u_q8 >> 8, v_q8 >> 8,
-                                               weights_of(u_q8, v_q8, weight_q8), sum);
-            }
-        }
-        sum = add_at_border(reader, chart, u_q8, v_q8, weight_q8, sum);
+        if (row >= rows.last_row) return false;
+        const uint32_t near = texel_offset(row_entry(rows, row), u_q8 >> kShift);
+        const uint32_t far = texel_offset(row_entry(rows, row + 1), u_q8 >> kShift);
+        if ((near | far) + 1 >= rows.texel_span) return false;
+        if constexpr (Reader::kBlockShift == 0)
+            add_inside(reader, chart, {near, far}, u_q8, v_q8, weight_q8, sum);
+        else
+            reader.add_triangle(chart, {near, far}, u_q8 >> 8, v_q8 >> 8, weights_of(u_q8, v_q8, weight_q8), sum);
+        return true;
+    }
+
+    // Every tap on its own.
+    template <class Reader>
+    LUMI_ALWAYS_INLINE static void add_at_border(const Reader& reader, const OriginChart& chart, int32_t u_q8,
+                                                 int32_t v_q8, uint32_t weight_q8, GuidedSum& sum)
+    {
+        const int32_t u = u_q8 >> 8, v = v_q8 >> 8;
+        const TriangleWeights weights = weights_of(u_q8, v_q8, weight_q8);
+        const int32_t upper = static_cast<int32_t>(weights.upper);
+        reader.add(chart, u, v, weights.first_q8, sum);
+        reader.add(chart, u + 1 - upper, v + upper, weights.middle_q8, sum);
+        reader.add(chart, u + 1, v + 1, weights.far_q8, sum);
     }
 
 private:
@@ -212,25 +225,12 @@ private:
         const uint32_t far = far_share(weight_q8, upper ? fu : fv);
         return {upper ? 1u : 0u, weight_q8 - middle - far, middle, far};
     }
-
-    // Next to the first and last rows and texels, every tap on its own.
-    template <class Reader>
-    __attribute__((noinline)) static GuidedSum add_at_border(const Reader& reader, const OriginChart& chart,
-                                                             int32_t u_q8, int32_t v_q8, uint32_t weight_q8,
-                                                             GuidedSum sum)
-    {
-        const int32_t u = u_q8 >> 8, v = v_q8 >> 8;
-        const TriangleWeights weights = weights_of(u_q8, v_q8, weight_q8);
-        const int32_t upper = static_cast<int32_t>(weights.upper);
-        reader.add(chart, u, v, weights.first_q8, sum);
-        reader.add(chart, u + 1 - upper, v + upper, weights.middle_q8, sum);
-        reader.add(chart, u + 1, v + 1, weights.far_q8, sum);
-        return sum;
-    }
 };
 
 // Nearest: the heaviest corner of the grid triangle.
 struct NearestTap {
+    static constexpr bool kSingle = true;  // a tap has all of an origin's weight, which can multiply its colour later
+
     template <class Reader>
     LUMI_ALWAYS_INLINE static void add(const Reader& reader, const OriginChart& chart, int32_t u_q8, int32_t v_q8,
                                        uint32_t weight_q8, GuidedSum& sum)
@@ -249,17 +249,28 @@ struct NearestTap {
     }
 };
 
+// How far an origin sees in column u and row v of its table: |X - p|² at most.
+LUMI_ALWAYS_INLINE uint32_t depth_limit2_q28(const DepthRows& rows, int32_t u, int32_t v)
+{
+    constexpr uint32_t kHidesNothing = 255;
+    const uint32_t row = static_cast<uint32_t>(v - rows.first_row);
+    if (row >= rows.row_count) return UINT32_MAX;
+    const uint32_t offset = texel_offset(load_aligned<uint16_t>(rows.rows + 2 * row), u);
+    if (offset >= rows.depth_span) return UINT32_MAX;
+    const uint32_t depth = rows.depths[offset];  // in 1/128
+    return depth == kHidesNothing ? UINT32_MAX : depth * depth << 14;
+}
+
 // Whether an origin does not see the X at a place of its chart.
-LUMI_ALWAYS_INLINE bool is_hidden(const DepthRows& rows, const ChartPlace& place)
+LUMI_ALWAYS_INLINE bool is_hidden(const OriginChart& chart, const ChartPlace& place)
 {
     constexpr int kBlockShift = 8 + static_cast<int>(format::kOcclusionShift);
-    constexpr uint32_t kHidesNothing = 255;
-    const uint32_t row = static_cast<uint32_t>((place.v_q8 >> kBlockShift) - rows.first_row);
-    if (row >= rows.row_count) return false;
-    const uint32_t offset = texel_offset(load_aligned<uint16_t>(rows.rows + 2 * row), place.u_q8 >> kBlockShift);
-    if (offset >= rows.depth_span) return false;
-    const uint32_t depth = rows.depths[offset];  // in 1/128
-    return place.distance2_q28 > depth * depth << 14 && depth != kHidesNothing;
+    const uint32_t cell = join_halves<kBlockShift>(place.v_q8, place.u_q8);
+    if (__builtin_expect(cell != chart.seen.place, false)) {
+        const int32_t u = place.u_q8 >> kBlockShift, v = place.v_q8 >> kBlockShift;
+        chart.seen = {cell, depth_limit2_q28(chart.occlusion, u, v)};
+    }
+    return place.distance2_q28 > chart.seen.limit2_q28;
 }
 
 }  // namespace lumi
