@@ -8,64 +8,33 @@ namespace lumi
 namespace
 {
 
-constexpr int32_t kInverseRoot5Q15 = 14654;  // 1/√5
-constexpr int32_t kPhiQ12 = 6627;
-constexpr int32_t kInversePhiQ12 = 2531;
-constexpr int32_t kPhi2Q12 = 10723;
-constexpr int32_t kInversePhi2Q12 = 1565;
 constexpr int32_t kOneQ12 = 4096;
+constexpr int32_t kInversePiQ15 = 10430;
 
-int32_t over_root5(int32_t v_q12)
+constexpr SumReciprocals make_sum_reciprocals()
 {
-    return (v_q12 * kInverseRoot5Q15) >> 15;
-}
-
-uint32_t sine2_q15(int32_t z_q30)
-{
-    const int32_t z_q15 = z_q30 >> 15;
-    return 32768u - (static_cast<uint32_t>(z_q15 * z_q15) >> 15);
-}
-
-// X and 1/X, Q12, kept within the zone.
-struct Shape {
-    int32_t x_q12, inverse_q12;
-
-    explicit Shape(const SpanSide& side)
-    {
-        const uint32_t here = sine2_q15(side.z_q30);
-        const uint32_t begin = sine2_q15(side.zone->begin_z_q30);
-        const CoarseReciprocal r = coarse_reciprocal(begin != 0 ? begin : 1);
-        const int32_t x = static_cast<int32_t>((here * static_cast<uint32_t>(r.mantissa)) >> (r.exponent - 12));
-        x_q12 = x < kOneQ12 ? kOneQ12 : x > kPhi2Q12 ? kPhi2Q12 : x;
-        const CoarseReciprocal i = coarse_reciprocal(static_cast<uint32_t>(x_q12));
-        inverse_q12 = i.mantissa >> (i.exponent - 24);
+    SumReciprocals t{};
+    for (int32_t k = 0; k < SumReciprocals::kCount; ++k) {
+        const uint32_t middle_q9 = static_cast<uint32_t>(256 + 2 * k + 1);
+        t.q11[k] = static_cast<uint16_t>(((1u << 20) + (1u << 12)) / middle_q9);
     }
-};
+    t.q11[SumReciprocals::kCount - 1] = 1 << 9;
+    return t;
+}
 
 }  // namespace
 
-SpanMetric::SpanMetric(const SpanSide& side) : e_q12(0), f_q12(0), g_q12(0)
-{
-    if (side.cap != nullptr) return;
-    const Shape shape(side);
-    e_q12 = over_root5(shape.x_q12 + shape.inverse_q12);
-    g_q12 = over_root5((shape.x_q12 * kInversePhi2Q12 + shape.inverse_q12 * kPhi2Q12) >> 12);
-    const int32_t f = over_root5((shape.inverse_q12 * kPhiQ12 - shape.x_q12 * kInversePhiQ12) >> 12);
-    f_q12 = side.reflected() ? -f : f;
-}
+const SumReciprocals kSumReciprocals = make_sum_reciprocals();
 
-// The corners of the cap's triangle and the points across its edges, at their distances in Lambert's plane, where a
-// point covers an area of π and the mean spacing is √π.
-SpanNeighbours KernelSource::cap_neighbours() const
+// Distances in Lambert's plane, where a point covers an area of π and the mean spacing is √π.
+CapPoints::CapPoints(const SpanCap& cap, int32_t pixel, int32_t step_bytes)
 {
-    constexpr int32_t kInversePiQ15 = 10430;
-    SpanNeighbours result;
-    const int32_t x = cap_->x_q12 + ((pixel_ * cap_->dx_q16) >> 4);
-    const int32_t y = cap_->y_q12 + ((pixel_ * cap_->dy_q16) >> 4);
-    const uint8_t* beyond = polar::beyond(cap_->triangle);
-    const uint8_t* own = polar::corners(cap_->triangle);
+    const int32_t x = cap.x_q12 + ((pixel * cap.dx_q16) >> 4);
+    const int32_t y = cap.y_q12 + ((pixel * cap.dy_q16) >> 4);
+    const uint8_t* beyond = polar::beyond(cap.triangle);
+    const uint8_t* own = polar::corners(cap.triangle);
 #pragma GCC unroll 6
-    for (int k = 0; k < kKernelCandidates; ++k) {  // unrolled: nothing is divided by 3
+    for (int k = 0; k < kCapCandidates; ++k) {  // unrolled: nothing is divided by 3
         int32_t corner = own[k % 3];
         if (k >= 3 && beyond[k - 3] != polar::kNone) {
             const uint8_t* c = polar::corners(beyond[k - 3]);
@@ -77,29 +46,35 @@ SpanNeighbours KernelSource::cap_neighbours() const
         const int32_t dx = (p.x_q12 - x) >> 2;
         const int32_t dy = (p.y_q12 - y) >> 2;
         const bool doubled = k >= 3 && beyond[k - 3] == polar::kNone;
-        const int32_t distance2_q12 = (((dx * dx + dy * dy) >> 8) * kInversePiQ15) >> 15;
-        result.offset[k] = corner * steps_.first;
-        result.distance2_q12[k] = doubled ? kOneQ12 : distance2_q12;
+        offset[k] = corner * step_bytes;
+        distance2_q12[k] = doubled ? kOneQ12 : (((dx * dx + dy * dy) >> 8) * kInversePiQ15) >> 15;
     }
-    return result;
 }
 
-KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRange& range, int bits) : count(0)
+void KernelTaps::set(const CapPoints& near, int most, int bits)
 {
     uint32_t sum = 0;
-    int found = 0;
+    count = 0;
 #pragma GCC unroll 6
-    for (int k = 0; k < kKernelCandidates; ++k) {
+    for (int k = 0; k < kCapCandidates; ++k) {
         const int32_t inside = kOneQ12 - near.distance2_q12[k];
-        if (inside <= 0 || !range.holds(near.offset[k])) continue;
+        if (inside <= 0) continue;
         const uint32_t w = static_cast<uint32_t>(inside * inside) >> 12;
-        weight[found] = w;
-        offset[found] = near.offset[k];
+        int at = count;
+        if (count == most) {
+            at = 0;
+            for (int j = 1; j < most; ++j) {
+                if (weight[j] < weight[at]) at = j;
+            }
+            if (weight[at] >= w) continue;
+            sum -= weight[at];
+        } else {
+            ++count;
+        }
+        weight[at] = w;
+        offset[at] = near.offset[k];
         sum += w;
-        ++found;
     }
-    count = found;
-    while (count > static_cast<int>(most)) sum -= drop_lightest();
     const CoarseReciprocal r = coarse_reciprocal(sum != 0 ? sum : 1);
     uint32_t rest = 1u << bits;
     for (int k = count - 1; k > 0; --k) {
@@ -107,19 +82,6 @@ KernelTaps::KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRa
         rest -= weight[k];
     }
     if (count > 0) weight[0] = rest;
-}
-
-uint32_t KernelTaps::drop_lightest()
-{
-    int lightest = 0;
-    for (int k = 1; k < count; ++k) {
-        if (weight[k] < weight[lightest]) lightest = k;
-    }
-    const uint32_t dropped = weight[lightest];
-    --count;
-    weight[lightest] = weight[count];
-    offset[lightest] = offset[count];
-    return dropped;
 }
 
 }  // namespace lumi

@@ -55,6 +55,7 @@ SpanZone make_zone(const Lattice& lattice, int k)
 {
     const uint32_t n = lattice.size();
     SpanZone z{};
+    z.number = static_cast<int16_t>(k);
     z.begin_z_q30 = height_of_q30(kPowers.zone_q10[2 * k], lattice);
     z.obtuse_z_q30 = height_of_q30(kPowers.zone_q10[2 * k + 1], lattice);
     // Where even the equator is acute, no cell is obtuse, not even those whose middle lies beyond the equator.

@@ -1,181 +1,168 @@
 // SPDX-License-Identifier: MIT
-// The paper's kernel and the true nearest point on spans: distances in the plane of a span's cells.
+// The paper's kernel and the true nearest point on spans: (1 - d²)² of distances in spacings.
 //
-// In lattice coordinates the squared distance is a quadratic form that depends on one number, the zone's shape
-// X = √5·π·n·(1 - z²)/Φ^2k in [1, Φ²]. In units of the mean spacing, for steps F_k and F_k+1 (with F_k ≈ Φ^k/√5):
-//     E = (X + 1/X)/√5,  F = (Φ/X - X/Φ)/√5,  G = (X/Φ² + Φ²/X)/√5.
-// The candidates are the corners of the query's triangle and the points across its edges: the disc of one spacing holds
-// no other point of weight.
+// Through cells both sides have four taps (span_distance.h); over a cap there are up to five, among the corners of the
+// pixel's triangle and the points across its edges.
 #pragma once
 
+#include "lumi/span_distance.h"
 #include "lumi/span_draw.h"
+#include "lumi/span_weights.h"
 
 namespace lumi
 {
 
-inline constexpr int kKernelCandidates = 6;
+// Points near a pixel over a cap: offsets in memory and squared distances in spacings², Q12. The first three are the
+// corners of its triangle.
+inline constexpr int kCapCandidates = 6;
+struct CapPoints {
+    int32_t offset[kCapCandidates];
+    int32_t distance2_q12[kCapCandidates];
 
-// Points near a pixel: offsets in memory and squared distances in spacings², Q12.
-struct SpanNeighbours {
-    int32_t offset[kKernelCandidates];
-    int32_t distance2_q12[kKernelCandidates];
+    // Of the pixel whose triangle `cap` has found.
+    CapPoints(const SpanCap& cap, int32_t pixel, int32_t step_bytes);
 };
 
-// The quadratic form of a span's cells, Q12.
-struct SpanMetric {
-    int32_t e_q12, f_q12, g_q12;
+// Taps of one side of a pixel, through cells or over a cap.
+struct KernelTaps {
+    static constexpr int kMost = 5;
+    int count;
+    int32_t offset[kMost];
+    uint32_t weight[kMost];
 
-    explicit SpanMetric(const SpanSide& side);
+    // At most `most` of a cap's points, the nearest ones; weights sum to 2^bits.
+    void set(const CapPoints& near, int most, int bits);
+
+    template <int kBits, uint32_t K>
+    void set(const NearPoints& near, int32_t across)
+    {
+        const NearWeights of = NearWeights::of<kBits, K>(near);
+        count = 0;
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) {
+            if (of.weight[k] == 0) continue;
+            offset[count] = near.row[k >> 1] + ((k & 1) != 0 ? across : 0);
+            weight[count] = of.weight[k];
+            ++count;
+        }
+    }
 };
 
-// Walks one side of a span, through cells or over a cap, and names the candidates of each pixel.
-class KernelSource
+// One side of a piece of a span through cells. Offsets of origins are found in points: in bytes they need not fit into
+// 16 bits.
+template <bool kInPoints>
+class CellKernel
 {
 public:
-    KernelSource(const SpanSide& side, int32_t stride_bytes)
-        : steps_(side, stride_bytes), metric_(side), side_(side), u_q16_(side.u_q16), v_q16_(side.v_q16), cap_(side.cap)
+    CellKernel(const SpanSide& side, const Lattice& lattice, int32_t stride_bytes, int32_t from, int32_t length)
+        : distances_(side, lattice, kInPoints ? 1 : stride_bytes, from, length),
+          stride_(stride_bytes),
+          across_(in_bytes(distances_.across()))
     {
     }
 
-    int32_t base() const { return steps_.base; }
-
-    // The candidates; the first three are the corners of the pixel's triangle, of which alone kThree leaves the others
-    // undefined.
-    template <bool kThree>
-    LUMI_ALWAYS_INLINE SpanNeighbours neighbours() const
+    int32_t base() const { return in_bytes(distances_.base()); }
+    // From a row's first point to its second one.
+    int32_t across() const { return across_; }
+    LUMI_ALWAYS_INLINE NearPoints near() const
     {
-        return side_.cap != nullptr ? cap_neighbours() : cell_neighbours<kThree>();
+        NearPoints near = distances_.near();
+        near.row[0] = in_bytes(near.row[0]);
+        near.row[1] = in_bytes(near.row[1]);
+        return near;
     }
-
-    void advance()
+    template <int kBits, uint32_t K>
+    void find(KernelTaps& taps) const
     {
-        if (side_.cap != nullptr) {
-            cap_->advance(++pixel_);
-        } else {
-            u_q16_ += side_.du_q16;
-            v_q16_ += side_.dv_q16;
-        }
+        taps.set<kBits, K>(near(), across());
     }
+    int32_t nearest() const
+    {
+        const NearPoints at = near();
+        const int32_t* const below = at.below_q26;
+        const int32_t first = at.row[0] + (below[1] < below[0] ? across() : 0);
+        const int32_t second = at.row[1] + (below[3] < below[2] ? across() : 0);
+        const auto least = [](int32_t a, int32_t b) { return a < b ? a : b; };
+        return least(below[2], below[3]) < least(below[0], below[1]) ? second : first;
+    }
+    void advance() { distances_.advance(); }
 
 private:
-    // With f the position in the cell, M the form and c a corner's steps, the squared distance to the corner is
-    // f·M·f - 2·c·M·f + c·M·c: all candidates of a pixel share the products of the first two.
-    template <bool kThree>
-    LUMI_ALWAYS_INLINE SpanNeighbours cell_neighbours() const
-    {
-        const int32_t fu = (u_q16_ >> 4) & 4095;
-        const int32_t fv = (v_q16_ >> 4) & 4095;
-        const int32_t corner = steps_.corner(u_q16_, v_q16_);
-        const int32_t mu = (metric_.e_q12 * fu + metric_.f_q12 * fv) >> 12;
-        const int32_t mv = (metric_.f_q12 * fu + metric_.g_q12 * fv) >> 12;
-        const int32_t here = (mu * fu + mv * fv) >> 12;
-        const Axis u = {steps_.first, metric_.e_q12 - 2 * mu, 2 * mu};
-        const Axis v = {steps_.second, metric_.g_q12 - 2 * mv, 2 * mv};
-        const int32_t both = 2 * metric_.f_q12;
-        SpanNeighbours result;
-        const auto set = [&](int k, int32_t offset, int32_t distance2_q12) {
-            result.offset[k] = corner + offset;
-            result.distance2_q12[k] = here + distance2_q12;
-        };
-        const int32_t across = u.step + v.step;
-        if (__builtin_expect(steps_.is_flipped(corner), false)) {
-            const bool near = fu + fv < 4096;
-            set(near ? 0 : 3, 0, 0);
-            set(1, u.step, u.one);
-            set(2, v.step, v.one);
-            set(near ? 3 : 0, across, u.one + v.one + both);
-            if (!near) {
-                set(4, 2 * u.step, 2 * u.one + 2 * metric_.e_q12);
-                set(5, 2 * v.step, 2 * v.one + 2 * metric_.g_q12);
-            } else {
-                set(4, u.step - v.step, u.one + v.minus_one(metric_.g_q12) - both);
-                set(5, v.step - u.step, v.one + u.minus_one(metric_.e_q12) - both);
-            }
-            return result;
-        }
-        // The triangle below the diagonal; the one above it is the same with u and v exchanged.
-        const bool lower = fu > fv;
-        const Axis& a = lower ? u : v;
-        const Axis& b = lower ? v : u;
-        const int32_t aa = lower ? metric_.e_q12 : metric_.g_q12;
-        const int32_t bb = lower ? metric_.g_q12 : metric_.e_q12;
-        const int32_t diagonal = a.one + b.one + both;
-        set(0, 0, 0);
-        set(1, a.step, a.one);
-        set(2, across, diagonal);
-        if (kThree) return result;
-        set(3, b.step, b.one);
-        set(4, -b.step, b.minus_one(bb));
-        set(5, across + a.step, diagonal + a.one + 2 * aa + both);
-        return result;
-    }
+    int32_t in_bytes(int32_t offset) const { return kInPoints ? offset * stride_ : offset; }
 
-    // One step along u or v: its offset, and what it adds to the squared distance. Two steps add 2·one + 2·c·M·c.
-    struct Axis {
-        int32_t step, one, twice_m;
-
-        int32_t minus_one(int32_t own_q12) const { return own_q12 + twice_m; }
-    };
-
-    SpanNeighbours cap_neighbours() const;
-
-    SpanSteps steps_;
-    SpanMetric metric_;
-    const SpanSide& side_;
-    int32_t u_q16_, v_q16_;
-    SpanCap* cap_;
-    int32_t pixel_ = 0;
+    SpanDistances distances_;
+    int32_t stride_, across_;
 };
 
-// Offsets of a side's points relative to SpanSteps::base: from the lowest on.
-struct OffsetRange {
-    int32_t lowest;
-    uint32_t extent;
-
-    bool holds(int32_t offset) const { return static_cast<uint32_t>(offset - lowest) <= extent; }
-
-    OffsetRange(const SpanSide& side, uint32_t points, int32_t stride_bytes)
-        : lowest(-side.base * stride_bytes), extent((points - 1) * static_cast<uint32_t>(stride_bytes))
-    {
-    }
-};
-
-// Taps of weight: the kernel's (1 - d²)², normalised to 2^bits; the first takes what rounding leaves.
-struct KernelTaps {
-    int count;
-    int32_t offset[kKernelCandidates];
-    uint32_t weight[kKernelCandidates];
-
-    // At most `most` taps, the nearest ones. `lowest` and `highest` bound the offsets that exist: near a pole a
-    // candidate may lie beyond it.
-    KernelTaps(const SpanNeighbours& near, uint32_t most, const OffsetRange& range, int bits);
-
-private:
-    uint32_t drop_lightest();
-};
-
-// The corner of a pixel's triangle at the least distance: no other lattice point is nearer, since no triangle is
-// obtuse.
-inline int32_t nearest_offset(const SpanNeighbours& near)
+// The same over a cap.
+class CapKernel
 {
-    const int first = near.distance2_q12[1] < near.distance2_q12[0] ? 1 : 0;
-    return near.offset[near.distance2_q12[2] < near.distance2_q12[first] ? 2 : first];
-}
+public:
+    CapKernel(const SpanSide& side, const Lattice&, int32_t stride_bytes, int32_t from, int32_t)
+        : cap_(*side.cap), pixel_(from), step_(side.first * stride_bytes), base_(side.base * stride_bytes)
+    {
+    }
 
-// Calls visit(candidates of the origins, of the directions, base pointer, pixel pointer) for every pixel.
-template <int kCandidates, class Texel, class Pixel, class Background, class Visit>
+    int32_t base() const { return base_; }
+    template <int kBits, uint32_t K>
+    void find(KernelTaps& taps) const
+    {
+        constexpr int kMost = K < KernelTaps::kMost ? static_cast<int>(K) : KernelTaps::kMost;
+        taps.set(CapPoints(cap_, pixel_, step_), kMost, kBits);
+    }
+    // Among the corners of the pixel's triangle: no other point is nearer, as no triangle is obtuse.
+    int32_t nearest() const
+    {
+        const CapPoints near(cap_, pixel_, step_);
+        const int first = near.distance2_q12[1] < near.distance2_q12[0] ? 1 : 0;
+        return near.offset[near.distance2_q12[2] < near.distance2_q12[first] ? 2 : first];
+    }
+    void advance() { cap_.advance(++pixel_); }
+
+private:
+    SpanCap& cap_;
+    int32_t pixel_, step_, base_;
+};
+
+// Calls visit(origins, directions, base pointer, pixel pointer) for every pixel, in pieces as long as the coordinates
+// of both sides allow.
+template <class Origins, class Directions, class Texel, class Pixel, class Background, class Visit>
 void for_kernel_pixels(const SpanTarget<Background>& span, Visit visit)
 {
-    KernelSource origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
-    KernelSource directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    const uint8_t* base = span.field.texels + origins.base() + directions.base();
+    const Field& field = span.field;
+    const int32_t stride = static_cast<int32_t>(field.row_stride_bytes);
+    const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
+    const auto is_followed = [](const SpanSide& side, int32_t length) {
+        return side.cap != nullptr || SpanDistances::is_followed(side, length);
+    };
     uint8_t* pixel = span.pixels;
-    for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
-        visit(origins.template neighbours<kCandidates == 3>(), directions.template neighbours<kCandidates == 3>(), base,
-              pixel);
-        origins.advance();
-        directions.advance();
+    for (int32_t from = 0, length = 0; from < span.length; from += length) {
+        length = span.length - from < SpanDistances::kMostPixels ? span.length - from : SpanDistances::kMostPixels;
+        if (!can_follow(span.origins, span.directions, length)) {
+            while (length > 1 && !(is_followed(span.origins, length) && is_followed(span.directions, length)))
+                length >>= 1;
+        }
+        Origins origins(span.origins, field.origins, stride, from, length);
+        Directions directions(span.directions, field.directions, bytes, from, length);
+        const uint8_t* const base = settled(field.texels + origins.base() + directions.base());
+        for (const uint8_t* end = pixel + static_cast<uint32_t>(length) * Pixel::kBytes; pixel != end;
+             pixel += Pixel::kBytes) {
+            visit(origins, directions, base, pixel);
+            origins.advance();
+            directions.advance();
+        }
     }
+}
+
+template <class Drawing, class Texel, class Pixel, class Background>
+void draw_by_sides(const SpanTarget<Background>& span)
+{
+    if (!over_cap(span)) return Drawing::template draw_cells<Texel, Pixel>(span);
+    if (span.directions.cap == nullptr)
+        return Drawing::template draw_sides<CapKernel, CellKernel<false>, Texel, Pixel>(span);
+    if (span.origins.cap == nullptr)
+        return Drawing::template draw_sides<CellKernel<true>, CapKernel, Texel, Pixel>(span);
+    Drawing::template draw_sides<CapKernel, CapKernel, Texel, Pixel>(span);
 }
 
 template <uint32_t K>
@@ -183,29 +170,66 @@ struct SpanDraw<Paper<K>> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
+        draw_by_sides<SpanDraw, Texel, Pixel>(span);
+    }
+
+    // Through cells. Rows without weight are left out: one in four.
+    template <class Texel, class Pixel, class Background>
+    static void draw_cells(const SpanTarget<Background>& span)
+    {
         using Sum = SpanSum<Texel, !Background::kIsBlack>;
-        constexpr int kTaps = K < kKernelCandidates ? static_cast<int>(K) : kKernelCandidates;
-        const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
-        const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
-        const OffsetRange rows(span.origins, span.field.used_origins, stride);
-        const OffsetRange columns(span.directions, span.field.directions.size(), bytes);
-        for_kernel_pixels<kKernelCandidates, Texel, Pixel>(
-            span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
-                const KernelTaps origins(o, K, rows, Sum::kRowBits);
-                const KernelTaps directions(d, K, columns, Sum::kTapBits);
-                Sum sum;
-                for (int m = 0; m < origins.count; ++m) {
-                    const uint8_t* row = base + origins.offset[m] - Sum::kBefore;
-                    typename Sum::Row taps;
-#pragma GCC unroll 6
-                    for (int k = 0; k < kTaps; ++k) {
-                        if (k == directions.count) break;
-                        taps.add(span.field, row + directions.offset[k], directions.weight[k]);
-                    }
-                    sum.add(taps, row_weight<Sum>(origins.weight[m]));
+        const auto visit = [&](const CellKernel<true>& origins, const CellKernel<false>& directions,
+                               const uint8_t* base, uint8_t* pixel) {
+            const NearPoints o = origins.near();
+            const NearPoints d = directions.near();
+            const NearWeights rows = NearWeights::of<Sum::kRowBits, K>(o);
+            const NearWeights taps = NearWeights::of<Sum::kTapBits, K>(d);
+            const uint8_t* const texels = base + d.row[0] - Sum::kBefore;
+            const uint8_t* const row_pair[2] = {settled(texels + o.row[0]), settled(texels + o.row[1])};
+            const int32_t across = directions.across();
+            const int32_t next = d.row[1] - d.row[0];
+            const int32_t last = settled(next + across);
+            Sum sum;
+#pragma GCC unroll 4
+            for (int m = 0; m < 4; ++m) {
+                if (rows.weight[m] == 0) continue;
+                const uint8_t* const row = row_pair[m >> 1] + ((m & 1) != 0 ? origins.across() : 0);
+                typename Sum::Row of_row;
+                of_row.add(span.field, row, taps.weight[0]);
+                of_row.add(span.field, row + across, taps.weight[1]);
+                of_row.add(span.field, row + next, taps.weight[2]);
+                of_row.add(span.field, row + last, taps.weight[3]);
+                add_plainly(sum, of_row, rows.weight[m]);
+            }
+            sum.template store<Pixel>(span.background, pixel);
+        };
+        for_kernel_pixels<CellKernel<true>, CellKernel<false>, Texel, Pixel>(span, visit);
+    }
+
+    // A side over a cap.
+    template <class Origins, class Directions, class Texel, class Pixel, class Background>
+    static void draw_sides(const SpanTarget<Background>& span)
+    {
+        using Sum = SpanSum<Texel, !Background::kIsBlack>;
+        const auto visit = [&](const Origins& o, const Directions& d, const uint8_t* base, uint8_t* pixel) {
+            KernelTaps origins;
+            KernelTaps directions;
+            o.template find<Sum::kRowBits, K>(origins);
+            d.template find<Sum::kTapBits, K>(directions);
+            Sum sum;
+            for (int m = 0; m < origins.count; ++m) {
+                const uint8_t* const row = base + origins.offset[m] - Sum::kBefore;
+                typename Sum::Row taps;
+#pragma GCC unroll 5
+                for (int k = 0; k < KernelTaps::kMost; ++k) {
+                    if (k == directions.count) break;
+                    taps.add(span.field, row + directions.offset[k], directions.weight[k]);
                 }
-                sum.template store<Pixel>(span.background, pixel);
-            });
+                sum.add(taps, row_weight<Sum>(origins.weight[m]));
+            }
+            sum.template store<Pixel>(span.background, pixel);
+        };
+        for_kernel_pixels<Origins, Directions, Texel, Pixel>(span, visit);
     }
 };
 
@@ -214,11 +238,22 @@ struct SpanDraw<NearestVoronoi> {
     template <class Texel, class Pixel, class Background>
     static void draw(const SpanTarget<Background>& span)
     {
-        for_kernel_pixels<3, Texel, Pixel>(
-            span, [&](const SpanNeighbours& o, const SpanNeighbours& d, const uint8_t* base, uint8_t* pixel) {
-                const uint8_t* texel = base + nearest_offset(o) + nearest_offset(d);
-                store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
-            });
+        draw_by_sides<SpanDraw, Texel, Pixel>(span);
+    }
+
+    template <class Texel, class Pixel, class Background>
+    static void draw_cells(const SpanTarget<Background>& span)
+    {
+        draw_sides<CellKernel<true>, CellKernel<false>, Texel, Pixel>(span);
+    }
+
+    template <class Origins, class Directions, class Texel, class Pixel, class Background>
+    static void draw_sides(const SpanTarget<Background>& span)
+    {
+        const auto visit = [&](const Origins& o, const Directions& d, const uint8_t* base, uint8_t* pixel) {
+            store_single<Texel, Pixel>(span.field, span.background, base + o.nearest() + d.nearest(), pixel);
+        };
+        for_kernel_pixels<Origins, Directions, Texel, Pixel>(span, visit);
     }
 };
 

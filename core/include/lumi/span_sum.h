@@ -25,6 +25,17 @@ constexpr uint32_t row_weight(uint32_t weight)
     return Sum::kUpperHalves ? weight << 16 : weight;
 }
 
+// Adds a row whose weight lies in the lower half of a word, whatever Sum::add takes.
+template <class Sum, class Row>
+LUMI_ALWAYS_INLINE void add_plainly(Sum& sum, const Row& row, uint32_t weight)
+{
+    if constexpr (Sum::kUpperHalves) {
+        sum.add_plain(row, weight);
+    } else {
+        sum.add(row, weight);
+    }
+}
+
 template <class T>
 T load_aligned(const uint8_t* p)
 {
@@ -102,6 +113,19 @@ struct SpanSumHalves {
         }
         if (kCoverage)
             a = Load::kGreenIsHigh ? add_product_low(row.ga, weight, a) : add_product_high(row.ga, weight, a);
+    }
+
+    // The same with the weight in the lower half.
+    void add_plain(const Row& row, uint32_t weight)
+    {
+        const auto add_product_top = [](uint32_t v, uint32_t w, uint32_t sum) {
+            return static_cast<uint32_t>(
+                add_product_top_bottom(static_cast<int32_t>(v), static_cast<int32_t>(w), static_cast<int32_t>(sum)));
+        };
+        r = add_product16(row.rb, weight, r);
+        b = add_product_top(row.rb, weight, b);
+        g = Load::kGreenIsHigh ? add_product_top(row.ga, weight, g) : add_product16(row.ga, weight, g);
+        if (kCoverage) a = Load::kGreenIsHigh ? add_product16(row.ga, weight, a) : add_product_top(row.ga, weight, a);
     }
 
     Rgb8 over(const Rgb8& under) const
