@@ -98,7 +98,7 @@ bool RimCurve::begin(const SpanNode& middle)
 
 bool RimCurve::place(const SpanNode& node, LatticePoint& at)
 {
-    constexpr int32_t kMostTurnQ20 = 3 * kMaxTurnQ20 / 2;
+    constexpr int32_t kMostTurnQ20 = 5 * kMaxTurnQ20 / 4;
     const SpanHit& hit = node.*track_.hit;
     const SpanChart& chart = track_.chart;
     const int32_t turn_q20 = static_cast<int32_t>(hit.longitude_turns32 - longitude_turns32_) >> 12;
@@ -176,13 +176,15 @@ struct SpanRim::Knots {
 
 bool SpanRim::prepare(const NodeEvaluator& nodes, const RayRow& rays, const int32_t outer_px[2])
 {
+    // Wider ones, where the outline is steep, were less exact than spans (docs/budget.md).
     constexpr int32_t kLeastWidth = 4;
+    constexpr int32_t kMostWidth = 17;
     Knots knots;
     RimSpacing spacing[2];
     int32_t s_q15[2][3];
     for (int row = 0; row < 2; ++row) {
         const int32_t outer = outer_px[row];
-        if (magnitude(outer) < kLeastWidth) return false;
+        if (magnitude(outer) < kLeastWidth || magnitude(outer) > kMostWidth) return false;
         const int32_t quarter = (magnitude(outer) + 2) >> 2;
         knots.rays[row] = nodes.moved(rays, 0, row * kTileRows);
         knots.ahead_px[row][0] = outer;
