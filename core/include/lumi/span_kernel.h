@@ -212,8 +212,8 @@ struct SpanDraw<Paper<K>> {
     {
         using Sum = SpanSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const Origins& o, const Directions& d, const uint8_t* base, uint8_t* pixel) {
-            KernelTaps origins;
-            KernelTaps directions;
+            KernelTaps origins{};
+            KernelTaps directions{};
             o.template find<Sum::kRowBits, K>(origins);
             d.template find<Sum::kTapBits, K>(directions);
             Sum sum;
