@@ -21,7 +21,8 @@ template <bool kFlips, class Sum>
 class ThumbPairs;
 
 // Only where all registers may be used: GCC leaves r8 and up alone when it optimises for size, Clang r7 always.
-#if defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__)
+#if defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__) && \
+    !defined(LUMI_KEEP_FRAME_POINTER)
 #define LUMI_HAS_THUMB_PAIRS
 
 // What the code below loads and stores in this order. Offsets and steps are in bytes.
