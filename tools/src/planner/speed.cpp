@@ -26,14 +26,14 @@ constexpr Cost kBackground = {3, 4};
 // share of the vertices; an object pixel's surface with one sample, and with four and their mixing; its shading by
 // GuidedMode.
 constexpr Cost kTriangle = {154, 262}, kSurface = {119, 187}, kFourSamples = {267, 381};
-constexpr Cost kShade[] = {{755, 1330}, {682, 1250}, {455, 845}, {193, 370}};
+constexpr Cost kShade[] = {{705, 1287}, {640, 1202}, {434, 808}, {190, 362}};
 // What texels in blocks cost more, where taps are linear.
 constexpr Cost kBlocks = {120, 250};
 // A ray against the focus sphere, per pixel of the sphere: assumed.
 constexpr Cost kFocusPixel = {60, 110};
 
 // Chord fields by render_spans, S = 8, per pixel of the sphere: docs/tradeoff.md, the dearest texel format.
-constexpr Cost kChord[] = {{119, 204}, {224, 461}, {769, 1220}};  // by chord_kind()
+constexpr Cost kChord[] = {{113, 191}, {192, 352}, {479, 983}};  // by chord_kind()
 
 // Misses per pixel of an RP2040's cache, of 8-byte lines. Chord fields: docs/tradeoff.md. Guided ones: neighbouring
 // pixels read texels half a step apart, 16 to a line in each of three origins' rows, and voxels of four rows.
