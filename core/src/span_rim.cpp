@@ -48,6 +48,11 @@ bool fit_rows(const LatticePoint at[2][3], int32_t LatticePoint::*of, const RimS
     return true;
 }
 
+bool is_far(uint32_t turns32)
+{
+    return magnitude(static_cast<int32_t>(turns32) >> 12) > kMaxTurnQ20;
+}
+
 bool set_spacing(const int32_t half_chord_q15[3], RimSpacing& spacing)
 {
     const int32_t outer_q15 = half_chord_q15[1] - half_chord_q15[0];
@@ -98,7 +103,7 @@ bool RimCurve::begin(const SpanNode& middle)
 
 bool RimCurve::place(const SpanNode& node, LatticePoint& at)
 {
-    constexpr int32_t kMostTurnQ20 = 5 * kMaxTurnQ20 / 4;
+    constexpr int32_t kMostTurnQ20 = 3 * kMaxTurnQ20 / 2;
     const SpanHit& hit = node.*track_.hit;
     const SpanChart& chart = track_.chart;
     const int32_t turn_q20 = static_cast<int32_t>(hit.longitude_turns32 - longitude_turns32_) >> 12;
@@ -176,15 +181,13 @@ struct SpanRim::Knots {
 
 bool SpanRim::prepare(const NodeEvaluator& nodes, const RayRow& rays, const int32_t outer_px[2])
 {
-    // Wider ones, where the outline is steep, were less exact than spans (docs/budget.md).
     constexpr int32_t kLeastWidth = 4;
-    constexpr int32_t kMostWidth = 17;
     Knots knots;
     RimSpacing spacing[2];
     int32_t s_q15[2][3];
     for (int row = 0; row < 2; ++row) {
         const int32_t outer = outer_px[row];
-        if (magnitude(outer) < kLeastWidth || magnitude(outer) > kMostWidth) return false;
+        if (magnitude(outer) < kLeastWidth) return false;
         const int32_t quarter = (magnitude(outer) + 2) >> 2;
         knots.rays[row] = nodes.moved(rays, 0, row * kTileRows);
         knots.ahead_px[row][0] = outer;
@@ -209,11 +212,19 @@ bool SpanRim::place(const NodeEvaluator& nodes, const Knots& knots, const RimSpa
     if (!front_.begin(node) || !back_.begin(node)) return false;
     LatticePoint front[2][3];
     LatticePoint back[2][3];
+    turns_far_ = false;
     for (int row = 0; row < 2; ++row) {
+        uint32_t front_turns32 = 0;  // longitudes next to the outline
+        uint32_t back_turns32 = 0;
         for (int k = 0; k < 3; ++k) {
             nodes.evaluate(knots.rays[row], knots.ahead_px[row][k], node);
             if (!front_.place(node, front[row][k]) || !back_.place(node, back[row][k])) return false;
+            if (k > 0) continue;
+            front_turns32 = node.front.longitude_turns32;
+            back_turns32 = node.back.longitude_turns32;
         }
+        if (is_far(node.front.longitude_turns32 - front_turns32)) turns_far_ = true;
+        if (is_far(node.back.longitude_turns32 - back_turns32)) turns_far_ = true;
     }
     return front_.fit(front, spacing, reach_) && back_.fit(back, spacing, reach_);
 }

@@ -206,7 +206,9 @@ private:
     {
         const int32_t from_left = x - row_.span.begin;
         const int32_t from_right = row_.span.end - 1 - x;
-        const int32_t length = from_right > 0 ? ramp_.length(from_left, from_right, row_.part.end - x) : 0;
+        const int32_t most = rim.turns_far() ? 1 << (span_log2_ - 1) : row_.part.end - x;
+        const int32_t room = most < row_.part.end - x ? most : row_.part.end - x;
+        const int32_t length = from_right > 0 ? ramp_.length(from_left, from_right, room) : 0;
         const int32_t half_chord_q15 = nodes_.half_chord_q15(row_.rays, x - row_.part.begin + length);
         rim.prepare_span(half_chord_q15, length > 0 ? length : 1,
                          SpanRamp::shift_q8(from_left, from_right - length, length));

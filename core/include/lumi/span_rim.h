@@ -73,6 +73,8 @@ public:
     // at the tiles' column of their first row; the outline's pixels of that row and the one below the last lie
     // `outer_px` to the right of it.
     bool prepare(const NodeEvaluator& nodes, const RayRow& rays, const int32_t outer_px[2]);
+    // Whether its rows turn so far, by more than 1/16 turn, that spans must be shorter.
+    bool turns_far() const { return turns_far_; }
     // Begins a part of a row, 0 .. kTileRows - 1, at a pixel of this half chord.
     void begin_row(int32_t row_of_tile, int32_t half_chord_q15);
     // Sets both sides for the span up to the pixel of this half chord, `length` pixels on; moves it by `share_q8` of a
@@ -87,6 +89,7 @@ private:
 
     RimCurve front_, back_;
     RimReach reach_{};
+    bool turns_far_ = false;
     int32_t top_q15_ = 0, rise_q15_ = 0, middle_q15_ = 0;  // half chord of the middle knot, as in RimRows
 };
 
