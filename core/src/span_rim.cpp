@@ -207,17 +207,17 @@ bool SpanRim::prepare(const NodeEvaluator& nodes, const RayRow& rays, const int3
 
 bool SpanRim::place(const NodeEvaluator& nodes, const Knots& knots, const RimSpacing spacing[2])
 {
+    static constexpr int kOrder[] = {1, 0, 2};  // the middle one chooses the chart
     SpanNode node;
-    nodes.evaluate(knots.rays[0], knots.ahead_px[0][1], node);
-    if (!front_.begin(node) || !back_.begin(node)) return false;
     LatticePoint front[2][3];
     LatticePoint back[2][3];
     turns_far_ = false;
     for (int row = 0; row < 2; ++row) {
         uint32_t front_turns32 = 0;  // longitudes next to the outline
         uint32_t back_turns32 = 0;
-        for (int k = 0; k < 3; ++k) {
+        for (const int k : kOrder) {
             nodes.evaluate(knots.rays[row], knots.ahead_px[row][k], node);
+            if (row == 0 && k == 1 && !(front_.begin(node) && back_.begin(node))) return false;
             if (!front_.place(node, front[row][k]) || !back_.place(node, back[row][k])) return false;
             if (k > 0) continue;
             front_turns32 = node.front.longitude_turns32;
