@@ -3,7 +3,6 @@
 #pragma once
 
 #define LUMI_ALWAYS_INLINE __attribute__((always_inline)) inline
-#define LUMI_NEVER_INLINE __attribute__((noinline))  // what a function keeps on the stack ends with it
 
 namespace lumi
 {

@@ -171,7 +171,8 @@ private:
     }
 
     // Draws one of both gaps between the outline and the tiles from exact hits of two rows; false where there are none.
-    LUMI_NEVER_INLINE bool draw_rim(const Columns& gap)
+    // Not inlined: what it keeps on the stack ends with it.
+    __attribute__((noinline)) bool draw_rim(const Columns& gap)
     {
         SpanRim rim(front_track_, back_track_);
         const int32_t inner = gap.begin == INT16_MIN ? gap.end : gap.begin;
@@ -206,8 +207,9 @@ private:
     {
         const int32_t from_left = x - row_.span.begin;
         const int32_t from_right = row_.span.end - 1 - x;
-        const int32_t most = rim.turns_far() ? 1 << (span_log2_ - 1) : row_.part.end - x;
-        const int32_t room = most < row_.part.end - x ? most : row_.part.end - x;
+        const int32_t rest = row_.part.end - x;
+        const int32_t half = 1 << (span_log2_ - 1);
+        const int32_t room = rim.turns_far() && half < rest ? half : rest;
         const int32_t length = from_right > 0 ? ramp_.length(from_left, from_right, room) : 0;
         const int32_t half_chord_q15 = nodes_.half_chord_q15(row_.rays, x - row_.part.begin + length);
         rim.prepare_span(half_chord_q15, length > 0 ? length : 1,

@@ -176,6 +176,14 @@ namespace lumi
         [tap_bits] "n"(Sum::kTapBits)
 #define LUMI_THUMB_CLOBBERS "r1", "r2", "r3", "r4", "r5", "r6", "r7", "cc", "memory"
 
+// A pixel's statement, with flipped cells or without; `before` and `sum` around what names the taps.
+#define LUMI_THUMB_ASM(before, sum, ...)                                                    \
+    if constexpr (kFlips) {                                                                 \
+        asm volatile(LUMI_THUMB_BEGIN before LUMI_THUMB_TAPS_OR_FLIPPED sum : __VA_ARGS__); \
+    } else {                                                                                \
+        asm volatile(LUMI_THUMB_BEGIN before LUMI_THUMB_TAPS sum : __VA_ARGS__);            \
+    }
+
 template <>
 inline constexpr bool kHasThumbPairs<SpanSum<TexelLuma8, false>> = true;
 template <>
@@ -188,17 +196,9 @@ struct ThumbSum<SpanSum<TexelLuma8, false>> {
     {
         Sum sum;
         void* at = &state.origins;
-        if constexpr (kFlips) {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS_OR_FLIPPED LUMI_THUMB_LUMA8
-                         : "+l"(at)
-                         : LUMI_THUMB_BITS, [half] "h"(kHalf)
-                         : LUMI_THUMB_CLOBBERS, "r12");
-        } else {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS LUMI_THUMB_LUMA8
-                         : "+l"(at)
-                         : LUMI_THUMB_BITS, [half] "h"(kHalf)
-                         : LUMI_THUMB_CLOBBERS, "r12");
-        }
+        LUMI_THUMB_ASM("", LUMI_THUMB_LUMA8, "+l"(at)
+                       : LUMI_THUMB_BITS, [half] "h"(kHalf)
+                       : LUMI_THUMB_CLOBBERS, "r12");
         sum.y = reinterpret_cast<uint32_t>(at) - kHalf;
         return sum;
     }
@@ -215,17 +215,9 @@ struct ThumbSum<SpanSum<TexelRgb888, false>> {
     {
         Sum sum;
         void* at = &state.origins;
-        if constexpr (kFlips) {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS_OR_FLIPPED LUMI_THUMB_RGB888
-                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
-                         : LUMI_THUMB_BITS
-                         : LUMI_THUMB_CLOBBERS);
-        } else {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS LUMI_THUMB_RGB888
-                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
-                         : LUMI_THUMB_BITS
-                         : LUMI_THUMB_CLOBBERS);
-        }
+        LUMI_THUMB_ASM("", LUMI_THUMB_RGB888, "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
+                       : LUMI_THUMB_BITS
+                       : LUMI_THUMB_CLOBBERS);
         return sum;
     }
 };
@@ -241,17 +233,9 @@ struct ThumbSum<SpanSum<TexelRgb565, false>> {
     {
         Sum sum;
         void* at = &state.origins;
-        if constexpr (kFlips) {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS_OR_FLIPPED LUMI_THUMB_RGB565
-                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
-                         : LUMI_THUMB_BITS, [mask] "h"(Sum::kFields)
-                         : LUMI_THUMB_CLOBBERS);
-        } else {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_TAPS LUMI_THUMB_RGB565
-                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
-                         : LUMI_THUMB_BITS, [mask] "h"(Sum::kFields)
-                         : LUMI_THUMB_CLOBBERS);
-        }
+        LUMI_THUMB_ASM("", LUMI_THUMB_RGB565, "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b)
+                       : LUMI_THUMB_BITS, [mask] "h"(Sum::kFields)
+                       : LUMI_THUMB_CLOBBERS);
         return sum;
     }
 };
@@ -268,17 +252,10 @@ struct ThumbSum<SpanSum<TexelPalette8, false>> {
         Sum sum;
         void* at = &state.palette;
         uint32_t bytes;
-        if constexpr (kFlips) {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_PUSH_PALETTE LUMI_THUMB_TAPS_OR_FLIPPED LUMI_THUMB_PALETTE8
-                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b), [bytes] "=&h"(bytes)
-                         : LUMI_THUMB_BITS, [mask] "h"(0x00FF00FFu)
-                         : LUMI_THUMB_CLOBBERS);
-        } else {
-            asm volatile(LUMI_THUMB_BEGIN LUMI_THUMB_PUSH_PALETTE LUMI_THUMB_TAPS LUMI_THUMB_PALETTE8
-                         : "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b), [bytes] "=&h"(bytes)
-                         : LUMI_THUMB_BITS, [mask] "h"(0x00FF00FFu)
-                         : LUMI_THUMB_CLOBBERS);
-        }
+        LUMI_THUMB_ASM(LUMI_THUMB_PUSH_PALETTE, LUMI_THUMB_PALETTE8,
+                       "+l"(at), [r] "=&h"(sum.r), [g] "=&h"(sum.g), [b] "=&h"(sum.b), [bytes] "=&h"(bytes)
+                       : LUMI_THUMB_BITS, [mask] "h"(0x00FF00FFu)
+                       : LUMI_THUMB_CLOBBERS);
         return sum;
     }
 };
