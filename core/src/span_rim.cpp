@@ -107,7 +107,7 @@ bool RimCurve::place(const SpanNode& node, LatticePoint& at)
     const SpanHit& hit = node.*track_.hit;
     const SpanChart& chart = track_.chart;
     const int32_t turn_q20 = static_cast<int32_t>(hit.longitude_turns32 - longitude_turns32_) >> 12;
-    at = chart.at((static_cast<int32_t>(longitude_turns32_ >> 12)) + turn_q20, hit.z_q30);
+    at = chart.at((static_cast<int32_t>(longitude_turns32_ >> 12)) + turn_q20, hit.z_q30 >> 14);
     track_.side.uniform = track_.side.uniform && chart.is_uniform_at(hit.z_q30);
     return magnitude(turn_q20) <= kMostTurnQ20;
 }

@@ -8,7 +8,23 @@ namespace lumi
 namespace
 {
 
-constexpr int32_t kTwoThirdsQ8 = 171;
+// A quantity over a tile: at its first pixel, and what it changes by from its left edge to the right one, from its top
+// to its bottom, and along its bottom more than along its top.
+struct Bilinear {
+    int32_t begin, across, down, twist;
+    int32_t rise;  // of the middle above the plane between the corners
+};
+
+LUMI_ALWAYS_INLINE Bilinear bilinear(int32_t top_left, int32_t top_right, int32_t bottom_left, int32_t bottom_right,
+                                     int32_t centre)
+{
+    constexpr int32_t kTwoThirdsQ8 = 171;
+    const int32_t rise = centre - ((top_left + top_right + bottom_left + bottom_right) >> 2);
+    const int32_t across = top_right - top_left;
+    // The middle of a tile lies off the plane between its corners by the most, two thirds of it in the mean.
+    return {top_left + (((rise >> 3) * kTwoThirdsQ8) >> 5), across, bottom_left - top_left,
+            bottom_right - bottom_left - across, rise};
+}
 
 // Whether the magnitude is at most `limit`, which is not negative.
 LUMI_ALWAYS_INLINE bool within(int32_t v, int32_t limit)
@@ -43,21 +59,21 @@ bool TileWalker::prepare_cells(const TileCorners& corners, int width_log2)
     const int32_t turns[] = {turn_q20(top_right), turn_q20(bottom_left), turn_q20(bottom_right)};
     if (!within(turns[0], kMaxTurnQ20) || !within(turns[1], kMaxTurnQ20) || !within(turns[2], kMaxTurnQ20))
         return false;
+    const auto z_q26 = [](const SpanHit& hit) { return hit.z_q30 >> 4; };
+    const Bilinear z =
+        bilinear(z_q26(top_left), z_q26(top_right), z_q26(bottom_left), z_q26(bottom_right), z_q26(centre));
     // Indices depend on heights alone: moving the tile by its middle's rise changes them by no more than that height,
     // and rounding by less than two.
-    const int32_t mean_z =
-        (top_left.z_q30 >> 2) + (top_right.z_q30 >> 2) + (bottom_left.z_q30 >> 2) + (bottom_right.z_q30 >> 2);
-    const int32_t limit = chart.limit_z_q30() - magnitude(centre.z_q30 - mean_z) - 4 * chart.lattice().step_z_q30;
+    const int32_t limit = chart.limit_z_q30() - 16 * magnitude(z.rise) - 4 * chart.lattice().step_z_q30;
     if (limit < 0) return false;
     if (!within(top_left.z_q30, limit) || !within(top_right.z_q30, limit) || !within(bottom_left.z_q30, limit) ||
         !within(bottom_right.z_q30, limit))
         return false;
 
-    const int32_t longitude_q20 = static_cast<int32_t>(top_left.longitude_turns32 >> 12);
-    set_bilinear(
-        {chart.at(longitude_q20, top_left.z_q30), chart.at(longitude_q20 + turns[0], top_right.z_q30),
-         chart.at(longitude_q20 + turns[1], bottom_left.z_q30), chart.at(longitude_q20 + turns[2], bottom_right.z_q30),
-         chart.at(longitude_q20 + turn_q20(centre), centre.z_q30)},
+    const Bilinear longitude = bilinear(0, turns[0], turns[1], turns[2], turn_q20(centre));
+    set(chart.at(static_cast<int32_t>(top_left.longitude_turns32 >> 12) + longitude.begin, z.begin >> 10),
+        {chart.change(longitude.across, z.across >> 10), chart.change(longitude.down, z.down >> 10),
+         chart.change(longitude.twist, z.twist >> 10)},
         width_log2);
     side.uniform = chart.is_uniform_at(top_left.z_q30) && chart.is_uniform_at(top_right.z_q30) &&
                    chart.is_uniform_at(bottom_left.z_q30) && chart.is_uniform_at(bottom_right.z_q30);
@@ -78,10 +94,11 @@ bool TileWalker::prepare_cap(const TileCorners& corners, int width_log2)
         if ((mirrored ? -z : z) < reach) return false;
     }
     track_.enter_cap(mirrored);
-    set_bilinear({track_.in_plane(*nodes[0], mirrored), track_.in_plane(*nodes[1], mirrored),
-                  track_.in_plane(*nodes[2], mirrored), track_.in_plane(*nodes[3], mirrored),
-                  track_.in_plane(*nodes[4], mirrored)},
-                 width_log2);
+    LatticePoint at[5];
+    for (int k = 0; k < 5; ++k) at[k] = track_.in_plane(*nodes[k], mirrored);
+    const Bilinear u = bilinear(at[0].u_q16, at[1].u_q16, at[2].u_q16, at[3].u_q16, at[4].u_q16);
+    const Bilinear v = bilinear(at[0].v_q16, at[1].v_q16, at[2].v_q16, at[3].v_q16, at[4].v_q16);
+    set({u.begin, v.begin}, {{u.across, v.across}, {u.down, v.down}, {u.twist, v.twist}}, width_log2);
     // All rows look for their first triangle from the one under the middle of the left edge: none depends on others.
     SpanCap& cap = track_.cap;
     cap.triangle = 0;
@@ -92,24 +109,15 @@ bool TileWalker::prepare_cap(const TileCorners& corners, int width_log2)
     return true;
 }
 
-// Coordinates at a tile's corners and middle become those of its first row and how they change.
-void TileWalker::set_bilinear(const TilePoints& at, int width_log2)
+void TileWalker::set(const LatticePoint& begin, const TileChange& by, int width_log2)
 {
-    const auto set = [&](int32_t LatticePoint::*p, int32_t& begin, int32_t& step, int32_t& down, int32_t& step_down) {
-        // The middle of a tile lies off the plane between its corners by the most, two thirds of it in the mean.
-        const int32_t a = at.top_left.*p;
-        const int32_t b = at.top_right.*p;
-        const int32_t c = at.bottom_left.*p;
-        const int32_t d = at.bottom_right.*p;
-        const int32_t rise = at.centre.*p - ((a + b + c + d) >> 2);
-        begin = a + (((rise >> 3) * kTwoThirdsQ8) >> 5);
-        step = (b - a) >> width_log2;
-        down = (c - a) >> kTileRowsLog2;
-        step_down = (((d - c) >> width_log2) - step) >> kTileRowsLog2;
-    };
     SpanSide& side = track_.side;
-    set(&LatticePoint::u_q16, side.u_q16, side.du_q16, down_.u_q16, down_.du_q16);
-    set(&LatticePoint::v_q16, side.v_q16, side.dv_q16, down_.v_q16, down_.dv_q16);
+    side.u_q16 = begin.u_q16;
+    side.v_q16 = begin.v_q16;
+    side.du_q16 = by.across.u_q16 >> width_log2;
+    side.dv_q16 = by.across.v_q16 >> width_log2;
+    down_ = {by.down.u_q16 >> kTileRowsLog2, by.down.v_q16 >> kTileRowsLog2,
+             by.twist.u_q16 >> (width_log2 + kTileRowsLog2), by.twist.v_q16 >> (width_log2 + kTileRowsLog2)};
 }
 
 void TileWalker::follow_cap()
@@ -122,7 +130,7 @@ int32_t TileWalker::highest(int32_t width) const
 {
     SpanSide row = track_.side;
     const int32_t top = row.highest(width);
-    move_down(row, kTileRows - 1);
+    row.move_down(down_, kTileRows - 1);
     const int32_t bottom = row.highest(width);
     return top > bottom ? top : bottom;
 }

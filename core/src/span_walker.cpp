@@ -27,7 +27,7 @@ void SpanWalker::begin(const SpanNode& at)
     track_.side.cap = nullptr;
     track_.cap.triangle = 0;  // a row's picture must not depend on the rows before it
     const SpanChart& chart = track_.chart;
-    if (chart.holds(hit.z_q30)) set_begin(chart.at(longitude_q20_, hit.z_q30));
+    if (chart.holds(hit.z_q30)) set_begin(chart.at(longitude_q20_, hit.z_q30 >> 14));
 }
 
 int32_t SpanWalker::prepare(const SpanNode& at_node, const SpanNode& next_node, int32_t length)
@@ -47,14 +47,14 @@ int32_t SpanWalker::prepare(const SpanNode& at_node, const SpanNode& next_node, 
         }
         chart.choose(at.z_q30, side);
         side.cap = nullptr;
-        set_begin(chart.at(longitude_q20_, at.z_q30));
+        set_begin(chart.at(longitude_q20_, at.z_q30 >> 14));
     }
     if (next_height > chart.limit_z_q30()) {
         if (reaches_cap(at, next)) return prepare_cap(at_node, next_node, length);
         return length_before(chart.limit_z_q30(), height, next_height, length);
     }
     if (magnitude(turn_q20) > kMaxTurnQ20) return magnitude(turn_q20) > 2 * kMaxTurnQ20 ? length >> 2 : length >> 1;
-    next_ = chart.at(next_longitude_q20_, next.z_q30);
+    next_ = chart.at(next_longitude_q20_, next.z_q30 >> 14);
     const int32_t u_q16 = next_.u_q16 - side.u_q16;
     const int32_t v_q16 = next_.v_q16 - side.v_q16;
     if (!is_steppable(u_q16) || !is_steppable(v_q16)) return length >> 1;

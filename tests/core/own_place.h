@@ -19,7 +19,7 @@ inline LatticePoint own_place(const SpanTrack& track, const SpanNode& node, cons
     double least = 1e9;
     for (int32_t turn = -1; turn <= 1; ++turn) {
         const int32_t longitude_q20 = static_cast<int32_t>(hit.longitude_turns32 >> 12) + turn * (1 << 20);
-        const LatticePoint p = track.chart.at(longitude_q20, hit.z_q30);
+        const LatticePoint p = track.chart.at(longitude_q20, hit.z_q30 >> 14);
         const double off = std::abs(static_cast<double>(p.u_q16) - near.u_q16);
         if (off < least) {
             least = off;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A core's own loops through the lattice's cells against the loop that every core has: the same bits.
+// A core's own loops through the lattice's cells against the loop that every core has: the same bits, of spans and of
+// tiles.
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <random>
@@ -45,24 +46,35 @@ SpanSide random_side(std::minstd_rand& random)
     return side;
 }
 
+SpanDown random_down(std::minstd_rand& random)
+{
+    return {between(random, -20000, 20000), between(random, -20000, 20000), between(random, -400, 400),
+            between(random, -400, 400)};
+}
+
 struct Pixels {
-    uint16_t row[kPixels] = {};
+    uint16_t row[kTileRows][kPixels] = {};
 };
 
 template <bool kFlips, class Texel, class Background>
 void compare(const Field& field, const Background& background, std::minstd_rand& random)
 {
     for (int k = 0; k < kSpans; ++k) {
-        const SpanSide origins = random_side(random);
-        const SpanSide directions = random_side(random);
+        SpanSide origins = random_side(random);
+        SpanSide directions = random_side(random);
+        const SpanDown down[] = {random_down(random), random_down(random)};
         const int32_t length = between(random, 1, kPixels);
+        const int32_t first = between(random, 0, kTileRows - 1);
+        const TileRows tile = {first, between(random, 1, kTileRows - first), sizeof(Pixels::row[0]), down[0], down[1]};
         Pixels every, own;
         const auto target = [&](Pixels& pixels) {
-            return SpanTarget<Background>{field,   background, reinterpret_cast<uint8_t*>(pixels.row), length, 0, 0,
-                                          origins, directions};
+            return SpanTarget<Background>{field,   background, reinterpret_cast<uint8_t*>(pixels.row),
+                                          length,  0,          0,
+                                          origins, directions, k % 2 != 0 ? &tile : nullptr};
         };
-        draw_pairs<kFlips, Texel, PixelRgb565>(target(every));
-        draw_cells<kFlips, Texel, PixelRgb565>(target(own));
+        const TileRows* const all = can_follow_tile(target(every)) ? &tile : nullptr;
+        draw_pairs<kFlips, Texel, PixelRgb565>(target(every), all);
+        draw_cells<kFlips, Texel, PixelRgb565>(target(own), all);
         INFO("span " << k);
         REQUIRE(std::memcmp(every.row, own.row, sizeof(every.row)) == 0);
     }

@@ -33,11 +33,16 @@ public:
     // Whether no cell around this height is flipped.
     bool is_uniform_at(int32_t z_q30) const { return z_q30 >= uniform_low_z_q30_ && z_q30 <= uniform_high_z_q30_; }
 
-    LatticePoint at(int32_t longitude_q20, int32_t z_q30) const
+    LatticePoint at(int32_t longitude_q20, int32_t z_q16) const
     {
-        const int32_t z_q16 = z_q30 >> 14;
-        return {u_q16_ + ((u_longitude_ * longitude_q20) >> 4) + ((u_z_ * z_q16) >> shift_),
-                v_q16_ + ((v_longitude_ * longitude_q20) >> 4) + ((v_z_ * z_q16) >> shift_)};
+        const LatticePoint from_origin = change(longitude_q20, z_q16);
+        return {u_q16_ + from_origin.u_q16, v_q16_ + from_origin.v_q16};
+    }
+    // How far coordinates change with longitude and height.
+    LatticePoint change(int32_t longitude_q20, int32_t z_q16) const
+    {
+        return {((u_longitude_ * longitude_q20) >> 4) + ((u_z_ * z_q16) >> shift_),
+                ((v_longitude_ * longitude_q20) >> 4) + ((v_z_ * z_q16) >> shift_)};
     }
 
     const SpanLattice& lattice() const { return lattice_; }

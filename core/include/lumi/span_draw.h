@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The inner loops of the span renderer: one per reconstruction, over any texel, pixel and background.
 //
-// SpanDraw<Reconstruction>::draw(span) fills `length` pixels. Both sides' coordinates advance by addition; a texel's
-// address is a sum of products of whole lattice steps; no division, no table, no clamping.
+// SpanDraw<Reconstruction>::draw(span) fills all pixels of a SpanTarget, which it leaves at its last row. Both sides'
+// coordinates advance by addition; a texel's address is a sum of products of whole lattice steps; no division, no
+// table, no clamping.
 #pragma once
 
 #include "lumi/pixel.h"
@@ -11,27 +12,10 @@
 #include "lumi/span_source.h"
 #include "lumi/span_sum.h"
 #include "lumi/span_sum_thumb.h"
+#include "lumi/span_target.h"
 
 namespace lumi
 {
-
-// A span to draw. Rows are addressed from `texels`; both sides hold strides in bytes.
-template <class Background>
-struct SpanTarget {
-    const Field& field;
-    const Background& background;
-    uint8_t* pixels;
-    int32_t length;
-    int32_t x, y;  // of the first pixel
-    const SpanSide& origins;
-    const SpanSide& directions;
-};
-
-template <class Background>
-bool over_cap(const SpanTarget<Background>& span)
-{
-    return span.origins.cap != nullptr || span.directions.cap != nullptr;
-}
 
 // A texel whose bits are the pixel's is copied.
 template <class Texel, class Pixel>
@@ -67,44 +51,51 @@ struct SpanOffsets {
     int32_t origins_q16, directions_q16;
 };
 
-// `Offsets` has at(pixel of the span) and kConstant: whether it is the same for all of them.
-template <class Texel, class Pixel, class Background, class Offsets>
-void draw_single(const SpanTarget<Background>& span, const Offsets& offsets)
+// `Offsets`, of the row that begins at a pixel of the image, has at(pixel of the span) and kConstant: whether it is the
+// same for all of them.
+template <class Texel, class Pixel, class Offsets, class Background>
+void draw_single(SpanTarget<Background>& span)
 {
     constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
     const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
     const SpanIndex rows(span.origins, 1);
     const SpanIndex texels(span.directions, kBytes);
     const uint8_t* const base = settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
-    int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
-    int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
-    const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
-    const int32_t dud = settled(span.directions.du_q16), dvd = settled(span.directions.dv_q16);
-    if (Offsets::kConstant) {
-        const SpanOffsets add = offsets.at(0);
-        uo += add.origins_q16;
-        vo += add.origins_q16;
-        ud += add.directions_q16;
-        vd += add.directions_q16;
-    }
-    uint8_t* pixel = span.pixels;
-    const uint8_t* const end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes;
-    for (int32_t k = 0; pixel != end; ++k, pixel += Pixel::kBytes) {
-        const SpanOffsets add = Offsets::kConstant ? SpanOffsets{0, 0} : offsets.at(k);
-        const uint8_t* row = settled(base + rows.at(uo + add.origins_q16, vo + add.origins_q16) * stride);
-        const uint8_t* texel = row + texels.at(ud + add.directions_q16, vd + add.directions_q16);
-        store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
-        uo += duo;
-        vo += dvo;
-        ud += dud;
-        vd += dvd;
-    }
+    int32_t rows_left = span.rows();
+    span.go_to_first();
+    do {
+        const Offsets offsets(span.x, span.y);
+        int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
+        int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
+        const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
+        const int32_t dud = settled(span.directions.du_q16), dvd = settled(span.directions.dv_q16);
+        if (Offsets::kConstant) {
+            const SpanOffsets add = offsets.at(0);
+            uo += add.origins_q16;
+            vo += add.origins_q16;
+            ud += add.directions_q16;
+            vd += add.directions_q16;
+        }
+        uint8_t* pixel = span.pixels;
+        const uint8_t* const end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes;
+        for (int32_t k = 0; pixel != end; ++k, pixel += Pixel::kBytes) {
+            const SpanOffsets add = Offsets::kConstant ? SpanOffsets{0, 0} : offsets.at(k);
+            const uint8_t* row = settled(base + rows.at(uo + add.origins_q16, vo + add.origins_q16) * stride);
+            const uint8_t* texel = row + texels.at(ud + add.directions_q16, vd + add.directions_q16);
+            store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+            uo += duo;
+            vo += dvo;
+            ud += dud;
+            vd += dvd;
+        }
+    } while (span.go_down(rows_left));
 }
 
 // The same where a side lies over a cap: there the corner that Offsets::pick() chooses by the weights.
-template <bool kOriginsInCap, bool kDirectionsInCap, class Texel, class Pixel, class Background, class Offsets>
-void draw_single_over_cap(const SpanTarget<Background>& span, const Offsets& offsets)
+template <bool kOriginsInCap, bool kDirectionsInCap, class Texel, class Pixel, class Offsets, class Background>
+void draw_single_over_cap(const SpanTarget<Background>& span)
 {
+    const Offsets offsets(span.x, span.y);
     OneTap<kOriginsInCap> origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
     OneTap<kDirectionsInCap> directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
     const uint8_t* const base = settled(span.field.texels + origins.base() + directions.base());
@@ -119,56 +110,81 @@ void draw_single_over_cap(const SpanTarget<Background>& span, const Offsets& off
     }
 }
 
-template <class Texel, class Pixel, class Background, class Offsets>
-void draw_one_tap(const SpanTarget<Background>& span, const Offsets& offsets)
+template <class Texel, class Pixel, class Offsets, class Background>
+void draw_one_tap(SpanTarget<Background>& span)
 {
-    if (!over_cap(span)) return draw_single<Texel, Pixel>(span, offsets);
-    if (span.directions.cap == nullptr) return draw_single_over_cap<true, false, Texel, Pixel>(span, offsets);
-    if (span.origins.cap == nullptr) return draw_single_over_cap<false, true, Texel, Pixel>(span, offsets);
-    draw_single_over_cap<true, true, Texel, Pixel>(span, offsets);
+    if (!span.is_over_cap()) return draw_single<Texel, Pixel, Offsets>(span);
+    if (span.directions.cap == nullptr) return draw_single_over_cap<true, false, Texel, Pixel, Offsets>(span);
+    if (span.origins.cap == nullptr) return draw_single_over_cap<false, true, Texel, Pixel, Offsets>(span);
+    draw_single_over_cap<true, true, Texel, Pixel, Offsets>(span);
 }
 
-// Through cells, both sides at once.
+// Through cells, both sides at once: all rows of a tile, or without one the span's.
 template <bool kFlips, class Texel, class Pixel, class Background>
-void draw_pairs(const SpanTarget<Background>& span)
+void draw_pairs(const SpanTarget<Background>& span, const TileRows* tile)
 {
     using Sum = SpanSum<Texel, !Background::kIsBlack>;
     const Field field = span.field;  // stores of pixels do not change it
     PairSource<kFlips> source(
         span.origins, span.directions, field.texels - Sum::kBefore,
         {static_cast<int32_t>(field.row_stride_bytes), static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat))});
-    WordPair<uint8_t*> pixels = {span.pixels, span.pixels + static_cast<uint32_t>(span.length) * Pixel::kBytes};
-    for (bool is_last = false; !is_last;) {
-        const Sum sum = NineTaps<Sum>::sum(field, source.template taps<Sum>());
-        const WordPair<uint8_t*> at = reload(pixels);
-        sum.template store<Pixel>(span.background, at.a);
-        pixels.a = at.a + Pixel::kBytes;
-        is_last = pixels.a == at.b;
+    PairRows rows(span, tile);
+    for (;;) {
+        source.begin(rows);
+        WordPair<uint8_t*> pixels = {rows.pixels(), rows.pixels() + static_cast<uint32_t>(span.length) * Pixel::kBytes};
+        for (bool is_last = false; !is_last;) {
+            const Sum sum = NineTaps<Sum>::sum(field, source.template taps<Sum>());
+            const WordPair<uint8_t*> at = reload(pixels);
+            sum.template store<Pixel>(span.background, at.a);
+            pixels.a = at.a + Pixel::kBytes;
+            is_last = pixels.a == at.b;
+        }
+        if (!rows.go_down()) return;
     }
 }
 
 // The same where the core has a loop of its own.
 template <bool kFlips, class Texel, class Pixel, class Background>
-void draw_thumb_pairs(const SpanTarget<Background>& span)
+void draw_thumb_pairs(const SpanTarget<Background>& span, const TileRows* tile)
 {
     using Sum = SpanSum<Texel, false>;
     ThumbPairs<kFlips, Sum> pairs(span.origins, span.directions, span.field,
                                   static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    uint8_t* pixel = span.pixels;
-    for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
-         pixel += Pixel::kBytes) {
-        pairs.pixel().template store<Pixel>(span.background, pixel);
+    PairRows rows(span, tile);
+    for (;;) {
+        pairs.begin(rows);
+        uint8_t* pixel = rows.pixels();
+        for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
+             pixel += Pixel::kBytes) {
+            pairs.pixel().template store<Pixel>(span.background, pixel);
+        }
+        if (!rows.go_down()) return;
     }
 }
 
 template <bool kFlips, class Texel, class Pixel, class Background>
-void draw_cells(const SpanTarget<Background>& span)
+void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
 {
     if constexpr (kHasThumbPairs<SpanSum<Texel, !Background::kIsBlack>>) {
-        draw_thumb_pairs<kFlips, Texel, Pixel>(span);
+        draw_thumb_pairs<kFlips, Texel, Pixel>(span, tile);
     } else {
-        draw_pairs<kFlips, Texel, Pixel>(span);
+        draw_pairs<kFlips, Texel, Pixel>(span, tile);
     }
+}
+
+template <class Texel, class Pixel, class Background>
+void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
+{
+    if (span.origins.uniform && span.directions.uniform) return draw_cells<false, Texel, Pixel>(span, tile);
+    draw_cells<true, Texel, Pixel>(span, tile);
+}
+
+// Whether a tile's rows are drawn at once, all of them or some.
+template <class Background>
+bool can_follow_tile(const SpanTarget<Background>& span)
+{
+    return span.tile != nullptr && PairRows::can_follow(span.origins, span.tile->origins, span.length) &&
+           PairRows::can_follow(span.directions, span.tile->directions, span.length);
 }
 
 // Side by side, each through cells or over a cap.
@@ -202,6 +218,7 @@ struct SpanDraw;
 // To the nearest whole coordinates.
 struct Rounding {
     static constexpr bool kConstant = true;
+    Rounding(int32_t, int32_t) {}
     SpanOffsets at(int32_t) const { return {1 << 15, 1 << 15}; }
 
     static int pick(int32_t first_q16, int32_t second_q16, int32_t third_q16, int32_t)
@@ -215,9 +232,9 @@ struct Rounding {
 template <>
 struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
-    static void draw(const SpanTarget<Background>& span)
+    static void draw(SpanTarget<Background>& span)
     {
-        draw_one_tap<Texel, Pixel>(span, Rounding{});
+        draw_one_tap<Texel, Pixel, Rounding>(span);
     }
 };
 
@@ -255,28 +272,32 @@ private:
 template <>
 struct SpanDraw<Dither> {
     template <class Texel, class Pixel, class Background>
-    static void draw(const SpanTarget<Background>& span)
+    static void draw(SpanTarget<Background>& span)
     {
-        draw_one_tap<Texel, Pixel>(span, DitherRow(span.x, span.y));
+        draw_one_tap<Texel, Pixel, DitherRow>(span);
     }
 };
 
 template <>
 struct SpanDraw<Linear> {
     template <class Texel, class Pixel, class Background>
-    static void draw(const SpanTarget<Background>& span)
+    static void draw(SpanTarget<Background>& span)
     {
-        if (over_cap(span)) {
+        if (span.is_over_cap()) {
             if (span.directions.cap == nullptr) return draw_sides<CapSource, CellSource, Texel, Pixel>(span);
             if (span.origins.cap == nullptr) return draw_sides<CellSource, CapSource, Texel, Pixel>(span);
-            draw_sides<CapSource, CapSource, Texel, Pixel>(span);
-        } else if (!can_follow(span.origins, span.directions, span.length)) {
-            draw_sides<CellSource, CellSource, Texel, Pixel>(span);
-        } else if (span.origins.uniform && span.directions.uniform) {
-            draw_cells<false, Texel, Pixel>(span);
-        } else {
-            draw_cells<true, Texel, Pixel>(span);
+            return draw_sides<CapSource, CapSource, Texel, Pixel>(span);
         }
+        if (can_follow_tile(span)) return draw_cells<Texel, Pixel>(span, span.tile);
+        int32_t rows_left = span.rows();
+        span.go_to_first();
+        do {
+            if (can_follow(span.origins, span.directions, span.length)) {
+                draw_cells<Texel, Pixel>(span, nullptr);
+            } else {
+                draw_sides<CellSource, CellSource, Texel, Pixel>(span);
+            }
+        } while (span.go_down(rows_left));
     }
 };
 

@@ -127,7 +127,7 @@ private:
 // Calls visit(origins, directions, base pointer, pixel pointer) for every pixel, in pieces as long as the coordinates
 // of both sides allow.
 template <class Origins, class Directions, class Texel, class Pixel, class Background, class Visit>
-void for_kernel_pixels(const SpanTarget<Background>& span, Visit visit)
+void for_kernel_pixels(SpanTarget<Background>& span, Visit visit)
 {
     const Field& field = span.field;
     const int32_t stride = static_cast<int32_t>(field.row_stride_bytes);
@@ -135,29 +135,33 @@ void for_kernel_pixels(const SpanTarget<Background>& span, Visit visit)
     const auto is_followed = [](const SpanSide& side, int32_t length) {
         return side.cap != nullptr || SpanDistances::is_followed(side, length);
     };
-    uint8_t* pixel = span.pixels;
-    for (int32_t from = 0, length = 0; from < span.length; from += length) {
-        length = span.length - from < SpanDistances::kMostPixels ? span.length - from : SpanDistances::kMostPixels;
-        if (!can_follow(span.origins, span.directions, length)) {
-            while (length > 1 && !(is_followed(span.origins, length) && is_followed(span.directions, length)))
-                length >>= 1;
+    int32_t rows_left = span.rows();
+    span.go_to_first();
+    do {
+        uint8_t* pixel = span.pixels;
+        for (int32_t from = 0, length = 0; from < span.length; from += length) {
+            length = span.length - from < SpanDistances::kMostPixels ? span.length - from : SpanDistances::kMostPixels;
+            if (!can_follow(span.origins, span.directions, length)) {
+                while (length > 1 && !(is_followed(span.origins, length) && is_followed(span.directions, length)))
+                    length >>= 1;
+            }
+            Origins origins(span.origins, field.origins, stride, from, length);
+            Directions directions(span.directions, field.directions, bytes, from, length);
+            const uint8_t* const base = settled(field.texels + origins.base() + directions.base());
+            for (const uint8_t* end = pixel + static_cast<uint32_t>(length) * Pixel::kBytes; pixel != end;
+                 pixel += Pixel::kBytes) {
+                visit(origins, directions, base, pixel);
+                origins.advance();
+                directions.advance();
+            }
         }
-        Origins origins(span.origins, field.origins, stride, from, length);
-        Directions directions(span.directions, field.directions, bytes, from, length);
-        const uint8_t* const base = settled(field.texels + origins.base() + directions.base());
-        for (const uint8_t* end = pixel + static_cast<uint32_t>(length) * Pixel::kBytes; pixel != end;
-             pixel += Pixel::kBytes) {
-            visit(origins, directions, base, pixel);
-            origins.advance();
-            directions.advance();
-        }
-    }
+    } while (span.go_down(rows_left));
 }
 
 template <class Drawing, class Texel, class Pixel, class Background>
-void draw_by_sides(const SpanTarget<Background>& span)
+void draw_by_sides(SpanTarget<Background>& span)
 {
-    if (!over_cap(span)) return Drawing::template draw_cells<Texel, Pixel>(span);
+    if (!span.is_over_cap()) return Drawing::template draw_cells<Texel, Pixel>(span);
     if (span.directions.cap == nullptr)
         return Drawing::template draw_sides<CapKernel, CellKernel<false>, Texel, Pixel>(span);
     if (span.origins.cap == nullptr)
@@ -168,14 +172,14 @@ void draw_by_sides(const SpanTarget<Background>& span)
 template <uint32_t K>
 struct SpanDraw<Paper<K>> {
     template <class Texel, class Pixel, class Background>
-    static void draw(const SpanTarget<Background>& span)
+    static void draw(SpanTarget<Background>& span)
     {
         draw_by_sides<SpanDraw, Texel, Pixel>(span);
     }
 
     // Through cells. Rows without weight are left out: one in four.
     template <class Texel, class Pixel, class Background>
-    static void draw_cells(const SpanTarget<Background>& span)
+    static void draw_cells(SpanTarget<Background>& span)
     {
         using Sum = SpanSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const CellKernel<true>& origins, const CellKernel<false>& directions,
@@ -208,7 +212,7 @@ struct SpanDraw<Paper<K>> {
 
     // A side over a cap.
     template <class Origins, class Directions, class Texel, class Pixel, class Background>
-    static void draw_sides(const SpanTarget<Background>& span)
+    static void draw_sides(SpanTarget<Background>& span)
     {
         using Sum = SpanSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const Origins& o, const Directions& d, const uint8_t* base, uint8_t* pixel) {
@@ -236,19 +240,19 @@ struct SpanDraw<Paper<K>> {
 template <>
 struct SpanDraw<NearestVoronoi> {
     template <class Texel, class Pixel, class Background>
-    static void draw(const SpanTarget<Background>& span)
+    static void draw(SpanTarget<Background>& span)
     {
         draw_by_sides<SpanDraw, Texel, Pixel>(span);
     }
 
     template <class Texel, class Pixel, class Background>
-    static void draw_cells(const SpanTarget<Background>& span)
+    static void draw_cells(SpanTarget<Background>& span)
     {
         draw_sides<CellKernel<true>, CellKernel<false>, Texel, Pixel>(span);
     }
 
     template <class Origins, class Directions, class Texel, class Pixel, class Background>
-    static void draw_sides(const SpanTarget<Background>& span)
+    static void draw_sides(SpanTarget<Background>& span)
     {
         const auto visit = [&](const Origins& o, const Directions& d, const uint8_t* base, uint8_t* pixel) {
             store_single<Texel, Pixel>(span.field, span.background, base + o.nearest() + d.nearest(), pixel);

@@ -19,7 +19,8 @@ inline constexpr uint32_t kMinSpanLattice = 64;
 // The lattice's coordinates end where the pole's own pattern begins (a real-valued index): F_8 = 21, and one for the
 // rounding of heights.
 inline constexpr int32_t kSpanCapHeight = 22;
-// Up to here (a real-valued index) the pole's own pattern may go on: tiles and spans that cross the cap's border take it.
+// Up to here (a real-valued index) the pole's own pattern may go on: tiles and spans that cross the cap's border take
+// it.
 inline constexpr int32_t kSpanCapReach = 47;
 inline constexpr uint32_t kMinReachLattice = 256;  // smaller ones end their caps at kSpanCapHeight
 
@@ -51,6 +52,15 @@ struct SpanLattice {
     explicit SpanLattice(const Lattice& lattice);
 };
 
+// Tiles are this high.
+inline constexpr int kTileRowsLog2 = 3;
+inline constexpr int32_t kTileRows = 1 << kTileRowsLog2;
+
+// How a side's values change from one row of a tile to the next.
+struct SpanDown {
+    int32_t u_q16, v_q16, du_q16, dv_q16;
+};
+
 // One side (origins or directions) of the span being drawn: coordinates of its first pixel and their steps, Q16, in a
 // basis whose steps form an obtuse angle, so that the triangle of a cell is decided by fu > fv. In a pole's cap the
 // polar pattern takes their place; its indices count from the pole, and `first` is their step.
@@ -71,6 +81,13 @@ struct SpanSide {
     bool reflected() const { return (first ^ second) < 0; }
     // The highest index that the corners under the span's `length` pixels can have.
     int32_t highest(int32_t length) const;
+    void move_down(const SpanDown& down, int32_t rows)
+    {
+        u_q16 += rows * down.u_q16;
+        v_q16 += rows * down.v_q16;
+        du_q16 += rows * down.du_q16;
+        dv_q16 += rows * down.dv_q16;
+    }
 };
 
 }  // namespace lumi

@@ -10,6 +10,7 @@
 
 #include "lumi/span_nine.h"
 #include "lumi/span_pair_steps.h"
+#include "lumi/span_target.h"
 
 namespace lumi
 {
@@ -24,7 +25,7 @@ struct PairFlip {
     }
 };
 
-// Whether the span's steps are few and short enough: from 4095/4096 of a cell 15 of them end within [-8, 8).
+// Whether a span's steps are few and short enough: from 4095/4096 of a cell 15 of them end within [-8, 8).
 inline bool can_follow(const SpanSide& origins, const SpanSide& directions, int32_t length)
 {
     constexpr int32_t kMostPixels = 16;
@@ -50,6 +51,105 @@ inline uint32_t pair_step(int32_t origin_q16, int32_t direction_q16)
     return (rounded(origin_q16) << 16) + rounded(direction_q16);
 }
 
+// The rows of a tile, from its first pixel's cells on, or a single one.
+class PairRows
+{
+public:
+    template <class Background>
+    LUMI_ALWAYS_INLINE PairRows(const SpanTarget<Background>& span, const TileRows* tile)
+        : count_(1),
+          pixels_(span.pixels),
+          at_{pair_begin(span.origins.u_q16, span.directions.u_q16),
+              pair_begin(span.origins.v_q16, span.directions.v_q16)},
+          step_{pair_step(span.origins.du_q16, span.directions.du_q16),
+                pair_step(span.origins.dv_q16, span.directions.dv_q16)},
+          stride_bytes_(0),  // nothing of what follows is used for one row
+          step_q16_(step_),
+          down_(step_),
+          step_down_q16_(step_)
+    {
+        if (tile != nullptr) begin(span.origins, span.directions, *tile);
+    }
+
+    // Whether all rows of a tile can be followed: its corners lie less than seven cells from the first pixel, and steps
+    // fit into halves, Q16.
+    static bool can_follow(const SpanSide& side, const SpanDown& down, int32_t length)
+    {
+        return can_follow(side.du_q16, down.u_q16, down.du_q16, length) &&
+               can_follow(side.dv_q16, down.v_q16, down.dv_q16, length);
+    }
+
+    // Goes on to the next row; false below the last one.
+    LUMI_ALWAYS_INLINE bool go_down()
+    {
+        if (--count_ <= 0) return false;
+        pixels_ += stride_bytes_;
+        move_down(1);
+        return true;
+    }
+
+    uint8_t* pixels() const { return pixels_; }
+    // Of the first pixel's u and v, and of a pixel's steps.
+    const WordPair<uint32_t>& at() const { return at_; }
+    const WordPair<uint32_t>& step() const { return step_; }
+
+private:
+    static constexpr int32_t kRounding = 1 << (16 - kPairBits - 1);
+
+    static bool can_follow(int32_t step_q16, int32_t down_q16, int32_t step_down_q16, int32_t length)
+    {
+        const auto is_near = [](int32_t v_q16) {
+            constexpr uint32_t kMost = (7 << 16) - 256;  // steps are rounded
+            return static_cast<uint32_t>(v_q16) + kMost < 2 * kMost;
+        };
+        const auto excess = [](int32_t v_q16) { return (static_cast<uint32_t>(v_q16) + 0x8000u + kRounding) >> 16; };
+        const int32_t last_step_q16 = step_q16 + kTileRows * step_down_q16;
+        const int32_t height_q16 = kTileRows * down_q16;
+        return (excess(step_q16) | excess(last_step_q16)) == 0 && is_near(height_q16) && is_near(length * step_q16) &&
+               is_near(length * last_step_q16 + height_q16);
+    }
+
+    void begin(const SpanSide& origins, const SpanSide& directions, const TileRows& tile)
+    {
+        const auto pair = [](int32_t origin, int32_t direction) {
+            return (static_cast<uint32_t>(origin) << 16) + static_cast<uint32_t>(direction);
+        };
+        const uint32_t rounding = pair(kRounding, kRounding);
+        count_ = tile.count;
+        stride_bytes_ = tile.stride_bytes;
+        step_q16_ = {pair(origins.du_q16, directions.du_q16) + rounding,
+                     pair(origins.dv_q16, directions.dv_q16) + rounding};
+        down_ = {pair_step(tile.origins.u_q16, tile.directions.u_q16),
+                 pair_step(tile.origins.v_q16, tile.directions.v_q16)};
+        step_down_q16_ = {pair(tile.origins.du_q16, tile.directions.du_q16),
+                          pair(tile.origins.dv_q16, tile.directions.dv_q16)};
+        if (tile.first > 0) move_down(static_cast<uint32_t>(tile.first));
+    }
+
+    // By several rows as by one at a time, modulo 2^32.
+    LUMI_ALWAYS_INLINE void move_down(uint32_t rows)
+    {
+        at_ = {at_.a + rows * down_.a, at_.b + rows * down_.b};
+        step_q16_ = {step_q16_.a + rows * step_down_q16_.a, step_q16_.b + rows * step_down_q16_.b};
+        step_ = {q12(step_q16_.a), q12(step_q16_.b)};
+    }
+
+    // Of what includes the rounding.
+    static uint32_t q12(uint32_t pair_q16)
+    {
+        constexpr int kShift = 16 - kPairBits;
+        const int32_t high = static_cast<int32_t>(pair_q16) >> (16 + kShift);
+        const int32_t low = static_cast<int16_t>(pair_q16) >> kShift;
+        return (static_cast<uint32_t>(high) << 16) + static_cast<uint32_t>(low);
+    }
+
+    int32_t count_;
+    uint8_t* pixels_;
+    WordPair<uint32_t> at_, step_;
+    uint32_t stride_bytes_;
+    WordPair<uint32_t> step_q16_, down_, step_down_q16_;
+};
+
 // From one origin's texels to the next one's, and from texel to texel.
 struct PairUnits {
     int32_t row_bytes, texel_bytes;
@@ -61,9 +161,7 @@ class PairSource
 {
 public:
     PairSource(const SpanSide& origins, const SpanSide& directions, const uint8_t* texels, const PairUnits& units)
-        : steps_(origins, directions, units.texel_bytes),
-          at_{pair_begin(origins.u_q16, directions.u_q16), pair_begin(origins.v_q16, directions.v_q16)},
-          step_{pair_step(origins.du_q16, directions.du_q16), pair_step(origins.dv_q16, directions.dv_q16)}
+        : steps_(origins, directions, units.texel_bytes)
     {
         const int32_t origin = steps_.origin_cell(origins.u_q16, origins.v_q16);
         const int32_t direction = steps_.direction_cell(directions.u_q16, directions.v_q16);
@@ -74,6 +172,12 @@ public:
             origin_flip_ = {{origins.flip - origin, origins.flip_mask}};
             direction_flip_ = {{directions.flip * units.texel_bytes - direction, directions.flip_mask}};
         }
+    }
+
+    LUMI_ALWAYS_INLINE void begin(const PairRows& rows)
+    {
+        at_ = rows.at();
+        step_ = rows.step();
     }
 
     // Of the next pixel.
@@ -121,7 +225,7 @@ public:
 private:
     PairSteps steps_;
     WordPair<uint32_t> at_, step_;            // u and v
-    WordPair<const uint8_t*, int32_t> rows_;  // the texel of (0, 0) on both sides, bytes from one origin to the next
+    WordPair<const uint8_t*, int32_t> rows_;  // the texel of the first cells, bytes from one origin to the next
     WordPair<int32_t> across_;                // to the corner across, of the origins' rows and within them, in bytes
     PairFlip origin_flip_, direction_flip_;
 };

@@ -165,34 +165,43 @@ public:
         rows.one = 1u << Sum::kRowBits;
         rows.cell.moving = &rows.cell.u;
         taps.cell.moving = &taps.cell.u;
+        rows.first = static_cast<uint32_t>(origins.first) * stride;
+        taps.first = static_cast<uint32_t>(directions.first) * bytes;
+        rows.second = static_cast<uint32_t>(origins.second) * stride;
+        taps.second = static_cast<uint32_t>(directions.second) * bytes;
+        rows.across = rows.first + rows.second;
+        taps.across = taps.first + taps.second;
+        row_offset_ = rows.first * whole(origins.u_q16) + rows.second * whole(origins.v_q16);
+        tap_offset_ = taps.first * whole(directions.u_q16) + taps.second * whole(directions.v_q16);
         const uint32_t row = static_cast<uint32_t>(origins.base + (kFlips ? origins.flip : 0)) * stride;
         const uint32_t tap = static_cast<uint32_t>(directions.base + (kFlips ? directions.flip : 0)) * bytes;
         const uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels)) + row + tap;
         if constexpr (kFlips) {
             rows.mask = static_cast<uint32_t>(origins.flip_mask);
             rows.base = base;
-            rows.cell.offset = 0u - static_cast<uint32_t>(origins.flip) * stride;
+            row_offset_ -= static_cast<uint32_t>(origins.flip) * stride;
             taps.mask_or_one = static_cast<uint32_t>(directions.flip_mask);
-            taps.cell.offset = 0u - static_cast<uint32_t>(directions.flip) * bytes;
+            tap_offset_ -= static_cast<uint32_t>(directions.flip) * bytes;
         } else {
-            rows.cell.offset = base;
+            row_offset_ += base;
             taps.mask_or_one = 1u << Sum::kTapBits;
-            taps.cell.offset = 0;
         }
+    }
+
+    void begin(const PairRows& pairs)
+    {
+        ThumbOrigins<kFlips>& rows = state_.origins;
+        ThumbDirections& taps = state_.directions;
+        rows.cell.offset = row_offset_;
+        taps.cell.offset = tap_offset_;
         rows.cell.drift = 0;
         taps.cell.drift = 0;
         in_order();
-        rows.first = static_cast<uint32_t>(origins.first) * stride;
-        taps.first = static_cast<uint32_t>(directions.first) * bytes;
-        begin(Axis{rows.cell.du, taps.cell.du, rows.cell.u, taps.cell.u, rows.first, taps.first},
-              {origins.du_q16, directions.du_q16, origins.u_q16, directions.u_q16});
+        begin(Axis{rows.cell.du, taps.cell.du, rows.cell.u, taps.cell.u, rows.first, taps.first}, pairs.at().a,
+              pairs.step().a);
         in_order();
-        rows.second = static_cast<uint32_t>(origins.second) * stride;
-        taps.second = static_cast<uint32_t>(directions.second) * bytes;
-        begin(Axis{rows.cell.dv, taps.cell.dv, rows.cell.v, taps.cell.v, rows.second, taps.second},
-              {origins.dv_q16, directions.dv_q16, origins.v_q16, directions.v_q16});
-        rows.across = rows.first + rows.second;
-        taps.across = taps.first + taps.second;
+        begin(Axis{rows.cell.dv, taps.cell.dv, rows.cell.v, taps.cell.v, rows.second, taps.second}, pairs.at().b,
+              pairs.step().b);
     }
 
     // The next pixel's sum.
@@ -204,31 +213,27 @@ private:
         uint32_t &row_step, &tap_step, &row, &tap;
         uint32_t row_bytes, tap_bytes;
     };
-    struct Coordinates {
-        int32_t row_step_q16, tap_step_q16, row_q16, tap_q16;
-    };
-
     // What comes before is done before: fewer values in flight.
     LUMI_ALWAYS_INLINE static void in_order() { asm volatile("" ::: "memory"); }
 
     static uint32_t whole(uint32_t q28) { return static_cast<uint32_t>(static_cast<int32_t>(q28) >> 28); }
     static uint32_t whole(int32_t q16) { return static_cast<uint32_t>(q16 >> 16); }
 
-    LUMI_ALWAYS_INLINE void begin(const Axis& axis, const Coordinates& at)
+    LUMI_ALWAYS_INLINE void begin(const Axis& axis, uint32_t at, uint32_t step)
     {
-        const uint32_t step = pair_step(at.row_step_q16, at.tap_step_q16);
         axis.row_step = step << 4;
         axis.tap_step = step << 20;
         state_.origins.cell.drift += axis.row_bytes * whole(step);
         state_.directions.cell.drift += axis.tap_bytes * whole(step << 16);
-        const uint32_t before = pair_begin(at.row_q16, at.tap_q16) - step;
+        const uint32_t before = at - step;
         axis.row = before << 4;
         axis.tap = before << 20;
-        state_.origins.cell.offset += axis.row_bytes * (whole(before) + whole(at.row_q16));
-        state_.directions.cell.offset += axis.tap_bytes * (whole(before << 16) + whole(at.tap_q16));
+        state_.origins.cell.offset += axis.row_bytes * whole(before);
+        state_.directions.cell.offset += axis.tap_bytes * whole(before << 16);
     }
 
     ThumbState<kFlips> state_;
+    uint32_t row_offset_, tap_offset_;  // of the first cells
 };
 
 #endif

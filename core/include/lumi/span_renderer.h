@@ -160,8 +160,16 @@ private:
 
     void draw_tile(Walkers<TileWalker>& walkers, int32_t x, int32_t width)
     {
-        Target target = {field_, background_, pixel_at(x, y_), width, x, y_, walkers.front.side(), walkers.back.side()};
-        for (int32_t rows = y_ & (kTileRows - 1); target.y < y_ + rows_; rows = 1) {
+        SpanSide& front = walkers.front.side();
+        SpanSide& back = walkers.back.side();
+        Target target = {field_, background_, pixel_at(x, y_), width, x, y_, front, back, nullptr};
+        const int32_t first = y_ & (kTileRows - 1);
+        if (!target.is_over_cap()) {
+            const TileRows rows = {first, rows_, stripe_.stride_bytes, walkers.front.down(), walkers.back.down()};
+            target.tile = &rows;
+            return SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
+        }
+        for (int32_t rows = first; target.y < y_ + rows_; rows = 1) {
             walkers.front.advance(rows);
             walkers.back.advance(rows);
             SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
@@ -294,10 +302,10 @@ private:
         return 1;
     }
 
-    void draw(const SpanSide& front, const SpanSide& back, int32_t x, int32_t y, int32_t length) const
+    void draw(SpanSide& front, SpanSide& back, int32_t x, int32_t y, int32_t length) const
     {
         if (all_baked() || is_baked(front.highest(length))) {
-            const Target target = {field_, background_, pixel_at(x, y), length, x, y, front, back};
+            Target target = {field_, background_, pixel_at(x, y), length, x, y, front, back, nullptr};
             SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
         } else {
             draw_exactly(x, y, length);

@@ -11,9 +11,6 @@
 namespace lumi
 {
 
-inline constexpr int kTileRowsLog2 = 3;
-inline constexpr int32_t kTileRows = 1 << kTileRowsLog2;
-
 // The exact hits around a tile; the right and lower ones are those of the tiles beside it.
 struct TileCorners {
     const SpanNode *top_left, *top_right, *bottom_left, *bottom_right, *centre;
@@ -30,35 +27,28 @@ public:
     // Goes on to the part of a row further down; 0 begins the tile's first row.
     void advance(int32_t rows)
     {
-        move_down(track_.side, rows);
+        track_.side.move_down(down_, rows);
         if (track_.side.cap != nullptr) follow_cap();
     }
     // The highest index under the tile that prepare() set up.
     int32_t highest(int32_t width) const;
 
-    const SpanSide& side() const { return track_.side; }
+    SpanSide& side() const { return track_.side; }
+    const SpanDown& down() const { return down_; }
 
 private:
-    struct TilePoints {
-        LatticePoint top_left, top_right, bottom_left, bottom_right, centre;
+    // From edge to edge; `twist` is what `across` changes by.
+    struct TileChange {
+        LatticePoint across, down, twist;
     };
 
     bool prepare_cells(const TileCorners& corners, int width_log2);
     bool prepare_cap(const TileCorners& corners, int width_log2);
-    void set_bilinear(const TilePoints& at, int width_log2);
-    void move_down(SpanSide& side, int32_t rows) const
-    {
-        side.u_q16 += rows * down_.u_q16;
-        side.v_q16 += rows * down_.v_q16;
-        side.du_q16 += rows * down_.du_q16;
-        side.dv_q16 += rows * down_.dv_q16;
-    }
+    void set(const LatticePoint& begin, const TileChange& by, int width_log2);
     void follow_cap();
 
     SpanTrack& track_;
-    struct {
-        int32_t u_q16, v_q16, du_q16, dv_q16;
-    } down_{};              // how the row's values change from one row to the next
+    SpanDown down_{};
     int32_t triangle_ = 0;  // over a cap, where rows begin to look for theirs
 };
 

@@ -29,7 +29,7 @@ public:
         set_begin(next_);
     }
 
-    const SpanSide& side() const { return track_.side; }
+    SpanSide& side() const { return track_.side; }
 
 private:
     void set_begin(const LatticePoint& p)

@@ -18,9 +18,13 @@ struct SetupOnly : LUMI_BENCH_RECONSTRUCTION {
 template <>
 struct SpanDraw<bench::SetupOnly> {
     template <class Texel, class Pixel, class Background>
-    static void draw(const SpanTarget<Background>& span)
+    static void draw(SpanTarget<Background>& span)
     {
-        __asm volatile("" ::"r"(&span) : "memory");  // someone wants the span
+        int32_t rows_left = span.rows();
+        span.go_to_first();
+        do {
+            __asm volatile("" ::"r"(&span) : "memory");  // someone wants the row
+        } while (span.go_down(rows_left));
     }
 };
 
