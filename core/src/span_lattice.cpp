@@ -63,8 +63,8 @@ SpanZone make_zone(const Lattice& lattice, int k)
     // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: z comes in Q16, coordinates leave in Q16.
     const uint64_t v_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k]);
     const uint64_t u_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kPowers.inverse_q30[k + 1]);
-    int down = 0;
-    while ((v_q31 >> down) >= uint64_t{1} << kScaleBits) ++down;
+    const auto beyond = static_cast<uint32_t>(v_q31 >> kScaleBits);  // v < 2^42
+    const int down = beyond == 0 ? 0 : 32 - __builtin_clz(beyond);
     z.scale_v = static_cast<int16_t>(v_q31 >> down);
     z.scale_u = static_cast<int16_t>(u_q31 >> down);
     z.shift = static_cast<int16_t>(31 - down);
