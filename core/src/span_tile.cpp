@@ -59,21 +59,21 @@ bool TileWalker::prepare_cells(const TileCorners& corners, int width_log2)
     const int32_t turns[] = {turn_q20(top_right), turn_q20(bottom_left), turn_q20(bottom_right)};
     if (!within(turns[0], kMaxTurnQ20) || !within(turns[1], kMaxTurnQ20) || !within(turns[2], kMaxTurnQ20))
         return false;
-    const auto z_q26 = [](const SpanHit& hit) { return hit.z_q30 >> 4; };
-    const Bilinear z =
-        bilinear(z_q26(top_left), z_q26(top_right), z_q26(bottom_left), z_q26(bottom_right), z_q26(centre));
+    const auto z_q25 = [](const SpanHit& hit) { return hit.z_q30 >> 5; };
+    const int32_t z_of[] = {z_q25(top_left), z_q25(top_right), z_q25(bottom_left), z_q25(bottom_right)};
+    const Bilinear z = bilinear(z_of[0], z_of[1], z_of[2], z_of[3], z_q25(centre));
     // Indices depend on heights alone: moving the tile by its middle's rise changes them by no more than that height,
     // and rounding by less than two.
-    const int32_t limit = chart.limit_z_q30() - 16 * magnitude(z.rise) - 4 * chart.lattice().step_z_q30;
-    if (limit < 0) return false;
-    if (!within(top_left.z_q30, limit) || !within(top_right.z_q30, limit) || !within(bottom_left.z_q30, limit) ||
-        !within(bottom_right.z_q30, limit))
-        return false;
+    const int32_t limit_q25 = (chart.limit_z_q30() >> 5) - magnitude(z.rise) - (chart.lattice().step_z_q30 >> 3) - 2;
+    if (limit_q25 < 0) return false;
+    for (const int32_t corner_q25 : z_of) {
+        if (!within(corner_q25, limit_q25)) return false;
+    }
 
     const Bilinear longitude = bilinear(0, turns[0], turns[1], turns[2], turn_q20(centre));
-    set(chart.at(static_cast<int32_t>(top_left.longitude_turns32 >> 12) + longitude.begin, z.begin >> 10),
-        {chart.change(longitude.across, z.across >> 10), chart.change(longitude.down, z.down >> 10),
-         chart.change(longitude.twist, z.twist >> 10)},
+    set(chart.at(static_cast<int32_t>(top_left.longitude_turns32 >> 12) + longitude.begin, z.begin >> 9),
+        {chart.change(longitude.across, z.across >> 9), chart.change(longitude.down, z.down >> 9),
+         chart.change(longitude.twist, z.twist >> 9)},
         width_log2);
     side.uniform = chart.is_uniform_at(top_left.z_q30) && chart.is_uniform_at(top_right.z_q30) &&
                    chart.is_uniform_at(bottom_left.z_q30) && chart.is_uniform_at(bottom_right.z_q30);

@@ -17,6 +17,7 @@ set(LUMI_CORE_TEST_SOURCES
   proxy_test.cpp
   quality_test.cpp
   render_test.cpp
+  span_cover_test.cpp
   span_loop_test.cpp
   span_node_test.cpp
   span_nine_test.cpp
