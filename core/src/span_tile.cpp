@@ -62,9 +62,12 @@ bool TileWalker::prepare_cells(const TileCorners& corners, int width_log2)
     const auto z_q25 = [](const SpanHit& hit) { return hit.z_q30 >> 5; };
     const int32_t z_of[] = {z_q25(top_left), z_q25(top_right), z_q25(bottom_left), z_q25(bottom_right)};
     const Bilinear z = bilinear(z_of[0], z_of[1], z_of[2], z_of[3], z_q25(centre));
-    // Indices depend on heights alone: moving the tile by its middle's rise changes them by no more than that height,
-    // and rounding by less than two.
-    const int32_t limit_q25 = (chart.limit_z_q30() >> 5) - magnitude(z.rise) - (chart.lattice().step_z_q30 >> 3) - 2;
+    // Indices depend on heights alone: moving the tile by its middle's rise changes them by no more than that height.
+    // Rounding does by less than two, and by less than 6/65536 of height: four heights in Q16 of 0.5 each at 65,536
+    // points, 0.0034 of a cell (PairRows) whose steps are 233 and 377.
+    constexpr int32_t kRoundingQ25 = 6 << 9;
+    const int32_t limit_q25 =
+        (chart.limit_z_q30() >> 5) - magnitude(z.rise) - (chart.lattice().step_z_q30 >> 3) - kRoundingQ25;
     if (limit_q25 < 0) return false;
     for (const int32_t corner_q25 : z_of) {
         if (!within(corner_q25, limit_q25)) return false;
