@@ -59,6 +59,12 @@ void SpanChart::choose(int32_t z_q30, SpanSide& side)
     set_borders(z, mirrored, acute, first, second);
 }
 
+// |z| where `points` and one more lie between a point and the pole.
+int32_t SpanChart::pole_distance_z_q30(int32_t points) const
+{
+    return kOneQ30 - (2 * (points + 1) + 1) * lattice_.step_z_q30;
+}
+
 void SpanChart::set_borders(const SpanZone& z, bool mirrored, bool acute, int32_t first, int32_t second)
 {
     // The middle of a cell lies within (first + second)/2 indices of any point of it, (first + second)/n in height; an
@@ -76,9 +82,13 @@ void SpanChart::set_borders(const SpanZone& z, bool mirrored, bool acute, int32_
     const int32_t high = zone_high <= lattice_.cap_z_q30 ? zone_high : lattice_.cap_z_q30 + 1;
     low_z_q30_ = mirrored ? 1 - high : low;
     high_z_q30_ = mirrored ? 1 - low : high;
-    // Up to the height of this index no corner of a cell lies beyond the pole.
-    const int32_t limit_index = (acute ? second : first + second) + 1;
-    limit_z_q30_ = kOneQ30 - (2 * limit_index + 1) * lattice_.step_z_q30;
+    // Corners lie up to both steps from a point of the cell where cells may be flipped or the angle is obtuse, else up
+    // to the second one: near the own pole of an acute chart, and all over it where no height is obtuse.
+    const int32_t most = first + second;
+    const int32_t own_z = pole_distance_z_q30(acute ? second : most);
+    const int32_t far_z = pole_distance_z_q30(acute && z.obtuse_z_q30 == 0 ? second : most);
+    lowest_z_q30_ = mirrored ? -own_z : -far_z;
+    highest_z_q30_ = mirrored ? far_z : own_z;
 }
 
 LatticePoint SpanTrack::in_plane(const SpanNode& node, bool mirrored) const

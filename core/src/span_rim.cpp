@@ -2,7 +2,7 @@
 #include "lumi/span_rim.h"
 
 #include "lumi/always_inline.h"
-#include "lumi/span_tile.h"
+#include "lumi/math.h"
 
 namespace lumi
 {

@@ -63,15 +63,19 @@ bool TileWalker::prepare_cells(const TileCorners& corners, int width_log2)
     const int32_t z_of[] = {z_q25(top_left), z_q25(top_right), z_q25(bottom_left), z_q25(bottom_right)};
     const Bilinear z = bilinear(z_of[0], z_of[1], z_of[2], z_of[3], z_q25(centre));
     // Indices depend on heights alone: moving the tile by its middle's rise changes them by no more than that height.
-    // Rounding does by less than two, and by less than 6/65536 of height: four heights in Q16 of 0.5 each at 65,536
-    // points, 0.0034 of a cell (PairRows) whose steps are 233 and 377.
+    // Rounding does by less than five: at 65,536 points and steps of 233 and 377, 1.8 by floors of four heights in Q16,
+    // 1.3 by floors of steps, 1.9 in PairRows; by less than two and a height of 6/65536 for all sizes.
     constexpr int32_t kRoundingQ25 = 6 << 9;
-    const int32_t limit_q25 =
-        (chart.limit_z_q30() >> 5) - magnitude(z.rise) - (chart.lattice().step_z_q30 >> 3) - kRoundingQ25;
-    if (limit_q25 < 0) return false;
+    const int32_t spare_q25 = magnitude(z.rise) + (chart.lattice().step_z_q30 >> 3) + kRoundingQ25;
+    const int32_t lowest_q25 = (chart.lowest_z_q30() >> 5) + spare_q25;
+    const int32_t highest_q25 = (chart.highest_z_q30() >> 5) - spare_q25;
+    if (lowest_q25 > highest_q25) return false;
     for (const int32_t corner_q25 : z_of) {
-        if (!within(corner_q25, limit_q25)) return false;
+        if (static_cast<uint32_t>(corner_q25 - lowest_q25) > static_cast<uint32_t>(highest_q25 - lowest_q25))
+            return false;
     }
+    constexpr int32_t kMostTwistQ25 = 2 << 25;  // no view comes near it; products with scales stay below 2^31
+    if (!within(z.twist, kMostTwistQ25)) return false;
 
     const Bilinear longitude = bilinear(0, turns[0], turns[1], turns[2], turn_q20(centre));
     set(chart.at(static_cast<int32_t>(top_left.longitude_turns32 >> 12) + longitude.begin, z.begin >> 9),

@@ -203,6 +203,17 @@ TEST_CASE("tiles too wide for halves of a word are told", "[span]")
             CHECK_FALSE(PairRows::can_follow(fast, level, kPixels));
         }
     }
+    // Half a cell a pixel in the upper half, less one that a lower half below zero takes, would turn round.
+    constexpr int32_t kFew = 8;
+    SpanSide fast{};
+    fast.du_q16 = -32775;
+    CHECK(PairRows::can_follow(fast, level, kFew));
+    fast.du_q16 = -32776;
+    CHECK_FALSE(PairRows::can_follow(fast, level, kFew));
+    fast.du_q16 = 32759;
+    CHECK(PairRows::can_follow(fast, level, kFew));
+    fast.du_q16 = 32760;
+    CHECK_FALSE(PairRows::can_follow(fast, level, kFew));
     for (int32_t SpanDown::*down : {&SpanDown::u_q16, &SpanDown::v_q16}) {
         for (const int32_t too_steep : {57312, -57313, 1 << 26, -(1 << 26)}) {
             SpanDown steep{};

@@ -121,3 +121,28 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
     }
     CHECK(reads > 10000);
 }
+
+TEST_CASE("a chart that crosses the equator reads nothing beyond the other pole", "[span]")
+{
+    // Found by random search: a span of an acute chart whose cells are flipped where it ends.
+    TestLayout layout;
+    layout.origins = layout.used_origins = layout.directions = 75;
+    layout.texel = format::TexelFormat::luma8;
+    layout.row_stride = 80;
+    const Bytes bytes =
+        file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});
+    Field field;
+    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const Pose pose = {{-933275, -159750, 484389},
+                       {-509756008, 147859956, -933384980},
+                       {72855990, -1051212415, -206314655},
+                       {942211277, 161279774, -489027624}};
+    constexpr int32_t kWidth = 141, kHeight = 34;
+    Camera camera;
+    REQUIRE(make_camera(pose, {kWidth, kHeight, 1392898754}, camera) == CameraError::none);
+    std::vector<uint8_t> pixels(static_cast<size_t>(kWidth) * kHeight);
+    const Stripe stripe = {pixels.data(), 0, 0, kWidth, kHeight, kWidth};
+    strays = 0;
+    (void)render_spans<Linear, CheckedLuma8, PixelGrey8>(field, camera, OverBlack{}, stripe, 16);
+    CHECK(strays == 0);
+}

@@ -28,8 +28,10 @@ public:
     void leave() { low_z_q30_ = high_z_q30_ = 0; }
     // Whether the chart is the exact one at this height.
     bool holds(int32_t z_q30) const { return z_q30 >= low_z_q30_ && z_q30 < high_z_q30_; }
-    // |z| up to which the chart may be used at all: no corner of a cell lies beyond the pole.
-    int32_t limit_z_q30() const { return limit_z_q30_; }
+    // Between which heights the chart may be used at all: no corner of a cell lies beyond a pole.
+    int32_t lowest_z_q30() const { return lowest_z_q30_; }
+    int32_t highest_z_q30() const { return highest_z_q30_; }
+    bool reaches(int32_t z_q30) const { return z_q30 >= lowest_z_q30_ && z_q30 <= highest_z_q30_; }
     // Whether no cell around this height is flipped.
     bool is_uniform_at(int32_t z_q30) const { return z_q30 >= uniform_low_z_q30_ && z_q30 <= uniform_high_z_q30_; }
 
@@ -48,13 +50,14 @@ public:
     const SpanLattice& lattice() const { return lattice_; }
 
 private:
+    int32_t pole_distance_z_q30(int32_t points) const;
     void set_borders(const SpanZone& z, bool mirrored, bool acute, int32_t first, int32_t second);
 
     const SpanLattice& lattice_;
     int32_t u_q16_ = 0, v_q16_ = 0, u_longitude_ = 0, v_longitude_ = 0, u_z_ = 0, v_z_ = 0, shift_ = 0;
     int32_t low_z_q30_ = 0, high_z_q30_ = 0;  // signed z range in which the chart is exact; empty: there is none yet
     int32_t uniform_low_z_q30_ = 0, uniform_high_z_q30_ = 0;
-    int32_t limit_z_q30_ = 0;
+    int32_t lowest_z_q30_ = 0, highest_z_q30_ = 0;
     int zone_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The inner loops of the span renderer: one per reconstruction, over any texel, pixel and background.
 //
-// SpanDraw<Reconstruction>::draw(span) fills all pixels of a SpanTarget, which it leaves at its last row. Both sides'
+// SpanDraw<Reconstruction>::draw(span) fills all pixels of a SpanTarget, whose row and sides it may move. Both sides'
 // coordinates advance by addition; a texel's address is a sum of products of whole lattice steps; no division, no
 // table, no clamping.
 #pragma once

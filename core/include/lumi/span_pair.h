@@ -2,9 +2,10 @@
 // Both sides of a span through the lattice's cells at once: a side in each half of a word, the origins in the upper
 // one, the directions in the lower one.
 //
-// Coordinates count cells from the one in which the span begins, Q12, in 16 bits: pixels may be up to 0.46 cells apart,
-// and a span's 15 steps reach less than eight cells. Steps are rounded to Q12, which moves the last pixel by at most
-// 0.002 cells: less than a point's index, so that no corner leaves the lattice (SpanChart keeps one to spare).
+// Coordinates count cells from the one in which the span or tile begins, Q12, in 16 bits: a span's pixels may be up to
+// 0.46 cells apart, and its 15 steps reach less than eight cells. Steps are rounded to Q12, which moves a span's last
+// pixel by at most 0.002 cells, a tile's by 0.003: 1.1 and 1.9 indices at 65,536 points. No corner leaves the lattice:
+// SpanChart keeps one index and more to spare, TileWalker five.
 // Two halves are added as one word: a lower half below zero takes 2^-12 cells from the upper one, on every core.
 #pragma once
 
@@ -102,10 +103,14 @@ private:
             constexpr uint32_t kMost = (7 << 16) - 256;  // steps are rounded
             return static_cast<uint32_t>(v_q16) + kMost < 2 * kMost;
         };
-        const auto excess = [](int32_t v_q16) { return (static_cast<uint32_t>(v_q16) + 0x8000u + kRounding) >> 16; };
+        // With the rounding more than -2^15, as a lower half below zero takes one from the upper one, and below 2^15.
+        const auto fits = [](int32_t v_q16) {
+            constexpr uint32_t kBelow = 0x7FFFu + kRounding;
+            return static_cast<uint32_t>(v_q16) + kBelow < 0xFFFFu;
+        };
         const int32_t last_step_q16 = step_q16 + kTileRows * step_down_q16;
         const int32_t height_q16 = kTileRows * down_q16;
-        return (excess(step_q16) | excess(last_step_q16)) == 0 && is_near(height_q16) && is_near(length * step_q16) &&
+        return fits(step_q16) && fits(last_step_q16) && is_near(height_q16) && is_near(length * step_q16) &&
                is_near(length * last_step_q16 + height_q16);
     }
 
