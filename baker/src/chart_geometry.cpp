@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "chart_geometry.h"
 
-#include "lumi/guided_chart.h"
-#include "lumi/guided_format.h"
+#include "lumi/guided/guided_chart.h"
+#include "lumi/guided/guided_format.h"
 
 namespace lumi::baker
 {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lumi/color.h"
-#include "lumi/guided_format.h"
+#include "lumi/guided/guided_format.h"
 
 namespace lumi::baker
 {

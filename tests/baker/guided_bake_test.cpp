@@ -5,7 +5,7 @@
 #include "guided_writer.h"
 #include "lumi/baker/bake.h"
 #include "lumi/baker/guided.h"
-#include "lumi/guided_field.h"
+#include "lumi/guided/guided_field.h"
 #include "lumi/reference/guided_shading.h"
 #include "proxy_builder.h"
 #include "sampler.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lumi/span_chart.h"
+#include "lumi/detail/stepping/chart.h"
 
 namespace lumi::test
 {

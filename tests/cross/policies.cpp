@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every combination of reconstruction × texel × pixel × background that core offers, and all of core's functions that
 // firmware calls, for tests that read symbols and stack sizes. Never run.
-#include "lumi/focus_surface.h"
-#include "lumi/guided_render.h"
-#include "lumi/guided_vq.h"
-#include "lumi/proxy_surface.h"
+#include "lumi/guided/focus_surface.h"
+#include "lumi/guided/guided_render.h"
+#include "lumi/guided/guided_vq.h"
+#include "lumi/proxy/proxy_surface.h"
 #include "lumi/render.h"
-#include "lumi/span.h"
+#include "lumi/render_spans.h"
 
 namespace lumi::policies
 {

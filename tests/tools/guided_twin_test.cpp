@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "lumi/guided_chart.h"
+#include "lumi/guided/guided_chart.h"
 #include "lumi/host/camera.h"
 #include "lumi/reference/guided_picture.h"
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <stdexcept>
 
-#include "lumi/span.h"
+#include "lumi/render_spans.h"
 
 namespace lumi::tools
 {

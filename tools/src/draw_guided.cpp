@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "guided_stripes.h"
-#include "lumi/focus_surface.h"
-#include "lumi/proxy_surface.h"
+#include "lumi/guided/focus_surface.h"
+#include "lumi/proxy/proxy_surface.h"
 #include "lumi/tools/failure.h"
 
 namespace lumi::tools

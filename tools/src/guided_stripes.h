@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lumi/guided_render.h"
-#include "lumi/guided_vq.h"
+#include "lumi/guided/guided_render.h"
+#include "lumi/guided/guided_vq.h"
 #include "lumi/tools/draw_guided.h"
 #include "lumi/tools/interrupt.h"
 

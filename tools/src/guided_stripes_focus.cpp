@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Focus surfaces.
 #include "guided_stripes.h"
-#include "lumi/focus_surface.h"
+#include "lumi/guided/focus_surface.h"
 
 namespace lumi::tools
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Proxies with one sample a pixel.
 #include "guided_stripes.h"
-#include "lumi/proxy_surface.h"
+#include "lumi/proxy/proxy_surface.h"
 
 namespace lumi::tools
 {

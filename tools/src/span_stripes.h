@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lumi/span.h"
+#include "lumi/render_spans.h"
 #include "lumi/tools/draw.h"
 #include "lumi/tools/interrupt.h"
 

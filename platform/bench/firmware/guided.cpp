@@ -2,9 +2,9 @@
 // The guided renderer with the policies that the build names: LUMI_BENCH_ORIGINS, _TAPS, _CHART, _MEAN, _SAMPLES.
 #include "guided_instance.h"
 
-#include "lumi/guided_render.h"
-#include "lumi/guided_vq.h"
-#include "lumi/proxy_surface.h"
+#include "lumi/guided/guided_render.h"
+#include "lumi/guided/guided_vq.h"
+#include "lumi/proxy/proxy_surface.h"
 
 namespace lumi::bench
 {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "lumi/bench/views.h"
-#include "lumi/guided_field.h"
+#include "lumi/guided/guided_field.h"
 #include "lumi/pixel.h"
-#include "lumi/proxy_frame.h"
+#include "lumi/proxy/proxy_frame.h"
 
 namespace lumi::bench
 {

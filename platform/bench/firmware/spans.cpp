@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The span renderer with the policies that the build names: LUMI_BENCH_RECONSTRUCTION, LUMI_BENCH_TEXEL.
-#include "lumi/span.h"
+#include "lumi/render_spans.h"
 
 #include "instance.h"
 #include "lumi/bench/views.h"

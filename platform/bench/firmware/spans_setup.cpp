@@ -3,7 +3,7 @@
 #include "hits_only.h"
 #include "instance.h"
 #include "lumi/bench/views.h"
-#include "lumi/span.h"
+#include "lumi/render_spans.h"
 
 namespace lumi
 {

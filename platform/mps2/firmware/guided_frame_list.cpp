@@ -3,9 +3,9 @@
 // surface.
 #include "frame_list.h"
 #include "lumi/crc32.h"
-#include "lumi/focus_surface.h"
-#include "lumi/guided_render.h"
-#include "lumi/proxy_surface.h"
+#include "lumi/guided/focus_surface.h"
+#include "lumi/guided/guided_render.h"
+#include "lumi/proxy/proxy_surface.h"
 #include "text_line.h"
 #include "views.h"
 

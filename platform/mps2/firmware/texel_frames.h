@@ -5,7 +5,7 @@
 #include "frame_list.h"
 #include "lumi/crc32.h"
 #include "lumi/render.h"
-#include "lumi/span.h"
+#include "lumi/render_spans.h"
 #include "text_line.h"
 #include "views.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "lumi/guided_chart.h"
+#include "lumi/guided/guided_chart.h"
 
 namespace lumi::reference
 {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "polar.h"
+#include "lattice/polar.h"
 
 namespace lumi::reference
 {

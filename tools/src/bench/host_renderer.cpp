@@ -5,7 +5,7 @@
 
 #include "lumi/bench/views.h"
 #include "lumi/crc32.h"
-#include "lumi/span.h"
+#include "lumi/render_spans.h"
 
 namespace lumi::bench
 {

@@ -2,7 +2,7 @@
 // Pictures by the double-precision twin of the guided renderer.
 #pragma once
 
-#include "lumi/guided_field.h"
+#include "lumi/guided/guided_field.h"
 #include "lumi/reference/guided_picture.h"
 #include "lumi/tools/views.h"
 

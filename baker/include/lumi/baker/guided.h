@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "lumi/baker/bake.h"
-#include "lumi/guided_format.h"
+#include "lumi/guided/guided_format.h"
 
 namespace lumi::baker
 {

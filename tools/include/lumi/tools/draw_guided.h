@@ -2,7 +2,7 @@
 // Draws a guided field as firmware does: by core, stripe by stripe, in a display's pixel format.
 #pragma once
 
-#include "lumi/guided_field.h"
+#include "lumi/guided/guided_field.h"
 #include "lumi/tools/draw.h"
 #include "lumi/tools/views.h"
 

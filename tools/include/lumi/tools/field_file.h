@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lumi/field.h"
-#include "lumi/guided_field.h"
+#include "lumi/guided/guided_field.h"
 #include "lumi/host/mapped_file.h"
 
 namespace lumi::tools

@@ -2,7 +2,7 @@
 // The reconstruction of guided_format.h in double precision: what a guided field shows of a surface point.
 #pragma once
 
-#include "lumi/guided_field.h"
+#include "lumi/guided/guided_field.h"
 #include "lumi/reference/picture.h"
 
 namespace lumi::reference

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// The inner loops of the span renderer: one per reconstruction, over any texel, pixel and background.
+//
+// SpanDraw<Reconstruction>::draw(span) fills all pixels of a SpanTarget, whose row and sides it may move. Both sides'
+// coordinates advance by addition; a texel's address is a sum of products of whole lattice steps; no division, no
+// table, no clamping.
+#pragma once
+
+#include "lumi/pixel.h"
+#include "lumi/reconstruction.h"
+#include "lumi/detail/chord/pairs.h"
+#include "lumi/detail/chord/side_taps.h"
+#include "lumi/detail/chord/sums.h"
+#include "lumi/detail/chord/sums_armv6m.h"
+#include "lumi/detail/chord/target.h"
+
+namespace lumi
+{
+
+// A texel whose bits are the pixel's is copied.
+template <class Texel, class Pixel>
+inline constexpr bool kSameBits = false;
+template <>
+inline constexpr bool kSameBits<TexelRgb565, PixelRgb565> = true;
+
+template <class Texel, class Pixel, class Background>
+LUMI_ALWAYS_INLINE void store_single(const Field& field, const Background& background, const uint8_t* texel,
+                                     uint8_t* pixel)
+{
+    if constexpr (kSameBits<Texel, Pixel>) {
+        const uint16_t v = load_aligned<uint16_t>(texel);
+        if (v != 0 || Background::kIsBlack) return store_even16(pixel, v);
+        if (Background::kFills) Pixel::store(pixel, background.template under<Pixel>(pixel));
+        return;
+    }
+    const Rgba8 c = Texel::load(field, texel, 0);
+    if (c.a == 255) {
+        Pixel::store(pixel, {c.r, c.g, c.b});
+    } else if (c.a != 0 || Background::kFills) {
+        const Rgb8 under = background.template under<Pixel>(pixel);
+        const uint32_t t = 255u - c.a;
+        const auto over = [&](uint8_t v, uint8_t u) {
+            return static_cast<uint8_t>(v + (t * u * 257u + 32768u) / 65536u);
+        };
+        Pixel::store(pixel, {over(c.r, under.r), over(c.g, under.g), over(c.b, under.b)});
+    }
+}
+
+// One tap: the point of the cell's coordinates, rounded down after offset(pixel) was added on each side.
+struct SpanOffsets {
+    int32_t origins_q16, directions_q16;
+};
+
+// `Offsets`, of the row that begins at a pixel of the image, has at(pixel of the span) and kConstant: whether it is the
+// same for all of them.
+template <class Texel, class Pixel, class Offsets, class Background>
+void draw_single(SpanTarget<Background>& span)
+{
+    constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
+    const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
+    const SpanIndex rows(span.origins, 1);
+    const SpanIndex texels(span.directions, kBytes);
+    const uint8_t* const base = settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
+    int32_t rows_left = span.rows();
+    span.go_to_first();
+    do {
+        const Offsets offsets(span.x, span.y);
+        int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
+        int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
+        const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
+        const int32_t dud = settled(span.directions.du_q16), dvd = settled(span.directions.dv_q16);
+        if (Offsets::kConstant) {
+            const SpanOffsets add = offsets.at(0);
+            uo += add.origins_q16;
+            vo += add.origins_q16;
+            ud += add.directions_q16;
+            vd += add.directions_q16;
+        }
+        uint8_t* pixel = span.pixels;
+        const uint8_t* const end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes;
+        for (int32_t k = 0; pixel != end; ++k, pixel += Pixel::kBytes) {
+            const SpanOffsets add = Offsets::kConstant ? SpanOffsets{0, 0} : offsets.at(k);
+            const uint8_t* row = settled(base + rows.at(uo + add.origins_q16, vo + add.origins_q16) * stride);
+            const uint8_t* texel = row + texels.at(ud + add.directions_q16, vd + add.directions_q16);
+            store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+            uo += duo;
+            vo += dvo;
+            ud += dud;
+            vd += dvd;
+        }
+    } while (span.go_down(rows_left));
+}
+
+// The same where a side lies over a cap: there the corner that Offsets::pick() chooses by the weights.
+template <bool kOriginsInCap, bool kDirectionsInCap, class Texel, class Pixel, class Offsets, class Background>
+void draw_single_over_cap(const SpanTarget<Background>& span)
+{
+    const Offsets offsets(span.x, span.y);
+    OneTap<kOriginsInCap> origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
+    OneTap<kDirectionsInCap> directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    const uint8_t* const base = settled(span.field.texels + origins.base() + directions.base());
+    uint8_t* pixel = span.pixels;
+    for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
+        const SpanOffsets add = offsets.at(k);
+        const uint8_t* const row = base + origins.template offset<Offsets>(add.origins_q16);
+        const uint8_t* const texel = row + directions.template offset<Offsets>(add.directions_q16);
+        store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+        origins.advance();
+        directions.advance();
+    }
+}
+
+template <class Texel, class Pixel, class Offsets, class Background>
+void draw_one_tap(SpanTarget<Background>& span)
+{
+    if (!span.is_over_cap()) return draw_single<Texel, Pixel, Offsets>(span);
+    if (span.directions.cap == nullptr) return draw_single_over_cap<true, false, Texel, Pixel, Offsets>(span);
+    if (span.origins.cap == nullptr) return draw_single_over_cap<false, true, Texel, Pixel, Offsets>(span);
+    draw_single_over_cap<true, true, Texel, Pixel, Offsets>(span);
+}
+
+// Through cells, both sides at once: all rows of a tile, or without one the span's.
+template <bool kFlips, class Texel, class Pixel, class Background>
+void draw_pairs(const SpanTarget<Background>& span, const TileRows* tile)
+{
+    using Sum = SpanSum<Texel, !Background::kIsBlack>;
+    const Field field = span.field;  // stores of pixels do not change it
+    PairSource<kFlips> source(
+        span.origins, span.directions, field.texels - Sum::kBefore,
+        {static_cast<int32_t>(field.row_stride_bytes), static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat))});
+    PairRows rows(span, tile);
+    for (;;) {
+        source.begin(rows);
+        WordPair<uint8_t*> pixels = {rows.pixels(), rows.pixels() + static_cast<uint32_t>(span.length) * Pixel::kBytes};
+        for (bool is_last = false; !is_last;) {
+            const Sum sum = NineTaps<Sum>::sum(field, source.template taps<Sum>());
+            const WordPair<uint8_t*> at = reload(pixels);
+            sum.template store<Pixel>(span.background, at.a);
+            pixels.a = at.a + Pixel::kBytes;
+            is_last = pixels.a == at.b;
+        }
+        if (!rows.go_down()) return;
+    }
+}
+
+// The same where the core has a loop of its own.
+template <bool kFlips, class Texel, class Pixel, class Background>
+void draw_thumb_pairs(const SpanTarget<Background>& span, const TileRows* tile)
+{
+    using Sum = SpanSum<Texel, false>;
+    ThumbPairs<kFlips, Sum> pairs(span.origins, span.directions, span.field,
+                                  static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    PairRows rows(span, tile);
+    for (;;) {
+        pairs.begin(rows);
+        uint8_t* pixel = rows.pixels();
+        for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
+             pixel += Pixel::kBytes) {
+            pairs.pixel().template store<Pixel>(span.background, pixel);
+        }
+        if (!rows.go_down()) return;
+    }
+}
+
+template <bool kFlips, class Texel, class Pixel, class Background>
+void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
+{
+    if constexpr (kHasThumbPairs<SpanSum<Texel, !Background::kIsBlack>>) {
+        draw_thumb_pairs<kFlips, Texel, Pixel>(span, tile);
+    } else {
+        draw_pairs<kFlips, Texel, Pixel>(span, tile);
+    }
+}
+
+template <class Texel, class Pixel, class Background>
+void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
+{
+    if (span.origins.uniform && span.directions.uniform) return draw_cells<false, Texel, Pixel>(span, tile);
+    draw_cells<true, Texel, Pixel>(span, tile);
+}
+
+// Whether a tile's rows are drawn at once, all of them or some.
+template <class Background>
+bool can_follow_tile(const SpanTarget<Background>& span)
+{
+    return span.tile != nullptr && PairRows::can_follow(span.origins, span.tile->origins, span.length) &&
+           PairRows::can_follow(span.directions, span.tile->directions, span.length);
+}
+
+// Side by side, each through cells or over a cap.
+template <class Origins, class Directions, class Texel, class Pixel, class Background>
+void draw_sides(const SpanTarget<Background>& span)
+{
+    using Sum = SpanSum<Texel, !Background::kIsBlack>;
+    const Field field = span.field;  // stores of pixels do not change it
+    Origins origins(span.origins, static_cast<int32_t>(field.row_stride_bytes));
+    Directions directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    const uint8_t* base = settled(field.texels - Sum::kBefore + origins.base() + directions.base());
+    uint8_t* pixel = span.pixels;
+    for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
+        const SpanTaps rows = origins.template taps<Sum::kRowBits>();
+        const SpanTaps texels = directions.template taps<Sum::kTapBits>();
+        const uint8_t* const first = base + texels.offset[0];
+        const Sum sum = NineTaps<Sum>::sum(
+            field, {{first + rows.offset[0], first + rows.offset[1], first + rows.offset[2]},
+                    {texels.offset[1] - texels.offset[0], texels.offset[2] - texels.offset[0]},
+                    {row_weight<Sum>(rows.weight[0]), row_weight<Sum>(rows.weight[1]), row_weight<Sum>(rows.weight[2])},
+                    {texels.weight[0], texels.weight[1], texels.weight[2]}});
+        sum.template store<Pixel>(span.background, pixel);
+        origins.advance();
+        directions.advance();
+    }
+}
+
+template <class Reconstruction>
+struct SpanDraw;
+
+// To the nearest whole coordinates.
+struct Rounding {
+    static constexpr bool kConstant = true;
+    Rounding(int32_t, int32_t) {}
+    SpanOffsets at(int32_t) const { return {1 << 15, 1 << 15}; }
+
+    static int pick(int32_t first_q16, int32_t second_q16, int32_t third_q16, int32_t)
+    {
+        const bool is_second = second_q16 > first_q16;
+        const int32_t most_q16 = is_second ? second_q16 : first_q16;
+        return third_q16 > most_q16 ? 2 : is_second ? 1 : 0;
+    }
+};
+
+template <>
+struct SpanDraw<Nearest> {
+    template <class Texel, class Pixel, class Background>
+    static void draw(SpanTarget<Background>& span)
+    {
+        draw_one_tap<Texel, Pixel, Rounding>(span);
+    }
+};
+
+// An ordered 4×4 dither (Bayer 1973) for the origins and the same one, turned, for the directions. Added to both
+// coordinates of a side before they are rounded down, one threshold picks each corner of the cell's triangle as often
+// as its barycentric weight says.
+struct DitherMatrix {
+    static constexpr uint8_t kRank[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
+    static constexpr int32_t threshold_q16(int32_t x, int32_t y) { return (kRank[y & 3][x & 3] << 12) + (1 << 11); }
+    static constexpr SpanOffsets at(int32_t x, int32_t y) { return {threshold_q16(x, y), threshold_q16(y + 1, ~x)}; }
+};
+
+// The thresholds of a span's row.
+class DitherRow
+{
+public:
+    static constexpr bool kConstant = false;
+    DitherRow(int32_t x, int32_t y)
+    {
+        for (int32_t k = 0; k < 4; ++k) row_[k] = DitherMatrix::at(x + k, y);
+    }
+    const SpanOffsets& at(int32_t pixel) const { return row_[pixel & 3]; }
+
+    static int pick(int32_t first_q16, int32_t second_q16, int32_t, int32_t threshold_q16)
+    {
+        const int32_t t = 65535 - threshold_q16;
+        return t < first_q16 ? 0 : t < first_q16 + second_q16 ? 1 : 2;
+    }
+
+private:
+    SpanOffsets row_[4];
+};
+
+template <>
+struct SpanDraw<Dither> {
+    template <class Texel, class Pixel, class Background>
+    static void draw(SpanTarget<Background>& span)
+    {
+        draw_one_tap<Texel, Pixel, DitherRow>(span);
+    }
+};
+
+template <>
+struct SpanDraw<Linear> {
+    template <class Texel, class Pixel, class Background>
+    static void draw(SpanTarget<Background>& span)
+    {
+        if (span.is_over_cap()) {
+            if (span.directions.cap == nullptr) return draw_sides<CapSource, CellSource, Texel, Pixel>(span);
+            if (span.origins.cap == nullptr) return draw_sides<CellSource, CapSource, Texel, Pixel>(span);
+            return draw_sides<CapSource, CapSource, Texel, Pixel>(span);
+        }
+        if (can_follow_tile(span)) return draw_cells<Texel, Pixel>(span, span.tile);
+        int32_t rows_left = span.rows();
+        span.go_to_first();
+        do {
+            if (can_follow(span.origins, span.directions, span.length)) {
+                draw_cells<Texel, Pixel>(span, nullptr);
+            } else {
+                draw_sides<CellSource, CellSource, Texel, Pixel>(span);
+            }
+        } while (span.go_down(rows_left));
+    }
+};
+
+}  // namespace lumi

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Words as two halves of 16 bits: what Armv7E-M's DSP extension does in one instruction, and portable twins.
+#pragma once
+
+#ifdef __ARM_FEATURE_DSP
+#include <arm_acle.h>
+#endif
+
+#include <cstdint>
+
+#include "lumi/detail/register_hints.h"
+
+namespace lumi
+{
+
+// The bytes 0 and 2 of a word, or 1 and 3, in halves.
+LUMI_ALWAYS_INLINE uint32_t even_bytes(uint32_t v)
+{
+    return v & 0x00FF00FFu;
+}
+LUMI_ALWAYS_INLINE uint32_t odd_bytes(uint32_t v)
+{
+#ifdef __ARM_FEATURE_DSP
+    uint32_t result;  // by hand: GCC does not fold a rotation into __uxtb16
+    asm("uxtb16 %0, %1, ror #8" : "=r"(result) : "r"(v));
+    return result;
+#else
+    return (v >> 8) & 0x00FF00FFu;
+#endif
+}
+
+// Products of halves below 2^15, added to a sum. add_product16 multiplies the lower halves (of its twin: the words,
+// whose upper halves are zero); add_product_low and _high take a's lower or upper half by b's upper one (of their
+// twins: by b).
+#ifdef __ARM_FEATURE_DSP
+inline constexpr bool kHasHalfProducts = true;
+
+LUMI_ALWAYS_INLINE uint32_t add_product16(uint32_t a, uint32_t b, uint32_t sum)
+{
+    return static_cast<uint32_t>(__smlabb(static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(sum)));
+}
+LUMI_ALWAYS_INLINE uint32_t add_product_low(uint32_t a, uint32_t b, uint32_t sum)
+{
+    return static_cast<uint32_t>(__smlabt(static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(sum)));
+}
+LUMI_ALWAYS_INLINE uint32_t add_product_high(uint32_t a, uint32_t b, uint32_t sum)
+{
+    return static_cast<uint32_t>(__smlatt(static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(sum)));
+}
+// By hand: GCC would take the halves of what does not change in a loop apart before it.
+LUMI_ALWAYS_INLINE int32_t product_tops(int32_t a, int32_t b)
+{
+    int32_t result;
+    asm("smultt %0, %1, %2" : "=r"(result) : "r"(a), "r"(b));
+    return result;
+}
+LUMI_ALWAYS_INLINE int32_t product_bottoms(int32_t a, int32_t b)
+{
+    int32_t result;
+    asm("smulbb %0, %1, %2" : "=r"(result) : "r"(a), "r"(b));
+    return result;
+}
+// Two numbers over 2^kShift, rounded down, as halves; kShift <= 16.
+template <int kShift>
+LUMI_ALWAYS_INLINE uint32_t join_halves(int32_t top, int32_t bottom)
+{
+    uint32_t result;
+    const uint32_t shifted = static_cast<uint32_t>(top) << (16 - kShift);
+    asm("pkhtb %0, %1, %2, asr %3" : "=r"(result) : "r"(shifted), "r"(bottom), "I"(kShift));
+    return result;
+}
+// a times the lower half of b over 2^16, rounded down, for a below 2^16 and that half below 2^15.
+LUMI_ALWAYS_INLINE uint32_t part_by_low(uint32_t a, uint32_t b)
+{
+    uint32_t result;  // arm_acle.h lacks __smulwb
+    asm("smulwb %0, %1, %2" : "=r"(result) : "r"(a), "r"(b));
+    return result;
+}
+#else
+inline constexpr bool kHasHalfProducts = false;
+
+LUMI_ALWAYS_INLINE uint32_t add_product16(uint32_t a, uint32_t b, uint32_t sum)
+{
+    return sum + a * b;
+}
+LUMI_ALWAYS_INLINE uint32_t add_product_low(uint32_t a, uint32_t b, uint32_t sum)
+{
+    return sum + (a & 0xFFFF) * b;
+}
+LUMI_ALWAYS_INLINE uint32_t add_product_high(uint32_t a, uint32_t b, uint32_t sum)
+{
+    return sum + (a >> 16) * b;
+}
+template <int kShift>
+LUMI_ALWAYS_INLINE uint32_t join_halves(int32_t top, int32_t bottom)
+{
+    return static_cast<uint32_t>(top >> kShift) << 16 | (static_cast<uint32_t>(bottom >> kShift) & 0xFFFFu);
+}
+LUMI_ALWAYS_INLINE uint32_t part_by_low(uint32_t a, uint32_t b)
+{
+    return (a * (b & 0xFFFF)) >> 16;
+}
+#endif
+
+// pack_rgb565 of channels in Q16, below 2^24 and rounded down: red and blue in one product, 255·249 + 1014 < 2^16.
+LUMI_ALWAYS_INLINE uint16_t pack_rgb565_q16(uint32_t r, uint32_t g, uint32_t b)
+{
+    const uint32_t br = join_halves<16>(static_cast<int32_t>(b), static_cast<int32_t>(r)) * 249u + 0x03F603F6u;
+    const uint32_t green = ((g >> 16) * 253u + 505u) >> 10;
+    return static_cast<uint16_t>((br & 0xF800u) | br >> 27 | green << 5);
+}
+
+// Signed halves: a's by b's, both products, and added to a sum; the lower halves' product less the upper ones'; a's
+// upper half by b's lower one, added to a sum.
+#ifdef __ARM_FEATURE_DSP
+LUMI_ALWAYS_INLINE int32_t dual_product(int32_t a, int32_t b)
+{
+    return __smuad(a, b);
+}
+LUMI_ALWAYS_INLINE int32_t add_dual_product(int32_t a, int32_t b, int32_t sum)
+{
+    return __smlad(a, b, sum);
+}
+LUMI_ALWAYS_INLINE int32_t dual_difference(int32_t a, int32_t b)
+{
+    return __smusd(a, b);
+}
+LUMI_ALWAYS_INLINE int32_t add_product_top_bottom(int32_t a, int32_t b, int32_t sum)
+{
+    return __smlatb(a, b, sum);
+}
+#else
+LUMI_ALWAYS_INLINE int32_t add_dual_product(int32_t a, int32_t b, int32_t sum)
+{
+    const uint32_t low = static_cast<uint32_t>(static_cast<int16_t>(a) * static_cast<int16_t>(b));
+    const uint32_t high = static_cast<uint32_t>((a >> 16) * (b >> 16));
+    return static_cast<int32_t>(static_cast<uint32_t>(sum) + low + high);
+}
+LUMI_ALWAYS_INLINE int32_t dual_product(int32_t a, int32_t b)
+{
+    return add_dual_product(a, b, 0);
+}
+LUMI_ALWAYS_INLINE int32_t dual_difference(int32_t a, int32_t b)
+{
+    return static_cast<int16_t>(a) * static_cast<int16_t>(b) - (a >> 16) * (b >> 16);
+}
+LUMI_ALWAYS_INLINE int32_t add_product_top_bottom(int32_t a, int32_t b, int32_t sum)
+{
+    const uint32_t product = static_cast<uint32_t>((a >> 16) * static_cast<int16_t>(b));
+    return static_cast<int32_t>(static_cast<uint32_t>(sum) + product);
+}
+#endif
+
+}  // namespace lumi

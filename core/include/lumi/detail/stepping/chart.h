@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The lattice coordinates (u, v) of a zone as linear functions of a hit's longitude and height.
+#pragma once
+
+#include "lumi/detail/stepping/zones.h"
+#include "lumi/detail/stepping/hits.h"
+#include "lumi/detail/stepping/span_length.h"
+
+namespace lumi
+{
+
+// Spans and tiles that turn further are not drawn in one piece.
+inline constexpr int32_t kMaxTurnQ20 = 1 << 16;  // 1/16 turn
+
+// Coordinates in a chart.
+struct LatticePoint {
+    int32_t u_q16, v_q16;
+};
+
+class SpanChart
+{
+public:
+    explicit SpanChart(const SpanLattice& lattice) : lattice_(lattice) {}
+
+    // Chooses the zone of a hit outside the caps and writes its steps into `side`.
+    void choose(int32_t z_q30, SpanSide& side);
+    // No chart: none holds anything until choose().
+    void leave() { low_z_q30_ = high_z_q30_ = 0; }
+    // Whether the chart is the exact one at this height.
+    bool holds(int32_t z_q30) const { return z_q30 >= low_z_q30_ && z_q30 < high_z_q30_; }
+    // Between which heights the chart may be used at all: no corner of a cell lies beyond a pole.
+    int32_t lowest_z_q30() const { return lowest_z_q30_; }
+    int32_t highest_z_q30() const { return highest_z_q30_; }
+    bool reaches(int32_t z_q30) const { return z_q30 >= lowest_z_q30_ && z_q30 <= highest_z_q30_; }
+    // Whether no cell around this height is flipped.
+    bool is_uniform_at(int32_t z_q30) const { return z_q30 >= uniform_low_z_q30_ && z_q30 <= uniform_high_z_q30_; }
+
+    LatticePoint at(int32_t longitude_q20, int32_t z_q16) const
+    {
+        const LatticePoint from_origin = change(longitude_q20, z_q16);
+        return {u_q16_ + from_origin.u_q16, v_q16_ + from_origin.v_q16};
+    }
+    // How far coordinates change with longitude and height.
+    LatticePoint change(int32_t longitude_q20, int32_t z_q16) const
+    {
+        return {((u_longitude_ * longitude_q20) >> 4) + ((u_z_ * z_q16) >> shift_),
+                ((v_longitude_ * longitude_q20) >> 4) + ((v_z_ * z_q16) >> shift_)};
+    }
+
+    const SpanLattice& lattice() const { return lattice_; }
+
+private:
+    int32_t pole_distance_z_q30(int32_t points) const;
+    void set_borders(const SpanZone& z, bool mirrored, bool acute, int32_t first, int32_t second);
+
+    const SpanLattice& lattice_;
+    int32_t u_q16_ = 0, v_q16_ = 0, u_longitude_ = 0, v_longitude_ = 0, u_z_ = 0, v_z_ = 0, shift_ = 0;
+    int32_t low_z_q30_ = 0, high_z_q30_ = 0;  // signed z range in which the chart is exact; empty: there is none yet
+    int32_t uniform_low_z_q30_ = 0, uniform_high_z_q30_ = 0;
+    int32_t lowest_z_q30_ = 0, highest_z_q30_ = 0;
+    int zone_ = 0;
+};
+
+// One lattice of the stripe being drawn: what spans and tiles follow it with, by turns.
+struct SpanTrack {
+    SpanTrack(const SpanLattice& lattice, SpanHit SpanNode::*of) : chart(lattice), hit(of), side{}, cap{} {}
+    SpanTrack(const SpanTrack&) = delete;  // side may point to cap
+    SpanTrack& operator=(const SpanTrack&) = delete;
+
+    // A node's place in the plane of the polar pattern, Q16; `mirrored` for the pole below.
+    LatticePoint in_plane(const SpanNode& node, bool mirrored) const;
+    // Leaves the chart behind: `side` counts from a pole, and its coordinates are places in the plane.
+    void enter_cap(bool mirrored);
+    // Makes `cap` the way of a row from side's coordinates on.
+    void follow_cap();
+
+    SpanChart chart;
+    SpanHit SpanNode::*hit;
+    SpanSide side;
+    SpanCap cap;
+};
+
+}  // namespace lumi

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/camera.h"
+
+#include "lumi/math.h"
+#include "lumi/detail/stepping/outline.h"
+
+namespace lumi
+{
+namespace
+{
+
+// A vector of Q46 components: viewing vectors before they are scaled to the image's corners, up to 2^6 long.
+struct Vec3q46 {
+    int64_t x, y, z;
+};
+
+Vec3q46 scaled(const Vec3q30& v, int64_t factor_q46)
+{
+    return {multiply_shift(factor_q46, v.x, 30), multiply_shift(factor_q46, v.y, 30),
+            multiply_shift(factor_q46, v.z, 30)};
+}
+
+Vec3q46 operator+(const Vec3q46& a, const Vec3q46& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+int64_t dot_q46(const Vec3q46& a, const Vec3q30& unit)
+{
+    return multiply_shift(a.x, unit.x, 30) + multiply_shift(a.y, unit.y, 30) + multiply_shift(a.z, unit.z, 30);
+}
+
+bool is_near(int32_t value_q30, int32_t target_q30)
+{
+    constexpr int32_t kToleranceQ30 = kOneQ30 >> 12;
+    const int64_t difference = static_cast<int64_t>(value_q30) - target_q30;
+    return -kToleranceQ30 <= difference && difference <= kToleranceQ30;
+}
+
+bool in_unit_range(const Vec3q30& v)
+{
+    constexpr int32_t kLimit = kOneQ30 + (kOneQ30 >> 12);
+    const auto inside = [](int32_t c) { return -kLimit <= c && c <= kLimit; };
+    return inside(v.x) && inside(v.y) && inside(v.z);
+}
+
+bool is_orthonormal(const Pose& p)
+{
+    return in_unit_range(p.right) && in_unit_range(p.up) && in_unit_range(p.forward) &&
+           is_near(dot_q30(p.right, p.right), kOneQ30) && is_near(dot_q30(p.up, p.up), kOneQ30) &&
+           is_near(dot_q30(p.forward, p.forward), kOneQ30) && is_near(dot_q30(p.right, p.up), 0) &&
+           is_near(dot_q30(p.right, p.forward), 0) && is_near(dot_q30(p.up, p.forward), 0);
+}
+
+bool in_side_range(int32_t side_px)
+{
+    return side_px >= 1 && side_px <= kMaxImageSide;
+}
+
+bool in_shift_range(int32_t shift_q8, int32_t side_px)
+{
+    return -side_px * 256 <= shift_q8 && shift_q8 <= side_px * 256;
+}
+
+CameraError check_image(const Image& image)
+{
+    if (image.fov_turns32 < kMinFovTurns32 || image.fov_turns32 > kMaxFovTurns32) {
+        return CameraError::field_of_view_range;
+    }
+    const bool ok = in_side_range(image.width_px) && in_side_range(image.height_px) &&
+                    in_shift_range(image.shift_x_q8, image.width_px) &&
+                    in_shift_range(image.shift_y_q8, image.height_px);
+    return ok ? CameraError::none : CameraError::image_size_range;
+}
+
+// |eye|² in Q40, or an error.
+CameraError check_eye(const Vec3q20& eye, uint64_t& distance2_q40)
+{
+    const auto too_far = [](int32_t c) { return c > kMaxEyeDistanceQ20 || c < -kMaxEyeDistanceQ20; };
+    if (too_far(eye.x) || too_far(eye.y) || too_far(eye.z)) return CameraError::eye_too_far;
+    distance2_q40 = static_cast<uint64_t>(wide_product(eye.x, eye.x)) +
+                    static_cast<uint64_t>(wide_product(eye.y, eye.y)) +
+                    static_cast<uint64_t>(wide_product(eye.z, eye.z));
+    if (distance2_q40 > static_cast<uint64_t>(wide_product(kMaxEyeDistanceQ20, kMaxEyeDistanceQ20))) {
+        return CameraError::eye_too_far;
+    }
+    return distance2_q40 < uint64_t{1} << 40 ? CameraError::eye_inside_sphere : CameraError::none;
+}
+
+int32_t unit_component(int32_t eye_q20, const ReciprocalRoot& root)
+{
+    const int64_t product = wide_product(eye_q20, static_cast<int32_t>(root.mantissa >> 1));
+    const int shift = root.exponent - 31;  // 20 at e = 1 .. 31 at e = 2047
+    return static_cast<int32_t>((product + (int64_t{1} << (shift - 1))) >> shift);
+}
+
+void set_eye(const Vec3q20& eye, uint64_t distance2_q40, Camera& camera)
+{
+    const ReciprocalRoot root = reciprocal_root(distance2_q40);  // 2^-20 / e
+    camera.eye_direction = {unit_component(eye.x, root), unit_component(eye.y, root), unit_component(eye.z, root)};
+    const uint64_t inverse = (static_cast<uint64_t>(root.mantissa) << 20) >> (root.exponent - 30);
+    camera.inverse_distance_q30 = inverse > static_cast<uint64_t>(kOneQ30) ? kOneQ30 : static_cast<int32_t>(inverse);
+    camera.perpendicular_q30 = kOneQ30 - mul_q30(camera.inverse_distance_q30, camera.inverse_distance_q30);
+}
+
+// The viewing vectors of an image, scaled so that none is longer than 1.
+struct ViewVectors {
+    Vec3q46 first;  // of pixel (0, 0)
+    Vec3q46 step_x, step_y;
+};
+
+// Distance from the optical axis to the farther edge of the image, in half pixels, Q8.
+int64_t reach_q8(int32_t side_px, int32_t shift_q8)
+{
+    return static_cast<int64_t>(side_px) * 256 + 2 * (shift_q8 < 0 ? -static_cast<int64_t>(shift_q8) : shift_q8);
+}
+
+ViewVectors view_vectors(const Pose& pose, const Image& image)
+{
+    const SinCos half_fov = sin_cos(image.fov_turns32 / 2);
+    const int64_t tangent_q33 = (static_cast<int64_t>(half_fov.sin_q30) << 33) / half_fov.cos_q30;
+    const int32_t longer_px = image.width_px > image.height_px ? image.width_px : image.height_px;
+    const int64_t half_pixel_q46 = (tangent_q33 << 13) / longer_px;
+
+    const int64_t reach_x_q28 = (half_pixel_q46 * reach_q8(image.width_px, image.shift_x_q8)) >> 26;
+    const int64_t reach_y_q28 = (half_pixel_q46 * reach_q8(image.height_px, image.shift_y_q8)) >> 26;
+    const uint64_t corner2_q56 = (uint64_t{1} << 56) + static_cast<uint64_t>(reach_x_q28 * reach_x_q28) +
+                                 static_cast<uint64_t>(reach_y_q28 * reach_y_q28);
+    const ReciprocalRoot root = reciprocal_root(corner2_q56);  // 2^-28 / corner
+    const int32_t scale_q30 =
+        static_cast<int32_t>((static_cast<uint64_t>(root.mantissa) << 28) >> (root.exponent - 30)) - 1;
+
+    const int64_t pixel_q46 = 2 * multiply_shift(half_pixel_q46, scale_q30, 30);
+    const int64_t x0_q8 = 128 - static_cast<int64_t>(image.width_px) * 128 - image.shift_x_q8;
+    const int64_t y0_q8 = 128 - static_cast<int64_t>(image.height_px) * 128 - image.shift_y_q8;
+    const Vec3q46 axis = scaled(pose.forward, static_cast<int64_t>(scale_q30) << 16);
+    return {axis + scaled(pose.right, (pixel_q46 * x0_q8) >> 8) + scaled(pose.up, -(pixel_q46 * y0_q8) >> 8),
+            scaled(pose.right, pixel_q46), scaled(pose.up, -pixel_q46)};
+}
+
+// Splits a viewing vector into m = -ê·D and P = e·(D + m·ê), both Q40.
+struct SplitQ40 {
+    int64_t facing, offset[3];
+};
+
+SplitQ40 split(const Vec3q46& d, const Vec3q30& eye_direction, int32_t distance_q20)
+{
+    const int64_t m_q46 = -dot_q46(d, eye_direction);
+    const Vec3q46 p = d + scaled(eye_direction, m_q46);
+    const auto times_distance = [&](int64_t c) { return multiply_shift(c, distance_q20, 26); };
+    return {m_q46 >> 6, {times_distance(p.x), times_distance(p.y), times_distance(p.z)}};
+}
+
+void set_view(const ViewVectors& view, Camera& camera)
+{
+    // e consistent with the rounded 1/e, so that q = m² + |P|²/e² stays |D|².
+    const uint64_t distance = (uint64_t{1} << 50) / static_cast<uint32_t>(camera.inverse_distance_q30);
+    const int32_t distance_q20 = static_cast<int32_t>(distance);
+    const SplitQ40 first = split(view.first, camera.eye_direction, distance_q20);
+    const SplitQ40 step_x = split(view.step_x, camera.eye_direction, distance_q20);
+    const SplitQ40 step_y = split(view.step_y, camera.eye_direction, distance_q20);
+    camera.facing = {first.facing, step_x.facing, step_y.facing};
+    for (int k = 0; k < 3; ++k) camera.offset[k] = {first.offset[k], step_x.offset[k], step_y.offset[k]};
+}
+
+}  // namespace
+
+Pose orbit(uint32_t azimuth_turns32, int32_t elevation_turns32, int32_t distance_q20)
+{
+    const SinCos a = sin_cos(azimuth_turns32);
+    const SinCos e = sin_cos(static_cast<uint32_t>(elevation_turns32));
+    const Vec3q30 out = {mul_q30(e.cos_q30, a.cos_q30), mul_q30(e.cos_q30, a.sin_q30), e.sin_q30};
+    return {{mul_q30(out.x, distance_q20), mul_q30(out.y, distance_q20), mul_q30(out.z, distance_q20)},
+            {-a.sin_q30, a.cos_q30, 0},
+            {-mul_q30(e.sin_q30, a.cos_q30), -mul_q30(e.sin_q30, a.sin_q30), e.cos_q30},
+            {-out.x, -out.y, -out.z}};
+}
+
+Pose moved_right(const Pose& pose, int32_t offset_q20)
+{
+    Pose moved = pose;
+    moved.eye.x += mul_q30(pose.right.x, offset_q20);
+    moved.eye.y += mul_q30(pose.right.y, offset_q20);
+    moved.eye.z += mul_q30(pose.right.z, offset_q20);
+    return moved;
+}
+
+CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
+{
+    uint64_t distance2_q40 = 0;
+    if (const CameraError error = check_eye(pose.eye, distance2_q40); error != CameraError::none) return error;
+    if (const CameraError error = check_image(image); error != CameraError::none) return error;
+    if (!is_orthonormal(pose)) return CameraError::axes_not_orthonormal;
+    set_eye(pose.eye, distance2_q40, out);
+    set_view(view_vectors(pose, image), out);
+    out.width_px = image.width_px;
+    out.height_px = image.height_px;
+    out.outline = make_outline(out);
+    return CameraError::none;
+}
+
+const char* describe(CameraError error)
+{
+    switch (error) {
+        case CameraError::none:
+            return "no error";
+        case CameraError::eye_inside_sphere:
+            return "the eye is inside the bounding sphere: move it to a distance of 1 radius or more";
+        case CameraError::eye_too_far:
+            return "the eye is too far away: at most 2047 radii";
+        case CameraError::field_of_view_range:
+            return "the field of view is outside 1 to 120 degrees";
+        case CameraError::image_size_range:
+            return "an image side is outside 1 to 8192 pixels, or the shift is larger than it";
+        case CameraError::axes_not_orthonormal:
+            return "the camera's axes are not orthonormal";
+    }
+    return "unknown error";
+}
+
+}  // namespace lumi

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/lattice_query.h"
+
+#include "math/generate.h"
+#include "lumi/math.h"
+
+namespace lumi
+{
+namespace
+{
+
+// Fibonacci numbers F_0 .. F_16. Zone 15 also serves the equator of n = 2^20, where Keinert's zone would be 16: the
+// cells' triangles are the same.
+constexpr int32_t kFibonacci[17] = {0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 233, 377, 610, 987};
+constexpr int kZones = 16;
+
+struct ZoneTables {
+    uint32_t threshold_q10[2 * kZones];  // n·(1 - z²) = Φ^m/(√5·π)
+    int32_t step_turns_q30[kZones + 1];  // |longitude step of F_k| = Φ^-k
+};
+
+constexpr ZoneTables make_zone_tables()
+{
+    ZoneTables t{};
+    double power = 1;
+    double inverse = 1;
+    for (int m = 0; m < 2 * kZones; ++m) {
+        t.threshold_q10[m] = static_cast<uint32_t>(1024 * power / (generate::root(5) * generate::kPi) + 0.5);
+        power *= generate::kGolden;
+    }
+    for (int k = 0; k <= kZones; ++k) {
+        t.step_turns_q30[k] = k == 0 ? kOneQ30 : static_cast<int32_t>(kOneQ30 * inverse + 0.5);
+        inverse /= generate::kGolden;
+    }
+    return t;
+}
+
+constexpr ZoneTables kZoneTables = make_zone_tables();
+
+int32_t clamp_q30(int32_t v)
+{
+    return v > kOneQ30 ? kOneQ30 : v < -kOneQ30 ? -kOneQ30 : v;
+}
+
+// n·(1 - z²) at the real-valued index t, Q10: (2t + 1)·(1 + z) with z >= 0.
+uint32_t n_sine2_q10(int32_t height_q10, int32_t z_q30)
+{
+    const uint64_t twice = static_cast<uint64_t>(2 * static_cast<int64_t>(height_q10) + 1024);
+    return static_cast<uint32_t>((twice * (static_cast<uint32_t>(z_q30) + static_cast<uint32_t>(kOneQ30))) >> 30);
+}
+
+// Keinert's zone: the k with Φ^2k <= √5·π·n·(1 - z²) < Φ^(2k+2), where F_k and F_k+1 are the shortest steps.
+int zone_of(const Query& q)
+{
+    const uint32_t n_sine2 = n_sine2_q10(q.height_q10, q.z_q30);
+    int k = 1;
+    while (k + 1 < kZones && n_sine2 >= kZoneTables.threshold_q10[2 * (k + 1)]) ++k;
+    return k;
+}
+
+}  // namespace
+
+Query make_query(const Lattice& lattice, const Vec3q30& d)
+{
+    const uint32_t longitude = angle_turns32(d.y, d.x);
+    const int32_t z = clamp_q30(d.z);
+    if (z >= 0) return {longitude, lattice.index_at_q10(z), z, false};
+    return {longitude_turns32(lattice.size() - 1) - longitude, lattice.index_at_q10(-z), -z, true};
+}
+
+int32_t polar_radius_q12(const Query& q)
+{
+    return static_cast<int32_t>(square_root(static_cast<uint64_t>(q.height_q10 + 512) << 14));
+}
+
+Cell cell_of(const Query& q)
+{
+    const int k = zone_of(q);
+    const int64_t odd_sign = (k & 1) != 0 ? 1 : -1;
+    const int32_t first = kFibonacci[k];
+    const int32_t second = kFibonacci[k + 1];
+    const auto along_longitude = [&](int32_t fibonacci) {
+        return odd_sign * static_cast<int64_t>(
+                              (static_cast<uint64_t>(q.longitude_turns32) * static_cast<uint32_t>(fibonacci)) >> 20);
+    };
+    const auto along_height = [&](int32_t step_q30) { return (static_cast<int64_t>(q.height_q10) * step_q30) >> 28; };
+    return {k, first, second,
+            static_cast<int32_t>(along_longitude(second) + along_height(kZoneTables.step_turns_q30[k + 1])),
+            static_cast<int32_t>(along_height(kZoneTables.step_turns_q30[k]) - along_longitude(first))};
+}
+
+bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner)
+{
+    const int32_t middle_q10 = 1024 * corner + 512 * (cell.first + cell.second);
+    const int32_t z_q30 = lattice.height_at_q30(middle_q10);
+    return n_sine2_q10(middle_q10, z_q30) >= kZoneTables.threshold_q10[2 * cell.zone + 1];
+}
+
+}  // namespace lumi

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The lattice around a pole, where longitude and height stop being usable coordinates.
+//
+// Under Lambert's azimuthal equal-area projection, scaled so that a point covers an area of π, point i of *every*
+// Spherical Fibonacci set lies at radius sqrt(i + 1/2) and longitude i/Φ: one planar pattern for all n. Its Delaunay
+// triangles are therefore constants. tests/core/polar_test.cpp recomputes them by brute force.
+#pragma once
+
+#include <cstdint>
+
+#include "math/generate.h"
+
+namespace lumi::polar
+{
+
+// Triangles cover the disc of radius sqrt(kReach + 1/2): all directions whose real-valued index is below kReach.
+// Those below kCapHeight belong to no cell.
+inline constexpr int32_t kCapHeight = 21;
+inline constexpr int32_t kReach = 48;
+inline constexpr uint32_t kPoints = 82;
+inline constexpr int kTriangles = 128;
+inline constexpr int kCapTriangles = 61;  // those with a corner below kCapHeight: they come first
+
+struct PlanePoint {
+    int32_t x_q12, y_q12;
+};
+
+struct Pattern {
+    PlanePoint point[kPoints];
+};
+
+constexpr int32_t round_q12(double v)
+{
+    return static_cast<int32_t>(v * 4096 + (v < 0 ? -0.5 : 0.5));
+}
+
+constexpr Pattern make_pattern()
+{
+    Pattern pattern{};
+    for (uint32_t i = 0; i < kPoints; ++i) {
+        const double radius = generate::root(i + 0.5);
+        const double angle = 2 * generate::kPi * (generate::fraction(i / generate::kGolden) - 0.5);  // -π .. π, turned
+        pattern.point[i] = {round_q12(-radius * generate::sine(angle + generate::kPi / 2)),
+                            round_q12(-radius * generate::sine(angle))};
+    }
+    return pattern;
+}
+
+inline constexpr Pattern kPattern = make_pattern();
+
+// Point i < kPoints of the pattern.
+inline PlanePoint plane_point(uint32_t i)
+{
+    return kPattern.point[i];
+}
+
+inline constexpr uint8_t kNone = 255;
+
+// How a weight changes along x and y.
+struct Gradient {
+    int16_t x_q14, y_q14;
+};
+
+// What walking needs, apart from the corners: render(), which does not walk, links those alone.
+struct TriangleWalk {
+    uint8_t beyond[3];   // the triangles across the edges opposite the corners; kNone where the pattern's table ends
+    Gradient weight[2];  // barycentric, of the corners 1 and 2; both are 0 at corner 0. Shorter than 1
+};
+
+struct Walks {
+    TriangleWalk triangle[kTriangles];
+};
+
+// Triangles to begin a search at: those at the centres of squares of the plane, or nearest to them.
+struct Starts {
+    static constexpr int kSide = 16;
+    static constexpr int kSquareLog2 = 12;  // one unit wide, Q12
+    uint8_t triangle[kSide * kSide];
+};
+extern const Starts kStarts;
+
+// Of a place less than 8 from the pole; some triangle for others.
+inline int32_t start(int32_t x_q12, int32_t y_q12)
+{
+    constexpr uint32_t kMask = Starts::kSide - 1;
+    const auto square = [](int32_t v) {
+        return (static_cast<uint32_t>(v >> Starts::kSquareLog2) + Starts::kSide / 2) & kMask;
+    };
+    return kStarts.triangle[Starts::kSide * square(y_q12) + square(x_q12)];
+}
+
+// Of triangle k: counter-clockwise, the lowest index first; triangles come in the order of it.
+extern const uint8_t kCorners[kTriangles][3];
+extern const Walks kWalks;
+
+// Of triangle k < kTriangles.
+inline const uint8_t* corners(int k)
+{
+    return kCorners[k];
+}
+
+inline const uint8_t* beyond(int k)
+{
+    return kWalks.triangle[k].beyond;
+}
+
+}  // namespace lumi::polar

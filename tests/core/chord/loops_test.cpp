@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// A core's own loops through the lattice's cells against the loop that every core has: the same bits, of spans and of
+// tiles.
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "lumi/background.h"
+#include "lumi/detail/chord/loops.h"
+
+using namespace lumi;
+
+namespace
+{
+
+#ifdef LUMI_TEST_LIGHT
+constexpr int kSpans = 500;
+#else
+constexpr int kSpans = 5000;
+#endif
+constexpr int32_t kPixels = 16;
+constexpr int32_t kStride = 6;  // rows overlap, so that all addresses lie in one small buffer
+// Cells of a span are less than 12 from (0, 0) along each axis, and reach one farther.
+constexpr int32_t kMostIndex = 13 * (233 + 377);
+constexpr int32_t kMiddle = kMostIndex * (kStride + 3) + kStride;
+
+int32_t between(std::minstd_rand& random, int32_t low, int32_t high)
+{
+    return std::uniform_int_distribution<int32_t>(low, high)(random);
+}
+
+// Either kind of cell may begin within the span's own.
+SpanSide random_side(std::minstd_rand& random)
+{
+    SpanSide side{};
+    side.u_q16 = between(random, -(4 << 16), 4 << 16);
+    side.v_q16 = between(random, -(4 << 16), 4 << 16);
+    side.du_q16 = between(random, -30000, 30000);
+    side.dv_q16 = between(random, -30000, 30000);
+    const int32_t sign = between(random, 0, 1) != 0 ? 1 : -1;
+    side.first = 233 * (between(random, 0, 1) != 0 ? sign : -sign);
+    side.second = 377 * sign;
+    side.flip = between(random, -2000, 2000);
+    side.flip_mask = -between(random, 0, 1);
+    return side;
+}
+
+SpanDown random_down(std::minstd_rand& random)
+{
+    return {between(random, -20000, 20000), between(random, -20000, 20000), between(random, -400, 400),
+            between(random, -400, 400)};
+}
+
+struct Pixels {
+    uint16_t row[kTileRows][kPixels] = {};
+};
+
+template <bool kFlips, class Texel, class Background>
+void compare(const Field& field, const Background& background, std::minstd_rand& random)
+{
+    for (int k = 0; k < kSpans; ++k) {
+        SpanSide origins = random_side(random);
+        SpanSide directions = random_side(random);
+        const SpanDown down[] = {random_down(random), random_down(random)};
+        const int32_t length = between(random, 1, kPixels);
+        const int32_t first = between(random, 0, kTileRows - 1);
+        const TileRows tile = {first, between(random, 1, kTileRows - first), sizeof(Pixels::row[0]), down[0], down[1]};
+        Pixels every, own;
+        const auto target = [&](Pixels& pixels) {
+            return SpanTarget<Background>{field,   background, reinterpret_cast<uint8_t*>(pixels.row),
+                                          length,  0,          0,
+                                          origins, directions, k % 2 != 0 ? &tile : nullptr};
+        };
+        const TileRows* const all = can_follow_tile(target(every)) ? &tile : nullptr;
+        draw_pairs<kFlips, Texel, PixelRgb565>(target(every), all);
+        draw_cells<kFlips, Texel, PixelRgb565>(target(own), all);
+        INFO("span " << k);
+        REQUIRE(std::memcmp(every.row, own.row, sizeof(every.row)) == 0);
+    }
+}
+
+template <class Texel>
+void compare_loops()
+{
+    std::minstd_rand random(7);
+    std::vector<uint32_t> words(2 * static_cast<size_t>(kMiddle) / 4 + 4);
+    for (uint32_t& word : words) word = static_cast<uint32_t>(random()) * 2654435761u;
+    std::vector<uint32_t> palette(256);
+    for (uint32_t& entry : palette) entry = static_cast<uint32_t>(random()) * 2654435761u;
+    Field field;
+    field.texel_format = Texel::kFormat;
+    field.row_stride_bytes = kStride;
+    field.texels = reinterpret_cast<const uint8_t*>(words.data()) + kMiddle / 4 * 4;
+    field.palette = reinterpret_cast<const uint8_t*>(palette.data());
+    compare<false, Texel>(field, OverBlack{}, random);
+    compare<true, Texel>(field, OverBlack{}, random);
+}
+
+}  // namespace
+
+TEST_CASE("a core's own loop draws a span of greys as the common one does", "[span]")
+{
+    compare_loops<TexelLuma8>();
+}
+
+TEST_CASE("a core's own loop draws a span of palette indices as the common one does", "[span]")
+{
+    compare_loops<TexelPalette8>();
+}
+
+TEST_CASE("a core's own loop draws a span of RGB888 texels as the common one does", "[span]")
+{
+    compare_loops<TexelRgb888>();
+}
+
+TEST_CASE("a core's own loop draws a span of RGB565 texels as the common one does", "[span]")
+{
+    compare_loops<TexelRgb565>();
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// Spans at the edges of what a camera, a field and a stripe may be: under UndefinedBehaviorSanitizer no intermediate
+// overflows (docs/architecture.md states their ranges), and everywhere the picture is the exact one's.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "field_bytes.h"
+#include "lumi/render_spans.h"
+#include "reference.h"
+#include "views.h"
+
+using namespace lumi;
+using namespace lumi::test;
+using format::TexelFormat;
+
+namespace
+{
+
+#ifdef LUMI_TEST_LIGHT
+constexpr uint32_t kRounds = 1;
+constexpr int32_t kManyWindows = 12;
+#else
+constexpr uint32_t kRounds = 8;
+constexpr int32_t kManyWindows = 61;
+#endif
+constexpr int32_t kWindow = 61;
+
+const double kDistances[] = {1, 1.0001, 1.01, 1.3, 3, 40, 1000, 2046.99};
+const double kFields[] = {1, 2, 45, 120};
+
+// Smooth over the sphere, so that a picture tells how far hits are off: luma of the ray's ends.
+Bytes smooth_luma(uint32_t origins, uint32_t directions)
+{
+    TestLayout layout;
+    layout.origins = layout.used_origins = origins;
+    layout.directions = directions;
+    layout.texel = TexelFormat::luma8;
+    const std::vector<Vec3> o = reference::points(origins);
+    const std::vector<Vec3> d = reference::points(directions);
+    return file_of({layout_section(layout), texel_section(layout, [&](uint32_t i, uint32_t k) {
+                        const Vec3& to = d[std::min(k, directions - 1)];
+                        return static_cast<uint8_t>(128 + 60 * std::sin(2 * o[i].x + o[i].z) +
+                                                    60 * std::cos(2 * to.y - to.z));
+                    })});
+}
+
+// A camera at an edge of the range, and the window of its image that is drawn.
+struct Edge {
+    Camera camera;
+    int32_t x, y, width, height;
+};
+
+class Edges
+{
+public:
+    // Windows are `window_px` high and about twice as wide.
+    Edges(uint32_t seed, int32_t window_px) : random_(seed), window_px_(window_px) {}
+
+    // The sphere's rim, its middle or a pole in view; from the axes and from anywhere; images of odd and of the
+    // largest sizes, lenses shifted as far as they may be.
+    Edge next(double distance, double fov)
+    {
+        const Vec3 eye = distance * direction();
+        const Vec3 target = uniform(0, 1) < 0.5 ? Vec3{0, 0, 0} : rim_of(eye, distance);
+        const bool large = uniform(0, 1) < 0.25;
+        const int32_t width = large ? kMaxImageSide : 2 * window_px_ + 1;
+        const int32_t height = large ? kMaxImageSide - 1 : window_px_;
+        Image image = {width, height, degrees(fov)};
+        if (uniform(0, 1) < 0.25) {
+            image.shift_x_q8 = (uniform(0, 1) < 0.5 ? -256 : 256) * width;
+            image.shift_y_q8 = (uniform(0, 1) < 0.5 ? -256 : 256) * height;
+        }
+        Edge edge{};
+        REQUIRE(make_camera(look_at(eye, target, uniform(0, 360)), image, edge.camera) == CameraError::none);
+        edge.width = std::min(width, 2 * window_px_ + 1);
+        edge.height = std::min(height, window_px_);
+        edge.x = large ? static_cast<int32_t>(uniform(0, width - edge.width)) : 0;
+        edge.y = large ? static_cast<int32_t>(uniform(0, height - edge.height)) : 0;
+        return edge;
+    }
+
+private:
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * std::generate_canonical<double, 32>(random_);
+    }
+
+    // An axis, or anywhere; never shorter than 1 once rounded to Q20.
+    Vec3 direction()
+    {
+        const Vec3 axes[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
+        const size_t choice = static_cast<size_t>(uniform(0, 10));
+        if (choice < 5) return axes[choice];
+        const double z = uniform(-1, 1);
+        const double angle = uniform(0, 2 * reference::kPi);
+        const double r = std::sqrt(1 - z * z);
+        return 1.000002 * Vec3{r * std::cos(angle), r * std::sin(angle), z};
+    }
+
+    // Where a ray from the eye touches the sphere.
+    Vec3 rim_of(const Vec3& eye, double distance)
+    {
+        const Vec3 up = reference::normalised(eye);
+        const Vec3 side = reference::normalised(cross(up, std::fabs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+        const double s = 1 / (distance * 1.0001);
+        return s * up + std::sqrt(1 - s * s) * side;
+    }
+
+    std::minstd_rand random_;
+    int32_t window_px_;
+};
+
+template <class Reconstruction>
+std::vector<uint8_t> drawn(const Field& field, const Edge& edge, int32_t span_px)
+{
+    std::vector<uint8_t> pixels(static_cast<size_t>(edge.width * edge.height));
+    const Stripe stripe = {pixels.data(), edge.x, edge.y, edge.width, edge.height, static_cast<uint32_t>(edge.width)};
+    REQUIRE(render_spans<Reconstruction, TexelLuma8, PixelGrey8>(field, edge.camera, OverBlack{}, stripe, span_px) ==
+            RenderError::none);
+    return pixels;
+}
+
+struct WorstPicture {
+    double psnr_db = 999;
+    int worst_level = 0;
+    uint32_t pictures = 0, covered = 0;
+    uint32_t border = 0;  // pixels at the rim that one of both covers: the outline is known to rounding only
+
+    void see(const std::vector<uint8_t>& exact, const std::vector<uint8_t>& spans)
+    {
+        double sum = 0;
+        uint32_t count = 0;
+        for (size_t k = 0; k < exact.size(); ++k) {
+            if ((exact[k] == 0) != (spans[k] == 0)) {
+                ++border;
+                continue;
+            }
+            const int d = std::abs(exact[k] - spans[k]);
+            sum += d * d;
+            worst_level = std::max(worst_level, d);
+            count += exact[k] != 0 ? 1u : 0u;
+        }
+        ++pictures;
+        covered += count;
+        if (count > 0 && sum > 0) psnr_db = std::min(psnr_db, 10 * std::log10(255.0 * 255 * count / sum));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("spans hold at every edge of the camera's range", "[span]")
+{
+    const Bytes bytes = smooth_luma(400, 700);
+    Field field;
+    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    Edges edges(5, kManyWindows);
+    for (const int32_t span_px : {2, 8, 16}) {
+        WorstPicture worst;
+        for (uint32_t round = 0; round < kRounds; ++round) {
+            for (const double distance : kDistances) {
+                for (const double fov : kFields) {
+                    const Edge edge = edges.next(distance, fov);
+                    worst.see(drawn<Linear>(field, edge, 0), drawn<Linear>(field, edge, span_px));
+                    (void)drawn<Nearest>(field, edge, span_px);
+                    (void)drawn<NearestVoronoi>(field, edge, span_px);
+                    (void)drawn<Dither>(field, edge, span_px);
+                    (void)drawn<Paper<9>>(field, edge, span_px);
+                }
+            }
+        }
+        std::printf(
+            "spans of %d at the camera's edges: %u pictures, %u covered pixels, lowest PSNR %.1f dB, worst pixel %d "
+            "levels, %u pixels of the rim differ in coverage\n",
+            static_cast<int>(span_px), static_cast<unsigned>(worst.pictures), static_cast<unsigned>(worst.covered),
+            worst.psnr_db, worst.worst_level, static_cast<unsigned>(worst.border));
+        CHECK(worst.covered > 1000);
+        CHECK(worst.border <= 1 + worst.covered / 10000);
+        CHECK(worst.psnr_db > (span_px == 16 ? 30 : 40));
+    }
+}
+
+TEST_CASE("spans hold for lattices of the smallest and the largest size that they take", "[span]")
+{
+    // Boards have no room for the largest lattice.
+#ifdef LUMI_TEST_LIGHT
+    const uint32_t sizes[][2] = {{1024, kMinSpanLattice}};
+#else
+    const uint32_t sizes[][2] = {{kMinSpanLattice, kMaxSpanLattice}, {kMaxSpanLattice, kMinSpanLattice}};
+#endif
+    Edges edges(9, kWindow);
+    for (const auto& size : sizes) {
+        const Bytes bytes = smooth_luma(size[0], size[1]);
+        Field field;
+        REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+        WorstPicture worst;
+        for (const double distance : kDistances) {
+            for (const double fov : {2.0, 120.0}) {
+                const Edge edge = edges.next(distance, fov);
+                worst.see(drawn<Linear>(field, edge, 0), drawn<Linear>(field, edge, 8));
+                (void)drawn<Paper<5>>(field, edge, 8);
+            }
+        }
+        std::printf("%u origins, %u directions: lowest PSNR %.1f dB, worst pixel %d levels\n",
+                    static_cast<unsigned>(field.origins.size()), static_cast<unsigned>(field.directions.size()),
+                    worst.psnr_db, worst.worst_level);
+        CHECK(worst.psnr_db > 40);
+    }
+}

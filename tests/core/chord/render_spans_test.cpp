@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/render_spans.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "field_bytes.h"
+#include "reference.h"
+#include "report.h"
+#include "views.h"
+
+using namespace lumi;
+using namespace lumi::test;
+using format::TexelFormat;
+
+namespace
+{
+
+#ifdef LUMI_TEST_LIGHT
+constexpr int32_t kSide = 24;
+constexpr uint32_t kRandomViews = 3;
+#else
+constexpr int32_t kSide = 96;
+constexpr uint32_t kRandomViews = 200;
+#endif
+
+// Channel c of a smooth function of a ray's ends, 1 .. 255.
+uint8_t shade(const Vec3& from, const Vec3& to, uint32_t c)
+{
+    const double channel[3] = {0.5 + 0.25 * std::sin(3 * to.x + from.y) + 0.2 * to.z,
+                               0.5 + 0.4 * std::sin(2 * to.y - 2 * from.z), 0.5 + 0.4 * std::cos(3 * to.z * from.x)};
+    return static_cast<uint8_t>(1 + 254 * std::clamp(channel[c], 0.0, 1.0));
+}
+
+// A field of it, so that a picture tells how far its taps are off.
+Bytes smooth_field(uint32_t origins, uint32_t used, uint32_t directions, TexelFormat texel)
+{
+    TestLayout layout;
+    layout.origins = origins;
+    layout.used_origins = used;
+    layout.directions = directions;
+    layout.texel = texel;
+    const uint32_t bytes = format::bytes_per_texel(texel);
+    const std::vector<Vec3> o = reference::points(origins);
+    const std::vector<Vec3> d = reference::points(directions);
+    const auto value = [&](uint32_t i, uint32_t k) {
+        const Vec3& from = o[i];
+        const Vec3& to = d[std::min(k / bytes, directions - 1)];
+        if (texel != TexelFormat::rgb565) return shade(from, to, k % bytes);
+        const uint16_t v = TexelRgb565::encode({shade(from, to, 0), shade(from, to, 1), shade(from, to, 2)});
+        return static_cast<uint8_t>(k % 2 == 0 ? v : v >> 8);
+    };
+    std::vector<TestSection> sections = {layout_section(layout), texel_section(layout, value)};
+    if (texel == TexelFormat::palette8) sections.push_back(palette_section());
+    return file_of(sections);
+}
+
+Field opened(const Bytes& bytes)
+{
+    Field field;
+    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    return field;
+}
+
+// span_px = 0 draws exactly.
+template <class Reconstruction, class Texel, class Background>
+std::vector<uint8_t> draw(const Field& field, const View& view, const Background& background, int32_t span_px)
+{
+    Camera camera;
+    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+    const uint32_t width = static_cast<uint32_t>(view.image.width_px);
+    std::vector<uint8_t> pixels(width * static_cast<uint32_t>(view.image.height_px) * 3, 77);
+    const Stripe stripe = {pixels.data(), 0, 0, view.image.width_px, view.image.height_px, width * 3};
+    REQUIRE((span_px == 0 ? render<Reconstruction, Texel, PixelRgb888>(field, camera, background, stripe)
+                          : render_spans<Reconstruction, Texel, PixelRgb888>(field, camera, background, stripe,
+                                                                             span_px)) == RenderError::none);
+    return pixels;
+}
+
+struct Difference {
+    double mean_square = 0;
+    Worst worst;
+    double psnr_db() const { return 10 * std::log10(255 * 255 / std::max(mean_square, 1e-9)); }
+};
+
+Difference difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b)
+{
+    Difference result;
+    for (size_t k = 0; k < a.size(); ++k) {
+        const double d = std::fabs(static_cast<double>(a[k]) - b[k]);
+        result.mean_square += d * d / static_cast<double>(a.size());
+        result.worst.see(d, k / 3);
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("spans draw the exact linear picture at every extreme", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    const int32_t span_px = GENERATE(2, 4, 8, 16);
+    for (const View& view : extreme_views(kSide)) {
+        const auto exact = draw<Linear, TexelRgb888>(field, view, OverColour{{20, 20, 20}}, 0);
+        const Difference d =
+            difference(exact, draw<Linear, TexelRgb888>(field, view, OverColour{{20, 20, 20}}, span_px));
+        d.worst.report(
+            (view.name + ", spans of " + std::to_string(span_px) + ", " + std::to_string(d.psnr_db()) + " dB, levels")
+                .c_str());
+        INFO(view.name << " " << span_px);
+        CHECK(d.psnr_db() > 38);
+    }
+}
+
+TEST_CASE("cells that cross the equator keep the diagonals of the exact renderer", "[span]")
+{
+    // 400 and 1024 points are acute at their equator, 300 and 700 obtuse (docs/architecture.md, "Triangles").
+    const Vec3 eye = {2.3, 1.4, 0.1};
+    const View view = {"equator", look_at(eye, {0, 0, 0}, 10), {kSide, kSide, degrees(40)}};
+#ifdef LUMI_TEST_LIGHT
+    const std::vector<uint32_t> sizes = {300, 400};  // larger ones would not fit into a board's memory
+#else
+    const std::vector<uint32_t> sizes = {300, 400, 700, 1024};
+#endif
+    for (const uint32_t n : sizes) {
+        const Bytes bytes = smooth_field(n, n, n, TexelFormat::luma8);
+        const Field field = opened(bytes);
+        const auto exact = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 0);
+        INFO(n);
+        CHECK(difference(exact, draw<Linear, TexelLuma8>(field, view, OverBlack{}, 2)).psnr_db() > 52);
+    }
+}
+
+TEST_CASE("shorter spans come closer to the exact picture", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    double before = 0;
+    for (const int32_t span_px : {16, 8, 4, 2}) {
+        double sum = 0;
+        std::minstd_rand random(7);
+        for (uint32_t k = 0; k < std::max<uint32_t>(3, kRandomViews / 10); ++k) {
+            const View view = random_view(random, kSide);
+            const auto exact = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 0);
+            sum += difference(exact, draw<Linear, TexelRgb888>(field, view, OverBlack{}, span_px)).psnr_db();
+        }
+        CHECK(sum >= before);
+        before = sum;
+    }
+}
+
+TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    std::minstd_rand random(11);
+    Worst linear;
+    Worst paper;
+    Worst voronoi;
+    for (uint32_t k = 0; k < kRandomViews; ++k) {
+        const View view = random_view(random, kSide);
+        const OverBlack black;
+        linear.see(-difference(draw<Linear, TexelRgb888>(field, view, black, 0),
+                               draw<Linear, TexelRgb888>(field, view, black, 8))
+                           .psnr_db() +
+                       100,
+                   k);
+        paper.see(-difference(draw<Paper<5>, TexelRgb888>(field, view, black, 0),
+                              draw<Paper<5>, TexelRgb888>(field, view, black, 8))
+                          .psnr_db() +
+                      100,
+                  k);
+        voronoi.see(-difference(draw<Nearest, TexelRgb888>(field, view, black, 0),
+                                draw<NearestVoronoi, TexelRgb888>(field, view, black, 8))
+                            .psnr_db() +
+                        100,
+                    k);
+    }
+    std::printf(
+        "spans of 8 over %u random views, lowest PSNR: linear %.1f dB at %u, paper %.1f dB at %u, nearest %.1f dB at "
+        "%u\n",
+        static_cast<unsigned>(kRandomViews), 100 - linear.error, static_cast<unsigned>(linear.where), 100 - paper.error,
+        static_cast<unsigned>(paper.where), 100 - voronoi.error, static_cast<unsigned>(voronoi.where));
+    CHECK(100 - linear.error > 45);
+    CHECK(100 - paper.error > 42);
+    CHECK(100 - voronoi.error > 32);
+}
+
+TEST_CASE("every texel format is drawn on spans like the exact renderer draws it", "[span]")
+{
+    const View view = extreme_views(kSide)[0];
+    const OverColour grey{{90, 100, 110}};
+    const auto check = [&](auto texel, const Bytes& bytes) {
+        using Texel = decltype(texel);
+        const Field field = opened(bytes);
+        const Difference d =
+            difference(draw<Linear, Texel>(field, view, grey, 0), draw<Linear, Texel>(field, view, grey, 4));
+        CHECK(d.psnr_db() > 40);
+        const Difference black = difference(draw<Linear, Texel>(field, view, OverBlack{}, 0),
+                                            draw<Linear, Texel>(field, view, OverBlack{}, 4));
+        CHECK(black.psnr_db() > 40);
+        const Difference paper =
+            difference(draw<Paper<5>, Texel>(field, view, grey, 0), draw<Paper<5>, Texel>(field, view, grey, 4));
+        CHECK(paper.psnr_db() > 40);
+    };
+    check(TexelRgb565{}, smooth_field(200, 200, 300, TexelFormat::rgb565));
+    check(TexelRgb888{}, smooth_field(200, 200, 300, TexelFormat::rgb888));
+    check(TexelLuma8{}, smooth_field(200, 200, 300, TexelFormat::luma8));
+    check(TexelPalette8{}, smooth_field(200, 200, 300, TexelFormat::palette8));
+}
+
+TEST_CASE("over black and over a black colour spans draw the same", "[span]")
+{
+    const Bytes bytes = smooth_field(200, 200, 300, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    const View view = extreme_views(kSide)[0];
+    const auto a = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 8);
+    CHECK(difference(a, draw<Linear, TexelRgb888>(field, view, OverColour{{0, 0, 0}}, 8)).worst.error <= 1);
+}
+
+TEST_CASE("a dither shows the linear picture in the mean", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    const View view = extreme_views(kSide)[0];
+    const auto linear = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 4);
+    const auto dithered = draw<Dither, TexelRgb888>(field, view, OverBlack{}, 4);
+    double sum[2] = {0, 0};
+    for (size_t k = 0; k < linear.size(); ++k) {
+        sum[0] += linear[k];
+        sum[1] += dithered[k];
+    }
+    CHECK(sum[1] == Approx(sum[0]).epsilon(0.005));
+    CHECK(linear != dithered);
+}
+
+TEST_CASE("origins outside the cap stay transparent on spans, and their bytes are never read", "[span]")
+{
+    // The texel section ends with the last used row: AddressSanitizer sees any read beyond.
+    const Bytes bytes = smooth_field(400, 150, 300, TexelFormat::rgb888);
+    const std::unique_ptr<uint8_t[]> copy(new uint8_t[bytes.size()]);
+    std::copy(bytes.begin(), bytes.end(), copy.get());
+    Field field;
+    REQUIRE(open_field(copy.get(), bytes.size(), field) == FieldError::none);
+    for (const View& view : extreme_views(kSide)) {
+        const auto exact = draw<Linear, TexelRgb888>(field, view, OverColour{{20, 200, 20}}, 0);
+        const Difference d = difference(exact, draw<Linear, TexelRgb888>(field, view, OverColour{{20, 200, 20}}, 8));
+        INFO(view.name);
+        CHECK(d.psnr_db() > 33);
+        (void)draw<Paper<9>, TexelRgb888>(field, view, OverBlack{}, 16);
+        (void)draw<NearestVoronoi, TexelRgb888>(field, view, OverBlack{}, 16);
+        (void)draw<Dither, TexelRgb888>(field, view, OverBlack{}, 16);
+    }
+}
+
+TEST_CASE("lattices of every size are drawn, the small and the huge ones exactly", "[span]")
+{
+    const View view = extreme_views(kSide / 2)[0];
+    const uint32_t sizes[] = {1, 2, 63, 64, 65, 89, 144, 1000, 10000};
+    for (const uint32_t n : sizes) {
+        const Bytes bytes = smooth_field(n, std::min<uint32_t>(n, 100), 70, TexelFormat::luma8);
+        const Field field = opened(bytes);
+        INFO(n);
+        const auto exact = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 0);
+        const auto spans = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 8);
+        CHECK(difference(exact, spans).psnr_db() > 33);
+        if (n < kMinSpanLattice) CHECK(exact == spans);
+    }
+}
+
+TEST_CASE("rows drawn as stripes of any height give the same frame", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb565);
+    const Field field = opened(bytes);
+    const int32_t span_px = GENERATE(2, 8, 16);
+    for (const View& view : extreme_views(kSide)) {
+        Camera camera;
+        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        const int32_t width = view.image.width_px;
+        const int32_t image_height = view.image.height_px;
+        const auto frame = [&](int32_t height) {
+            const uint32_t stride = static_cast<uint32_t>(width) * 2;
+            std::vector<uint8_t> pixels(stride * static_cast<uint32_t>(image_height));
+            for (int32_t y = 0; y < image_height; y += height) {
+                const Stripe stripe = {&pixels[static_cast<size_t>(y) * stride], 0,     y, width,
+                                       std::min(height, image_height - y),       stride};
+                REQUIRE(render_spans<Linear, TexelRgb565, PixelRgb565>(field, camera, OverBlack{}, stripe, span_px) ==
+                        RenderError::none);
+            }
+            return pixels;
+        };
+        INFO(view.name << " " << span_px);
+        const auto whole = frame(image_height);
+        CHECK(whole == frame(16));
+        CHECK(whole == frame(5));
+        CHECK(whole == frame(1));
+    }
+}
+
+TEST_CASE("unaligned fields are drawn by the exact renderer", "[span]")
+{
+    const Bytes bytes = smooth_field(100, 100, 100, TexelFormat::rgb565);
+    std::vector<uint8_t> shifted(bytes.size() + 9);
+    uint8_t* odd = shifted.data() + (reinterpret_cast<uintptr_t>(shifted.data()) % 2 == 0 ? 1 : 0);
+    std::copy(bytes.begin(), bytes.end(), odd);
+    Field field;
+    REQUIRE(open_field(odd, bytes.size(), field) == FieldError::none);
+    CHECK(!spans_can_read(field));
+    const View view = extreme_views(20)[0];
+    CHECK(draw<Linear, TexelRgb565>(field, view, OverBlack{}, 8) ==
+          draw<Linear, TexelRgb565>(field, view, OverBlack{}, 0));
+}
