@@ -18,10 +18,10 @@ CameraRays::Affine CameraRays::decoded(const AffineQ40& q)
 }
 
 CameraRays::CameraRays(const Camera& c)
-    : inverse_distance_(c.inverse_distance_q30 * kUnitQ30),
-      eye_direction_{c.eye_direction.x * kUnitQ30, c.eye_direction.y * kUnitQ30, c.eye_direction.z * kUnitQ30},
-      facing_(decoded(c.facing)),
-      offset_{decoded(c.offset[0]), decoded(c.offset[1]), decoded(c.offset[2])}
+    : inverse_distance_(c.inverse_distance_q30() * kUnitQ30),
+      eye_direction_{c.eye_direction().x * kUnitQ30, c.eye_direction().y * kUnitQ30, c.eye_direction().z * kUnitQ30},
+      facing_(decoded(c.facing())),
+      offset_{decoded(c.offset()[0]), decoded(c.offset()[1]), decoded(c.offset()[2])}
 {
 }
 

@@ -36,9 +36,9 @@ RgbaImage render_reference(const Scene& scene, const Camera& camera, const Refer
     if (settings.samples == 0) {
         throw BakeError("the number of samples must be at least 1");
     }
-    const uint32_t width = static_cast<uint32_t>(camera.width_px);
-    const uint32_t height = static_cast<uint32_t>(camera.height_px);
-    RgbaImage image{camera.width_px, camera.height_px, std::vector<uint8_t>(size_t{4} * width * height)};
+    const uint32_t width = static_cast<uint32_t>(camera.width_px());
+    const uint32_t height = static_cast<uint32_t>(camera.height_px());
+    RgbaImage image{camera.width_px(), camera.height_px(), std::vector<uint8_t>(size_t{4} * width * height)};
     const CameraRays rays(camera);
     const PathTracer tracer(scene.data());
     Job job(uint64_t{width} * height * settings.samples, settings.threads, progress);

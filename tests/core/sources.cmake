@@ -2,6 +2,7 @@
 # Core's tests, for the host and for the emulated boards alike.
 set(LUMI_CORE_TEST_SOURCES
   render_test.cpp
+  stripes_test.cpp
   camera/camera_test.cpp
   camera/quality_test.cpp
   camera/sphere_test.cpp
@@ -12,7 +13,6 @@ set(LUMI_CORE_TEST_SOURCES
   chord/range_test.cpp
   chord/reads_test.cpp
   chord/render_spans_test.cpp
-  chord/rim_test.cpp
   chord/tile_test.cpp
   field/color_test.cpp
   field/field_test.cpp

@@ -39,9 +39,9 @@ Field opened(const std::string& bytes)
 template <class Reconstruction, class Texel>
 Picture drawn_at_once(const Field& field, const Camera& camera)
 {
-    Picture picture(camera.width_px, camera.height_px);
+    Picture picture(camera.width_px(), camera.height_px());
     const Stripe stripe = {
-        picture.rgb.data(), 0, 0, camera.width_px, camera.height_px, 3u * static_cast<uint32_t>(camera.width_px)};
+        picture.rgb.data(), 0, 0, camera.width_px(), camera.height_px(), 3u * static_cast<uint32_t>(camera.width_px())};
     const RenderError error =
         render<Reconstruction, Texel, PixelRgb888>(field, camera, OverColour{kBackground}, stripe);
     REQUIRE(error == RenderError::none);

@@ -25,12 +25,12 @@ Picture draw_stripes(const GuidedField& field, const Camera& camera, Surface& su
 template <class Policy, class Surface>
 Picture draw_stripes_as(const GuidedField& field, const Camera& camera, Surface& surface, const Rgb8& background)
 {
-    Picture picture(camera.width_px, camera.height_px);
-    const auto stride = static_cast<uint32_t>(3 * camera.width_px);
-    for (int y = 0; y < camera.height_px; y += kGuidedStripeRows) {
+    Picture picture(camera.width_px(), camera.height_px());
+    const auto stride = static_cast<uint32_t>(3 * camera.width_px());
+    for (int y = 0; y < camera.height_px(); y += kGuidedStripeRows) {
         leave_if_interrupted();
-        const int rows = std::min(kGuidedStripeRows, camera.height_px - y);
-        const Stripe stripe = {picture.pixel(0, y), 0, y, camera.width_px, rows, stride};
+        const int rows = std::min(kGuidedStripeRows, camera.height_px() - y);
+        const Stripe stripe = {picture.pixel(0, y), 0, y, camera.width_px(), rows, stride};
         const GuidedError error =
             render_guided<Policy, PixelRgb888>(field, camera, surface, OverColour{background}, stripe);
         if (error != GuidedError::none) throw std::logic_error(describe(error));

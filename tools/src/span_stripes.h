@@ -36,13 +36,13 @@ void copy_stripe(const Stripe& stripe, Picture& picture)
 template <class Reconstruction, class Texel, class Pixel>
 Picture draw_as(const Field& field, const Camera& camera, const DrawSettings& settings)
 {
-    Picture picture(camera.width_px, camera.height_px);
-    const uint32_t stride = static_cast<uint32_t>(camera.width_px) * Pixel::kBytes;
+    Picture picture(camera.width_px(), camera.height_px());
+    const uint32_t stride = static_cast<uint32_t>(camera.width_px()) * Pixel::kBytes;
     std::vector<uint8_t> buffer(static_cast<size_t>(stride) * kSpanStripeRows);
-    for (int y = 0; y < camera.height_px; y += kSpanStripeRows) {
+    for (int y = 0; y < camera.height_px(); y += kSpanStripeRows) {
         leave_if_interrupted();
-        const int rows = std::min(kSpanStripeRows, camera.height_px - y);
-        const Stripe stripe = {buffer.data(), 0, y, camera.width_px, rows, stride};
+        const int rows = std::min(kSpanStripeRows, camera.height_px() - y);
+        const Stripe stripe = {buffer.data(), 0, y, camera.width_px(), rows, stride};
         const RenderError error = render_spans<Reconstruction, Texel, Pixel>(
             field, camera, OverColour{settings.background}, stripe, settings.span_px);
         assert(error == RenderError::none);  // draw() chose the texel policy by the field's own format

@@ -46,7 +46,8 @@ struct Image {
 Pose orbit(uint32_t azimuth_turns32, int32_t elevation_turns32, int32_t distance_q20);
 
 // The same pose moved by `offset` along its own right axis: a stereo pair is moved_right(p, -d/2), moved_right(p,
-// +d/2), with parallel axes as a head-mounted display needs.
+// +d/2), with parallel axes as a head-mounted display needs. An eye that leaves the range of numbers stops at its end,
+// which make_camera refuses.
 Pose moved_right(const Pose& pose, int32_t offset_q20);
 
 // A quantity that is affine in the pixel, Q40.
@@ -71,17 +72,41 @@ struct OutlineQuadratic {
 //     h = ê·(|P|²/e ± s·m)/q + P·(m ∓ s/e)/q      (upper sign: front, lower sign: back).
 // No difference of large numbers appears, from an eye on the sphere (e = 1) to one at infinity. m and P are affine in
 // the pixel.
-struct Camera {
-    Vec3q30 eye_direction;         // ê
-    int32_t inverse_distance_q30;  // 1/e in (0, 1]
-    int32_t perpendicular_q30;     // 1 - 1/e² in [0, 1)
-    AffineQ40 facing;              // m
-    AffineQ40 offset[3];           // P (x, y, z)
-    OutlineQuadratic outline;
-    int32_t width_px, height_px;
+//
+// Its parts belong together, so nothing changes them but make_camera and interlaced_half.
+class Camera
+{
+public:
+    const Vec3q30& eye_direction() const { return eye_direction_; }             // ê
+    int32_t inverse_distance_q30() const { return inverse_distance_q30_; }      // 1/e in (0, 1]
+    int32_t perpendicular_q30() const { return perpendicular_q30_; }            // 1 - 1/e² in [0, 1)
+    const AffineQ40& facing() const { return facing_; }                         // m
+    const AffineQ40 (&offset() const)[3] { return offset_; }                    // P (x, y, z)
+    const OutlineQuadratic& outline() const { return outline_; }
+    int32_t width_px() const { return width_px_; }
+    int32_t height_px() const { return height_px_; }
+
+private:
+    friend CameraError make_camera(const Pose& pose, const Image& image, Camera& out);
+    friend Camera interlaced_half(const Camera& camera, int32_t parity);
+
+    void set_eye(const Vec3q20& eye, uint64_t distance2_q40);
+    void set_view(const Pose& pose, const Image& image);
+
+    Vec3q30 eye_direction_{};
+    int32_t inverse_distance_q30_ = 0;
+    int32_t perpendicular_q30_ = 0;
+    AffineQ40 facing_{};
+    AffineQ40 offset_[3]{};
+    OutlineQuadratic outline_{};
+    int32_t width_px_ = 0, height_px_ = 0;
 };
 
 // Fills `out`, which stays untouched on failure.
 CameraError make_camera(const Pose& pose, const Image& image, Camera& out);
+
+// The camera whose rows are every other row of `camera`'s image: row y is row 2·y + parity. Its stripes go to every
+// other row of the display. Where the image is one row high, parity 1 has none: nothing is drawn.
+Camera interlaced_half(const Camera& camera, int32_t parity);
 
 }  // namespace lumi

@@ -3,7 +3,7 @@
 //
 //     QualityControl control({33333});                    // microseconds a frame
 //     const FrameQuality q = control.next(last_us, is_moving);
-//     if (q.draws) draw(q.interlaced ? field_of(camera, q.parity) : camera, q.one_tap, q.span_px);
+//     if (q.draws) draw(q.interlaced ? interlaced_half(camera, q.parity) : camera, q.one_tap, q.span_px);
 //
 // While the object moves, quality goes down a step as soon as a frame takes longer than its budget, and up again where
 // there is room. Once it rests, every call refines it until the finest step has been drawn; then there is nothing to
@@ -19,9 +19,9 @@ namespace lumi
 struct FrameQuality {
     bool draws;       // false: the finest picture is on the display already
     bool one_tap;     // Dither or Nearest in place of the product's reconstruction
-    bool interlaced;  // the rows of `parity` alone, see field_of()
+    bool interlaced;  // the rows of `parity` alone, see interlaced_half()
     int32_t parity;   // 0 or 1, alternating from frame to frame
-    int32_t span_px;  // for render_spans()
+    int32_t span_px;  // for render_spans(); 1: for render(), the exact one
 };
 
 // The steps, coarse to fine; each costs more than the one before.
@@ -69,9 +69,5 @@ private:
 
     static constexpr uint32_t kLong = 1u << 20;
 };
-
-// The camera whose rows are every other row of `camera`'s image: row y is row 2y + parity. Its stripes go to every
-// other row of the display. Where the image is one row high, parity 1 has none: nothing is drawn.
-Camera field_of(const Camera& camera, int32_t parity);
 
 }  // namespace lumi

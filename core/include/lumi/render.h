@@ -6,7 +6,7 @@
 //     render<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverColour{{0, 0, 0}}, stripe);
 //
 // Stateless and re-entrant: a stripe may be any rectangle of the image (or beside it), stripes may be drawn in any
-// order and on several cores at once. Nothing is allocated; stack use is stated in docs/architecture.md.
+// order and on several cores at once. Nothing is allocated; stack use is stated in docs/boards.md.
 // Policies are templates: what a firmware does not name is not linked.
 #pragma once
 
@@ -24,19 +24,37 @@ namespace lumi
 enum class [[nodiscard]] RenderError : uint8_t{
     none = 0,
     wrong_texel_format,  // the field holds another texel format than the policy
+    unfit_for_spans,     // render_spans() only: see fits_spans(); render() draws this field
 };
 
-// A rectangle of the image in the caller's memory: rows of width_px pixels, stride_bytes apart, top row first. With
-// 16-bit pixels, address and stride are even.
+// A rectangle in the caller's memory: rows of width_px pixels, stride_bytes apart, top row first. It may lie beside the
+// image, wholly or in part. With 16-bit pixels, address and stride are even.
 struct Stripe {
     uint8_t* pixels;
     int32_t x_px, y_px;  // of its first pixel in the image
     int32_t width_px, height_px;
     uint32_t stride_bytes;
+
+    // One beyond its last column and row; at most INT32_MAX, which lies beside every image.
+    int32_t right_px() const { return end_of(x_px, width_px); }
+    int32_t bottom_px() const { return end_of(y_px, height_px); }
+
+private:
+    static int32_t end_of(int32_t begin, int32_t size)
+    {
+        return begin > INT32_MAX - size ? INT32_MAX : begin + size;
+    }
 };
 
-// Draws one row of covered pixels, every pixel evaluated exactly. `pixels` is where pixel span.begin lies. Spans that
-// step between exact pixels take this function's place.
+// Where a pixel of the stripe lies in memory.
+template <class Pixel>
+uint8_t* pixel_of(const Stripe& stripe, int32_t x, int32_t y)
+{
+    return stripe.pixels + static_cast<size_t>(y - stripe.y_px) * stripe.stride_bytes +
+           static_cast<uint32_t>(x - stripe.x_px) * Pixel::kBytes;
+}
+
+// Draws one row of covered pixels, every pixel evaluated exactly. `pixels` is where pixel span.begin lies.
 template <class Reconstruction, class Texel, class Pixel, class Background>
 void draw_exact(const Field& field, const Camera& camera, const Background& background, const RowSpan& span, int32_t y,
                 uint8_t* pixels)
@@ -61,17 +79,19 @@ void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
     for (int32_t k = 0; k < count; ++k, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
 }
 
-// Writes the background on both sides of a row's covered span, where the background is of the kind that fills.
+// Writes the background on both sides of a row's covered span, where the background is of the kind that fills: never
+// beside the stripe, wherever the span lies.
 template <class Pixel, class Background>
-void fill_beside(const Background& background, const Stripe& stripe, const RowSpan& span, uint8_t* pixels)
+void fill_beside(const Background& background, const Stripe& stripe, const RowSpan& span, int32_t y)
 {
     if (!Background::kFills) return;
-    const auto fill = [&](int32_t begin, int32_t end) {
-        uint8_t* pixel = pixels + static_cast<uint32_t>(begin - stripe.x_px) * Pixel::kBytes;
-        fill_pixels<Pixel>(background, pixel, end - begin);
-    };
-    fill(stripe.x_px, span.begin);
-    fill(span.end, stripe.x_px + stripe.width_px);
+    const auto within = [](int32_t x, int32_t from, int32_t to) { return x < from ? from : x < to ? x : to; };
+    const int32_t left = stripe.x_px;
+    const int32_t right = stripe.right_px();
+    const int32_t begin = within(span.begin, left, right);
+    const int32_t end = within(span.end, begin, right);
+    fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, left, y), begin - left);
+    fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, end, y), right - end);
 }
 
 // Draws every pixel of the stripe. Over a constant colour the whole stripe is written; over the stripe's own content
@@ -80,13 +100,12 @@ template <class Reconstruction, class Texel, class Pixel, class Background>
 RenderError render(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe)
 {
     if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
-    for (int32_t row = 0; row < stripe.height_px; ++row) {
-        uint8_t* pixels = stripe.pixels + static_cast<size_t>(row) * stripe.stride_bytes;
-        const int32_t y = stripe.y_px + row;
-        const RowSpan span = covered_span(camera, y, stripe.x_px, stripe.x_px + stripe.width_px);
-        fill_beside<Pixel>(background, stripe, span, pixels);
-        uint8_t* first = pixels + static_cast<uint32_t>(span.begin - stripe.x_px) * Pixel::kBytes;
-        draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, span, y, first);
+    for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
+        const RowSpan span = covered_span(camera, y, stripe.x_px, stripe.right_px());
+        fill_beside<Pixel>(background, stripe, span, y);
+        if (span.begin >= span.end) continue;
+        draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, span, y,
+                                                 pixel_of<Pixel>(stripe, span.begin, y));
     }
     return RenderError::none;
 }

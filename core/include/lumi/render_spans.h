@@ -3,45 +3,57 @@
 //
 //     render_spans<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverBlack{}, stripe, 16);
 //
-// The same contract as render(): any rectangle, any order, re-entrant. `span_px` (1, 2, 4, 8 or 16) is the most pixels
+// The same contract as render(): any rectangle, any order, re-entrant. `span_px` (2, 4, 8 or 16) is the most pixels
 // between exact hits: the trade of speed for accuracy that docs/tradeoff.md measures. From 8 on, the inside of the
 // sphere is drawn in tiles of span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter.
+// Paper<K> and NearestVoronoi need <lumi/render_spans_paper.h>, too.
 #pragma once
 
-#include "lumi/detail/chord/kernel/kernel.h"
-#include "lumi/detail/chord/renderer.h"
+#include "lumi/detail/chord/loops.h"
 
 namespace lumi
 {
 
-inline bool fits_spans(const Lattice& lattice)
+// What render_spans() draws, and render() draws all else: lattices of kMinSpanLattice to kMaxSpanLattice points, whose
+// texels and palette entries lie at multiples of their size, as they are read in one access each. Any field at an
+// address divisible by 4 has that, if its row stride is even.
+inline bool fits_spans(const Field& field)
 {
-    return lattice.size() >= kMinSpanLattice && lattice.size() <= kMaxSpanLattice;
-}
-
-// Texels and palette entries are read in one access each: they lie at multiples of their size. Any field at an address
-// divisible by 4 does, if its row stride is even.
-inline bool spans_can_read(const Field& field)
-{
+    const auto has_zones = [](const Lattice& l) { return l.size() >= kMinSpanLattice && l.size() <= kMaxSpanLattice; };
     const auto aligned = [](const uint8_t* p, uintptr_t to) { return reinterpret_cast<uintptr_t>(p) % to == 0; };
+    if (!has_zones(field.origins) || !has_zones(field.directions)) return false;
     if (field.texel_format == format::TexelFormat::rgb565)
         return aligned(field.texels, 2) && field.row_stride_bytes % 2 == 0;
     return field.texel_format != format::TexelFormat::palette8 || aligned(field.palette, 4);
 }
 
-// Fields that spans cannot draw (see kMaxSpanLattice, kMinSpanLattice, spans_can_read) are drawn by render().
 template <class Reconstruction, class Texel, class Pixel, class Background>
 RenderError render_spans(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe,
                          int32_t span_px)
 {
     if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
-    int span_log2 = 0;
+    if (!fits_spans(field)) return RenderError::unfit_for_spans;
+    int span_log2 = 1;
     while (span_log2 < kMaxSpanLog2 && (2 << span_log2) <= span_px) ++span_log2;
-    if (span_log2 == 0 || !fits_spans(field.origins) || !fits_spans(field.directions) || !spans_can_read(field)) {
-        return render<Reconstruction, Texel, Pixel>(field, camera, background, stripe);
+    using Draw = SpanDraw<Reconstruction>;
+    ChordStepper stepper(field, camera, stripe, span_log2);
+    LatticeLine& origins = stepper.origins();
+    LatticeLine& directions = stepper.directions();
+    for (Piece piece; stepper.next(piece);) {
+        if (piece.kind == Piece::Kind::row) {
+            fill_beside<Pixel>(background, stripe, {piece.x, piece.x + piece.width}, piece.y);
+            continue;
+        }
+        uint8_t* const pixels = pixel_of<Pixel>(stripe, piece.x, piece.y);
+        if (piece.kind == Piece::Kind::cells) {
+            SpanTarget<Background> target = {field,   background,    pixels,           piece.width, piece.x,
+                                             piece.y, origins.cells, directions.cells, piece.tile};
+            Draw::template draw<Texel, Pixel>(target);
+        } else {
+            Draw::template draw_checked<Texel, Pixel>(CheckedTarget<Background>{
+                field, background, pixels, piece.width, piece.x, piece.y, origins, directions});
+        }
     }
-    SpanRenderer<Reconstruction, Texel, Pixel, Background> renderer(field, camera, background, stripe, span_log2);
-    renderer.draw();
     return RenderError::none;
 }
 

@@ -94,15 +94,6 @@ int32_t unit_component(int32_t eye_q20, const ReciprocalRoot& root)
     return static_cast<int32_t>((product + (int64_t{1} << (shift - 1))) >> shift);
 }
 
-void set_eye(const Vec3q20& eye, uint64_t distance2_q40, Camera& camera)
-{
-    const ReciprocalRoot root = reciprocal_root(distance2_q40);  // 2^-20 / e
-    camera.eye_direction = {unit_component(eye.x, root), unit_component(eye.y, root), unit_component(eye.z, root)};
-    const uint64_t inverse = (static_cast<uint64_t>(root.mantissa) << 20) >> (root.exponent - 30);
-    camera.inverse_distance_q30 = inverse > static_cast<uint64_t>(kOneQ30) ? kOneQ30 : static_cast<int32_t>(inverse);
-    camera.perpendicular_q30 = kOneQ30 - mul_q30(camera.inverse_distance_q30, camera.inverse_distance_q30);
-}
-
 // The viewing vectors of an image, scaled so that none is longer than 1.
 struct ViewVectors {
     Vec3q46 first;  // of pixel (0, 0)
@@ -151,18 +142,6 @@ SplitQ40 split(const Vec3q46& d, const Vec3q30& eye_direction, int32_t distance_
     return {m_q46 >> 6, {times_distance(p.x), times_distance(p.y), times_distance(p.z)}};
 }
 
-void set_view(const ViewVectors& view, Camera& camera)
-{
-    // e consistent with the rounded 1/e, so that q = m² + |P|²/e² stays |D|².
-    const uint64_t distance = (uint64_t{1} << 50) / static_cast<uint32_t>(camera.inverse_distance_q30);
-    const int32_t distance_q20 = static_cast<int32_t>(distance);
-    const SplitQ40 first = split(view.first, camera.eye_direction, distance_q20);
-    const SplitQ40 step_x = split(view.step_x, camera.eye_direction, distance_q20);
-    const SplitQ40 step_y = split(view.step_y, camera.eye_direction, distance_q20);
-    camera.facing = {first.facing, step_x.facing, step_y.facing};
-    for (int k = 0; k < 3; ++k) camera.offset[k] = {first.offset[k], step_x.offset[k], step_y.offset[k]};
-}
-
 }  // namespace
 
 Pose orbit(uint32_t azimuth_turns32, int32_t elevation_turns32, int32_t distance_q20)
@@ -178,11 +157,35 @@ Pose orbit(uint32_t azimuth_turns32, int32_t elevation_turns32, int32_t distance
 
 Pose moved_right(const Pose& pose, int32_t offset_q20)
 {
-    Pose moved = pose;
-    moved.eye.x += mul_q30(pose.right.x, offset_q20);
-    moved.eye.y += mul_q30(pose.right.y, offset_q20);
-    moved.eye.z += mul_q30(pose.right.z, offset_q20);
-    return moved;
+    const auto moved = [&](int32_t eye_q20, int32_t right_q30) {
+        const int64_t sum = static_cast<int64_t>(eye_q20) + ((wide_product(right_q30, offset_q20) + kOneQ30 / 2) >> 30);
+        return static_cast<int32_t>(sum > INT32_MAX ? INT32_MAX : sum < INT32_MIN ? INT32_MIN : sum);
+    };
+    Pose result = pose;
+    result.eye = {moved(pose.eye.x, pose.right.x), moved(pose.eye.y, pose.right.y), moved(pose.eye.z, pose.right.z)};
+    return result;
+}
+
+void Camera::set_eye(const Vec3q20& eye, uint64_t distance2_q40)
+{
+    const ReciprocalRoot root = reciprocal_root(distance2_q40);  // 2^-20 / e
+    eye_direction_ = {unit_component(eye.x, root), unit_component(eye.y, root), unit_component(eye.z, root)};
+    const uint64_t inverse = (static_cast<uint64_t>(root.mantissa) << 20) >> (root.exponent - 30);
+    inverse_distance_q30_ = inverse > static_cast<uint64_t>(kOneQ30) ? kOneQ30 : static_cast<int32_t>(inverse);
+    perpendicular_q30_ = kOneQ30 - mul_q30(inverse_distance_q30_, inverse_distance_q30_);
+}
+
+void Camera::set_view(const Pose& pose, const Image& image)
+{
+    const ViewVectors view = view_vectors(pose, image);
+    // e consistent with the rounded 1/e, so that q = m² + |P|²/e² stays |D|².
+    const uint64_t distance = (uint64_t{1} << 50) / static_cast<uint32_t>(inverse_distance_q30_);
+    const int32_t distance_q20 = static_cast<int32_t>(distance);
+    const SplitQ40 first = split(view.first, eye_direction_, distance_q20);
+    const SplitQ40 step_x = split(view.step_x, eye_direction_, distance_q20);
+    const SplitQ40 step_y = split(view.step_y, eye_direction_, distance_q20);
+    facing_ = {first.facing, step_x.facing, step_y.facing};
+    for (int k = 0; k < 3; ++k) offset_[k] = {first.offset[k], step_x.offset[k], step_y.offset[k]};
 }
 
 CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
@@ -191,12 +194,25 @@ CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
     if (const CameraError error = check_eye(pose.eye, distance2_q40); error != CameraError::none) return error;
     if (const CameraError error = check_image(image); error != CameraError::none) return error;
     if (!is_orthonormal(pose)) return CameraError::axes_not_orthonormal;
-    set_eye(pose.eye, distance2_q40, out);
-    set_view(view_vectors(pose, image), out);
-    out.width_px = image.width_px;
-    out.height_px = image.height_px;
-    out.outline = make_outline(out);
+    out.set_eye(pose.eye, distance2_q40);
+    out.set_view(pose, image);
+    out.width_px_ = image.width_px;
+    out.height_px_ = image.height_px;
+    out.outline_ = make_outline(out);
     return CameraError::none;
+}
+
+Camera interlaced_half(const Camera& camera, int32_t parity)
+{
+    const auto every_other = [parity](const AffineQ40& a) {
+        return AffineQ40{a.at_origin + parity * a.step_y, a.step_x, 2 * a.step_y};
+    };
+    Camera half = camera;
+    half.facing_ = every_other(camera.facing_);
+    for (int k = 0; k < 3; ++k) half.offset_[k] = every_other(camera.offset_[k]);
+    half.height_px_ = (camera.height_px_ + 1 - parity) / 2;
+    half.outline_ = make_outline(half);
+    return half;
 }
 
 const char* describe(CameraError error)

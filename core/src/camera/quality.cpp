@@ -116,16 +116,4 @@ void QualityControl::refine()
     }
 }
 
-Camera field_of(const Camera& camera, int32_t parity)
-{
-    const auto every_other = [parity](const AffineQ40& a) {
-        return AffineQ40{a.at_origin + parity * a.step_y, a.step_x, 2 * a.step_y};
-    };
-    Camera field = camera;
-    field.facing = every_other(camera.facing);
-    for (int k = 0; k < 3; ++k) field.offset[k] = every_other(camera.offset[k]);
-    field.height_px = (camera.height_px + 1 - parity) / 2;
-    return field;
-}
-
 }  // namespace lumi

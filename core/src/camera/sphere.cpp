@@ -33,15 +33,15 @@ RowQuadratic row_quadratic(const Camera& camera, int32_t x, int32_t y)
     int64_t step[3];
     int64_t largest = 1;
     for (int k = 0; k < 3; ++k) {
-        offset[k] = camera.offset[k].at(x, y);
-        step[k] = camera.offset[k].step_x;
+        offset[k] = camera.offset()[k].at(x, y);
+        step[k] = camera.offset()[k].step_x;
         if (magnitude(offset[k]) > largest) largest = magnitude(offset[k]);
         if (magnitude(step[k]) > largest) largest = magnitude(step[k]);
     }
     const int shift = shift_for(largest);
-    const int64_t facing = camera.facing.at(x, y);
-    const int facing_shift = shift_for(magnitude(facing) + magnitude(camera.facing.step_x));
-    RowQuadratic row{0, 0, 0, facing >> facing_shift, camera.facing.step_x >> facing_shift};
+    const int64_t facing = camera.facing().at(x, y);
+    const int facing_shift = shift_for(magnitude(facing) + magnitude(camera.facing().step_x));
+    RowQuadratic row{0, 0, 0, facing >> facing_shift, camera.facing().step_x >> facing_shift};
     for (int k = 0; k < 3; ++k) {
         offset[k] >>= shift;
         step[k] >>= shift;
@@ -109,11 +109,11 @@ int32_t narrow_q30(int64_t v_q40)
 
 bool ray_at(const Camera& camera, int32_t x, int32_t y, SphereRay& out)
 {
-    const int64_t facing_q40 = camera.facing.at(x, y);
+    const int64_t facing_q40 = camera.facing().at(x, y);
     if (facing_q40 <= 0 || facing_q40 > kLimitQ40) return false;
     int64_t offset_q40[3];
     for (int k = 0; k < 3; ++k) {
-        offset_q40[k] = camera.offset[k].at(x, y);
+        offset_q40[k] = camera.offset()[k].at(x, y);
         if (magnitude(offset_q40[k]) > kLimitQ40) return false;
     }
     out.facing_q30 = narrow_q30(facing_q40);
@@ -122,7 +122,7 @@ bool ray_at(const Camera& camera, int32_t x, int32_t y, SphereRay& out)
     if (offset2_q60 > kLimitQ60) return false;
     out.offset2_q30 = q60_to_q30(offset2_q60);
     const int64_t half_chord2 =
-        wide_product(out.facing_q30, out.facing_q30) - wide_product(camera.perpendicular_q30, out.offset2_q30);
+        wide_product(out.facing_q30, out.facing_q30) - wide_product(camera.perpendicular_q30(), out.offset2_q30);
     if (half_chord2 <= 0) return false;
     const int64_t length2 = half_chord2 + offset2_q60;
     if (half_chord2 < length2 >> kTangentShift) return false;
@@ -138,9 +138,9 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
     // 1/q in Q26: q >= 1/26, because the image's corners bound the scale of D.
     const int32_t inverse_q26 =
         static_cast<int32_t>((static_cast<uint64_t>(root.mantissa) * root.mantissa) >> (2 * root.exponent - 86));
-    const int32_t lift_q30 = mul_q30(camera.inverse_distance_q30, ray.offset2_q30);
+    const int32_t lift_q30 = mul_q30(camera.inverse_distance_q30(), ray.offset2_q30);
     const int32_t along_q30 = mul_q30(half_chord_q30, ray.facing_q30);
-    const int32_t shrink_q30 = mul_q30(camera.inverse_distance_q30, half_chord_q30);
+    const int32_t shrink_q30 = mul_q30(camera.inverse_distance_q30(), half_chord_q30);
 
     const auto over_q = [&](int64_t numerator_q30) { return multiply_shift(numerator_q30, inverse_q26, 26); };
     const auto combine = [&](int64_t axial_q30, int64_t radial_q30) {
@@ -149,8 +149,8 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
         const auto component = [&](int32_t e, int32_t p) {
             return static_cast<int32_t>((wide_product(a, e) + r_q30 * p + (int64_t{1} << 29)) >> 30);
         };
-        return Vec3q30{component(camera.eye_direction.x, ray.offset.x), component(camera.eye_direction.y, ray.offset.y),
-                       component(camera.eye_direction.z, ray.offset.z)};
+        return Vec3q30{component(camera.eye_direction().x, ray.offset.x), component(camera.eye_direction().y, ray.offset.y),
+                       component(camera.eye_direction().z, ray.offset.z)};
     };
     return {combine(over_q(static_cast<int64_t>(lift_q30) + along_q30),
                     over_q(static_cast<int64_t>(ray.facing_q30) - shrink_q30)),
@@ -161,8 +161,8 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
 RowSpan covered_span(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end)
 {
     const RowSpan empty = {x_begin, x_begin};
-    const RowSpan limits = {x_begin > 0 ? x_begin : 0, x_end < camera.width_px ? x_end : camera.width_px};
-    if (y < 0 || y >= camera.height_px || limits.begin >= limits.end) return empty;
+    const RowSpan limits = {x_begin > 0 ? x_begin : 0, x_end < camera.width_px() ? x_end : camera.width_px()};
+    if (y < 0 || y >= camera.height_px() || limits.begin >= limits.end) return empty;
     const int32_t inside = find_covered(camera, y, limits);
     if (inside == limits.end) return empty;
     const int32_t first = border(camera, y, inside, limits.begin - 1);

@@ -26,8 +26,8 @@ FocusSurface::FocusSurface(const GuidedField& field, const Camera& camera)
     : camera_(camera),
       focus_q14_{field.focus_q14[0], field.focus_q14[1], field.focus_q14[2]},
       radius_q14_(field.focus_radius_q14),
-      eye_direction_q14_{camera.eye_direction.x >> 16, camera.eye_direction.y >> 16, camera.eye_direction.z >> 16},
-      inverse_distance_q15_(camera.inverse_distance_q30 >> 15),
+      eye_direction_q14_{camera.eye_direction().x >> 16, camera.eye_direction().y >> 16, camera.eye_direction().z >> 16},
+      inverse_distance_q15_(camera.inverse_distance_q30() >> 15),
       quantity_{}
 {
     for (int k = 0; k < 4; ++k) quantity_[k].step_q28 = wrapped_q28(source(k).step_x);
@@ -36,12 +36,12 @@ FocusSurface::FocusSurface(const GuidedField& field, const Camera& camera)
 void FocusSurface::begin_row(int32_t y)
 {
     // From the row's middle the rounding of steps adds up least.
-    for (int k = 0; k < 4; ++k) quantity_[k].row_q28 = wrapped_q28(source(k).at(camera_.width_px / 2, y));
+    for (int k = 0; k < 4; ++k) quantity_[k].row_q28 = wrapped_q28(source(k).at(camera_.width_px() / 2, y));
 }
 
 uint32_t FocusSurface::at(int32_t x, SurfacePoint (&out)[kSamples]) const
 {
-    const int32_t ahead = x - camera_.width_px / 2;
+    const int32_t ahead = x - camera_.width_px() / 2;
     const auto q15 = [&](int k) { return stepped(quantity_[k].row_q28, quantity_[k].step_q28, ahead) >> 13; };
     const int32_t offset_q15[3] = {q15(0), q15(1), q15(2)};
     const int32_t facing_q15 = q15(3);

@@ -29,12 +29,12 @@ OriginTaps exact_triangle(const Camera& camera, const Lattice& origins, int32_t 
 }  // namespace
 
 OriginWalker::OriginWalker(const Camera& camera, const Lattice& origins)
-    : cell_{SpanSteps(SpanSide{}, 1), 0, 0, 0, 0},
+    : cell_{},
       camera_(camera),
       origins_(origins),
       lattice_(origins),
       nodes_(camera),
-      track_(lattice_, &SpanNode::front),
+      track_(lattice_, &HitPair::front),
       walker_(track_)
 {
 }
@@ -80,20 +80,23 @@ int32_t OriginWalker::length_at(int32_t begin, int log2)
     const Node& at = node_at(begin, nullptr);
     const Node& next = at_last ? at : node_at(begin + (1 << log2), &at);
     walker_.begin(at.node);
-    track_.cap.triangle = SpanCap::kAnywhere;
     return walker_.prepare(at.node, next.node, 1 << log2);
 }
 
 bool OriginWalker::set_segment(int32_t begin, int32_t length)
 {
-    const SpanSide& side = walker_.side();
+    const CellLine& line = track_.line.cells;
     begin_x_ = cap_x_ = covered_.begin + begin;
     end_x_ = begin_x_ + length;
     key_ = kNoKey;
-    cell_ = {SpanSteps(side, 1), side.u_q16, side.v_q16, side.du_q16, side.dv_q16};
-    kind_ = side.cap != nullptr ? Kind::cap : Kind::cells;
-    if (side.cap == nullptr) return false;
-    cap_ = *side.cap;
+    cell_ = {{line.first, line.second, line.base, line.flip, line.flip_mask},
+             line.u_q16,
+             line.v_q16,
+             line.du_q16,
+             line.dv_q16};
+    kind_ = track_.line.over_pole ? Kind::cap : Kind::cells;
+    if (!track_.line.over_pole) return false;
+    polar_ = track_.line.polar;
     return set_cap();
 }
 
@@ -133,7 +136,7 @@ bool OriginWalker::set_index(int k, int32_t index)
 // The corners of a cell's triangle; `upper` is all ones for the one where v is above u.
 bool OriginWalker::set_cell(int32_t corner, int32_t upper)
 {
-    const SpanSteps& s = cell_.steps;
+    const CellSteps& s = cell_.steps;
     const int32_t near = s.base + corner;
     const int32_t middle = near + s.first + ((s.second - s.first) & upper);
     const bool differs[3] = {set_index(0, near), set_index(1, middle), set_index(2, near + s.first + s.second)};
@@ -144,7 +147,7 @@ bool OriginWalker::set_cell(int32_t corner, int32_t upper)
 bool OriginWalker::move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16)
 {
     key_ = kNoKey;
-    const SpanSteps& s = cell_.steps;
+    const CellSteps& s = cell_.steps;
     const int32_t fu = (u_q16 >> 8) & 255;
     const int32_t fv = (v_q16 >> 8) & 255;
     const int32_t over = fu + fv - 256;
@@ -160,7 +163,7 @@ bool OriginWalker::move_to_flipped(int32_t corner, int32_t u_q16, int32_t v_q16)
 bool OriginWalker::set_cap()
 {
     bool differs = false;
-    for (int k = 0; k < 3; ++k) differs |= set_index(k, cell_.steps.base + cap_.corner[k] * cell_.steps.first);
+    for (int k = 0; k < 3; ++k) differs |= set_index(k, polar_.index(k));
     return differs;
 }
 
@@ -168,13 +171,13 @@ bool OriginWalker::step_over_cap(int32_t x)
 {
     // Where the pixel before lies in the triangle, so do all up to it.
     const int32_t n = x - 1 - cap_x_;
-    const auto before = [&](int k) { return cap_.weight_q16[k] + n * cap_.step_q16[k]; };
+    const auto before = [&](int k) { return polar_.weight_q16[k] + n * polar_.step_q16[k]; };
     if ((before(0) | before(1) | before(2)) >= 0) {
         cap_x_ = x;
-        cap_.find(x - begin_x_);
+        polar_.find(x - begin_x_);
     }
-    for (; cap_x_ < x; ++cap_x_) cap_.advance(cap_x_ + 1 - begin_x_);
-    set_cap_weights(cap_.weight_q16[1], cap_.weight_q16[2]);
+    for (; cap_x_ < x; ++cap_x_) polar_.advance(cap_x_ + 1 - begin_x_);
+    set_cap_weights(polar_.weight_q16[1], polar_.weight_q16[2]);
     return set_cap();
 }
 

@@ -1,41 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/lattice_query.h"
 
-#include "math/generate.h"
+#include "lattice/zone_tables.h"
 #include "lumi/math.h"
 
 namespace lumi
 {
 namespace
 {
-
-// Fibonacci numbers F_0 .. F_16. Zone 15 also serves the equator of n = 2^20, where Keinert's zone would be 16: the
-// cells' triangles are the same.
-constexpr int32_t kFibonacci[17] = {0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 233, 377, 610, 987};
-constexpr int kZones = 16;
-
-struct ZoneTables {
-    uint32_t threshold_q10[2 * kZones];  // n·(1 - z²) = Φ^m/(√5·π)
-    int32_t step_turns_q30[kZones + 1];  // |longitude step of F_k| = Φ^-k
-};
-
-constexpr ZoneTables make_zone_tables()
-{
-    ZoneTables t{};
-    double power = 1;
-    double inverse = 1;
-    for (int m = 0; m < 2 * kZones; ++m) {
-        t.threshold_q10[m] = static_cast<uint32_t>(1024 * power / (generate::root(5) * generate::kPi) + 0.5);
-        power *= generate::kGolden;
-    }
-    for (int k = 0; k <= kZones; ++k) {
-        t.step_turns_q30[k] = k == 0 ? kOneQ30 : static_cast<int32_t>(kOneQ30 * inverse + 0.5);
-        inverse /= generate::kGolden;
-    }
-    return t;
-}
-
-constexpr ZoneTables kZoneTables = make_zone_tables();
 
 int32_t clamp_q30(int32_t v)
 {
@@ -85,8 +57,8 @@ Cell cell_of(const Query& q)
     };
     const auto along_height = [&](int32_t step_q30) { return (static_cast<int64_t>(q.height_q10) * step_q30) >> 28; };
     return {k, first, second,
-            static_cast<int32_t>(along_longitude(second) + along_height(kZoneTables.step_turns_q30[k + 1])),
-            static_cast<int32_t>(along_height(kZoneTables.step_turns_q30[k]) - along_longitude(first))};
+            static_cast<int32_t>(along_longitude(second) + along_height(kZoneTables.inverse_power_q30[k + 1])),
+            static_cast<int32_t>(along_height(kZoneTables.inverse_power_q30[k]) - along_longitude(first))};
 }
 
 bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner)

@@ -13,14 +13,7 @@ constexpr uint8_t kCorners[kTriangles][3] = {
     {12, 33, 25}, {13, 26, 18}, {13, 21, 34}, {13, 34, 26}, {14, 27, 19}, {14, 22, 35}, {14, 35, 27}, {15, 28, 20},
     {15, 23, 36}, {15, 36, 28}, {16, 29, 21}, {16, 24, 37}, {16, 37, 29}, {17, 25, 38}, {17, 38, 30}, {18, 26, 39},
     {18, 39, 31}, {19, 27, 40}, {19, 40, 32}, {20, 28, 41}, {20, 41, 33}, {21, 29, 42}, {21, 42, 34}, {22, 30, 43},
-    {22, 43, 35}, {23, 31, 44}, {23, 44, 36}, {24, 32, 45}, {24, 45, 37}, {25, 33, 46}, {25, 46, 38}, {26, 34, 47},
-    {26, 47, 39}, {27, 35, 48}, {27, 48, 40}, {28, 36, 49}, {28, 49, 41}, {29, 37, 50}, {29, 50, 42}, {30, 38, 51},
-    {30, 51, 43}, {31, 39, 52}, {31, 52, 44}, {32, 40, 53}, {32, 53, 45}, {33, 41, 54}, {33, 54, 67}, {33, 67, 46},
-    {34, 42, 55}, {34, 55, 68}, {34, 68, 47}, {35, 43, 56}, {35, 56, 69}, {35, 69, 48}, {36, 44, 57}, {36, 57, 70},
-    {36, 70, 49}, {37, 45, 58}, {37, 58, 71}, {37, 71, 50}, {38, 46, 59}, {38, 59, 72}, {38, 72, 51}, {39, 47, 60},
-    {39, 60, 73}, {39, 73, 52}, {40, 48, 61}, {40, 61, 74}, {40, 74, 53}, {41, 49, 62}, {41, 62, 75}, {41, 75, 54},
-    {42, 50, 63}, {42, 63, 76}, {42, 76, 55}, {43, 51, 64}, {43, 64, 77}, {43, 77, 56}, {44, 52, 65}, {44, 65, 78},
-    {44, 78, 57}, {45, 53, 66}, {45, 66, 79}, {45, 79, 58}, {46, 67, 80}, {46, 80, 59}, {47, 68, 81}, {47, 81, 60}};
+    {22, 43, 35}};
 
 namespace
 {
@@ -82,45 +75,9 @@ constexpr bool are_short(const Walks& walks)
     return true;
 }
 
-// The least of a triangle's weights at a place, Q25 but for the gradients' rounding; negative outside.
-constexpr int32_t least_weight(const TriangleWalk& t, PlanePoint from, PlanePoint at)
-{
-    const int32_t x = at.x_q12 - from.x_q12, y = at.y_q12 - from.y_q12;
-    const int32_t second = (t.weight[0].x_q14 * x + t.weight[0].y_q14 * y) / 2;
-    const int32_t third = (t.weight[1].x_q14 * x + t.weight[1].y_q14 * y) / 2;
-    const int32_t first = (1 << 25) - second - third;
-    const int32_t least = second < third ? second : third;
-    return first < least ? first : least;
-}
-
-constexpr uint8_t start_at(const Walks& walks, PlanePoint at)
-{
-    int best = 0;
-    int32_t most = INT32_MIN;
-    for (int k = 0; k < kTriangles; ++k) {
-        const int32_t least = least_weight(walks.triangle[k], kPattern.point[kCorners[k][0]], at);
-        if (least > most) best = k;
-        if (least > most) most = least;
-    }
-    return static_cast<uint8_t>(best);
-}
-
-constexpr Starts make_starts(const Walks& walks)
-{
-    Starts starts{};
-    constexpr int32_t kSquare = 1 << Starts::kSquareLog2;
-    const auto centre = [](int square) { return (square - Starts::kSide / 2) * kSquare + kSquare / 2; };
-    for (int y = 0; y < Starts::kSide; ++y) {
-        for (int x = 0; x < Starts::kSide; ++x)
-            starts.triangle[Starts::kSide * y + x] = start_at(walks, {centre(x), centre(y)});
-    }
-    return starts;
-}
-
 }  // namespace
 
 constexpr Walks kWalks = make_walks();
 static_assert(are_short(kWalks));
-constexpr Starts kStarts = make_starts(kWalks);
 
 }  // namespace lumi::polar

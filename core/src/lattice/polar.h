@@ -16,9 +16,9 @@ namespace lumi::polar
 // Triangles cover the disc of radius sqrt(kReach + 1/2): all directions whose real-valued index is below kReach.
 // Those below kCapHeight belong to no cell.
 inline constexpr int32_t kCapHeight = 21;
-inline constexpr int32_t kReach = 48;
-inline constexpr uint32_t kPoints = 82;
-inline constexpr int kTriangles = 128;
+inline constexpr int32_t kReach = 23;
+inline constexpr uint32_t kPoints = 44;
+inline constexpr int kTriangles = 65;
 inline constexpr int kCapTriangles = 61;  // those with a corner below kCapHeight: they come first
 
 struct PlanePoint {
@@ -70,24 +70,6 @@ struct TriangleWalk {
 struct Walks {
     TriangleWalk triangle[kTriangles];
 };
-
-// Triangles to begin a search at: those at the centres of squares of the plane, or nearest to them.
-struct Starts {
-    static constexpr int kSide = 16;
-    static constexpr int kSquareLog2 = 12;  // one unit wide, Q12
-    uint8_t triangle[kSide * kSide];
-};
-extern const Starts kStarts;
-
-// Of a place less than 8 from the pole; some triangle for others.
-inline int32_t start(int32_t x_q12, int32_t y_q12)
-{
-    constexpr uint32_t kMask = Starts::kSide - 1;
-    const auto square = [](int32_t v) {
-        return (static_cast<uint32_t>(v >> Starts::kSquareLog2) + Starts::kSide / 2) & kMask;
-    };
-    return kStarts.triangle[Starts::kSide * square(y_q12) + square(x_q12)];
-}
 
 // Of triangle k: counter-clockwise, the lowest index first; triangles come in the order of it.
 extern const uint8_t kCorners[kTriangles][3];

@@ -118,8 +118,8 @@ void prepare_proxy(const ProxyMesh& mesh, const GuidedCamera& camera, uint32_t s
 {
     out.mesh = mesh;
     out.memory = memory;
-    out.width_px = camera.camera.width_px;
-    out.height_px = camera.camera.height_px;
+    out.width_px = camera.camera.width_px();
+    out.height_px = camera.camera.height_px();
     out.samples_log2 = samples > 1 ? 1 : 0;
     out.clipped_band = proxy_bands(out.height_px, memory.band_log2) - 1;
     if (!set_projection(mesh, camera, out)) out.mesh.triangle_count = 0;

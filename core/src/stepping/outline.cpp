@@ -8,11 +8,17 @@ namespace lumi
 namespace
 {
 
+// Steps along a side of one pixel are never taken, and could be longer than all else.
+AffineQ40 within_image(const AffineQ40& a, const Camera& camera)
+{
+    return {a.at_origin, camera.width_px() > 1 ? a.step_x : 0, camera.height_px() > 1 ? a.step_y : 0};
+}
+
 // The largest magnitude of an affine quantity over the image: it lies at a corner.
 int64_t largest(const AffineQ40& a, const Camera& camera)
 {
-    const int32_t right = camera.width_px - 1;
-    const int32_t bottom = camera.height_px - 1;
+    const int32_t right = camera.width_px() - 1;
+    const int32_t bottom = camera.height_px() - 1;
     int64_t most = 0;
     const int64_t corners[] = {a.at(0, 0), a.at(right, 0), a.at(0, bottom), a.at(right, bottom)};
     for (const int64_t v : corners) {
@@ -38,8 +44,10 @@ void add_square(OutlineQuadratic& f, int64_t origin, int64_t dx, int64_t dy, int
 OutlineQuadratic make_outline(const Camera& camera)
 {
     int64_t most = 1;
-    for (const AffineQ40& a : camera.offset) {
-        const int64_t m = largest(a, camera);
+    AffineQ40 offset[3];
+    for (int k = 0; k < 3; ++k) {
+        offset[k] = within_image(camera.offset()[k], camera);
+        const int64_t m = largest(offset[k], camera);
         if (m > most) most = m;
     }
     // P in Q(40 - shift) below 2^28; three squares and their cross terms stay below 2^61.
@@ -47,22 +55,29 @@ OutlineQuadratic make_outline(const Camera& camera)
     while ((most >> shift) >= int64_t{1} << 28) ++shift;
     constexpr int kFacingShift = 12;
     constexpr int32_t kTangent = kOneQ30 >> kTangentShift;
-    const int32_t inverse2_q30 = kOneQ30 - camera.perpendicular_q30;
-    const int32_t factor_q30 = camera.perpendicular_q30 + (inverse2_q30 >> kTangentShift);
+    const int32_t inverse2_q30 = kOneQ30 - camera.perpendicular_q30();
+    const int32_t factor_q30 = camera.perpendicular_q30() + (inverse2_q30 >> kTangentShift);
 
     OutlineQuadratic f{};
-    for (const AffineQ40& a : camera.offset) {
+    for (const AffineQ40& a : offset) {
         add_square(f, a.at_origin >> shift, a.step_x >> shift, a.step_y >> shift, -factor_q30, 0);
     }
-    const AffineQ40& m = camera.facing;
+    const AffineQ40 m = within_image(camera.facing(), camera);
     add_square(f, m.at_origin >> kFacingShift, m.step_x >> kFacingShift, m.step_y >> kFacingShift, kOneQ30 - kTangent,
                2 * (shift - kFacingShift));
     return f;
 }
 
+// What of a row's columns lies in the image; none: {0, 0}.
+static RowSpan within(const RowSpan& columns, int32_t width_px)
+{
+    const RowSpan inside = {columns.begin > 0 ? columns.begin : 0, columns.end < width_px ? columns.end : width_px};
+    return inside.begin < inside.end ? inside : RowSpan{0, 0};
+}
+
 OutlineTracker::OutlineTracker(const Camera& camera, const RowSpan& limits)
     : camera_(camera),
-      limits_{limits.begin > 0 ? limits.begin : 0, limits.end < camera.width_px ? limits.end : camera.width_px},
+      limits_(within(limits, camera.width_px())),
       span_{0, 0},
       first_{},
       last_{},
@@ -75,7 +90,7 @@ class OutlineTracker::Stride
 {
 public:
     Stride(const Camera& camera, int32_t step)
-        : x2_(camera.outline.x2), bend_(x2_ * step * step), facing_(camera.facing.step_x * step), step_(step)
+        : x2_(camera.outline().x2), bend_(x2_ * step * step), facing_(camera.facing().step_x * step), step_(step)
     {
     }
 
@@ -98,35 +113,35 @@ private:
 
 OutlineTracker::Walk OutlineTracker::at(int32_t x, int32_t y) const
 {
-    const OutlineQuadratic& o = camera_.outline;
+    const OutlineQuadratic& o = camera_.outline();
     const int64_t slope = o.x1 + y * o.xy;
     const int64_t column = o.y1 + y * o.y2;
     return {o.constant + y * column + x * (slope + x * o.x2), slope + (2 * x + 1) * o.x2,
-            column + (y + 1) * o.y2 + x * o.xy, camera_.facing.at(x, y)};
+            column + (y + 1) * o.y2 + x * o.xy, camera_.facing().at(x, y)};
 }
 
 void OutlineTracker::move_right(Walk& walk) const
 {
     walk.f += walk.right;
-    walk.right += 2 * camera_.outline.x2;
-    walk.down += camera_.outline.xy;
-    walk.m += camera_.facing.step_x;
+    walk.right += 2 * camera_.outline().x2;
+    walk.down += camera_.outline().xy;
+    walk.m += camera_.facing().step_x;
 }
 
 void OutlineTracker::move_left(Walk& walk) const
 {
-    walk.right -= 2 * camera_.outline.x2;
+    walk.right -= 2 * camera_.outline().x2;
     walk.f -= walk.right;
-    walk.down -= camera_.outline.xy;
-    walk.m -= camera_.facing.step_x;
+    walk.down -= camera_.outline().xy;
+    walk.m -= camera_.facing().step_x;
 }
 
 void OutlineTracker::move_down(Walk& walk) const
 {
     walk.f += walk.down;
-    walk.right += camera_.outline.xy;
-    walk.down += 2 * camera_.outline.y2;
-    walk.m += camera_.facing.step_y;
+    walk.right += camera_.outline().xy;
+    walk.down += 2 * camera_.outline().y2;
+    walk.m += camera_.facing().step_y;
 }
 
 // Moves both walks along their row to the ends of its span; false if no covered pixel lies between them.
@@ -161,7 +176,7 @@ bool OutlineTracker::adjust()
 // Looks for a row's span at 16 pixels or fewer of the limits.
 bool OutlineTracker::search(int32_t y)
 {
-    if (y < 0 || y >= camera_.height_px || limits_.begin >= limits_.end) return false;
+    if (y < 0 || y >= camera_.height_px() || limits_.begin >= limits_.end) return false;
     const int32_t step = 1 + (limits_.end - limits_.begin) / 16;
     const Stride stride(camera_, step);
     span_ = {limits_.end, limits_.begin};
@@ -205,7 +220,7 @@ int32_t OutlineTracker::top_between(int32_t from, int32_t to, int32_t y) const
 
 RowSpan OutlineTracker::row(int32_t y)
 {
-    bool found = span_.begin < span_.end && y == last_y_ + 1 && y < camera_.height_px;
+    bool found = span_.begin < span_.end && y == last_y_ + 1 && y < camera_.height_px();
     if (found) {
         move_down(first_);
         move_down(last_);

@@ -21,87 +21,89 @@ int32_t length_before(int32_t limit_z_q30, int32_t from_z_q30, int32_t next_z_q3
 
 }  // namespace
 
-void SpanWalker::begin(const SpanNode& at)
+void LineWalker::begin(const HitPair& at)
 {
-    const SpanHit& hit = at.*track_.hit;
+    const Hit& hit = at.*track_.hit;
     longitude_q20_ = static_cast<int32_t>(hit.longitude_turns32 >> 12);
-    track_.side.cap = nullptr;
-    track_.cap.triangle = 0;  // a row's picture must not depend on the rows before it
-    const SpanChart& chart = track_.chart;
-    if (chart.holds(hit.z_q30)) set_begin(chart.at(longitude_q20_, hit.z_q30 >> 14));
+    in_plane_ = false;
+    if (track_.map.holds(hit.z_q30)) place_ = track_.map.at(longitude_q20_, hit.z_q30 >> 14);
 }
 
-int32_t SpanWalker::prepare(const SpanNode& at_node, const SpanNode& next_node, int32_t length)
+int32_t LineWalker::prepare(const HitPair& at_pixel, const HitPair& next_pixel, int32_t length)
 {
-    const SpanHit& at = at_node.*track_.hit;
-    const SpanHit& next = next_node.*track_.hit;
+    const Hit& at = at_pixel.*track_.hit;
+    const Hit& next = next_pixel.*track_.hit;
     const int32_t turn_q20 = static_cast<int32_t>(next.longitude_turns32 - at.longitude_turns32) >> 12;
     next_longitude_q20_ = longitude_q20_ + turn_q20;
-    SpanChart& chart = track_.chart;
-    SpanSide& side = track_.side;
-    if (!chart.holds(at.z_q30)) {
+    ZoneMap& map = track_.map;
+    CellLine& line = track_.line.cells;
+    if (!map.holds(at.z_q30)) {
         const int32_t height = magnitude(at.z_q30);
-        if (height > chart.lattice().cap_z_q30) {
-            if (reaches_cap(at, next)) return prepare_cap(at_node, next_node, length);
-            return length_before(chart.lattice().reach_z_q30, height, magnitude(next.z_q30), length);
+        const int32_t polar_z_q30 = map.zones().polar_z_q30;
+        if (height > polar_z_q30) {
+            if (is_over_pole(at, next)) return prepare_polar(at_pixel, next_pixel, length);
+            return length_before(polar_z_q30, height, magnitude(next.z_q30), length);
         }
-        chart.choose(at.z_q30, side);
-        side.cap = nullptr;
-        set_begin(chart.at(longitude_q20_, at.z_q30 >> 14));
+        map.choose(at.z_q30, line);
+        in_plane_ = false;
+        place_ = map.at(longitude_q20_, at.z_q30 >> 14);
     }
-    if (!chart.reaches(next.z_q30)) {
-        if (reaches_cap(at, next)) return prepare_cap(at_node, next_node, length);
-        const int32_t limit = next.z_q30 < chart.lowest_z_q30() ? chart.lowest_z_q30() : chart.highest_z_q30();
+    if (!map.reaches(next.z_q30)) {
+        if (is_over_pole(at, next)) return prepare_polar(at_pixel, next_pixel, length);
+        const int32_t limit = next.z_q30 < map.lowest_z_q30() ? map.lowest_z_q30() : map.highest_z_q30();
         return length_before(limit, at.z_q30, next.z_q30, length);
     }
     if (magnitude(turn_q20) > kMaxTurnQ20) return magnitude(turn_q20) > 2 * kMaxTurnQ20 ? length >> 2 : length >> 1;
-    next_ = chart.at(next_longitude_q20_, next.z_q30 >> 14);
-    const int32_t u_q16 = next_.u_q16 - side.u_q16;
-    const int32_t v_q16 = next_.v_q16 - side.v_q16;
+    next_place_ = map.at(next_longitude_q20_, next.z_q30 >> 14);
+    const int32_t u_q16 = next_place_.u_q16 - place_.u_q16;
+    const int32_t v_q16 = next_place_.v_q16 - place_.v_q16;
     if (!is_steppable(u_q16) || !is_steppable(v_q16)) return length >> 1;
-    side.du_q16 = step_of(u_q16, length);
-    side.dv_q16 = step_of(v_q16, length);
-    side.z_q30 = at.z_q30;
+    line.u_q16 = place_.u_q16;
+    line.v_q16 = place_.v_q16;
+    line.du_q16 = step_of(u_q16, length);
+    line.dv_q16 = step_of(v_q16, length);
+    line.uniform = map.is_uniform_at(at.z_q30) && map.is_uniform_at(next.z_q30);
+    track_.line.over_pole = false;
+    z_q30_ = at.z_q30;
     next_z_q30_ = next.z_q30;
-    side.uniform = chart.is_uniform_at(at.z_q30) && chart.is_uniform_at(next.z_q30);
     return length;
 }
 
-void SpanWalker::shift(int32_t share_q8)
+void LineWalker::shift(int32_t share_q8)
 {
-    SpanSide& side = track_.side;
-    if (side.cap != nullptr) return;
+    if (track_.line.over_pole) return;
     // A share is below an eighth of the span's length: it changes heights by less than an eighth of what the span does.
-    const SpanChart& chart = track_.chart;
-    const int32_t z_q29 = side.z_q30 >> 1;
+    const ZoneMap& map = track_.map;
+    const int32_t z_q29 = z_q30_ >> 1;
     const int32_t next_z_q29 = next_z_q30_ >> 1;
     const int32_t reach = magnitude(next_z_q29 - z_q29) >> 3;
     const int32_t lowest = (z_q29 < next_z_q29 ? z_q29 : next_z_q29) - reach;
     const int32_t highest = (z_q29 < next_z_q29 ? next_z_q29 : z_q29) + reach;
-    if (lowest <= chart.lowest_z_q30() >> 1 || highest >= chart.highest_z_q30() >> 1) return;
-    side.u_q16 += (side.du_q16 * share_q8) >> 8;
-    side.v_q16 += (side.dv_q16 * share_q8) >> 8;
+    if (lowest <= map.lowest_z_q30() >> 1 || highest >= map.highest_z_q30() >> 1) return;
+    CellLine& line = track_.line.cells;
+    line.u_q16 += (line.du_q16 * share_q8) >> 8;
+    line.v_q16 += (line.dv_q16 * share_q8) >> 8;
 }
 
 // Whether the polar pattern holds both hits.
-bool SpanWalker::reaches_cap(const SpanHit& at, const SpanHit& next) const
+bool LineWalker::is_over_pole(const Hit& at, const Hit& next) const
 {
-    const int32_t reach = track_.chart.lattice().reach_z_q30;
-    return at.z_q30 >= reach ? next.z_q30 >= reach : at.z_q30 <= -reach && next.z_q30 <= -reach;
+    const int32_t polar = track_.map.zones().polar_z_q30;
+    return at.z_q30 >= polar ? next.z_q30 >= polar : at.z_q30 <= -polar && next.z_q30 <= -polar;
 }
 
-int32_t SpanWalker::prepare_cap(const SpanNode& at, const SpanNode& next, int32_t length)
+int32_t LineWalker::prepare_polar(const HitPair& at, const HitPair& next, int32_t length)
 {
-    SpanSide& side = track_.side;
     const bool mirrored = (at.*track_.hit).z_q30 < 0;
-    if (side.cap == nullptr) {
-        track_.enter_cap(mirrored);
-        set_begin(track_.in_plane(at, mirrored));
+    if (!in_plane_) {
+        track_.enter_pole(mirrored);
+        place_ = track_.in_plane(at, mirrored);
+        in_plane_ = true;
     }
-    next_ = track_.in_plane(next, mirrored);
-    side.du_q16 = step_of(next_.u_q16 - side.u_q16, length);
-    side.dv_q16 = step_of(next_.v_q16 - side.v_q16, length);
-    track_.follow_cap();
+    next_place_ = track_.in_plane(next, mirrored);
+    track_.line.over_pole = true;
+    track_.set_polar(place_, {step_of(next_place_.u_q16 - place_.u_q16, length),
+                              step_of(next_place_.v_q16 - place_.v_q16, length)});
     return length;
 }
 

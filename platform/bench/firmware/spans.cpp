@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The span renderer with the policies that the build names: LUMI_BENCH_RECONSTRUCTION, LUMI_BENCH_TEXEL.
-#include "lumi/render_spans.h"
-
 #include "instance.h"
 #include "lumi/bench/views.h"
+#include "lumi/render_spans_paper.h"
 
 namespace lumi::bench
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The span renderer with an empty inner loop. Pixels that it leaves to the exact renderer (rim, poles) count as set-up.
+// The span renderer with empty loops.
 #include "hits_only.h"
 #include "instance.h"
 #include "lumi/bench/views.h"
-#include "lumi/render_spans.h"
+#include "lumi/render_spans_paper.h"
 
 namespace lumi
 {
@@ -25,6 +25,11 @@ struct SpanDraw<bench::SetupOnly> {
         do {
             __asm volatile("" ::"r"(&span) : "memory");  // someone wants the row
         } while (span.go_down(rows_left));
+    }
+    template <class Texel, class Pixel, class Background>
+    static void draw_checked(const CheckedTarget<Background>& span)
+    {
+        __asm volatile("" ::"r"(&span) : "memory");
     }
 };
 

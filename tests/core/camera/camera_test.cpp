@@ -34,9 +34,9 @@ Vec3 viewing_vector(const Pose& pose, const Image& image, double x, double y)
 // D as the camera describes it: P/e - m·ê.
 Vec3 camera_vector(const Camera& camera, int32_t x, int32_t y)
 {
-    const Vec3 p = {value(camera.offset[0], x, y), value(camera.offset[1], x, y), value(camera.offset[2], x, y)};
-    return reference::from_q30(camera.inverse_distance_q30) * p +
-           (-value(camera.facing, x, y)) * decoded(camera.eye_direction);
+    const Vec3 p = {value(camera.offset()[0], x, y), value(camera.offset()[1], x, y), value(camera.offset()[2], x, y)};
+    return reference::from_q30(camera.inverse_distance_q30()) * p +
+           (-value(camera.facing(), x, y)) * decoded(camera.eye_direction());
 }
 
 CameraError error_of(const Pose& pose, const Image& image)
@@ -58,7 +58,7 @@ TEST_CASE("a camera's rays are those of its pose and image", "[camera]")
         Camera camera;
         INFO(view.name);
         REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        CHECK(reference::from_q30(camera.inverse_distance_q30) ==
+        CHECK(reference::from_q30(camera.inverse_distance_q30()) ==
               Approx(1 / reference::length(decoded(view.pose.eye))).epsilon(1e-5));
         const double pixel = 2 * std::tan(view.image.fov_turns32 / 4294967296.0 * reference::kPi) /
                              std::max(view.image.width_px, view.image.height_px);
@@ -135,8 +135,8 @@ TEST_CASE("poses and images out of range are refused by name and leave the camer
     skewed.right.x = INT32_MIN;
     CHECK(error_of(skewed, kImage) == CameraError::axes_not_orthonormal);
 
-    Camera camera{};
-    camera.width_px = 77;
+    Camera camera;
+    REQUIRE(make_camera(good, {77, 64, degrees(40)}, camera) == CameraError::none);
     CHECK(make_camera(skewed, kImage, camera) != CameraError::none);
-    CHECK(camera.width_px == 77);
+    CHECK(camera.width_px() == 77);
 }

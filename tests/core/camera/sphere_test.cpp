@@ -25,12 +25,12 @@ struct ReferenceRay {
 ReferenceRay reference_ray(const Camera& camera, int32_t x, int32_t y)
 {
     const auto value = [&](const AffineQ40& a) { return std::ldexp(static_cast<double>(a.at(x, y)), -40); };
-    const double inverse = reference::from_q30(camera.inverse_distance_q30);
-    const Vec3 axis = decoded(camera.eye_direction);
-    const Vec3 p = {value(camera.offset[0]), value(camera.offset[1]), value(camera.offset[2])};
+    const double inverse = reference::from_q30(camera.inverse_distance_q30());
+    const Vec3 axis = decoded(camera.eye_direction());
+    const Vec3 p = {value(camera.offset()[0]), value(camera.offset()[1]), value(camera.offset()[2])};
     ReferenceRay ray{};
     ray.eye = (1 / inverse) * axis;
-    ray.direction = reference::normalised(inverse * p + (-value(camera.facing)) * axis);
+    ray.direction = reference::normalised(inverse * p + (-value(camera.facing())) * axis);
     const double along = -reference::dot(ray.eye, ray.direction);
     const double half2 = along * along - (reference::dot(ray.eye, ray.eye) - 1);
     ray.margin = half2 - std::ldexp(1.0, -kTangentShift);

@@ -23,7 +23,7 @@ constexpr double kLeastShare = 0.6;  // measured: 0.67
 #endif
 constexpr uint8_t kOfSpan = 1;
 constexpr uint8_t kOfTile = 2;
-constexpr uint8_t kExact = 200;  // what the field holds
+constexpr uint8_t kChecked = 4;
 
 struct Marks : Nearest {
 };
@@ -46,6 +46,11 @@ struct SpanDraw<Marks> {
             const uint8_t mark = span.tile != nullptr ? kOfTile : kOfSpan;
             for (int32_t k = 0; k < span.length; ++k) span.pixels[k] = static_cast<uint8_t>(span.pixels[k] + mark);
         } while (span.go_down(rows_left));
+    }
+    template <class Texel, class Pixel, class Background>
+    static void draw_checked(const CheckedTarget<Background>& span)
+    {
+        for (int32_t k = 0; k < span.length; ++k) span.pixels[k] = static_cast<uint8_t>(span.pixels[k] + kChecked);
     }
 };
 
@@ -71,7 +76,7 @@ double share_of_tiles(const Field& field, const Camera& camera, int32_t height)
         const RowSpan span = covered_span(camera, y, 0, kSide);
         for (int32_t x = 0; x < kSide; ++x) {
             const uint8_t mark = pixels[static_cast<size_t>(y * kSide + x)];
-            const bool is_drawn = mark == kOfSpan || mark == kOfTile || mark == kExact;
+            const bool is_drawn = mark == kOfSpan || mark == kOfTile || mark == kChecked;
             if (x >= span.begin && x < span.end) ++covered;
             if (mark == kOfTile) ++in_tiles;
             // Where the outline passes, its rounding and that of rays may differ by a pixel.
@@ -93,7 +98,7 @@ TEST_CASE("each pixel of the sphere is drawn once, most of them in tiles", "[spa
     layout.directions = 700;
     layout.texel = format::TexelFormat::luma8;
     const Bytes bytes =
-        file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return kExact; })});
+        file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});
     Field field;
     REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
     for (const View& view : extreme_views(kSide)) {

@@ -31,9 +31,9 @@ int32_t between(std::minstd_rand& random, int32_t low, int32_t high)
 }
 
 // Either kind of cell may begin within the span's own.
-SpanSide random_side(std::minstd_rand& random)
+CellLine random_side(std::minstd_rand& random)
 {
-    SpanSide side{};
+    CellLine side{};
     side.u_q16 = between(random, -(4 << 16), 4 << 16);
     side.v_q16 = between(random, -(4 << 16), 4 << 16);
     side.du_q16 = between(random, -30000, 30000);
@@ -46,7 +46,7 @@ SpanSide random_side(std::minstd_rand& random)
     return side;
 }
 
-SpanDown random_down(std::minstd_rand& random)
+LineChange random_down(std::minstd_rand& random)
 {
     return {between(random, -20000, 20000), between(random, -20000, 20000), between(random, -400, 400),
             between(random, -400, 400)};
@@ -60,9 +60,9 @@ template <bool kFlips, class Texel, class Background>
 void compare(const Field& field, const Background& background, std::minstd_rand& random)
 {
     for (int k = 0; k < kSpans; ++k) {
-        SpanSide origins = random_side(random);
-        SpanSide directions = random_side(random);
-        const SpanDown down[] = {random_down(random), random_down(random)};
+        CellLine origins = random_side(random);
+        CellLine directions = random_side(random);
+        const LineChange down[] = {random_down(random), random_down(random)};
         const int32_t length = between(random, 1, kPixels);
         const int32_t first = between(random, 0, kTileRows - 1);
         const TileRows tile = {first, between(random, 1, kTileRows - first), sizeof(Pixels::row[0]), down[0], down[1]};

@@ -48,9 +48,9 @@ int32_t between(std::minstd_rand& random, int32_t low, int32_t high)
     return std::uniform_int_distribution<int32_t>(low, high)(random);
 }
 
-SpanSide random_side(std::minstd_rand& random, int32_t most_step_q16)
+CellLine random_side(std::minstd_rand& random, int32_t most_step_q16)
 {
-    SpanSide side{};
+    CellLine side{};
     side.u_q16 = between(random, -(4 << 16), 4 << 16);
     side.v_q16 = between(random, -(4 << 16), 4 << 16);
     side.du_q16 = between(random, -most_step_q16, most_step_q16);
@@ -65,7 +65,7 @@ SpanSide random_side(std::minstd_rand& random, int32_t most_step_q16)
     return side;
 }
 
-SpanDown random_down(std::minstd_rand& random, int32_t most_q16)
+LineChange random_down(std::minstd_rand& random, int32_t most_q16)
 {
     const int32_t most_change = most_q16 / 64;
     return {between(random, -most_q16, most_q16), between(random, -most_q16, most_q16),
@@ -74,10 +74,12 @@ SpanDown random_down(std::minstd_rand& random, int32_t most_q16)
 
 // The largest difference between the values of a row's pixels, on either side.
 template <int kRowBits, int kTapBits, bool kFlips>
-double worst_of_row(PairSource<kFlips>& both, const SpanSide& origins, const SpanSide& directions)
+double worst_of_row(PairSource<kFlips>& both, const CellLine& origins, const CellLine& directions)
 {
-    CellSource rows(origins, 1);
-    CellSource taps(directions, kTexelBytes);
+    LatticeLine row_line{origins, {}, false};
+    LatticeLine texel_line{directions, {}, false};
+    SideWalk rows(row_line);
+    SideWalk taps(texel_line);
     double worst = 0;
     for (int32_t k = 0; k < kPixels; ++k) {
         const PairTaps got = both.template taps<Weights<kRowBits, kTapBits>>();
@@ -89,12 +91,13 @@ double worst_of_row(PairSource<kFlips>& both, const SpanSide& origins, const Spa
         }
         texel[1] = texel[0] + got.offset[0];
         texel[2] = texel[0] + got.offset[1];
-        const SpanTaps of_row = rows.taps<kRowBits>();
-        const SpanTaps of_texel = taps.taps<kTapBits>();
+        const SideTaps of_row = rows.taps<kRowBits>();
+        SideTaps of_texel = taps.taps<kTapBits>();
+        for (int32_t& index : of_texel.index) index *= kTexelBytes;
         worst = std::max(worst,
-                         std::fabs(mean(row, got.row_weight, kRowBits) - mean(of_row.offset, of_row.weight, kRowBits)));
+                         std::fabs(mean(row, got.row_weight, kRowBits) - mean(of_row.index, of_row.weight, kRowBits)));
         worst = std::max(
-            worst, std::fabs(mean(texel, got.weight, kTapBits) - mean(of_texel.offset, of_texel.weight, kTapBits)));
+            worst, std::fabs(mean(texel, got.weight, kTapBits) - mean(of_texel.index, of_texel.weight, kTapBits)));
         rows.advance();
         taps.advance();
     }
@@ -103,7 +106,7 @@ double worst_of_row(PairSource<kFlips>& both, const SpanSide& origins, const Spa
 
 // The same of all rows of a tile, or of a span's one.
 template <bool kFlips, int kRowBits, int kTapBits>
-double worst_difference(SpanSide origins, SpanSide directions, const TileRows* tile)
+double worst_difference(CellLine origins, CellLine directions, const TileRows* tile)
 {
     const Field field;
     const OverBlack background;
@@ -132,8 +135,8 @@ double worst_of_spans(int32_t most_step_q16)
     double worst = 0;
     int followed = 0;
     for (int k = 0; k < kSpans; ++k) {
-        const SpanSide origins = random_side(random, most_step_q16);
-        const SpanSide directions = random_side(random, most_step_q16);
+        const CellLine origins = random_side(random, most_step_q16);
+        const CellLine directions = random_side(random, most_step_q16);
         if (!can_follow(origins, directions, kPixels)) continue;
         ++followed;
         worst = std::max(worst, worst_difference<true, kRowBits, kTapBits>(origins, directions, nullptr));
@@ -152,9 +155,9 @@ double worst_of_tiles(int32_t most_step_q16)
     double worst = 0;
     int followed = 0;
     for (int k = 0; k < kSpans; ++k) {
-        const SpanSide origins = random_side(random, most_step_q16);
-        const SpanSide directions = random_side(random, most_step_q16);
-        const SpanDown down[] = {random_down(random, 2 * most_step_q16), random_down(random, 2 * most_step_q16)};
+        const CellLine origins = random_side(random, most_step_q16);
+        const CellLine directions = random_side(random, most_step_q16);
+        const LineChange down[] = {random_down(random, 2 * most_step_q16), random_down(random, 2 * most_step_q16)};
         const int32_t first = between(random, 0, kTileRows - 1);
         const TileRows tile = {first, kTileRows - first, 0, down[0], down[1]};
         if (!PairRows::can_follow(origins, down[0], kPixels) || !PairRows::can_follow(directions, down[1], kPixels))
@@ -192,20 +195,20 @@ TEST_CASE("both sides of a tile at once have the taps of each by itself", "[span
 
 TEST_CASE("tiles too wide for halves of a word are told", "[span]")
 {
-    const SpanSide still{};
-    const SpanDown level{};
+    const CellLine still{};
+    const LineChange level{};
     CHECK(PairRows::can_follow(still, level, kPixels));
     static constexpr int32_t kTooFast[] = {28656, -28657, 1 << 20, -(1 << 20), INT32_MAX, INT32_MIN};
-    for (int32_t SpanSide::*step : {&SpanSide::du_q16, &SpanSide::dv_q16}) {
+    for (int32_t CellLine::*step : {&CellLine::du_q16, &CellLine::dv_q16}) {
         for (const int32_t too_fast : kTooFast) {
-            SpanSide fast{};
+            CellLine fast{};
             fast.*step = too_fast;
             CHECK_FALSE(PairRows::can_follow(fast, level, kPixels));
         }
     }
     // Half a cell a pixel in the upper half, less one that a lower half below zero takes, would turn round.
     constexpr int32_t kFew = 8;
-    SpanSide fast{};
+    CellLine fast{};
     fast.du_q16 = -32775;
     CHECK(PairRows::can_follow(fast, level, kFew));
     fast.du_q16 = -32776;
@@ -214,16 +217,16 @@ TEST_CASE("tiles too wide for halves of a word are told", "[span]")
     CHECK(PairRows::can_follow(fast, level, kFew));
     fast.du_q16 = 32760;
     CHECK_FALSE(PairRows::can_follow(fast, level, kFew));
-    for (int32_t SpanDown::*down : {&SpanDown::u_q16, &SpanDown::v_q16}) {
+    for (int32_t LineChange::*down : {&LineChange::u_q16, &LineChange::v_q16}) {
         for (const int32_t too_steep : {57312, -57313, 1 << 26, -(1 << 26)}) {
-            SpanDown steep{};
+            LineChange steep{};
             steep.*down = too_steep;
             CHECK_FALSE(PairRows::can_follow(still, steep, kPixels));
         }
     }
-    for (int32_t SpanDown::*down : {&SpanDown::du_q16, &SpanDown::dv_q16}) {
+    for (int32_t LineChange::*down : {&LineChange::du_q16, &LineChange::dv_q16}) {
         for (const int32_t too_bent : {3584, -3584, 1 << 20, -(1 << 20)}) {
-            SpanDown bent{};
+            LineChange bent{};
             bent.*down = too_bent;
             CHECK_FALSE(PairRows::can_follow(still, bent, kPixels));
         }
@@ -233,13 +236,13 @@ TEST_CASE("tiles too wide for halves of a word are told", "[span]")
 TEST_CASE("spans too fast for halves of a word are told", "[span]")
 {
     CHECK(worst_of_spans<12, 12>(60000) < 2);
-    SpanSide still{};
+    CellLine still{};
     CHECK(can_follow(still, still, kPixels));
     CHECK_FALSE(can_follow(still, still, kPixels + 1));
     static constexpr int32_t kTooFast[] = {30584, -34953, 1 << 20, -(1 << 20), INT32_MAX, INT32_MIN};
-    for (int32_t SpanSide::*step : {&SpanSide::du_q16, &SpanSide::dv_q16}) {
+    for (int32_t CellLine::*step : {&CellLine::du_q16, &CellLine::dv_q16}) {
         for (const int32_t too_fast : kTooFast) {
-            SpanSide fast{};
+            CellLine fast{};
             fast.*step = too_fast;
             CHECK_FALSE(can_follow(fast, still, 2));
             CHECK_FALSE(can_follow(still, fast, 2));

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "field_bytes.h"
-#include "lumi/render_spans.h"
+#include "lumi/render_spans_paper.h"
 #include "views.h"
 
 using namespace lumi;
@@ -122,9 +122,9 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
     CHECK(reads > 10000);
 }
 
-TEST_CASE("a chart that crosses the equator reads nothing beyond the other pole", "[span]")
+TEST_CASE("a zone that crosses the equator reads nothing beyond the other pole", "[span]")
 {
-    // Found by random search: a span of an acute chart whose cells are flipped where it ends.
+    // Found by random search: a span of an acute zone whose cells are flipped where it ends.
     TestLayout layout;
     layout.origins = layout.used_origins = layout.directions = 75;
     layout.texel = format::TexelFormat::luma8;

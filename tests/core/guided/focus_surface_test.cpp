@@ -66,8 +66,8 @@ TEST_CASE("the focus surface is where double precision puts it", "[guided]")
         const Camera camera = camera_of(view);
         FocusSurface surface(opened.field, camera);
         const double distance = reference::length(reference::decoded(view.pose.eye));
-        for (int32_t y = 0; y < camera.height_px; y += 3) {
-            const RowSpan covered = covered_span(camera, y, 0, camera.width_px);
+        for (int32_t y = 0; y < camera.height_px(); y += 3) {
+            const RowSpan covered = covered_span(camera, y, 0, camera.width_px());
             surface.begin_row(y);
             for (int32_t x = covered.begin; x < covered.end; x += 2) {
                 SurfacePoint seen[1];

@@ -60,9 +60,9 @@ inline constexpr Rgb8 kBehind = {20, 90, 160};
 template <class Policy, class Surface>
 std::vector<uint8_t> draw(const GuidedField& field, const Camera& camera, Surface& surface)
 {
-    const uint32_t width = static_cast<uint32_t>(camera.width_px);
-    std::vector<uint8_t> pixels(width * static_cast<uint32_t>(camera.height_px) * 3, 77);
-    const Stripe stripe = {pixels.data(), 0, 0, camera.width_px, camera.height_px, width * 3};
+    const uint32_t width = static_cast<uint32_t>(camera.width_px());
+    std::vector<uint8_t> pixels(width * static_cast<uint32_t>(camera.height_px()) * 3, 77);
+    const Stripe stripe = {pixels.data(), 0, 0, camera.width_px(), camera.height_px(), width * 3};
     REQUIRE(render_guided<Policy, PixelRgb888>(field, camera, surface, OverColour{kBehind}, stripe) ==
             GuidedError::none);
     return pixels;

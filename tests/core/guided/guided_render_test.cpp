@@ -105,8 +105,8 @@ TEST_CASE("any rectangle of a guided picture shows the same bits", "[guided]")
             const auto below = [&](int32_t limit) {
                 return static_cast<int32_t>(random() % static_cast<uint32_t>(limit));
             };
-            const int32_t x = below(camera.width_px), y = below(camera.height_px);
-            const int32_t width = 1 + below(camera.width_px - x), height = 1 + below(camera.height_px - y);
+            const int32_t x = below(camera.width_px()), y = below(camera.height_px());
+            const int32_t width = 1 + below(camera.width_px() - x), height = 1 + below(camera.height_px() - y);
             std::vector<uint8_t> part(static_cast<size_t>(width * height) * 3);
             const Stripe stripe = {part.data(), x, y, width, height, static_cast<uint32_t>(width) * 3};
             REQUIRE(render_guided<Linear3, PixelRgb888>(opened.field, camera, surface, OverColour{kBehind}, stripe) ==
@@ -114,7 +114,7 @@ TEST_CASE("any rectangle of a guided picture shows the same bits", "[guided]")
             for (int32_t row = 0; row < height; ++row) {
                 const auto from = part.begin() + row * width * 3;
                 same =
-                    same && std::equal(from, from + width * 3, whole.begin() + ((y + row) * camera.width_px + x) * 3);
+                    same && std::equal(from, from + width * 3, whole.begin() + ((y + row) * camera.width_px() + x) * 3);
             }
         }
         CHECK(same);

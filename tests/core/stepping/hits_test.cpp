@@ -72,7 +72,7 @@ TEST_CASE("the sphere covers all between the columns that two rows share", "[spa
 TEST_CASE("spans are as long as the rim allows, and end where they must", "[span]")
 {
     for (const int32_t longest : {2, 4, 8, 16}) {
-        const SpanRamp ramp(longest);
+        const SpanLengths ramp(longest);
         for (int32_t from_left = 0; from_left < 60; ++from_left) {
             for (int32_t from_right = 1; from_right < 60; ++from_right) {
                 for (const int32_t room : {1, 7, 100}) {
@@ -82,7 +82,7 @@ TEST_CASE("spans are as long as the rim allows, and end where they must", "[span
                     // Never much longer than the distance from the rim.
                     REQUIRE(length <= 4 * from_left + 3);
                     REQUIRE(length <= 5 * (from_right - length) + 3);
-                    const int32_t shift = SpanRamp::shift_q8(from_left, from_right - length, length);
+                    const int32_t shift = SpanLengths::shift_q8(from_left, from_right - length, length);
                     REQUIRE(std::abs(shift) < 32 * length);
                     REQUIRE(std::abs(shift) <= 128 * length);
                 }
@@ -115,26 +115,26 @@ TEST_CASE("a row of rays begins where the camera's 64 bits say", "[span]")
     for (const View& view : extreme_views(kSide)) {
         Camera camera;
         REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        const NodeEvaluator nodes(camera);
+        const HitEvaluator nodes(camera);
         for (int32_t y = 0; y < view.image.height_px; y += 7) {
             for (int32_t x = 0; x < view.image.width_px; x += 5) {
                 const RayRow row = nodes.row_at(x, y);
                 const auto low_word = [](int64_t v) { return static_cast<int32_t>(static_cast<uint32_t>(v >> 12)); };
-                for (int k = 0; k < 3; ++k) REQUIRE(row.value_q28[k] == low_word(camera.offset[k].at(x, y)));
-                REQUIRE(row.value_q28[3] == low_word(camera.facing.at(x, y)));
+                for (int k = 0; k < 3; ++k) REQUIRE(row.value_q28[k] == low_word(camera.offset()[k].at(x, y)));
+                REQUIRE(row.value_q28[3] == low_word(camera.facing().at(x, y)));
             }
         }
     }
 }
 
-TEST_CASE("nodes hit the sphere where the exact rays do", "[span]")
+TEST_CASE("coarse hits lie where the exact rays meet the sphere", "[span]")
 {
     Worst angle;
     Worst height;
     for (const View& view : extreme_views(kSide)) {
         Camera camera;
         REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        RowNodes nodes(camera);
+        RowHits nodes(camera);
         for (int32_t y = 0; y < view.image.height_px; ++y) {
             const RowSpan span = covered_span(camera, y, 0, view.image.width_px);
             if (span.begin >= span.end) continue;
@@ -142,10 +142,10 @@ TEST_CASE("nodes hit the sphere where the exact rays do", "[span]")
             for (int32_t x = span.begin; x < span.end; ++x) {
                 SphereRay ray;
                 if (!ray_at(camera, x, y, ray) || ray.half_chord2_q60 < uint64_t{1} << 54) continue;  // s > 1/8
-                SpanNode node;
+                HitPair node;
                 nodes.evaluate(x - span.begin, node);
                 const SphereHits truth = hits(camera, ray);
-                const auto see = [&](const SpanHit& hit, const Vec3q30& t) {
+                const auto see = [&](const Hit& hit, const Vec3q30& t) {
                     const uint64_t where = static_cast<uint64_t>(y) * 1000 + static_cast<uint64_t>(x);
                     height.see(std::fabs(reference::from_q30(hit.z_q30) - reference::from_q30(t.z)), where);
                     const Vec3 v = decoded(t);
@@ -158,13 +158,13 @@ TEST_CASE("nodes hit the sphere where the exact rays do", "[span]")
             }
         }
     }
-    height.report("span node, error of z where the half chord is above 1/8");
-    angle.report("span node, error along the parallel where the half chord is above 1/8");
+    height.report("coarse hit, error of z where the half chord is above 1/8");
+    angle.report("coarse hit, error along the parallel where the half chord is above 1/8");
     CHECK(height.error < std::ldexp(1.0, -10));
     CHECK(angle.error < std::ldexp(1.0, -10));
 }
 
-TEST_CASE("the parts of a node keep their stated errors", "[span]")
+TEST_CASE("coarse math keeps its stated errors", "[span]")
 {
     Worst root;
     Worst reciprocal;

@@ -25,7 +25,7 @@ public:
 
     void begin_stripe(const Stripe&) {}
     int32_t next(int32_t x, int32_t) const { return x; }
-    RowSpan columns() const { return {0, camera_.width_px}; }
+    RowSpan columns() const { return {0, camera_.width_px()}; }
     void begin_row(int32_t y);
     // Pixel x of the row, whose ray meets the unit sphere. About 90 instructions, 60 more with a focus sphere.
     uint32_t at(int32_t x, SurfacePoint (&out)[kSamples]) const;
@@ -35,7 +35,7 @@ private:
         int32_t row_q28, step_q28;  // at column 0 of the row
     };
 
-    const AffineQ40& source(int k) const { return k < 3 ? camera_.offset[k] : camera_.facing; }
+    const AffineQ40& source(int k) const { return k < 3 ? camera_.offset()[k] : camera_.facing(); }
 
     const Camera& camera_;
     int32_t focus_q14_[3];

@@ -136,17 +136,15 @@ __attribute__((noinline)) void draw_guided_rows(const GuidedField& field, const 
                                                 const Background& background, const Stripe& stripe)
 {
     GuidedRenderer<Policy, Surface, Pixel, Background> renderer(field, camera, surface, background);
-    OutlineTracker outline(camera, {0, camera.width_px});
+    OutlineTracker outline(camera, {0, camera.width_px()});
     const RowSpan columns = surface.columns();
-    const RowSpan limits = {larger(stripe.x_px, columns.begin), smaller(stripe.x_px + stripe.width_px, columns.end)};
-    for (int32_t row = 0; row < stripe.height_px; ++row) {
-        uint8_t* pixels = stripe.pixels + static_cast<size_t>(row) * stripe.stride_bytes;
-        const RowSpan covered = outline.row(stripe.y_px + row);
+    const RowSpan limits = {larger(stripe.x_px, columns.begin), smaller(stripe.right_px(), columns.end)};
+    for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
+        const RowSpan covered = outline.row(y);
         RowSpan span = {larger(covered.begin, limits.begin), smaller(covered.end, limits.end)};
         if (span.begin >= span.end) span = {stripe.x_px, stripe.x_px};
-        fill_beside<Pixel>(background, stripe, span, pixels);
-        renderer.row(span, covered, stripe.y_px + row,
-                     pixels + static_cast<uint32_t>(span.begin - stripe.x_px) * Pixel::kBytes);
+        fill_beside<Pixel>(background, stripe, span, y);
+        renderer.row(span, covered, y, pixel_of<Pixel>(stripe, span.begin, y));
     }
 }
 

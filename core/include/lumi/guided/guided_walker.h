@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The origin triangle of every pixel of a row, stepped between exact hits (span_lattice.h) where pixels need it.
+// The origin triangle of every pixel of a row, stepped between exact hits (walker.h) where pixels need it.
 //
 // A row is cut into segments of up to 16 pixels at places that depend on the camera alone, and a segment is always
 // walked from its first pixel. So a pixel's triangle does not depend on which other pixels are drawn: any rectangle
@@ -8,12 +8,22 @@
 
 #include "lumi/detail/register_hints.h"
 #include "lumi/guided/guided_origin.h"
-#include "lumi/detail/chord/side_taps.h"
 #include "lumi/detail/stepping/walker.h"
 #include "lumi/sphere.h"
 
 namespace lumi
 {
+
+// Where a line's lattice steps lead.
+struct CellSteps {
+    int32_t first, second, base;
+    int32_t flip, flip_mask;
+
+    // Index of a cell's lowest corner from `base`.
+    int32_t corner(int32_t u_q16, int32_t v_q16) const { return first * (u_q16 >> 16) + second * (v_q16 >> 16); }
+    // Whether the diagonal of the cell at a corner is the difference of both steps.
+    bool is_flipped(int32_t corner) const { return ((corner - flip) ^ flip_mask) < 0; }
+};
 
 class OriginWalker
 {
@@ -41,11 +51,11 @@ private:
     static constexpr uint32_t kNoKey = 1u << 31;  // of a cell 2^14 away
 
     struct Cells {
-        SpanSteps steps;
+        CellSteps steps;
         int32_t u_q16, v_q16, du_q16, dv_q16;  // at the segment's first pixel
     };
     struct Node {
-        SpanNode node;
+        HitPair node;
         int32_t ahead = -1;  // of the row; -1: none
     };
 
@@ -91,9 +101,9 @@ private:
     LUMI_ALWAYS_INLINE bool move_over_cap(int32_t x)
     {
         const int32_t n = x - cap_x_;
-        const int32_t near_q16 = cap_.weight_q16[0] + n * cap_.step_q16[0];
-        const int32_t middle_q16 = cap_.weight_q16[1] + n * cap_.step_q16[1];
-        const int32_t far_q16 = cap_.weight_q16[2] + n * cap_.step_q16[2];
+        const int32_t near_q16 = polar_.weight_q16[0] + n * polar_.step_q16[0];
+        const int32_t middle_q16 = polar_.weight_q16[1] + n * polar_.step_q16[1];
+        const int32_t far_q16 = polar_.weight_q16[2] + n * polar_.step_q16[2];
         if (__builtin_expect((near_q16 | middle_q16 | far_q16) < 0, false)) return step_over_cap(x);
         set_cap_weights(middle_q16, far_q16);
         return false;
@@ -123,23 +133,23 @@ private:
     bool set_index(int k, int32_t index);
 
     // What every pixel needs comes first: Armv6-M reads 124 bytes beyond an object's address in one instruction.
-    // The segment, as columns of the image; the triangle, in a cell or a cap, that taps_ holds; and how cells are
+    // The segment, as columns of the image; the triangle, in a cell or over a pole, that taps_ holds; and how cells are
     // stepped.
     int32_t begin_x_ = 0, end_x_ = 0;
     uint32_t key_ = kNoKey;
     Kind kind_ = Kind::exact;
     OriginTaps taps_{{-1, -1, -1}, {0, 0, 0}};
     Cells cell_;
-    SpanCap cap_{};
+    PolarLine polar_{};
     int32_t cap_x_ = 0;  // the column whose weights cap_ holds
     RowSpan covered_{0, 0};
     int32_t y_ = 0, nodes_y_ = INT32_MIN;
     const Camera& camera_;
     const Lattice& origins_;
-    SpanLattice lattice_;
-    RowNodes nodes_;
-    SpanTrack track_;
-    SpanWalker walker_;
+    LatticeZones lattice_;
+    RowHits nodes_;
+    LatticeTrack track_;
+    LineWalker walker_;
     Node node_[2];
 };
 

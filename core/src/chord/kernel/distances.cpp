@@ -100,7 +100,7 @@ int32_t rounded_q12(int32_t q16)
 
 }  // namespace
 
-SpanDistances::SpanDistances(const SpanSide& side, const Lattice& lattice, int32_t unit, int32_t from, int32_t length)
+SpanDistances::SpanDistances(const CellLine& side, const Lattice& lattice, int32_t unit, int32_t from, int32_t length)
 {
     const int32_t u_q16 = side.u_q16 + from * side.du_q16;
     const int32_t v_q16 = side.v_q16 + from * side.dv_q16;
@@ -125,7 +125,7 @@ SpanDistances::SpanDistances(const SpanSide& side, const Lattice& lattice, int32
 
 // T changes by at most 0.12 over half a piece, and the shape is taken from the table's range: beyond that distances are
 // not right, but no sum overflows.
-LUMI_ALWAYS_INLINE void SpanDistances::bend(const SpanSide& side, const Lattice& lattice, const LatticePoint& from,
+LUMI_ALWAYS_INLINE void SpanDistances::bend(const CellLine& side, const Lattice& lattice, const LatticePoint& from,
                                             int32_t length)
 {
     const ZoneShape& zone = kTables.zone[side.zone->number - kFirstSpanZone];

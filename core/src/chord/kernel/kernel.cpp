@@ -27,14 +27,14 @@ constexpr SumReciprocals make_sum_reciprocals()
 const SumReciprocals kSumReciprocals = make_sum_reciprocals();
 
 // Distances in Lambert's plane, where a point covers an area of π and the mean spacing is √π.
-CapPoints::CapPoints(const SpanCap& cap, int32_t pixel, int32_t step_bytes)
+PolarPoints::PolarPoints(const PolarLine& line, int32_t pixel)
 {
-    const int32_t x = cap.x_q12 + ((pixel * cap.dx_q16) >> 4);
-    const int32_t y = cap.y_q12 + ((pixel * cap.dy_q16) >> 4);
-    const uint8_t* beyond = polar::beyond(cap.triangle);
-    const uint8_t* own = polar::corners(cap.triangle);
+    const int32_t x = line.x_q12 + ((pixel * line.dx_q16) >> 4);
+    const int32_t y = line.y_q12 + ((pixel * line.dy_q16) >> 4);
+    const uint8_t* beyond = polar::beyond(line.triangle);
+    const uint8_t* own = polar::corners(line.triangle);
 #pragma GCC unroll 6
-    for (int k = 0; k < kCapCandidates; ++k) {  // unrolled: nothing is divided by 3
+    for (int k = 0; k < kCount; ++k) {  // unrolled: nothing is divided by 3
         int32_t corner = own[k % 3];
         if (k >= 3 && beyond[k - 3] != polar::kNone) {
             const uint8_t* c = polar::corners(beyond[k - 3]);
@@ -46,17 +46,17 @@ CapPoints::CapPoints(const SpanCap& cap, int32_t pixel, int32_t step_bytes)
         const int32_t dx = (p.x_q12 - x) >> 2;
         const int32_t dy = (p.y_q12 - y) >> 2;
         const bool doubled = k >= 3 && beyond[k - 3] == polar::kNone;
-        offset[k] = corner * step_bytes;
+        index[k] = line.base + corner * line.step;
         distance2_q12[k] = doubled ? kOneQ12 : (((dx * dx + dy * dy) >> 8) * kInversePiQ15) >> 15;
     }
 }
 
-void KernelTaps::set(const CapPoints& near, int most, int bits)
+void KernelTaps::set(const PolarPoints& near, int most, int bits)
 {
     uint32_t sum = 0;
     count = 0;
 #pragma GCC unroll 6
-    for (int k = 0; k < kCapCandidates; ++k) {
+    for (int k = 0; k < PolarPoints::kCount; ++k) {
         const int32_t inside = kOneQ12 - near.distance2_q12[k];
         if (inside <= 0) continue;
         const uint32_t w = static_cast<uint32_t>(inside * inside) >> 12;
@@ -72,7 +72,7 @@ void KernelTaps::set(const CapPoints& near, int most, int bits)
             ++count;
         }
         weight[at] = w;
-        offset[at] = near.offset[k];
+        offset[at] = near.index[k];
         sum += w;
     }
     const CoarseReciprocal r = coarse_reciprocal(sum != 0 ? sum : 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of the span renderer: one per reconstruction, over any texel, pixel and background.
+// The loops that draw pieces: one per reconstruction, over any texel, pixel and background.
 //
-// SpanDraw<Reconstruction>::draw(span) fills all pixels of a SpanTarget, whose row and sides it may move. Both sides'
-// coordinates advance by addition; a texel's address is a sum of products of whole lattice steps; no division, no
-// table, no clamping.
+// SpanDraw<Reconstruction> has draw(SpanTarget), through cells, and draw_checked(CheckedTarget). Either fills all pixels
+// of its target, whose lines it may move. Through cells both sides' coordinates advance by addition and a texel's
+// address is a sum of products of whole lattice steps; no division, no table, no clamping.
 #pragma once
 
 #include "lumi/pixel.h"
@@ -46,6 +46,46 @@ LUMI_ALWAYS_INLINE void store_single(const Field& field, const Background& backg
     }
 }
 
+// A texel that is null is transparent.
+template <class Texel, class Pixel, class Background>
+void store_checked(const CheckedTarget<Background>& span, const uint8_t* texel, uint8_t* pixel)
+{
+    if (texel != nullptr) return store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+    if (Background::kFills) Pixel::store(pixel, span.background.template under<Pixel>(pixel));
+}
+
+// Where the whole parts of two coordinates lie: their products with a side's steps, counted in `unit` bytes or points.
+// Steps are below 378 (F_14) and a texel has at most three bytes, so with Armv7E-M's DSP extension both steps share a
+// register and each product takes one instruction (SMULTB, SMLATT); the sums are the same.
+class CellIndex
+{
+public:
+#ifdef __ARM_FEATURE_DSP
+    CellIndex(const CellLine& side, int32_t unit)
+        : steps_((side.first * unit & 0xFFFF) | static_cast<int32_t>(static_cast<uint32_t>(side.second * unit) << 16))
+    {
+    }
+
+    LUMI_ALWAYS_INLINE int32_t at(int32_t u_q16, int32_t v_q16) const
+    {
+        return __smlatt(v_q16, steps_, __smlatb(u_q16, steps_, 0));
+    }
+
+private:
+    int32_t steps_;
+#else
+    CellIndex(const CellLine& side, int32_t unit) : first_(side.first * unit), second_(side.second * unit) {}
+
+    LUMI_ALWAYS_INLINE int32_t at(int32_t u_q16, int32_t v_q16) const
+    {
+        return first_ * (u_q16 >> 16) + second_ * (v_q16 >> 16);
+    }
+
+private:
+    int32_t first_, second_;
+#endif
+};
+
 // One tap: the point of the cell's coordinates, rounded down after offset(pixel) was added on each side.
 struct SpanOffsets {
     int32_t origins_q16, directions_q16;
@@ -58,8 +98,8 @@ void draw_single(SpanTarget<Background>& span)
 {
     constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
     const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
-    const SpanIndex rows(span.origins, 1);
-    const SpanIndex texels(span.directions, kBytes);
+    const CellIndex rows(span.origins, 1);
+    const CellIndex texels(span.directions, kBytes);
     const uint8_t* const base = settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
     int32_t rows_left = span.rows();
     span.go_to_first();
@@ -91,32 +131,23 @@ void draw_single(SpanTarget<Background>& span)
     } while (span.go_down(rows_left));
 }
 
-// The same where a side lies over a cap: there the corner that Offsets::pick() chooses by the weights.
-template <bool kOriginsInCap, bool kDirectionsInCap, class Texel, class Pixel, class Offsets, class Background>
-void draw_single_over_cap(const SpanTarget<Background>& span)
+// The same where every texel is checked.
+template <class Texel, class Pixel, class Offsets, class Background>
+void draw_single_checked(const CheckedTarget<Background>& span)
 {
     const Offsets offsets(span.x, span.y);
-    OneTap<kOriginsInCap> origins(span.origins, static_cast<int32_t>(span.field.row_stride_bytes));
-    OneTap<kDirectionsInCap> directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    const uint8_t* const base = settled(span.field.texels + origins.base() + directions.base());
+    SideWalk origins(span.origins);
+    SideWalk directions(span.directions);
     uint8_t* pixel = span.pixels;
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
         const SpanOffsets add = offsets.at(k);
-        const uint8_t* const row = base + origins.template offset<Offsets>(add.origins_q16);
-        const uint8_t* const texel = row + directions.template offset<Offsets>(add.directions_q16);
-        store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
+        store_checked<Texel, Pixel>(span,
+                                    span.template texel<Texel>(origins.template one_tap<Offsets>(add.origins_q16),
+                                                               directions.template one_tap<Offsets>(add.directions_q16)),
+                                    pixel);
         origins.advance();
         directions.advance();
     }
-}
-
-template <class Texel, class Pixel, class Offsets, class Background>
-void draw_one_tap(SpanTarget<Background>& span)
-{
-    if (!span.is_over_cap()) return draw_single<Texel, Pixel, Offsets>(span);
-    if (span.directions.cap == nullptr) return draw_single_over_cap<true, false, Texel, Pixel, Offsets>(span);
-    if (span.origins.cap == nullptr) return draw_single_over_cap<false, true, Texel, Pixel, Offsets>(span);
-    draw_single_over_cap<true, true, Texel, Pixel, Offsets>(span);
 }
 
 // Through cells, both sides at once: all rows of a tile, or without one the span's.
@@ -187,25 +218,26 @@ bool can_follow_tile(const SpanTarget<Background>& span)
            PairRows::can_follow(span.directions, span.tile->directions, span.length);
 }
 
-// Side by side, each through cells or over a cap.
-template <class Origins, class Directions, class Texel, class Pixel, class Background>
-void draw_sides(const SpanTarget<Background>& span)
+// Side by side, every texel checked.
+template <class Texel, class Pixel, class Background>
+void draw_nine_checked(const CheckedTarget<Background>& span)
 {
     using Sum = SpanSum<Texel, !Background::kIsBlack>;
-    const Field field = span.field;  // stores of pixels do not change it
-    Origins origins(span.origins, static_cast<int32_t>(field.row_stride_bytes));
-    Directions directions(span.directions, static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
-    const uint8_t* base = settled(field.texels - Sum::kBefore + origins.base() + directions.base());
+    SideWalk origins(span.origins);
+    SideWalk directions(span.directions);
     uint8_t* pixel = span.pixels;
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
-        const SpanTaps rows = origins.template taps<Sum::kRowBits>();
-        const SpanTaps texels = directions.template taps<Sum::kTapBits>();
-        const uint8_t* const first = base + texels.offset[0];
-        const Sum sum = NineTaps<Sum>::sum(
-            field, {{first + rows.offset[0], first + rows.offset[1], first + rows.offset[2]},
-                    {texels.offset[1] - texels.offset[0], texels.offset[2] - texels.offset[0]},
-                    {row_weight<Sum>(rows.weight[0]), row_weight<Sum>(rows.weight[1]), row_weight<Sum>(rows.weight[2])},
-                    {texels.weight[0], texels.weight[1], texels.weight[2]}});
+        const SideTaps rows = origins.template taps<Sum::kRowBits>();
+        const SideTaps texels = directions.template taps<Sum::kTapBits>();
+        Sum sum;
+        for (int m = 0; m < 3; ++m) {
+            typename Sum::Row of_row;
+            for (int n = 0; n < 3; ++n) {
+                const uint8_t* const texel = span.template texel<Texel>(rows.index[m], texels.index[n]);
+                if (texel != nullptr) of_row.add(span.field, texel - Sum::kBefore, texels.weight[n]);
+            }
+            sum.add(of_row, row_weight<Sum>(rows.weight[m]));
+        }
         sum.template store<Pixel>(span.background, pixel);
         origins.advance();
         directions.advance();
@@ -234,7 +266,12 @@ struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
     static void draw(SpanTarget<Background>& span)
     {
-        draw_one_tap<Texel, Pixel, Rounding>(span);
+        draw_single<Texel, Pixel, Rounding>(span);
+    }
+    template <class Texel, class Pixel, class Background>
+    static void draw_checked(const CheckedTarget<Background>& span)
+    {
+        draw_single_checked<Texel, Pixel, Rounding>(span);
     }
 };
 
@@ -274,7 +311,12 @@ struct SpanDraw<Dither> {
     template <class Texel, class Pixel, class Background>
     static void draw(SpanTarget<Background>& span)
     {
-        draw_one_tap<Texel, Pixel, DitherRow>(span);
+        draw_single<Texel, Pixel, DitherRow>(span);
+    }
+    template <class Texel, class Pixel, class Background>
+    static void draw_checked(const CheckedTarget<Background>& span)
+    {
+        draw_single_checked<Texel, Pixel, DitherRow>(span);
     }
 };
 
@@ -283,11 +325,6 @@ struct SpanDraw<Linear> {
     template <class Texel, class Pixel, class Background>
     static void draw(SpanTarget<Background>& span)
     {
-        if (span.is_over_cap()) {
-            if (span.directions.cap == nullptr) return draw_sides<CapSource, CellSource, Texel, Pixel>(span);
-            if (span.origins.cap == nullptr) return draw_sides<CellSource, CapSource, Texel, Pixel>(span);
-            return draw_sides<CapSource, CapSource, Texel, Pixel>(span);
-        }
         if (can_follow_tile(span)) return draw_cells<Texel, Pixel>(span, span.tile);
         int32_t rows_left = span.rows();
         span.go_to_first();
@@ -295,9 +332,25 @@ struct SpanDraw<Linear> {
             if (can_follow(span.origins, span.directions, span.length)) {
                 draw_cells<Texel, Pixel>(span, nullptr);
             } else {
-                draw_sides<CellSource, CellSource, Texel, Pixel>(span);
+                draw_steep<Texel, Pixel>(span);
             }
         } while (span.go_down(rows_left));
+    }
+    template <class Texel, class Pixel, class Background>
+    static void draw_checked(const CheckedTarget<Background>& span)
+    {
+        draw_nine_checked<Texel, Pixel>(span);
+    }
+
+private:
+    // Steps that are too long for halves of words: side by side.
+    template <class Texel, class Pixel, class Background>
+    static void draw_steep(const SpanTarget<Background>& span)
+    {
+        LatticeLine origins{span.origins, {}, false};
+        LatticeLine directions{span.directions, {}, false};
+        draw_nine_checked<Texel, Pixel>(CheckedTarget<Background>{span.field, span.background, span.pixels, span.length,
+                                                                  span.x, span.y, origins, directions});
     }
 };
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lumi/detail/halves.h"
-#include "lumi/detail/stepping/zones.h"
+#include "lumi/detail/stepping/lattice_line.h"
 #include "lumi/detail/word_pair.h"
 
 namespace lumi
@@ -44,7 +44,7 @@ struct PairBits {
 class PairSteps
 {
 public:
-    PairSteps(const SpanSide& origins, const SpanSide& directions, int32_t bytes)
+    PairSteps(const CellLine& origins, const CellLine& directions, int32_t bytes)
         : steps_{pack(origins.first, directions.first * bytes), pack(origins.second, directions.second * bytes)}
     {
     }
@@ -106,7 +106,7 @@ private:
 class PairSteps
 {
 public:
-    PairSteps(const SpanSide& origins, const SpanSide& directions, int32_t bytes)
+    PairSteps(const CellLine& origins, const CellLine& directions, int32_t bytes)
         : first_origin_(origins.first),
           second_origin_(origins.second),
           first_direction_(directions.first * bytes),

@@ -5,7 +5,7 @@
 // Coordinates count cells from the one in which the span or tile begins, Q12, in 16 bits: a span's pixels may be up to
 // 0.46 cells apart, and its 15 steps reach less than eight cells. Steps are rounded to Q12, which moves a span's last
 // pixel by at most 0.002 cells, a tile's by 0.003: 1.1 and 1.9 indices at 65,536 points. No corner leaves the lattice:
-// SpanChart keeps one index and more to spare, TileWalker five.
+// ZoneMap keeps one index and more to spare, TileWalker five.
 // Two halves are added as one word: a lower half below zero takes 2^-12 cells from the upper one, on every core.
 #pragma once
 
@@ -27,7 +27,7 @@ struct PairFlip {
 };
 
 // Whether a span's steps are few and short enough: from 4095/4096 of a cell 15 of them end within [-8, 8).
-inline bool can_follow(const SpanSide& origins, const SpanSide& directions, int32_t length)
+inline bool can_follow(const CellLine& origins, const CellLine& directions, int32_t length)
 {
     constexpr int32_t kMostPixels = 16;
     constexpr uint32_t kBelow = 34952;  // steps from -34952/65536 on
@@ -74,7 +74,7 @@ public:
 
     // Whether all rows of a tile can be followed: its corners lie less than seven cells from the first pixel, and steps
     // fit into halves, Q16.
-    static bool can_follow(const SpanSide& side, const SpanDown& down, int32_t length)
+    static bool can_follow(const CellLine& side, const LineChange& down, int32_t length)
     {
         return can_follow(side.du_q16, down.u_q16, down.du_q16, length) &&
                can_follow(side.dv_q16, down.v_q16, down.dv_q16, length);
@@ -114,7 +114,7 @@ private:
                is_near(length * last_step_q16 + height_q16);
     }
 
-    void begin(const SpanSide& origins, const SpanSide& directions, const TileRows& tile)
+    void begin(const CellLine& origins, const CellLine& directions, const TileRows& tile)
     {
         const auto pair = [](int32_t origin, int32_t direction) {
             return (static_cast<uint32_t>(origin) << 16) + static_cast<uint32_t>(direction);
@@ -165,7 +165,7 @@ template <bool kFlips>
 class PairSource
 {
 public:
-    PairSource(const SpanSide& origins, const SpanSide& directions, const uint8_t* texels, const PairUnits& units)
+    PairSource(const CellLine& origins, const CellLine& directions, const uint8_t* texels, const PairUnits& units)
         : steps_(origins, directions, units.texel_bytes)
     {
         const int32_t origin = steps_.origin_cell(origins.u_q16, origins.v_q16);

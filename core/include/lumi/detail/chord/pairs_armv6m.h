@@ -155,7 +155,7 @@ template <bool kFlips, class Sum>
 class ThumbPairs
 {
 public:
-    ThumbPairs(const SpanSide& origins, const SpanSide& directions, const Field& field, int32_t texel_bytes)
+    ThumbPairs(const CellLine& origins, const CellLine& directions, const Field& field, int32_t texel_bytes)
     {
         const uint32_t stride = field.row_stride_bytes;
         const uint32_t bytes = static_cast<uint32_t>(texel_bytes);

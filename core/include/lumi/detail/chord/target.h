@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the span renderer's inner loops draw.
+// What the loops draw: a piece of a stripe, in a field, over a background.
 #pragma once
 
+#include "lumi/detail/chord/stepper.h"
 #include "lumi/detail/register_hints.h"
-#include "lumi/field.h"
-#include "lumi/detail/stepping/zones.h"
 
 namespace lumi
 {
 
-// Rows of a tile, of which a stripe may hold some only.
-struct TileRows {
-    int32_t first, count;  // the first one to draw
-    uint32_t stride_bytes;
-    const SpanDown& origins;
-    const SpanDown& directions;
-};
-
-// A span, or one below the other those of a tile's rows. Through cells all rows are drawn at once, so that what they
-// share is set up once; a row over a cap is drawn by itself.
+// A span through cells, or one below the other those of a tile's rows, so that what they share is set up once.
 template <class Background>
 struct SpanTarget {
     const Field& field;
@@ -26,11 +16,9 @@ struct SpanTarget {
     uint8_t* pixels;
     int32_t length;
     int32_t x, y;       // of the first pixel
-    SpanSide& origins;  // in a tile of its own first row, until go_to_first()
-    SpanSide& directions;
+    CellLine& origins;  // in a tile of its own first row, until go_to_first()
+    CellLine& directions;
     const TileRows* tile;  // null for one row
-
-    bool is_over_cap() const { return origins.cap != nullptr || directions.cap != nullptr; }
 
     LUMI_ALWAYS_INLINE void go_to_first()
     {
@@ -51,6 +39,27 @@ struct SpanTarget {
     {
         origins.move_down(tile->origins, rows);
         directions.move_down(tile->directions, rows);
+    }
+};
+
+// A span whose every texel is asked for: over a pole, or with origins that are not baked.
+template <class Background>
+struct CheckedTarget {
+    const Field& field;
+    const Background& background;
+    uint8_t* pixels;
+    int32_t length;
+    int32_t x, y;
+    LatticeLine& origins;
+    LatticeLine& directions;
+
+    // The texel at points of both lattices; null where it is not baked.
+    template <class Texel>
+    const uint8_t* texel(int32_t origin, int32_t direction) const
+    {
+        const uint8_t* const row = field.row(static_cast<uint32_t>(origin));
+        if (row == nullptr || static_cast<uint32_t>(direction) >= field.directions.size()) return nullptr;
+        return row + static_cast<uint32_t>(direction) * format::bytes_per_texel(Texel::kFormat);
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact ends of a span: where a row's ray meets the sphere, in 32-bit arithmetic.
+// Where a pixel's ray meets the sphere, in 32-bit arithmetic: the exact ends of what is stepped in between.
 //
 // All products are 32×32→32, so that a Cortex-M0+ needs no library call. Viewing vectors are Q15; where the half chord
 // is above 1/8, hits are within 2^-10 of the exact ones for every camera (the worst is an eye at 2047 R), 1/18 of a
@@ -8,20 +8,22 @@
 #pragma once
 
 #include "lumi/camera.h"
+#include "lumi/detail/coarse_math.h"
 
 namespace lumi
 {
 
-// Where a ray meets the sphere, as the lattice sees it. x and y still carry the factor q = |D|², which an angle does
-// not care about.
-struct SpanHit {
+// Where a ray meets the sphere, as the lattice sees it. x and y still carry the factor q = |D|², which does not change
+// an angle.
+struct Hit {
     uint32_t longitude_turns32;
     int32_t x_q15, y_q15;  // times q
     int32_t z_q30;
 };
 
-struct SpanNode {
-    SpanHit front, back;
+// Where it enters and where it leaves.
+struct HitPair {
+    Hit front, back;
     int32_t inverse_mantissa;  // 1/q = mantissa·2^-shift
     int shift;
 };
@@ -31,11 +33,11 @@ struct RayRow {
     int32_t value_q28[4];
 };
 
-// Evaluates the nodes of rows. Along a row, rays advance by additions.
-class NodeEvaluator
+// Evaluates the hits of rows. Along a row, rays advance by additions.
+class HitEvaluator
 {
 public:
-    explicit NodeEvaluator(const Camera& camera);
+    explicit HitEvaluator(const Camera& camera);
 
     // The row of rays that begins at pixel (x, y) of the image.
     RayRow row_at(int32_t x, int32_t y) const;
@@ -43,10 +45,10 @@ public:
     // The row that begins so many pixels to the right and below one's beginning: within 2^-19 of row_at's, and cheaper.
     RayRow moved(const RayRow& row, int32_t right_px, int32_t down_px) const;
 
-    // Sets `out` to the node `ahead` pixels on; that pixel is covered.
-    void evaluate(const RayRow& row, int32_t ahead, SpanNode& out) const;
+    // Sets `out` to the hits `ahead` pixels on; that pixel is covered.
+    void evaluate(const RayRow& row, int32_t ahead, HitPair& out) const;
     // The same but for out.back, which is left as it is.
-    void evaluate_front(const RayRow& row, int32_t ahead, SpanNode& out) const;
+    void evaluate_front(const RayRow& row, int32_t ahead, HitPair& out) const;
     // Half the chord of that pixel's ray, s of camera.h.
     int32_t half_chord_q15(const RayRow& row, int32_t ahead) const;
 
@@ -60,8 +62,8 @@ private:
 
     Ray ray(const RayRow& row, int32_t ahead) const;
     template <bool kBack>
-    void evaluate_sides(const RayRow& row, int32_t ahead, SpanNode& out) const;
-    const AffineQ40& source(int k) const { return k < 3 ? camera_.offset[k] : camera_.facing; }
+    void evaluate_sides(const RayRow& row, int32_t ahead, HitPair& out) const;
+    const AffineQ40& source(int k) const { return k < 3 ? camera_.offset()[k] : camera_.facing(); }
 
     const Camera& camera_;
     Vec3q30 eye_direction_q15_;  // components Q15
@@ -70,34 +72,21 @@ private:
     int32_t step_q28_[4];
 };
 
-// The nodes of one row.
-class RowNodes
+// The hits of one row.
+class RowHits
 {
 public:
-    explicit RowNodes(const Camera& camera) : evaluator_(camera), row_{} {}
+    explicit RowHits(const Camera& camera) : evaluator_(camera), row_{} {}
 
     // Goes to row y; `x` is a covered pixel of it.
     void begin_row(int32_t x, int32_t y) { row_ = evaluator_.row_at(x, y); }
-    // Sets `out` to the node at pixel x + ahead; that pixel is covered.
-    void evaluate(int32_t ahead, SpanNode& out) const { evaluator_.evaluate(row_, ahead, out); }
-    void evaluate_front(int32_t ahead, SpanNode& out) const { evaluator_.evaluate_front(row_, ahead, out); }
+    // Sets `out` to the hits at pixel x + ahead; that pixel is covered.
+    void evaluate(int32_t ahead, HitPair& out) const { evaluator_.evaluate(row_, ahead, out); }
+    void evaluate_front(int32_t ahead, HitPair& out) const { evaluator_.evaluate_front(row_, ahead, out); }
 
 private:
-    NodeEvaluator evaluator_;
+    HitEvaluator evaluator_;
     RayRow row_;
 };
-
-// The parts of a node, for tests. Vectors of 16-bit components; error below 2^-16 turn.
-uint32_t coarse_angle_turns32(int32_t y_q15, int32_t x_q15);
-// sqrt of a Q30 value in [0, 2), Q15, within two units.
-int32_t coarse_root_q15(uint32_t v_q30);
-// 1/v = mantissa·2^-exponent for v > 0, mantissa in [2^14, 2^15]; relative error below 2^-14.
-struct CoarseReciprocal {
-    int32_t mantissa;
-    int exponent;
-};
-CoarseReciprocal coarse_reciprocal(uint32_t v);
-// floor(small·2^15 / large) for small <= large < 2^17: one instruction where the core divides, a table elsewhere.
-uint32_t ratio_q15(uint32_t small, uint32_t large);
 
 }  // namespace lumi

@@ -48,7 +48,7 @@ private:
     void move_left(Walk& walk) const;
     void move_down(Walk& walk) const;
     // Whether f has one highest place along a row, and none is covered where that one is not.
-    bool is_concave() const { return camera_.outline.x2 < 0; }
+    bool is_concave() const { return camera_.outline().x2 < 0; }
     int32_t top_between(int32_t from, int32_t to, int32_t y) const;
     bool search(int32_t y);
     bool adjust();

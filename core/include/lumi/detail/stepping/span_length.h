@@ -7,6 +7,8 @@
 namespace lumi
 {
 
+inline constexpr int kMaxSpanLog2 = 4;  // spans are up to 16 pixels long
+
 // 1/n rounded down, n = 1 .. 16.
 inline int32_t reciprocal_q14(int32_t n)
 {
@@ -29,11 +31,11 @@ inline bool is_steppable(int32_t difference_q16)
     return static_cast<uint32_t>(difference_q16) + kLimit < 2 * kLimit;
 }
 
-class SpanRamp
+class SpanLengths
 {
 public:
     // Spans of at most `longest_px` pixels, 2 .. 16.
-    explicit SpanRamp(int32_t longest_px)
+    explicit SpanLengths(int32_t longest_px)
         : longest_(longest_px), first_(longest_px < 16 ? 2 : 3), second_(first_ + (longest_px < 13 ? longest_px : 13))
     {
     }

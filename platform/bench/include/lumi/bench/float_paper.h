@@ -136,12 +136,12 @@ struct FloatRay {
     float inverse_distance, facing;
 
     FloatRay(const Camera& camera, int32_t x, int32_t y)
-        : eye_direction{from_q30(camera.eye_direction.x), from_q30(camera.eye_direction.y),
-                        from_q30(camera.eye_direction.z)},
-          offset{from_q40(camera.offset[0].at(x, y)), from_q40(camera.offset[1].at(x, y)),
-                 from_q40(camera.offset[2].at(x, y))},
-          inverse_distance(from_q30(camera.inverse_distance_q30)),
-          facing(from_q40(camera.facing.at(x, y)))
+        : eye_direction{from_q30(camera.eye_direction().x), from_q30(camera.eye_direction().y),
+                        from_q30(camera.eye_direction().z)},
+          offset{from_q40(camera.offset()[0].at(x, y)), from_q40(camera.offset()[1].at(x, y)),
+                 from_q40(camera.offset()[2].at(x, y))},
+          inverse_distance(from_q30(camera.inverse_distance_q30())),
+          facing(from_q40(camera.facing().at(x, y)))
     {
     }
 

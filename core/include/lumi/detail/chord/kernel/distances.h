@@ -13,7 +13,7 @@
 #include "lumi/detail/register_hints.h"
 #include "lumi/field.h"
 #include "lumi/detail/halves.h"
-#include "lumi/detail/stepping/chart.h"
+#include "lumi/detail/stepping/zone_map.h"
 
 namespace lumi
 {
@@ -30,11 +30,12 @@ class SpanDistances
 public:
     static constexpr int32_t kMostPixels = 16;
 
+    SpanDistances() = default;
     // Pixels `from` .. `from + length - 1` of the span, of which is_followed().
-    SpanDistances(const SpanSide& side, const Lattice& lattice, int32_t unit, int32_t from, int32_t length);
+    SpanDistances(const CellLine& side, const Lattice& lattice, int32_t unit, int32_t from, int32_t length);
 
     // Whether coordinates of `length` pixels fit into 16 bits: they reach less than eight cells.
-    static bool is_followed(const SpanSide& side, int32_t length)
+    static bool is_followed(const CellLine& side, int32_t length)
     {
         return magnitude(side.du_q16) * length < 7 << 16 && magnitude(side.dv_q16) * length < 7 << 16;
     }
@@ -119,7 +120,7 @@ private:
         return d & (d >> 31);
     }
 
-    void bend(const SpanSide& side, const Lattice& lattice, const LatticePoint& from, int32_t length);
+    void bend(const CellLine& side, const Lattice& lattice, const LatticePoint& from, int32_t length);
 
     uint32_t at_, step_;  // halves: along the shorter step, along the longer one; cells, Q12
     int32_t base_, index_, across_, next_row_;

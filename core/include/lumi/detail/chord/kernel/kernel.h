@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The paper's kernel and the true nearest point on spans: (1 - d²)² of distances in spacings.
 //
-// Through cells both sides have four taps (span_distance.h); over a cap there are up to five, among the corners of the
+// Through cells both sides have four taps (distances.h); over a pole there are up to five, among the corners of the
 // pixel's triangle and the points across its edges.
 #pragma once
 
@@ -12,26 +12,43 @@
 namespace lumi
 {
 
-// Points near a pixel over a cap: offsets in memory and squared distances in spacings², Q12. The first three are the
-// corners of its triangle.
-inline constexpr int kCapCandidates = 6;
-struct CapPoints {
-    int32_t offset[kCapCandidates];
-    int32_t distance2_q12[kCapCandidates];
+// Points near a pixel over a pole and their squared distances in spacings², Q12. The first three are the corners of its
+// triangle.
+struct PolarPoints {
+    static constexpr int kCount = 6;
+    int32_t index[kCount];
+    int32_t distance2_q12[kCount];
 
-    // Of the pixel whose triangle `cap` has found.
-    CapPoints(const SpanCap& cap, int32_t pixel, int32_t step_bytes);
+    // Of the pixel whose triangle `line` has found.
+    PolarPoints(const PolarLine& line, int32_t pixel);
+
+    // Among the corners of the triangle: no other point is nearer, as no triangle is obtuse.
+    int32_t nearest() const
+    {
+        const int first = distance2_q12[1] < distance2_q12[0] ? 1 : 0;
+        return index[distance2_q12[2] < distance2_q12[first] ? 2 : first];
+    }
 };
 
-// Taps of one side of a pixel, through cells or over a cap.
+// The nearest of four points, as an offset from their base.
+inline int32_t nearest_of(const NearPoints& at, int32_t across)
+{
+    const int32_t* const below = at.below_q26;
+    const int32_t first = at.row[0] + (below[1] < below[0] ? across : 0);
+    const int32_t second = at.row[1] + (below[3] < below[2] ? across : 0);
+    const auto least = [](int32_t a, int32_t b) { return a < b ? a : b; };
+    return least(below[2], below[3]) < least(below[0], below[1]) ? second : first;
+}
+
+// Taps of one side of a pixel whose texels are checked.
 struct KernelTaps {
     static constexpr int kMost = 5;
     int count;
     int32_t offset[kMost];
     uint32_t weight[kMost];
 
-    // At most `most` of a cap's points, the nearest ones; weights sum to 2^bits.
-    void set(const CapPoints& near, int most, int bits);
+    // At most `most` of the points over a pole, the nearest ones; weights sum to 2^bits.
+    void set(const PolarPoints& near, int most, int bits);
 
     template <int kBits, uint32_t K>
     void set(const NearPoints& near, int32_t across)
@@ -54,7 +71,7 @@ template <bool kInPoints>
 class CellKernel
 {
 public:
-    CellKernel(const SpanSide& side, const Lattice& lattice, int32_t stride_bytes, int32_t from, int32_t length)
+    CellKernel(const CellLine& side, const Lattice& lattice, int32_t stride_bytes, int32_t from, int32_t length)
         : distances_(side, lattice, kInPoints ? 1 : stride_bytes, from, length),
           stride_(stride_bytes),
           across_(in_bytes(distances_.across()))
@@ -71,20 +88,7 @@ public:
         near.row[1] = in_bytes(near.row[1]);
         return near;
     }
-    template <int kBits, uint32_t K>
-    void find(KernelTaps& taps) const
-    {
-        taps.set<kBits, K>(near(), across());
-    }
-    int32_t nearest() const
-    {
-        const NearPoints at = near();
-        const int32_t* const below = at.below_q26;
-        const int32_t first = at.row[0] + (below[1] < below[0] ? across() : 0);
-        const int32_t second = at.row[1] + (below[3] < below[2] ? across() : 0);
-        const auto least = [](int32_t a, int32_t b) { return a < b ? a : b; };
-        return least(below[2], below[3]) < least(below[0], below[1]) ? second : first;
-    }
+    int32_t nearest() const { return nearest_of(near(), across()); }
     void advance() { distances_.advance(); }
 
 private:
@@ -94,59 +98,70 @@ private:
     int32_t stride_, across_;
 };
 
-// The same over a cap.
-class CapKernel
+// A side of a piece whose texels are checked: through cells or over a pole.
+class SideKernel
 {
 public:
-    CapKernel(const SpanSide& side, const Lattice&, int32_t stride_bytes, int32_t from, int32_t)
-        : cap_(*side.cap), pixel_(from), step_(side.first * stride_bytes), base_(side.base * stride_bytes)
+    SideKernel(LatticeLine& line, const Lattice& lattice, int32_t from, int32_t length)
+        : line_(line), pixel_(from)
     {
+        if (!line.over_pole) distances_ = SpanDistances(line.cells, lattice, 1, from, length);
     }
 
-    int32_t base() const { return base_; }
+    // Points of the lattice.
     template <int kBits, uint32_t K>
     void find(KernelTaps& taps) const
     {
         constexpr int kMost = K < KernelTaps::kMost ? static_cast<int>(K) : KernelTaps::kMost;
-        taps.set(CapPoints(cap_, pixel_, step_), kMost, kBits);
+        if (line_.over_pole) return taps.set(PolarPoints(line_.polar, pixel_), kMost, kBits);
+        taps.set<kBits, K>(distances_.near(), distances_.across());
+        for (int k = 0; k < taps.count; ++k) taps.offset[k] += distances_.base();
     }
-    // Among the corners of the pixel's triangle: no other point is nearer, as no triangle is obtuse.
     int32_t nearest() const
     {
-        const CapPoints near(cap_, pixel_, step_);
-        const int first = near.distance2_q12[1] < near.distance2_q12[0] ? 1 : 0;
-        return near.offset[near.distance2_q12[2] < near.distance2_q12[first] ? 2 : first];
+        if (line_.over_pole) return PolarPoints(line_.polar, pixel_).nearest();
+        return distances_.base() + nearest_of(distances_.near(), distances_.across());
     }
-    void advance() { cap_.advance(++pixel_); }
+    void advance()
+    {
+        ++pixel_;
+        if (line_.over_pole) return line_.polar.advance(pixel_);
+        distances_.advance();
+    }
 
 private:
-    SpanCap& cap_;
-    int32_t pixel_, step_, base_;
+    LatticeLine& line_;
+    int32_t pixel_;
+    SpanDistances distances_;
 };
 
-// Calls visit(origins, directions, base pointer, pixel pointer) for every pixel, in pieces as long as the coordinates
-// of both sides allow.
-template <class Origins, class Directions, class Texel, class Pixel, class Background, class Visit>
-void for_kernel_pixels(SpanTarget<Background>& span, Visit visit)
+// How many pixels from `from` on make a piece that both sides can follow.
+template <class IsFollowed>
+int32_t piece_length(int32_t rest, IsFollowed is_followed)
+{
+    int32_t length = rest < SpanDistances::kMostPixels ? rest : SpanDistances::kMostPixels;
+    while (length > 1 && !is_followed(length)) length >>= 1;
+    return length;
+}
+
+// Calls visit(origins, directions, base pointer, pixel pointer) for every pixel of a target through cells.
+template <class Texel, class Pixel, class Background, class Visit>
+void for_cell_pixels(SpanTarget<Background>& span, Visit visit)
 {
     const Field& field = span.field;
     const int32_t stride = static_cast<int32_t>(field.row_stride_bytes);
     const int32_t bytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
-    const auto is_followed = [](const SpanSide& side, int32_t length) {
-        return side.cap != nullptr || SpanDistances::is_followed(side, length);
+    const auto is_followed = [&](int32_t length) {
+        return SpanDistances::is_followed(span.origins, length) && SpanDistances::is_followed(span.directions, length);
     };
     int32_t rows_left = span.rows();
     span.go_to_first();
     do {
         uint8_t* pixel = span.pixels;
         for (int32_t from = 0, length = 0; from < span.length; from += length) {
-            length = span.length - from < SpanDistances::kMostPixels ? span.length - from : SpanDistances::kMostPixels;
-            if (!can_follow(span.origins, span.directions, length)) {
-                while (length > 1 && !(is_followed(span.origins, length) && is_followed(span.directions, length)))
-                    length >>= 1;
-            }
-            Origins origins(span.origins, field.origins, stride, from, length);
-            Directions directions(span.directions, field.directions, bytes, from, length);
+            length = piece_length(span.length - from, is_followed);
+            CellKernel<true> origins(span.origins, field.origins, stride, from, length);
+            CellKernel<false> directions(span.directions, field.directions, bytes, from, length);
             const uint8_t* const base = settled(field.texels + origins.base() + directions.base());
             for (const uint8_t* end = pixel + static_cast<uint32_t>(length) * Pixel::kBytes; pixel != end;
                  pixel += Pixel::kBytes) {
@@ -158,15 +173,25 @@ void for_kernel_pixels(SpanTarget<Background>& span, Visit visit)
     } while (span.go_down(rows_left));
 }
 
-template <class Drawing, class Texel, class Pixel, class Background>
-void draw_by_sides(SpanTarget<Background>& span)
+// Calls visit(origins, directions, pixel pointer) for every pixel of a target whose texels are checked.
+template <class Pixel, class Background, class Visit>
+void for_checked_pixels(const CheckedTarget<Background>& span, Visit visit)
 {
-    if (!span.is_over_cap()) return Drawing::template draw_cells<Texel, Pixel>(span);
-    if (span.directions.cap == nullptr)
-        return Drawing::template draw_sides<CapKernel, CellKernel<false>, Texel, Pixel>(span);
-    if (span.origins.cap == nullptr)
-        return Drawing::template draw_sides<CellKernel<true>, CapKernel, Texel, Pixel>(span);
-    Drawing::template draw_sides<CapKernel, CapKernel, Texel, Pixel>(span);
+    const auto is_followed = [&](int32_t length) {
+        return (span.origins.over_pole || SpanDistances::is_followed(span.origins.cells, length)) &&
+               (span.directions.over_pole || SpanDistances::is_followed(span.directions.cells, length));
+    };
+    uint8_t* pixel = span.pixels;
+    for (int32_t from = 0, length = 0; from < span.length; from += length) {
+        length = piece_length(span.length - from, is_followed);
+        SideKernel origins(span.origins, span.field.origins, from, length);
+        SideKernel directions(span.directions, span.field.directions, from, length);
+        for (int32_t k = 0; k < length; ++k, pixel += Pixel::kBytes) {
+            visit(origins, directions, pixel);
+            origins.advance();
+            directions.advance();
+        }
+    }
 }
 
 template <uint32_t K>
@@ -174,13 +199,7 @@ struct SpanDraw<Paper<K>> {
     template <class Texel, class Pixel, class Background>
     static void draw(SpanTarget<Background>& span)
     {
-        draw_by_sides<SpanDraw, Texel, Pixel>(span);
-    }
-
-    // Through cells. Rows without weight are left out: one in four.
-    template <class Texel, class Pixel, class Background>
-    static void draw_cells(SpanTarget<Background>& span)
-    {
+        // Rows without weight are left out: one in four.
         using Sum = SpanSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const CellKernel<true>& origins, const CellKernel<false>& directions,
                                const uint8_t* base, uint8_t* pixel) {
@@ -207,33 +226,31 @@ struct SpanDraw<Paper<K>> {
             }
             sum.template store<Pixel>(span.background, pixel);
         };
-        for_kernel_pixels<CellKernel<true>, CellKernel<false>, Texel, Pixel>(span, visit);
+        for_cell_pixels<Texel, Pixel>(span, visit);
     }
 
-    // A side over a cap.
-    template <class Origins, class Directions, class Texel, class Pixel, class Background>
-    static void draw_sides(SpanTarget<Background>& span)
+    template <class Texel, class Pixel, class Background>
+    static void draw_checked(const CheckedTarget<Background>& span)
     {
         using Sum = SpanSum<Texel, !Background::kIsBlack>;
-        const auto visit = [&](const Origins& o, const Directions& d, const uint8_t* base, uint8_t* pixel) {
+        const auto visit = [&](const SideKernel& o, const SideKernel& d, uint8_t* pixel) {
             KernelTaps origins{};
             KernelTaps directions{};
-            o.template find<Sum::kRowBits, K>(origins);
-            d.template find<Sum::kTapBits, K>(directions);
+            o.find<Sum::kRowBits, K>(origins);
+            d.find<Sum::kTapBits, K>(directions);
             Sum sum;
             for (int m = 0; m < origins.count; ++m) {
-                const uint8_t* const row = base + origins.offset[m] - Sum::kBefore;
                 typename Sum::Row taps;
-#pragma GCC unroll 5
-                for (int k = 0; k < KernelTaps::kMost; ++k) {
-                    if (k == directions.count) break;
-                    taps.add(span.field, row + directions.offset[k], directions.weight[k]);
+                for (int k = 0; k < directions.count; ++k) {
+                    const uint8_t* const texel =
+                        span.template texel<Texel>(origins.offset[m], directions.offset[k]);
+                    if (texel != nullptr) taps.add(span.field, texel - Sum::kBefore, directions.weight[k]);
                 }
                 sum.add(taps, row_weight<Sum>(origins.weight[m]));
             }
             sum.template store<Pixel>(span.background, pixel);
         };
-        for_kernel_pixels<Origins, Directions, Texel, Pixel>(span, visit);
+        for_checked_pixels<Pixel>(span, visit);
     }
 };
 
@@ -242,22 +259,20 @@ struct SpanDraw<NearestVoronoi> {
     template <class Texel, class Pixel, class Background>
     static void draw(SpanTarget<Background>& span)
     {
-        draw_by_sides<SpanDraw, Texel, Pixel>(span);
+        const auto visit = [&](const CellKernel<true>& o, const CellKernel<false>& d, const uint8_t* base,
+                               uint8_t* pixel) {
+            store_single<Texel, Pixel>(span.field, span.background, base + o.nearest() + d.nearest(), pixel);
+        };
+        for_cell_pixels<Texel, Pixel>(span, visit);
     }
 
     template <class Texel, class Pixel, class Background>
-    static void draw_cells(SpanTarget<Background>& span)
+    static void draw_checked(const CheckedTarget<Background>& span)
     {
-        draw_sides<CellKernel<true>, CellKernel<false>, Texel, Pixel>(span);
-    }
-
-    template <class Origins, class Directions, class Texel, class Pixel, class Background>
-    static void draw_sides(SpanTarget<Background>& span)
-    {
-        const auto visit = [&](const Origins& o, const Directions& d, const uint8_t* base, uint8_t* pixel) {
-            store_single<Texel, Pixel>(span.field, span.background, base + o.nearest() + d.nearest(), pixel);
+        const auto visit = [&](const SideKernel& o, const SideKernel& d, uint8_t* pixel) {
+            store_checked<Texel, Pixel>(span, span.template texel<Texel>(o.nearest(), d.nearest()), pixel);
         };
-        for_kernel_pixels<Origins, Directions, Texel, Pixel>(span, visit);
+        for_checked_pixels<Pixel>(span, visit);
     }
 };
 

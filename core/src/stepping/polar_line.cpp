@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/stepping/polar_cap.h"
+#include "lumi/detail/stepping/polar_line.h"
 
 #include "lattice/polar.h"
 
@@ -10,8 +10,8 @@ namespace
 
 constexpr int32_t kWholeQ16 = 1 << 16;
 
-// Gradients are shorter than 1, places less than 7 from the pole and points less than 10: 2^14 · 2^12 · 17 < 2^31, and
-// 2^14 · 2^13 · 14 for steps in Q13.
+// Gradients are shorter than 1, places less than 5 from the pole and points less than 7: 2^14 · 2^12 · 12 < 2^31, and
+// 2^14 · 2^13 · 10 for steps in Q13.
 int32_t change_q16(const polar::Gradient& g, int32_t dx_q12, int32_t dy_q12)
 {
     return (g.x_q14 * dx_q12 + g.y_q14 * dy_q12) >> 10;
@@ -39,11 +39,10 @@ void clamp(int32_t weight_q16[3])
 
 }  // namespace
 
-void SpanCap::find(int32_t at)
+void PolarLine::find(int32_t at)
 {
     const int32_t x = x_q12 + ((at * dx_q16) >> 4);
     const int32_t y = y_q12 + ((at * dy_q16) >> 4);
-    if (triangle < 0) triangle = polar::start(x, y);
     const polar::TriangleWalk* found = &polar::kWalks.triangle[triangle];
     for (int crossed = 0;; ++crossed) {
         const polar::PlanePoint p = polar::plane_point(polar::corners(triangle)[0]);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The lattice coordinates (u, v) of a zone as linear functions of a hit's longitude and height.
+// The map of a zone: lattice coordinates (u, v) as linear functions of a hit's longitude and height. One map serves
+// beyond its zone's border, too: there its cells are still the next zone's.
 #pragma once
 
-#include "lumi/detail/stepping/zones.h"
 #include "lumi/detail/stepping/hits.h"
-#include "lumi/detail/stepping/span_length.h"
+#include "lumi/detail/stepping/lattice_line.h"
 
 namespace lumi
 {
@@ -12,23 +12,23 @@ namespace lumi
 // Spans and tiles that turn further are not drawn in one piece.
 inline constexpr int32_t kMaxTurnQ20 = 1 << 16;  // 1/16 turn
 
-// Coordinates in a chart.
+// Coordinates in a map.
 struct LatticePoint {
     int32_t u_q16, v_q16;
 };
 
-class SpanChart
+class ZoneMap
 {
 public:
-    explicit SpanChart(const SpanLattice& lattice) : lattice_(lattice) {}
+    explicit ZoneMap(const LatticeZones& zones) : zones_(zones) {}
 
-    // Chooses the zone of a hit outside the caps and writes its steps into `side`.
-    void choose(int32_t z_q30, SpanSide& side);
-    // No chart: none holds anything until choose().
+    // Chooses the zone of a hit, no nearer to a pole than kPolarHeight, and writes its steps into `line`.
+    void choose(int32_t z_q30, CellLine& line);
+    // No zone: nothing holds until choose().
     void leave() { low_z_q30_ = high_z_q30_ = 0; }
-    // Whether the chart is the exact one at this height.
+    // Whether the zone is the exact one at this height.
     bool holds(int32_t z_q30) const { return z_q30 >= low_z_q30_ && z_q30 < high_z_q30_; }
-    // Between which heights the chart may be used at all: no corner of a cell lies beyond a pole.
+    // Between which heights the map may be used at all: no corner of a cell lies beyond a pole.
     int32_t lowest_z_q30() const { return lowest_z_q30_; }
     int32_t highest_z_q30() const { return highest_z_q30_; }
     bool reaches(int32_t z_q30) const { return z_q30 >= lowest_z_q30_ && z_q30 <= highest_z_q30_; }
@@ -47,37 +47,34 @@ public:
                 ((v_longitude_ * longitude_q20) >> 4) + ((v_z_ * z_q16) >> shift_)};
     }
 
-    const SpanLattice& lattice() const { return lattice_; }
+    const LatticeZones& zones() const { return zones_; }
 
 private:
     int32_t pole_distance_z_q30(int32_t points) const;
-    void set_borders(const SpanZone& z, bool mirrored, bool acute, int32_t first, int32_t second);
+    void set_borders(const Zone& z, bool mirrored, bool acute, int32_t first, int32_t second);
 
-    const SpanLattice& lattice_;
+    const LatticeZones& zones_;
     int32_t u_q16_ = 0, v_q16_ = 0, u_longitude_ = 0, v_longitude_ = 0, u_z_ = 0, v_z_ = 0, shift_ = 0;
-    int32_t low_z_q30_ = 0, high_z_q30_ = 0;  // signed z range in which the chart is exact; empty: there is none yet
+    int32_t low_z_q30_ = 0, high_z_q30_ = 0;  // signed z range in which the zone is exact; empty: there is none yet
     int32_t uniform_low_z_q30_ = 0, uniform_high_z_q30_ = 0;
     int32_t lowest_z_q30_ = 0, highest_z_q30_ = 0;
     int zone_ = 0;
 };
 
 // One lattice of the stripe being drawn: what spans and tiles follow it with, by turns.
-struct SpanTrack {
-    SpanTrack(const SpanLattice& lattice, SpanHit SpanNode::*of) : chart(lattice), hit(of), side{}, cap{} {}
-    SpanTrack(const SpanTrack&) = delete;  // side may point to cap
-    SpanTrack& operator=(const SpanTrack&) = delete;
+struct LatticeTrack {
+    LatticeTrack(const LatticeZones& zones, Hit HitPair::*of) : map(zones), hit(of), line{} {}
 
-    // A node's place in the plane of the polar pattern, Q16; `mirrored` for the pole below.
-    LatticePoint in_plane(const SpanNode& node, bool mirrored) const;
-    // Leaves the chart behind: `side` counts from a pole, and its coordinates are places in the plane.
-    void enter_cap(bool mirrored);
-    // Makes `cap` the way of a row from side's coordinates on.
-    void follow_cap();
+    // A hit's place in the plane of the polar pattern, Q16; `mirrored` for the pole below.
+    LatticePoint in_plane(const HitPair& at, bool mirrored) const;
+    // Leaves the map behind: the line counts from a pole.
+    void enter_pole(bool mirrored);
+    // Makes the line lead over the pole from one place in the plane on, by a step a pixel.
+    void set_polar(const LatticePoint& from, const LatticePoint& step_q16);
 
-    SpanChart chart;
-    SpanHit SpanNode::*hit;
-    SpanSide side;
-    SpanCap cap;
+    ZoneMap map;
+    Hit HitPair::*hit;
+    LatticeLine line;
 };
 
 }  // namespace lumi
