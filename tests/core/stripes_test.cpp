@@ -147,7 +147,7 @@ TEST_CASE("images of one row or one column are drawn", "[render][span]")
 TEST_CASE("a pose moved further than numbers go is refused, not wrapped", "[camera]")
 {
     const Pose pose = look_at({2, 0, 0}, {0, 0, 0}, 0);
-    for (const int32_t offset : {INT_MAX, INT_MIN, INT_MAX / 2}) {
+    for (const int32_t offset : {INT_MAX, INT_MIN}) {
         Camera camera;
         CHECK(make_camera(moved_right(pose, offset), {8, 8, degrees(40)}, camera) == CameraError::eye_too_far);
     }
