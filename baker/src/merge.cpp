@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/merge.h"
 
-#include "guided_merge.h"
-#include "row_file.h"
-#include "shard_set.h"
+#include "chord/row_file.h"
+#include "guided/guided_merge.h"
+#include "store/shard_set.h"
 
 namespace lumi::baker
 {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "brute_force.h"
-#include "radiance_picture.h"
+#include "image/radiance_picture.h"
 
 namespace lumi::baker
 {

@@ -4,10 +4,10 @@
 #include <map>
 
 #include "bsdf_checks.h"
-#include "material.h"
+#include "material/material.h"
+#include "math/warp.h"
 #include "scratch_folder.h"
-#include "surface.h"
-#include "warp.h"
+#include "trace/surface.h"
 
 namespace lumi::baker
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bounding_sphere.h"
+#include "geometry/bounding_sphere.h"
 
 #include <catch2/catch.hpp>
 
-#include "sampler.h"
-#include "warp.h"
+#include "math/sampler.h"
+#include "math/warp.h"
 
 namespace lumi::baker
 {

@@ -2,11 +2,11 @@
 // An integrator that shares nothing with the path tracer but rays and surfaces, and a room to compare them in.
 #pragma once
 
-#include "path_tracer.h"
+#include "math/warp.h"
 #include "shapes.h"
 #include "statistics.h"
-#include "surface.h"
-#include "warp.h"
+#include "trace/path_tracer.h"
+#include "trace/surface.h"
 
 namespace lumi::baker::testing
 {

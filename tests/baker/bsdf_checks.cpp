@@ -5,9 +5,9 @@
 #include <iomanip>
 #include <sstream>
 
-#include "sampler.h"
+#include "math/sampler.h"
+#include "math/warp.h"
 #include "statistics.h"
-#include "warp.h"
 
 namespace lumi::baker::testing
 {

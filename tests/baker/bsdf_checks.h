@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bsdf.h"
+#include "material/bsdf.h"
 
 namespace lumi::baker::testing
 {

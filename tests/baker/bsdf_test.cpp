@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "bsdf.h"
+#include "material/bsdf.h"
 
 #include <catch2/catch.hpp>
 #include <map>
 
 #include "bsdf_checks.h"
-#include "fresnel.h"
-#include "material.h"
-#include "warp.h"
+#include "material/fresnel.h"
+#include "material/material.h"
+#include "math/warp.h"
 
 namespace lumi::baker
 {

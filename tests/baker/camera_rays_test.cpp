@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "camera_rays.h"
+#include "trace/camera_rays.h"
 
 #include <catch2/catch.hpp>
 

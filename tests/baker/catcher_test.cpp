@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Shadow catchers: closed forms, a second estimator, and who may see them.
-#include "catcher.h"
+#include "trace/catcher.h"
 
 #include <catch2/catch.hpp>
 
 #include "bake_scenes.h"
+#include "chord/texel_tracer.h"
 #include "lumi/baker/guided.h"
-#include "scene_fingerprint.h"
+#include "math/warp.h"
+#include "scene/scene_fingerprint.h"
 #include "statistics.h"
-#include "surface.h"
-#include "texel_tracer.h"
-#include "warp.h"
+#include "trace/surface.h"
 
 namespace lumi::baker
 {

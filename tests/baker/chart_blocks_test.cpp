@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "chart_blocks.h"
+#include "guided/chart_blocks.h"
 
 #include <catch2/catch.hpp>
 
-#include "block_book.h"
-#include "sampler.h"
+#include "guided/block_book.h"
+#include "math/sampler.h"
 
 namespace lumi::baker::testing
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "checkpoint.h"
+#include "store/checkpoint.h"
 
 #include <catch2/catch.hpp>
 
 #include "bake_scenes.h"
-#include "radiance_picture.h"
-#include "row_file.h"
-#include "scene_fingerprint.h"
+#include "chord/row_file.h"
+#include "image/radiance_picture.h"
+#include "scene/scene_fingerprint.h"
 
 namespace lumi::baker
 {

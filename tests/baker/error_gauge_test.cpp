@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "error_gauge.h"
+#include "trace/error_gauge.h"
 
 #include <catch2/catch.hpp>
 
 #include "bake_scenes.h"
+#include "chord/texel_tracer.h"
 #include "lumi/baker/merge.h"
-#include "sampler.h"
+#include "math/sampler.h"
 #include "statistics.h"
-#include "texel_tracer.h"
 
 namespace lumi::baker
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "field_rays.h"
+#include "chord/field_rays.h"
 
 #include <catch2/catch.hpp>
 
 #include "bake_scenes.h"
-#include "texel_tracer.h"
+#include "chord/texel_tracer.h"
 
-#include "sampler.h"
+#include "math/sampler.h"
 #include "statistics.h"
 
 namespace lumi::baker

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Extra lights over a white diffuse floor have closed forms.
-#include "fixtures.h"
+#include "light/fixtures.h"
 
 #include <catch2/catch.hpp>
 
-#include "path_tracer.h"
+#include "math/warp.h"
 #include "shapes.h"
 #include "statistics.h"
-#include "warp.h"
+#include "trace/path_tracer.h"
 
 namespace lumi::baker
 {

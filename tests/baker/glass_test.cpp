@@ -3,13 +3,13 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "bsdf.h"
-#include "fresnel.h"
-#include "path_tracer.h"
-#include "sampler.h"
+#include "material/bsdf.h"
+#include "material/fresnel.h"
+#include "math/sampler.h"
+#include "math/warp.h"
 #include "shapes.h"
 #include "statistics.h"
-#include "warp.h"
+#include "trace/path_tracer.h"
 
 namespace lumi::baker
 {

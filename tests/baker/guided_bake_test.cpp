@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "chart_mask.h"
-#include "guided_writer.h"
+#include "guided/chart_mask.h"
+#include "guided/guided_writer.h"
+#include "image/srgb.h"
 #include "lumi/baker/bake.h"
 #include "lumi/baker/guided.h"
 #include "lumi/guided_field.h"
 #include "lumi/reference/guided_shading.h"
-#include "proxy_builder.h"
-#include "sampler.h"
+#include "math/sampler.h"
+#include "proxy/proxy_builder.h"
 #include "scratch_folder.h"
 #include "shapes.h"
-#include "srgb.h"
 
 namespace lumi::baker::testing
 {

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "block_file.h"
-#include "chart_file.h"
+#include "guided/chart_file.h"
 #include "guided_scenes.h"
+#include "store/block_file.h"
 
 namespace lumi::baker
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "block_file.h"
 #include "guided_scenes.h"
 #include "merge_problems.h"
+#include "store/block_file.h"
 
 namespace lumi::baker
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "k_means.h"
-#include "mean_fit.h"
-#include "proxy_fit.h"
-#include "proxy_outside.h"
-#include "proxy_simplify.h"
-#include "sampler.h"
+#include "guided/mean_fit.h"
+#include "image/k_means.h"
+#include "math/sampler.h"
+#include "proxy/proxy_fit.h"
+#include "proxy/proxy_outside.h"
+#include "proxy/proxy_simplify.h"
 #include "shapes.h"
 
 namespace lumi::baker::testing

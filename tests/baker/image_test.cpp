@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "estimate.h"
+#include "chord/texel_encoder.h"
+#include "image/texture.h"
 #include "lumi/texel.h"
-#include "texel_encoder.h"
-#include "texture.h"
+#include "trace/estimate.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "job.h"
+#include "util/job.h"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "light_set.h"
-#include "sampler.h"
+#include "light/light_set.h"
+#include "math/sampler.h"
 #include "shapes.h"
 #include "statistics.h"
 

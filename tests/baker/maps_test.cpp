@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "brute_force.h"
+#include "image/tone.h"
 #include "scratch_folder.h"
-#include "tone.h"
 
 namespace lumi::baker
 {

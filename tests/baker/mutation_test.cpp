@@ -5,13 +5,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "image_file.h"
-#include "path_tracer.h"
-#include "radiance_picture.h"
-#include "sampler.h"
-#include "scene_file.h"
+#include "image/image_file.h"
+#include "image/radiance_picture.h"
+#include "math/sampler.h"
+#include "math/warp.h"
+#include "scene/scene_file.h"
 #include "scratch_folder.h"
-#include "warp.h"
+#include "trace/path_tracer.h"
 
 namespace lumi::baker
 {

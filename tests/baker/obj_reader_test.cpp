@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Good and hostile OBJ and MTL files: a correct picture or a message that names file, line and mend, never a crash.
-#include "obj_reader.h"
+#include "scene/obj_reader.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "palette.h"
+#include "image/palette.h"
 
 #include <catch2/catch.hpp>
 
-#include "sampler.h"
+#include "math/sampler.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "path_tracer.h"
+#include "trace/path_tracer.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polygon.h"
+#include "geometry/polygon.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "sampler.h"
+#include "math/sampler.h"
 
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "frame.h"
+#include "math/frame.h"
+#include "math/warp.h"
 #include "statistics.h"
-#include "warp.h"
 
 namespace lumi::baker
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scene files: what each member does, and that every fault is named with its line and its mend.
-#include "scene_file.h"
+#include "scene/scene_file.h"
 
 #include <catch2/catch.hpp>
 

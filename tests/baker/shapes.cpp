@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shapes.h"
 
-#include "frame.h"
-#include "warp.h"
+#include "math/frame.h"
+#include "math/warp.h"
 
 namespace lumi::baker::testing
 {

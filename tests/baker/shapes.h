@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scene_data.h"
+#include "scene/scene_data.h"
 
 namespace lumi::baker::testing
 {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Fibres over every kind of opaque surface.
-#include "sheen.h"
+#include "material/sheen.h"
 
 #include <catch2/catch.hpp>
 #include <map>
 
 #include "bsdf_checks.h"
-#include "material.h"
-#include "sampler.h"
+#include "material/material.h"
+#include "math/sampler.h"
+#include "math/warp.h"
 #include "statistics.h"
-#include "warp.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sky_picture.h"
+#include "light/sky_picture.h"
 
 #include <ImfArray.h>
 #include <ImfRgbaFile.h>
@@ -7,10 +7,10 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/baker/scene.h"
-#include "sampler.h"
+#include "math/sampler.h"
+#include "math/warp.h"
 #include "scratch_folder.h"
 #include "statistics.h"
-#include "warp.h"
 
 namespace lumi::baker
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "surface.h"
+#include "trace/surface.h"
 
 #include <catch2/catch.hpp>
 
-#include "estimate.h"
 #include "scratch_folder.h"
 #include "shapes.h"
 #include "statistics.h"
+#include "trace/estimate.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "text_lines.h"
+#include "util/text_lines.h"
 
 #include <catch2/catch.hpp>
 

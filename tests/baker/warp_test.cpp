@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "warp.h"
+#include "math/warp.h"
 
 #include <catch2/catch.hpp>
 

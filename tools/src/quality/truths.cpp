@@ -6,7 +6,7 @@
 
 #include "lumi/tools/failure.h"
 #include "lumi/tools/png.h"
-#include "scene_fingerprint.h"
+#include "scene/scene_fingerprint.h"
 
 namespace lumi::quality
 {

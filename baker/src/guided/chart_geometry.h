@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// An origin's chart in floating point: grid points to rays and surface points to grid points (lumi/guided_format.h).
+#pragma once
+
+#include <optional>
+
+#include "geometry/accelerator.h"
+#include "lumi/lattice.h"
+
+namespace lumi::baker
+{
+
+class ChartGeometry
+{
+public:
+    ChartGeometry(const Lattice& origins, uint32_t origin, uint32_t chart_size);
+
+    const Vec3& origin() const { return p_; }
+    // Grid points lie in 0 .. side() - 1.
+    uint32_t side() const { return side_; }
+    // The ray of a place in the grid; nothing beside the disc.
+    std::optional<Ray> ray(const Vec2& place) const;
+    // The ray of a place in the unit disc.
+    Ray ray_in_disc(const Vec2& ab) const;
+    // Where the ray to X lies in the grid.
+    Vec2 place(const Vec3& x) const;
+    // A step of length 1 in the disc's plane along (da, db), in grid coordinates.
+    Vec2 grid_step(const Vec2& ab) const;
+    // The radius in the disc of the circle that has a grid point's share of the area.
+    float cell_radius() const;
+
+private:
+    Vec3 p_, tangent_, bitangent_;
+    float half_size_, centre_;
+    uint32_t side_;
+};
+
+}  // namespace lumi::baker
