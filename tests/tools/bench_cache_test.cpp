@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "cache_model.h"
+#include "bench/cache_model.h"
 
 using namespace lumi::bench;
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "boards.h"
-#include "lumi/tools/failure.h"
-#include "report.h"
-#include "svg.h"
+#include "bench/boards.h"
+#include "bench/report.h"
+#include "bench/svg.h"
+#include "terminal/failure.h"
 
 using namespace lumi::bench;
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "lumi/tools/png.h"
+#include "image/png.h"
 #include "program.h"
 #include "temporary_folder.h"
 #include "test_field.h"

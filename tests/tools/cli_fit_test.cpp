@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "lumi/tools/field_file.h"
+#include "files/field_file.h"
 #include "program.h"
 #include "temporary_folder.h"
 

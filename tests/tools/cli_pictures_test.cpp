@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "lumi/tools/png.h"
-#include "lumi/tools/psnr.h"
+#include "image/png.h"
+#include "metrics/psnr.h"
 #include "program.h"
 #include "temporary_folder.h"
 

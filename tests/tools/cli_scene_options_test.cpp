@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "lumi/tools/png.h"
+#include "image/png.h"
 #include "program.h"
 #include "temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/cw_ssim.h"
+#include "metrics/cw_ssim.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

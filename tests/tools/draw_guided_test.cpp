@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The integer renderer of guided fields against its double-precision twin, on a baked scene.
-#include "lumi/tools/draw_guided.h"
+#include "draw/draw_guided.h"
 
 #include <catch2/catch.hpp>
 
-#include "held_out.h"
 #include "lumi/baker/guided.h"
-#include "lumi/tools/psnr.h"
-#include "truths.h"
-#include "twin.h"
+#include "metrics/psnr.h"
+#include "quality/held_out.h"
+#include "quality/truths.h"
+#include "quality/twin.h"
 
 namespace lumi::tools
 {

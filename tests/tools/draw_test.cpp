@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/draw.h"
+#include "draw/draw.h"
 
 #include <catch2/catch.hpp>
 
 #include "lumi/host/camera.h"
 #include "lumi/render.h"
-#include "lumi/tools/psnr.h"
+#include "metrics/psnr.h"
 #include "temporary_folder.h"
 #include "test_field.h"
 

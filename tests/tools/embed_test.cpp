@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/embed.h"
+#include "files/embed.h"
 
 #include <catch2/catch.hpp>
 

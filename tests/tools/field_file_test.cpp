@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/field_file.h"
+#include "files/field_file.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "lumi/tools/failure.h"
-#include "lumi/tools/field_report.h"
+#include "files/field_report.h"
 #include "temporary_folder.h"
+#include "terminal/failure.h"
 #include "test_field.h"
 
 namespace lumi::tools

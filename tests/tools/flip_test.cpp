@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/flip.h"
+#include "metrics/flip.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/json_progress.h"
+#include "terminal/json_progress.h"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

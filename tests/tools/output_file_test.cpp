@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/output_file.h"
+#include "files/output_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "lumi/tools/failure.h"
 #include "temporary_folder.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {

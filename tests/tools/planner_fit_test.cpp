@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the planner may choose from, and how a plan is made as large as its budget.
-#include "fit.h"
+#include "planner/fit.h"
 
 #include <catch2/catch.hpp>
 

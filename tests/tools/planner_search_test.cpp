@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The planner's search, on landscapes whose best plan is known.
-#include "plan_search.h"
+#include "planner/plan_search.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

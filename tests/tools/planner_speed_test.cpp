@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which modes a part can draw at a pace.
-#include "speed.h"
+#include "planner/speed.h"
 
 #include <catch2/catch.hpp>
 

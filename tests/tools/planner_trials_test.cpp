@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the noise of few light paths costs a plan.
-#include "trials.h"
+#include "planner/trials.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/png.h"
+#include "image/png.h"
 
 #include <catch2/catch.hpp>
 
-#include "lumi/tools/failure.h"
 #include "temporary_folder.h"
+#include "terminal/failure.h"
 #include "test_pictures.h"
 
 namespace lumi::tools

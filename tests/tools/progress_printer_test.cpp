@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/progress_printer.h"
+#include "terminal/progress_printer.h"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

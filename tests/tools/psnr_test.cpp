@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/psnr.h"
+#include "metrics/psnr.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -5,16 +5,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "baselines.h"
-#include "html.h"
+#include "image/png.h"
 #include "lumi/baker/bake.h"
 #include "lumi/lattice.h"
 #include "lumi/reference/geometry.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/png.h"
-#include "mode_costs.h"
-#include "page.h"
+#include "quality/baselines.h"
+#include "quality/html.h"
+#include "quality/mode_costs.h"
+#include "quality/page.h"
 #include "temporary_folder.h"
+#include "terminal/failure.h"
 
 namespace lumi::quality
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/sheet.h"
+#include "image/sheet.h"
 
 #include <catch2/catch.hpp>
 

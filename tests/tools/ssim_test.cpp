@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/ssim.h"
+#include "metrics/ssim.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "lumi/tools/plane.h"
+#include "image/plane.h"
 #include "test_pictures.h"
 
 namespace lumi::tools

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/steerable_pyramid.h"
+#include "metrics/steerable_pyramid.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

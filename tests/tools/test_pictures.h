@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "lumi/tools/picture.h"
+#include "image/picture.h"
 
 namespace lumi::tools::test
 {

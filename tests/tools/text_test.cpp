@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/text.h"
+#include "terminal/text.h"
 
 #include <catch2/catch.hpp>
 

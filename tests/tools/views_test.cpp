@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/tools/views.h"
+#include "draw/views.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "lumi/tools/failure.h"
-#include "lumi/tools/png.h"
+#include "image/png.h"
 #include "temporary_folder.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "truths.h"
+#include "quality/truths.h"
 
 #include <cinttypes>
 #include <cstdio>
 
-#include "lumi/tools/failure.h"
-#include "lumi/tools/png.h"
+#include "image/png.h"
 #include "scene/scene_fingerprint.h"
+#include "terminal/failure.h"
 
 namespace lumi::quality
 {
