@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "chord/bake_layout.h"
 #include "chord/row_file.h"
 #include "lumi/crc32.h"
+#include "store/shard_rows.h"
 #include "support/bake_scenes.h"
 #include "support/merge_problems.h"
 

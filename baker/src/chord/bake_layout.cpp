@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "chord/bake_layout.h"
 
+#include "chord/tracing_fingerprint.h"
 #include "lumi/lattice.h"
+#include "store/shard_rows.h"
 
 namespace lumi::baker
 {
@@ -18,15 +20,6 @@ void require(bool good, const std::string& message)
 std::string lattice_range(const char* name)
 {
     return std::string("the number of ") + name + " must lie in 1 to " + std::to_string(kMaxLatticeSize);
-}
-
-// A fixed lot for each round: the top bits of a multiplicative hash, scaled to 0 .. shards - 1.
-uint32_t turn(uint32_t round, uint32_t shards)
-{
-    uint32_t h = (round + 1) * 0x9E3779B9u;
-    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
-    h ^= h >> 13;
-    return static_cast<uint32_t>(uint64_t{h} * shards >> 32);
 }
 
 }  // namespace
@@ -49,28 +42,20 @@ FieldLayout checked_layout(const BakeSettings& s)
     return layout;
 }
 
-void check_shard(const Shard& shard)
+FieldLayout layout_of(const BakeIdentity& identity)
 {
-    require(shard.count >= 1 && shard.count <= kMaxLatticeSize && shard.index >= 1 && shard.index <= shard.count,
-            "there is no shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +
-                "; shards are counted from 1");
+    check_shard(identity.shard);
+    FieldLayout result = checked_layout(std::get<BakeSettings>(identity.settings));
+    result.centre = identity.centre;
+    result.radius = identity.radius;
+    return result;
 }
 
-uint32_t ShardRows::index_of(uint32_t row, uint32_t shards)
+BakeIdentity identity_of(const Scene& scene, const BakeSettings& settings, const Shard& shard)
 {
-    return (row % shards + turn(row / shards, shards)) % shards + 1;
-}
-
-uint32_t ShardRows::row(uint32_t slot) const
-{
-    const uint32_t n = shard_.count;
-    return slot * n + (shard_.index - 1 + n - turn(slot, n)) % n;
-}
-
-uint32_t ShardRows::size() const
-{
-    const uint32_t whole_rounds = rows_ / shard_.count;
-    return whole_rounds + (rows_ % shard_.count != 0 && row(whole_rounds) < rows_ ? 1 : 0);
+    BakeSettings resolved = settings;
+    resolved.used_origins = checked_layout(settings).used_origins;
+    return identity_of(scene, resolved, shard, tracing_fingerprint(scene.data()));
 }
 
 }  // namespace lumi::baker

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which rows and bytes a bake's settings ask for.
+// What a chord bake's settings ask for, and what makes it the bake that it is.
 #pragma once
 
 #include "chord/field_writer.h"
-#include "lumi/baker/bake.h"
+#include "store/bake_identity.h"
 
 namespace lumi::baker
 {
@@ -11,25 +11,10 @@ namespace lumi::baker
 // Without centre and radius. Throws BakeError for settings that no field can hold.
 FieldLayout checked_layout(const BakeSettings& settings);
 
-// Throws BakeError.
-void check_shard(const Shard& shard);
+// Of a chord bake. Throws BakeError for settings or shards that cannot be.
+FieldLayout layout_of(const BakeIdentity& identity);
 
-// Shards deal the rows in rounds of `count` rows, one to each, turned by lot: a fixed turn would resonate with the
-// lattice, whose points i and i + F (F a Fibonacci number) are neighbours.
-class ShardRows
-{
-public:
-    ShardRows(uint32_t rows, const Shard& shard) : rows_(rows), shard_(shard) {}
-
-    uint32_t size() const;
-    uint32_t row(uint32_t slot) const;
-
-    static uint32_t slot_of(uint32_t row, uint32_t shards) { return row / shards; }
-    static uint32_t index_of(uint32_t row, uint32_t shards);  // of the shard that holds it, from 1
-
-private:
-    uint32_t rows_;
-    Shard shard_;
-};
+// Throws BakeError for settings or shards that cannot be.
+BakeIdentity identity_of(const Scene& scene, const BakeSettings& settings, const Shard& shard);
 
 }  // namespace lumi::baker

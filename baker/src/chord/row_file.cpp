@@ -20,7 +20,7 @@ std::vector<uint8_t> bytes_of(const Palette& palette)
 }  // namespace
 
 RowFile::RowFile(BlockFile& file)
-    : file_(file), layout_(file.identity().layout()), rows_(layout_.used_origins, file.identity().shard)
+    : file_(file), layout_(layout_of(file.identity())), rows_(layout_.used_origins, file.identity().shard)
 {
 }
 

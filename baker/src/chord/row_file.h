@@ -8,6 +8,7 @@
 #include "chord/bake_layout.h"
 #include "image/palette.h"
 #include "store/block_file.h"
+#include "store/shard_rows.h"
 
 namespace lumi::baker
 {

@@ -10,10 +10,10 @@
 
 #include <optional>
 
-#include "chord/bake_layout.h"
 #include "guided/guided_writer.h"
 #include "guided/traced_chart.h"
 #include "store/block_file.h"
+#include "store/shard_rows.h"
 
 namespace lumi::baker
 {

@@ -4,8 +4,7 @@
 
 #include <optional>
 
-#include "geometry/accelerator.h"
-#include "lumi/lattice.h"
+#include "proxy/inward_rays.h"
 
 namespace lumi::baker
 {
@@ -15,13 +14,13 @@ class ChartGeometry
 public:
     ChartGeometry(const Lattice& origins, uint32_t origin, uint32_t chart_size);
 
-    const Vec3& origin() const { return p_; }
+    const Vec3& origin() const { return rays_.origin(); }
     // Grid points lie in 0 .. side() - 1.
     uint32_t side() const { return side_; }
     // The ray of a place in the grid; nothing beside the disc.
     std::optional<Ray> ray(const Vec2& place) const;
     // The ray of a place in the unit disc.
-    Ray ray_in_disc(const Vec2& ab) const;
+    Ray ray_in_disc(const Vec2& ab) const { return rays_.ray(ab); }
     // Where the ray to X lies in the grid.
     Vec2 place(const Vec3& x) const;
     // A step of length 1 in the disc's plane along (da, db), in grid coordinates.
@@ -30,7 +29,7 @@ public:
     float cell_radius() const;
 
 private:
-    Vec3 p_, tangent_, bitangent_;
+    InwardRays rays_;
     float half_size_, centre_;
     uint32_t side_;
 };

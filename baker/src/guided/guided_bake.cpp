@@ -213,10 +213,6 @@ bool has_all(BlockFile& file)
 
 }  // namespace
 
-ProxyCache::ProxyCache() : contents_(std::make_unique<Contents>()) {}
-
-ProxyCache::~ProxyCache() = default;
-
 GuidedBake guided_field(const Scene& scene, const GuidedSettings& settings, const ProgressCallback& progress,
                         ProxyCache* cache)
 {

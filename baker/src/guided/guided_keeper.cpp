@@ -3,8 +3,16 @@
 
 #include <numeric>
 
+#include "chord/tracing_fingerprint.h"
+#include "guided/guided_settings.h"
+
 namespace lumi::baker
 {
+
+BakeIdentity identity_of(const Scene& scene, const GuidedSettings& settings, const Shard& shard)
+{
+    return identity_of(scene, checked(settings), shard, tracing_fingerprint(scene.data()));
+}
 
 std::vector<uint32_t> NothingKept::origins() const
 {

@@ -8,6 +8,9 @@
 namespace lumi::baker
 {
 
+// Of a guided bake. Throws BakeError for settings or shards that cannot be.
+BakeIdentity identity_of(const Scene& scene, const GuidedSettings& settings, const Shard& shard);
+
 // Charts are numbered by their slots, in the order of origins(). All but the constructor and begin() is thread-safe for
 // different charts and points.
 class GuidedKeeper

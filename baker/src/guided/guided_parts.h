@@ -8,16 +8,10 @@
 
 #include "lumi/color.h"
 #include "lumi/guided_format.h"
+#include "proxy/packed_proxy.h"
 
 namespace lumi::baker
 {
-
-// Vertices in steps of 1/2048 of the sphere's radius; triangles counter-clockwise seen from outside.
-struct PackedProxy {
-    using Triple = std::array<uint16_t, 3>;  // 12 bits each
-    std::vector<Triple> vertices, triangles;
-    bool two_sided = false;
-};
 
 // Mean colours in bricks of 4×4×4 nodes. Resolution 0: the field has none.
 struct PackedMean {

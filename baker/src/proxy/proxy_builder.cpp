@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "lumi/guided_format.h"
 #include "proxy/proxy_fit.h"
 #include "proxy/proxy_outside.h"
 #include "proxy/proxy_simplify.h"

@@ -2,8 +2,8 @@
 // From a scene to the proxy mesh of a guided field.
 #pragma once
 
-#include "guided/guided_parts.h"
-#include "lumi/baker/guided.h"
+#include "lumi/baker/proxy.h"
+#include "proxy/packed_proxy.h"
 #include "scene/scene_data.h"
 #include "util/job.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/accelerator.h"
-#include "guided/guided_parts.h"
+#include "proxy/packed_proxy.h"
 
 namespace lumi::baker
 {

@@ -3,6 +3,7 @@
 
 #include "geometry/bounding_sphere.h"
 #include "scene/scene_data.h"
+#include "scene/scene_fingerprint.h"
 
 namespace lumi::baker
 {
@@ -223,6 +224,11 @@ size_t Scene::material_count() const
 size_t Scene::light_count() const
 {
     return data_->lights.count();
+}
+
+std::array<uint64_t, 2> Scene::fingerprint() const
+{
+    return scene_fingerprint(*data_);
 }
 
 }  // namespace lumi::baker

@@ -3,10 +3,7 @@
 
 #include <algorithm>
 
-#include "chord/bake_layout.h"
-#include "guided/guided_settings.h"
-#include "scene/scene_data.h"
-#include "scene/scene_fingerprint.h"
+#include "store/shard_rows.h"
 
 namespace lumi::baker
 {
@@ -16,53 +13,21 @@ namespace
 constexpr size_t kProgramBytes = 32;
 static_assert(kIdentityBytes == kProgramBytes + kSettingsBytes + 2 * 4 + 4 * 4 + 3 * 8 + 4);
 
-template <class Settings>
-BakeIdentity identity(const Scene& scene, Settings settings, const Shard& shard)
+}  // namespace
+
+BakeIdentity identity_of(const Scene& scene, const AnySettings& settings, const Shard& shard, uint64_t tracing)
 {
+    check_shard(shard);
     BakeIdentity id;
     id.program = LUMI_VERSION;
-    settings.threads = 0;
     id.settings = settings;
-    check_shard(shard);
+    std::visit([](auto& s) { s.threads = 0; }, id.settings);
     id.shard = shard;
     id.centre = scene.centre();
     id.radius = scene.radius();
-    id.scene = scene_fingerprint(scene.data());
-    id.tracing = tracing_fingerprint(scene.data());
+    id.scene = scene.fingerprint();
+    id.tracing = tracing;
     return id;
-}
-
-}  // namespace
-
-FieldLayout BakeIdentity::layout() const
-{
-    check_shard(shard);
-    FieldLayout result = checked_layout(std::get<BakeSettings>(settings));
-    result.centre = centre;
-    result.radius = radius;
-    return result;
-}
-
-BakeIdentity identity_of(const Scene& scene, const BakeSettings& settings, const Shard& shard)
-{
-    BakeSettings resolved = settings;
-    resolved.used_origins = checked_layout(settings).used_origins;
-    return identity(scene, resolved, shard);
-}
-
-BakeIdentity identity_of(const Scene& scene, const GuidedSettings& settings, const Shard& shard)
-{
-    return identity(scene, checked(settings), shard);
-}
-
-void require_possible(const BakeIdentity& id)
-{
-    if (const GuidedSettings* guided = std::get_if<GuidedSettings>(&id.settings)) {
-        checked(*guided);
-        check_shard(id.shard);
-    } else {
-        id.layout();
-    }
 }
 
 std::vector<uint8_t> encode(const BakeIdentity& id)

@@ -2,9 +2,9 @@
 // What makes rows of two bakes belong together.
 #pragma once
 
-#include "chord/field_writer.h"
+#include <array>
+
 #include "store/settings_codec.h"
-#include "util/digest.h"
 
 namespace lumi::baker
 {
@@ -15,22 +15,17 @@ struct BakeIdentity {
     Shard shard;
     std::array<float, 3> centre = {};
     float radius = 0;
-    Digest::Value scene = {};
-    uint64_t tracing = 0;
+    std::array<uint64_t, 2> scene = {};  // its fingerprint
+    uint64_t tracing = 0;                // of some light paths, traced by the program on the machine that bakes
 
     bool is_guided() const { return std::holds_alternative<GuidedSettings>(settings); }
-    // Of a chord bake. Throws BakeError for settings or shards that cannot be.
-    FieldLayout layout() const;
 };
 
 inline constexpr size_t kIdentityBytes = 160;
 
-// Throw BakeError for settings or shards that cannot be.
-BakeIdentity identity_of(const Scene& scene, const BakeSettings& settings, const Shard& shard);
-BakeIdentity identity_of(const Scene& scene, const GuidedSettings& settings, const Shard& shard);
-
-// Throws BakeError for settings or shards that cannot be.
-void require_possible(const BakeIdentity& identity);
+// Of a bake by this program. Settings must be sound, and nothing in them left open. Throws BakeError for a shard that
+// cannot be.
+BakeIdentity identity_of(const Scene& scene, const AnySettings& settings, const Shard& shard, uint64_t tracing);
 
 std::vector<uint8_t> encode(const BakeIdentity& identity);  // kIdentityBytes
 BakeIdentity decode_identity(const uint8_t* bytes);         // reads kIdentityBytes

@@ -10,10 +10,26 @@ namespace lumi::baker
 
 namespace fs = std::filesystem;
 
-ShardSet::ShardSet(const std::vector<fs::path>& files)
+namespace
+{
+
+std::string joined(const std::vector<std::string>& lines)
+{
+    std::string text;
+    for (const std::string& line : lines) {
+        text += (text.empty() ? "" : "\n") + line;
+    }
+    return text;
+}
+
+}  // namespace
+
+MergeError::MergeError(std::vector<std::string> all) : BakeError(joined(all)), problems(std::move(all)) {}
+
+ShardSet::ShardSet(const std::vector<fs::path>& files, RequirePossible require_possible)
 {
     for (const fs::path& file : files) {
-        open(file);
+        open(file, require_possible);
     }
     if (!opened_.empty()) {
         sort_out(most_common());
@@ -43,7 +59,7 @@ void ShardSet::throw_problems()
     }
 }
 
-void ShardSet::open(const fs::path& file)
+void ShardSet::open(const fs::path& file, RequirePossible require_possible)
 {
     try {
         auto blocks = std::make_unique<BlockFile>(std::make_unique<PosixFile>(file, PosixFile::Mode::read));

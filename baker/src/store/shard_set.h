@@ -14,8 +14,11 @@ namespace lumi::baker
 class ShardSet
 {
 public:
+    // Throws BakeError for settings or shards that cannot be.
+    using RequirePossible = void (*)(const BakeIdentity& identity);
+
     // Opens all, and sorts out those that do not belong to the bake of most.
-    explicit ShardSet(const std::vector<std::filesystem::path>& files);
+    ShardSet(const std::vector<std::filesystem::path>& files, RequirePossible require_possible);
 
     // Those that belong together, by index, from 1.
     const std::map<uint32_t, BlockFile*>& shards() const { return shards_; }
@@ -29,7 +32,7 @@ public:
     void throw_problems();
 
 private:
-    void open(const std::filesystem::path& file);
+    void open(const std::filesystem::path& file, RequirePossible require_possible);
     const BlockFile& most_common() const;
     void sort_out(const BlockFile& model);
     void name_missing();
