@@ -20,7 +20,7 @@ test_packages=(
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib  # code for Cortex-M
   qemu-system-arm                                                           # boards to run it on
   slurm-wlm munge procps                                                    # a job array on this machine
-  python3)                                                                  # the generator of the scenes
+  python3)                                                                  # the generator of the scenes, includes
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "commands.h"
-#include "obj_reader.h"
 #include "ray_log.h"
+#include "scene/obj_reader.h"
 #include "texels.h"
 
 namespace lumi::baker::bench

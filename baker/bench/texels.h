@@ -2,8 +2,8 @@
 // Which texels the benchmarks trace: whole rows of a field, as a bake does, at origins all over the sphere.
 #pragma once
 
-#include "scene_data.h"
-#include "texel_tracer.h"
+#include "chord/texel_tracer.h"
+#include "scene/scene_data.h"
 
 namespace lumi::baker::bench
 {

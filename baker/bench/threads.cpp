@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "commands.h"
-#include "job.h"
 #include "texels.h"
+#include "util/job.h"
 
 namespace lumi::baker::bench
 {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/merge.h"
 
-#include "guided_merge.h"
-#include "row_file.h"
-#include "shard_set.h"
+#include "chord/bake_layout.h"
+#include "chord/chord_merge.h"
+#include "guided/guided_merge.h"
+#include "guided/guided_settings.h"
+#include "store/shard_rows.h"
 
 namespace lumi::baker
 {
@@ -11,89 +13,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string joined(const std::vector<std::string>& lines)
-{
-    std::string text;
-    for (const std::string& line : lines) {
-        text += (text.empty() ? "" : "\n") + line;
-    }
-    return text;
-}
-
-bool same_colour(const Rgba8& a, const Rgba8& b)
-{
-    return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
-}
-
-// The rows of all shards.
-class ChordShards
-{
-public:
-    // Says what is wrong with them.
-    ChordShards(ShardSet& set, const std::function<void()>& leave_if_cancelled) : set_(set)
-    {
-        for (const auto& [index, file] : set.shards()) {
-            leave_if_cancelled();
-            check(*shards_.emplace(index, *file).first);
-        }
-    }
-
-    const FieldLayout& layout() const { return shards_.begin()->second.layout(); }
-    const Palette& palette() const { return palette_; }
-
-    void read(uint32_t i, std::vector<uint8_t>& row) const
-    {
-        const RowFile& rows = shards_.at(ShardRows::index_of(i, set_.count()));
-        if (!rows.read_row(ShardRows::slot_of(i, set_.count()), row)) {
-            throw BakeError(changed_meanwhile(rows.path()));
-        }
-    }
-
-private:
-    void check(const std::pair<const uint32_t, RowFile>& shard)
-    {
-        const RowFile& rows = shard.second;
-        const std::vector<uint32_t> missing = missing_slots(rows);
-        if (!missing.empty()) {
-            set_.say_missing(rows.path(), missing.size(), rows.slot_count(), rows.row_of(missing.front()));
-        }
-        Palette own{};
-        if (!rows.read_palette(own)) {
-            set_.say(rows.path(), "its palette is damaged; run its bake again");
-        } else if (!has_palette_) {
-            palette_ = own;
-            has_palette_ = true;
-        } else if (!std::equal(own.begin(), own.end(), palette_.begin(), same_colour)) {
-            set_.say(rows.path(),
-                     "has another palette than the first shard; bake it again on the machine of the others");
-        }
-    }
-
-    ShardSet& set_;
-    std::map<uint32_t, RowFile> shards_;  // by index
-    Palette palette_{};
-    bool has_palette_ = false;
-};
-
-MergedField merge_chord(ShardSet& set, const fs::path& output, const std::function<void()>& leave_if_cancelled)
-{
-    const ChordShards shards(set, leave_if_cancelled);
-    set.throw_problems();
-    NewFile out(output);
-    const auto read = [&](uint32_t i, std::vector<uint8_t>& row) {
-        leave_if_cancelled();
-        shards.read(i, row);
-    };
-    write_field(shards.layout(), read, shards.palette(), out);
-    out.commit();
-    MergedField field;
-    field.bytes = file_bytes(shards.layout());
-    field.origins = shards.layout().used_origins;
-    field.directions = shards.layout().directions;
-    field.shards = set.count();
-    return field;
-}
 
 void refuse_own_input(const std::vector<fs::path>& shards, const fs::path& output)
 {
@@ -105,9 +24,17 @@ void refuse_own_input(const std::vector<fs::path>& shards, const fs::path& outpu
     }
 }
 
-}  // namespace
+void require_possible(const BakeIdentity& id)
+{
+    if (const GuidedSettings* guided = std::get_if<GuidedSettings>(&id.settings)) {
+        checked(*guided);
+        check_shard(id.shard);
+    } else {
+        layout_of(id);
+    }
+}
 
-MergeError::MergeError(std::vector<std::string> all) : BakeError(joined(all)), problems(std::move(all)) {}
+}  // namespace
 
 MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& output,
                          const std::function<bool()>& keep_going)
@@ -118,7 +45,7 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
         }
     };
     refuse_own_input(shards, output);
-    ShardSet set(shards);
+    ShardSet set(shards, require_possible);
     return set.is_guided() ? merge_guided(set, output, leave_if_cancelled)
                            : merge_chord(set, output, leave_if_cancelled);
 }

@@ -4,11 +4,11 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "bake_layout.h"
-#include "bake_scenes.h"
+#include "chord/row_file.h"
 #include "lumi/crc32.h"
-#include "merge_problems.h"
-#include "row_file.h"
+#include "store/shard_rows.h"
+#include "support/bake_scenes.h"
+#include "support/merge_problems.h"
 
 namespace lumi::baker
 {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "field_writer.h"
+#include "chord/field_writer.h"
 #include "guided_bytes.h"
 #include "lumi/texel.h"
 #include "synthetic_ray.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The `lumi` command line: subcommands in commands/, exit codes in lumi/tools/failure.h.
+// The `lumi` command line: subcommands in commands/, exit codes in terminal/failure.h.
 #include <cstdio>
 
 #include "commands/commands.h"
 #include "commands/help_formatter.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/interrupt.h"
+#include "terminal/failure.h"
+#include "terminal/interrupt.h"
 
 namespace
 {

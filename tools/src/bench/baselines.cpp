@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "baselines.h"
+#include "bench/baselines.h"
 
 #include <algorithm>
 
-#include "boards.h"
-#include "host_renderer.h"
-#include "lumi/tools/field_file.h"
-#include "lumi/tools/psnr.h"
-#include "lumi/tools/ssim.h"
-#include "sprites.h"
+#include "bench/boards.h"
+#include "bench/host_renderer.h"
+#include "bench/sprites.h"
+#include "files/field_file.h"
+#include "metrics/psnr.h"
+#include "metrics/ssim.h"
 
 namespace lumi::bench
 {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "measure.h"
+#include "bench/measure.h"
 
 namespace lumi::bench
 {

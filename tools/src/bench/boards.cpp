@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "boards.h"
+#include "bench/boards.h"
 
 #include <fstream>
 #include <sstream>
 
-#include "lumi/tools/failure.h"
-#include "process.h"
+#include "bench/process.h"
+#include "terminal/failure.h"
 
 namespace lumi::bench
 {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "matrix.h"
+#include "bench/matrix.h"
 
 namespace lumi::bench
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cache_model.h"
+#include "bench/cache_model.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "chips.h"
+#include "bench/chips.h"
 
 #include <algorithm>
 

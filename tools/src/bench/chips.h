@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cache_model.h"
+#include "bench/cache_model.h"
 
 namespace lumi::bench
 {

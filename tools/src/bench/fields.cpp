@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fields.h"
+#include "bench/fields.h"
 
 #include <stdexcept>
 
 #include "lumi/baker/scene.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/progress_printer.h"
+#include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::bench
 {

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "guided.h"
+#include "bench/guided.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "boards.h"
+#include "bench/boards.h"
+#include "draw/draw_guided.h"
+#include "files/field_file.h"
 #include "lumi/baker/guided.h"
 #include "lumi/bench/views.h"
 #include "lumi/crc32.h"
 #include "lumi/pixel.h"
 #include "lumi/reference/guided_picture.h"
-#include "lumi/tools/draw_guided.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/field_file.h"
-#include "lumi/tools/interrupt.h"
-#include "lumi/tools/progress_printer.h"
+#include "terminal/failure.h"
+#include "terminal/interrupt.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::bench
 {

@@ -2,7 +2,7 @@
 // Guided fields on the bench: what the best picture and every step down from it costs.
 #pragma once
 
-#include "measure.h"
+#include "bench/measure.h"
 
 namespace lumi::bench
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "guided.h"
-#include "tables.h"
+#include "bench/guided.h"
+#include "bench/tables.h"
 
 namespace lumi::bench
 {

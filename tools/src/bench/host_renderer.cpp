@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host_renderer.h"
+#include "bench/host_renderer.h"
 
 #include <stdexcept>
 

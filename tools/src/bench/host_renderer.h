@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "cache_model.h"
+#include "bench/cache_model.h"
+#include "image/picture.h"
 #include "lumi/camera.h"
 #include "lumi/field.h"
-#include "lumi/tools/picture.h"
 
 namespace lumi::bench
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "judge.h"
+#include "bench/judge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "lumi/sphere.h"
-#include "lumi/tools/psnr.h"
+#include "metrics/psnr.h"
 
 namespace lumi::bench
 {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/matrix.h"
+#include "image/picture.h"
 #include "lumi/bench/views.h"
 #include "lumi/field.h"
 #include "lumi/reference/picture.h"
-#include "lumi/tools/picture.h"
-#include "matrix.h"
 
 namespace lumi::bench
 {

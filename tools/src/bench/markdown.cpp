@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "markdown.h"
+#include "bench/markdown.h"
 
 #include <algorithm>
 
-#include "guided.h"
-#include "tables.h"
+#include "bench/guided.h"
+#include "bench/tables.h"
 
 namespace lumi::bench
 {

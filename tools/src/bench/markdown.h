@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "baselines.h"
-#include "matrix.h"
+#include "bench/baselines.h"
+#include "bench/matrix.h"
 
 namespace lumi::bench
 {

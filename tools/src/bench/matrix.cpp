@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "matrix.h"
+#include "bench/matrix.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "chips.h"
+#include "bench/chips.h"
 
 namespace lumi::bench
 {

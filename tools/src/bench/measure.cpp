@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "measure.h"
+#include "bench/measure.h"
 
 #include <algorithm>
 #include <map>
 #include <memory>
 
-#include "boards.h"
-#include "guided.h"
-#include "host_renderer.h"
-#include "judge.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/field_file.h"
-#include "lumi/tools/interrupt.h"
+#include "bench/boards.h"
+#include "bench/guided.h"
+#include "bench/host_renderer.h"
+#include "bench/judge.h"
+#include "files/field_file.h"
+#include "terminal/failure.h"
+#include "terminal/interrupt.h"
 
 namespace lumi::bench
 {

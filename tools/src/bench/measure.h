@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "fields.h"
-#include "matrix.h"
+#include "bench/fields.h"
+#include "bench/matrix.h"
 
 namespace lumi::bench
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "plots.h"
+#include "bench/plots.h"
 
-#include "lumi/tools/output_file.h"
-#include "svg.h"
+#include "bench/svg.h"
+#include "files/output_file.h"
 
 namespace lumi::bench
 {

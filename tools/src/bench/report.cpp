@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "report.h"
+#include "bench/report.h"
 
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "guided.h"
+#include "bench/guided.h"
 
 namespace lumi::bench
 {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "matrix.h"
+#include "bench/matrix.h"
 
 namespace lumi::bench
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "sprites.h"
+#include "bench/sprites.h"
 
 #include <cmath>
 
 #include "lumi/baker/reference.h"
 #include "lumi/lattice.h"
 #include "lumi/reference/geometry.h"
-#include "lumi/tools/failure.h"
+#include "terminal/failure.h"
 
 namespace lumi::bench
 {

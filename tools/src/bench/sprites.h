@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "image/picture.h"
 #include "lumi/baker/scene.h"
 #include "lumi/bench/views.h"
-#include "lumi/tools/picture.h"
 
 namespace lumi::bench
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tables.h"
+#include "bench/tables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 
-#include "guided.h"
+#include "bench/guided.h"
 
 namespace lumi::bench
 {

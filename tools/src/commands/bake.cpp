@@ -5,18 +5,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "choice.h"
-#include "commands.h"
-#include "fit_options.h"
-#include "guided_options.h"
+#include "commands/choice.h"
+#include "commands/commands.h"
+#include "commands/fit_options.h"
+#include "commands/guided_options.h"
+#include "commands/scene_options.h"
+#include "files/output_file.h"
 #include "lumi/baker/bake.h"
 #include "lumi/lattice.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/json_progress.h"
-#include "lumi/tools/output_file.h"
-#include "lumi/tools/progress_printer.h"
-#include "lumi/tools/text.h"
-#include "scene_options.h"
+#include "terminal/failure.h"
+#include "terminal/json_progress.h"
+#include "terminal/progress_printer.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {

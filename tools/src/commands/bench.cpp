@@ -7,8 +7,8 @@
 #include "../bench/measure.h"
 #include "../bench/plots.h"
 #include "../bench/report.h"
-#include "commands.h"
-#include "lumi/tools/output_file.h"
+#include "commands/commands.h"
+#include "files/output_file.h"
 
 namespace lumi::tools
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "camera_options.h"
+#include "commands/camera_options.h"
 
-#include "lumi/tools/text.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {

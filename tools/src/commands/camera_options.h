@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "lumi/tools/views.h"
+#include "draw/views.h"
 
 namespace lumi::tools
 {

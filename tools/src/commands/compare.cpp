@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "commands.h"
-#include "lumi/tools/cw_ssim.h"
-#include "lumi/tools/error_picture.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/flip.h"
-#include "lumi/tools/output_file.h"
-#include "lumi/tools/png.h"
-#include "lumi/tools/psnr.h"
-#include "lumi/tools/ssim.h"
+#include "commands/commands.h"
+#include "files/output_file.h"
+#include "image/png.h"
+#include "metrics/cw_ssim.h"
+#include "metrics/error_picture.h"
+#include "metrics/flip.h"
+#include "metrics/psnr.h"
+#include "metrics/ssim.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "commands.h"
-#include "lumi/tools/embed.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/field_file.h"
-#include "lumi/tools/output_file.h"
+#include "commands/commands.h"
+#include "files/embed.h"
+#include "files/field_file.h"
+#include "files/output_file.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {

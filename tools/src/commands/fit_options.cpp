@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "fit_options.h"
+#include "commands/fit_options.h"
 
 #include <cstdio>
 
 #include "../planner/plan_report.h"
-#include "choice.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/interrupt.h"
-#include "lumi/tools/output_file.h"
-#include "lumi/tools/text.h"
+#include "commands/choice.h"
+#include "files/output_file.h"
+#include "terminal/failure.h"
+#include "terminal/interrupt.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {

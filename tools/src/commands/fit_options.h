@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "../planner/planner.h"
-#include "guided_options.h"
+#include "commands/guided_options.h"
 
 namespace lumi::tools
 {

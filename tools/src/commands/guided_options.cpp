@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "guided_options.h"
+#include "commands/guided_options.h"
 
 #include <cstdio>
 
-#include "choice.h"
-#include "lumi/tools/failure.h"
+#include "commands/choice.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "help_formatter.h"
+#include "commands/help_formatter.h"
 
 #include <sstream>
 

@@ -2,8 +2,8 @@
 // lumi inspect: what a field file holds.
 #include <memory>
 
-#include "commands.h"
-#include "lumi/tools/field_report.h"
+#include "commands/commands.h"
+#include "files/field_report.h"
 
 namespace lumi::tools
 {

@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <memory>
 
-#include "commands.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/interrupt.h"
-#include "lumi/tools/output_file.h"
-#include "lumi/tools/text.h"
+#include "commands/commands.h"
+#include "files/output_file.h"
+#include "terminal/failure.h"
+#include "terminal/interrupt.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {

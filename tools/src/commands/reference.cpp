@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "camera_options.h"
-#include "commands.h"
+#include "commands/camera_options.h"
+#include "commands/commands.h"
+#include "commands/scene_options.h"
 #include "lumi/baker/reference.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/progress_printer.h"
-#include "scene_options.h"
+#include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::tools
 {

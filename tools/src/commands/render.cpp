@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "../quality/twin.h"
-#include "camera_options.h"
-#include "choice.h"
-#include "commands.h"
-#include "lumi/tools/draw_guided.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/field_file.h"
+#include "commands/camera_options.h"
+#include "commands/choice.h"
+#include "commands/commands.h"
+#include "draw/draw_guided.h"
+#include "files/field_file.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {

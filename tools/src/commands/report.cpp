@@ -7,12 +7,12 @@
 #include "../quality/baselines.h"
 #include "../quality/page.h"
 #include "../quality/report_data.h"
-#include "choice.h"
-#include "commands.h"
-#include "lumi/tools/failure.h"
-#include "lumi/tools/output_file.h"
-#include "lumi/tools/progress_printer.h"
-#include "scene_options.h"
+#include "commands/choice.h"
+#include "commands/commands.h"
+#include "commands/scene_options.h"
+#include "files/output_file.h"
+#include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::tools
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene_options.h"
+#include "commands/scene_options.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "choice.h"
+#include "commands/choice.h"
 
 namespace lumi::tools
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit.h"
+#include "planner/fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Makes a plan as large as the flash allows: what a plan leaves open, its size, comes from the bytes that remain.
 #pragma once
 
-#include "space.h"
+#include "planner/space.h"
 
 namespace lumi::planner
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "plan.h"
+#include "planner/plan.h"
 
 #include <cstdio>
 
-#include "lumi/tools/field_file.h"
+#include "files/field_file.h"
 
 namespace lumi::planner
 {

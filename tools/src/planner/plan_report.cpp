@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "plan_report.h"
+#include "planner/plan_report.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "lumi/tools/text.h"
+#include "terminal/text.h"
 
 namespace lumi::planner
 {

@@ -2,7 +2,7 @@
 // What a planner has found, for people and for programs.
 #pragma once
 
-#include "planner.h"
+#include "planner/planner.h"
 
 namespace lumi::planner
 {

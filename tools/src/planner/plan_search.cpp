@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plan_search.h"
+#include "planner/plan_search.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "planner.h"
+#include "planner/planner.h"
 
 #include <algorithm>
 #include <chrono>
 
-#include "lumi/tools/text.h"
+#include "terminal/text.h"
 
 namespace lumi::planner
 {

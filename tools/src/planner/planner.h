@@ -3,7 +3,7 @@
 // worth, search.h what to try next.
 #pragma once
 
-#include "trials.h"
+#include "planner/trials.h"
 
 namespace lumi::planner
 {

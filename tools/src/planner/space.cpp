@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "space.h"
+#include "planner/space.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "lumi/tools/field_file.h"
+#include "files/field_file.h"
 
 namespace lumi::planner
 {

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "held_out.h"
-#include "plan.h"
-#include "plan_search.h"
+#include "planner/plan.h"
+#include "planner/plan_search.h"
+#include "quality/held_out.h"
 
 namespace lumi::planner
 {

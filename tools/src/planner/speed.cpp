@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed.h"
+#include "planner/speed.h"
 
 #include <charconv>
 #include <stdexcept>

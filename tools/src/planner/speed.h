@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "chips.h"
-#include "lumi/tools/draw.h"
-#include "lumi/tools/draw_guided.h"
-#include "plan.h"
+#include "bench/chips.h"
+#include "draw/draw.h"
+#include "draw/draw_guided.h"
+#include "planner/plan.h"
 
 namespace lumi::planner
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trials.h"
+#include "planner/trials.h"
 
 #include <unistd.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "lumi/tools/failure.h"
-#include "lumi/tools/field_file.h"
-#include "lumi/tools/interrupt.h"
+#include "files/field_file.h"
+#include "terminal/failure.h"
+#include "terminal/interrupt.h"
 
 namespace lumi::planner
 {

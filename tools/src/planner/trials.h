@@ -7,9 +7,9 @@
 #include <map>
 #include <memory>
 
-#include "fit.h"
-#include "speed.h"
-#include "truths.h"
+#include "planner/fit.h"
+#include "planner/speed.h"
+#include "quality/truths.h"
 
 namespace lumi::planner
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "baselines.h"
+#include "quality/baselines.h"
 
+#include "bench/sprites.h"
 #include "lumi/baker/bake.h"
-#include "sprites.h"
 
 namespace lumi::quality
 {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lumi/baker/scene.h"
-#include "measured.h"
+#include "quality/measured.h"
 
 namespace lumi::quality
 {

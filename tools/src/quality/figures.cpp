@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "figures.h"
+#include "quality/figures.h"
 
 #include <algorithm>
 
-#include "lumi/tools/cw_ssim.h"
-#include "lumi/tools/flip.h"
-#include "lumi/tools/psnr.h"
-#include "lumi/tools/ssim.h"
+#include "metrics/cw_ssim.h"
+#include "metrics/flip.h"
+#include "metrics/psnr.h"
+#include "metrics/ssim.h"
 
 namespace lumi::quality
 {

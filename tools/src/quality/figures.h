@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lumi/tools/plane.h"
+#include "image/plane.h"
 
 namespace lumi::quality
 {

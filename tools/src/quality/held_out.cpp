@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "held_out.h"
+#include "quality/held_out.h"
 
 #include <cmath>
 #include <cstdio>
 
 #include "lumi/reference/geometry.h"
-#include "lumi/tools/failure.h"
+#include "terminal/failure.h"
 
 namespace lumi::quality
 {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "draw/views.h"
 #include "lumi/bench/views.h"
-#include "lumi/tools/views.h"
 
 namespace lumi::quality
 {

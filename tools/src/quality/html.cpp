@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "html.h"
+#include "quality/html.h"
 
 #include <algorithm>
 #include <cstdint>
 
-#include "lumi/tools/png.h"
+#include "image/png.h"
 
 namespace lumi::quality
 {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lumi/tools/picture.h"
+#include "image/picture.h"
 
 namespace lumi::quality
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "measured.h"
+#include "quality/measured.h"
 
-#include "lumi/tools/draw.h"
-#include "lumi/tools/draw_guided.h"
+#include "draw/draw.h"
+#include "draw/draw_guided.h"
 
 namespace lumi::quality
 {

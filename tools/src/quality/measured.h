@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "figures.h"
-#include "lumi/tools/field_file.h"
-#include "truths.h"
+#include "files/field_file.h"
+#include "quality/figures.h"
+#include "quality/truths.h"
 
 namespace lumi::quality
 {

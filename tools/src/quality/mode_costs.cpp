@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "mode_costs.h"
+#include "quality/mode_costs.h"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "lumi/tools/failure.h"
+#include "terminal/failure.h"
 
 namespace lumi::quality
 {

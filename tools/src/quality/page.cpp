@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "page.h"
+#include "quality/page.h"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <map>
 
-#include "html.h"
-#include "lumi/tools/error_picture.h"
-#include "lumi/tools/text.h"
-#include "page_style.h"
-#include "svg.h"
+#include "bench/svg.h"
+#include "metrics/error_picture.h"
+#include "quality/html.h"
+#include "quality/page_style.h"
+#include "terminal/text.h"
 
 namespace lumi::quality
 {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "report_data.h"
+#include "quality/report_data.h"
 
 namespace lumi::quality
 {

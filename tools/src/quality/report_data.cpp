@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "report_data.h"
+#include "quality/report_data.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "lumi/tools/text.h"
+#include "terminal/text.h"
 
 namespace lumi::quality
 {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "measured.h"
-#include "mode_costs.h"
+#include "quality/measured.h"
+#include "quality/mode_costs.h"
 
 namespace lumi::quality
 {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "truths.h"
+#include "quality/truths.h"
 
 #include <cinttypes>
 #include <cstdio>
 
-#include "lumi/tools/failure.h"
-#include "lumi/tools/png.h"
-#include "scene_fingerprint.h"
+#include "image/png.h"
+#include "terminal/failure.h"
 
 namespace lumi::quality
 {
@@ -62,7 +61,7 @@ Truth read_truth(const std::string& picture, const std::string& mask)
 std::string cache_key(const baker::Scene& scene)
 {
     char text[40];
-    const auto value = baker::scene_fingerprint(scene.data());
+    const auto value = scene.fingerprint();
     std::snprintf(text, sizeof text, "%016" PRIx64, value[0] ^ value[1]);
     return text;
 }

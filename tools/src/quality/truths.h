@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "figures.h"
-#include "held_out.h"
 #include "lumi/baker/reference.h"
+#include "quality/figures.h"
+#include "quality/held_out.h"
 
 namespace lumi::quality
 {

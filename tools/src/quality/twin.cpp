@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "twin.h"
+#include "quality/twin.h"
 
 #include <cmath>
 

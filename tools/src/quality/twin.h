@@ -2,9 +2,9 @@
 // Pictures by the double-precision twin of the guided renderer.
 #pragma once
 
+#include "draw/views.h"
 #include "lumi/guided/guided_field.h"
 #include "lumi/reference/guided_picture.h"
-#include "lumi/tools/views.h"
 
 namespace lumi::quality
 {

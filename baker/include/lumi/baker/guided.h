@@ -9,11 +9,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "lumi/baker/bake.h"
+#include "lumi/baker/proxy.h"
 #include "lumi/guided/guided_format.h"
 
 namespace lumi::baker
@@ -38,13 +38,6 @@ struct GuidedSettings {
     unsigned threads = 0;  // 0 = as many as the machine has
 };
 
-// What the proxy gets wrong, in shares of the rays that meet the scene.
-struct ProxyLoss {
-    double missed = 0;     // the proxy is not there
-    double added = 0;      // the ray meets the proxy, but not the scene
-    double displaced = 0;  // the depths differ by more than a twentieth of the radius
-};
-
 struct GuidedBake {
     std::vector<uint8_t> file;
     uint32_t triangles = 0, vertices = 0;
@@ -52,22 +45,6 @@ struct GuidedBake {
     ProxyLoss loss;
     uint64_t texels = 0;
     uint32_t mean_bricks = 0;
-};
-
-// Proxies that several bakes of one scene share: each number of triangles is built once. Not for several threads.
-class ProxyCache
-{
-public:
-    ProxyCache();
-    ~ProxyCache();
-    ProxyCache(const ProxyCache&) = delete;
-    ProxyCache& operator=(const ProxyCache&) = delete;
-
-    struct Contents;  // baker's own, see baker/src
-    Contents& contents() { return *contents_; }
-
-private:
-    std::unique_ptr<Contents> contents_;
 };
 
 // The bytes depend on scene, settings and seed, never on `threads` or the cache. Memory: some dozen bytes a texel.

@@ -74,6 +74,10 @@ public:
     size_t material_count() const;
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
 
+    // Of all that decides light paths: the same files and options give the same value on every machine and in every
+    // version of this program. Cost: one pass over the scene.
+    std::array<uint64_t, 2> fingerprint() const;
+
     const SceneData& data() const { return *data_; }
 
 private:

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "chord/field_rays.h"
+
+#include "math/warp.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+Vec3 from_q30(const Vec3q30& p)
+{
+    constexpr double kUnit = 1.0 / kOneQ30;
+    return normalized(
+        {static_cast<float>(p.x * kUnit), static_cast<float>(p.y * kUnit), static_cast<float>(p.z * kUnit)});
+}
+
+}  // namespace
+
+Vec3 OriginDisc::at(const Vec2& u) const
+{
+    const Vec2 d = square_to_disc(u);
+    return frame.normal + frame.tangent * (radius * d.x) + frame.bitangent * (radius * d.y);
+}
+
+OriginDisc FieldRays::disc(uint32_t i) const
+{
+    // π·radius² = 4π/M
+    return {Frame(from_q30(point(origins_, i))), 2 / std::sqrt(static_cast<float>(origins_.size()))};
+}
+
+OriginDisc FieldRays::direction_disc(uint32_t j) const
+{
+    return {Frame(direction_point(j)), 2 / std::sqrt(static_cast<float>(directions_.size()))};
+}
+
+Vec3 FieldRays::direction_point(uint32_t j) const
+{
+    return from_q30(point(directions_, j));
+}
+
+std::optional<Ray> FieldRays::ray(const Vec3& start, const Vec3& target)
+{
+    const Vec3 towards = target - start;
+    const float distance = length(towards);
+    if (!(distance > 0)) {
+        return std::nullopt;
+    }
+    return Ray{start, towards / distance, distance};
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "chord/texel_tracer.h"
+
+namespace lumi::baker
+{
+
+TexelTracer::TexelTracer(const SceneData& scene, const BakeSettings& settings)
+    : tone_(scene.tone),
+      seed_(settings.seed),
+      samples_(settings.samples),
+      // Texels that end where no path has met a faint shadow yet would lose it.
+      max_error_levels_(scene.catcher ? 0 : settings.max_error_levels),
+      footprint_(settings.footprint),
+      rays_(settings.origins, settings.directions),
+      tracer_(scene)
+{
+}
+
+std::optional<Ray> TexelTracer::ray(const OriginDisc& start, const OriginDisc& target, Sampler& sampler) const
+{
+    const Vec2 u = sampler.next_2d();
+    const Vec3 from = footprint_ == Footprint::point ? start.frame.normal : start.at(u);
+    return FieldRays::ray(from, footprint_ == Footprint::both ? target.at(sampler.next_2d()) : target.frame.normal);
+}
+
+Estimate TexelTracer::estimate(const OriginDisc& disc, uint32_t i, uint32_t j) const
+{
+    Estimate result(tone_);
+    const OriginDisc target = rays_.direction_disc(j);
+    Sampler sampler(seed_, i, j);
+    ErrorGauge gauge;
+    for (uint32_t s = 0; s < samples_ && !enough(gauge); ++s) {
+        sampler.start(s);
+        const std::optional<Ray> eye_ray = ray(disc, target, sampler);
+        const PathResult path = eye_ray ? tracer_.trace(*eye_ray, sampler) : PathResult{};
+        result.add(path);
+        gauge.add(path);
+    }
+    return result;
+}
+
+}  // namespace lumi::baker

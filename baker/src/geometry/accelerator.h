@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Ray queries against a mesh.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "geometry/mesh.h"
+
+namespace lumi::baker
+{
+
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;  // unit length
+    float end = std::numeric_limits<float>::infinity();
+};
+
+struct Hit {
+    uint32_t triangle;
+    float distance;
+    float u, v;  // barycentric weights of the second and third corner
+};
+
+// Queries are watertight and may run on any number of threads. The same mesh always gives the same answers.
+class Accelerator
+{
+public:
+    explicit Accelerator(const Mesh& mesh);  // copies what it needs
+    Accelerator(Accelerator&&) noexcept;
+    ~Accelerator();
+
+    std::optional<Hit> closest(const Ray& ray) const;
+    bool blocked(const Ray& ray) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lumi::baker

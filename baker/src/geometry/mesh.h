@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Triangles in the frame of the unit sphere, as indices into shared arrays.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+inline constexpr int32_t kNoIndex = -1;
+
+struct Mesh {
+    using Corners = std::array<uint32_t, 3>;
+    using OptionalCorners = std::array<int32_t, 3>;  // kNoIndex where the file gives none
+
+    std::vector<Vec3> positions;
+    std::vector<Vec3> normals;  // unit length
+    std::vector<Vec2> uvs;
+    // One entry a triangle each:
+    std::vector<Corners> corners;          // into positions
+    std::vector<OptionalCorners> shading;  // into normals: all three or none
+    std::vector<OptionalCorners> mapping;  // into uvs: all three or none
+    std::vector<uint32_t> materials;
+
+    size_t triangle_count() const { return corners.size(); }
+    const Vec3& position(size_t triangle, size_t corner) const { return positions[corners[triangle][corner]]; }
+
+    // Twice the area long, by the right-hand rule.
+    Vec3 area_vector(size_t triangle) const
+    {
+        const Vec3& a = position(triangle, 0);
+        return cross(position(triangle, 1) - a, position(triangle, 2) - a);
+    }
+    float area(size_t triangle) const { return 0.5f * length(area_vector(triangle)); }
+};
+
+}  // namespace lumi::baker

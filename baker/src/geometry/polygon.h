@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Cuts polygons into triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+// Indices into `corners`, n-2 triangles at most, wound like the polygon. Concave polygons are cut by their ears; a
+// polygon that crosses itself gets triangles, but not the ones its author had in mind. Cost: quadratic to cubic in n.
+std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<Vec3>& corners);
+
+}  // namespace lumi::baker

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The one file that sees OpenEXR.
+#include "image/exr_file.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+
+#include <cstring>
+
+#include "lumi/baker/scene.h"
+#include "util/text_lines.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+// The bytes of a file as OpenEXR wants to read them.
+class BytesStream : public Imf::IStream
+{
+public:
+    BytesStream(const std::string& name, const std::string& bytes) : Imf::IStream(name.c_str()), bytes_(bytes) {}
+
+    bool read(char out[], int count) override
+    {
+        const uint64_t size = static_cast<uint64_t>(count);
+        if (size > bytes_.size() - std::min<uint64_t>(position_, bytes_.size())) {
+            throw std::runtime_error("it ends too early");
+        }
+        std::memcpy(out, bytes_.data() + position_, size);
+        position_ += size;
+        return position_ < bytes_.size();
+    }
+    uint64_t tellg() override { return position_; }
+    void seekg(uint64_t position) override { position_ = position; }
+    void clear() override {}
+
+private:
+    const std::string& bytes_;
+    uint64_t position_ = 0;
+};
+
+void check_size(int64_t width, int64_t height)
+{
+    if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide ||
+        width * height > kMaxPicturePixels) {
+        throw std::runtime_error("its size of " + std::to_string(width) + " by " + std::to_string(height) +
+                                 " pixels is too large");
+    }
+}
+
+RadiancePicture read(BytesStream& stream)
+{
+    Imf::InputFile input(stream, 1);
+    const Imath::Box2i window = input.header().dataWindow();
+    const int64_t width = int64_t{window.max.x} - window.min.x + 1;
+    const int64_t height = int64_t{window.max.y} - window.min.y + 1;
+    check_size(width, height);
+    const bool coloured = input.header().channels().findChannel("R") != nullptr;
+    if (!coloured && !input.header().channels().findChannel("Y")) {
+        throw std::runtime_error("it has neither R, G and B nor Y channels");
+    }
+    RadiancePicture picture{static_cast<int>(width), static_cast<int>(height),
+                            std::vector<Rgb>(static_cast<size_t>(width * height))};
+    Imf::FrameBuffer frame;
+    const char* names[3] = {"R", "G", "B"};
+    for (size_t k = 0; k < (coloured ? 3u : 1u); ++k) {
+        char* base = reinterpret_cast<char*>(picture.pixels.data()) + sizeof(float) * k;
+        frame.insert(coloured ? names[k] : "Y",
+                     Imf::Slice::Make(Imf::FLOAT, base, window, sizeof(Rgb), sizeof(Rgb) * static_cast<size_t>(width)));
+    }
+    input.setFrameBuffer(frame);
+    input.readPixels(window.min.y, window.max.y);
+    for (size_t k = 0; k < picture.pixels.size() && !coloured; ++k) {
+        picture.pixels[k] = grey(picture.pixels[k].r);
+    }
+    return picture;
+}
+
+}  // namespace
+
+bool is_exr(const std::string& bytes)
+{
+    constexpr char kMagic[] = "\x76\x2f\x31\x01";
+    return bytes.compare(0, 4, kMagic) == 0;
+}
+
+RadiancePicture read_exr(const std::filesystem::path& file, const std::string& bytes)
+{
+    BytesStream stream(file.string(), bytes);
+    try {
+        return read(stream);
+    } catch (const std::exception& e) {
+        throw SceneError(at({file.string()},
+                            std::string("the picture cannot be read (") + e.what() + "); save it again as OpenEXR"));
+    }
+}
+
+}  // namespace lumi::baker

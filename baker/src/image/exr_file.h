@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Reads OpenEXR pictures.
+#pragma once
+
+#include "image/radiance_picture.h"
+
+namespace lumi::baker
+{
+
+bool is_exr(const std::string& bytes);
+
+// The channels R, G, B, or Y as grey, of the first part. Throws SceneError with the file's name.
+RadiancePicture read_exr(const std::filesystem::path& file, const std::string& bytes);
+
+}  // namespace lumi::baker

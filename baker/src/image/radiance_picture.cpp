@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "image/radiance_picture.h"
+
+#include "image/exr_file.h"
+#include "image/image_file.h"
+#include "util/text_lines.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kMaxRadiance = 1e9f;  // sums of many stay finite in binary32
+
+// Sharpened pictures undershoot: a little below 0 is ordinary, and means 0.
+Rgb clamped(const Rgb& c)
+{
+    return {std::clamp(c.r, 0.0f, kMaxRadiance), std::clamp(c.g, 0.0f, kMaxRadiance),
+            std::clamp(c.b, 0.0f, kMaxRadiance)};
+}
+
+void repair(const std::filesystem::path& file, RadiancePicture& picture, std::vector<std::string>& warnings)
+{
+    size_t bad = 0, first = 0;
+    for (size_t k = 0; k < picture.pixels.size(); ++k) {
+        Rgb& p = picture.pixels[k];
+        if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b)) {
+            first = bad++ == 0 ? k : first;
+            p = {};
+        }
+        p = clamped(p);
+    }
+    if (bad != 0) {
+        const size_t width = static_cast<size_t>(picture.width);
+        warnings.push_back(at({file.string()}, std::to_string(bad) +
+                                                   " pixel(s) are no number or infinite and count as black; "
+                                                   "repair the picture, first at column " +
+                                                   std::to_string(first % width) + ", row " +
+                                                   std::to_string(first / width)));
+    }
+}
+
+}  // namespace
+
+RadiancePicture read_radiance_picture(const std::filesystem::path& file, std::vector<std::string>& warnings)
+{
+    const std::string bytes = read_text(file);
+    RadiancePicture picture = is_exr(bytes) ? read_exr(file, bytes) : read_hdr(file, bytes);
+    repair(file, picture, warnings);
+    return picture;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A picture of linear radiance, and the files that hold one.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+struct RadiancePicture {
+    int width = 0, height = 0;  // > 0
+    std::vector<Rgb> pixels;    // top row first; finite, not negative
+
+    const Rgb& at(int x, int y) const
+    {
+        return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    }
+};
+
+inline constexpr int kMaxPictureSide = 32768;
+inline constexpr int64_t kMaxPicturePixels = int64_t{1} << 27;  // 1.6 GB of memory
+
+// Radiance .hdr or OpenEXR .exr, told apart by their first bytes. Negative numbers become 0; pixels that are no number
+// or infinite become black and are named in `warnings`. Throws SceneError, both with the file's name.
+RadiancePicture read_radiance_picture(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+}  // namespace lumi::baker

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The transfer function of sRGB, IEC 61966-2-1.
+#pragma once
+
+#include <cstdint>
+
+#include "lumi/color.h"
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+float srgb_decode(uint8_t encoded);
+
+// Both clip to [0, 1]. Not-a-number becomes 0.
+float srgb_encode_unit(float linear);
+Rgb8 srgb_encode(const Rgb& linear);
+
+}  // namespace lumi::baker

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "image/texture.h"
+
+#include "image/srgb.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+int wrapped(int64_t i, int size)
+{
+    const int64_t r = i % size;
+    return static_cast<int>(r < 0 ? r + size : r);
+}
+
+Rgb pixel(const Texture& t, int64_t x, int64_t y)
+{
+    const size_t row = static_cast<size_t>(wrapped(y, t.height)) * static_cast<size_t>(t.width);
+    const uint8_t* p = &t.rgb[3 * (row + static_cast<size_t>(wrapped(x, t.width)))];
+    if (t.encoded) {
+        return {srgb_decode(p[0]), srgb_decode(p[1]), srgb_decode(p[2])};
+    }
+    constexpr float kUnit = 1.0f / 255;
+    return {static_cast<float>(p[0]) * kUnit, static_cast<float>(p[1]) * kUnit, static_cast<float>(p[2]) * kUnit};
+}
+
+float height_at(const Texture& t, int x, int y)
+{
+    return pixel(t, x, y).r;
+}
+
+uint8_t byte_of(float component)
+{
+    return static_cast<uint8_t>(std::lround((component * 0.5f + 0.5f) * 255));
+}
+
+}  // namespace
+
+Rgb Texture::at(const Vec2& uv) const
+{
+    // Only the fraction counts; taken in double so that far-off coordinates keep their pixel.
+    const double u = uv.x - std::floor(static_cast<double>(uv.x));
+    const double v = uv.y - std::floor(static_cast<double>(uv.y));
+    const double x = u * width - 0.5;
+    const double y = (1 - v) * height - 0.5;
+    const int64_t x0 = static_cast<int64_t>(std::floor(x));
+    const int64_t y0 = static_cast<int64_t>(std::floor(y));
+    const float fx = static_cast<float>(x - static_cast<double>(x0));
+    const float fy = static_cast<float>(y - static_cast<double>(y0));
+    const Rgb top = pixel(*this, x0, y0) * (1 - fx) + pixel(*this, x0 + 1, y0) * fx;
+    const Rgb bottom = pixel(*this, x0, y0 + 1) * (1 - fx) + pixel(*this, x0 + 1, y0 + 1) * fx;
+    return top * (1 - fy) + bottom * fy;
+}
+
+Texture normals_from_heights(const Texture& heights, float strength)
+{
+    constexpr float kSlope = 255.0f / 32 / 2;  // over two pixels
+    Texture result{heights.width, heights.height, {}, false};
+    result.rgb.reserve(heights.rgb.size());
+    for (int y = 0; y < heights.height; ++y) {
+        for (int x = 0; x < heights.width; ++x) {
+            const float right = height_at(heights, x + 1, y) - height_at(heights, x - 1, y);
+            const float up = height_at(heights, x, y - 1) - height_at(heights, x, y + 1);
+            const Vec3 n = normalized({-right * kSlope * strength, -up * kSlope * strength, 1});
+            result.rgb.insert(result.rgb.end(), {byte_of(n.x), byte_of(n.y), byte_of(n.z)});
+        }
+    }
+    return result;
+}
+
+bool is_grey(const Texture& texture)
+{
+    for (size_t k = 0; k + 2 < texture.rgb.size(); k += 3) {
+        if (texture.rgb[k] != texture.rgb[k + 1] || texture.rgb[k] != texture.rgb[k + 2]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// An 8-bit picture that repeats over the plane, read with bilinear filtering in linear light.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+struct Texture {
+    int width = 0, height = 0;  // > 0
+    std::vector<uint8_t> rgb;   // 3 bytes a pixel, top row first
+    bool encoded = true;        // sRGB; otherwise bytes stand for 0 to 1
+
+    // u to the right, v upwards, the picture fills [0,1]².
+    Rgb at(const Vec2& uv) const;
+};
+
+// A grey picture of heights as a normal map: the slope is `strength` times the height's change from pixel to pixel, in
+// bytes over 32.
+Texture normals_from_heights(const Texture& heights, float strength);
+
+// All three channels are alike everywhere.
+bool is_grey(const Texture& texture);
+
+}  // namespace lumi::baker

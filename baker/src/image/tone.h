@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Tone curves: from mean linear radiance to what is sRGB-encoded.
+#pragma once
+
+#include <cstdint>
+
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+enum class ToneCurve : uint8_t {
+    srgb,      // none: radiance above 1 clips
+    reinhard,  // luminance L becomes L/(1+L): Reinhard et al., "Photographic Tone Reproduction for Digital Images",
+               // SIGGRAPH 2002, equation 3; hue stays
+    aces,      // a fit of the ACES filmic curve per channel: K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016
+};
+
+// Still linear; values above 1 clip later.
+Rgb toned(ToneCurve curve, const Rgb& radiance);
+
+}  // namespace lumi::baker

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Scattering at a surface point, in the local frame whose z is the shading normal on the side of the viewer.
+//
+// Protocol: wo points to the viewer (wo.z > 0), wi to the light. eval() is f·|cos θi| and 0 where nothing scatters;
+// pdf() is the solid-angle density of sample(); sample() returns a direction with its weight eval/pdf, or nothing when
+// the light is lost. An infinite pdf marks a direction that has a probability of its own (a mirror's): eval() and pdf()
+// know nothing of it. A further kind of surface is one more alternative of the variant; transmission is a wi with z <
+// 0, and its weight holds the change of radiance by the square of the relative index.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "material/sheen.h"
+#include "material/skin.h"
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+struct BsdfSample {
+    Vec3 wi;
+    Rgb weight;
+    float pdf;
+};
+
+class Diffuse
+{
+public:
+    explicit Diffuse(const Rgb& albedo) : albedo_(albedo) {}
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    Rgb albedo_;
+};
+
+// GGX metal with Schlick's Fresnel term. Light that bounces between facets more than once leaves in a second, broad
+// lobe (Kulla & Conty 2017): white metal loses nothing.
+template <class Spread>
+class ConductorOf
+{
+public:
+    ConductorOf(const Rgb& f0, const FacetTableOf<Spread>& facets);  // borrows the facets
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float broad_probability(const Vec3& wo) const;
+
+    Rgb f0_, broad_;  // broad_: colour of the second lobe over what one bounce loses on average
+    const FacetTableOf<Spread>* facets_;
+};
+
+// A diffuse body under a rough dielectric skin: the light that the skin does not reflect is diffused, and what it
+// throws back inside is diffused again (a geometric series). A white body loses nothing.
+template <class Spread>
+class PlasticOf
+{
+public:
+    PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin);  // borrows the skin
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float skin_probability(const Vec3& wo) const;
+
+    const SkinOf<Spread>* skin_;
+    Rgb body_;  // albedo of the body seen through the skin, before the two crossings
+};
+
+// Brushed surfaces: x of the local frame is the direction of alpha_x.
+using Conductor = ConductorOf<Isotropic>;
+using BrushedConductor = ConductorOf<Anisotropic>;
+using Plastic = PlasticOf<Isotropic>;
+using BrushedPlastic = PlasticOf<Anisotropic>;
+
+// A clear coat over an opaque surface. Below it goes on what the coat does not reflect towards either direction, so
+// that the two together never gain and lose at most the coat's mean reflectance.
+class Coated
+{
+public:
+    using Body = std::variant<Diffuse, Conductor, Plastic, BrushedConductor, BrushedPlastic>;
+
+    // coverage in [0, 1]: how much of the surface the coat covers. Borrows the coat.
+    Coated(const Body& body, const Skin& coat, float coverage) : body_(body), coat_(&coat), coverage_(coverage) {}
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float coat_probability(float cosine) const;
+
+    Body body_;
+    const Skin* coat_;
+    float coverage_;
+};
+
+// Fibres on an opaque surface, above its coat if it has one. What they do not send back goes on below: over a matt
+// surface exactly (Kulla & Conty 2017), over any other as under a coat, never more than there is.
+class Sheened
+{
+public:
+    using Body = std::variant<Diffuse, Conductor, Plastic, BrushedConductor, BrushedPlastic, Coated>;
+
+    // colour in [0, 1]: of the fibres, times their share of the surface. Borrows the fibres.
+    Sheened(const Body& body, const SheenTable& fibres, const Rgb& colour);
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float below(const Vec3& wo, const Vec3& wi) const;
+    float fibre_probability(const Vec3& wo) const;
+
+    Body body_;
+    const SheenTable* fibres_;
+    Rgb colour_;
+    float strength_;  // of the colour's largest component
+};
+
+// A polished boundary between two clear media.
+class SmoothGlass
+{
+public:
+    // eta: index of the far side relative to the viewer's.
+    explicit SmoothGlass(float eta) : eta_(eta) {}
+    Rgb eval(const Vec3&, const Vec3&) const { return {}; }
+    float pdf(const Vec3&, const Vec3&) const { return 0; }
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float eta_;
+};
+
+// A frosted boundary: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; light of
+// more than one bounce leaves in broad lobes to both sides.
+class RoughGlass
+{
+public:
+    RoughGlass(const GlassTable& table, bool outside) : table_(&table), outside_(outside) {}  // borrows the table
+    Rgb eval(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+
+private:
+    float eta() const { return outside_ ? table_->eta() : 1 / table_->eta(); }
+    float broad_value(const Vec3& wo, const Vec3& wi) const;
+    float broad_probability(float cosine) const;
+    float side_share(const Vec3& wi) const;
+
+    const GlassTable* table_;
+    bool outside_;  // where the viewer is
+};
+
+class Bsdf
+{
+public:
+    template <class Kind>
+    explicit Bsdf(const Kind& kind) : kind_(kind)
+    {
+    }
+
+    // Whether sample() looks at u_lobe.
+    bool has_lobes() const { return !std::holds_alternative<Diffuse>(kind_); }
+    Rgb eval(const Vec3& wo, const Vec3& wi) const
+    {
+        return std::visit([&](const auto& kind) { return kind.eval(wo, wi); }, kind_);
+    }
+    float pdf(const Vec3& wo, const Vec3& wi) const
+    {
+        return std::visit([&](const auto& kind) { return kind.pdf(wo, wi); }, kind_);
+    }
+    std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const
+    {
+        return std::visit([&](const auto& kind) { return kind.sample(wo, u_lobe, u); }, kind_);
+    }
+
+private:
+    std::variant<Diffuse, Conductor, Plastic, Coated, SmoothGlass, RoughGlass, BrushedConductor, BrushedPlastic,
+                 Sheened>
+        kind_;
+};
+
+}  // namespace lumi::baker

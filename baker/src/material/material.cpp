@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "material/material.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kMaxRadiance = 1e9f;     // sums of many stay finite in binary32
+constexpr float kMaxIndex = 4;           // of diamond 2.4, of germanium 4
+constexpr float kMinGlassIndex = 1.01f;  // closer to 1, facets and directions can no longer be told apart
+constexpr size_t kRoughnessSteps = 64;
+
+Rgb clamped(const Rgb& c, float low, float high)
+{
+    return {std::clamp(c.r, low, high), std::clamp(c.g, low, high), std::clamp(c.b, low, high)};
+}
+
+float clamped_alpha(float alpha)
+{
+    return std::clamp(alpha, kMinAlpha, 1.0f);
+}
+
+// One table for the material's alpha, or with a texture one for each step of roughness up to it.
+template <class Table, class Make>
+std::vector<std::shared_ptr<const Table>> tables(bool textured, float alpha, const Make& make)
+{
+    std::vector<std::shared_ptr<const Table>> result;
+    for (size_t k = textured ? 0 : kRoughnessSteps; k <= kRoughnessSteps; ++k) {
+        const float share = static_cast<float>(k) / kRoughnessSteps;
+        result.push_back(std::make_shared<const Table>(make(clamped_alpha(alpha * share * share))));
+    }
+    return result;
+}
+
+template <class Table>
+const Table& nearest(const std::vector<std::shared_ptr<const Table>>& list, float roughness)
+{
+    const float last = static_cast<float>(list.size() - 1);
+    return *list[static_cast<size_t>(std::clamp(roughness, 0.0f, 1.0f) * last + 0.5f)];
+}
+
+float absorption_of(float transmittance, float distance)
+{
+    constexpr float kDarkest = 1e-6f;  // black glass is a very dark one
+    return -std::log(std::max(transmittance, kDarkest)) / distance;
+}
+
+// Burley's aspect: his course's section 5.4.
+Anisotropic stretched(float alpha, float anisotropy)
+{
+    const float aspect = std::sqrt(1 - 0.9f * anisotropy);
+    return {alpha / aspect, std::max(alpha * aspect, kMinAlpha)};
+}
+
+// Adds the tables that the material needs, of the spread that `spread_of` makes of a width.
+template <class Skins, class Facets, class SpreadOf>
+void add_tables(const Material& m, const SpreadOf& spread_of, Skins& skins, Facets& facets)
+{
+    using Spread = decltype(spread_of(m.alpha));
+    const bool textured = m.maps.roughness.used();
+    if (m.specular && (m.metalness < 1 || m.maps.metalness.used())) {
+        skins =
+            tables<SkinOf<Spread>>(textured, m.alpha, [&](float a) { return SkinOf<Spread>(m.index, spread_of(a)); });
+    }
+    if (m.metalness > 0) {
+        facets = tables<FacetTableOf<Spread>>(textured, m.alpha,
+                                              [&](float a) { return FacetTableOf<Spread>(spread_of(a)); });
+    }
+}
+
+template <class Body>
+Bsdf under_fibres(const Body& body, const Material& m, float sheen)
+{
+    return m.fibres ? Bsdf(Sheened(body, *m.fibres, m.sheen_colour * sheen)) : Bsdf(body);
+}
+
+template <class Body>
+Bsdf layered(const Body& body, const Material& m, float sheen)
+{
+    return m.coat_skin ? under_fibres(Coated(body, *m.coat_skin, m.coat), m, sheen) : under_fibres(body, m, sheen);
+}
+
+template <class Skins, class Facets>
+Bsdf opaque(const Material& m, const PointValues& at, float u, const Skins& skins, const Facets& facets)
+{
+    if (u < at.metalness) {
+        return layered(ConductorOf(at.base, nearest(facets, at.roughness)), m, at.sheen);
+    }
+    if (!skins.empty()) {
+        return layered(PlasticOf(at.base, nearest(skins, at.roughness)), m, at.sheen);
+    }
+    return layered(Diffuse(at.base), m, at.sheen);
+}
+
+}  // namespace
+
+void Material::finish()
+{
+    base = clamped(base, 0, 1);
+    emission = clamped(emission, 0, kMaxRadiance);
+    metalness = std::clamp(metalness, 0.0f, 1.0f);
+    const bool smooth = alpha < kMinAlpha;
+    alpha = smooth && glass ? 0 : clamped_alpha(alpha);
+    opacity = std::clamp(opacity, 0.0f, 1.0f);
+    index = index > 1 ? std::min(index, kMaxIndex) : kDefaultIndex;
+    coat = std::clamp(coat, 0.0f, 1.0f);
+    coat_alpha = clamped_alpha(coat_alpha);
+    anisotropy = std::clamp(anisotropy, 0.0f, 1.0f);
+    sheen = std::clamp(sheen, 0.0f, 1.0f);
+    sheen_colour = clamped(sheen_colour, 0, 1);
+    sheen_roughness = std::clamp(sheen_roughness, static_cast<float>(kMinSheenRoughness), 1.0f);
+    skins.clear();
+    facets.clear();
+    brushed_skins.clear();
+    brushed_facets.clear();
+    frost = nullptr;
+    coat_skin = nullptr;
+    fibres = nullptr;
+    if (glass) {
+        index = std::max(index, kMinGlassIndex);
+        transmittance = clamped(transmittance, 0, 1);
+        absorption = {absorption_of(transmittance.r, transmittance_length),
+                      absorption_of(transmittance.g, transmittance_length),
+                      absorption_of(transmittance.b, transmittance_length)};
+        frost = alpha > 0 ? std::make_shared<const GlassTable>(index, alpha) : nullptr;
+        return;
+    }
+    if (anisotropy > 0) {
+        add_tables(
+            *this, [this](float a) { return stretched(a, anisotropy); }, brushed_skins, brushed_facets);
+    } else {
+        add_tables(
+            *this, [](float a) { return Isotropic(a); }, skins, facets);
+    }
+    coat_skin = coat > 0 ? std::make_shared<const Skin>(kDefaultIndex, coat_alpha) : nullptr;
+    fibres = sheen > 0 ? std::make_shared<const SheenTable>(sheen_roughness) : nullptr;
+}
+
+Rgb Material::absorbed(float distance) const
+{
+    return {std::exp(-absorption.r * distance), std::exp(-absorption.g * distance), std::exp(-absorption.b * distance)};
+}
+
+PointValues Material::plain_values() const
+{
+    return {base, metalness, 1, true, sheen};
+}
+
+Bsdf Material::bsdf(const PointValues& at, float u) const
+{
+    if (glass) {
+        return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
+    }
+    return brushed() ? opaque(*this, at, u, brushed_skins, brushed_facets) : opaque(*this, at, u, skins, facets);
+}
+
+float alpha_from_phong_exponent(float exponent)
+{
+    return std::sqrt(2 / (std::max(exponent, 0.0f) + 2));
+}
+
+float alpha_from_roughness(float roughness)
+{
+    return roughness * roughness;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// What a triangle is made of, and how MTL's terms become it.
+//
+// MTL                      here
+// Pm > 0 or Pr > 0         metalness Pm, alpha = Pr²; specular always
+// Kd black, Ks not         a metal of colour Ks
+// Ks not black             plastic: a dielectric skin of index Ni (1.5 if Ni <= 1) over Kd; Ks's own colour is not used
+// otherwise                Lambert
+// Ns                       alpha = √(2/(Ns+2)), the GGX width whose peak falls off like Phong's lobe (Walter et al.,
+//                          "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, section 5.2)
+// illum 4, 6, 7, 9         with Ni > 1: glass, smooth unless Pr > 0, that lets Tf through along one unit of the OBJ.
+//                          Not if Tf is black, nor for illum 4 and 9 if d < 1 and there is no Tf: some exporters write
+//                          that for thin, see-through paint
+// Pr and Tf >= 0.5         with Ni > 1: glass too; so Blender writes transmission
+// aniso, anisor            facets of metal and skin that spread wider along the tangent and narrower across, as brushed
+//                          metal's: by 1/√(1 - 0.9·aniso) and its inverse (Burley, "Physically Based Shading at
+//                          Disney", SIGGRAPH 2012 course). The tangent is the direction of growing u, turned by anisor
+//                          of a turn counterclockwise
+// Pc, Pcr                  a clear coat that covers the share Pc, of roughness Pcr
+// Ps                       white fibres on top of all that, on the share Ps; not on glass
+// d, 1-Tr                  opacity: the share of light that does not pass straight through
+// Ke                       radiance emitted from both sides
+// map_Kd, map_Ke, map_Pr, map_Pm, map_Ps, map_d, and of metals map_Ks: times their number, or 1 where that is not given
+// norm, map_Bump           a normal map; a grey picture is a height map
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "material/bsdf.h"
+
+namespace lumi::baker
+{
+
+inline constexpr int32_t kNoTexture = -1;
+inline constexpr float kMinAlpha = 0.01f;  // sharper facets than this no field resolves, and binary32 begins to suffer
+inline constexpr float kDefaultIndex = 1.5f;
+inline constexpr float kDefaultSheenRoughness = 0.3f;  // cloth
+
+// A picture on a surface: read at uv·scale + offset.
+struct TextureSlot {
+    int32_t texture = kNoTexture;
+    Vec2 scale = {1, 1}, offset;
+
+    bool used() const { return texture != kNoTexture; }
+};
+
+struct TextureSlots {
+    TextureSlot base, emission, roughness, metalness, opacity, normal, sheen;
+};
+
+// A material's numbers at one point, with its textures.
+struct PointValues {
+    Rgb base;
+    float metalness, roughness;
+    bool outside;  // the viewer is on the side that the triangle's winding faces
+    float sheen;
+};
+
+struct Material {
+    std::string name;
+    Rgb base = grey(0.6f);  // reflectance of the diffuse body, or of the metal at normal incidence; <= 1
+    Rgb emission;
+    float metalness = 0;
+    bool specular = false;  // a dielectric skin where the surface is not metal
+    float alpha = 1;        // GGX width
+    float index = kDefaultIndex;
+    float opacity = 1;
+    float anisotropy = 0, anisotropy_turns = 0;
+    float coat = 0, coat_alpha = kMinAlpha;
+    float sheen = 0, sheen_roughness = kDefaultSheenRoughness;
+    Rgb sheen_colour = grey(1);
+    bool glass = false;           // clear inside; the triangles' winding faces outwards
+    Rgb transmittance = grey(1);  // of glass along `transmittance_length`
+    float transmittance_length = 1;
+    TextureSlots maps;
+
+    // Clamps what must be in range and derives what is derived. Call after filling in or changing.
+    void finish();
+
+    bool emits() const { return !is_black(emission); }
+    // Whether it looks different when turned in its plane.
+    bool brushed() const { return !brushed_skins.empty() || !brushed_facets.empty(); }
+    bool may_pass() const { return opacity < 1 || maps.opacity.used(); }
+    // What is left of light after a way through the glass.
+    Rgb absorbed(float distance) const;
+    // A partly metallic surface is metal with probability metalness: u.
+    Bsdf bsdf(const PointValues& at, float u) const;
+    PointValues plain_values() const;
+
+    // Made by finish(), one for each step of roughness; just one where no texture changes it. Empty if not needed.
+    std::vector<std::shared_ptr<const Skin>> skins;
+    std::vector<std::shared_ptr<const FacetTable>> facets;
+    std::vector<std::shared_ptr<const SkinOf<Anisotropic>>> brushed_skins;  // in place of the other two
+    std::vector<std::shared_ptr<const FacetTableOf<Anisotropic>>> brushed_facets;
+    std::shared_ptr<const GlassTable> frost;  // of rough glass
+    std::shared_ptr<const Skin> coat_skin;
+    std::shared_ptr<const SheenTable> fibres;
+    Rgb absorption;  // of glass, per length
+};
+
+float alpha_from_phong_exponent(float exponent);
+float alpha_from_roughness(float roughness);
+
+}  // namespace lumi::baker

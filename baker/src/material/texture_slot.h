@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What a material's picture shows at a place on a triangle.
+#pragma once
+
+#include <optional>
+
+#include "geometry/mesh.h"
+#include "image/texture.h"
+#include "material/material.h"
+
+namespace lumi::baker
+{
+
+struct CornerUvs {
+    Vec2 p, q, r;
+};
+
+// Nothing on triangles without texture coordinates.
+inline std::optional<CornerUvs> corner_uvs(const Mesh& mesh, uint32_t triangle)
+{
+    const Mesh::OptionalCorners& c = mesh.mapping[triangle];
+    if (c[0] == kNoIndex) {
+        return std::nullopt;
+    }
+    return CornerUvs{mesh.uvs[static_cast<size_t>(c[0])], mesh.uvs[static_cast<size_t>(c[1])],
+                     mesh.uvs[static_cast<size_t>(c[2])]};
+}
+
+// Weights of the second and third corner give the place. Nothing on triangles without texture coordinates.
+inline std::optional<Vec2> uv_at(const Mesh& mesh, uint32_t triangle, const Vec2& barycentric)
+{
+    const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
+    if (!uvs) {
+        return std::nullopt;
+    }
+    const auto& [p, q, r] = *uvs;
+    const float w = 1 - barycentric.x - barycentric.y;
+    return Vec2{w * p.x + barycentric.x * q.x + barycentric.y * r.x,
+                w * p.y + barycentric.x * q.y + barycentric.y * r.y};
+}
+
+// White without a picture or texture coordinates.
+inline Rgb slot_colour(const Mesh& mesh, const std::vector<Texture>& textures, const TextureSlot& slot,
+                       uint32_t triangle, const Vec2& barycentric)
+{
+    if (!slot.used()) {
+        return grey(1);
+    }
+    const std::optional<Vec2> uv = uv_at(mesh, triangle, barycentric);
+    if (!uv) {
+        return grey(1);
+    }
+    return textures[static_cast<size_t>(slot.texture)].at(
+        {uv->x * slot.scale.x + slot.offset.x, uv->y * slot.scale.y + slot.offset.y});
+}
+
+}  // namespace lumi::baker

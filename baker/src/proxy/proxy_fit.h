@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Moves the vertices of a proxy onto the depth that rays find in the scene.
+#pragma once
+
+#include "proxy/proxy_survey.h"
+
+namespace lumi::baker
+{
+
+// One round: the displacements of all vertices that bring the hits of `survey` onto the scene in the least-squares
+// sense, distances along the triangles' normals, kept smooth over the mesh. Rays whose depths differ by more than
+// kMaxDepthError say nothing. Vertices whose triangles would turn over stay.
+Mesh fitted(const Mesh& proxy, bool two_sided, const Survey& survey, Job& job);
+
+// Of two depths that belong to the same surface, in radii.
+inline constexpr float kMaxDepthError = 0.05f;
+
+}  // namespace lumi::baker

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "proxy/proxy_outside.h"
+
+#include <numeric>
+#include <unordered_map>
+
+#include "math/frame.h"
+#include "math/sampler.h"
+#include "math/warp.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr uint32_t kDirections = 24;  // over each side of a triangle
+constexpr uint32_t kPlaces = 4;       // of a triangle, before it counts as never seen
+constexpr uint32_t kTrianglesATask = 512;
+constexpr float kAbove = 1e-4f;         // the rays' starts, in radii: sheets closer together count as one
+constexpr double kMaxBothSides = 0.02;  // of what is seen, may be lost by culling
+constexpr float kWeldSteps = 1 << 17;   // vertices that round to the same 1/kWeldSteps radius are one
+constexpr double kMaxStray = 0.05;      // of a component, may be wound the other way without being turned one by one
+constexpr uint64_t kSeed = 0x6F757473;
+
+// The shares of directions in which each side of a triangle is open to the outside.
+struct Openness {
+    float front = 0, back = 0;
+};
+
+class Surveyor
+{
+public:
+    explicit Surveyor(const SceneData& scene) : scene_(scene) {}
+
+    Openness openness(uint32_t triangle) const
+    {
+        const Vec3 area = scene_.mesh.area_vector(triangle);
+        if (!(length(area) > 0)) {
+            return {};
+        }
+        const Frame frame(normalized(area));
+        Sampler sampler(kSeed, triangle, 0);
+        for (uint32_t k = 0; k < kPlaces; ++k) {
+            sampler.start(k);
+            const Vec3 place = at(triangle, k == 0 ? Vec2{1.0f / 3, 1.0f / 3} : square_to_triangle(sampler.next_2d()));
+            const Openness result = {open_share(place, frame, 1, sampler), open_share(place, frame, -1, sampler)};
+            if (result.front > 0 || result.back > 0) {
+                return result;
+            }
+        }
+        return {};
+    }
+
+private:
+    Vec3 at(uint32_t triangle, const Vec2& weights) const
+    {
+        const Vec3& a = scene_.mesh.position(triangle, 0);
+        return a + (scene_.mesh.position(triangle, 1) - a) * weights.x +
+               (scene_.mesh.position(triangle, 2) - a) * weights.y;
+    }
+
+    float open_share(const Vec3& place, const Frame& frame, float side, Sampler& sampler) const
+    {
+        const Vec3 start = place + frame.normal * (side * kAbove);
+        const Vec2 turn = sampler.next_2d();
+        uint32_t open = 0;
+        for (uint32_t k = 0; k < kDirections; ++k) {
+            // A Fibonacci set on the hemisphere, turned at random; the lowest heights stay clear of the triangle.
+            const float z = (static_cast<float>(k) + 0.25f + 0.5f * turn.y) / kDirections;
+            const Vec3 local = direction_at(z, static_cast<float>(k) * 0.618034f + turn.x);
+            open += scene_.accelerator.blocked({start, frame.to_world(local * side)}) ? 0u : 1u;
+        }
+        return static_cast<float>(open) / kDirections;
+    }
+
+    const SceneData& scene_;
+};
+
+class Welder
+{
+public:
+    explicit Welder(Mesh& mesh) : mesh_(mesh) {}
+
+    uint32_t add(const Vec3& p)
+    {
+        const auto step = [](float c) {
+            return static_cast<uint64_t>(static_cast<int64_t>(std::lround(c * kWeldSteps)) & 0x1FFFFF);
+        };
+        const uint64_t key = step(p.x) << 42 | step(p.y) << 21 | step(p.z);
+        const auto [found, added] = numbers_.emplace(key, static_cast<uint32_t>(mesh_.positions.size()));
+        if (added) {
+            mesh_.positions.push_back(p);
+        }
+        return found->second;
+    }
+
+private:
+    Mesh& mesh_;
+    std::unordered_map<uint64_t, uint32_t> numbers_;
+};
+
+bool is_degenerate(const Mesh::Corners& c)
+{
+    return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+}
+
+// Welds all triangles; those that are degenerate then have equal corners.
+Mesh welded(const Mesh& mesh)
+{
+    Mesh result;
+    Welder welder(result);
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
+        result.corners.push_back(
+            {welder.add(mesh.position(k, 0)), welder.add(mesh.position(k, 1)), welder.add(mesh.position(k, 2))});
+    }
+    return result;
+}
+
+std::vector<Openness> survey(const SceneData& scene, Job& job)
+{
+    const uint32_t triangles = static_cast<uint32_t>(scene.mesh.triangle_count());
+    const Surveyor surveyor(scene);
+    std::vector<Openness> all(triangles);
+    job.run((triangles + kTrianglesATask - 1) / kTrianglesATask, [&](uint32_t task) {
+        const uint32_t end = std::min(triangles, (task + 1) * kTrianglesATask);
+        for (uint32_t k = task * kTrianglesATask; k < end && !job.stopping(); ++k) {
+            all[k] = surveyor.openness(k);
+        }
+    });
+    return all;
+}
+
+// Sets of triangles that share vertices.
+class Components
+{
+public:
+    explicit Components(const Mesh& mesh) : parent_(mesh.positions.size())
+    {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+        for (const Mesh::Corners& c : mesh.corners) {
+            join(c[0], c[1]);
+            join(c[0], c[2]);
+        }
+    }
+    uint32_t of(const Mesh::Corners& corners) { return root(corners[0]); }
+
+private:
+    uint32_t root(uint32_t v)
+    {
+        while (parent_[v] != v) {
+            v = parent_[v] = parent_[parent_[v]];
+        }
+        return v;
+    }
+    void join(uint32_t a, uint32_t b) { parent_[root(a)] = root(b); }
+
+    std::vector<uint32_t> parent_;
+};
+
+// How much of a component is seen from which side: areas times openness.
+struct Seen {
+    double front = 0, back = 0;  // of whole triangles, on the side that is seen more
+    double both = 0;             // on the other side
+
+    void add(const Openness& open, double area)
+    {
+        (open.front >= open.back ? front : back) += area * static_cast<double>(std::max(open.front, open.back));
+        both += area * static_cast<double>(std::min(open.front, open.back));
+    }
+    double total() const { return front + back + both; }
+    bool is_consistent() const { return std::min(front, back) <= kMaxStray * (front + back); }
+};
+
+}  // namespace
+
+Outside outside_of(const SceneData& scene, Job& job)
+{
+    const std::vector<Openness> open = survey(scene, job);
+    Outside result = {welded(scene.mesh)};
+    const std::vector<Mesh::Corners> all = std::move(result.mesh.corners);
+    result.mesh.corners = all;
+    Components components(result.mesh);
+    std::vector<Seen> seen(result.mesh.positions.size());
+    for (size_t k = 0; k < all.size(); ++k) {
+        seen[components.of(all[k])].add(open[k], static_cast<double>(scene.mesh.area(k)));
+    }
+    result.mesh.corners.clear();
+    for (size_t k = 0; k < all.size(); ++k) {
+        Mesh::Corners corners = all[k];
+        const Seen& component = seen[components.of(corners)];
+        const bool turned = component.is_consistent() ? component.back > component.front : open[k].back > open[k].front;
+        if (turned) {
+            std::swap(corners[1], corners[2]);
+        }
+        if (component.total() > 0 && !is_degenerate(corners)) {
+            result.mesh.corners.push_back(corners);
+        }
+    }
+    double both = 0, total = 0;
+    for (const Seen& component : seen) {
+        // Triangles that a consistent component shows from behind are lost to culling, too.
+        both += component.both + (component.is_consistent() ? std::min(component.front, component.back) : 0);
+        total += component.total();
+    }
+    result.two_sided = both > kMaxBothSides * total;
+    return result;
+}
+
+}  // namespace lumi::baker

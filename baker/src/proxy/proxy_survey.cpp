@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "proxy/proxy_survey.h"
+
+#include "math/warp.h"
+#include "proxy/inward_rays.h"
+#include "trace/surface.h"
+
+namespace lumi::baker
+{
+
+Survey::Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed)
+    : scene_(scene), origins_(origins), rays_(rays_per_origin), seed_(seed)
+{
+}
+
+std::vector<SurveyRay> Survey::look(uint32_t origin, const ProxyTracer& proxy) const
+{
+    const InwardRays rays(Lattice(origins_), origin);
+    Sampler sampler(seed_, origin, 0);
+    std::vector<SurveyRay> result;
+    result.reserve(rays_);
+    for (uint32_t k = 0; k < rays_; ++k) {
+        sampler.start(k);
+        const Ray ray = rays.ray(square_to_disc(sampler.next_2d()));
+        const std::optional<Hit> hit = closest_opaque(scene_, ray, sampler);
+        const float distance = hit ? hit->distance : std::numeric_limits<float>::infinity();
+        result.push_back({ray, distance, proxy.closest(ray)});
+    }
+    return result;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Rays from all around the sphere, spread as a chart's are: what proxies are fitted with and judged by.
+#pragma once
+
+#include "proxy/proxy_tracer.h"
+#include "scene/scene_data.h"
+#include "util/job.h"
+
+namespace lumi::baker
+{
+
+// What one ray meets; distances along it, infinite for a miss.
+struct SurveyRay {
+    Ray ray;
+    float scene;
+    std::optional<Hit> proxy;
+};
+
+class Survey
+{
+public:
+    Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed);
+
+    uint32_t origins() const { return origins_; }
+    // The same rays every time. Thread-safe.
+    std::vector<SurveyRay> look(uint32_t origin, const ProxyTracer& proxy) const;
+
+private:
+    const SceneData& scene_;
+    uint32_t origins_, rays_;
+    uint64_t seed_;
+};
+
+}  // namespace lumi::baker

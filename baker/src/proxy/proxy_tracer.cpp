@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "proxy/proxy_tracer.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kStep = 2e-6f;  // past a back face; a few units in the last place at length 1
+constexpr int kMaxBackFaces = 256;
+
+}  // namespace
+
+ProxyTracer::ProxyTracer(Mesh mesh, bool two_sided) : mesh_(std::move(mesh)), two_sided_(two_sided)
+{
+    if (mesh_.triangle_count() != 0) {
+        accelerator_.emplace(mesh_);
+    }
+}
+
+std::optional<Hit> ProxyTracer::closest(const Ray& ray) const
+{
+    if (!accelerator_) {
+        return std::nullopt;
+    }
+    float passed = 0;
+    for (int k = 0; k < kMaxBackFaces; ++k) {
+        std::optional<Hit> hit = accelerator_->closest({ray.origin + ray.direction * passed, ray.direction, ray.end});
+        if (!hit) {
+            return std::nullopt;
+        }
+        if (two_sided_ || dot(mesh_.area_vector(hit->triangle), ray.direction) < 0) {
+            hit->distance += passed;
+            return hit;
+        }
+        passed += hit->distance + kStep;
+    }
+    return std::nullopt;
+}
+
+Mesh unpacked(const PackedProxy& proxy)
+{
+    constexpr float kUnit = 1.0f / 2048;
+    const auto coordinate = [](uint16_t c) { return static_cast<float>(static_cast<int>(c) - 2048) * kUnit; };
+    Mesh mesh;
+    for (const PackedProxy::Triple& v : proxy.vertices) {
+        mesh.positions.push_back({coordinate(v[0]), coordinate(v[1]), coordinate(v[2])});
+    }
+    for (const PackedProxy::Triple& t : proxy.triangles) {
+        mesh.corners.push_back({t[0], t[1], t[2]});
+    }
+    return mesh;
+}
+
+}  // namespace lumi::baker

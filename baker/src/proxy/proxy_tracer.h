@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Rays against a proxy mesh as renderers see it: back faces are seen through unless the proxy is two-sided.
+#pragma once
+
+#include "geometry/accelerator.h"
+#include "proxy/packed_proxy.h"
+
+namespace lumi::baker
+{
+
+class ProxyTracer
+{
+public:
+    // Of `mesh` only positions and corners count.
+    ProxyTracer(Mesh mesh, bool two_sided);
+
+    const Mesh& mesh() const { return mesh_; }
+    bool two_sided() const { return two_sided_; }
+    std::optional<Hit> closest(const Ray& ray) const;
+    // Whether the ray meets any triangle, from whichever side.
+    bool touches(const Ray& ray) const { return accelerator_ && accelerator_->blocked(ray); }
+
+private:
+    Mesh mesh_;
+    bool two_sided_;
+    std::optional<Accelerator> accelerator_;  // none where there is no triangle
+};
+
+// Vertices as a reader sees them.
+Mesh unpacked(const PackedProxy& proxy);
+
+}  // namespace lumi::baker

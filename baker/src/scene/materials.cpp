@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "scene/materials.h"
+
+#include <algorithm>
+#include <map>
+
+#include "image/image_file.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+class TextureStore
+{
+public:
+    TextureStore(std::vector<Texture>& textures, std::vector<std::string>& warnings)
+        : textures_(textures), warnings_(warnings)
+    {
+    }
+
+    TextureSlot slot(const std::filesystem::path& mtl, const MtlMap& map, PictureUse use)
+    {
+        if (map.name.empty()) {
+            return {};
+        }
+        const Place place = {mtl.string(), map.line};
+        const std::filesystem::path file = find_beside(mtl, map.name);
+        if (file.empty()) {
+            warnings_.push_back(at(place, "the picture '" + map.name +
+                                              "' is missing, the plain number is used; put it beside " +
+                                              mtl.filename().string()));
+            return {};
+        }
+        const Key key = {file.string(), use};
+        const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
+        if (fresh) {
+            entry->second = load(place, file, use);
+        }
+        return {entry->second, map.scale, map.offset};
+    }
+
+    // A grey picture holds heights, any other one normals.
+    TextureSlot normal_slot(const std::filesystem::path& mtl, const MtlMap& map)
+    {
+        TextureSlot found = slot(mtl, map, PictureUse::data);
+        if (!found.used() || !is_grey(textures_[static_cast<size_t>(found.texture)])) {
+            return found;
+        }
+        textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map.strength));
+        found.texture = static_cast<int32_t>(textures_.size() - 1);
+        return found;
+    }
+
+private:
+    using Key = std::pair<std::string, PictureUse>;
+
+    int32_t load(const Place& place, const std::filesystem::path& file, PictureUse use)
+    {
+        std::string why;
+        std::optional<Texture> texture = read_texture(file, use, why);
+        if (!texture) {
+            warnings_.push_back(at(place, "the picture '" + file.string() + "' is not used (" + why +
+                                              "), the plain number is; save it as PNG or JPEG"));
+            return kNoTexture;
+        }
+        textures_.push_back(std::move(*texture));
+        return static_cast<int32_t>(textures_.size() - 1);
+    }
+
+    std::vector<Texture>& textures_;
+    std::vector<std::string>& warnings_;
+    std::map<Key, int32_t> loaded_;
+};
+
+Material default_material(const std::string& name)
+{
+    Material material;
+    material.name = name;
+    material.finish();
+    return material;
+}
+
+// Illumination models 4 to 9 of MTL that let light through a body; and materials of the PBR extension with a Tf, as
+// Blender writes its transmission. Without Pr, many exporters write Tf 1 1 1 for what is opaque.
+bool is_glass(const MtlMaterial& mtl)
+{
+    const bool refracts = mtl.illum == 6 || mtl.illum == 7;
+    const bool clear = mtl.illum == 4 || mtl.illum == 9;
+    if (mtl.ni <= 1 || (mtl.has_tf && is_black(mtl.tf))) {
+        return false;
+    }
+    constexpr float kMostlyClear = 0.5f;
+    const bool transmits = mtl.has_pr && mtl.has_tf && max_component(mtl.tf) >= kMostlyClear;
+    return refracts || transmits || (clear && (mtl.has_tf || mtl.dissolve >= 1));
+}
+
+void make_glass(const MtlMaterial& mtl, Material& m)
+{
+    m.glass = true;
+    m.alpha = alpha_from_roughness(mtl.roughness);
+    m.transmittance = mtl.has_tf ? mtl.tf : grey(1);
+    m.opacity = 1;
+    m.metalness = 0;
+}
+
+// A number that only a picture gives counts as 1.
+void open_for_maps(const MtlMaterial& mtl, Material& m)
+{
+    if (!mtl.map_ke.name.empty() && is_black(m.emission)) {
+        m.emission = grey(1);
+    }
+    if (!mtl.map_pm.name.empty() && !(mtl.metalness > 0)) {
+        m.metalness = 1;
+    }
+    if (!mtl.map_ps.name.empty() && !(mtl.sheen > 0)) {
+        m.sheen = 1;
+    }
+    if (!mtl.map_pr.name.empty() && !(mtl.roughness > 0)) {
+        m.alpha = 1;
+    }
+}
+
+void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
+{
+    const bool metal = m.metalness > 0 && mtl.map_kd.name.empty();
+    m.maps.base = textures.slot(mtl.file, metal ? mtl.map_ks : mtl.map_kd, PictureUse::colour);
+    m.maps.emission = textures.slot(mtl.file, mtl.map_ke, PictureUse::colour);
+    m.maps.roughness = textures.slot(mtl.file, mtl.map_pr, PictureUse::data);
+    m.maps.metalness = textures.slot(mtl.file, mtl.map_pm, PictureUse::data);
+    m.maps.sheen = textures.slot(mtl.file, mtl.map_ps, PictureUse::data);
+    m.maps.opacity = textures.slot(mtl.file, mtl.map_d, PictureUse::alpha);
+    m.maps.normal = textures.normal_slot(mtl.file, mtl.map_bump);
+}
+
+}  // namespace
+
+Material to_material(const MtlMaterial& mtl)
+{
+    Material m;
+    m.name = mtl.name;
+    m.base = mtl.kd;
+    m.emission = mtl.ke;
+    m.index = mtl.ni;
+    m.opacity = mtl.dissolve;
+    m.coat = mtl.coat;
+    m.coat_alpha = alpha_from_roughness(mtl.coat_roughness);
+    m.sheen = mtl.sheen;
+    m.anisotropy = mtl.anisotropy;
+    m.anisotropy_turns = mtl.anisotropy_turns;
+    const bool mapped = !mtl.map_pr.name.empty() || !mtl.map_pm.name.empty();
+    const bool physical = mtl.has_pr || mtl.metalness > 0 || mapped;
+    m.alpha = physical ? alpha_from_roughness(mtl.roughness) : alpha_from_phong_exponent(mtl.ns);
+    m.specular = physical || !is_black(mtl.ks);
+    m.metalness = mtl.metalness;
+    if (!physical && m.specular && is_black(mtl.kd) && mtl.map_kd.name.empty()) {
+        m.metalness = 1;
+        m.base = mtl.ks;
+    }
+    open_for_maps(mtl, m);
+    if (is_glass(mtl)) {
+        make_glass(mtl, m);
+    }
+    return m;
+}
+
+std::filesystem::path find_beside(const std::filesystem::path& beside, const std::string& name)
+{
+    std::string slashed = name;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    const std::filesystem::path folder = beside.parent_path();
+    const std::filesystem::path last = std::filesystem::path(slashed).filename();
+    for (const std::filesystem::path& candidate : {folder / name, folder / slashed, folder / last}) {
+        std::error_code ignored;
+        if (!candidate.filename().empty() && std::filesystem::is_regular_file(candidate, ignored)) {
+            return candidate;
+        }
+    }
+    return {};
+}
+
+MaterialSet resolve_materials(const std::string& obj_file, const std::vector<ObjText::Use>& uses,
+                              const std::vector<MtlMaterial>& known, std::vector<std::string>& warnings)
+{
+    MaterialSet set;
+    TextureStore textures(set.textures, warnings);
+    for (const ObjText::Use& use : uses) {
+        const auto found =
+            std::find_if(known.begin(), known.end(), [&](const MtlMaterial& m) { return m.name == use.name; });
+        if (found == known.end()) {
+            warnings.push_back(
+                at({obj_file, use.line},
+                   "the material '" + use.name + "' is not defined, it is drawn grey; export the MTL file too"));
+            set.materials.push_back(default_material(use.name));
+            continue;
+        }
+        Material material = to_material(*found);
+        add_maps(*found, textures, material);
+        material.finish();
+        set.materials.push_back(std::move(material));
+    }
+    return set;
+}
+
+}  // namespace lumi::baker

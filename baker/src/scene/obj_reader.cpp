@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "scene/obj_reader.h"
+
+#include <algorithm>
+
+#include "geometry/polygon.h"
+#include "scene/mtl_text.h"
+#include "scene/obj_parser.h"
+#include "scene/obj_text.h"
+#include "scene/smoothing.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+// The libraries that one mtllib line names: all of it is one name with blanks, or each word is a name.
+std::vector<std::filesystem::path> libraries_of(const std::filesystem::path& obj, const ObjText::Library& library,
+                                                std::vector<std::string>& warnings)
+{
+    const std::filesystem::path whole = find_beside(obj, library.name);
+    if (!whole.empty()) {
+        return {whole};
+    }
+    std::vector<std::filesystem::path> files;
+    std::string missing = library.name;
+    for (const std::string_view word : words(library.name)) {
+        const std::filesystem::path file = find_beside(obj, std::string(word));
+        if (!file.empty()) {
+            files.push_back(file);
+            missing.clear();
+        }
+    }
+    if (!missing.empty() || library.name.empty()) {
+        warnings.push_back(at({obj.string(), library.line},
+                              "the material file '" + library.name + "' is missing; put it beside the OBJ file"));
+    }
+    return files;
+}
+
+// What the parser forgets: where pictures are named, and whether numbers were.
+void name_lines(const MtlText::Lines& lines, MtlMaterial& material)
+{
+    const auto line_of = [&](const char* keyword) {
+        const auto found = lines.maps.find(keyword);
+        return found == lines.maps.end() ? material.line : found->second;
+    };
+    material.map_kd.line = line_of("map_Kd");
+    material.map_ks.line = line_of("map_Ks");
+    material.map_ke.line = line_of("map_Ke");
+    material.map_pr.line = line_of("map_Pr");
+    material.map_pm.line = line_of("map_Pm");
+    material.map_ps.line = line_of("map_Ps");
+    material.map_d.line = line_of("map_d");
+    material.map_bump.line = std::max({line_of("norm"), line_of("map_Bump"), line_of("map_bump"), line_of("bump")});
+    material.has_tf = lines.has_tf;
+    material.has_pr = lines.has_pr;
+    if (!material.map_kd.name.empty() && !lines.has_kd) {
+        material.kd = grey(1);
+    }
+    if (!material.map_ks.name.empty() && !lines.has_ks) {
+        material.ks = grey(1);
+    }
+}
+
+void append_library(const std::filesystem::path& file, std::vector<MtlMaterial>& known,
+                    std::vector<std::string>& warnings)
+{
+    const MtlText mtl = prepare_mtl(file.string(), read_text(file), warnings);
+    for (MtlMaterial& material : parse_mtl(mtl.text)) {
+        const auto lines = mtl.lines.find(material.name);
+        if (lines == mtl.lines.end() || material.name.empty()) {
+            continue;
+        }
+        material.file = file;
+        material.line = lines->second.newmtl;
+        name_lines(lines->second, material);
+        known.push_back(std::move(material));
+    }
+}
+
+// Turns polygons into the triangles of a mesh.
+class MeshBuilder
+{
+public:
+    MeshBuilder(const ObjContent& content, uint32_t default_material)
+        : content_(content), default_material_(default_material)
+    {
+        mesh_.positions = content.positions;
+        mesh_.uvs = content.uvs;
+        for (const Vec3& n : content.normals) {
+            const float size = length(n);
+            mesh_.normals.push_back(size > 0 && std::isfinite(size) ? n / size : Vec3{});
+        }
+    }
+
+    // False if some triangle of the face has no area; that one is left out.
+    bool add(const ObjFace& face)
+    {
+        std::vector<Vec3> polygon;
+        for (uint32_t k = 0; k < face.count; ++k) {
+            polygon.push_back(content_.positions[static_cast<size_t>(corner(face, k).position)]);
+        }
+        bool sound = true;
+        for (const std::array<uint32_t, 3>& t : triangulate(polygon)) {
+            const bool flat = has_no_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
+            sound = sound && !flat;
+            if (!flat) {
+                add_triangle(face, t);
+            }
+        }
+        return sound;
+    }
+
+    Mesh take() { return std::move(mesh_); }
+
+private:
+    const ObjCorner& corner(const ObjFace& face, uint32_t k) const { return content_.corners[face.first + k]; }
+
+    // In binary64 and relative to the edges, so that neither tiny nor huge scenes lose sound triangles.
+    static bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c)
+    {
+        constexpr double kThinnest = 1e-12;  // sine² of the angle between two edges; below binary32's grid
+        const double e[3] = {static_cast<double>(b.x) - static_cast<double>(a.x),
+                             static_cast<double>(b.y) - static_cast<double>(a.y),
+                             static_cast<double>(b.z) - static_cast<double>(a.z)};
+        const double f[3] = {static_cast<double>(c.x) - static_cast<double>(a.x),
+                             static_cast<double>(c.y) - static_cast<double>(a.y),
+                             static_cast<double>(c.z) - static_cast<double>(a.z)};
+        const double n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+        const double product = (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) * (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+        return !(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] > kThinnest * product);
+    }
+
+    void add_triangle(const ObjFace& face, const std::array<uint32_t, 3>& t)
+    {
+        Mesh::Corners corners{};
+        Mesh::OptionalCorners shading{}, mapping{};
+        bool shaded = true, mapped = true;
+        for (size_t k = 0; k < 3; ++k) {
+            const ObjCorner& c = corner(face, t[k]);
+            corners[k] = static_cast<uint32_t>(c.position);
+            shading[k] = c.normal;
+            mapping[k] = c.uv;
+            shaded = shaded && c.normal != kNoIndex;
+            mapped = mapped && c.uv != kNoIndex;
+        }
+        mesh_.corners.push_back(corners);
+        mesh_.shading.push_back(shaded ? shading : Mesh::OptionalCorners{kNoIndex, kNoIndex, kNoIndex});
+        mesh_.mapping.push_back(mapped ? mapping : Mesh::OptionalCorners{kNoIndex, kNoIndex, kNoIndex});
+        mesh_.materials.push_back(face.material == kNoIndex ? default_material_ : static_cast<uint32_t>(face.material));
+    }
+
+    const ObjContent& content_;
+    uint32_t default_material_;
+    Mesh mesh_;
+};
+
+Mesh build_mesh(const std::string& file, const ObjText& obj, const ObjContent& content,
+                std::vector<std::string>& warnings)
+{
+    MeshBuilder builder(content, static_cast<uint32_t>(obj.materials.size()));
+    size_t flat_faces = 0, first_flat = 0;
+    for (size_t f = 0; f < content.faces.size(); ++f) {
+        if (!builder.add(content.faces[f])) {
+            first_flat = flat_faces == 0 ? f : first_flat;
+            ++flat_faces;
+        }
+    }
+    Mesh mesh = builder.take();
+    if (flat_faces != 0) {
+        warnings.push_back(at({file, obj.face_lines[first_flat]},
+                              std::to_string(flat_faces) + " face(s) from here on are or contain triangles without "
+                                                           "area, which are left out; merge doubled vertices"));
+    }
+    if (mesh.corners.empty()) {
+        throw SceneError(at({file}, "no face has an area; check the scale and the vertices"));
+    }
+    return mesh;
+}
+
+}  // namespace
+
+SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings)
+{
+    const ObjText obj = prepare_obj(file.string(), read_text(file));
+    std::vector<MtlMaterial> known;
+    for (const ObjText::Library& library : obj.libraries) {
+        for (const std::filesystem::path& mtl : libraries_of(file, library, warnings)) {
+            append_library(mtl, known, warnings);
+        }
+    }
+    ObjContent content = parse_obj(file.string(), obj.text, obj.materials.size());
+    if (content.faces.size() != obj.face_lines.size()) {
+        throw SceneError(at({file.string()}, "the parser lost faces; export it again as triangles"));
+    }
+    smooth_normals(content);
+
+    SceneParts parts;
+    parts.mesh = build_mesh(file.string(), obj, content, warnings);
+    MaterialSet set = resolve_materials(file.string(), obj.materials, known, warnings);
+    parts.materials = std::move(set.materials);
+    const auto& used = parts.mesh.materials;
+    if (std::find(used.begin(), used.end(), obj.materials.size()) != used.end()) {
+        parts.materials.emplace_back().finish();  // of faces before the first usemtl
+    }
+    parts.textures = std::move(set.textures);
+    return parts;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Reads Wavefront OBJ and MTL files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene_data.h"
+
+namespace lumi::baker
+{
+
+// Throws SceneError; appends to `warnings`.
+SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+}  // namespace lumi::baker

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "scene/placement.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr uint32_t kDiscSegments = 128;
+
+Vec3 turned(const Vec3& v, const Vec3& degrees)
+{
+    constexpr double kRadians = static_cast<double>(kPi) / 180;
+    const auto turn = [](double& a, double& b, float angle) {
+        const double c = std::cos(static_cast<double>(angle) * kRadians);
+        const double s = std::sin(static_cast<double>(angle) * kRadians);
+        const double a_old = a;
+        a = c * a - s * b;
+        b = s * a_old + c * b;
+    };
+    double x = static_cast<double>(v.x), y = static_cast<double>(v.y), z = static_cast<double>(v.z);
+    turn(y, z, degrees.x);
+    turn(z, x, degrees.y);
+    turn(x, y, degrees.z);
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
+template <class Indices>
+void shift(Indices& indices, size_t by)
+{
+    for (auto& index : indices) {
+        using Index = std::decay_t<decltype(index)>;
+        index = index == static_cast<Index>(kNoIndex) ? index : static_cast<Index>(index + static_cast<Index>(by));
+    }
+}
+
+template <class T>
+void extend(std::vector<T>& list, std::vector<T>& more)
+{
+    list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+void shift_textures(Material& m, size_t by)
+{
+    TextureSlots& s = m.maps;
+    for (TextureSlot* slot : {&s.base, &s.emission, &s.roughness, &s.metalness, &s.opacity, &s.normal}) {
+        slot->texture += slot->used() ? static_cast<int32_t>(by) : 0;
+    }
+}
+
+}  // namespace
+
+void place(const Placement& placement, Mesh& mesh)
+{
+    const Vec3& s = placement.scale;
+    for (Vec3& p : mesh.positions) {
+        p = turned({p.x * s.x, p.y * s.y, p.z * s.z}, placement.rotation_degrees) + placement.translation;
+    }
+    for (Vec3& n : mesh.normals) {
+        const Vec3 scaled = {n.x / s.x, n.y / s.y, n.z / s.z};
+        const float size = length(scaled);
+        n = size > 0 ? turned(scaled / size, placement.rotation_degrees) : n;
+    }
+    if (s.x * s.y * s.z < 0) {
+        for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+            std::swap(mesh.corners[t][1], mesh.corners[t][2]);
+            std::swap(mesh.shading[t][1], mesh.shading[t][2]);
+            std::swap(mesh.mapping[t][1], mesh.mapping[t][2]);
+        }
+    }
+}
+
+void append(SceneParts& parts, SceneParts&& other)
+{
+    Mesh& mesh = other.mesh;
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        shift(mesh.corners[t], parts.mesh.positions.size());
+        shift(mesh.shading[t], parts.mesh.normals.size());
+        shift(mesh.mapping[t], parts.mesh.uvs.size());
+        mesh.materials[t] += static_cast<uint32_t>(parts.materials.size());
+    }
+    for (Material& m : other.materials) {
+        shift_textures(m, parts.textures.size());
+    }
+    extend(parts.mesh.positions, mesh.positions);
+    extend(parts.mesh.normals, mesh.normals);
+    extend(parts.mesh.uvs, mesh.uvs);
+    extend(parts.mesh.corners, mesh.corners);
+    extend(parts.mesh.shading, mesh.shading);
+    extend(parts.mesh.mapping, mesh.mapping);
+    extend(parts.mesh.materials, mesh.materials);
+    extend(parts.materials, other.materials);
+    extend(parts.textures, other.textures);
+}
+
+void append_disc(SceneParts& parts, const Disc& disc, UpAxis up, const Material& material)
+{
+    Mesh& mesh = parts.mesh;
+    const uint32_t centre = static_cast<uint32_t>(mesh.positions.size());
+    mesh.positions.push_back(disc.centre);
+    for (uint32_t k = 0; k < kDiscSegments; ++k) {
+        const float angle = 2 * kPi * static_cast<float>(k) / kDiscSegments;
+        const float a = disc.radius * std::cos(angle), b = disc.radius * std::sin(angle);
+        mesh.positions.push_back(disc.centre + (up == UpAxis::z ? Vec3{a, b, 0} : Vec3{b, 0, a}));
+    }
+    for (uint32_t k = 0; k < kDiscSegments; ++k) {
+        mesh.corners.push_back({centre, centre + 1 + k, centre + 1 + (k + 1) % kDiscSegments});
+        mesh.shading.push_back({kNoIndex, kNoIndex, kNoIndex});
+        mesh.mapping.push_back({kNoIndex, kNoIndex, kNoIndex});
+        mesh.materials.push_back(static_cast<uint32_t>(parts.materials.size()));
+    }
+    parts.materials.push_back(material);
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/baker/scene.h"
+
+#include "geometry/bounding_sphere.h"
+#include "scene/scene_data.h"
+#include "scene/scene_fingerprint.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+Vec3 to_sphere_axes(const Vec3& v, UpAxis up)
+{
+    return up == UpAxis::y ? Vec3{v.z, v.x, v.y} : v;
+}
+
+// Corners of a polygon around the disc.
+void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
+{
+    constexpr int kCorners = 64;
+    const float reach = disc.radius / std::cos(kPi / kCorners);
+    for (int k = 0; k < kCorners; ++k) {
+        const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
+        const float a = reach * std::cos(angle), b = reach * std::sin(angle);
+        points.push_back(disc.centre + (up == UpAxis::z ? Vec3{a, b, 0} : Vec3{b, 0, a}));
+    }
+}
+
+// Only what triangles use: a stray vertex must not enlarge the sphere.
+BoundingSphere fit_sphere(const Mesh& mesh, const std::optional<Disc>& catcher, UpAxis up)
+{
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const Mesh::Corners& c : mesh.corners) {
+        used[c[0]] = used[c[1]] = used[c[2]] = true;
+    }
+    std::vector<Vec3> points;
+    points.reserve(mesh.positions.size());
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (used[i]) {
+            points.push_back(mesh.positions[i]);
+        }
+    }
+    if (catcher) {
+        add_rim(*catcher, up, points);
+    }
+    return smallest_sphere(points);
+}
+
+Vec3 moved_into_sphere(const Vec3& p, const BoundingSphere& sphere, UpAxis up)
+{
+    return to_sphere_axes({static_cast<float>((static_cast<double>(p.x) - sphere.centre[0]) / sphere.radius),
+                           static_cast<float>((static_cast<double>(p.y) - sphere.centre[1]) / sphere.radius),
+                           static_cast<float>((static_cast<double>(p.z) - sphere.centre[2]) / sphere.radius)},
+                          up);
+}
+
+Mesh moved_into_sphere(Mesh mesh, const BoundingSphere& sphere, UpAxis up)
+{
+    for (Vec3& p : mesh.positions) {
+        p = moved_into_sphere(p, sphere, up);
+    }
+    for (Vec3& n : mesh.normals) {
+        n = to_sphere_axes(n, up);
+    }
+    return mesh;
+}
+
+std::optional<Disc> moved_into_sphere(const std::optional<Disc>& disc, const BoundingSphere& sphere, UpAxis up)
+{
+    if (!disc) {
+        return std::nullopt;
+    }
+    return Disc{moved_into_sphere(disc->centre, sphere, up), static_cast<float>(disc->radius / sphere.radius)};
+}
+
+// How far triangles and catcher reach from the sphere's centre.
+double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up)
+{
+    std::vector<Vec3> rim;
+    if (parts.catcher) {
+        add_rim(*parts.catcher, up, rim);
+    }
+    double farthest = 0;
+    const auto take = [&](const Vec3& p) {
+        farthest = std::max(farthest, std::hypot(static_cast<double>(p.x) - sphere.centre[0],
+                                                 static_cast<double>(p.y) - sphere.centre[1],
+                                                 static_cast<double>(p.z) - sphere.centre[2]));
+    };
+    for (const Mesh::Corners& corners : parts.mesh.corners) {
+        for (const uint32_t c : corners) {
+            take(parts.mesh.positions[c]);
+        }
+    }
+    std::for_each(rim.begin(), rim.end(), take);
+    return farthest;
+}
+
+// The sphere that the scene asks for, which must hold every triangle, or the fitted one with its margin.
+BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
+{
+    if (!parts.sphere) {
+        BoundingSphere sphere = fit_sphere(parts.mesh, parts.catcher, up);
+        sphere.radius *= 1 + margin;
+        return sphere;
+    }
+    const double farthest = reach_of(parts, *parts.sphere, up);
+    if (farthest > parts.sphere->radius) {
+        throw SceneError("the scene reaches " + std::to_string(farthest) +
+                         " from the centre of its 'sphere' of radius " + std::to_string(parts.sphere->radius) +
+                         "; give a larger radius, or leave out 'sphere'");
+    }
+    return *parts.sphere;
+}
+
+std::vector<Material> scaled(std::vector<Material> materials, double radius, float exposure)
+{
+    for (Material& m : materials) {
+        m.emission = m.emission * exposure;
+        m.absorption = m.absorption * static_cast<float>(radius);
+    }
+    return materials;
+}
+
+Environment environment_of(const SceneParts& parts, const LoadOptions& options)
+{
+    Environment environment =
+        options.environment ? *options.environment : parts.environment.value_or(studio_environment());
+    environment.scale *= parts.exposure;
+    return environment;
+}
+
+std::vector<Fixture> moved_into_sphere(const std::vector<Fixture>& fixtures, const std::array<double, 3>& centre,
+                                       double radius, UpAxis up, float exposure)
+{
+    std::vector<Fixture> result;
+    for (const Fixture& fixture : fixtures) {
+        const Fixture moved = moved_into_sphere(fixture, centre, radius, exposure);
+        result.push_back(up == UpAxis::y ? rotated(moved, [](const Vec3& v) { return to_sphere_axes(v, UpAxis::y); })
+                                         : moved);
+    }
+    return result;
+}
+
+}  // namespace
+
+Environment constant_environment(float radiance)
+{
+    const std::array<float, 3> c = {radiance, radiance, radiance};
+    return {c, c, c};
+}
+
+Environment studio_environment()
+{
+    // Light from above weighs 1.2: a white of 0.8 facing up stays just below clipping.
+    return {{1.55f, 1.58f, 1.65f}, {0.5f, 0.5f, 0.52f}, {0.16f, 0.15f, 0.14f}};
+}
+
+Environment constant_environment(const std::array<float, 3>& radiance)
+{
+    return {radiance, radiance, radiance};
+}
+
+SceneData::SceneData(SceneParts parts, const LoadOptions& options)
+    : centre(),
+      radius(),
+      up(options.up.value_or(parts.up.value_or(UpAxis::y))),
+      mesh([&] {
+          const BoundingSphere sphere = sphere_of(parts, options.margin, up);
+          centre = sphere.centre;
+          radius = sphere.radius;
+          return moved_into_sphere(std::move(parts.mesh), sphere, up);
+      }()),
+      materials(scaled(std::move(parts.materials), radius, parts.exposure)),
+      textures(std::move(parts.textures)),
+      tone(parts.tone),
+      has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
+      catcher(moved_into_sphere(parts.catcher, {centre, radius}, up)),
+      accelerator(mesh),
+      lights(mesh, materials, textures, environment_of(parts, options),
+             moved_into_sphere(parts.fixtures, centre, radius, up, parts.exposure))
+{
+}
+
+Scene build_scene(SceneParts parts, const LoadOptions& options)
+{
+    if (parts.mesh.corners.empty()) {
+        throw SceneError("the scene holds no triangles; export at least one face");
+    }
+    return Scene(std::make_unique<SceneData>(std::move(parts), options));
+}
+
+Scene::Scene(std::unique_ptr<const SceneData> data) : data_(std::move(data)) {}
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+
+std::array<float, 3> Scene::centre() const
+{
+    return {static_cast<float>(data_->centre[0]), static_cast<float>(data_->centre[1]),
+            static_cast<float>(data_->centre[2])};
+}
+
+float Scene::radius() const
+{
+    return static_cast<float>(data_->radius);
+}
+
+UpAxis Scene::up() const
+{
+    return data_->up;
+}
+
+size_t Scene::triangle_count() const
+{
+    return data_->mesh.triangle_count();
+}
+
+size_t Scene::material_count() const
+{
+    return data_->materials.size();
+}
+
+size_t Scene::light_count() const
+{
+    return data_->lights.count();
+}
+
+std::array<uint64_t, 2> Scene::fingerprint() const
+{
+    return scene_fingerprint(*data_);
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The scene as the path tracer sees it: in the frame of the unit sphere, ready for ray queries.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "geometry/accelerator.h"
+#include "geometry/bounding_sphere.h"
+#include "geometry/disc.h"
+#include "geometry/mesh.h"
+#include "image/texture.h"
+#include "image/tone.h"
+#include "light/light_set.h"
+#include "lumi/baker/scene.h"
+#include "material/material.h"
+
+namespace lumi::baker
+{
+
+// A scene in its own units and axes, before the sphere is fitted: what a reader of a file format delivers. Positions
+// are finite, every triangle has an area, indices and materials are in range.
+struct SceneParts {
+    Mesh mesh;
+    std::vector<Material> materials;  // finished
+    std::vector<Texture> textures;
+    std::vector<Fixture> fixtures;
+    std::optional<Disc> catcher;  // of shadows, see catcher.h
+    float exposure = 1;           // factor on all light
+    ToneCurve tone = ToneCurve::srgb;
+    // In place of the defaults, where LoadOptions leave them open:
+    std::optional<UpAxis> up;
+    std::optional<Environment> environment;
+    std::optional<BoundingSphere> sphere;  // in place of the fitted one
+};
+
+struct SceneData {
+    SceneData(SceneParts parts, const LoadOptions& options);
+    SceneData(const SceneData&) = delete;
+    SceneData& operator=(const SceneData&) = delete;
+
+    std::array<double, 3> centre;  // of the sphere, in scene units and scene axes
+    double radius;
+    UpAxis up;
+
+    Mesh mesh;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    ToneCurve tone;
+    bool has_transparency;  // some material may let light pass
+    std::optional<Disc> catcher;
+    Accelerator accelerator;
+    LightSet lights;
+};
+
+// Throws SceneError if the parts hold no triangle, or one (or a catcher) that a given sphere does not hold.
+Scene build_scene(SceneParts parts, const LoadOptions& options);
+
+}  // namespace lumi::baker

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene_file.h"
+
+#include <algorithm>
+
+#include "scene/light_fields.h"
+#include "scene/material_fields.h"
+#include "scene/materials.h"
+#include "scene/obj_reader.h"
+#include "scene/placement.h"
+#include "util/json_fields.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr NumberRange kPlace = {-1e15, 1e15};
+constexpr NumberRange kAngle = {-360, 360};
+constexpr NumberRange kLength = {1e-9, 1e15};
+
+class SceneFileReader
+{
+public:
+    SceneFileReader(const std::filesystem::path& file, const JsonValue& root, std::vector<std::string>& warnings)
+        : file_(file), name_(file.string()), scene_(name_, root, "the scene"), warnings_(warnings)
+    {
+    }
+
+    SceneParts read(std::optional<UpAxis> up)
+    {
+        up_ = scene_.choice("up", {"y", "z"}, 0) == 0 ? UpAxis::y : UpAxis::z;
+        up_ = up.value_or(up_);
+        for (const JsonValue& object : list_of(scene_.require("objects"), "objects")) {
+            read_object(object);
+        }
+        read_materials();
+        read_ground();
+        read_catcher();
+        read_lights();
+        read_picture();
+        read_sphere();
+        scene_.finish();
+        parts_.up = up_;
+        return std::move(parts_);
+    }
+
+private:
+    const std::vector<JsonValue>& list_of(const JsonValue& value, const std::string& name) const
+    {
+        if (value.kind != JsonValue::Kind::list) {
+            scene_.fail(value, "'" + name + "' must be a list; write [ ... ]");
+        }
+        return value.items;
+    }
+
+    void read_object(const JsonValue& value)
+    {
+        JsonFields fields(name_, value, "an object");
+        const JsonValue& obj = fields.require("obj");
+        const std::filesystem::path path = find_beside(file_, fields.text_of(obj, "obj"));
+        if (path.empty()) {
+            fields.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
+        }
+        Placement placement;
+        fields.vector("translate", kPlace, placement.translation);
+        fields.vector("rotate", kAngle, placement.rotation_degrees);
+        read_scale(fields, placement.scale);
+        fields.finish();
+        SceneParts parts = read_obj(path, warnings_);
+        place(placement, parts.mesh);
+        append(parts_, std::move(parts));
+    }
+
+    // One number for all axes, or three.
+    static void read_scale(JsonFields& fields, Vec3& scale)
+    {
+        constexpr NumberRange kScale = {-1e9, 1e9};
+        const JsonValue* value = fields.find("scale");
+        if (!value) {
+            return;
+        }
+        if (value->kind == JsonValue::Kind::number) {
+            const float all = static_cast<float>(fields.number_of(*value, "scale", kScale));
+            scale = {all, all, all};
+        } else {
+            scale = fields.vector_of(*value, "scale", kScale);
+        }
+        constexpr float kLeast = 1e-9f;
+        if (std::min({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)}) < kLeast) {
+            fields.fail(*value, "'scale' flattens the object; choose numbers other than 0");
+        }
+    }
+
+    void read_materials()
+    {
+        const JsonValue* value = scene_.find("materials");
+        if (!value) {
+            return;
+        }
+        JsonFields(name_, *value, "'materials'");
+        for (const auto& [material_name, changes] : value->members) {
+            bool found = false;
+            for (Material& material : parts_.materials) {
+                if (material.name == material_name) {
+                    apply_material_fields(name_, changes, material);
+                    found = true;
+                }
+            }
+            if (!found) {
+                scene_.fail(changes, "no object has a material '" + material_name + "'; choose among: " + names());
+            }
+        }
+    }
+
+    std::string names() const
+    {
+        std::string text;
+        for (const Material& material : parts_.materials) {
+            text += (text.empty() ? "" : ", ") + (material.name.empty() ? "(nameless)" : material.name);
+        }
+        return text;
+    }
+
+    void read_ground()
+    {
+        const JsonValue* value = scene_.find("ground");
+        if (!value) {
+            return;
+        }
+        JsonFields fields(name_, *value, "the ground");
+        const Disc disc = read_disc(fields);
+        Material material;
+        material.name = "ground";
+        material.finish();
+        if (const JsonValue* changes = fields.find("material")) {
+            apply_material_fields(name_, *changes, material);
+        }
+        fields.finish();
+        append_disc(parts_, disc, up_, material);
+    }
+
+    void read_catcher()
+    {
+        const JsonValue* value = scene_.find("catcher");
+        if (!value) {
+            return;
+        }
+        if (scene_.find("ground")) {
+            scene_.fail(*value, "a scene has a 'ground' or a 'catcher'; remove one of them");
+        }
+        JsonFields fields(name_, *value, "the catcher");
+        parts_.catcher = read_disc(fields);
+        fields.finish();
+    }
+
+    // Under the lowest point of the objects, unless told otherwise.
+    Disc read_disc(JsonFields& fields) const
+    {
+        Disc disc = {};
+        float& height = up_ == UpAxis::y ? disc.centre.y : disc.centre.z;
+        height = std::numeric_limits<float>::infinity();
+        for (const Mesh::Corners& corners : parts_.mesh.corners) {
+            for (const uint32_t c : corners) {
+                const Vec3& p = parts_.mesh.positions[c];
+                height = std::min(height, up_ == UpAxis::y ? p.y : p.z);
+            }
+        }
+        fields.number("height", kPlace, height);
+        disc.radius = static_cast<float>(fields.number_of(fields.require("radius"), "radius", kLength));
+        return disc;
+    }
+
+    void read_lights()
+    {
+        if (const JsonValue* value = scene_.find("environment")) {
+            parts_.environment = read_environment(file_, scene_, *value, warnings_);
+        }
+        if (const JsonValue* value = scene_.find("lights")) {
+            for (const JsonValue& light : list_of(*value, "lights")) {
+                parts_.fixtures.push_back(read_fixture(name_, light, up_));
+            }
+        }
+    }
+
+    void read_picture()
+    {
+        double stops = 0;
+        scene_.number("exposure", {-20, 20}, stops);
+        parts_.exposure = static_cast<float>(std::exp2(stops));
+        parts_.tone = static_cast<ToneCurve>(scene_.choice("tone", {"srgb", "reinhard", "aces"}, 0));
+    }
+
+    void read_sphere()
+    {
+        const JsonValue* value = scene_.find("sphere");
+        if (!value) {
+            return;
+        }
+        JsonFields fields(name_, *value, "the sphere");
+        const Vec3 c = fields.vector_of(fields.require("centre"), "centre", kPlace);
+        const double radius = fields.number_of(fields.require("radius"), "radius", kLength);
+        fields.finish();
+        parts_.sphere =
+            BoundingSphere{{static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)}, radius};
+    }
+
+    const std::filesystem::path& file_;
+    std::string name_;
+    JsonFields scene_;
+    std::vector<std::string>& warnings_;
+    UpAxis up_ = UpAxis::y;
+    SceneParts parts_;
+};
+
+}  // namespace
+
+SceneParts read_scene_file(const std::filesystem::path& file, std::optional<UpAxis> up,
+                           std::vector<std::string>& warnings)
+{
+    const std::string name = file.string();
+    const JsonValue root = parse_json(name, read_text(file));
+    return SceneFileReader(file, root, warnings).read(up);
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Reads scene files, see docs/scene-file.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene_data.h"
+
+namespace lumi::baker
+{
+
+// Throws SceneError; appends to `warnings`. `up`, if given, counts in place of what the file says.
+SceneParts read_scene_file(const std::filesystem::path& file, std::optional<UpAxis> up,
+                           std::vector<std::string>& warnings);
+
+}  // namespace lumi::baker

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Each function takes its struct apart by a structured binding of all members: a member that is added there and not
+// here does not compile. Add what it says to the digest, unless it is derived from what is hashed already.
+#include "scene/scene_fingerprint.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+void add(Digest& digest, const Mesh& mesh)
+{
+    const auto& [positions, normals, uvs, corners, shading, mapping, materials] = mesh;
+    digest.add(positions);
+    digest.add(normals);
+    digest.add(uvs);
+    digest.add(corners);
+    digest.add(shading);
+    digest.add(mapping);
+    digest.add(materials);
+}
+
+void add(Digest& digest, const TextureSlots& slots)
+{
+    const auto& [base, emission, roughness, metalness, opacity, normal, sheen] = slots;
+    for (const TextureSlot* slot : {&base, &emission, &roughness, &metalness, &opacity, &normal, &sheen}) {
+        const auto& [texture, scale, offset] = *slot;
+        digest.add(texture);
+        digest.add(scale);
+        digest.add(offset);
+    }
+}
+
+void add(Digest& digest, const Material& material)
+{
+    const auto& [name, base, emission, metalness, specular, alpha, index, opacity, anisotropy, anisotropy_turns, coat,
+                 coat_alpha, sheen, sheen_roughness, sheen_colour, glass, transmittance, transmittance_length, maps,
+                 skins, facets, brushed_skins, brushed_facets, frost, coat_skin, fibres, absorption] = material;
+    static_cast<void>(name);  // materials are found by number
+    // Made by finish() from the others.
+    static_cast<void>(skins);
+    static_cast<void>(facets);
+    static_cast<void>(brushed_skins);
+    static_cast<void>(brushed_facets);
+    static_cast<void>(frost);
+    static_cast<void>(coat_skin);
+    static_cast<void>(fibres);
+    static_cast<void>(absorption);
+    for (const Rgb& colour : {base, emission, sheen_colour, transmittance}) {
+        digest.add(colour);
+    }
+    for (const float value : {metalness, alpha, index, opacity, anisotropy, anisotropy_turns, coat, coat_alpha, sheen,
+                              sheen_roughness, transmittance_length}) {
+        digest.add(value);
+    }
+    digest.add(specular);
+    digest.add(glass);
+    add(digest, maps);
+}
+
+void add(Digest& digest, const Texture& texture)
+{
+    const auto& [width, height, rgb, encoded] = texture;
+    digest.add(width);
+    digest.add(height);
+    digest.add(rgb);
+    digest.add(encoded);
+}
+
+}  // namespace
+
+Digest::Value scene_fingerprint(const SceneData& scene)
+{
+    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, catcher, accelerator, lights] =
+        scene;
+    static_cast<void>(has_transparency);
+    static_cast<void>(accelerator);
+    Digest digest;
+    digest.add(centre);
+    digest.add(radius);
+    digest.add(up);
+    digest.add(tone);
+    if (catcher) {
+        digest.add(catcher->centre);
+        digest.add(catcher->radius);
+    }
+    add(digest, mesh);
+    for (const Material& material : materials) {
+        add(digest, material);
+    }
+    for (const Texture& texture : textures) {
+        add(digest, texture);
+    }
+    lights.add_to(digest);
+    return digest.value();
+}
+
+}  // namespace lumi::baker

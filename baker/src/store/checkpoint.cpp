@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "store/checkpoint.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using FilePointer = std::unique_ptr<PosixFile>;
+
+constexpr int kTries = 8;  // another process may begin, finish or remove a checkpoint while this one looks
+
+void require_lock(PosixFile& file)
+{
+    if (!file.try_lock()) {
+        throw BakeError(file.path().string() +
+                        ": another lumi is baking this; wait for its end, or choose another output");
+    }
+}
+
+bool is_there(const fs::path& path)
+{
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+// Locked; nothing if it vanished meanwhile.
+FilePointer open_locked(const fs::path& path, PosixFile::Mode mode)
+{
+    auto file = std::make_unique<PosixFile>(path, mode);
+    require_lock(*file);
+    return file->is_at_its_path() ? std::move(file) : nullptr;
+}
+
+// The lock comes before the name, and stays with the file.
+FilePointer begin(const fs::path& path, const BakeIdentity& identity)
+{
+    fs::path unnamed = path;
+    unnamed += ".new";
+    FilePointer file = open_locked(unnamed, PosixFile::Mode::create);
+    if (!file) {
+        return nullptr;
+    }
+    try {
+        file->cut(0);
+        const std::vector<uint8_t> head = encode_head(identity);
+        file->write_at(0, head.data(), head.size());
+        file->sync();
+        file->rename_to(path);
+    } catch (const BakeError&) {
+        std::error_code ignored;
+        fs::remove(unnamed, ignored);
+        throw;
+    }
+    sync_folder(path.parent_path());
+    return file;
+}
+
+FilePointer open_or_begin(const fs::path& path, const BakeIdentity& identity, Earlier earlier)
+{
+    for (int k = 0; k < kTries; ++k) {
+        const bool there = is_there(path);
+        FilePointer file = there ? open_locked(path, PosixFile::Mode::update) : begin(path, identity);
+        if (file && there && earlier == Earlier::discard) {
+            fs::remove(path);
+            earlier = Earlier::resume;
+        } else if (file) {
+            return file;
+        }
+    }
+    throw BakeError(path.string() + ": comes and goes; make sure that only one lumi bakes this output");
+}
+
+void require_same(const fs::path& path, const BakeIdentity& there, const BakeIdentity& here)
+{
+    std::string text = difference(there, here);
+    if (text.empty() && there.shard.index != here.shard.index) {
+        text = "another shard";
+    }
+    if (!text.empty()) {
+        throw BakeError(path.string() + ": holds the finished rows of another bake (" + text +
+                        "); finish that one with its own options, or discard it with --restart");
+    }
+}
+
+}  // namespace
+
+Checkpoint::Checkpoint(const fs::path& path, const BakeIdentity& identity, Earlier earlier)
+    : blocks_(open_or_begin(path, identity, earlier)),
+      next_sync_((Clock::now() + kSyncInterval).time_since_epoch().count())
+{
+    require_same(path, blocks_.identity(), identity);
+}
+
+// A checkpoint without results would only be in the way of a smaller bake.
+void Checkpoint::reserve(uint64_t bytes, bool is_empty)
+{
+    try {
+        blocks_.file().reserve(bytes);
+    } catch (const BakeError&) {
+        if (is_empty) {
+            remove();
+        }
+        throw;
+    }
+    // What a damaged file has too much of goes.
+    if (blocks_.file().size() > bytes) {
+        blocks_.file().cut(bytes);
+    }
+}
+
+// By whichever thread comes first after the interval; the others go on.
+void Checkpoint::sync_now_and_then()
+{
+    const Clock::time_point now = Clock::now();
+    Clock::rep due = next_sync_;
+    if (now.time_since_epoch().count() >= due &&
+        next_sync_.compare_exchange_strong(due, (now + kSyncInterval).time_since_epoch().count())) {
+        sync();
+    }
+}
+
+void Checkpoint::remove()
+{
+    std::error_code ignored;
+    fs::remove(blocks_.path(), ignored);
+}
+
+void Checkpoint::rename_to(const fs::path& output)
+{
+    sync();
+    blocks_.file().rename_to(output);
+    sync_folder(output.parent_path());
+}
+
+}  // namespace lumi::baker

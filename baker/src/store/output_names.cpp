@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "store/output_names.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+enum class Finished : uint8_t { none, complete, damaged };
+
+Finished find_finished(const fs::path& output, const BakeIdentity& identity, bool (*has_all)(BlockFile& file))
+{
+    std::error_code ignored;
+    if (!fs::is_regular_file(output, ignored)) {
+        return Finished::none;
+    }
+    try {
+        BlockFile file(std::make_unique<PosixFile>(output, PosixFile::Mode::read));
+        if (!difference(file.identity(), identity).empty() || file.identity().shard.index != identity.shard.index) {
+            return Finished::none;
+        }
+        return has_all(file) ? Finished::complete : Finished::damaged;
+    } catch (const BakeError&) {
+        return Finished::none;  // anything else gets replaced, as any earlier output
+    }
+}
+
+}  // namespace
+
+fs::path checkpoint_of(const fs::path& output)
+{
+    std::error_code ignored;
+    if (fs::is_directory(output, ignored)) {
+        throw BakeError(output.string() + ": this is a folder; name a file in it");
+    }
+    fs::path path = output;
+    path += ".part";
+    return path;
+}
+
+bool is_finished_shard(const fs::path& output, const BakeIdentity& identity, bool (*has_all)(BlockFile& file))
+{
+    const Finished finished = find_finished(output, identity, has_all);
+    std::error_code ignored;
+    const fs::path part = checkpoint_of(output);
+    if (finished == Finished::damaged && !fs::exists(part, ignored)) {
+        fs::rename(output, part, ignored);
+    }
+    return finished == Finished::complete;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "store/shard_set.h"
+
+#include <algorithm>
+
+#include "lumi/baker/merge.h"
+
+namespace lumi::baker
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::string joined(const std::vector<std::string>& lines)
+{
+    std::string text;
+    for (const std::string& line : lines) {
+        text += (text.empty() ? "" : "\n") + line;
+    }
+    return text;
+}
+
+}  // namespace
+
+MergeError::MergeError(std::vector<std::string> all) : BakeError(joined(all)), problems(std::move(all)) {}
+
+ShardSet::ShardSet(const std::vector<fs::path>& files, RequirePossible require_possible)
+{
+    for (const fs::path& file : files) {
+        open(file, require_possible);
+    }
+    if (!opened_.empty()) {
+        sort_out(most_common());
+    }
+}
+
+void ShardSet::say(const fs::path& file, const std::string& text)
+{
+    problems_.push_back(file.string() + ": " + text);
+}
+
+void ShardSet::say_missing(const fs::path& file, size_t missing, uint32_t all, uint32_t first_origin)
+{
+    say(file, std::to_string(missing) + " of " + std::to_string(all) +
+                  " rows are missing or damaged, first that of origin " + std::to_string(first_origin) +
+                  "; run its bake again, which traces only these");
+}
+
+void ShardSet::throw_problems()
+{
+    name_missing();
+    if (opened_.empty() && problems_.empty()) {
+        problems_.push_back("there are no shards to merge; name the files that `lumi bake --shard` wrote");
+    }
+    if (!problems_.empty()) {
+        throw MergeError(std::move(problems_));
+    }
+}
+
+void ShardSet::open(const fs::path& file, RequirePossible require_possible)
+{
+    try {
+        auto blocks = std::make_unique<BlockFile>(std::make_unique<PosixFile>(file, PosixFile::Mode::read));
+        require_possible(blocks->identity());
+        opened_.push_back(std::move(blocks));
+    } catch (const BakeError& error) {
+        problems_.push_back(error.what());
+    }
+}
+
+// The bake that most shards belong to, by its first shard.
+const BlockFile& ShardSet::most_common() const
+{
+    const auto relatives = [&](const std::unique_ptr<BlockFile>& shard) {
+        return std::count_if(opened_.begin(), opened_.end(), [&](const std::unique_ptr<BlockFile>& other) {
+            return difference(other->identity(), shard->identity()).empty();
+        });
+    };
+    return **std::max_element(opened_.begin(), opened_.end(),
+                              [&](const auto& a, const auto& b) { return relatives(a) < relatives(b); });
+}
+
+void ShardSet::sort_out(const BlockFile& model)
+{
+    for (const std::unique_ptr<BlockFile>& shard : opened_) {
+        const std::string text = difference(shard->identity(), model.identity());
+        if (!text.empty()) {
+            const bool stale = !same_program(shard->identity(), model.identity());
+            say(shard->path(), std::string(stale ? "is stale" : "belongs to another bake than ") +
+                                   (stale ? ", against " : "") + model.path().string() + " (" + text +
+                                   "); leave it out, or bake it again with the scene and options of the others");
+            continue;
+        }
+        const auto [twin, is_new] = shards_.emplace(shard->identity().shard.index, shard.get());
+        if (!is_new) {
+            say(shard->path(), "is shard " + std::to_string(twin->first) + ", as " + twin->second->path().string() +
+                                   " is; leave one of them out");
+        }
+    }
+}
+
+void ShardSet::name_missing()
+{
+    if (shards_.empty() || shards_.size() == count()) {
+        return;
+    }
+    std::string list;
+    for (uint32_t k = 1; k <= count(); ++k) {
+        list += shards_.count(k) ? "" : (list.empty() ? "" : ", ") + std::to_string(k);
+    }
+    const bool one = count() - shards_.size() == 1;
+    problems_.push_back((one ? "shard " : "shards ") + list + " of " + std::to_string(count()) +
+                        (one ? " is missing; bake it with --shard " : " are missing; bake each with --shard ") +
+                        (one ? list : std::string("K")) + "/" + std::to_string(count()));
+}
+
+std::string changed_meanwhile(const fs::path& file)
+{
+    return file.string() + ": changes while it is read; merge again when its bake has ended";
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The viewing rays of core's camera, in floating point.
+#pragma once
+
+#include <optional>
+
+#include "geometry/accelerator.h"
+#include "lumi/camera.h"
+
+namespace lumi::baker
+{
+
+class CameraRays
+{
+public:
+    explicit CameraRays(const Camera& camera);
+
+    // The ray through image position (x, y), pixel centres at +1/2, from where it enters the unit sphere; nothing if it
+    // passes the sphere by.
+    std::optional<Ray> ray(double x, double y) const;
+
+private:
+    struct Vec3d {
+        double x, y, z;
+    };
+
+    // A linear function of the pixel, at the centre of pixel (0,0) and per step.
+    struct Affine {
+        double at_origin, step_x, step_y;
+        double at(double sx, double sy) const { return at_origin + sx * step_x + sy * step_y; }
+    };
+    static Affine decoded(const AffineQ40& q);
+
+    double inverse_distance_;  // 1/e
+    Vec3d eye_direction_;      // ê
+    Affine facing_;            // m
+    Affine offset_[3];         // P
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "trace/path_tracer.h"
+
+#include "trace/catcher.h"
+#include "trace/surface.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr int kRouletteAfter = 2;      // bounces that every path makes
+constexpr float kOnCatcher = 1e-5f;    // radii; far above the rounding error of a hit
+constexpr float kMaxSurvival = 0.95f;  // even a white path ends some time
+
+// Veach's power heuristic with exponent 2.
+float power_weight(float own_pdf, float other_pdf)
+{
+    const float ratio = other_pdf / own_pdf;
+    return 1 / (1 + ratio * ratio);
+}
+
+// A path on its way: how much of what it finds next arrives at the eye, and how likely its direction was.
+struct Walk {
+    Ray ray;
+    Rgb throughput = grey(1);
+    float pdf = 0;  // solid angle, of the last scattering; unused at the eye
+    bool at_eye = true;
+    const Material* medium = nullptr;  // the glass that the ray runs through
+    float index2 = 1;                  // of that glass, squared: radiance there is larger by as much
+};
+
+Rgb emitted(const SceneData& scene, const Walk& walk, const Surface& surface)
+{
+    if (!surface.material->emits()) {
+        return {};
+    }
+    const Rgb light = walk.throughput * surface.emission;
+    if (walk.at_eye) {
+        return light;
+    }
+    const float other = scene.lights.emitter_pdf(surface.hit.triangle, walk.ray.direction, surface.hit.distance);
+    return light * power_weight(walk.pdf, other);
+}
+
+Rgb from_sky(const SceneData& scene, const Walk& walk)
+{
+    const Rgb light = walk.throughput * scene.lights.sky_radiance(walk.ray.direction);
+    return light * power_weight(walk.pdf, scene.lights.sky_pdf(walk.ray.direction));
+}
+
+// Light of the extra lights that the ray passes on its way to `end`.
+Rgb from_fixtures(const SceneData& scene, const Walk& walk, float end)
+{
+    Rgb sum;
+    scene.lights.for_each_seen({walk.ray.origin, walk.ray.direction, end}, [&](const Rgb& radiance, float pdf) {
+        sum = sum + walk.throughput * radiance * power_weight(walk.pdf, pdf);
+    });
+    return sum;
+}
+
+// A direction must lie on the same side of the shading normal and of the face itself.
+bool leaks(const Surface& surface, const Vec3& direction, const Vec3& local)
+{
+    return (dot(direction, surface.geometric_normal) > 0) != (local.z > 0);
+}
+
+// Light that arrives at the surface straight from a light and is scattered towards the viewer.
+Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+{
+    if (scene.lights.empty()) {
+        return {};
+    }
+    const Vec2 choice = sampler.next_2d();
+    const LightSample light = scene.lights.sample(surface.position, choice.x, choice.y, sampler.next_2d());
+    const Vec3 wi = surface.frame.to_local(light.direction);
+    if (!(light.pdf > 0) || leaks(surface, light.direction, wi)) {
+        return {};
+    }
+    const Rgb scattered = bsdf.eval(wo, wi) * light.radiance;
+    if (is_black(scattered)) {
+        return {};
+    }
+    const float through = transmittance(scene, surface.ray_to_light(light.direction, light.distance));
+    const float weight = light.dirac ? 1 : power_weight(light.pdf, bsdf.pdf(wo, wi));
+    return scattered * (through * weight / light.pdf);
+}
+
+// Takes the walk through a boundary of glass. Bodies of glass neither overlap nor lie in each other.
+void cross(Walk& walk, const Surface& surface)
+{
+    const bool enters = surface.values.outside;
+    walk.medium = enters ? surface.material : nullptr;
+    walk.index2 = enters ? surface.material->index * surface.material->index : 1;
+}
+
+// Draws a number, or only passes over it where nobody looks at it.
+float needed_1d(bool needed, Sampler& sampler)
+{
+    if (needed) {
+        return sampler.next_1d();
+    }
+    sampler.skip_1d();
+    return 0;
+}
+
+Bsdf bsdf_at(const Surface& surface, Sampler& sampler)
+{
+    const float metalness = surface.values.metalness;
+    const bool undecided = metalness > 0 && metalness < 1;
+    return surface.material->bsdf(surface.values, needed_1d(undecided, sampler));
+}
+
+// Turns the walk at the surface; false where the light is lost.
+bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+{
+    const float u_lobe = needed_1d(bsdf.has_lobes(), sampler);
+    const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, sampler.next_2d());
+    if (!sample) {
+        return false;
+    }
+    const Vec3 direction = normalized(surface.frame.to_world(sample->wi));
+    if (leaks(surface, direction, sample->wi)) {
+        return false;
+    }
+    if (sample->wi.z < 0) {
+        cross(walk, surface);
+    }
+    walk.throughput = walk.throughput * sample->weight;
+    walk.ray = surface.ray_towards(direction);
+    walk.pdf = sample->pdf;
+    walk.at_eye = false;
+    return !is_black(walk.throughput);
+}
+
+// Russian roulette: ends dim paths early and makes the survivors carry their share.
+bool survives(Walk& walk, Sampler& sampler)
+{
+    const float survival = std::min(max_component(walk.throughput) * walk.index2, kMaxSurvival);
+    if (sampler.next_1d() >= survival) {
+        return false;
+    }
+    walk.throughput = walk.throughput * (1 / survival);
+    return true;
+}
+
+}  // namespace
+
+PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
+{
+    const std::optional<float> catcher = scene_.catcher ? distance_to_catcher(*scene_.catcher, ray) : std::nullopt;
+    if (!catcher) {
+        return trace_scene(ray, sampler);
+    }
+    // What lies on the catcher hides it.
+    const PathResult before = trace_scene({ray.origin, ray.direction, *catcher + kOnCatcher}, sampler);
+    if (before.covered) {
+        return before;
+    }
+    const Vec3 position = ray.origin + ray.direction * *catcher;
+    const float shadow = shadow_at(scene_, position, sampler);
+    if (sampler.next_1d() < shadow) {
+        return {true, {}};
+    }
+    return trace_scene({position, ray.direction, ray.end - *catcher}, sampler);
+}
+
+PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
+{
+    PathResult result;
+    Walk walk{ray};
+    for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
+        const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler);
+        if (!walk.at_eye) {
+            result.radiance = result.radiance + from_fixtures(scene_, walk, hit ? hit->distance : walk.ray.end);
+        }
+        if (!hit) {
+            result.radiance = walk.at_eye ? Rgb{} : result.radiance + from_sky(scene_, walk);
+            break;
+        }
+        result.covered = true;
+        if (walk.medium) {
+            walk.throughput = walk.throughput * walk.medium->absorbed(hit->distance);
+        }
+        const Surface surface = surface_at(scene_, walk.ray, *hit);
+        result.radiance = result.radiance + emitted(scene_, walk, surface);
+
+        const Vec3 wo = surface.frame.to_local(-walk.ray.direction);
+        if (wo.z <= 0) {
+            break;
+        }
+        const Bsdf bsdf = bsdf_at(surface, sampler);
+        result.radiance = result.radiance + walk.throughput * direct_light(scene_, surface, bsdf, wo, sampler);
+        if (!scatter(walk, surface, bsdf, wo, sampler)) {
+            break;
+        }
+        if (bounce >= kRouletteAfter && !survives(walk, sampler)) {
+            break;
+        }
+    }
+    return result;
+}
+
+}  // namespace lumi::baker

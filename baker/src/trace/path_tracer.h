@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Unbiased estimates of the light along a ray: a path tracer that aims at lights at every bounce and weighs both ways
+// of finding them by the power heuristic (Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, ch.
+// 9).
+//
+// Deliberate limits: paths end after kMaxBounces (with Russian roulette their share is below 1e-6 of the light in
+// any scene whose albedo is below 0.8); light that would leave on the far side of a smooth-shaded face is lost; lights
+// without a size send none through glass, whose shadow for them is black.
+#pragma once
+
+#include "math/sampler.h"
+#include "scene/scene_data.h"
+
+namespace lumi::baker
+{
+
+inline constexpr int kMaxBounces = 64;
+
+struct PathResult {
+    bool covered = false;  // the ray meets the scene, or a shadow on its catcher
+    Rgb radiance;          // of what it meets; 0 if not covered
+};
+
+class Integrator
+{
+public:
+    virtual ~Integrator() = default;
+    // Draws from `sampler` after the caller has drawn what made the ray. Any number of threads may call it.
+    virtual PathResult trace(const Ray& ray, Sampler& sampler) const = 0;
+};
+
+class PathTracer : public Integrator
+{
+public:
+    explicit PathTracer(const SceneData& scene) : scene_(scene) {}  // borrows the scene
+    PathResult trace(const Ray& ray, Sampler& sampler) const override;
+
+private:
+    PathResult trace_scene(const Ray& ray, Sampler& sampler) const;  // the scene without its catcher
+
+    const SceneData& scene_;
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The one file of the baker that sees nlohmann-json.
+#include "util/json_text.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lumi/baker/scene.h"
+#include "util/text_lines.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr size_t kMaxDepth = 32;
+
+// Feeds the parser and counts what it has read. It reads one character past a number, so the line of a value is that of
+// the last character but one.
+class CountedText
+{
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    CountedText(const char* position, const char** furthest) : position_(position), furthest_(furthest) {}
+    const char& operator*() const { return *position_; }
+    CountedText& operator++()
+    {
+        *furthest_ = ++position_;
+        return *this;
+    }
+    bool operator==(const CountedText& other) const { return position_ == other.position_; }
+    bool operator!=(const CountedText& other) const { return position_ != other.position_; }
+
+private:
+    const char* position_;
+    const char** furthest_;
+};
+
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json>
+{
+public:
+    TreeBuilder(const std::string& file, const char* begin, const char** furthest)
+        : file_(file), counted_(begin), furthest_(furthest)
+    {
+    }
+
+    bool null() override { return put({}); }
+    bool boolean(bool value) override { return put_number(JsonValue::Kind::boolean, value ? 1 : 0); }
+    bool number_integer(number_integer_t value) override { return put_double(static_cast<double>(value)); }
+    bool number_unsigned(number_unsigned_t value) override { return put_double(static_cast<double>(value)); }
+    bool number_float(number_float_t value, const string_t&) override { return put_double(value); }
+    bool string(string_t& value) override
+    {
+        JsonValue v;
+        v.kind = JsonValue::Kind::text;
+        v.text = value;
+        return put(std::move(v));
+    }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(JsonValue::Kind::object); }
+    bool start_array(std::size_t) override { return open(JsonValue::Kind::list); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override
+    {
+        const auto& members = open_.back().members;
+        if (std::any_of(members.begin(), members.end(), [&](const auto& m) { return m.first == name; })) {
+            throw SceneError(at({file_, line()}, "'" + name + "' is given twice; remove one"));
+        }
+        open_.back().members.emplace_back(name, JsonValue{});
+        return true;
+    }
+
+    bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& e) override
+    {
+        const std::string what = e.what();
+        const size_t reason = what.rfind("; ");
+        const std::string last = token.substr(0, 40);
+        throw SceneError(at({file_, line()}, "this is no JSON near '" + printable(last) + "' (" +
+                                                 (reason == std::string::npos ? "syntax" : what.substr(reason + 2)) +
+                                                 "); look for a missing comma, quote or bracket"));
+    }
+
+    JsonValue take() { return std::move(root_); }
+
+private:
+    static std::string printable(const std::string& text)
+    {
+        std::string result;
+        std::copy_if(text.begin(), text.end(), std::back_inserter(result), [](char c) { return c >= ' ' && c <= '~'; });
+        return result;
+    }
+
+    uint32_t line()
+    {
+        const char* last = std::max(*furthest_ - 1, counted_);
+        line_ += static_cast<uint32_t>(std::count(counted_, last, '\n'));
+        counted_ = last;
+        return line_;
+    }
+
+    bool put_number(JsonValue::Kind kind, double value)
+    {
+        JsonValue v;
+        v.kind = kind;
+        v.number = value;
+        return put(std::move(v));
+    }
+    bool put_double(double value) { return put_number(JsonValue::Kind::number, value); }
+
+    bool put(JsonValue value)
+    {
+        value.line = value.line ? value.line : line();
+        if (open_.empty()) {
+            root_ = std::move(value);
+        } else if (open_.back().kind == JsonValue::Kind::list) {
+            open_.back().items.push_back(std::move(value));
+        } else {
+            open_.back().members.back().second = std::move(value);
+        }
+        return true;
+    }
+
+    bool open(JsonValue::Kind kind)
+    {
+        if (open_.size() == kMaxDepth) {
+            throw SceneError(at({file_, line()}, "brackets nest too deeply; no scene needs that, check the file"));
+        }
+        JsonValue v;
+        v.kind = kind;
+        v.line = line();
+        open_.push_back(std::move(v));
+        return true;
+    }
+
+    bool close()
+    {
+        JsonValue v = std::move(open_.back());
+        open_.pop_back();
+        return put(std::move(v));
+    }
+
+    std::string file_;
+    const char* counted_;
+    const char** furthest_;
+    uint32_t line_ = 1;
+    std::vector<JsonValue> open_;
+    JsonValue root_;
+};
+
+}  // namespace
+
+JsonValue parse_json(const std::string& file, const std::string& text)
+{
+    const char* furthest = text.data();
+    TreeBuilder builder(file, text.data(), &furthest);
+    nlohmann::json::sax_parse(CountedText(text.data(), &furthest), CountedText(text.data() + text.size(), &furthest),
+                              &builder, nlohmann::json::input_format_t::json, true, true);
+    return builder.take();
+}
+
+}  // namespace lumi::baker

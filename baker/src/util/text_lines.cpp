@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "util/text_lines.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "lumi/baker/scene.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr std::string_view kBlanks = " \t\v\f";
+constexpr uintmax_t kMaxFileBytes = uintmax_t{1} << 32;
+
+std::string_view trimmed(std::string_view s)
+{
+    const size_t first = s.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return s.substr(first, s.find_last_not_of(kBlanks) - first + 1);
+}
+
+// Takes one physical line off the front of `rest`.
+std::string_view take_line(std::string_view& rest)
+{
+    const size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    size_t next = std::min(end + 1, rest.size());
+    if (end + 1 < rest.size() && rest[end] == '\r' && rest[end + 1] == '\n') {
+        ++next;
+    }
+    rest.remove_prefix(next);
+    return line;
+}
+
+// A '#' opens a comment only where a word could start: file names may contain it.
+std::string_view without_comment(std::string_view line)
+{
+    for (size_t k = 0; k < line.size(); ++k) {
+        if (line[k] == '#' && (k == 0 || kBlanks.find(line[k - 1]) != std::string_view::npos)) {
+            return line.substr(0, k);
+        }
+    }
+    return line;
+}
+
+std::string_view without_plus(std::string_view word)
+{
+    return !word.empty() && word[0] == '+' ? word.substr(1) : word;
+}
+
+template <class T>
+bool parse_whole(std::string_view word, T& value)
+{
+    word = without_plus(word);
+    const std::from_chars_result r = std::from_chars(word.data(), word.data() + word.size(), value);
+    return r.ec == std::errc() && r.ptr == word.data() + word.size();
+}
+
+}  // namespace
+
+std::string at(const Place& place, const std::string& text)
+{
+    return place.file + (place.line ? ":" + std::to_string(place.line) : "") + ": " + text;
+}
+
+std::string read_text(const std::filesystem::path& file)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) {
+        throw SceneError(at({file.string()}, "this is a folder; name the file in it"));
+    }
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+        throw SceneError(at({file.string()}, "this is a device or a pipe; name a file"));
+    }
+    const uintmax_t size = std::filesystem::file_size(file, ignored);
+    if (!ignored && size > kMaxFileBytes) {
+        throw SceneError(at({file.string()}, "the file has " + std::to_string(size) + " bytes, at most " +
+                                                 std::to_string(kMaxFileBytes) + " are read; split or simplify it"));
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        throw SceneError(at({file.string()}, "the file cannot be opened; check its name and permissions"));
+    }
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (stream.bad()) {
+        throw SceneError(at({file.string()}, "reading the file failed; check the disk"));
+    }
+    return text;
+}
+
+std::vector<Line> split_lines(std::string_view text)
+{
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+        text.remove_prefix(kByteOrderMark.size());
+    }
+    std::vector<Line> lines;
+    uint32_t number = 0;
+    while (!text.empty()) {
+        const uint32_t first = ++number;
+        std::string joined(take_line(text));
+        while (!joined.empty() && joined.back() == '\\') {
+            joined.back() = ' ';
+            number += text.empty() ? 0u : 1u;
+            joined += take_line(text);
+        }
+        const std::string_view content = trimmed(without_comment(joined));
+        if (!content.empty()) {
+            const size_t end = std::min(content.find_first_of(kBlanks), content.size());
+            lines.push_back({first, std::string(content.substr(0, end)), std::string(trimmed(content.substr(end)))});
+        }
+    }
+    return lines;
+}
+
+std::vector<std::string_view> words(std::string_view argument)
+{
+    std::vector<std::string_view> result;
+    while (true) {
+        argument = trimmed(argument);
+        if (argument.empty()) {
+            return result;
+        }
+        const size_t end = std::min(argument.find_first_of(kBlanks), argument.size());
+        result.push_back(argument.substr(0, end));
+        argument.remove_prefix(end);
+    }
+}
+
+bool parse_finite(std::string_view word, double& value)
+{
+    return parse_whole(word, value) && std::isfinite(value);
+}
+
+bool parse_integer(std::string_view word, int64_t& value)
+{
+    return parse_whole(word, value);
+}
+
+void require_numbers(const Place& place, const Line& line, size_t least, size_t most, double limit)
+{
+    const std::vector<std::string_view> list = words(line.argument);
+    if (list.size() < least) {
+        throw SceneError(at(place, "'" + line.keyword + "' needs " + std::to_string(least) + " numbers and has " +
+                                       std::to_string(list.size()) + "; export the file again"));
+    }
+    for (size_t k = 0; k < std::min(list.size(), most); ++k) {
+        double value = 0;
+        if (!parse_finite(list[k], value)) {
+            throw SceneError(
+                at(place, "'" + std::string(list[k]) + "' is not a finite number; correct it or remove what uses it"));
+        }
+        if (std::abs(value) > limit) {
+            throw SceneError(at(place, "the number " + std::string(list[k]) + " is too large; scale the scene down"));
+        }
+    }
+}
+
+}  // namespace lumi::baker

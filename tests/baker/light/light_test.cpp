@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include "light/light_set.h"
+#include "math/sampler.h"
+#include "support/shapes.h"
+#include "support/statistics.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+using testing::chi2_score;
+using testing::kSigmas;
+using testing::Mean;
+
+constexpr int kHeights = 20, kTurns = 16;
+
+size_t bin_of(const Vec3& d)
+{
+    const float turn = std::min(std::atan2(d.y, d.x) / (2 * kPi) + 0.5f, 0.99999f);
+    const float height = std::min((d.z + 1) / 2, 0.99999f);
+    return static_cast<size_t>(height * kHeights) * kTurns + static_cast<size_t>(turn * kTurns);
+}
+
+const Environment kSkies[] = {constant_environment(1),
+                              studio_environment(),
+                              {{5, 5, 5}, {0, 0, 0}, {0, 0, 0}},
+                              {{0, 0, 0}, {1, 2, 3}, {0, 0, 0}}};
+
+}  // namespace
+
+TEST_CASE("sky: its pdf integrates to one and its samples follow it")
+{
+    constexpr uint32_t kSamples = 100000;
+    constexpr int kFine = 16;
+    for (const Environment& environment : kSkies) {
+        const Sky sky(environment);
+        std::vector<double> expected(kHeights * kTurns), counts(kHeights * kTurns);
+        double total = 0;
+        for (int h = 0; h < kHeights * kFine; ++h) {
+            const float z = -1 + (static_cast<float>(h) + 0.5f) * 2 / (kHeights * kFine);
+            for (int t = 0; t < kTurns; ++t) {
+                const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / kTurns);
+                const double share =
+                    static_cast<double>(sky.pdf(d)) * 4 * static_cast<double>(kPi) / (kHeights * kFine * kTurns);
+                expected[bin_of(d)] += share * kSamples;
+                total += share;
+            }
+        }
+        CHECK(total == Approx(1).epsilon(1e-3));
+        for (uint32_t k = 0; k < kSamples; ++k) {
+            Sampler sampler(1, k, 0);
+            const float u = sampler.next_1d();
+            const LightSample s = sky.sample({}, u, sampler.next_2d());
+            REQUIRE(s.pdf == sky.pdf(s.direction));
+            ++counts[bin_of(s.direction)];
+        }
+        CHECK(chi2_score(counts, expected) < kSigmas);
+    }
+}
+
+TEST_CASE("lights: what they send to a point is the same by light sampling and by looking everywhere")
+{
+    testing::SceneMaker maker;
+    const uint32_t bright = maker.add(testing::lamp({4, 2, 1}));
+    const uint32_t dim = maker.add(testing::lamp({0.1f, 0.3f, 0.6f}));
+    maker.quad(bright, {0.3f, -0.2f, 0.5f}, {0.3f, 0.2f, 0.6f}, {-0.2f, 0.3f, 0.6f}, {-0.2f, -0.2f, 0.4f});
+    maker.quad(dim, {-0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, 0.5f}, {-0.5f, -0.5f, 0.5f});
+    maker.span_unit_sphere();
+    const Scene scene = maker.make(studio_environment());
+    const SceneData& data = scene.data();
+    const Vec3 point = {0.1f, 0.05f, -0.1f};
+
+    Mean aimed, everywhere, density;
+    for (uint32_t k = 0; k < 100000; ++k) {
+        Sampler sampler(2, k, 0);
+        const Vec2 choice = sampler.next_2d();
+        const LightSample s = data.lights.sample(point, choice.x, choice.y, sampler.next_2d());
+        const bool visible = !data.accelerator.blocked({point, s.direction, s.distance * 0.999f});
+        aimed.add(visible ? static_cast<double>(s.radiance.r / s.pdf) : 0.0);
+
+        const Vec3 d = square_to_sphere(sampler.next_2d());
+        const std::optional<Hit> hit = data.accelerator.closest({point, d});
+        const Rgb seen =
+            hit ? data.materials[data.mesh.materials[hit->triangle]].emission : data.lights.sky_radiance(d);
+        everywhere.add(static_cast<double>(seen.r) * 4 * static_cast<double>(kPi));
+
+        // The densities of sky and emitters, both along d, make up one density over all directions.
+        double pdf = static_cast<double>(data.lights.sky_pdf(d));
+        if (hit && data.materials[data.mesh.materials[hit->triangle]].emits()) {
+            pdf += static_cast<double>(data.lights.emitter_pdf(hit->triangle, d, hit->distance));
+        }
+        density.add(pdf * 4 * static_cast<double>(kPi));
+    }
+    INFO(aimed.value() << " aimed, " << everywhere.value() << " everywhere");
+    CHECK(std::abs(aimed.value() - everywhere.value()) < kSigmas * std::hypot(aimed.error(), everywhere.error()));
+    CHECK(std::abs(density.value() - 1) < kSigmas * density.error());
+}
+
+TEST_CASE("lights: a dark scene has none")
+{
+    testing::SceneMaker maker;
+    maker.ball(maker.add(testing::diffuse(grey(0.5f))), {}, 1);
+    CHECK(maker.make(constant_environment(0)).data().lights.empty());
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "light/sky_picture.h"
+
+#include <ImfArray.h>
+#include <ImfRgbaFile.h>
+
+#include <catch2/catch.hpp>
+
+#include "lumi/baker/scene.h"
+#include "math/sampler.h"
+#include "math/warp.h"
+#include "support/scratch_folder.h"
+#include "support/statistics.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+using testing::chi2_score;
+using testing::kSigmas;
+
+// Dark but for a sun and a faint band.
+std::shared_ptr<RadiancePicture> sunny()
+{
+    auto picture = std::make_shared<RadiancePicture>();
+    picture->width = 16;
+    picture->height = 8;
+    picture->pixels.resize(16 * 8);
+    picture->pixels[2 * 16 + 5] = {50, 40, 30};
+    for (size_t x = 0; x < 16; ++x) {
+        picture->pixels[6 * 16 + x] = {0.1f, 0.2f, 0.4f};
+    }
+    return picture;
+}
+
+constexpr int kHeights = 24, kTurns = 32;
+
+size_t bin_of(const Vec3& d)
+{
+    const float turn = std::min(std::atan2(d.y, d.x) / (2 * kPi) + 0.5f, 0.99999f);
+    const float height = std::min((d.z + 1) / 2, 0.99999f);
+    return static_cast<size_t>(height * kHeights) * kTurns + static_cast<size_t>(turn * kTurns);
+}
+
+}  // namespace
+
+TEST_CASE("sky picture: the pdf integrates to one, samples follow it, and light is nowhere without density")
+{
+    constexpr uint32_t kSamples = 100000;
+    constexpr int kFine = 16;
+    const SkyPicture sky(sunny(), 0.1f, 2);
+    std::vector<double> expected(kHeights * kTurns), counts(kHeights * kTurns);
+    double total = 0, light = 0;
+    for (int h = 0; h < kHeights * kFine; ++h) {
+        for (int t = 0; t < kTurns * kFine; ++t) {
+            const float z = (static_cast<float>(h) + 0.5f) / (kHeights * kFine) * 2 - 1;
+            const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / (kTurns * kFine));
+            const double share =
+                static_cast<double>(sky.pdf(d)) * 4 * static_cast<double>(kPi) / (kHeights * kFine * kTurns * kFine);
+            expected[bin_of(d)] += share * kSamples;
+            total += share;
+            const Rgb radiance = sky.radiance(d);
+            light += static_cast<double>(radiance.r) / (kHeights * kFine * kTurns * kFine);
+            REQUIRE((is_black(radiance) || sky.pdf(d) > 0));
+        }
+    }
+    CHECK(total == Approx(1).epsilon(0.01));  // the grid cuts through pixels
+    testing::Mean estimate;
+    for (uint32_t k = 0; k < kSamples; ++k) {
+        Sampler sampler(1, k, 0);
+        const Vec3 d = sky.sample(sampler.next_2d());
+        ++counts[bin_of(d)];
+        estimate.add(static_cast<double>(sky.radiance(d).r / sky.pdf(d)) / (4 * static_cast<double>(kPi)));
+    }
+    // Bins at the picture's pixel edges hold the grid's error too.
+    CHECK(chi2_score(counts, expected) < 2 * kSigmas);
+    CHECK(estimate.value() == Approx(light).margin(kSigmas * estimate.error() + 2e-3 * light));
+}
+
+TEST_CASE("sky picture: its middle lies at azimuth 0, its right at smaller azimuths, and it turns counterclockwise")
+{
+    auto picture = std::make_shared<RadiancePicture>();
+    picture->width = 4;
+    picture->height = 2;
+    picture->pixels = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}, {6, 0, 0}, {7, 0, 0}, {8, 0, 0}};
+    // Pixel centres of the upper row lie at 135, 45, -45 and -135 degrees, 45 degrees up.
+    const auto red = [&](float degrees, float turns) {
+        return SkyPicture(picture, turns, 1).radiance(direction_at(std::sqrt(0.5f), degrees / 360)).r;
+    };
+    CHECK(static_cast<double>(red(45, 0)) == Approx(2).epsilon(1e-4));
+    CHECK(static_cast<double>(red(-45, 0)) == Approx(3).epsilon(1e-4));
+    CHECK(static_cast<double>(red(0, 0)) == Approx(2.5).epsilon(1e-4));
+    CHECK(static_cast<double>(red(135, 0.25f)) == Approx(2).epsilon(1e-4));
+    CHECK(static_cast<double>(SkyPicture(picture, 0, 3).radiance({0, 0, -1}).r) > 15);
+}
+
+TEST_CASE("sky picture: an EXR file is read, numbers that are none are named and negative ones are 0")
+{
+    const testing::ScratchFolder folder;
+    Imf::Array2D<Imf::Rgba> pixels(2, 3);
+    for (int y = 0; y < 2; ++y) {
+        for (int x = 0; x < 3; ++x) {
+            pixels[y][x] = Imf::Rgba(static_cast<float>(x), static_cast<float>(y), 0.5f, 1);
+        }
+    }
+    pixels[1][2].r = half::qNan();
+    pixels[0][0].r = -1;
+    const std::string file = folder.at("e.exr").string();
+    {
+        Imf::RgbaOutputFile out(file.c_str(), 3, 2, Imf::WRITE_RGBA);
+        out.setFrameBuffer(&pixels[0][0], 1, 3);
+        out.writePixels(2);
+    }
+    std::vector<std::string> warnings;
+    const RadiancePicture picture = read_radiance_picture(file, warnings);
+    REQUIRE(picture.width == 3);
+    REQUIRE(picture.height == 2);
+    CHECK(picture.at(1, 0).r == 1);
+    CHECK(picture.at(1, 1).g == 1);
+    CHECK(picture.at(1, 1).b == 0.5f);
+    CHECK(picture.at(0, 0).r == 0);
+    CHECK(is_black(picture.at(2, 1)));
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Catch::Contains("e.exr: 1 pixel(s)") && Catch::Contains("column 2, row 1"));
+}
+
+TEST_CASE("sky picture: every truncation of an EXR and an HDR file is refused or read, never a crash")
+{
+    const testing::ScratchFolder folder;
+    const std::string file = folder.at("e.exr").string();
+    {
+        Imf::Array2D<Imf::Rgba> pixels(2, 3);
+        Imf::RgbaOutputFile out(file.c_str(), 3, 2, Imf::WRITE_RGBA);
+        out.setFrameBuffer(&pixels[0][0], 1, 3);
+        out.writePixels(2);
+    }
+    const std::string exr = testing::read_bytes(file);
+    for (size_t size = 0; size < exr.size(); ++size) {
+        std::vector<std::string> warnings;
+        try {
+            read_radiance_picture(folder.write("t.exr", exr.substr(0, size)), warnings);
+        } catch (const SceneError& e) {
+            CHECK_THAT(e.what(), Catch::Contains("t.exr: ") && Catch::Contains("; "));
+        }
+    }
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+// Good and hostile OBJ and MTL files: a correct picture or a message that names file, line and mend, never a crash.
+#include "scene/obj_reader.h"
+
+#include <catch2/catch.hpp>
+
+#include "support/scratch_folder.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+using testing::ScratchFolder;
+
+constexpr char kCorners[] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+struct Loaded {
+    SceneParts parts;
+    std::string warnings;
+};
+
+Loaded load(const std::filesystem::path& file)
+{
+    Loaded loaded;
+    std::vector<std::string> lines;
+    loaded.parts = read_obj(file, lines);
+    for (const std::string& line : lines) {
+        loaded.warnings += line + "\n";
+    }
+    return loaded;
+}
+
+Loaded load_obj(const std::string& text)
+{
+    const ScratchFolder folder;
+    return load(folder.write("scene.obj", text));
+}
+
+void check_refused(const std::string& text, const std::string& line, const std::string& what)
+{
+    INFO(text);
+    CHECK_THROWS_WITH(load_obj(text),
+                      Catch::Contains("scene.obj" + line + ": ") && Catch::Contains(what) && Catch::Contains("; "));
+}
+
+Material only_material(const std::string& mtl, std::string* warnings = nullptr)
+{
+    const ScratchFolder folder;
+    folder.write("m.mtl", "newmtl x\n" + mtl);
+    const Loaded l = load(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"));
+    if (warnings) {
+        *warnings = l.warnings;
+    }
+    REQUIRE(l.parts.materials.size() == 1);
+    return l.parts.materials[0];
+}
+
+double area(const Mesh& mesh)
+{
+    double sum = 0;
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        sum += static_cast<double>(mesh.area(t));
+    }
+    return sum;
+}
+
+// A 1×1 PNG-like picture in the plainest format that the reader knows: binary PPM.
+const std::string kRedPixel = std::string("P6\n1 1\n255\n") + '\xFF' + std::string(2, '\0');
+
+}  // namespace
+
+TEST_CASE("obj: triangles, quads and polygons keep their area; without normals they are flat")
+{
+    const Loaded l = load_obj(std::string(kCorners) + "v 0.5 0.5 0\nf 1 2 3 4\nf 1 2 5\nf 1 2 3 5 4\n");
+    CHECK(l.warnings.empty());
+    CHECK(l.parts.mesh.triangle_count() == 2 + 1 + 3);
+    CHECK(area(l.parts.mesh) == Approx(1 + 0.25 + 0.75));
+    CHECK(l.parts.mesh.shading[0][0] == kNoIndex);
+    CHECK(l.parts.materials.size() == 1);
+}
+
+TEST_CASE("obj: negative indices, texture coordinates and normals")
+{
+    const Loaded l = load_obj(std::string(kCorners) +
+                              "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 2\nf -4/1/1 -3/2/1 -2/3/-1\nf 1//1 3//1 4//1\n");
+    CHECK(l.warnings.empty());
+    REQUIRE(l.parts.mesh.triangle_count() == 2);
+    CHECK(l.parts.mesh.mapping[0][2] == 2);
+    CHECK(l.parts.mesh.mapping[1][0] == kNoIndex);
+    CHECK(l.parts.mesh.shading[1][0] == 0);
+    CHECK(static_cast<double>(l.parts.mesh.normals[0].z) == 1);
+}
+
+TEST_CASE("obj: smoothing groups make normals where none are given")
+{
+    const Loaded l = load_obj(std::string(kCorners) + "v 0 0 1\ns 1\nf 1 2 3\nf 1 5 2\ns off\nf 1 3 4\n");
+    REQUIRE(l.parts.mesh.triangle_count() == 3);
+    REQUIRE(l.parts.mesh.shading[0][0] != kNoIndex);
+    const Vec3 shared = l.parts.mesh.normals[static_cast<size_t>(l.parts.mesh.shading[0][0])];
+    CHECK(static_cast<double>(shared.z) == Approx(std::sqrt(0.5)).epsilon(1e-5));
+    CHECK(l.parts.mesh.shading[2][0] == kNoIndex);
+}
+
+TEST_CASE("obj: numbers that are none, infinite or too large")
+{
+    check_refused("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", ":2", "'nan' is not a finite number");
+    check_refused("v 0 0 inf\n", ":1", "'inf' is not a finite number");
+    check_refused("v 0 0 1e400\n", ":1", "not a finite number");
+    check_refused("v 0 0 1e30\n", ":1", "too large");
+    check_refused("v 0,5 0 0\n", ":1", "'0,5' is not a finite number");
+    check_refused("\n# c\nv 0 0\n", ":3", "needs 3 numbers and has 2");
+    check_refused(std::string(kCorners) + "vn 0 0 nan\n", ":5", "not a finite number");
+    check_refused(std::string(kCorners) + "vt nan 0\n", ":5", "not a finite number");
+}
+
+TEST_CASE("obj: files that hold nothing to draw")
+{
+    check_refused("", "", "there is no face");
+    check_refused("# only a comment\n", "", "there is no face");
+    check_refused(kCorners, "", "there is no face");
+    check_refused("v 1 1 1\nf 1 1 1\n", "", "no face has an area");
+    check_refused(std::string("v 0 0 0\n\0\0", 10), "", "this is no text");
+    CHECK_THROWS_WITH(load("no such.obj"), Catch::Contains("no such.obj: the file cannot be opened"));
+}
+
+TEST_CASE("obj: faces that point nowhere")
+{
+    check_refused(std::string(kCorners) + "f 1 2 5\n", ":5", "uses vertex 5, but 4 come before it");
+    check_refused(std::string(kCorners) + "f 1 2 -5\n", ":5", "uses vertex -5");
+    check_refused(std::string(kCorners) + "f 0 1 2\n", ":5", "uses vertex 0");
+    check_refused(std::string(kCorners) + "f 1/1 2/1 3/1\n", ":5", "uses texture coordinate 1, but 0");
+    check_refused(std::string(kCorners) + "f 1//9 2//9 3//9\n", ":5", "uses normal 9");
+    check_refused(std::string(kCorners) + "f 1 2\n", ":5", "a face of 2 corners");
+    check_refused(std::string(kCorners) + "f\n", ":5", "a face of 0 corners");
+    check_refused(std::string(kCorners) + "f a b c\n", ":5", "'a' is no vertex number");
+    check_refused(std::string(kCorners) + "f 1/1/1/1 2 3\n", ":5", "");
+    std::string huge = std::string(kCorners) + "f";
+    for (int k = 0; k < 300; ++k) {
+        huge += " " + std::to_string(k % 4 + 1);
+    }
+    check_refused(huge, ":5", "a face of 300 corners");
+}
+
+TEST_CASE("obj: triangles without area are left out, and the first is named")
+{
+    const Loaded l = load_obj(std::string(kCorners) + "v 2 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\nf 1 2 2 3\n");
+    CHECK(l.parts.mesh.triangle_count() == 2);
+    CHECK_THAT(l.warnings, Catch::Contains("scene.obj:7: 3 face(s)"));
+}
+
+TEST_CASE("obj: tiny and huge scenes keep their triangles")
+{
+    for (const char* s : {"1e-12", "1e12"}) {
+        const std::string one(s);
+        const Loaded l = load_obj("v 0 0 0\nv " + one + " 0 0\nv 0 " + one + " 0\nf 1 2 3\n");
+        CHECK(l.warnings.empty());
+        std::vector<std::string> warnings;
+        const ScratchFolder folder;
+        const Scene scene =
+            load_scene(folder.write("s.obj", "v 0 0 0\nv " + one + " 0 0\nv 0 " + one + " 0\nf 1 2 3\n"), {}, warnings);
+        CHECK(static_cast<double>(scene.radius()) == Approx(std::stod(one) * std::sqrt(0.5) * 1.01).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("obj: a missing material file and an undefined material are named, and drawn grey")
+{
+    const Loaded l = load_obj(std::string("mtllib lost one.mtl\n") + kCorners + "usemtl brick wall\nf 1 2 3\n");
+    CHECK_THAT(l.warnings, Catch::Contains("scene.obj:1: the material file 'lost one.mtl' is missing"));
+    CHECK_THAT(l.warnings, Catch::Contains("scene.obj:6: the material 'brick wall' is not defined"));
+    REQUIRE(l.parts.materials.size() == 1);
+    CHECK(static_cast<double>(l.parts.materials[0].base.r) == Approx(0.6));
+}
+
+TEST_CASE("obj: names with blanks, backslashes and Windows line ends")
+{
+    const ScratchFolder folder;
+    folder.write("sub dir/my mat.mtl", "newmtl red paint\r\nKd 1 1 1\r\nmap_Kd tex dir\\a red.ppm\r\n");
+    folder.write("sub dir/tex dir/a red.ppm", kRedPixel);
+    const Loaded l = load(folder.write(
+        "my scene.obj", std::string("mtllib sub dir\\my mat.mtl\r\n") + kCorners + "usemtl red paint\r\nf 1 2 3\r\n"));
+    CHECK(l.warnings.empty());
+    REQUIRE(l.parts.textures.size() == 1);
+    CHECK(l.parts.materials[0].maps.base.texture == 0);
+    CHECK(l.parts.textures[0].rgb == std::vector<uint8_t>{255, 0, 0});
+}
+
+TEST_CASE("obj: a picture named by another machine's path is found beside the MTL file")
+{
+    const ScratchFolder folder;
+    folder.write("m.mtl", "newmtl x\nmap_Kd C:\\Users\\me\\red.ppm\n");
+    folder.write("red.ppm", kRedPixel);
+    const Loaded l = load(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"));
+    CHECK(l.warnings.empty());
+    CHECK(l.parts.textures.size() == 1);
+    CHECK(static_cast<double>(l.parts.materials[0].base.r) == 1);  // no Kd: the picture as it is
+}
+
+TEST_CASE("obj: several material files, in one line or in several")
+{
+    const ScratchFolder folder;
+    folder.write("a.mtl", "newmtl a\nKd 0.1 0.1 0.1\n");
+    folder.write("b.mtl", "newmtl b\nKd 0.2 0.2 0.2\n");
+    folder.write("c.mtl", "newmtl c\nKd 0.3 0.3 0.3\n");
+    const Loaded l = load(folder.write("s.obj", std::string("mtllib a.mtl b.mtl\nmtllib c.mtl\n") + kCorners +
+                                                    "usemtl c\nf 1 2 3\nusemtl a\nf 1 3 4\nusemtl b\nf 1 2 4\n"));
+    CHECK(l.warnings.empty());
+    REQUIRE(l.parts.materials.size() == 3);
+    for (size_t t = 0; t < 3; ++t) {
+        const double expected[] = {0.3, 0.1, 0.2};
+        CHECK(static_cast<double>(l.parts.materials[l.parts.mesh.materials[t]].base.g) == Approx(expected[t]));
+    }
+}
+
+TEST_CASE("mtl: missing and broken pictures are named, and the plain colour is used")
+{
+    std::string warnings;
+    CHECK(only_material("Kd 0.2 0.3 0.4\nmap_Kd no.png\n", &warnings).maps.base.texture == kNoTexture);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:3: the picture 'no.png' is missing"));
+
+    const ScratchFolder folder;
+    folder.write("m.mtl", "newmtl x\nmap_Kd bad.png\n");
+    folder.write("bad.png", "\x89PNG\r\n\x1a\nrubbish");
+    const Loaded l = load(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"));
+    CHECK_THAT(l.warnings, Catch::Contains("m.mtl:2: the picture") && Catch::Contains("is not used"));
+}
+
+TEST_CASE("mtl: numbers that are none are refused with their line, those out of range are clamped with a warning")
+{
+    CHECK_THROWS_WITH(only_material("Kd nan 0 0\n"), Catch::Contains("m.mtl:2: 'nan' is not a finite number"));
+    CHECK_THROWS_WITH(only_material("Kd 0.5 0.5\n"), Catch::Contains("m.mtl:2: 'Kd' needs 3 numbers"));
+    CHECK_THROWS_WITH(only_material("Ns\n"), Catch::Contains("m.mtl:2: 'Ns' needs 1 numbers"));
+    CHECK_THROWS_WITH(only_material("d inf\n"), Catch::Contains("m.mtl:2"));
+    std::string warnings;
+    const Material m = only_material("Kd 2 -1 0.5\n", &warnings);
+    CHECK(static_cast<double>(m.base.r) == 1);
+    CHECK(static_cast<double>(m.base.g) == 0);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: Kd 2 is out of range") && Catch::Contains("Kd -1"));
+    CHECK(static_cast<double>(only_material("Kd 0.25\n").base.b) == Approx(0.25));
+    const Material brushed = only_material("Pr 0.5\nPm 1\naniso 3\nPs -1\n", &warnings);
+    CHECK(brushed.anisotropy == 1);
+    CHECK(brushed.sheen == 0);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:4: aniso 3 is out of range") && Catch::Contains("m.mtl:5: Ps -1"));
+    CHECK_THROWS_WITH(only_material("anisor x\n"), Catch::Contains("m.mtl:2: 'x' is not a finite number"));
+}
+
+TEST_CASE("mtl: its terms become the materials that material.h states")
+{
+    CHECK_FALSE(only_material("Kd 0.5 0.5 0.5\n").specular);
+    const Material plastic = only_material("Kd 0.5 0.5 0.5\nKs 0.2 0.2 0.2\nNs 98\nNi 1.33\n");
+    CHECK(plastic.specular);
+    CHECK(plastic.metalness == 0);
+    CHECK(static_cast<double>(plastic.index) == Approx(1.33));
+    CHECK(static_cast<double>(plastic.alpha) == Approx(std::sqrt(0.02)));
+    const Material chrome = only_material("Kd 0 0 0\nKs 0.9 0.8 0.7\nNs 1000\n");
+    CHECK(chrome.metalness == 1);
+    CHECK(static_cast<double>(chrome.base.g) == Approx(0.8));
+    const Material physical = only_material("Kd 0.9 0.6 0.2\nPr 0.5\nPm 0.75\n");
+    CHECK(static_cast<double>(physical.alpha) == Approx(0.25));
+    CHECK(static_cast<double>(physical.metalness) == Approx(0.75));
+    CHECK(static_cast<double>(only_material("Ke 5 4 3\n").emission.g) == Approx(4));
+    CHECK(only_material("Ke 5 4 3\n").emits());
+    CHECK(static_cast<double>(only_material("d 0.25\n").opacity) == Approx(0.25));
+    CHECK(static_cast<double>(only_material("Tr 0.25\n").opacity) == Approx(0.75));
+}
+
+TEST_CASE("mtl: doubtful opacity and doubled names are named")
+{
+    std::string warnings;
+    CHECK(only_material("d 1\nTr 1\n", &warnings).opacity == 1);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:3: both 'd' and 'Tr'"));
+    only_material("Tr 1\n", &warnings);
+    CHECK_THAT(warnings, Catch::Contains("makes the material invisible"));
+    CHECK(static_cast<double>(only_material("Kd 0.1 0.1 0.1\nnewmtl x\nKd 0.9 0.9 0.9\n", &warnings).base.r) ==
+          Approx(0.1));
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:3: material 'x' is defined twice"));
+    CHECK_THROWS_WITH(only_material("newmtl\n"), Catch::Contains("'newmtl' without a name"));
+}
+
+TEST_CASE("obj: every truncation of a good file loads or is refused with a message")
+{
+    const std::string text = std::string("mtllib m.mtl\nusemtl x\n") + kCorners +
+                             "vn 0 0 1\nvt 0 0\ns 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\ng a\nf 1 2 3\n";
+    const ScratchFolder folder;
+    folder.write("m.mtl", "newmtl x\nKd 0.5 0.5 0.5\n");
+    for (size_t size = 0; size <= text.size(); ++size) {
+        const std::filesystem::path file = folder.write("s.obj", text.substr(0, size));
+        try {
+            const Loaded loaded = load(file);
+            CHECK(loaded.parts.mesh.triangle_count() > 0);
+        } catch (const SceneError& e) {
+            CHECK_THAT(e.what(), Catch::Contains("s.obj"));
+        }
+    }
+}
+
+TEST_CASE("scene: the sphere holds what faces use, in scene axes, and nothing touches it")
+{
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    const std::filesystem::path file = folder.write("s.obj", "v 10 0 0\nv 12 0 0\nv 11 1 0\nv 999 0 0\nf 1 2 3\n");
+    const Scene scene = load_scene(file, {}, warnings);
+    CHECK(static_cast<double>(scene.centre()[0]) == Approx(11));
+    CHECK(static_cast<double>(scene.centre()[1]) == Approx(0).margin(1e-6));
+    CHECK(static_cast<double>(scene.radius()) == Approx(1.01));
+    CHECK(scene.triangle_count() == 1);
+    CHECK(scene.light_count() == 0);
+    for (const Mesh::Corners& c : scene.data().mesh.corners) {
+        for (const uint32_t k : c) {
+            CHECK(length(scene.data().mesh.positions[k]) < 0.995f);
+        }
+    }
+    // y up: sphere(x,y,z) = scene(z,x,y).
+    CHECK(static_cast<double>(scene.data().mesh.positions[2].z) == Approx(1 / 1.01));
+    CHECK(static_cast<double>(scene.data().mesh.positions[1].y) == Approx(1 / 1.01));
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A scene and settings whose bakes take milliseconds.
+#pragma once
+
+#include "lumi/baker/bake.h"
+#include "support/scratch_folder.h"
+#include "support/shapes.h"
+
+namespace lumi::baker::testing
+{
+
+inline Scene tiny_scene(float ball_colour = 0.7f, float sky = 1)
+{
+    SceneMaker maker;
+    maker.ball(maker.add(glossy({ball_colour, 0.3f, 0.1f}, 0.3f)), {0, 0, 0.2f}, 0.4f, 6);
+    const uint32_t floor = maker.add(diffuse({0.2f, 0.5f, 0.3f}));
+    maker.quad(floor, {-0.6f, -0.6f, -0.3f}, {0.6f, -0.6f, -0.3f}, {0.6f, 0.6f, -0.3f}, {-0.6f, 0.6f, -0.3f});
+    return maker.make(constant_environment(sky));
+}
+
+inline BakeSettings tiny_settings(format::TexelFormat texel = format::TexelFormat::rgb888)
+{
+    BakeSettings s;
+    s.origins = 9;
+    s.directions = 11;
+    s.texel = texel;
+    s.samples = 2;
+    s.threads = 1;
+    return s;
+}
+
+inline std::string baked(const Scene& scene, const BakeSettings& settings)
+{
+    const ScratchFolder folder;
+    bake_field(scene, settings, folder.at("f.lumi"));
+    return read_bytes(folder.at("f.lumi"));
+}
+
+// Cancels once `rays` are traced; leaves the checkpoint.
+inline ProgressCallback stop_after(uint64_t rays)
+{
+    return [rays](const Progress& p) { return p.rays_done < rays; };
+}
+
+}  // namespace lumi::baker::testing

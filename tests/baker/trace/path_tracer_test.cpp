@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "trace/path_tracer.h"
+
+#include <catch2/catch.hpp>
+
+#include "support/brute_force.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+using testing::add_room;
+using testing::kSigmas;
+using testing::Mean;
+using testing::radiance;
+using testing::SceneMaker;
+
+Mean along(const Scene& scene, const Ray& ray, uint32_t paths)
+{
+    const PathTracer tracer(scene.data());
+    Mean mean;
+    for (uint32_t k = 0; k < paths; ++k) {
+        Sampler sampler(21, k, 0);
+        mean.add(static_cast<double>(tracer.trace(ray, sampler).radiance.g));
+    }
+    return mean;
+}
+
+}  // namespace
+
+TEST_CASE("path tracer: a convex diffuse body in constant light has radiance albedo × light everywhere")
+{
+    SceneMaker maker;
+    maker.ball(maker.add(testing::diffuse(grey(0.6f))), {}, 1);
+    const Scene scene = maker.make(constant_environment(0.8f));
+    for (uint32_t r = 0; r < 20; ++r) {
+        Sampler aim(1, r, 0);
+        const Vec3 start = square_to_sphere(aim.next_2d()) * 2;
+        const Mean mean = along(scene, {start, normalized(square_to_sphere(aim.next_2d()) * 0.5f - start)}, 2000);
+        CHECK(mean.value() == Approx(0.48).margin(kSigmas * mean.error() + 1e-4));
+    }
+}
+
+TEST_CASE("path tracer: white surfaces in white light stay at most white, whatever they are made of")
+{
+    for (const float alpha : {0.01f, 0.1f, 0.4f, 1.0f}) {
+        for (const bool metallic : {false, true}) {
+            SceneMaker maker;
+            const Material material = metallic ? testing::metal(grey(1), alpha) : testing::glossy(grey(1), alpha);
+            maker.ball(maker.add(material), {0, 0, 0.2f}, 0.5f);
+            const uint32_t white = maker.add(testing::diffuse(grey(1)));
+            maker.quad(white, {-0.6f, -0.6f, -0.4f}, {0.6f, -0.6f, -0.4f}, {0.6f, 0.6f, -0.4f}, {-0.6f, 0.6f, -0.4f});
+            const Scene scene = maker.make(constant_environment(1));
+            for (const Mean& mean : radiance(PathTracer(scene.data()), 500, 10, 5)) {
+                INFO("alpha " << alpha << (metallic ? " metal " : " plastic ") << mean.value() << " ± "
+                              << mean.error());
+                CHECK(mean.value() <= 1 + kSigmas * mean.error() + 1e-5);
+            }
+        }
+    }
+}
+
+TEST_CASE("path tracer: a patch under a rectangular lamp has the closed form's radiance")
+{
+    constexpr float kHeight = 0.5f, kLight = 3, kAlbedo = 0.5f;
+    for (const float half : {0.05f, 0.2f, 0.6f}) {
+        SceneMaker maker;
+        const uint32_t floor = maker.add(testing::diffuse(grey(kAlbedo)));
+        maker.quad(floor, {-0.2f, -0.2f, 0}, {0.2f, -0.2f, 0}, {0.2f, 0.2f, 0}, {-0.2f, 0.2f, 0});
+        const uint32_t light = maker.add(testing::lamp(grey(kLight)));
+        maker.quad(light, {-half, -half, kHeight}, {half, -half, kHeight}, {half, half, kHeight},
+                   {-half, half, kHeight});
+        maker.span_unit_sphere();
+        const Scene scene = maker.make(constant_environment(0));
+        REQUIRE(static_cast<double>(scene.radius()) == Approx(1).epsilon(1e-5));
+
+        // Form factor of a parallel rectangle over a point, four times the corner formula (Howell, "A Catalog of
+        // Radiation Heat Transfer Configuration Factors", B-3).
+        const double a = static_cast<double>(half / kHeight);
+        const double root = std::sqrt(1 + a * a);
+        const double form_factor = 4 / (2 * static_cast<double>(kPi)) * 2 * (a / root * std::atan(a / root));
+        const double expected = static_cast<double>(kAlbedo * kLight) * form_factor;
+
+        const Vec3 start = {0.75f, 0.003f, 0.1f};
+        const Mean mean = along(scene, {start, normalized(Vec3{} - start)}, 20000);
+        INFO("half side " << half << ": " << mean.value() << " for " << expected << " ± " << mean.error());
+        CHECK(mean.value() == Approx(expected).margin(kSigmas * mean.error() + 2e-4 * expected));
+        CHECK(mean.error() < 0.02 * expected);
+    }
+}
+
+// Every bounce adds albedo times what the last one added: a geometric series that sees any error in long paths.
+TEST_CASE("path tracer: inside a closed glowing room radiance is emission / (1 - albedo)")
+{
+    for (const float albedo : {0.0f, 0.5f, 0.8f}) {
+        SceneMaker maker;
+        Material wall = testing::diffuse(grey(albedo));
+        wall.emission = grey(1);
+        maker.box(maker.add(wall), {-0.5f, -0.4f, -0.3f}, {0.5f, 0.4f, 0.3f});
+        const Scene scene = maker.make(constant_environment(0));
+        const Mean mean = along(scene, {{0.1f, 0, 0}, normalized(Vec3{0.3f, 0.5f, -0.4f})}, 40000);
+        const double expected = 1 / (1 - static_cast<double>(albedo));
+        INFO("albedo " << albedo << ": " << mean.value() << " for " << expected << " ± " << mean.error());
+        CHECK(mean.value() == Approx(expected).margin(kSigmas * mean.error() + 2e-4 * expected));
+        CHECK(mean.error() < 0.01 * expected);
+    }
+}
+
+// Chosen without regard to where they are, a thousand small lamps around a ball still give what looking for them gives.
+TEST_CASE("path tracer: the sky is not seen, a pane covers by its opacity")
+{
+    SceneMaker maker;
+    Material pane = testing::diffuse(grey(0.5f));
+    pane.opacity = 0.3f;
+    maker.quad(maker.add(pane), {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
+    const Scene scene = maker.make(constant_environment(1));
+    const PathTracer tracer(scene.data());
+    Mean covered;
+    for (uint32_t k = 0; k < 10000; ++k) {
+        Sampler sampler(1, k, 0);
+        covered.add(tracer.trace({{0.1f, 0.1f, 1}, {0, 0, -1}}, sampler).covered ? 1 : 0);
+        const PathResult beside = tracer.trace({{0.1f, 0.1f, 1}, {1, 0, 0}}, sampler);
+        REQUIRE_FALSE(beside.covered);
+        REQUIRE(is_black(beside.radiance));
+    }
+    CHECK(covered.value() == Approx(0.3).margin(kSigmas * covered.error()));
+}
+
+// The slope of log error against log samples, by least squares over five doublings of four. Sobol' points may only
+// steepen it.
+TEST_CASE("path tracer: the error falls as one over the root of the number of samples, or faster")
+{
+    SceneMaker maker;
+    add_room(maker);
+    maker.ball(maker.add(testing::glossy({0.2f, 0.4f, 0.6f}, 0.2f)), {0.2f, 0, -0.3f}, 0.2f, 8);
+    const Scene scene = maker.make(studio_environment());
+    const PathTracer tracer(scene.data());
+    const Vec3 start = {0.1f, -1.2f, 0.2f};
+    const Ray ray = {start, normalized(Vec3{0.1f, 0.2f, -0.5f} - start)};
+    const auto spread = [&](uint32_t samples, bool independent) {
+        Mean means;
+        for (uint32_t texel = 0; texel < 400; ++texel) {
+            Mean mean;
+            Sampler sampler(8, texel, samples);
+            for (uint32_t s = 0; s < samples; ++s) {
+                if (independent) {
+                    sampler = Sampler(8, texel * 1000 + s, samples);
+                }
+                sampler.start(independent ? 0 : s);
+                mean.add(static_cast<double>(tracer.trace(ray, sampler).radiance.g));
+            }
+            means.add(mean.value());
+        }
+        return means.error();
+    };
+    for (const bool independent : {true, false}) {
+        double sx = 0, sy = 0, sxx = 0, sxy = 0, count = 0;
+        for (uint32_t samples = 2; samples <= 128; samples *= 2) {
+            const double x = std::log(samples), y = std::log(spread(samples, independent));
+            sx += x;
+            sy += y;
+            sxx += x * x;
+            sxy += x * y;
+            ++count;
+        }
+        const double slope = (count * sxy - sx * sy) / (count * sxx - sx * sx);
+        INFO((independent ? "independent" : "Sobol") << " slope " << slope);
+        // 400 texels tell each error to 3.5 %, and the slope to 0.01.
+        CHECK(slope < -0.5 + 0.04);
+        CHECK((!independent || slope > -0.5 - 0.04));
+    }
+}
+
+}  // namespace lumi::baker

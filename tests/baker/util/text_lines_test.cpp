@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "util/text_lines.h"
+
+#include <catch2/catch.hpp>
+
+#include "lumi/baker/scene.h"
+
+namespace lumi::baker
+{
+
+TEST_CASE("text lines: every line ending, comments, continuations and blanks")
+{
+    const std::vector<Line> lines =
+        split_lines("\xEF\xBB\xBFv 1 2 3\r\n# note\r\n\n  f 1 2 \\\n 3 # end\rusemtl my # paint\nmap_Kd a#b.png");
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0].keyword == "v");
+    CHECK(lines[0].argument == "1 2 3");
+    CHECK(lines[0].number == 1);
+    CHECK(words(lines[1].argument) == std::vector<std::string_view>{"1", "2", "3"});
+    CHECK(lines[1].number == 4);
+    CHECK(lines[2].argument == "my");
+    CHECK(lines[2].number == 6);
+    CHECK(lines[3].argument == "a#b.png");
+    CHECK(lines[3].number == 7);
+    CHECK(split_lines("").empty());
+    CHECK(split_lines("\\").empty());
+    CHECK(split_lines("\\\n").empty());
+}
+
+TEST_CASE("text lines: numbers are finite or none")
+{
+    double v = 0;
+    for (const char* good : {"1", "-1.5", "+2e3", ".5", "1e-300"}) {
+        CHECK(parse_finite(good, v));
+    }
+    for (const char* bad : {"nan", "-nan", "inf", "-INF", "1e999", "1,5", "1.5x", "", "+", "0x10"}) {
+        INFO(bad);
+        CHECK_FALSE(parse_finite(bad, v));
+    }
+    int64_t i = 0;
+    CHECK(parse_integer("-12", i));
+    CHECK(i == -12);
+    CHECK_FALSE(parse_integer("1.5", i));
+    CHECK_FALSE(parse_integer("99999999999999999999", i));
+}
+
+TEST_CASE("text lines: an unreadable file and a folder are named")
+{
+    CHECK_THROWS_WITH(read_text("no/such/file.obj"), Catch::Contains("no/such/file.obj: the file cannot be opened"));
+    CHECK_THROWS_WITH(read_text("."), Catch::Contains("this is a folder"));
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "bench/boards.h"
+#include "bench/report.h"
+#include "bench/svg.h"
+#include "terminal/failure.h"
+
+using namespace lumi::bench;
+
+namespace
+{
+
+const std::string kLine = "view pole span 8 covered 1000 instructions 123456 setup 23456 stack 640 crc 0badcafe\n";
+
+Row some_row()
+{
+    Row row;
+    row.core = "m4";
+    row.mode = "linear";
+    row.texel = "luma8";
+    row.count = parse_counts(kLine).front();
+    row.accuracy = {INFINITY, 41.239, 7};
+    return row;
+}
+
+}  // namespace
+
+TEST_CASE("the bench reads what its firmware writes, and nothing else", "[bench]")
+{
+    const auto counts = parse_counts(kLine + kLine);
+    REQUIRE(counts.size() == 2);
+    CHECK(counts[1].view == "pole");
+    CHECK(counts[1].span == 8);
+    CHECK(counts[1].instructions == 123456);
+    CHECK(counts[1].crc == 0x0badcafe);
+    CHECK_THROWS_AS(parse_counts("error: truncated\n"), lumi::tools::Failure);
+    CHECK_THROWS_AS(parse_counts(kLine.substr(0, kLine.size() / 2)), lumi::tools::Failure);
+    CHECK_THROWS_AS(parse_counts("view pole span 8 covered 9 instructions 0 setup 0 stack 0 crc 0\n"),
+                    lumi::tools::Failure);
+}
+
+TEST_CASE("a row of JSON has the documented keys and adds up", "[bench]")
+{
+    const auto rows = nlohmann::json::parse(json_report({some_row()}));
+    REQUIRE(rows.size() == 1);
+    std::set<std::string> keys;
+    for (const auto& [key, value] : rows[0].items()) keys.insert(key);
+    std::set<std::string> expected = {"core",
+                                      "mode",
+                                      "texel",
+                                      "span",
+                                      "view",
+                                      "setup",
+                                      "inner",
+                                      "code_bytes",
+                                      "stack_bytes",
+                                      "psnr_db",
+                                      "psnr_all_db",
+                                      "worst_pixel",
+                                      "covered_pixels",
+                                      "instructions_per_pixel",
+                                      "instructions_per_frame"};
+    for (const Chip& chip : kChipList) {
+        expected.insert(std::string("lines_") + chip.key);
+        expected.insert(std::string("misses_") + chip.key);
+    }
+    CHECK(keys == expected);
+    CHECK(rows[0]["instructions_per_pixel"] == Approx(123.46));
+    CHECK(rows[0]["setup"] == Approx(23.46));
+    CHECK(rows[0]["inner"] == Approx(100.0));
+    CHECK(rows[0]["psnr_db"].is_null());
+    CHECK(rows[0]["psnr_all_db"] == Approx(41.24));
+}
+
+TEST_CASE("the slower of drawing and sending limits the frame rate", "[bench]")
+{
+    const Chip chip = {"x", "X", "m4", 100, 2.0, {64, 2, 8}, 500, ""};
+    CHECK(frames_per_second(chip, 0, 0) == Approx(67.8).epsilon(0.001));
+    CHECK(frames_per_second(chip, 5'000'000, 0) == Approx(10));       // 10 M clocks at 100 MHz
+    CHECK(frames_per_second(chip, 5'000'000, 200'000) == Approx(5));  // and as long again in flash
+}
+
+TEST_CASE("a plot leaves out what has no place on it", "[bench]")
+{
+    const Plot plot = {"t", "x", "y", {{"a", {{10, 40, "one"}, {100, INFINITY, "two"}, {1000, 50, "three"}}}}};
+    const std::string svg = svg_of(plot);
+    CHECK(svg.find("one") != std::string::npos);
+    CHECK(svg.find("two") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+    CHECK(svg_of({"t", "x", "y", {}}).find("nan") == std::string::npos);
+}
+
+TEST_CASE("a narrow plot puts its legend below, and marks a short axis densely", "[bench]")
+{
+    Plot plot = {"", "x", "y", {{"first", {{600, 40, ""}, {900, 41, ""}}}, {"second", {{600, 42, ""}}}}, true};
+    const std::string svg = svg_of(plot);
+    CHECK(svg.find("viewBox=\"0 0 440.0 384.0\"") != std::string::npos);  // the grid, and a row for each series
+    for (const char* mark : {">600<", ">700<", ">800<", ">900<"}) CHECK(svg.find(mark) != std::string::npos);
+    plot.series[0].points[0].x = 60;  // more than half a decade
+    CHECK(svg_of(plot).find(">200<") != std::string::npos);
+    CHECK(svg_of(plot).find(">700<") == std::string::npos);
+}

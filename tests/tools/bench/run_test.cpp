@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/program.h"
+#include "support/temporary_folder.h"
+
+using lumi::tools::test::content_of;
+using lumi::tools::test::Outcome;
+using lumi::tools::test::TemporaryFolder;
+
+// One core, one renderer, one span: the whole way from source to JSON, on a field that is baked at once.
+TEST_CASE("lumi bench builds, runs and judges, and counts the same twice", "[bench]")
+{
+    const TemporaryFolder folder;
+    const auto bench = [&](const std::string& json) {
+        return lumi::tools::test::lumi(
+            {"bench",  "--core", "m4",     "--mode",       "linear",        "--texel", "luma8",
+             "--span", "0,8",    "--view", "generic,pole", "--origins",     "100",     "--directions",
+             "130",    "--spp",  "1",      "--work",       folder / "work", "--json",  json});
+    };
+    const Outcome first = bench(folder / "a.json");
+    INFO(first.err);
+    REQUIRE(first.code == 0);
+    REQUIRE(bench(folder / "b.json").code == 0);
+    CHECK(content_of(folder / "a.json") == content_of(folder / "b.json"));
+
+    const auto rows = nlohmann::json::parse(content_of(folder / "a.json"));
+    REQUIRE(rows.size() == 4);  // two spans of two views
+    for (const auto& row : rows) {
+        CHECK(row["covered_pixels"] == 42272);
+        CHECK(row["instructions_per_pixel"].get<double>() > 10);
+        CHECK(row["setup"].get<double>() > 0);
+        CHECK(row["code_bytes"].get<uint32_t>() > 1000);
+        CHECK(row["stack_bytes"].get<uint32_t>() > 100);
+        CHECK(row["lines_rp2040"].get<uint64_t>() > 10);
+        CHECK(row["misses_rp2040"].get<uint64_t>() >= row["lines_rp2040"].get<uint64_t>());
+    }
+    CHECK(rows[0]["psnr_db"].get<double>() > 60);  // the exact renderer, within rounding
+}

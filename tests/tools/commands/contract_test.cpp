@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// What the command line promises about exit codes, messages and earlier output.
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "image/png.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+#include "support/test_field.h"
+#include "support/test_pictures.h"
+
+namespace lumi::tools
+{
+
+using test::Arguments;
+using test::lumi;
+using test::Outcome;
+
+namespace
+{
+
+const std::string kScene = LUMI_TEST_SCENE;
+
+}  // namespace
+
+TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes nothing")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "f.lumi", test::field_bytes({}));
+    const std::string field = folder / "f.lumi", png = folder / "o.png", baked = folder / "o.lumi";
+    const auto render = [&](const std::string& option, const std::string& value) {
+        return Arguments{"render", field, "-o", png, option, value};
+    };
+    const auto bake = [&](const std::string& option, const std::string& value) {
+        return Arguments{"bake", kScene, "-o", baked, option, value};
+    };
+    const std::vector<std::pair<Arguments, std::string>> calls = {
+        {{}, "lumi --help"},
+        {{"frob"}, "there is no subcommand \"frob\""},
+        {{"render"}, "lumi render --help"},
+        {{"render", field}, "--output"},
+        {{"bake", kScene}, "--output"},
+        {{"compare", png}, "lumi compare --help"},
+        {render("--frob", "1"), "--frob"},
+        {render("--size", "240"), "WIDTHxHEIGHT"},
+        {render("--size", "9000x10"), "8192"},
+        {render("--orbit", "1,2"), "AZIMUTH,ELEVATION,DISTANCE"},
+        {render("--orbit", "0,0,0.9"), "radii above 1"},
+        {render("--orbit", "0,91,3"), "-90"},
+        {render("--fov", "150"), "--fov"},
+        {render("--mode", "cubic"), "nearest, voronoi, dither, linear, paper"},
+        {render("--neighbours", "0"), "--neighbours"},
+        {render("--neighbours", "10"), "--neighbours"},
+        {render("--neighbours", "3"), "--mode paper"},
+        {render("--span", "3"), "--span"},
+        {render("--mode", "dither"), "--span"},
+        {render("--background", "red"), "RRGGBB"},
+        {render("--pixel", "rgb332"), "rgb888, rgb565 or grey8"},
+        {render("--turntable", "0"), "--turntable"},
+        {render("--stereo", "-1"), "--stereo"},
+        {bake("--texel", "rgb"), "palette8"},
+        {bake("--shard", "3"), "K/COUNT"},
+        {bake("--shard", "0/3"), "from 1 to COUNT"},
+        {bake("--shard", "4/3"), "from 1 to COUNT"},
+        {bake("--progress", "xml"), "auto or json"},
+        {{"merge", "-o", baked}, "lumi merge --help"},
+        {bake("--cap", "2000"), "50%"},
+        {bake("--origins", "0"), "--origins"},
+        {bake("--directions", "2000000"), "--directions"},
+        {bake("--spp", "0"), "--spp"},
+        {bake("--up", "x"), "y or z"},
+        {{"embed", field, "-o", folder / "field.c"}, "ends in .S"},
+        {{"embed", field, "-o", folder / "field.S", "--symbol", "a-b"}, "--symbol"},
+    };
+    for (const auto& [call, hint] : calls) {
+        const Outcome outcome = lumi(call);
+        INFO(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::StartsWith("lumi: ") && Catch::Contains(hint));
+        CHECK(outcome.out.empty());
+        CHECK(folder.entries() == 1);
+    }
+}
+
+TEST_CASE("every subcommand has a help text with an example")
+{
+    CHECK(lumi({"--help"}).code == 0);
+    CHECK_THAT(lumi({"--help"}).out, Catch::Contains("130 interrupted"));
+    CHECK(lumi({"--version"}).code == 0);
+    for (const char* command : {"bake", "render", "reference", "compare", "inspect", "embed"}) {
+        const Outcome outcome = lumi({command, "--help"});
+        CHECK(outcome.code == 0);
+        CHECK_THAT(outcome.out, Catch::Contains(std::string("Example:\n  lumi ") + command));
+    }
+}
+
+TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earlier output untouched")
+{
+    const test::TemporaryFolder folder;
+    std::string damaged = test::field_bytes({});
+    damaged.back() = static_cast<char>(damaged.back() ^ 1);
+    test::write_content(folder / "damaged.lumi", damaged);
+    test::write_content(folder / "short.lumi", damaged.substr(0, damaged.size() / 2));
+    write_png(folder / "small.png", Picture(20, 20));
+    write_png(folder / "large.png", Picture(30, 20));
+    write_png(folder / "tiny.png", Picture(5, 5));
+    test::write_content(folder / "bad.obj", "f 1 2 3\n");
+    const std::string out = folder / "out.png", asm_out = folder / "out.S";
+    const std::vector<std::pair<Arguments, std::string>> calls = {
+        {{"render", folder / "damaged.lumi", "-o", out},
+         "damaged.lumi: the texel section's bytes are damaged (CRC); copy the file again or bake it again"},
+        {{"render", folder / "short.lumi", "-o", out}, "short.lumi: "},
+        {{"render", folder / "none.lumi", "-o", out}, "none.lumi: cannot be read (No such file or directory); "},
+        {{"bake", folder / "none.obj", "-o", out}, "none.obj"},
+        {{"bake", folder / "bad.obj", "-o", out}, "bad.obj"},
+        {{"reference", folder / "none.obj", "-o", out}, "none.obj"},
+        {{"compare", folder / "small.png", folder / "large.png", "--error-picture", out}, "large.png: is 30x20 but "},
+        {{"compare", folder / "tiny.png", folder / "tiny.png"}, "tiny.png: is 5x5"},
+        {{"compare", folder / "small.png", folder / "short.lumi"}, "short.lumi: is not a PNG"},
+        {{"inspect", folder / "short.lumi"}, "short.lumi: "},
+        {{"inspect", folder / "damaged.lumi", "--verify"}, "damaged.lumi: the texel section"},
+        {{"embed", folder / "damaged.lumi", "-o", asm_out}, "damaged.lumi: the texel section"},
+    };
+    test::write_content(out, "earlier");
+    test::write_content(asm_out, "earlier");
+    const size_t entries = folder.entries();
+    for (const auto& [call, hint] : calls) {
+        const Outcome outcome = lumi(call);
+        INFO(outcome.err);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::StartsWith("lumi: ") && Catch::Contains(hint) && Catch::Contains("; "));
+        CHECK(test::content_of(out) == "earlier");
+        CHECK(test::content_of(asm_out) == "earlier");
+        CHECK(folder.entries() == entries);
+    }
+}
+
+TEST_CASE("an output in a folder that does not exist is refused before the work begins")
+{
+    const test::TemporaryFolder folder;
+    const Outcome outcome = lumi({"bake", kScene, "-o", folder / "none/o.lumi", "--spp", "1000000"});
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("create its folder first"));
+}
+
+TEST_CASE("Ctrl-C ends a bake or a reference with 130 and leaves earlier output untouched")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "o", "earlier");
+    for (const char* command : {"bake", "reference"}) {
+        const Outcome outcome = test::lumi_interrupted({command, kScene, "-o", folder / "o", "--spp", "1000000"});
+        INFO(command << ": " << outcome.err);
+        CHECK(outcome.code == 130);
+        CHECK_THAT(outcome.err, Catch::Contains("interrupted"));
+        CHECK(test::content_of(folder / "o") == "earlier");
+        const bool bakes = std::string(command) == "bake";
+        CHECK_THAT(outcome.err,
+                   Catch::Contains(bakes ? "o.part keeps the finished rows" : "earlier output is untouched"));
+        std::filesystem::remove(folder / "o.part");
+        CHECK(folder.entries() == 1);
+    }
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// What `lumi bake --fit` promises.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "files/field_file.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+
+namespace lumi::tools
+{
+
+using test::Arguments;
+using test::lumi;
+using test::Outcome;
+
+namespace
+{
+
+const std::string kScene = LUMI_TEST_SCENE;
+
+Arguments fit(const std::string& output, const Arguments& more)
+{
+    Arguments call = {"bake", kScene, "-o", output, "--spp", "1", "--count", "1"};
+    call.insert(call.end(), more.begin(), more.end());
+    return call;
+}
+
+// A plan of one trial, or of few.
+const Arguments kNearlyAllByHand = {"--layout",          "guided",   "--origins",         "70",
+                                    "--proxy-triangles", "50",       "--mean-resolution", "12",
+                                    "--mean-format",     "palette8", "--texels",          "4"};
+
+Arguments joined(Arguments a, const Arguments& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+}  // namespace
+
+TEST_CASE("a budget, a pace or a set of views that cannot be meant is refused with what it takes")
+{
+    const test::TemporaryFolder folder;
+    const std::string output = folder / "o.lumi";
+    const std::vector<std::pair<Arguments, std::string>> calls = {
+        {{"--fit", "2XB"}, "2MB, 512KiB or 1500000"},
+        {{"--fit", "-1"}, "--fit"},
+        {{"--fit", "0"}, "--fit takes a size"},
+        {{"--fit", "5GB"}, "below 4 GB"},
+        {{"--fit", "MB"}, "--fit takes a size"},
+        {{"--fit", "1MB", "--for", "rp2040"}, "rp2040@30fps"},
+        {{"--fit", "1MB", "--for", "z80@30fps"}, "esp32s3"},
+        {{"--fit", "1MB", "--views", "side"}, "all, upper or ring"},
+        {{"--fit", "1MB", "--trials", "0"}, "--trials"},
+        {{"--fit", "1MB", "--shard", "1/2"}, "--shard does not go with --fit"},
+        {{"--fit", "1MB", "--directions", "64", "--mean-resolution", "64"}, "no layout has all"},
+        {{"--fit", "1MB", "--layout", "chord", "--chart", "64"}, "--layout chord"},
+        {{"--plan", folder / "plan.json"}, "belongs to --fit"},
+        {{"--for", "rp2040@30fps"}, "belongs to --fit"},
+    };
+    for (const auto& [options, hint] : calls) {
+        const Outcome outcome = lumi(fit(output, options));
+        INFO(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains(hint));
+    }
+    CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a budget that nothing fits into ends with the smallest size that works, and that size works")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "o.lumi", "earlier");
+    const Outcome small = lumi(fit(folder / "o.lumi", joined({"--fit", "600"}, kNearlyAllByHand)));
+    INFO(small.err);
+    CHECK(small.code == 1);
+    const std::string before = "the smallest that works takes ";
+    const size_t at = small.err.find(before);
+    REQUIRE(at != std::string::npos);
+    CHECK(test::content_of(folder / "o.lumi") == "earlier");
+
+    const std::string size = std::to_string(std::stoul(small.err.substr(at + before.size())));
+    const Outcome enough = lumi(fit(folder / "o.lumi", joined({"--fit", size}, kNearlyAllByHand)));
+    INFO(enough.err);
+    CHECK(enough.code == 0);
+    CHECK(std::to_string(std::filesystem::file_size(folder / "o.lumi")) == size);
+}
+
+TEST_CASE("a plan fits its budget, keeps what is set by hand, and its options bake the same file")
+{
+    const test::TemporaryFolder folder;
+    const std::string planned = folder / "planned.lumi", again = folder / "again.lumi", plan = folder / "plan.json";
+    const Outcome outcome = lumi(fit(planned, joined({"--fit", "60kB", "--plan", plan}, kNearlyAllByHand)));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(std::filesystem::file_size(planned) <= 60000);
+    CHECK(std::filesystem::file_size(planned) > 55000);
+    {
+        const FieldFile file(planned);
+        REQUIRE(file.is_guided());
+        CHECK(file.guided().origins.size() == 70);
+        CHECK(file.guided().mean.resolution == 12);
+    }
+    const auto json = nlohmann::json::parse(test::content_of(plan));
+    CHECK(json["chosen"]["layout"] == "guided");
+    CHECK(json["tried"].size() >= 2);  // with and without occlusion
+    std::istringstream options(json["chosen"]["options"].get<std::string>());
+    Arguments by_hand = {"bake", kScene, "-o", again, "--spp", "1"};
+    for (std::string word; options >> word;) by_hand.push_back(word);
+    CHECK(lumi(by_hand).code == 0);
+    CHECK(test::content_of(again) == test::content_of(planned));
+}
+
+TEST_CASE("a plan alone writes no field; for machines it is JSON lines")
+{
+    const test::TemporaryFolder folder;
+    const Outcome outcome = lumi(joined(
+        {"bake", kScene, "--count", "1", "--plan-only", "--fit", "40kB", "--progress", "json"}, kNearlyAllByHand));
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(folder.entries() == 0);
+    std::istringstream lines(outcome.out);
+    size_t count = 0;
+    for (std::string line; std::getline(lines, line); ++count) CHECK(nlohmann::json::parse(line).contains("state"));
+    CHECK(count >= 2);
+}
+
+TEST_CASE("Ctrl-C ends a planner with 130 and leaves earlier output untouched")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "o.lumi", "earlier");
+    const Outcome outcome = test::lumi_interrupted(fit(folder / "o.lumi", {"--fit", "2MB", "--trials", "1000"}));
+    CHECK(outcome.code == 130);
+    CHECK(test::content_of(folder / "o.lumi") == "earlier");
+    CHECK(folder.entries() == 1);
+}
+
+}  // namespace lumi::tools

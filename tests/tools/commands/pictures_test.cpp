@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// From a scene to pictures and figures, through the program alone.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "image/png.h"
+#include "metrics/psnr.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+
+namespace lumi::tools
+{
+
+using nlohmann::json;
+using test::lumi;
+using test::Outcome;
+
+namespace
+{
+
+const std::string kScene = LUMI_TEST_SCENE;
+
+void bake(const std::string& output, test::Arguments more)
+{
+    more.insert(more.begin(), {"bake", kScene, "-o", output});
+    const Outcome outcome = lumi(more);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK_THAT(outcome.out, Catch::StartsWith(output) && Catch::Contains("rays in"));
+}
+
+void draw(test::Arguments call)
+{
+    const Outcome outcome = lumi(std::move(call));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+}
+
+Picture mirrored(const Picture& picture)
+{
+    Picture result = picture;
+    for (int y = 0; y < picture.height_px; ++y)
+        for (int x = 0; x < picture.width_px; ++x)
+            std::copy_n(picture.pixel(picture.width_px - 1 - x, y), 3, result.pixel(x, y));
+    return result;
+}
+
+Picture upside_down(const Picture& picture)
+{
+    Picture result = picture;
+    for (int y = 0; y < picture.height_px; ++y)
+        paste(
+            [&] {
+                Picture row(picture.width_px, 1);
+                std::copy_n(picture.pixel(0, picture.height_px - 1 - y), row.rgb.size(), row.rgb.data());
+                return row;
+            }(),
+            0, y, result);
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("a baked field of every texel format renders in every mode")
+{
+    const test::TemporaryFolder folder;
+    for (const std::string texel : {"rgb888", "rgb565", "palette8", "luma8"}) {
+        bake(folder / "f.lumi", {"--origins", "48", "--directions", "64", "--spp", "1", "--texel", texel});
+        CHECK(json::parse(lumi({"inspect", folder / "f.lumi", "--json", "--verify"}).out)["texel_format"] == texel);
+        for (const std::string mode : {"nearest", "voronoi", "dither", "linear", "paper"}) {
+            INFO(texel << " " << mode);
+            draw({"render", folder / "f.lumi", "-o", folder / "o.png", "--mode", mode, "--size", "40x30", "--span", "4",
+                  "--background", "00ff00"});
+            const Picture picture = read_png(folder / "o.png");
+            REQUIRE(picture.width_px == 40);
+            REQUIRE(picture.height_px == 30);
+            const uint8_t* corner = picture.pixel(0, 0);
+            CHECK((corner[0] == 0 && corner[1] == 255 && corner[2] == 0));
+            CHECK(picture.rgb != Picture(40, 30, {0, 255, 0}).rgb);
+            std::filesystem::remove(folder / "o.png");
+        }
+    }
+}
+
+TEST_CASE("render and reference show the same view, from wherever the eye is and whichever axis is up")
+{
+    // A coarse field is blurred, but a mirrored, tilted or turned view would be much worse than that: by 2 dB at least.
+    const test::TemporaryFolder folder;
+    for (const std::string up : {"y", "z"}) {
+        bake(folder / "f.lumi", {"--origins", "600", "--directions", "1200", "--spp", "2", "--up", up});
+        for (const std::string orbit : {"20,25,3", "130,-30,2", "250,60,6"}) {
+            draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--orbit", orbit, "--size", "64x64"});
+            draw({"reference", kScene, "-o", folder / "b.png", "--orbit", orbit, "--size", "64x64", "--spp", "4",
+                  "--up", up});
+            const Picture a = read_png(folder / "a.png"), b = read_png(folder / "b.png");
+            INFO("up " << up << ", orbit " << orbit << ": " << psnr_db(a, b) << " dB, mirrored "
+                       << psnr_db(a, mirrored(b)) << ", upside down " << psnr_db(a, upside_down(b)));
+            CHECK(psnr_db(a, b) > psnr_db(a, mirrored(b)) + 2);
+            CHECK(psnr_db(a, b) > psnr_db(a, upside_down(b)) + 2);
+        }
+    }
+}
+
+TEST_CASE("a field is the same for any number of threads and differs by the seed")
+{
+    const test::TemporaryFolder folder;
+    const auto bytes = [&](const std::string& threads, const std::string& seed) {
+        bake(folder / "f.lumi",
+             {"--origins", "30", "--directions", "40", "--spp", "2", "--threads", threads, "--seed", seed});
+        return test::content_of(folder / "f.lumi");
+    };
+    const std::string one = bytes("1", "1");
+    CHECK((one == bytes("3", "1")));
+    CHECK((one != bytes("1", "2")));
+}
+
+TEST_CASE("a cap keeps as many rows as asked")
+{
+    const test::TemporaryFolder folder;
+    for (const auto& [cap, rows] : {std::make_pair("50%", 20), std::make_pair("0.25", 10), std::make_pair("7", 7)}) {
+        bake(folder / "f.lumi", {"--origins", "40", "--directions", "40", "--spp", "1", "--cap", cap});
+        CHECK(json::parse(lumi({"inspect", folder / "f.lumi", "--json"}).out)["used_origins"] == rows);
+    }
+}
+
+TEST_CASE("turntables of render and reference are named alike")
+{
+    const test::TemporaryFolder folder;
+    bake(folder / "f.lumi", {"--origins", "30", "--directions", "40", "--spp", "1"});
+    draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--turntable", "3", "--size", "16x16", "--stereo",
+          "0.1"});
+    draw({"reference", kScene, "-o", folder / "b.png", "--turntable", "3", "--size", "16x16", "--spp", "1"});
+    for (const std::string name : {"000", "001", "002", "sheet"}) {
+        CHECK(std::filesystem::exists(folder / ("a-" + name + ".png")));
+        CHECK(std::filesystem::exists(folder / ("b-" + name + ".png")));
+    }
+    CHECK(folder.entries() == 9);
+    CHECK(read_png(folder / "a-000.png").width_px == 32);
+}
+
+TEST_CASE("compare prints the promised JSON keys")
+{
+    const test::TemporaryFolder folder;
+    write_png(folder / "a.png", Picture(20, 20, {100, 100, 100}));
+    write_png(folder / "b.png", Picture(20, 20, {110, 110, 110}));
+    const json differ = json::parse(
+        lumi({"compare", folder / "a.png", folder / "b.png", "--json", "--error-picture", folder / "e.png"}).out);
+    CHECK(differ["psnr_db"].get<double>() == Approx(28.1308).margin(1e-3));
+    CHECK(differ["ssim"].get<double>() < 1);
+    CHECK(differ["cw_ssim"].get<double>() == Approx(1));
+    CHECK(differ["identical"] == false);
+    CHECK(read_png(folder / "e.png").pixel(3, 3)[0] == 40);
+    const json same = json::parse(lumi({"compare", folder / "a.png", folder / "a.png", "--json"}).out);
+    CHECK(same["psnr_db"].is_null());
+    CHECK(same["identical"] == true);
+    CHECK_THAT(lumi({"compare", folder / "a.png", folder / "a.png"}).out, Catch::Contains("inf dB"));
+}
+
+TEST_CASE("compare looks inside a mask, and refuses one that fits nothing")
+{
+    const test::TemporaryFolder folder;
+    const Picture a(20, 20, {100, 100, 100});
+    Picture b = a, mask(20, 20);
+    for (int x = 0; x < 20; ++x) {
+        b.pixel(x, 2)[0] = 110;
+        mask.pixel(x, 2)[1] = mask.pixel(x, 3)[1] = 200;
+    }
+    write_png(folder / "a.png", a);
+    write_png(folder / "b.png", b);
+    write_png(folder / "mask.png", mask);
+    write_png(folder / "black.png", Picture(20, 20));
+    write_png(folder / "small.png", Picture(19, 20, {255, 255, 255}));
+    const auto masked = [&](const std::string& name) {
+        return lumi({"compare", folder / "a.png", folder / "b.png", "--json", "--mask", folder / name});
+    };
+    const json likeness = json::parse(masked("mask.png").out);
+    // An error of 10 in one of six values inside, in one of sixty everywhere.
+    CHECK(likeness["mask_psnr_db"].get<double>() == Approx(28.1308 + 10 * std::log10(6.0)).margin(1e-3));
+    CHECK(likeness["psnr_db"].get<double>() == Approx(28.1308 + 10 * std::log10(60.0)).margin(1e-3));
+    CHECK(likeness["mask_ssim"] == 1);  // both rows lie nearer to the border than half a window
+    CHECK(likeness["flip"].get<double>() > 0);
+    CHECK(masked("black.png").code == 1);
+    CHECK(masked("small.png").code == 1);
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Bakes that are killed, go on, are cut into shards and merged, as users do it.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "support/program.h"
+#include "support/temporary_folder.h"
+
+namespace lumi::tools
+{
+
+using test::Arguments;
+using test::content_of;
+using test::lumi;
+using test::Outcome;
+
+namespace
+{
+
+const std::string kScene = LUMI_TEST_SCENE;
+constexpr int kKilled = 128 + 9;
+
+Arguments bake(const std::string& output, const Arguments& more = {})
+{
+    Arguments all = {"bake", kScene, "-o", output, "--origins", "60", "--directions", "80", "--spp", "16"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+// Enough work to be killed in ten times.
+Arguments long_bake(const std::string& output)
+{
+    return {"bake", kScene,  "-o",  output,    "--origins", "200",       "--directions",
+            "100",  "--spp", "128", "--texel", "rgb565",    "--threads", "2"};
+}
+
+std::vector<nlohmann::json> json_lines(const std::string& text)
+{
+    std::istringstream lines(text);
+    std::vector<nlohmann::json> result;
+    for (std::string line; std::getline(lines, line);) result.push_back(nlohmann::json::parse(line));
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("a bake that was killed ten times at random moments is bit-identical to an undisturbed one")
+{
+    const test::TemporaryFolder folder;
+    const std::string whole = folder / "whole.lumi", killed = folder / "killed.lumi";
+    const auto start = std::chrono::steady_clock::now();
+    REQUIRE(lumi(long_bake(whole)).code == 0);
+    const std::chrono::duration<double, std::milli> undisturbed = std::chrono::steady_clock::now() - start;
+    test::write_content(killed, "earlier");
+    std::mt19937 random(5);
+    for (int k = 0; k < 10; ++k) {
+        // From the first ray on. All ten together are shorter than the bake: none comes too late.
+        std::uniform_real_distribution<double> moment(0, undisturbed.count() / 16);
+        const auto after = std::chrono::milliseconds(static_cast<int>(moment(random)));
+        REQUIRE(test::lumi_killed(long_bake(killed), after).code == kKilled);
+        CHECK(content_of(killed) == "earlier");
+    }
+    Arguments again = long_bake(killed);
+    again.insert(again.end(), {"--progress", "json"});
+    const Outcome last = lumi(again);
+    INFO(last.err);
+    REQUIRE(last.code == 0);
+    CHECK(content_of(killed) == content_of(whole));
+    CHECK(folder.entries() == 2);
+    const auto lines = json_lines(last.out);
+    REQUIRE(lines.size() >= 2);
+    CHECK(lines.front().at("rays_done") > 0);  // it went on from what the killed ones had done
+}
+
+TEST_CASE("shards baked by separate calls merge to the bytes of one bake; --restart bakes anew")
+{
+    const test::TemporaryFolder folder;
+    REQUIRE(lumi(bake(folder / "one.lumi")).code == 0);
+    Arguments merge = {"merge", "-o", folder / "merged.lumi"};
+    for (const char* shard : {"1/3", "2/3", "3/3"}) {
+        const Outcome outcome = lumi(bake(folder / "f.lumi", {"--shard", shard}));
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        CHECK_THAT(outcome.out, Catch::Contains("of-3.shard: "));
+        merge.push_back(folder / "f.lumi." + shard[0] + "-of-3.shard");
+    }
+    CHECK(folder.entries() == 4);
+    const Outcome merged = lumi(merge);
+    CHECK_THAT(merged.out, Catch::Contains("60 x 80 rays from 3 shards"));
+    CHECK(content_of(folder / "merged.lumi") == content_of(folder / "one.lumi"));
+
+    test::write_content(merge.back(), content_of(merge.back()).substr(0, 500));
+    std::filesystem::remove(folder / "f.lumi.2-of-3.shard");
+    const Outcome refused = lumi(merge);
+    CHECK(refused.code == 1);
+    CHECK_THAT(refused.err, Catch::Contains("2-of-3.shard: cannot be opened") && Catch::Contains("3-of-3.shard: ") &&
+                                Catch::Contains("rows are missing or damaged") &&
+                                Catch::Contains("lumi: shard 2 of 3 is missing; bake it with --shard 2/3"));
+    CHECK(content_of(folder / "merged.lumi") == content_of(folder / "one.lumi"));
+}
+
+TEST_CASE("a checkpoint of other options is refused with the mend, and --restart discards it")
+{
+    const test::TemporaryFolder folder;
+    const Arguments quick = bake(folder / "f.lumi", {"--seed", "2"});
+    Arguments slow = quick;
+    slow[9] = "1000000";
+    REQUIRE(test::lumi_interrupted(slow).code == 130);
+    const Outcome refused = lumi(quick);
+    CHECK(refused.code == 1);
+    CHECK_THAT(refused.err, Catch::Contains("f.lumi.part: holds the finished rows of another bake (other samples: "
+                                            "1000000 there, 16 here)") &&
+                                Catch::Contains("--restart"));
+    CHECK(lumi(bake(folder / "f.lumi", {"--seed", "2", "--restart"})).code == 0);
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("json progress writes nothing but JSON to stdout, and ends with what was done")
+{
+    const test::TemporaryFolder folder;
+    const Outcome outcome = lumi(bake(folder / "f.lumi", {"--progress", "json"}));
+    const auto lines = json_lines(outcome.out);
+    REQUIRE(lines.size() >= 3);
+    CHECK(lines.front().at("state") == "baking");
+    CHECK(lines.front().at("rays_done") == 0);
+    CHECK(lines[lines.size() - 2].at("rays_done") == 60 * 80 * 16);
+    CHECK(lines.back().at("state") == "done");
+    CHECK(lines.back().at("output") == folder / "f.lumi");
+    CHECK(lines.back().at("bytes") == std::filesystem::file_size(folder / "f.lumi"));
+    CHECK(lines.back().at("rays_saved") == 0);
+    CHECK(outcome.err.empty());
+}
+
+TEST_CASE("a bake says how many rays adaptive sampling saved; --adaptive 0 saves none")
+{
+    const test::TemporaryFolder folder;
+    Arguments more = bake(folder / "f.lumi", {"--progress", "json"});
+    more[9] = "64";
+    const auto lines = json_lines(lumi(more).out);
+    CHECK(lines[lines.size() - 2].at("rays_done") == 60 * 80 * 64);
+    CHECK(lines.back().at("rays_total") == 60 * 80 * 64);
+    CHECK(lines.back().at("rays_saved") > 60 * 80 * 64 / 10);
+    more.insert(more.end(), {"--adaptive", "0"});
+    CHECK(json_lines(lumi(more).out).back().at("rays_saved") == 0);
+    const Arguments for_people = {"bake", kScene,         "-o", folder / "g.lumi", "--origins",
+                                  "60",   "--directions", "80", "--spp",           "64"};
+    CHECK_THAT(lumi(for_people).out, Catch::Contains(" k of them saved)"));
+    CHECK(lumi(bake(folder / "f.lumi", {"--adaptive", "-1"})).code == 2);
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "draw/views.h"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "image/png.h"
+#include "support/temporary_folder.h"
+#include "terminal/failure.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+// Draws flat pictures whose grey is the number of the call.
+struct CountingDrawer {
+    uint8_t calls = 0;
+    std::vector<Camera> cameras;
+
+    Picture operator()(const Eye& eye)
+    {
+        cameras.push_back(eye.camera);
+        ++calls;
+        return Picture(eye.image.width_px, eye.image.height_px, {calls, calls, calls});
+    }
+};
+
+ViewOptions small_views()
+{
+    ViewOptions options;
+    options.width_px = 12;
+    options.height_px = 8;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("one view is written to the output itself")
+{
+    const test::TemporaryFolder folder;
+    CountingDrawer drawer;
+    const auto written = write_views(small_views(), folder / "a.png", std::ref(drawer));
+    CHECK(written == std::vector<std::string>{folder / "a.png"});
+    CHECK(read_png(folder / "a.png").pixel(0, 0)[0] == 1);
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a turntable writes numbered pictures and a contact sheet")
+{
+    const test::TemporaryFolder folder;
+    CountingDrawer drawer;
+    ViewOptions options = small_views();
+    options.turntable = 4;
+    const auto written = write_views(options, folder / "a.png", std::ref(drawer));
+    CHECK(written == std::vector<std::string>{folder / "a-000.png", folder / "a-001.png", folder / "a-002.png",
+                                              folder / "a-003.png", folder / "a-sheet.png"});
+    CHECK(folder.entries() == 5);
+    CHECK(read_png(folder / "a-002.png").pixel(0, 0)[0] == 3);
+    CHECK(read_png(folder / "a-sheet.png").pixel(0, 0)[0] == 1);
+}
+
+TEST_CASE("a turntable's eyes stand evenly around the vertical axis")
+{
+    const test::TemporaryFolder folder;
+    CountingDrawer drawer;
+    ViewOptions options = small_views();
+    options.orbit = {0, 0, 3};
+    options.turntable = 4;
+    write_views(options, folder / "a.png", std::ref(drawer));
+    const double expected[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    for (size_t i = 0; i < 4; ++i) {
+        CHECK(drawer.cameras[i].eye_direction.x / double(kOneQ30) == Approx(expected[i][0]).margin(1e-6));
+        CHECK(drawer.cameras[i].eye_direction.y / double(kOneQ30) == Approx(expected[i][1]).margin(1e-6));
+    }
+}
+
+TEST_CASE("a stereo pair shows the left eye left and both eyes as far apart as asked")
+{
+    const test::TemporaryFolder folder;
+    CountingDrawer drawer;
+    ViewOptions options = small_views();
+    options.orbit = {0, 0, 4};  // the eye on +x looks along -x: its right is +y
+    options.eye_distance = 0.5;
+    write_views(options, folder / "a.png", std::ref(drawer));
+    const Picture pair = read_png(folder / "a.png");
+    CHECK(pair.width_px == 24);
+    CHECK(pair.pixel(11, 0)[0] == 1);
+    CHECK(pair.pixel(12, 0)[0] == 2);
+    for (size_t i = 0; i < 2; ++i) {
+        const double side = i == 0 ? -0.25 : 0.25;
+        CHECK(drawer.cameras[i].eye_direction.y / double(kOneQ30) == Approx(side / std::hypot(4, 0.25)).margin(1e-6));
+    }
+}
+
+TEST_CASE("a camera that cannot be is refused before anything is drawn")
+{
+    const test::TemporaryFolder folder;
+    CountingDrawer drawer;
+    ViewOptions inside = small_views(), wide = small_views();
+    inside.orbit.distance = 1;
+    wide.fov_deg = 150;
+    CHECK_THROWS_AS(write_views(inside, folder / "a.png", std::ref(drawer)), UsageError);
+    CHECK_THROWS_AS(write_views(wide, folder / "a.png", std::ref(drawer)), UsageError);
+    CHECK_THROWS_AS(write_views(small_views(), folder / "none/a.png", std::ref(drawer)), Failure);
+    CHECK(drawer.calls == 0);
+    CHECK(folder.entries() == 0);
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "files/embed.h"
+
+#include <catch2/catch.hpp>
+
+namespace lumi::tools
+{
+
+TEST_CASE("symbols are C identifiers, and any name has a nearest one")
+{
+    CHECK(is_symbol("field_2"));
+    CHECK_FALSE(is_symbol(""));
+    CHECK_FALSE(is_symbol("2field"));
+    CHECK_FALSE(is_symbol("my-field"));
+    CHECK(symbol_from("my-field.v2") == "my_field_v2");
+    CHECK(symbol_from("2field") == "_2field");
+    CHECK(symbol_from("") == "_");
+    CHECK(is_symbol(symbol_from("dé jà")));
+}
+
+TEST_CASE("a path keeps its quotes and backslashes in the assembler file")
+{
+    CHECK_THAT(embed_source("f", R"(C:\a "b".lumi)"), Catch::Contains(R"(.incbin "C:\\a \"b\".lumi")"));
+}
+
+}  // namespace lumi::tools

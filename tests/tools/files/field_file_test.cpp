@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "files/field_file.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "files/field_report.h"
+#include "support/temporary_folder.h"
+#include "support/test_field.h"
+#include "terminal/failure.h"
+
+namespace lumi::tools
+{
+
+TEST_CASE("a report holds every layout field and accounts for every byte")
+{
+    const test::TemporaryFolder folder;
+    test::TestField field = {100, 33, 50, format::TexelFormat::palette8};
+    const std::string bytes = test::field_bytes(field);
+    test::write_content(folder / "a.lumi", bytes);
+    const auto json = nlohmann::json::parse(json_of(describe_field(FieldFile(folder / "a.lumi"), true)));
+    CHECK(json["bytes"] == bytes.size());
+    CHECK(json["version"] == 1);
+    CHECK(json["origins"] == 100);
+    CHECK(json["used_origins"] == 50);
+    CHECK(json["directions"] == 33);
+    CHECK(json["texel_format"] == "palette8");
+    CHECK(json["colour_space"] == "srgb");
+    CHECK(json["row_bytes"] == 33);
+    CHECK(json["row_stride_bytes"] == 40);
+    CHECK(json["centre"] == std::vector<double>{1.5, -2, 0.25});
+    CHECK(json["radius"] == 3.5);
+    uint64_t sum = json["other_bytes"];
+    std::vector<std::string> types;
+    for (const auto& section : json["sections"]) {
+        sum += section["bytes"].get<uint64_t>();
+        types.push_back(section["type"]);
+        CHECK(section["intact"] == true);
+        CHECK(section["required"] == true);
+    }
+    CHECK(sum == bytes.size());
+    CHECK(types == std::vector<std::string>{"LAYO", "PALT", "TEXL"});
+}
+
+TEST_CASE("the report for people names every section")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "a.lumi", test::field_bytes({}));
+    const std::string text = text_of(describe_field(FieldFile(folder / "a.lumi"), false));
+    for (const char* word : {"a.lumi", "40, of which 40 used", "60", "rgb888", "LAYO", "TEXL", "radius 3.5"})
+        CHECK_THAT(text, Catch::Contains(word));
+    CHECK_THAT(text, !Catch::Contains("intact"));
+}
+
+TEST_CASE("a damaged texel is found by the CRC and named with its section")
+{
+    const test::TemporaryFolder folder;
+    std::string bytes = test::field_bytes({});
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    test::write_content(folder / "a.lumi", bytes);
+    const FieldFile file(folder / "a.lumi");
+    CHECK_THROWS_WITH(
+        file.require_intact(),
+        folder / "a.lumi" + ": the texel section's bytes are damaged (CRC); copy the file again or bake it again");
+    CHECK_THAT(text_of(describe_field(file, true)), Catch::Contains("DAMAGED"));
+}
+
+TEST_CASE("what is no field is refused with its name and a mend")
+{
+    const test::TemporaryFolder folder;
+    const std::string whole = test::field_bytes({});
+    for (const std::string& bytes :
+         {std::string(), std::string("OBJ"), std::string(64, 'x'), whole.substr(0, 70), whole + "x"}) {
+        test::write_content(folder / "b.lumi", bytes);
+        CHECK_THROWS_WITH(FieldFile(folder / "b.lumi"),
+                          Catch::StartsWith(folder / "b.lumi: ") && Catch::Contains("; "));
+    }
+    CHECK_THROWS_WITH(FieldFile(folder / "none.lumi"), Catch::Contains("No such file"));
+    CHECK_THROWS_AS(FieldFile(folder.path()), Failure);
+}
+
+}  // namespace lumi::tools

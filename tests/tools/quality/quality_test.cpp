@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The measuring half of `lumi report`.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "image/png.h"
+#include "lumi/baker/bake.h"
+#include "lumi/lattice.h"
+#include "lumi/reference/geometry.h"
+#include "quality/baselines.h"
+#include "quality/html.h"
+#include "quality/mode_costs.h"
+#include "quality/page.h"
+#include "support/temporary_folder.h"
+#include "terminal/failure.h"
+
+namespace lumi::quality
+{
+
+namespace
+{
+
+using tools::test::TemporaryFolder;
+
+baker::Scene test_scene()
+{
+    std::vector<std::string> warnings;
+    return baker::load_scene(LUMI_TEST_SCENE, {}, warnings);
+}
+
+size_t count_of(const std::string& text, const std::string& part)
+{
+    size_t count = 0;
+    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+Measured some_field(const std::string& name, uint64_t bytes, const std::vector<Truth>& truths)
+{
+    Measured m = {name, "guided", bytes, {{"GUID", true, 64, 44, 0}, {"PROX", true, 108, 400, 0}}, {}, {}, {}};
+    for (const Truth& truth : truths) {
+        m.pictures.push_back(truth.picture);
+        m.figures.push_back(figures_of(truth.picture, truth));
+    }
+    m.mean = mean_of(m.figures);
+    return m;
+}
+
+}  // namespace
+
+TEST_CASE("held-out views lie where they should, all around the sphere")
+{
+    const auto views = held_out_views(ViewSet::all, 12);
+    REQUIRE(views.size() == 12);
+    reference::Vec3 sum = {0, 0, 0};
+    std::set<double> distances;
+    for (const HeldOutView& view : views) {
+        CHECK(view.distance >= 2.5);
+        CHECK(view.distance <= 4);
+        distances.insert(view.distance);
+        const reference::Vec3 eye = reference::decoded(view.eye.pose.eye);
+        CHECK(reference::length(eye) == Approx(view.distance).margin(1e-4));
+        sum = sum + reference::normalised(eye);
+    }
+    CHECK(reference::length((1.0 / 12) * sum) < 0.1);
+    CHECK(distances.size() == 12);
+    for (const HeldOutView& view : held_out_views(ViewSet::upper, 12)) CHECK(view.elevation_deg > 0);
+    for (const HeldOutView& view : held_out_views(ViewSet::ring, 12)) {
+        CHECK(view.elevation_deg >= 15);
+        CHECK(view.elevation_deg <= 25);
+    }
+}
+
+TEST_CASE("held-out views look from no origin of a field")
+{
+    for (const uint32_t origins : {64u, 128u, 256u}) {
+        const auto points = reference::points(origins);
+        for (const HeldOutView& view : held_out_views(ViewSet::all)) {
+            const reference::Vec3 direction = reference::normalised(reference::decoded(view.eye.pose.eye));
+            for (const reference::Vec3& p : points)
+                CHECK(reference::length(p - direction) > 0.05 * reference::spacing(origins));
+        }
+    }
+}
+
+TEST_CASE("figures of a picture that is its truth are finite and best")
+{
+    const Truth truth = {tools::Picture(24, 20, {9, 80, 200}), {24, 20}};
+    const Figures figures = figures_of(truth.picture, truth);
+    CHECK(figures.psnr_db == kIdenticalDb);
+    CHECK(figures.mask_psnr_db == kIdenticalDb);  // an empty mask: the whole picture
+    CHECK(figures.ssim == Approx(1));
+    CHECK(figures.flip == Approx(0).margin(1e-9));
+    const Figures mean = mean_of({figures, {}});
+    CHECK(mean.psnr_db == Approx(kIdenticalDb / 2));
+    CHECK(mean.mask_ssim == Approx(0.5));
+}
+
+TEST_CASE("truths are traced once and then read from their folder")
+{
+    const TemporaryFolder folder;
+    const baker::Scene scene = test_scene();
+    const auto views = held_out_views(ViewSet::all, 2, 32);
+    const baker::ReferenceSettings settings = {2, 1, 1};
+    const auto first = truths_of(scene, views, settings, folder.path());
+    REQUIRE(first.size() == 2);
+    CHECK(std::any_of(first[0].mask.values.begin(), first[0].mask.values.end(), [](uint8_t m) { return m != 0; }));
+    bool traced = false;
+    const auto notice = [&](const baker::Progress&) { return traced = true; };
+    const auto again = truths_of(scene, views, settings, folder.path(), notice);
+    CHECK_FALSE(traced);
+    CHECK(again[1].picture.rgb == first[1].picture.rgb);
+    CHECK(again[1].mask.values == first[1].mask.values);
+    truths_of(scene, views, {3, 1, 1}, folder.path(), notice);
+    CHECK(traced);
+    CHECK(one_ray_pictures(scene, views, settings, folder.path())[0].picture.rgb != first[0].picture.rgb);
+}
+
+TEST_CASE("the chord baseline is the largest that fits")
+{
+    for (const uint64_t bytes : {100000ull, 524288ull, 4000000ull}) {
+        const auto size = [](uint32_t side) {
+            baker::BakeSettings settings;
+            settings.origins = settings.directions = side;
+            return baker::field_file_bytes(settings);
+        };
+        const uint32_t side = chord_side(bytes);
+        CHECK(size(side) <= bytes);
+        CHECK(size(side + 1) > bytes);
+    }
+    CHECK(chord_side(10) == 0);
+}
+
+TEST_CASE("sprites need room for one")
+{
+    const baker::Scene scene = test_scene();
+    CHECK_FALSE(measured_sprites(scene, 2 * 80 * 80 - 1, {}, {}, {}).has_value());
+    const auto views = held_out_views(ViewSet::all, 1);
+    const auto truths = truths_of(scene, views, {1, 1, 0}, {});
+    BaselineSettings settings;
+    settings.sprite_samples = 1;
+    constexpr uint64_t kRoom = 2 * 120 * 120;  // for one of 120 pixels a side, or two of 80
+    const auto sheet = measured_sprites(scene, kRoom, settings, views, truths);
+    REQUIRE(sheet.has_value());
+    CHECK(sheet->flash_bytes <= kRoom);
+    CHECK(sheet->flash_bytes >= 2 * 2 * 80 * 80);
+    CHECK(sheet->pictures.size() == 1);
+}
+
+TEST_CASE("base64 is that of RFC 4648, section 10")
+{
+    CHECK(base64("").empty());
+    CHECK(base64("f") == "Zg==");
+    CHECK(base64("fo") == "Zm8=");
+    CHECK(base64("foo") == "Zm9v");
+    CHECK(base64("foobar") == "Zm9vYmFy");
+    CHECK(base64("\xFF\xFE") == "//4=");
+}
+
+TEST_CASE("the page holds every picture and asks the network for nothing")
+{
+    const TemporaryFolder folder;
+    ReportData report;
+    report.scene = "a <b> & \"c\".obj";
+    report.views = held_out_views(ViewSet::all, 2, 24);
+    for (uint8_t grey : {uint8_t{40}, uint8_t{90}})
+        report.truths.push_back({tools::Picture(24, 24, {grey, grey, grey}), {24, 24}});
+    report.fields = {some_field("x/small.lumi", 250000, report.truths),
+                     some_field("x/large.lumi", 500000, report.truths)};
+    report.one_ray = some_field("one ray", 0, report.truths);
+    report.costs = {{"m4", "linear", "rgb565", 8, 190.4}};
+    const std::string page = page_of(report);
+    CHECK(count_of(page, "<img ") == 2 * (1 + 2 * 2));  // the truth, and a picture and its error a field
+    CHECK(count_of(page, "data:image/png;base64,") == count_of(page, "<img "));
+    CHECK(count_of(page, "src=\"") == count_of(page, "src=\"data:"));
+    for (const char* external : {"href=", "<script", "@import", "url("}) CHECK(count_of(page, external) == 0);
+    CHECK(count_of(page, "http") == count_of(page, "xmlns=\"http://www.w3.org/2000/svg\""));
+    CHECK_THAT(page, Catch::Contains("a &lt;b&gt; &amp; &quot;c&quot;.obj"));
+    CHECK_THAT(page, Catch::Contains("width=device-width"));
+    CHECK_THAT(page, Catch::Contains(">proxy 400 bytes<") && Catch::Contains("<td>190</td>"));
+}
+
+TEST_CASE("the report for programs has the promised keys")
+{
+    ReportData report;
+    report.scene = "s.obj";
+    report.views = held_out_views(ViewSet::upper, 1, 24);
+    report.set = ViewSet::upper;
+    report.truths = {{tools::Picture(24, 24), {24, 24}}};
+    report.fields = {some_field("f.lumi", 250000, report.truths)};
+    const auto json = nlohmann::json::parse(json_of(report));
+    CHECK(json["view_set"] == "upper");
+    CHECK(json["views"].size() == 1);
+    const auto& field = json["fields"][0];
+    for (const char* key : {"psnr_db", "ssim", "cw_ssim", "flip", "mask_psnr_db", "mask_ssim"}) {
+        CHECK(field[key].is_number());
+        CHECK(field["views"][0][key].is_number());
+    }
+    CHECK(field["flash_bytes"] == 250000);
+    CHECK(field["sections"]["PROX"] == 400);
+    CHECK_FALSE(json.contains("one_ray"));
+}
+
+TEST_CASE("mode costs are the generic view's rows of a bench")
+{
+    const TemporaryFolder folder;
+    tools::test::write_content(folder / "bench.json",
+                               R"([{"core":"m4","mode":"linear","texel":"rgb888","span":16,"view":"generic",
+                                    "instructions_per_pixel":292.5},
+                                   {"core":"m4","mode":"linear","texel":"rgb888","span":16,"view":"pole",
+                                    "instructions_per_pixel":310}])");
+    const auto costs = read_mode_costs(folder / "bench.json");
+    REQUIRE(costs.size() == 1);
+    CHECK(costs[0].core == "m4");
+    CHECK(costs[0].span == 16);
+    CHECK(costs[0].instructions_per_pixel == 292.5);
+    tools::test::write_content(folder / "other.json", R"([{"core":4}])");
+    CHECK_THROWS_AS(read_mode_costs(folder / "other.json"), tools::Failure);
+    CHECK_THROWS_AS(read_mode_costs(folder / "none.json"), tools::Failure);
+}
+
+}  // namespace lumi::quality

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "terminal/progress_printer.h"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+baker::Progress at(uint64_t done, double elapsed_seconds)
+{
+    baker::Progress progress;
+    progress.rays_done = done;
+    progress.rays_total = 1000;
+    progress.rays_per_second = 1240000;
+    progress.eta_seconds = 72;
+    progress.elapsed_seconds = elapsed_seconds;
+    return progress;
+}
+
+// What a printer writes for these reports.
+std::string printed(bool is_terminal, std::initializer_list<baker::Progress> reports)
+{
+    char* text = nullptr;
+    size_t size = 0;
+    std::FILE* stream = open_memstream(&text, &size);
+    {
+        ProgressPrinter printer(stream, is_terminal);
+        for (const baker::Progress& report : reports) printer.print(report);
+    }
+    std::fclose(stream);
+    const std::string result(text, size);
+    std::free(text);
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("progress says the share done, the pace and the time left")
+{
+    CHECK(progress_text(at(437, 3)) == "43 %  1.24 M rays/s  1:12 left");
+    baker::Progress unknown;
+    unknown.rays_total = 10;
+    CHECK(progress_text(unknown) == "0 %");
+}
+
+TEST_CASE("without a terminal a plain line comes at the beginning and every five seconds")
+{
+    CHECK(printed(false, {at(0, 0), at(100, 1), at(200, 4.9), at(300, 5), at(400, 6), at(1000, 7)}) ==
+          "0 %  1.24 M rays/s  1:12 left\n30 %  1.24 M rays/s  1:12 left\n");
+}
+
+TEST_CASE("short jobs after the first one print no plain lines, long ones do")
+{
+    CHECK(printed(false, {at(0, 0), at(500, 12), at(1000, 13), at(0, 0), at(1000, 1), at(0, 0), at(700, 6)}) ==
+          "0 %  1.24 M rays/s  1:12 left\n50 %  1.24 M rays/s  1:12 left\n70 %  1.24 M rays/s  1:12 left\n");
+}
+
+TEST_CASE("on a terminal one line redraws itself and ends with a line break")
+{
+    const std::string text = printed(true, {at(0, 0), at(500, 1)});
+    CHECK(text ==
+          "\r[..............................] 0 %  1.24 M rays/s  1:12 left\x1b[K"
+          "\r[###############...............] 50 %  1.24 M rays/s  1:12 left\x1b[K\n");
+}
+
+}  // namespace lumi::tools

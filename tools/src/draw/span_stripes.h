@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Chord fields by one format of texels, with every reconstruction and display that the tool can ask for. Each format is
+// instantiated in a file of its own, so that they compile side by side.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "draw/draw.h"
+#include "lumi/render_spans.h"
+#include "terminal/interrupt.h"
+
+namespace lumi::tools
+{
+
+inline constexpr int kSpanStripeRows = 16;  // what firmware with a few kilobytes to spare draws at once
+
+template <class Pixel>
+void copy_stripe(const Stripe& stripe, Picture& picture)
+{
+    for (int y = 0; y < stripe.height_px; ++y)
+        for (int x = 0; x < stripe.width_px; ++x) {
+            const uint8_t* bytes =
+                stripe.pixels + static_cast<size_t>(y) * stripe.stride_bytes + static_cast<size_t>(x) * Pixel::kBytes;
+            const Rgb8 colour = Pixel::load(bytes);  // what a display shows
+            uint8_t* target = picture.pixel(x, stripe.y_px + y);
+            target[0] = colour.r;
+            target[1] = colour.g;
+            target[2] = colour.b;
+        }
+}
+
+template <class Reconstruction, class Texel, class Pixel>
+Picture draw_as(const Field& field, const Camera& camera, const DrawSettings& settings)
+{
+    Picture picture(camera.width_px(), camera.height_px());
+    const uint32_t stride = static_cast<uint32_t>(camera.width_px()) * Pixel::kBytes;
+    std::vector<uint8_t> buffer(static_cast<size_t>(stride) * kSpanStripeRows);
+    for (int y = 0; y < camera.height_px(); y += kSpanStripeRows) {
+        leave_if_interrupted();
+        const int rows = std::min(kSpanStripeRows, camera.height_px() - y);
+        const Stripe stripe = {buffer.data(), 0, y, camera.width_px(), rows, stride};
+        const RenderError error = render_spans<Reconstruction, Texel, Pixel>(
+            field, camera, OverColour{settings.background}, stripe, settings.span_px);
+        assert(error == RenderError::none);  // draw() chose the texel policy by the field's own format
+        static_cast<void>(error);
+        copy_stripe<Pixel>(stripe, picture);
+    }
+    return picture;
+}
+
+// The choices, one after another: each calls `next` with a value of the policy's type.
+template <class Next, uint32_t... kNeighbours>
+Picture with_neighbours(uint32_t count, const Next& next, std::integer_sequence<uint32_t, kNeighbours...>)
+{
+    Picture picture;
+    ((count == kNeighbours + 1 ? void(picture = next(Paper<kNeighbours + 1>())) : void()), ...);
+    return picture;
+}
+
+template <class Next>
+Picture with_reconstruction(const DrawSettings& settings, const Next& next)
+{
+    switch (settings.mode) {
+        case Mode::nearest:
+            return next(Nearest());
+        case Mode::voronoi:
+            return next(NearestVoronoi());
+        case Mode::dither:
+            return next(Dither());
+        case Mode::linear:
+            return next(Linear());
+        case Mode::paper:
+            return with_neighbours(settings.neighbours, next, std::make_integer_sequence<uint32_t, kMaxNeighbours>());
+    }
+    throw std::logic_error("unknown mode");
+}
+
+template <class Next>
+Picture with_pixel(DisplayFormat display, const Next& next)
+{
+    switch (display) {
+        case DisplayFormat::rgb888:
+            return next(PixelRgb888());
+        case DisplayFormat::rgb565:
+            return next(PixelRgb565());
+        case DisplayFormat::grey8:
+            return next(PixelGrey8());
+    }
+    throw std::logic_error("unknown display format");
+}
+
+// Draws all stripes of a field whose texels are of the format Texel.
+template <class Texel>
+Picture draw_texels(const Field& field, const Camera& camera, const DrawSettings& settings)
+{
+    return with_reconstruction(settings, [&](auto reconstruction) {
+        return with_pixel(settings.display, [&](auto pixel) {
+            return draw_as<decltype(reconstruction), Texel, decltype(pixel)>(field, camera, settings);
+        });
+    });
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "files/field_file.h"
+
+#include <cstring>
+#include <map>
+
+#include "lumi/crc32.h"
+#include "terminal/failure.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+const char* mend_of(FieldError error)
+{
+    switch (error) {
+        case FieldError::bad_magic:
+            return "give a field file that `lumi bake` wrote";
+        case FieldError::unsupported_version:
+        case FieldError::unknown_required:
+            return "use a newer lumi, or bake the scene again with this one";
+        case FieldError::truncated:
+        case FieldError::trailing_bytes:
+        case FieldError::header_crc:
+        case FieldError::table_crc:
+        case FieldError::section_crc:
+            return "copy the file again or bake it again";
+        default:
+            return "bake it again";
+    }
+}
+
+uint32_t read_u32(const uint8_t* bytes)
+{
+    return static_cast<uint32_t>(bytes[0]) | static_cast<uint32_t>(bytes[1]) << 8 |
+           static_cast<uint32_t>(bytes[2]) << 16 | static_cast<uint32_t>(bytes[3]) << 24;
+}
+
+}  // namespace
+
+std::string title_of(const std::string& type)
+{
+    static const std::map<std::string, std::string> titles = {
+        {"TEXL", "texel"},       {"LAYO", "layout"},       {"PALT", "palette"},
+        {"GUID", "guided"},      {"PROX", "proxy"},        {"MEAN", "mean colour"},
+        {"CHRT", "chart texel"}, {"CPAL", "chart colour"}, {"OCCL", "occlusion"}};
+    const auto title = titles.find(type);
+    return title != titles.end() ? title->second : "\"" + type + "\"";
+}
+
+FieldFile::FieldFile(const std::string& path) : path_(path)
+{
+    if (const int error = file_.open(path); error != 0)
+        throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
+    FieldError error = open_field(file_.bytes(), file_.size(), field_);
+    is_guided_ = error == FieldError::guided_field;
+    if (is_guided_) error = open_guided(file_.bytes(), file_.size(), guided_);
+    if (error != FieldError::none) throw Failure(path, describe(error), mend_of(error));
+}
+
+const Field& FieldFile::require_chord(const std::string& task) const
+{
+    if (is_guided_) throw Failure(path_, "is a guided field, " + task, "give a field baked with --layout chord");
+    return field_;
+}
+
+std::vector<Section> FieldFile::sections() const
+{
+    const uint8_t* bytes = file_.bytes();
+    const uint32_t count = read_u32(bytes + format::header::kSectionCountAt) & 0xFFFF;
+    std::vector<Section> sections;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint8_t* entry = bytes + format::kHeaderBytes + i * format::kEntryBytes;
+        Section section;
+        section.type.assign(reinterpret_cast<const char*>(entry + format::entry::kTypeAt), sizeof(uint32_t));
+        section.required = (read_u32(entry + format::entry::kFlagsAt) & format::kRequired) != 0;
+        section.offset = read_u32(entry + format::entry::kOffsetAt);
+        section.bytes = read_u32(entry + format::entry::kSizeAt);
+        section.crc32 = read_u32(entry + format::entry::kCrcAt);
+        sections.push_back(section);
+    }
+    return sections;
+}
+
+bool FieldFile::is_intact(const Section& section) const
+{
+    return lumi::crc32(0, file_.bytes() + section.offset, section.bytes) == section.crc32;
+}
+
+void FieldFile::require_intact() const
+{
+    for (const Section& section : sections())
+        if (!is_intact(section))
+            throw Failure(path_, "the " + title_of(section.type) + " section's bytes are damaged (CRC)",
+                          mend_of(FieldError::section_crc));
+}
+
+const char* name_of(format::TexelFormat format)
+{
+    switch (format) {
+        case format::TexelFormat::rgb888:
+            return "rgb888";
+        case format::TexelFormat::rgb565:
+            return "rgb565";
+        case format::TexelFormat::palette8:
+            return "palette8";
+        case format::TexelFormat::luma8:
+            return "luma8";
+    }
+    return "unknown";
+}
+
+const char* name_of(format::GuidedTexel texel)
+{
+    switch (texel) {
+        case format::GuidedTexel::none:
+            return "none";
+        case format::GuidedTexel::index4:
+            return "index4";
+        case format::GuidedTexel::index8:
+            return "index8";
+        case format::GuidedTexel::vq8:
+            return "vq8";
+    }
+    return "unknown";
+}
+
+const char* name_of(format::GuidedSurface surface)
+{
+    return surface == format::GuidedSurface::proxy ? "proxy" : "focus";
+}
+
+const char* name_of(format::MeanFormat format)
+{
+    return format == format::MeanFormat::rgb565 ? "rgb565" : "palette8";
+}
+
+}  // namespace lumi::tools

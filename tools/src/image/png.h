@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// PNG files. src/png.cpp is the only file that sees stb.
+#pragma once
+
+#include <string>
+
+#include "image/picture.h"
+
+namespace lumi::tools
+{
+
+// Reads 8 bits a channel; grey becomes RGB, 16 bits are narrowed, alpha is ignored. Throws Failure.
+Picture read_png(const std::string& path);
+
+// The bytes of a PNG file. Throws std::length_error for a picture that no PNG can hold.
+std::string png_bytes(const Picture& picture);
+
+// Writes by write_output: throws Failure and leaves earlier output where that fails.
+void write_png(const std::string& path, const Picture& picture);
+
+}  // namespace lumi::tools

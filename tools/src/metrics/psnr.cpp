@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "metrics/psnr.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+double db_of(uint64_t squares, uint64_t values)
+{
+    constexpr double kPeak = 255;
+    if (squares == 0) return std::numeric_limits<double>::infinity();
+    return 10 * std::log10(kPeak * kPeak * static_cast<double>(values) / static_cast<double>(squares));
+}
+
+// Exact: 255² · 3 · 2^40 pixels fit.
+uint64_t squared_difference(const uint8_t* a, const uint8_t* b, size_t count)
+{
+    uint64_t squares = 0;
+    for (size_t i = 0; i < count; ++i) squares += static_cast<uint64_t>((a[i] - b[i]) * (a[i] - b[i]));
+    return squares;
+}
+
+}  // namespace
+
+double psnr_db(const Picture& a, const Picture& b)
+{
+    assert(same_size(a, b) && !a.rgb.empty());
+    return db_of(squared_difference(a.rgb.data(), b.rgb.data(), a.rgb.size()), a.rgb.size());
+}
+
+double psnr_db(const Picture& a, const Picture& b, const Mask& mask)
+{
+    assert(same_size(a, b) && 3 * mask.values.size() == a.rgb.size());
+    uint64_t squares = 0, values = 0;
+    for (size_t i = 0; i < mask.values.size(); ++i) {
+        if (mask.values[i] == 0) continue;
+        squares += squared_difference(&a.rgb[3 * i], &b.rgb[3 * i], 3);
+        values += 3;
+    }
+    assert(values != 0);
+    return db_of(squares, values);
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "terminal/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+template <class Number>
+std::optional<Number> parse_number(std::string_view text)
+{
+    Number value = {};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::optional<double> parse_finite(std::string_view text)
+{
+    const std::optional<double> value = parse_number<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<double> parse_share(std::string_view text)
+{
+    constexpr double kPercent = 0.01;
+    if (!text.empty() && text.back() == '%') {
+        const std::optional<double> percent = parse_finite(text.substr(0, text.size() - 1));
+        return percent ? std::optional<double>(*percent * kPercent) : std::nullopt;
+    }
+    return parse_finite(text);
+}
+
+// Three significant digits, as "%.3g" without ever an exponent. value is 0 or between 1 and 1000, rounding aside.
+std::string three_digits(double value)
+{
+    char text[32];
+    const int decimals = value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+// `value` in the largest unit that leaves at least 1; units are a factor 1000 apart.
+template <size_t kUnits>
+std::string with_unit(double value, const char* const (&units)[kUnits])
+{
+    constexpr double kStep = 1000;
+    constexpr double kRoundsUp = 999.5;
+    size_t unit = 0;
+    while (unit + 1 < kUnits && value >= kRoundsUp) {
+        value /= kStep;
+        ++unit;
+    }
+    return (unit == 0 ? std::to_string(std::llround(value)) : three_digits(value)) + units[unit];
+}
+
+}  // namespace
+
+std::optional<PixelSize> parse_size(std::string_view text)
+{
+    const size_t cross = text.find('x');
+    if (cross == std::string_view::npos) return std::nullopt;
+    const auto width = parse_number<int>(text.substr(0, cross));
+    const auto height = parse_number<int>(text.substr(cross + 1));
+    if (!width || !height || *width < 1 || *height < 1) return std::nullopt;
+    return PixelSize{*width, *height};
+}
+
+std::optional<std::array<double, 3>> parse_triple(std::string_view text)
+{
+    const size_t first = text.find(',');
+    const size_t second = first == std::string_view::npos ? first : text.find(',', first + 1);
+    if (second == std::string_view::npos) return std::nullopt;
+    const auto a = parse_finite(text.substr(0, first));
+    const auto b = parse_finite(text.substr(first + 1, second - first - 1));
+    const auto c = parse_finite(text.substr(second + 1));
+    if (!a || !b || !c) return std::nullopt;
+    return std::array<double, 3>{*a, *b, *c};
+}
+
+std::optional<Rgb8> parse_colour(std::string_view text)
+{
+    constexpr size_t kDigits = 6;
+    constexpr int kHexadecimal = 16;
+    if (!text.empty() && text.front() == '#') text.remove_prefix(1);
+    uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, kHexadecimal);
+    if (text.size() != kDigits || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return Rgb8{static_cast<uint8_t>(value >> 16), static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value)};
+}
+
+std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins)
+{
+    const bool is_share = text.find_first_of(".%") != std::string_view::npos;
+    std::optional<uint32_t> used;
+    if (!is_share)
+        used = parse_number<uint32_t>(text);
+    else if (const auto share = parse_share(text); share && *share > 0 && *share <= 1)
+        used = static_cast<uint32_t>(std::ceil(*share * origins));
+    return used && *used >= 1 && *used <= origins ? used : std::nullopt;
+}
+
+std::optional<PartOf> parse_part(std::string_view text)
+{
+    const size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    const auto part = parse_number<uint32_t>(text.substr(0, slash));
+    const auto count = parse_number<uint32_t>(text.substr(slash + 1));
+    if (!part || !count || *part < 1 || *part > *count) return std::nullopt;
+    return PartOf{*part, *count};
+}
+
+std::optional<uint64_t> parse_bytes(std::string_view text)
+{
+    constexpr double kKilo = 1e3, kKibi = 1024, kLargest = 1e18;
+    constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"", 1},
+        {"B", 1},
+        {"kB", kKilo},
+        {"KB", kKilo},
+        {"MB", kKilo * kKilo},
+        {"GB", kKilo * kKilo * kKilo},
+        {"KiB", kKibi},
+        {"MiB", kKibi * kKibi},
+        {"GiB", kKibi * kKibi * kKibi},
+    };
+    const size_t end = std::min(text.size(), text.find_first_not_of("0123456789."));
+    const auto number = parse_finite(text.substr(0, end));
+    for (const auto& [unit, factor] : kUnits)
+        if (number && text.substr(end) == unit && *number * factor < kLargest)
+            return static_cast<uint64_t>(*number * factor);
+    return std::nullopt;
+}
+
+std::string byte_text(uint64_t bytes)
+{
+    return with_unit(static_cast<double>(bytes), {" bytes", " kB", " MB", " GB"});
+}
+
+std::string count_text(double count)
+{
+    return with_unit(count, {"", " k", " M", " G"});
+}
+
+std::string duration_text(double seconds)
+{
+    constexpr long long kMinute = 60, kHour = 3600;
+    const long long total = std::llround(seconds);
+    char text[48];
+    if (total >= kHour)
+        std::snprintf(text, sizeof text, "%lld:%02lld:%02lld", total / kHour, total % kHour / kMinute, total % kMinute);
+    else
+        std::snprintf(text, sizeof text, "%lld:%02lld", total / kMinute, total % kMinute);
+    return text;
+}
+
+}  // namespace lumi::tools
