@@ -69,8 +69,8 @@ inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 #else
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 {
-    const auto five = [](uint32_t v) { return (v * settled(249u) + (1016u << 14)) >> 25; };
-    const uint32_t six = (g * settled(253u) + (508u << 14)) >> 24;
+    const auto five = [](uint32_t v) { return (v * settled(249u) + settled(1016u << 14)) >> 25; };
+    const uint32_t six = (g * settled(253u) + settled(508u << 14)) >> 24;
     return five(r) << 11 | six << 5 | five(b);
 }
 #endif
@@ -295,7 +295,7 @@ struct SpanSum<TexelRgb565, kCoverage> {
     void store(const Background& background, uint8_t* pixel) const
     {
         if constexpr (!kCoverage && kPacks565<Pixel>) {
-            const auto whole = [](uint32_t q13) { return (q13 + 4096u) >> 13; };
+            const auto whole = [](uint32_t q13) { return (q13 + settled(4096u)) >> 13; };
             Pixel::store_packed(pixel, static_cast<uint16_t>(whole(r) << 11 | whole(g) << 5 | whole(b)));
         } else {
             Pixel::store(pixel, over(background.template under<Pixel>(pixel)));

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// 3x3 texels of RGB888 on Armv6-M: three words a pixel, r, g and b (see taps.inc).
+//
+// Stack: 72 bytes. Instructions a pixel: 148 on average, 155 where cells may be flipped.
+#if defined(__ARM_ARCH_6M__)
+#include "taps.inc"
+
+texel1  .req    second                  // addresses of the second and third texel
+texel2  .req    third
+sum     .req    r0
+spare   .req    r7
+red     .req    r9                      // sums of the rows so far
+green   .req    r10
+blue    .req    r11
+
+// Goes on to the row whose step lies at [sp, step].
+        .macro  next_row step
+        ldr     spare, [sp, #\step]
+        adds    texel, texel, spare
+        adds    texel1, texel1, spare
+        adds    texel2, texel2, spare
+        .endm
+
+// The channel at `byte` of a row's texels, times the row's weight at [sp, weight].
+        .macro  sum_channel byte, weight
+        ldrb    sum, [texel, #\byte]
+        muls    sum, weight0, sum
+        ldrb    spare, [texel1, #\byte]
+        muls    spare, weight1, spare
+        adds    sum, sum, spare
+        ldrb    spare, [texel2, #\byte]
+        muls    spare, weight2, spare
+        adds    sum, sum, spare
+        ldr     spare, [sp, #\weight]
+        muls    sum, spare, sum
+        .endm
+
+// Moves or adds a row to the sums.
+        .macro  sum_row weight, to
+        sum_channel 0, \weight
+        \to     red, sum
+        sum_channel 1, \weight
+        \to     green, sum
+        sum_channel 2, \weight
+        \to     blue, sum
+        .endm
+
+        .macro  draw_rgb888 may_flip
+.Lpixel\@:
+        next_taps 7, 7, \may_flip
+        adds    texel1, texel1, texel
+        adds    texel2, texel2, texel
+        sum_row 0, mov
+        next_row 4
+        sum_row 8, add
+        next_row 12
+        sum_row 16, add
+        add     sp, #20
+        pop     {r1, r2}                // sums, end
+        mov     r3, red
+        mov     r4, green
+        mov     r5, blue
+        stmia   r1!, {r3, r4, r5}
+        push    {r1, r2}
+        cmp     r1, r2
+        beq     .Ldrawn\@
+        b       .Lpixel\@
+.Ldrawn\@:
+        .endm
+
+        begin_loop lumi_linear_rgb888, .Lplain
+        draw_rgb888 1
+        return
+.Lplain:
+        draw_rgb888 0
+        return
+        .size   lumi_linear_rgb888, . - lumi_linear_rgb888
+#endif
