@@ -179,7 +179,8 @@ void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
 template <class Background>
 bool can_follow_tile(const SpanTarget<Background>& span)
 {
-    return span.tile != nullptr && PairRows::can_follow(span.origins, span.tile->origins, span.length) &&
+    return span.tile != nullptr && span.length <= kMostPairPixels &&
+           PairRows::can_follow(span.origins, span.tile->origins, span.length) &&
            PairRows::can_follow(span.directions, span.tile->directions, span.length);
 }
 

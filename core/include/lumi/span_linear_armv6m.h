@@ -59,56 +59,55 @@ public:
     };
     LinearRows(const SpanSide& origins, const SpanSide& directions, const Field& field, uint32_t texel_bytes, Bits bits)
     {
-        may_flip_ = !(origins.uniform && directions.uniform);
-        const uint32_t row = begin(cells_.origins, origins, field.row_stride_bytes, bits.row);
-        const uint32_t tap = begin(cells_.directions, directions, texel_bytes, bits.tap);
+        const bool may_flip = !(origins.uniform && directions.uniform);
+        const uint32_t row = begin(cells_.origins, origins, field.row_stride_bytes, may_flip ? 0 : 1u << bits.row);
+        const uint32_t tap = begin(cells_.directions, directions, texel_bytes, may_flip ? 0 : 1u << bits.tap);
         const uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels)) + row + tap;
-        cells_.base = may_flip_ ? base : 0;
-        row_offset_ = cells_.origins.offset + (may_flip_ ? 0 : base);
-        tap_offset_ = cells_.directions.offset;
+        cells_.base = may_flip ? base : 0;
+        origin_offset_ = cells_.origins.offset + (may_flip ? 0 : base);
+        direction_offset_ = cells_.directions.offset;
     }
 
     // The cells before a row's first pixel.
     LinearCells* before(const PairRows& pairs)
     {
-        cells_.origins.offset = row_offset_;
-        cells_.directions.offset = tap_offset_;
-        begin(cells_.origins, {pairs.at().a, pairs.at().b}, {pairs.step().a, pairs.step().b});
-        begin(cells_.directions, {pairs.at().a << 16, pairs.at().b << 16}, {pairs.step().a << 16, pairs.step().b << 16});
+        const WordPair<uint32_t>& step = pairs.step();
+        const WordPair<uint32_t> before = {pairs.at().a - step.a, pairs.at().b - step.b};
+        begin(cells_.origins, origin_offset_, before, step);
+        begin(cells_.directions, direction_offset_, {before.a << 16, before.b << 16}, {step.a << 16, step.b << 16});
         return &cells_;
     }
 
 private:
-    // What all rows share, and the offset of the first one's cell; returns what all offsets are from.
-    uint32_t begin(LinearSide& to, const SpanSide& side, uint32_t bytes, int bits)
+    // What all rows share, and the offset of the first one's cell; returns what all offsets are from. `one` is 0 if
+    // cells may be flipped.
+    static uint32_t begin(LinearSide& to, const SpanSide& side, uint32_t bytes, uint32_t one)
     {
         const auto whole = [](int32_t q16) { return static_cast<uint32_t>(q16 >> 16); };
+        const uint32_t border = one == 0 ? static_cast<uint32_t>(side.flip) : 0;
         to.moving = &to.u;
+        to.one_or_mask = one == 0 ? static_cast<uint32_t>(side.flip_mask) : one;
         to.first = static_cast<uint32_t>(side.first) * bytes;
         to.second = static_cast<uint32_t>(side.second) * bytes;
         to.across = to.first + to.second;
-        const uint32_t border = may_flip_ ? static_cast<uint32_t>(side.flip) : 0;
-        to.one_or_mask = may_flip_ ? static_cast<uint32_t>(side.flip_mask) : 1u << bits;
         to.offset = to.first * whole(side.u_q16) + to.second * whole(side.v_q16) - border * bytes;
         return (static_cast<uint32_t>(side.base) + border) * bytes;
     }
 
-    // A pixel before `at`, coordinates in the upper halves.
-    static void begin(LinearSide& to, const WordPair<uint32_t>& at, const WordPair<uint32_t>& step)
+    // Coordinates and steps in the upper halves.
+    static void begin(LinearSide& to, uint32_t offset, const WordPair<uint32_t>& at, const WordPair<uint32_t>& step)
     {
         const auto whole = [](uint32_t q28) { return static_cast<uint32_t>(static_cast<int32_t>(q28) >> 28); };
-        const WordPair<uint32_t> before = {at.a - step.a, at.b - step.b};
         to.du = step.a << 4;
         to.dv = step.b << 4;
         to.drift = to.first * whole(step.a) + to.second * whole(step.b);
-        to.u = before.a << 4;
-        to.v = before.b << 4;
-        to.offset += to.first * whole(before.a) + to.second * whole(before.b);
+        to.u = at.a << 4;
+        to.v = at.b << 4;
+        to.offset = offset + to.first * whole(at.a) + to.second * whole(at.b);
     }
 
     LinearCells cells_;
-    bool may_flip_;
-    uint32_t row_offset_, tap_offset_;  // of the first cells
+    uint32_t origin_offset_, direction_offset_;  // of the first cells
 };
 
 struct Armv6mColours {

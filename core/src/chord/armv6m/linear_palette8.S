@@ -37,8 +37,8 @@ mask    .req    lr                      // LANES
         muls    \lanes, \weight, \lanes
         .endm
 
-// A row, times its weight at [sp, weight], moved or added to the sums.
-        .macro  sum_row weight, to
+// The sums of a row's three entries, in `entry`, and of their lanes, in `sum`.
+        .macro  sum_row
         ldrb    entry, [texel]
         weigh   sum, weight0
         mov     words, entry
@@ -52,18 +52,23 @@ mask    .req    lr                      // LANES
         weigh   lanes, weight2
         adds    sum, sum, lanes
         add     entry, words
-        subs    entry, entry, sum
-        lsls    entry, entry, #8
-        lsrs    entry, entry, #16
+        .endm
+
+// Takes these apart into registers r, g, b, of which r may be `sum`, each times the row's weight at [sp, weight]. `to`
+// says what becomes of each and its sum.
+        .macro  split_row weight, to, r, g, b
         ldr     lanes, [sp, #\weight]
-        muls    entry, lanes, entry
-        \to     green, entry
-        lsrs    entry, sum, #16
-        muls    entry, lanes, entry
-        \to     blue, entry
-        uxth    sum, sum
-        muls    sum, lanes, sum
-        \to     red, sum
+        subs    \g, entry, sum
+        lsls    \g, \g, #8
+        lsrs    \g, \g, #16
+        muls    \g, lanes, \g
+        \to     green, \g
+        lsrs    \b, sum, #16
+        muls    \b, lanes, \b
+        \to     blue, \b
+        uxth    \r, sum
+        muls    \r, lanes, \r
+        \to     red, \r
         .endm
 
         .macro  draw_palette8 may_flip
@@ -73,17 +78,17 @@ mask    .req    lr                      // LANES
         next_taps 7, 7, \may_flip
         push    {second, third}
         ldr     palette, [sp, #(OFFSETS_BYTES + 20 + FRAME_PALETTE)]
-        sum_row 8, mov
+        sum_row
+        split_row 8, mov, sum, entry, entry
         next_row 12
-        sum_row 16, add
+        sum_row
+        split_row 16, add, sum, entry, entry
         next_row 20
-        sum_row 24, add
+        sum_row
+        split_row 24, add_to, r3, r4, r5
         add     sp, #(OFFSETS_BYTES + 20)
         pop     {r1, r2}                // sums, end
-        mov     r3, red
-        mov     r4, green
-        mov     r5, blue
-        stmia   r1!, {r3, r4, r5}
+        stmia   r1!, {r3, r4, r5}       // red, green, blue
         push    {r1, r2}
         cmp     r1, r2
         beq     .Ldrawn\@

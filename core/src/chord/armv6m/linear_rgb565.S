@@ -33,8 +33,8 @@ mask    .req    lr                      // FIELDS
         muls    fields, \weight, fields
         .endm
 
-// A row, times its weight at [sp, weight], moved or added to the sums.
-        .macro  sum_row weight, to
+// The sum of a row's three texels, in `fields`.
+        .macro  sum_row
         ldrh    fields, [texel]
         weigh   weight0
         movs    sum, fields
@@ -45,18 +45,23 @@ mask    .req    lr                      // FIELDS
         ldrh    fields, [texel, fields]
         weigh   weight2
         adds    fields, fields, sum
+        .endm
+
+// Takes `fields` apart into registers r, g, b, of which r may be `fields`, each times the row's weight at [sp, weight].
+// `to` says what becomes of each and its sum.
+        .macro  split_row weight, to, r, g, b
         ldr     spare, [sp, #\weight]
-        lsrs    sum, fields, #21
-        muls    sum, spare, sum
-        \to     green, sum
-        lsls    sum, fields, #21
-        lsrs    sum, sum, #21
-        muls    sum, spare, sum
-        \to     blue, sum
-        lsls    fields, fields, #11
-        lsrs    fields, fields, #22
-        muls    fields, spare, fields
-        \to     red, fields
+        lsrs    \g, fields, #21
+        muls    \g, spare, \g
+        \to     green, \g
+        lsls    \b, fields, #21
+        lsrs    \b, \b, #21
+        muls    \b, spare, \b
+        \to     blue, \b
+        lsls    \r, fields, #11
+        lsrs    \r, \r, #22
+        muls    \r, spare, \r
+        \to     red, \r
         .endm
 
         .macro  draw_rgb565 may_flip
@@ -65,17 +70,17 @@ mask    .req    lr                      // FIELDS
 .Lpixel\@:
         next_taps 8, 5, \may_flip
         mov     third_, third
-        sum_row 0, mov
+        sum_row
+        split_row 0, mov, fields, sum, sum
         next_row 4
-        sum_row 8, add
+        sum_row
+        split_row 8, add, fields, sum, sum
         next_row 12
-        sum_row 16, add
+        sum_row
+        split_row 16, add_to, r3, r4, r5
         add     sp, #20
         pop     {r1, r2}                // sums, end
-        mov     r3, red
-        mov     r4, green
-        mov     r5, blue
-        stmia   r1!, {r3, r4, r5}
+        stmia   r1!, {r3, r4, r5}       // red, green, blue
         push    {r1, r2}
         cmp     r1, r2
         beq     .Ldrawn\@

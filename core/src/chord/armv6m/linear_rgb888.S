@@ -35,14 +35,14 @@ blue    .req    r11
         muls    sum, spare, sum
         .endm
 
-// Moves or adds a row to the sums.
-        .macro  sum_row weight, to
+// A row, times its weight. `to` says what becomes of red, which comes last, and `others` of the other sums.
+        .macro  sum_row weight, others, to
+        sum_channel 2, \weight
+        \others blue, sum
+        sum_channel 1, \weight
+        \others green, sum
         sum_channel 0, \weight
         \to     red, sum
-        sum_channel 1, \weight
-        \to     green, sum
-        sum_channel 2, \weight
-        \to     blue, sum
         .endm
 
         .macro  draw_rgb888 may_flip
@@ -50,17 +50,16 @@ blue    .req    r11
         next_taps 7, 7, \may_flip
         adds    texel1, texel1, texel
         adds    texel2, texel2, texel
-        sum_row 0, mov
+        sum_row 0, mov, mov
         next_row 4
-        sum_row 8, add
+        sum_row 8, add, add
         next_row 12
-        sum_row 16, add
+        sum_row 16, add, add_to
         add     sp, #20
         pop     {r1, r2}                // sums, end
-        mov     r3, red
-        mov     r4, green
-        mov     r5, blue
-        stmia   r1!, {r3, r4, r5}
+        mov     r3, green
+        mov     r4, blue
+        stmia   r1!, {sum, r3, r4}      // red, green, blue
         push    {r1, r2}
         cmp     r1, r2
         beq     .Ldrawn\@
