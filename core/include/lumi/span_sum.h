@@ -69,8 +69,8 @@ inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 #else
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 {
-    const auto five = [](uint32_t v) { return (v * settled(249u) + settled(1016u << 14)) >> 25; };
-    const uint32_t six = (g * settled(253u) + settled(508u << 14)) >> 24;
+    const auto five = [](uint32_t v) { return ((v * settled(249u) >> 17) + 127) >> 8; };
+    const uint32_t six = ((g * settled(253u) >> 16) + 127) >> 8;
     return five(r) << 11 | six << 5 | five(b);
 }
 #endif
@@ -243,7 +243,7 @@ struct SpanSum<TexelLuma8, kCoverage> {
     {
         const auto over = [&](uint8_t under) {
             const uint32_t t = kCoverage ? (1u << 24) - a : 0;
-            return static_cast<uint8_t>((y + t * under + (1u << 23)) >> 24);
+            return static_cast<uint8_t>((y + t * under + settled(1u << 23)) >> 24);
         };
         if (!kCoverage) return Pixel::store_grey(pixel, over(0));
         const Rgb8 under = background.template under<Pixel>(pixel);

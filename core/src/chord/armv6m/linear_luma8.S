@@ -5,6 +5,7 @@
 #if defined(__ARM_ARCH_6M__)
 #include "taps.inc"
 
+base    .req    lr
 sum     .req    r0
 spare   .req    r7
 rows    .req    r12                     // the sum of the rows so far
@@ -46,11 +47,11 @@ rows    .req    r12                     // the sum of the rows so far
         bne     .Lpixel\@
         .endm
 
-        begin_loop lumi_linear_luma8, .Lplain
+        begin_loop lumi_linear_luma8, .Lplain, 0
         draw_luma8 1
-        return
+        return 0
 .Lplain:
         draw_luma8 0
-        return
+        return 0
         .size   lumi_linear_luma8, . - lumi_linear_luma8
 #endif

@@ -8,6 +8,7 @@
 #if defined(__ARM_ARCH_6M__)
 #include "taps.inc"
 
+base    .req    r8
         .equ    LANES, 0x00FF00FF
         .equ    OFFSETS_BYTES, 8        // pushed below the rows: `second` and `third`
 
@@ -96,11 +97,11 @@ mask    .req    lr                      // LANES
 .Ldrawn\@:
         .endm
 
-        begin_loop lumi_linear_palette8, .Lplain
+        begin_loop lumi_linear_palette8, .Lplain, 1
         draw_palette8 1
-        return
+        return 1
 .Lplain:
         draw_palette8 0
-        return
+        return 1
         .size   lumi_linear_palette8, . - lumi_linear_palette8
 #endif

@@ -7,6 +7,7 @@
 #if defined(__ARM_ARCH_6M__)
 #include "taps.inc"
 
+base    .req    r8
         .equ    FIELDS, 0x07E0F81F
 
 fields  .req    r0
@@ -88,11 +89,11 @@ mask    .req    lr                      // FIELDS
 .Ldrawn\@:
         .endm
 
-        begin_loop lumi_linear_rgb565, .Lplain
+        begin_loop lumi_linear_rgb565, .Lplain, 1
         draw_rgb565 1
-        return
+        return 1
 .Lplain:
         draw_rgb565 0
-        return
+        return 1
         .size   lumi_linear_rgb565, . - lumi_linear_rgb565
 #endif

@@ -5,6 +5,7 @@
 #if defined(__ARM_ARCH_6M__)
 #include "taps.inc"
 
+base    .req    r8
 texel1  .req    second                  // addresses of the second and third texel
 texel2  .req    third
 sum     .req    r0
@@ -67,11 +68,11 @@ blue    .req    r11
 .Ldrawn\@:
         .endm
 
-        begin_loop lumi_linear_rgb888, .Lplain
+        begin_loop lumi_linear_rgb888, .Lplain, 1
         draw_rgb888 1
-        return
+        return 1
 .Lplain:
         draw_rgb888 0
-        return
+        return 1
         .size   lumi_linear_rgb888, . - lumi_linear_rgb888
 #endif
