@@ -151,8 +151,8 @@ void draw_assembled(const SpanTarget<Background>& span, const TileRows* tile)
     using Loop = Armv6mLoop<Sum>;
     const uint8_t* const palette = span.field.palette;
     const uint32_t words = static_cast<uint32_t>(span.length) * Loop::kWords;
-    LinearRows cells(span.origins, span.directions, span.field, format::bytes_per_texel(Texel::kFormat),
-                     {Sum::kRowBits, Sum::kTapBits});
+    typename Loop::Rows cells(span.origins, span.directions, span.field, format::bytes_per_texel(Texel::kFormat),
+                              {Sum::kRowBits, Sum::kTapBits});
     PairRows rows(span, tile);
     do {
         uint32_t sums[kMostPairPixels * Loop::kWords];

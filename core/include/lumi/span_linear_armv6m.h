@@ -16,7 +16,7 @@
 namespace lumi
 {
 
-// Whether a sum has an assembled loop, and which: kWords a pixel, draw() and what the words are.
+// Whether a sum has an assembled loop, and which: Rows of cells, draw(), and the sum of a pixel's kWords words.
 template <class Sum>
 struct Armv6mLoop {
     static constexpr bool kExists = false;
@@ -110,15 +110,15 @@ private:
     uint32_t origin_offset_, direction_offset_;  // of the first cells
 };
 
-struct Armv6mColours {
+template <uint32_t kSumWords>
+struct Armv6mLoopOf {
     static constexpr bool kExists = true;
-    static constexpr uint32_t kWords = 3;
+    static constexpr uint32_t kWords = kSumWords;
+    using Rows = LinearRows;
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelLuma8, false>> {
-    static constexpr bool kExists = true;
-    static constexpr uint32_t kWords = 1;
+struct Armv6mLoop<SpanSum<TexelLuma8, false>> : Armv6mLoopOf<1> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t*)
     {
         lumi_linear_luma8(sums, end, cells);
@@ -127,7 +127,7 @@ struct Armv6mLoop<SpanSum<TexelLuma8, false>> {
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelRgb888, false>> : Armv6mColours {
+struct Armv6mLoop<SpanSum<TexelRgb888, false>> : Armv6mLoopOf<3> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t*)
     {
         lumi_linear_rgb888(sums, end, cells);
@@ -136,7 +136,7 @@ struct Armv6mLoop<SpanSum<TexelRgb888, false>> : Armv6mColours {
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelRgb565, false>> : Armv6mColours {
+struct Armv6mLoop<SpanSum<TexelRgb565, false>> : Armv6mLoopOf<3> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t*)
     {
         lumi_linear_rgb565(sums, end, cells);
@@ -145,7 +145,7 @@ struct Armv6mLoop<SpanSum<TexelRgb565, false>> : Armv6mColours {
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelPalette8, false>> : Armv6mColours {
+struct Armv6mLoop<SpanSum<TexelPalette8, false>> : Armv6mLoopOf<3> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t* palette)
     {
         lumi_linear_palette8(sums, end, cells, palette);

@@ -69,8 +69,9 @@ inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 #else
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 {
-    const auto five = [](uint32_t v) { return ((v * settled(249u) >> 17) + 127) >> 8; };
-    const uint32_t six = ((g * settled(253u) >> 16) + 127) >> 8;
+    const uint32_t half = settled(127u);
+    const auto five = [&](uint32_t v) { return (half + (v * settled(249u) >> 17)) >> 8; };
+    const uint32_t six = (half + (g * settled(253u) >> 16)) >> 8;
     return five(r) << 11 | six << 5 | five(b);
 }
 #endif
