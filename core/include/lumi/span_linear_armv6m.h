@@ -33,14 +33,14 @@ struct LinearSide {
     uint32_t first, second, across;
 };
 
-// Without flipped cells the origins' offset is an address. With them `base` is the address from which both offsets
-// count, each from the border of its flipped cells, below 2^31 for fields of less than 1 GB.
+// Where no cell is flipped the origins' offset is an address. Else `base` is the address from which both offsets count,
+// each from the border of its flipped cells, below 2^31 for fields of less than 1 GB.
 struct LinearCells {
     LinearSide origins, directions;
-    uint32_t base;  // 0: no cell is flipped
+    uint32_t base, may_flip;
 };
 static_assert(offsetof(LinearSide, first) - offsetof(LinearSide, u) == 16, "SIDE_FIRST, SIDE_SECOND of taps.inc");
-static_assert(offsetof(LinearCells, base) == 88, "CELLS_BASE of taps.inc");
+static_assert(offsetof(LinearCells, base) == 88, "CELLS_BASE, CELLS_MAY_FLIP of taps.inc");
 
 // Draw from the pixel after the one at which `cells` are, and move them on, until `sums` reaches `end`: at least one.
 extern "C" {
@@ -63,7 +63,8 @@ public:
         const uint32_t row = begin(cells_.origins, origins, field.row_stride_bytes, may_flip ? 0 : 1u << bits.row);
         const uint32_t tap = begin(cells_.directions, directions, texel_bytes, may_flip ? 0 : 1u << bits.tap);
         const uint32_t base = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(field.texels)) + row + tap;
-        cells_.base = may_flip ? base : 0;
+        cells_.base = base;
+        cells_.may_flip = may_flip;
         origin_offset_ = cells_.origins.offset + (may_flip ? 0 : base);
         direction_offset_ = cells_.directions.offset;
     }
