@@ -30,8 +30,8 @@ int32_t between(std::minstd_rand& random, int32_t low, int32_t high)
     return std::uniform_int_distribution<int32_t>(low, high)(random);
 }
 
-// Either kind of cell may begin within the span's own.
-CellLine random_side(std::minstd_rand& random)
+// Either kind of cell may begin within the span's own; without flips all are taken for the same kind.
+CellLine random_side(std::minstd_rand& random, bool may_flip)
 {
     CellLine side{};
     side.u_q16 = between(random, -(4 << 16), 4 << 16);
@@ -43,6 +43,7 @@ CellLine random_side(std::minstd_rand& random)
     side.second = 377 * sign;
     side.flip = between(random, -2000, 2000);
     side.flip_mask = -between(random, 0, 1);
+    side.uniform = !may_flip;
     return side;
 }
 
@@ -52,29 +53,30 @@ LineChange random_down(std::minstd_rand& random)
             between(random, -400, 400)};
 }
 
+// Of three bytes, which show more of a sum than packed colours do.
+using Pixel = PixelRgb888;
 struct Pixels {
-    uint16_t row[kTileRows][kPixels] = {};
+    uint8_t row[kTileRows][kPixels * Pixel::kBytes] = {};
 };
 
 template <bool kFlips, class Texel, class Background>
 void compare(const Field& field, const Background& background, std::minstd_rand& random)
 {
     for (int k = 0; k < kSpans; ++k) {
-        CellLine origins = random_side(random);
-        CellLine directions = random_side(random);
+        CellLine origins = random_side(random, kFlips);
+        CellLine directions = random_side(random, kFlips);
         const LineChange down[] = {random_down(random), random_down(random)};
         const int32_t length = between(random, 1, kPixels);
         const int32_t first = between(random, 0, kTileRows - 1);
         const TileRows tile = {first, between(random, 1, kTileRows - first), sizeof(Pixels::row[0]), down[0], down[1]};
         Pixels every, own;
         const auto target = [&](Pixels& pixels) {
-            return SpanTarget<Background>{field,   background, reinterpret_cast<uint8_t*>(pixels.row),
-                                          length,  0,          0,
-                                          origins, directions, k % 2 != 0 ? &tile : nullptr};
+            return SpanTarget<Background>{
+                field, background, pixels.row[0], length, 0, 0, origins, directions, k % 2 != 0 ? &tile : nullptr};
         };
         const TileRows* const all = can_follow_tile(target(every)) ? &tile : nullptr;
-        draw_pairs<kFlips, Texel, PixelRgb565>(target(every), all);
-        draw_cells<kFlips, Texel, PixelRgb565>(target(own), all);
+        draw_pairs<kFlips, Texel, Pixel>(target(every), all);
+        draw_cells<Texel, Pixel>(target(own), all);
         INFO("span " << k);
         REQUIRE(std::memcmp(every.row, own.row, sizeof(every.row)) == 0);
     }

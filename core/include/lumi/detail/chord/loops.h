@@ -8,10 +8,10 @@
 
 #include "lumi/pixel.h"
 #include "lumi/reconstruction.h"
+#include "lumi/detail/chord/linear_armv6m.h"
 #include "lumi/detail/chord/pairs.h"
 #include "lumi/detail/chord/side_taps.h"
 #include "lumi/detail/chord/sums.h"
-#include "lumi/detail/chord/sums_armv6m.h"
 #include "lumi/detail/chord/target.h"
 
 namespace lumi
@@ -174,47 +174,44 @@ void draw_pairs(const SpanTarget<Background>& span, const TileRows* tile)
     }
 }
 
-// The same where the core has a loop of its own.
-template <bool kFlips, class Texel, class Pixel, class Background>
-void draw_thumb_pairs(const SpanTarget<Background>& span, const TileRows* tile)
+// The same by the core's own loop: the sums of a row, then its pixels.
+template <class Texel, class Pixel, class Background>
+void draw_assembled(const SpanTarget<Background>& span, const TileRows* tile)
 {
     using Sum = SpanSum<Texel, false>;
-    ThumbPairs<kFlips, Sum> pairs(span.origins, span.directions, span.field,
-                                  static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat)));
+    using Loop = Armv6mLoop<Sum>;
+    const uint8_t* const palette = span.field.palette;
+    const uint32_t words = static_cast<uint32_t>(span.length) * Loop::kWords;
+    typename Loop::Rows cells(span.origins, span.directions, span.field, format::bytes_per_texel(Texel::kFormat),
+                              {Sum::kRowBits, Sum::kTapBits});
     PairRows rows(span, tile);
-    for (;;) {
-        pairs.begin(rows);
+    do {
+        uint32_t sums[kMostPairPixels * Loop::kWords];
+        const uint32_t* const end = sums + words;
+        Loop::draw(sums, end, cells.before(rows), palette);
         uint8_t* pixel = rows.pixels();
-        for (const uint8_t* end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes; pixel != end;
-             pixel += Pixel::kBytes) {
-            pairs.pixel().template store<Pixel>(span.background, pixel);
-        }
-        if (!rows.go_down()) return;
-    }
-}
-
-template <bool kFlips, class Texel, class Pixel, class Background>
-void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
-{
-    if constexpr (kHasThumbPairs<SpanSum<Texel, !Background::kIsBlack>>) {
-        draw_thumb_pairs<kFlips, Texel, Pixel>(span, tile);
-    } else {
-        draw_pairs<kFlips, Texel, Pixel>(span, tile);
-    }
+        for (const uint32_t* at = sums; at != end; at += Loop::kWords, pixel += Pixel::kBytes)
+            Loop::sum(at).template store<Pixel>(span.background, pixel);
+    } while (rows.go_down());
 }
 
 template <class Texel, class Pixel, class Background>
 void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
 {
-    if (span.origins.uniform && span.directions.uniform) return draw_cells<false, Texel, Pixel>(span, tile);
-    draw_cells<true, Texel, Pixel>(span, tile);
+    if constexpr (Armv6mLoop<SpanSum<Texel, !Background::kIsBlack>>::kExists) {
+        draw_assembled<Texel, Pixel>(span, tile);
+    } else {
+        if (span.origins.uniform && span.directions.uniform) return draw_pairs<false, Texel, Pixel>(span, tile);
+        draw_pairs<true, Texel, Pixel>(span, tile);
+    }
 }
 
 // Whether a tile's rows are drawn at once, all of them or some.
 template <class Background>
 bool can_follow_tile(const SpanTarget<Background>& span)
 {
-    return span.tile != nullptr && PairRows::can_follow(span.origins, span.tile->origins, span.length) &&
+    return span.tile != nullptr && span.length <= kMostPairPixels &&
+           PairRows::can_follow(span.origins, span.tile->origins, span.length) &&
            PairRows::can_follow(span.directions, span.tile->directions, span.length);
 }
 

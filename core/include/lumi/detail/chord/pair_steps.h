@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lattice steps of both sides of a span (see span_pair.h), and what a pixel's coordinates select of them. With
+// The lattice steps of both sides of a span (see pairs.h), and what a pixel's coordinates select of them. With
 // Armv7E-M's DSP extension both sides share registers and instructions; the results are the same.
 #pragma once
 

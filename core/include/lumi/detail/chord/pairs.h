@@ -26,15 +26,16 @@ struct PairFlip {
     }
 };
 
+inline constexpr int32_t kMostPairPixels = 1 << kMaxSpanLog2;
+
 // Whether a span's steps are few and short enough: from 4095/4096 of a cell 15 of them end within [-8, 8).
 inline bool can_follow(const CellLine& origins, const CellLine& directions, int32_t length)
 {
-    constexpr int32_t kMostPixels = 16;
     constexpr uint32_t kBelow = 34952;  // steps from -34952/65536 on
     constexpr uint32_t kRange = 0x10000;
     const auto above = [](int32_t d_q16) { return static_cast<uint32_t>(d_q16) + kBelow; };
-    return length <= kMostPixels && (above(origins.du_q16) | above(origins.dv_q16) | above(directions.du_q16) |
-                                     above(directions.dv_q16)) < kRange;
+    return length <= kMostPairPixels && (above(origins.du_q16) | above(origins.dv_q16) | above(directions.du_q16) |
+                                         above(directions.dv_q16)) < kRange;
 }
 
 // Coordinates of both sides in the first pixel's cells, and their steps.

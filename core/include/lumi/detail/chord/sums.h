@@ -69,8 +69,9 @@ inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 #else
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 {
-    const auto five = [](uint32_t v) { return (v * settled(249u) + (1016u << 14)) >> 25; };
-    const uint32_t six = (g * settled(253u) + (508u << 14)) >> 24;
+    const uint32_t half = settled(127u);
+    const auto five = [&](uint32_t v) { return (half + (v * settled(249u) >> 17)) >> 8; };
+    const uint32_t six = (half + (g * settled(253u) >> 16)) >> 8;
     return five(r) << 11 | six << 5 | five(b);
 }
 #endif
@@ -243,7 +244,7 @@ struct SpanSum<TexelLuma8, kCoverage> {
     {
         const auto over = [&](uint8_t under) {
             const uint32_t t = kCoverage ? (1u << 24) - a : 0;
-            return static_cast<uint8_t>((y + t * under + (1u << 23)) >> 24);
+            return static_cast<uint8_t>((y + t * under + settled(1u << 23)) >> 24);
         };
         if (!kCoverage) return Pixel::store_grey(pixel, over(0));
         const Rgb8 under = background.template under<Pixel>(pixel);
@@ -295,7 +296,7 @@ struct SpanSum<TexelRgb565, kCoverage> {
     void store(const Background& background, uint8_t* pixel) const
     {
         if constexpr (!kCoverage && kPacks565<Pixel>) {
-            const auto whole = [](uint32_t q13) { return (q13 + 4096u) >> 13; };
+            const auto whole = [](uint32_t q13) { return (q13 + settled(4096u)) >> 13; };
             Pixel::store_packed(pixel, static_cast<uint16_t>(whole(r) << 11 | whole(g) << 5 | whole(b)));
         } else {
             Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
