@@ -2,6 +2,7 @@
 #include "lumi/baker/merge.h"
 
 #include "guided_merge.h"
+#include "lumi/baker/file_guard.h"
 #include "row_file.h"
 #include "shard_set.h"
 
@@ -95,16 +96,6 @@ MergedField merge_chord(ShardSet& set, const fs::path& output, const std::functi
     return field;
 }
 
-void refuse_own_input(const std::vector<fs::path>& shards, const fs::path& output)
-{
-    std::error_code ignored;
-    for (const fs::path& shard : shards) {
-        if (fs::equivalent(shard, output, ignored)) {
-            throw BakeError(output.string() + ": is one of the shards; choose another name for the field");
-        }
-    }
-}
-
 }  // namespace
 
 MergeError::MergeError(std::vector<std::string> all) : BakeError(joined(all)), problems(std::move(all)) {}
@@ -117,7 +108,7 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
             throw Cancelled();
         }
     };
-    refuse_own_input(shards, output);
+    const FileGuard guard;
     ShardSet set(shards);
     return set.is_guided() ? merge_guided(set, output, leave_if_cancelled)
                            : merge_chord(set, output, leave_if_cancelled);

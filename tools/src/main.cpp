@@ -4,6 +4,7 @@
 
 #include "commands/commands.h"
 #include "commands/help_formatter.h"
+#include "lumi/baker/file_guard.h"
 #include "lumi/tools/failure.h"
 #include "lumi/tools/interrupt.h"
 
@@ -57,6 +58,7 @@ int main(int argc, char** argv)
     for (const auto add :
          {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed, add_bench})
         add(lumi);
+    const lumi::baker::FileGuard guard;
     try {
         lumi.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -72,3 +74,4 @@ int main(int argc, char** argv)
     }
     return kExitOk;
 }
+

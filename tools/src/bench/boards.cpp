@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lumi/baker/file_guard.h"
 #include "lumi/tools/failure.h"
 #include "process.h"
 
@@ -84,7 +85,9 @@ Board::Board(const std::string& core, const std::filesystem::path& source, const
     : folder_(work / cpu_of(core))
 {
     run_program(configure_command(core, source, folder_));
-    std::ifstream board(folder_ / "platform" / "bench" / "board.txt");
+    const std::filesystem::path facts = folder_ / "platform" / "bench" / "board.txt";
+    baker::note_input(facts);
+    std::ifstream board(facts);
     if (!(board >> machine_ >> field_address_))
         throw Failure(folder_, "was not configured", "clear the work folder and run again");
 }

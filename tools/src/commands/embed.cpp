@@ -40,12 +40,12 @@ void run(const EmbedOptions& options)
 {
     const std::filesystem::path source = source_path(options);
     const std::string symbol = symbol_of(options, source);
+    const std::string header = std::filesystem::path(source).replace_extension(".h").string();
+    announce_outputs({source.string(), header});
     const FieldFile field(options.field);
     field.require_intact();
     const std::string incbin =
         options.incbin.empty() ? std::filesystem::absolute(options.field).lexically_normal().string() : options.incbin;
-    const std::string header = std::filesystem::path(source).replace_extension(".h").string();
-    require_writable(header);
     write_output(source.string(), embed_source(symbol, incbin));
     write_output(header, embed_header(symbol));
     std::printf("%s, %s: symbol %s, %zu bytes\n", source.c_str(), header.c_str(), symbol.c_str(), field.size());
