@@ -7,6 +7,7 @@
 #include "lumi/baker/file_guard.h"
 #include "lumi/tools/failure.h"
 #include "lumi/tools/interrupt.h"
+#include "lumi/tools/standard_streams.h"
 
 namespace
 {
@@ -48,11 +49,8 @@ void describe_program(CLI::App& lumi)
         "Example:\n  lumi bake product.obj -o product.lumi && lumi render product.lumi -o product.png");
 }
 
-}  // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
-    catch_interrupts();
     CLI::App lumi("Bakes path-traced scenes into fields for microcontrollers, and draws, measures and embeds them.");
     describe_program(lumi);
     for (const auto add :
@@ -75,3 +73,18 @@ int main(int argc, char** argv)
     return kExitOk;
 }
 
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    occupy_standard_streams();
+    catch_interrupts();
+    const int code = run(argc, argv);
+    try {
+        finish_standard_output();
+    } catch (const Failure& error) {
+        report(error.what(), kExitFailed);
+        return code == kExitOk ? kExitFailed : code;
+    }
+    return code;
+}
