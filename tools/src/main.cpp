@@ -4,6 +4,7 @@
 
 #include "commands/commands.h"
 #include "commands/help_formatter.h"
+#include "commands/parse_problem.h"
 #include "lumi/baker/file_guard.h"
 #include "lumi/tools/failure.h"
 #include "lumi/tools/interrupt.h"
@@ -33,7 +34,7 @@ int report_parse_error(const CLI::App& lumi, const CLI::ParseError& error)
         return lumi.exit(error);  // --help or --version: prints to stdout
     const auto rest = lumi.remaining();
     const bool unknown = lumi.get_subcommands().empty() && !rest.empty();
-    const std::string problem = unknown ? "there is no subcommand \"" + rest.front() + "\"" : error.what();
+    const std::string problem = unknown ? "there is no subcommand \"" + rest.front() + "\"" : parse_problem(error);
     report((problem + "; see `" + help_call(lumi) + "`").c_str(), kExitUsage);
     return kExitUsage;
 }

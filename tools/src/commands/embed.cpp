@@ -9,6 +9,7 @@
 #include "lumi/tools/failure.h"
 #include "lumi/tools/field_file.h"
 #include "lumi/tools/output_file.h"
+#include "lumi/tools/symbol.h"
 
 namespace lumi::tools
 {
@@ -30,10 +31,12 @@ std::filesystem::path source_path(const EmbedOptions& options)
 
 std::string symbol_of(const EmbedOptions& options, const std::filesystem::path& source)
 {
-    if (options.symbol.empty()) return symbol_from(source.stem().string());
-    if (!is_symbol(options.symbol))
-        throw UsageError("--symbol takes letters, digits and underscores, not \"" + options.symbol + "\"");
-    return options.symbol;
+    const std::string symbol = options.symbol.empty() ? symbol_from(source.stem().string()) : options.symbol;
+    if (!is_symbol(symbol)) throw UsageError("--symbol takes letters, digits and underscores, not \"" + symbol + "\"");
+    if (is_taken(symbol))
+        throw UsageError("\"" + symbol + "\" has a meaning of its own in C or C++; name the field's bytes otherwise, " +
+                         "for instance with --symbol " + symbol + "_field");
+    return symbol;
 }
 
 void run(const EmbedOptions& options)
