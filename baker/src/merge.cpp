@@ -5,6 +5,7 @@
 #include "chord/chord_merge.h"
 #include "guided/guided_merge.h"
 #include "guided/guided_settings.h"
+#include "lumi/baker/file_guard.h"
 #include "store/shard_rows.h"
 
 namespace lumi::baker
@@ -13,16 +14,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-void refuse_own_input(const std::vector<fs::path>& shards, const fs::path& output)
-{
-    std::error_code ignored;
-    for (const fs::path& shard : shards) {
-        if (fs::equivalent(shard, output, ignored)) {
-            throw BakeError(output.string() + ": is one of the shards; choose another name for the field");
-        }
-    }
-}
 
 void require_possible(const BakeIdentity& id)
 {
@@ -44,7 +35,7 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
             throw Cancelled();
         }
     };
-    refuse_own_input(shards, output);
+    const FileGuard guard;
     ShardSet set(shards, require_possible);
     return set.is_guided() ? merge_guided(set, output, leave_if_cancelled)
                            : merge_chord(set, output, leave_if_cancelled);

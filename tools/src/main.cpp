@@ -4,8 +4,11 @@
 
 #include "commands/commands.h"
 #include "commands/help_formatter.h"
+#include "commands/parse_problem.h"
+#include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
+#include "terminal/standard_streams.h"
 
 namespace
 {
@@ -31,7 +34,7 @@ int report_parse_error(const CLI::App& lumi, const CLI::ParseError& error)
         return lumi.exit(error);  // --help or --version: prints to stdout
     const auto rest = lumi.remaining();
     const bool unknown = lumi.get_subcommands().empty() && !rest.empty();
-    const std::string problem = unknown ? "there is no subcommand \"" + rest.front() + "\"" : error.what();
+    const std::string problem = unknown ? "there is no subcommand \"" + rest.front() + "\"" : parse_problem(error);
     report((problem + "; see `" + help_call(lumi) + "`").c_str(), kExitUsage);
     return kExitUsage;
 }
@@ -47,16 +50,14 @@ void describe_program(CLI::App& lumi)
         "Example:\n  lumi bake product.obj -o product.lumi && lumi render product.lumi -o product.png");
 }
 
-}  // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
-    catch_interrupts();
     CLI::App lumi("Bakes path-traced scenes into fields for microcontrollers, and draws, measures and embeds them.");
     describe_program(lumi);
     for (const auto add :
          {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed, add_bench})
         add(lumi);
+    const lumi::baker::FileGuard guard;
     try {
         lumi.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -71,4 +72,20 @@ int main(int argc, char** argv)
         return report(error.what(), kExitFailed);
     }
     return kExitOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    occupy_standard_streams();
+    catch_interrupts();
+    const int code = run(argc, argv);
+    try {
+        finish_standard_output();
+    } catch (const Failure& error) {
+        report(error.what(), kExitFailed);
+        return code == kExitOk ? kExitFailed : code;
+    }
+    return code;
 }

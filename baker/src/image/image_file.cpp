@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "lumi/baker/file_guard.h"
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
 
@@ -48,6 +49,7 @@ std::string failure_reason()
 
 std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUse use, std::string& why)
 {
+    note_input(file);
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (!stream.good() && bytes.empty()) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "store/checkpoint.h"
 
+#include "lumi/baker/file_guard.h"
+#include "output_names.h"
+
 namespace lumi::baker
 {
 namespace
@@ -36,8 +39,8 @@ FilePointer open_locked(const fs::path& path, PosixFile::Mode mode)
 // The lock comes before the name, and stays with the file.
 FilePointer begin(const fs::path& path, const BakeIdentity& identity)
 {
-    fs::path unnamed = path;
-    unnamed += ".new";
+    const fs::path unnamed = unfinished(path);
+    require_no_input(unnamed);
     FilePointer file = open_locked(unnamed, PosixFile::Mode::create);
     if (!file) {
         return nullptr;
@@ -59,6 +62,7 @@ FilePointer begin(const fs::path& path, const BakeIdentity& identity)
 
 FilePointer open_or_begin(const fs::path& path, const BakeIdentity& identity, Earlier earlier)
 {
+    require_no_input(path);
     for (int k = 0; k < kTries; ++k) {
         const bool there = is_there(path);
         FilePointer file = there ? open_locked(path, PosixFile::Mode::update) : begin(path, identity);
@@ -130,6 +134,7 @@ void Checkpoint::remove()
 void Checkpoint::rename_to(const fs::path& output)
 {
     sync();
+    require_no_input(output);
     blocks_.file().rename_to(output);
     sync_folder(output.parent_path());
 }

@@ -2,6 +2,8 @@
 #include "store/new_file.h"
 
 #include "lumi/baker/bake.h"
+#include "lumi/baker/file_guard.h"
+#include "output_names.h"
 
 namespace lumi::baker
 {
@@ -14,8 +16,9 @@ std::filesystem::path beside(const std::filesystem::path& target)
     if (std::filesystem::is_directory(target, ignored)) {
         throw BakeError(target.string() + ": this is a folder; name a file in it");
     }
-    std::filesystem::path name = target;
-    name += ".new";
+    std::filesystem::path name = unfinished(target);
+    require_no_input(target);
+    require_no_input(name);
     return name;
 }
 
@@ -48,6 +51,7 @@ void NewFile::overwrite(uint64_t offset, const std::vector<uint8_t>& bytes)
 void NewFile::commit()
 {
     file_.sync();
+    require_no_input(target_);
     file_.rename_to(target_);
     committed_ = true;
     sync_folder(target_.parent_path());

@@ -14,7 +14,7 @@ namespace lumi::baker
 class NewFile
 {
 public:
-    // Creates `target` + ".new". Throws BakeError if that cannot be written.
+    // Creates `target` + ".new". Throws BakeError if that cannot be written, FileClash where either is an input.
     explicit NewFile(const std::filesystem::path& target);
     // Removes it unless it was committed.
     ~NewFile();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "store/output_names.h"
 
+#include "lumi/baker/file_guard.h"
+
 namespace lumi::baker
 {
 namespace
@@ -27,7 +29,18 @@ Finished find_finished(const fs::path& output, const BakeIdentity& identity, boo
     }
 }
 
+fs::path with_suffix(fs::path path, const char* suffix)
+{
+    path += suffix;
+    return path;
+}
+
 }  // namespace
+
+fs::path unfinished(const fs::path& file)
+{
+    return with_suffix(file, ".new");
+}
 
 fs::path checkpoint_of(const fs::path& output)
 {
@@ -35,9 +48,17 @@ fs::path checkpoint_of(const fs::path& output)
     if (fs::is_directory(output, ignored)) {
         throw BakeError(output.string() + ": this is a folder; name a file in it");
     }
-    fs::path path = output;
-    path += ".part";
-    return path;
+    const fs::path part = with_suffix(output, ".part");
+    for (const fs::path& file : {output, part, unfinished(output), unfinished(part)}) {
+        require_no_input(file);
+    }
+    return part;
+}
+
+std::vector<fs::path> working_files_of(const fs::path& output)
+{
+    const fs::path part = checkpoint_of(output);
+    return {part, unfinished(output), unfinished(part)};
 }
 
 bool is_finished_shard(const fs::path& output, const BakeIdentity& identity, bool (*has_all)(BlockFile& file))

@@ -9,7 +9,11 @@
 namespace lumi::baker
 {
 
-// Where the checkpoint of an output lies. Throws BakeError where the output is a folder.
+// Where a file lies until it is whole.
+std::filesystem::path unfinished(const std::filesystem::path& file);
+
+// Where the checkpoint of an output lies. Throws BakeError where the output is a folder, FileClash where the output or
+// a file that the bake makes beside it is an input.
 std::filesystem::path checkpoint_of(const std::filesystem::path& output);
 
 // Whether `output` is a shard of this very bake already, with all that has_all asks for. One that is damaged becomes

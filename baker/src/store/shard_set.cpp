@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lumi/baker/file_guard.h"
 #include "lumi/baker/merge.h"
 
 namespace lumi::baker
@@ -61,6 +62,7 @@ void ShardSet::throw_problems()
 
 void ShardSet::open(const fs::path& file, RequirePossible require_possible)
 {
+    note_input(file);
     try {
         auto blocks = std::make_unique<BlockFile>(std::make_unique<PosixFile>(file, PosixFile::Mode::read));
         require_possible(blocks->identity());

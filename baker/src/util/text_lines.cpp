@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "lumi/baker/file_guard.h"
 #include "lumi/baker/scene.h"
 
 namespace lumi::baker
@@ -83,6 +84,7 @@ std::string read_text(const std::filesystem::path& file)
         throw SceneError(at({file.string()}, "the file has " + std::to_string(size) + " bytes, at most " +
                                                  std::to_string(kMaxFileBytes) + " are read; split or simplify it"));
     }
+    note_input(file);
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {
         throw SceneError(at({file.string()}, "the file cannot be opened; check its name and permissions"));

@@ -69,8 +69,15 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {bake("--directions", "2000000"), "--directions"},
         {bake("--spp", "0"), "--spp"},
         {bake("--up", "x"), "y or z"},
+        {bake("--threads", "-1"), "--threads takes a whole number from 0 on, not \"-1\""},
+        {bake("--threads", "1.5"), "--threads takes a whole number from 0 on, not \"1.5\""},
+        {bake("--threads", "many"), "--threads takes a number, not \"many\""},
+        {bake("--threads", "99999999999"), "--threads takes a smaller number, not \"99999999999\""},
+        {bake("--seed", "x"), "--seed takes a number, not \"x\""},
         {{"embed", field, "-o", folder / "field.c"}, "ends in .S"},
         {{"embed", field, "-o", folder / "field.S", "--symbol", "a-b"}, "--symbol"},
+        {{"embed", field, "-o", folder / "int.S"}, "\"int\" has a meaning of its own in C or C++; "},
+        {{"embed", field, "-o", folder / "field.S", "--symbol", "concept"}, "with --symbol concept_field"},
     };
     for (const auto& [call, hint] : calls) {
         const Outcome outcome = lumi(call);

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "files/symbol.h"
+
 namespace lumi::tools
 {
 
@@ -16,6 +18,13 @@ TEST_CASE("symbols are C identifiers, and any name has a nearest one")
     CHECK(symbol_from("2field") == "_2field");
     CHECK(symbol_from("") == "_");
     CHECK(is_symbol(symbol_from("dé jà")));
+}
+
+TEST_CASE("words of C and C++ are no symbols, names like them are")
+{
+    for (const char* word : {"int", "restrict", "_Bool", "class", "xor", "co_await", "uint8_t", "main"})
+        CHECK(is_taken(word));
+    for (const char* word : {"int_", "Int", "field", "_", ""}) CHECK_FALSE(is_taken(word));
 }
 
 TEST_CASE("a path keeps its quotes and backslashes in the assembler file")

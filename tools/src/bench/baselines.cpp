@@ -79,6 +79,7 @@ void compare_pictures(const Settings& settings, const tools::FieldFile& file, Ba
     for (const std::string& mode : kModes)
         out.pictures.push_back(likeness(mode + ", span 16", file.size(), truths,
                                         [&](const View& view) { return field_picture(file, mode, kSpan, view); }));
+    if (count == 0) return;  // the field is smaller than a single sprite
     out.pictures.push_back(
         likeness(std::to_string(count) + " sprites, nearest", count * kSpriteBytes, truths,
                  [&](const View& view) { return sprite_picture(scene, count, view, kTruthSamples); }));

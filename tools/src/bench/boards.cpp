@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "bench/process.h"
+#include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
 
 namespace lumi::bench
@@ -84,7 +85,9 @@ Board::Board(const std::string& core, const std::filesystem::path& source, const
     : folder_(work / cpu_of(core))
 {
     run_program(configure_command(core, source, folder_));
-    std::ifstream board(folder_ / "platform" / "bench" / "board.txt");
+    const std::filesystem::path facts = folder_ / "platform" / "bench" / "board.txt";
+    baker::note_input(facts);
+    std::ifstream board(facts);
     if (!(board >> machine_ >> field_address_))
         throw Failure(folder_, "was not configured", "clear the work folder and run again");
 }

@@ -38,6 +38,11 @@ Plot plot_of(const Rows& rows, const std::string& core)
 
 }  // namespace
 
+std::string plot_name(const std::string& core)
+{
+    return "tradeoff-" + core + ".svg";
+}
+
 std::vector<std::string> write_plots(const Rows& rows, const std::filesystem::path& folder)
 {
     std::filesystem::create_directories(folder);
@@ -45,7 +50,7 @@ std::vector<std::string> write_plots(const Rows& rows, const std::filesystem::pa
     for (const std::string& core : kCores) {
         const Plot plot = plot_of(rows, core);
         if (plot.series.empty()) continue;
-        names.push_back("tradeoff-" + core + ".svg");
+        names.push_back(plot_name(core));
         tools::write_output((folder / names.back()).string(), svg_of(plot));
     }
     return names;

@@ -11,7 +11,10 @@
 namespace lumi::bench
 {
 
-// Writes tradeoff-<core>.svg of the generic view into `folder` (made if missing); returns the file names.
+// "tradeoff-<core>.svg".
+std::string plot_name(const std::string& core);
+
+// Writes plot_name(core) of the generic view into `folder` (made if missing); returns the file names.
 std::vector<std::string> write_plots(const Rows& rows, const std::filesystem::path& folder);
 
 }  // namespace lumi::bench

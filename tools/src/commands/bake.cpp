@@ -12,6 +12,7 @@
 #include "commands/scene_options.h"
 #include "files/output_file.h"
 #include "lumi/baker/bake.h"
+#include "lumi/baker/file_guard.h"
 #include "lumi/lattice.h"
 #include "terminal/failure.h"
 #include "terminal/json_progress.h"
@@ -102,7 +103,8 @@ BakeJob job_of(const BakeOptions& options)
                    options.restart ? baker::Earlier::discard : baker::Earlier::resume};
     if (job.shard) job.name = shard_name(options.output, *job.shard);
     job.target = regular_target(job.name);
-    require_writable(job.target);
+    announce_outputs({job.name});
+    baker::announce_outputs(baker::working_files_of(job.target));
     return job;
 }
 

@@ -9,6 +9,8 @@
 #include "../bench/report.h"
 #include "commands/commands.h"
 #include "files/output_file.h"
+#include "lumi/baker/file_guard.h"
+#include "lumi/baker/scene.h"
 
 namespace lumi::tools
 {
@@ -44,6 +46,24 @@ void write_reports(const BenchOptions& options, const bench::Rows& rows, const b
                                       options.settings.field));
 }
 
+// Before hours of counting.
+void announce_files(const BenchOptions& options)
+{
+    announce_outputs({options.json, options.markdown});
+    std::vector<std::filesystem::path> plots;
+    for (const std::string& core : bench::kCores)
+        if (!options.plots.empty()) plots.push_back(std::filesystem::path(options.plots) / bench::plot_name(core));
+    baker::announce_outputs(plots);
+}
+
+// A scene that cannot be read, or that an output would replace, is told now: fields that lie in the work folder already
+// are not baked again, so that nothing else may read it before the outputs are written.
+void read_scene(const std::filesystem::path& scene)
+{
+    std::vector<std::string> ignored;
+    baker::load_scene(scene, {}, ignored);
+}
+
 void run(BenchOptions& options)
 {
     bench::Settings& settings = options.settings;
@@ -51,8 +71,8 @@ void run(BenchOptions& options)
     settings.work = std::filesystem::absolute(options.work);
     settings.field.scene = options.scene.empty() ? settings.source / "baker" / "scenes" / "product.obj"
                                                  : std::filesystem::path(options.scene);
-    for (const std::string& path : {options.json, options.markdown})
-        if (!path.empty()) require_writable(path);
+    announce_files(options);
+    read_scene(settings.field.scene);
     const bench::Announce announce = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
     const bench::Rows rows = bench::measure(settings, announce);
     std::fputs(bench::text_report(rows).c_str(), stdout);

@@ -105,11 +105,12 @@ std::optional<MaskedLikeness> masked_likeness(const CompareOptions& options, con
 
 void run(const CompareOptions& options)
 {
+    announce_outputs({options.error_picture});
     const Picture a = read_png(options.a), b = read_png(options.b);
     require_comparable(options, a, b);
-    if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
     const Likeness likeness = {psnr_db(a, b), ssim(a, b), cw_ssim(a, b), flip(b, a, options.pixels_per_degree)};
     const std::optional<MaskedLikeness> masked = masked_likeness(options, a, b);
+    if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
     (options.json ? print_json : print_text)(likeness, masked);
 }
 

@@ -8,6 +8,7 @@
 #include "files/embed.h"
 #include "files/field_file.h"
 #include "files/output_file.h"
+#include "files/symbol.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -30,22 +31,24 @@ std::filesystem::path source_path(const EmbedOptions& options)
 
 std::string symbol_of(const EmbedOptions& options, const std::filesystem::path& source)
 {
-    if (options.symbol.empty()) return symbol_from(source.stem().string());
-    if (!is_symbol(options.symbol))
-        throw UsageError("--symbol takes letters, digits and underscores, not \"" + options.symbol + "\"");
-    return options.symbol;
+    const std::string symbol = options.symbol.empty() ? symbol_from(source.stem().string()) : options.symbol;
+    if (!is_symbol(symbol)) throw UsageError("--symbol takes letters, digits and underscores, not \"" + symbol + "\"");
+    if (is_taken(symbol))
+        throw UsageError("\"" + symbol + "\" has a meaning of its own in C or C++; name the field's bytes otherwise, " +
+                         "for instance with --symbol " + symbol + "_field");
+    return symbol;
 }
 
 void run(const EmbedOptions& options)
 {
     const std::filesystem::path source = source_path(options);
     const std::string symbol = symbol_of(options, source);
+    const std::string header = std::filesystem::path(source).replace_extension(".h").string();
+    announce_outputs({source.string(), header});
     const FieldFile field(options.field);
     field.require_intact();
     const std::string incbin =
         options.incbin.empty() ? std::filesystem::absolute(options.field).lexically_normal().string() : options.incbin;
-    const std::string header = std::filesystem::path(source).replace_extension(".h").string();
-    require_writable(header);
     write_output(source.string(), embed_source(symbol, incbin));
     write_output(header, embed_header(symbol));
     std::printf("%s, %s: symbol %s, %zu bytes\n", source.c_str(), header.c_str(), symbol.c_str(), field.size());

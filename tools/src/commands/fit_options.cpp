@@ -151,7 +151,7 @@ void check_fit(const FitOptions& options, const FitContext& context)
         throw UsageError("--shard does not go with --fit; shard the plan it finds");
     task_of(options, context);
     settings_of(options);
-    if (!options.json.empty()) require_writable(options.json);
+    announce_outputs({options.json});
 }
 
 planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene)

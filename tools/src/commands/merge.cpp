@@ -40,7 +40,7 @@ baker::MergedField merge(const MergeOptions& options, const std::string& target)
 void run(const MergeOptions& options)
 {
     const std::string target = regular_target(options.output);
-    require_writable(target);
+    announce_outputs({options.output});
     const baker::MergedField field = merge(options, target);
     const std::string rays =
         field.chart_size == 0 ? std::to_string(field.directions) + " rays"

@@ -114,8 +114,7 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
 
 void run(ReportOptions& options)
 {
-    for (const std::string& path : {options.output, options.json})
-        if (!path.empty()) require_writable(path);
+    announce_outputs({options.output, options.json});
     std::vector<quality::ModeCost> costs;
     if (!options.bench.empty()) costs = quality::read_mode_costs(options.bench);
     options.truth.threads = options.scene.threads;

@@ -70,6 +70,13 @@ std::vector<View> all_views(const ViewOptions& options, const std::string& outpu
     return views;
 }
 
+std::vector<std::string> paths_of(const std::vector<View>& views, const std::string& sheet)
+{
+    std::vector<std::string> paths = {sheet};
+    for (const View& view : views) paths.push_back(view.path);
+    return paths;
+}
+
 Picture drawn(const View& view, const Drawer& draw)
 {
     Picture first = draw(view.eyes.front());
@@ -82,8 +89,7 @@ std::vector<std::string> write_views(const ViewOptions& options, const std::stri
 {
     const std::vector<View> views = all_views(options, output);
     const std::string sheet_path = tagged(output, "sheet");
-    for (const View& view : views) require_writable(view.path);
-    if (options.turntable > 0) require_writable(sheet_path);
+    announce_outputs(paths_of(views, options.turntable > 0 ? sheet_path : ""));
     const int eyes = static_cast<int>(views.front().eyes.size());
     ContactSheet sheet(static_cast<int>(views.size()), eyes * options.width_px, options.height_px, options.background);
     std::vector<std::string> written;

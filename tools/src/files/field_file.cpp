@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 
+#include "lumi/baker/file_guard.h"
 #include "lumi/crc32.h"
 #include "terminal/failure.h"
 
@@ -52,6 +53,7 @@ std::string title_of(const std::string& type)
 
 FieldFile::FieldFile(const std::string& path) : path_(path)
 {
+    baker::note_input(path);
     if (const int error = file_.open(path); error != 0)
         throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
     FieldError error = open_field(file_.bytes(), file_.size(), field_);

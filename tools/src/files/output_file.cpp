@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -85,6 +86,7 @@ std::string create_beside(const fs::path& target, int& descriptor)
 
 void write_output(const std::string& path, std::string_view bytes)
 {
+    baker::require_no_input(path);
     const fs::path target = resolved(path);
     if (!holds_earlier_output(target)) return write_straight(path, bytes);
     int descriptor = -1;
@@ -113,6 +115,15 @@ void require_writable(const std::string& path)
     const std::string temporary = create_beside(target, descriptor);
     close(descriptor);
     unlink(temporary.c_str());
+}
+
+void announce_outputs(const std::vector<std::string>& paths)
+{
+    std::vector<fs::path> files;
+    for (const std::string& path : paths)
+        if (!path.empty()) files.emplace_back(path);
+    baker::announce_outputs(files);
+    for (const fs::path& file : files) require_writable(file.string());
 }
 
 }  // namespace lumi::tools

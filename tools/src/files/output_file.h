@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lumi::tools
 {
 
-// Replaces `path` by `bytes`, or throws Failure and leaves what stood there. A symbolic link is followed; devices and
+// Replaces `path` by `bytes`, or throws and leaves what stood there: Failure, or FileClash where `path` is a file that
+// the command has read (lumi/baker/file_guard.h). A symbolic link is followed; devices and
 // pipes are written straight to, since they hold no earlier output. Readers never see half a file.
 void write_output(const std::string& path, std::string_view bytes);
 
@@ -19,5 +21,9 @@ std::string regular_target(const std::string& path);
 
 // Throws Failure now if write_output(path, …) could not work later: worth asking before minutes of work.
 void require_writable(const std::string& path);
+
+// All that a command will write, before it reads anything; empty names are left out. Throws Failure where one is not
+// writable, FileClash where two are one file. From then on it is an error to read one of them.
+void announce_outputs(const std::vector<std::string>& paths);
 
 }  // namespace lumi::tools

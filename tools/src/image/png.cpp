@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "files/output_file.h"
+#include "lumi/baker/file_guard.h"
 #include "lumi/host/mapped_file.h"
 #include "terminal/failure.h"
 
@@ -41,6 +42,7 @@ void append(void* context, void* data, int size)
 
 host::MappedFile map(const std::string& path)
 {
+    baker::note_input(path);
     host::MappedFile file;
     if (const int error = file.open(path); error != 0)
         throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");

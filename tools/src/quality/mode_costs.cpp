@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
 
 namespace lumi::quality
@@ -11,6 +12,7 @@ namespace lumi::quality
 
 std::vector<ModeCost> read_mode_costs(const std::string& path)
 {
+    baker::note_input(path);
     std::ifstream file(path);
     if (!file) throw tools::Failure(path, "cannot be read", "give the file that lumi bench --json wrote");
     std::vector<ModeCost> costs;

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "lumi/baker/progress.h"
 #include "lumi/baker/scene.h"
@@ -56,6 +57,10 @@ struct BakeError : std::runtime_error {
 // Length of the file that bake_field writes. Throws BakeError for settings that no version 1 field can hold.
 uint64_t field_file_bytes(const BakeSettings& settings);
 
+// What a bake makes beside `output` until it ends: its checkpoint, and files that are not whole yet. Throws BakeError
+// where the output is a folder.
+std::vector<std::filesystem::path> working_files_of(const std::filesystem::path& output);
+
 // Number of origins that a shard bakes. Throws BakeError for settings or shards that cannot be.
 uint32_t shard_rows(const BakeSettings& settings, const Shard& shard);
 
@@ -63,7 +68,8 @@ uint32_t shard_rows(const BakeSettings& settings, const Shard& shard);
 // scene, settings and seed, never on `threads`, shards or interruptions.
 // A killed process loses the rows being traced, a loss of power also those of the last seconds. A checkpoint of another
 // scene, other settings or another program is refused. Disk: twice the field while it is put together. Memory: the
-// scene. Throws BakeError, Cancelled; either way the checkpoint stays.
+// scene. Throws BakeError, Cancelled; either way the checkpoint stays. While a FileGuard lives (file_guard.h), also
+// FileClash, before the work begins.
 void bake_field(const Scene& scene, const BakeSettings& settings, const std::filesystem::path& output,
                 const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
 

@@ -27,8 +27,8 @@ struct MergedField {
 
 // Writes `output`, bit-identical to what bake_field or bake_guided would. The shards may come in any order. Before the
 // first byte is written every row of every shard is checked. Throws MergeError for missing, double, foreign, stale or
-// damaged shards, BakeError if the output cannot be written, Cancelled once `keep_going` returns false; an earlier
-// output then stays as it was. Memory: one row, or all charts of a guided field.
+// damaged shards, FileClash where the output is one of them, BakeError if it cannot be written, Cancelled once
+// `keep_going` returns false; an earlier output then stays as it was. Memory: one row, or all charts of a guided field.
 MergedField merge_shards(const std::vector<std::filesystem::path>& shards, const std::filesystem::path& output,
                          const std::function<bool()>& keep_going = {});
 

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// No command destroys a file that it reads, nor writes two outputs to one file, whatever names lead there.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
+
+#include "image/png.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+#include "support/test_field.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using test::Outcome;
+using test::write_content;
+
+const char* const kObj =
+    "mtllib s.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl m\n"
+    "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
+const char* const kSky = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x81";
+const char* const kRows =
+    R"([{"view": "generic", "core": "m4", "mode": "linear", "texel": "rgb565", "span": 8, "instructions_per_pixel": 1}])";
+const std::string kTinyBake = " --origins 8 --directions 8 --spp 1";
+const std::string kTinyGuidedBake = " --layout guided --origins 64 --chart 8 --mean-resolution 8 --spp 1";
+const std::string kTinyPicture = " --size 16x16 --spp 1";
+
+// A folder with something of everything that commands read, and other names for some of it.
+struct Workshop {
+    test::TemporaryFolder folder;
+
+    Workshop()
+    {
+        for (const char* name :
+             {"s.obj", "p.part", "n.new", "b.part.new", "y.1-of-2.shard", "r-001.png", "r-sheet.png"})
+            write_content(folder / name, kObj);
+        write_content(folder / "s.mtl", "newmtl m\nmap_Kd t.png\n");
+        write_content(folder / "sky.hdr", kSky);
+        write_content(folder / "s.json", R"({"objects": [{"obj": "s.obj"}], "environment": {"picture": "sky.hdr"}})");
+        write_content(folder / "rows.json", kRows);
+        for (const char* name : {"f.lumi", "e.S", "e.h", "v-000.png", "v-sheet.png"})
+            write_content(folder / name, test::field_bytes({}));
+        write_png(folder / "t.png", Picture(4, 4));
+        write_png(folder / "a.png", Picture(20, 20));
+        Picture white(20, 20);
+        white.rgb.assign(white.rgb.size(), 255);
+        write_png(folder / "b.png", white);
+        write_png(folder / "mask.png", white);
+        for (const auto& [link, target] : kLinks) fs::create_symlink(target, folder / link);
+        for (const auto& [link, target] : kHardLinks) fs::create_hard_link(folder / target, folder / link);
+    }
+
+    // A shell in the folder.
+    Outcome run(const std::string& call) const
+    {
+        return test::run_program(
+            {"sh", "-c", "cd '" + folder.path() + "' && exec '" + std::string(LUMI_PROGRAM) + "' " + call});
+    }
+
+    // Every entry's bytes, or where a link leads to.
+    std::map<std::string, std::string> entries() const
+    {
+        std::map<std::string, std::string> all;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder.path())) {
+            const std::string name = entry.path().filename().string();
+            all[name] = entry.is_symlink() ? "-> " + fs::read_symlink(entry.path()).string()
+                                           : test::content_of(entry.path().string());
+        }
+        return all;
+    }
+
+private:
+    using Links = std::vector<std::pair<std::string, std::string>>;
+    const Links kLinks = {{"link.obj", "s.obj"},      {"link.mtl", "s.mtl"},   {"link.png", "t.png"},
+                          {"link.lumi", "f.lumi"},    {"link-a.png", "a.png"}, {"two.h", "two.S"},
+                          {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},     {"deep", "."}};
+    const Links kHardLinks = {{"hard.mtl", "s.mtl"}, {"hard.lumi", "f.lumi"}};
+};
+
+// What `lumi CALL` in a workshop does: it fails, names `file` and the mend, and leaves every file as it was.
+void check_refused(const std::string& call, const std::string& file, const std::string& mend)
+{
+    const Workshop shop;
+    const auto before = shop.entries();
+    const Outcome outcome = shop.run(call);
+    INFO("lumi " << call << "\n" << outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::StartsWith("lumi: " + file + ": ") && Catch::EndsWith("; " + mend + "\n"));
+    const auto after = shop.entries();
+    CHECK(after.size() == before.size());
+    for (const auto& [name, content] : before) {
+        INFO(name);
+        CHECK((after.count(name) == 1 && after.at(name) == content));
+    }
+}
+
+void check_input_kept(const std::string& call, const std::string& file)
+{
+    check_refused(call, file, "choose another name for the output");
+}
+
+void check_twins_refused(const std::string& call, const std::string& file)
+{
+    check_refused(call, file, "give each output a name of its own");
+}
+
+}  // namespace
+
+TEST_CASE("own files: bake keeps every file of its scene, under any name")
+{
+    for (const std::string& more : {kTinyBake, kTinyGuidedBake}) {
+        check_input_kept("bake s.obj -o s.obj" + more, "s.obj");
+        check_input_kept("bake s.obj -o s.mtl" + more, "s.mtl");
+        check_input_kept("bake s.obj -o t.png" + more, "t.png");
+    }
+    for (const char* name : {"./s.obj", "deep/s.mtl", "link.obj", "link.mtl", "hard.mtl", "link.png"})
+        check_input_kept("bake s.obj -o " + std::string(name) + kTinyBake, name);
+    check_input_kept("bake link.obj -o s.obj" + kTinyBake, "s.obj");
+    for (const char* name : {"s.json", "s.obj", "s.mtl", "sky.hdr", "t.png"})
+        check_input_kept("bake s.json -o " + std::string(name) + kTinyBake, name);
+}
+
+TEST_CASE("own files: bake's checkpoint and its unfinished files spare the scene")
+{
+    check_input_kept("bake p.part -o p --restart" + kTinyBake, "p.part");
+    check_input_kept("bake n.new -o n" + kTinyBake, "n.new");
+    check_input_kept("bake b.part.new -o b" + kTinyBake, "b.part.new");
+    check_input_kept("bake s.obj -o z --restart" + kTinyBake, "z.part");
+    check_input_kept("bake y.1-of-2.shard -o y --shard 1/2 --restart" + kTinyBake, "y.1-of-2.shard");
+}
+
+TEST_CASE("own files: a clash ends a bake before its work begins")
+{
+    const std::string endless = " --spp 100000000";
+    check_input_kept("bake s.obj -o t.png" + endless, "t.png");
+    check_input_kept("bake s.obj -o z" + endless, "z.part");
+    check_input_kept("bake s.obj -o t.png --fit 100kB" + endless, "t.png");
+    check_input_kept("bake s.obj -o x.lumi --fit 100kB --plan s.mtl" + endless, "s.mtl");
+    check_twins_refused("bake s.obj -o x.lumi --fit 100kB --plan x.lumi" + endless, "x.lumi");
+    check_input_kept("reference s.obj -o link.mtl --size 16x16" + endless, "link.mtl");
+    check_input_kept("report s.obj f.lumi -o t.png" + endless, "t.png");
+}
+
+TEST_CASE("own files: merge keeps its shards")
+{
+    const Workshop shop;
+    for (const char* shard : {"1/2", "2/2"})
+        REQUIRE(shop.run("bake s.obj -o g --shard " + std::string(shard) + kTinyBake).code == 0);
+    fs::copy_file(shop.folder / "g.2-of-2.shard", shop.folder / "m.new");
+    fs::create_symlink("g.1-of-2.shard", shop.folder / "link.shard");
+    fs::create_hard_link(shop.folder / "g.1-of-2.shard", shop.folder / "hard.shard");
+    const auto before = shop.entries();
+    const std::pair<std::string, std::string> calls[] = {
+        {"merge g.1-of-2.shard g.2-of-2.shard -o g.2-of-2.shard", "g.2-of-2.shard"},
+        {"merge g.1-of-2.shard g.2-of-2.shard -o link.shard", "link.shard"},
+        {"merge g.1-of-2.shard g.2-of-2.shard -o hard.shard", "hard.shard"},
+        {"merge g.1-of-2.shard m.new -o m", "m.new"}};
+    for (const auto& [call, file] : calls) {
+        const Outcome outcome = shop.run(call);
+        INFO("lumi " << call << "\n" << outcome.err);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::StartsWith("lumi: " + file + ": ") &&
+                                    Catch::EndsWith("; choose another name for the output\n"));
+        CHECK((shop.entries() == before));
+    }
+}
+
+TEST_CASE("own files: render keeps its field, also from views and the sheet of a turntable")
+{
+    for (const char* name : {"f.lumi", "link.lumi", "hard.lumi"})
+        check_input_kept("render f.lumi --size 16x16 -o " + std::string(name), name);
+    check_input_kept("render v-000.png --size 16x16 --turntable 2 -o v.png", "v-000.png");
+    check_input_kept("render v-sheet.png --size 16x16 --turntable 2 -o v.png", "v-sheet.png");
+    check_twins_refused("render f.lumi --size 16x16 --turntable 2 -o q.png", "q-001.png");
+}
+
+TEST_CASE("own files: reference keeps every file of its scene, also from a turntable")
+{
+    for (const char* name : {"s.obj", "s.mtl", "t.png", "link.mtl", "hard.mtl"})
+        check_input_kept("reference s.obj" + kTinyPicture + " -o " + name, name);
+    check_input_kept("reference s.json" + kTinyPicture + " -o sky.hdr", "sky.hdr");
+    check_input_kept("reference r-001.png" + kTinyPicture + " --turntable 2 -o r.png", "r-001.png");
+    check_input_kept("reference r-sheet.png" + kTinyPicture + " --turntable 2 -o r.png", "r-sheet.png");
+}
+
+TEST_CASE("own files: compare keeps both pictures and the mask")
+{
+    for (const char* name : {"a.png", "b.png", "mask.png", "link-a.png"})
+        check_input_kept("compare a.png b.png --mask mask.png --error-picture " + std::string(name), name);
+}
+
+TEST_CASE("own files: report keeps scene, fields and the bench's figures, and its two outputs apart")
+{
+    const std::string call = "report s.obj f.lumi --spp 1 --count 1 --no-baselines --bench rows.json";
+    for (const char* option : {" -o ", " --json "})
+        for (const char* name : {"s.obj", "s.mtl", "t.png", "f.lumi", "hard.lumi", "rows.json"})
+            check_input_kept(call + option + name, name);
+    check_twins_refused(call + " -o r.out --json r.out", "r.out");
+    check_twins_refused(call + " -o r.out --json deep/r.out", "deep/r.out");
+}
+
+TEST_CASE("own files: embed keeps its field and does not write source and header to one file")
+{
+    check_input_kept("embed e.S -o e.S", "e.S");
+    check_input_kept("embed e.h -o e.S", "e.h");
+    check_twins_refused("embed f.lumi -o two.S", "two.h");
+}
+
+TEST_CASE("own files: bench keeps its scene, and its outputs apart")
+{
+    const std::string call = "bench --quick --work w --scene s.obj";
+    for (const char* name : {"s.obj", "s.mtl", "link.png"}) {
+        check_input_kept(call + " --json " + name, name);
+        check_input_kept(call + " --markdown " + name, name);
+    }
+    check_twins_refused(call + " --json b.out --markdown b.out", "b.out");
+    const Workshop shop;
+    fs::create_directory(shop.folder / "plots");
+    fs::create_symlink("../s.obj", shop.folder / "plots/tradeoff-m4.svg");
+    const Outcome outcome = shop.run(call + " --plot plots");
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("plots/tradeoff-m4.svg: leads to the same file as s.obj"));
+    CHECK(test::content_of(shop.folder / "s.obj") == kObj);
+}
+
+TEST_CASE("own files: outputs may replace earlier outputs, be new, or be a device twice")
+{
+    const Workshop shop;
+    const std::vector<std::string> calls = {
+        "bake s.obj -o new.lumi" + kTinyBake,
+        "bake s.obj -o new.lumi" + kTinyBake + " --seed 2",
+        "bake s.obj -o new.lumi --shard 1/2" + kTinyBake,
+        "bake s.obj -o new.lumi --shard 1/2" + kTinyBake,
+        "bake s.obj -o guided.lumi" + kTinyGuidedBake,
+        "render new.lumi -o a.png --size 16x16",
+        "render new.lumi -o a.png --size 16x16",
+        "reference s.obj -o a.png" + kTinyPicture,
+        "embed new.lumi -o own.S",
+        "embed new.lumi -o own.S",
+        "report s.obj new.lumi --spp 1 --count 1 -o /dev/null --json /dev/null",
+        "report s.obj new.lumi --spp 1 --count 1 -o r.html --json r.json",
+        "report s.obj new.lumi --spp 1 --count 1 -o r.html --json r.json",
+    };
+    for (const std::string& call : calls) {
+        const Outcome outcome = shop.run(call);
+        INFO("lumi " << call << "\n" << outcome.err);
+        CHECK(outcome.code == 0);
+    }
+    CHECK(test::content_of(shop.folder / "s.obj") == kObj);
+}
+
+}  // namespace lumi::tools

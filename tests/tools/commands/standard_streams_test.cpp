@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// A result that did not arrive on standard output is no success.
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "image/png.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+#include "support/test_field.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+using test::Outcome;
+
+// Calls with results on standard output. %F is a field, %A a picture, %O a new file.
+const char* const kCalls[] = {
+    "inspect %F",
+    "inspect %F --json --verify",
+    "render %F -o %O --size 16x16",
+    "embed %F -o %O.S",
+    "compare %A %A",
+    "compare %A %A --json",
+    "bake " LUMI_TEST_SCENE " -o %O --origins 8 --directions 8 --spp 1",
+    "bake " LUMI_TEST_SCENE " -o %O --origins 8 --directions 8 --spp 1 --progress json",
+    "reference " LUMI_TEST_SCENE " -o %O --size 16x16 --spp 1",
+    "report " LUMI_TEST_SCENE " %F --spp 1 --count 1 --no-baselines --cache %O.cache",
+    "--help",
+    "bake --help",
+    "--version",
+};
+
+struct Desk {
+    test::TemporaryFolder folder;
+
+    Desk()
+    {
+        test::write_content(folder / "F", test::field_bytes({}));
+        write_png(folder / "A", Picture(20, 20));
+    }
+
+    Outcome run(std::string call, const std::string& redirection) const
+    {
+        for (size_t at = 0; (at = call.find('%')) != std::string::npos;) call.replace(at, 1, folder.path() + "/");
+        return test::run_program({"sh", "-c", "exec '" + std::string(LUMI_PROGRAM) + "' " + call + redirection});
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a full disk behind standard output is a failure that is told, whatever the command")
+{
+    for (const char* call : kCalls) {
+        const Desk desk;
+        const Outcome outcome = desk.run(call, " > /dev/full");
+        INFO(call << "\n" << outcome.err);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains("lumi: standard output: cannot be written") &&
+                                    Catch::Contains("; free some space on that disk, or send it elsewhere\n"));
+    }
+}
+
+TEST_CASE("a closed standard output is a failure too, and no file gets what was meant for it")
+{
+    for (const char* call : kCalls) {
+        const Desk open, closed;
+        REQUIRE(open.run(call, "").code == 0);
+        const Outcome outcome = closed.run(call, " >&-");
+        INFO(call << "\n" << outcome.err);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains("lumi: standard output: cannot be written"));
+        if (std::filesystem::exists(open.folder / "O"))
+            CHECK((test::content_of(open.folder / "O") == test::content_of(closed.folder / "O")));
+    }
+}
+
+TEST_CASE("a failure keeps its own exit code when standard output is full")
+{
+    const Desk desk;
+    CHECK(desk.run("inspect %none", " > /dev/full").code == 1);
+    CHECK(desk.run("inspect --frob", " > /dev/full").code == 2);
+    CHECK(desk.run("inspect %F", " > /dev/null").code == 0);
+}
+
+}  // namespace lumi::tools
