@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/bench_baker.sh [--smoke] [speed] [adaptive] [footprint]
-# Measures the baker and writes the tables of docs/scale.md, each between two marker comments; without a name, all of
+# Measures the baker and writes the tables of docs/log/baker.md, each between two marker comments; without a name, all of
 # them. speed: against Embree alone, convergence, threads and memory; times are of this machine: leave it alone for the two
 # minutes. adaptive: what adaptive sampling leaves out. footprint: what the footprint filters show. The last two are the
 # same on every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
@@ -27,7 +27,7 @@ picture=240x240
 reference_spp=256
 bench=${LUMI_BAKER_BENCH:-$root/build/release/baker/bench/lumi_baker_bench}
 lumi=${LUMI:-$root/build/release/tools/lumi}
-page=$root/docs/scale.md
+page=$root/docs/log/baker.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

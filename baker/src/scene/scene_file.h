@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads scene files, see docs/scene-file.md.
+// Reads scene files, see docs/scenes.md.
 #pragma once
 
 #include <filesystem>

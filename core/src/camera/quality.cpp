@@ -6,7 +6,7 @@ namespace lumi
 namespace
 {
 
-// What a step costs at most, in sixteenths of the one before: docs/tradeoff.md, with a margin. From one tap to the
+// What a step costs at most, in sixteenths of the one before: docs/log/tradeoff.md, with a margin. From one tap to the
 // product's reconstruction it is that of 3×3; where it costs more, a raise fails and is tried ever more seldom.
 constexpr uint8_t kGrowth_q4[] = {16, 34, 34, 20, 22, 28, 250};
 constexpr uint32_t kMinPatience = 4;    // frames

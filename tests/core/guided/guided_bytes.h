@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Composes guided field files from parts for tests, valid or not: written from docs/field-format.md, not from the
+// Composes guided field files from parts for tests, valid or not: written from guided_format.h, not from the
 // baker's writer.
 #pragma once
 

@@ -48,7 +48,7 @@ struct Truth {
     }
 };
 
-// The step of a depth in the buffer, in radii at depth z, as docs/architecture.md states it.
+// The step of a depth in the buffer, in radii at depth z, as docs/log/formats.md states it.
 inline double depth_step(const ProxyMesh& mesh, const Pose& pose, double z)
 {
     double nearest = 1e9, farthest = 1.0 / 256;

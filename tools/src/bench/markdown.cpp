@@ -14,9 +14,9 @@ namespace
 std::string opening(const FieldSettings& field)
 {
     return "# Speed against accuracy\n\n"
-           "Written by `lumi bench --markdown docs/tradeoff.md --plot docs/img`; every number is measured by that run "
-           "unless the text\nsays that it is modelled. Instructions are counted by QEMU (`-icount shift=0`) and are "
-           "the "
+           "Written by `lumi bench --markdown docs/log/tradeoff.md --plot docs/img`; every number is measured by that "
+           "run unless the text\nsays that it is modelled. Instructions are counted by QEMU (`-icount shift=0`) and "
+           "are the "
            "same in every run.\n\n"
            "What is drawn: `" +
            field.scene.filename().string() + "` as a field of " + std::to_string(field.origins) + " × " +

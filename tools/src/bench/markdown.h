@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page about speed and accuracy, docs/tradeoff.md.
+// The tables about speed and accuracy, docs/log/tradeoff.md.
 #pragma once
 
 #include <string>

@@ -78,7 +78,7 @@ Coordinate cap_coordinate(const Task& task)
     return cap;
 }
 
-// Where the walk starts: tables of docs/planner.md, interpolated.
+// Where the walk starts: tables of measured plans, interpolated.
 double start_origins(double megabytes)
 {
     constexpr double kOfOneMegabyte = 128;

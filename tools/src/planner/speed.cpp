@@ -22,8 +22,8 @@ struct Cost {
 
 // A fill of the background, a pixel.
 constexpr Cost kBackground = {3, 4};
-// Guided fields, measured on whole frames of M = 128, G = 96, 2,500 triangles (docs/planner.md). A triangle with its
-// share of the vertices; an object pixel's surface with one sample, and with four and their mixing; its shading by
+// Guided fields, measured on whole frames of M = 128, G = 96, 2,500 triangles (docs/log/quality.md). A triangle with
+// its share of the vertices; an object pixel's surface with one sample, and with four and their mixing; its shading by
 // GuidedMode.
 constexpr Cost kTriangle = {154, 262}, kSurface = {119, 187}, kFourSamples = {267, 381};
 constexpr Cost kShade[] = {{705, 1287}, {640, 1202}, {434, 808}, {190, 362}};
@@ -32,10 +32,10 @@ constexpr Cost kBlocks = {120, 250};
 // A ray against the focus sphere, per pixel of the sphere: assumed.
 constexpr Cost kFocusPixel = {60, 110};
 
-// Chord fields by render_spans, S = 8, per pixel of the sphere: docs/tradeoff.md, the dearest texel format.
+// Chord fields by render_spans, S = 8, per pixel of the sphere: docs/log/tradeoff.md, the dearest texel format.
 constexpr Cost kChord[] = {{108, 184}, {184, 344}, {476, 986}};  // by chord_kind()
 
-// Misses per pixel of an RP2040's cache, of 8-byte lines. Chord fields: docs/tradeoff.md. Guided ones: neighbouring
+// Misses per pixel of an RP2040's cache, of 8-byte lines. Chord fields: docs/log/tradeoff.md. Guided ones: neighbouring
 // pixels read texels half a step apart, 16 to a line in each of three origins' rows, and voxels of four rows.
 constexpr double kChordMisses[] = {0.09, 0.35, 0.35};
 constexpr double kGuidedMisses[] = {0.7, 0.6, 0.5, 0.4};

@@ -46,7 +46,7 @@ struct FrameCost {
     double instructions = 0;
     double misses = 0;  // of flash lines
 };
-// What a frame takes with the code of `core` ("m0plus", else M4 code); figures and their sources: docs/planner.md.
+// What a frame takes with the code of `core` ("m0plus", else M4 code); figures and their sources: docs/log/quality.md.
 FrameCost frame_cost(const std::string& core, const Plan& plan, const DrawMode& mode, const FrameShare& share);
 
 // Frames per second by the model of `lumi bench`.

@@ -84,7 +84,7 @@ private:
     std::unique_ptr<const SceneData> data_;
 };
 
-// Reads a scene file (docs/scene-file.md), by its name's end .json, or else an OBJ file with its MTL files and
+// Reads a scene file (docs/scenes.md), by its name's end .json, or else an OBJ file with its MTL files and
 // textures. Throws SceneError. Appends one line per doubtful thing that could still be drawn, each in the form of
 // SceneError's text, to `warnings`.
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings);

@@ -3,7 +3,7 @@
 //
 // A guided file has the container of field_format.h and a kGuidedSection in place of layout and texels, so a reader
 // that knows chord fields alone refuses it by name. Every other section is there only if the scene needs it.
-// docs/field-format.md says the same in prose. Little-endian. Offsets below are within the section.
+// docs/field-format.md lists the sections. Little-endian. Offsets below are within the section.
 //
 // Reconstruction of a pixel that sees the surface at X (unit sphere's frame), its ray entering the sphere at h:
 //   origins k = 0..2 with weights w_k: the origin lattice's triangle around h (lattice.h);

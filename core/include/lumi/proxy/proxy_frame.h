@@ -84,7 +84,7 @@ constexpr uint32_t proxy_frame_bytes(uint32_t vertices, uint32_t triangles, int3
 }
 
 // From a vertex's numbers to the sample grid; shifts and scales are chosen so that all fits 32 bits.
-// docs/architecture.md states every range.
+// docs/log/formats.md states ranges.
 struct ProxyProjection {
     int32_t axis[3][3];   // rows x, y, z: per unit of a vertex's number
     int32_t base[3];      // what the numbers' offset of 2048 takes off
