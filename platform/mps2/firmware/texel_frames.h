@@ -5,7 +5,7 @@
 #include "frame_list.h"
 #include "lumi/crc32.h"
 #include "lumi/render.h"
-#include "lumi/render_spans.h"
+#include "lumi/render_spans_paper.h"
 #include "text_line.h"
 #include "views.h"
 

@@ -5,7 +5,7 @@
 
 #include "lumi/host/camera.h"
 #include "lumi/render.h"
-#include "lumi/render_spans.h"
+#include "lumi/render_spans_paper.h"
 #include "metrics/psnr.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"

@@ -5,7 +5,7 @@
 
 #include "lumi/bench/views.h"
 #include "lumi/crc32.h"
-#include "lumi/render_spans.h"
+#include "lumi/render_spans_paper.h"
 
 namespace lumi::bench
 {

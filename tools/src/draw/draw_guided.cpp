@@ -25,8 +25,8 @@ Picture draw_proxy(const GuidedField& field, const GuidedCamera& camera, const G
 {
     const Camera& rays = camera.camera;
     std::vector<ProxyVertex> vertices(field.proxy.vertex_count);
-    std::vector<uint16_t> links(field.proxy.triangle_count), bands(proxy_bands(rays.height_px, kBandLog2));
-    std::vector<uint16_t> depths(proxy_stripe_bytes(rays.width_px, kGuidedStripeRows, kSamples) / sizeof(uint16_t));
+    std::vector<uint16_t> links(field.proxy.triangle_count), bands(proxy_bands(rays.height_px(), kBandLog2));
+    std::vector<uint16_t> depths(proxy_stripe_bytes(rays.width_px(), kGuidedStripeRows, kSamples) / sizeof(uint16_t));
     ProxyFrame frame;
     prepare_proxy(field.proxy, camera, kSamples, {vertices.data(), links.data(), bands.data(), kBandLog2}, frame);
     ProxySurface<kSamples> surface(frame, depths.data());
