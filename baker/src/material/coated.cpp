@@ -34,22 +34,13 @@ float Coated::pdf(const Vec3& wo, const Vec3& wi) const
 std::optional<BsdfSample> Coated::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
 {
     const float p = coat_probability(wo.z);
-    Vec3 wi;
-    if (u_lobe < p) {
-        wi = mirrored(wo, coat_->facets().sample_half(wo, u));
-    } else {
-        const float rest = (u_lobe - p) / (1 - p);
-        const std::optional<BsdfSample> s = std::visit([&](const auto& b) { return b.sample(wo, rest, u); }, body_);
-        if (!s) {
-            return std::nullopt;
-        }
-        wi = s->wi;
-    }
-    if (wi.z <= 0) {
+    const std::optional<Vec3> wi = u_lobe < p ? mirrored(wo, coat_->facets().sample_half(wo, u))
+                                              : body_direction(body_, wo, (u_lobe - p) / (1 - p), u);
+    if (!wi || wi->z <= 0) {
         return std::nullopt;
     }
-    const float density = pdf(wo, wi);
-    return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
+    const float density = pdf(wo, *wi);
+    return BsdfSample{*wi, eval(wo, *wi) * (1 / density), density};
 }
 
 }  // namespace lumi::baker

@@ -2,6 +2,9 @@
 // Values and densities that several kinds of surface share. Directions as in bsdf.h.
 #pragma once
 
+#include <optional>
+#include <variant>
+
 #include "material/fresnel.h"
 #include "material/microfacet.h"
 
@@ -35,6 +38,14 @@ template <class Spread>
 float reflection_value(const GgxOf<Spread>& facets, const Vec3& wo, const Vec3& wi, const Vec3& half)
 {
     return facets.density(half) * facets.masking_shadowing(wo, wi) / (4 * wo.z);
+}
+
+// The direction that a body under a layer sends on; `body` is a variant of kinds of surface.
+template <class Body>
+std::optional<Vec3> body_direction(const Body& body, const Vec3& wo, float u_lobe, const Vec2& u)
+{
+    const auto sample = std::visit([&](const auto& b) { return b.sample(wo, u_lobe, u); }, body);
+    return sample ? std::optional<Vec3>(sample->wi) : std::nullopt;
 }
 
 }  // namespace lumi::baker

@@ -60,22 +60,13 @@ float Sheened::pdf(const Vec3& wo, const Vec3& wi) const
 std::optional<BsdfSample> Sheened::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
 {
     const float p = fibre_probability(wo);
-    Vec3 wi;
-    if (u_lobe < p) {
-        wi = square_to_hemisphere(u);
-    } else {
-        const float rest = (u_lobe - p) / (1 - p);
-        const std::optional<BsdfSample> s = std::visit([&](const auto& b) { return b.sample(wo, rest, u); }, body_);
-        if (!s) {
-            return std::nullopt;
-        }
-        wi = s->wi;
-    }
-    const float density = pdf(wo, wi);
+    const std::optional<Vec3> wi =
+        u_lobe < p ? square_to_hemisphere(u) : body_direction(body_, wo, (u_lobe - p) / (1 - p), u);
+    const float density = wi ? pdf(wo, *wi) : 0;
     if (!(density > 0)) {
         return std::nullopt;
     }
-    return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
+    return BsdfSample{*wi, eval(wo, *wi) * (1 / density), density};
 }
 
 }  // namespace lumi::baker

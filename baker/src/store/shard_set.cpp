@@ -5,27 +5,14 @@
 
 #include "lumi/baker/file_guard.h"
 #include "lumi/baker/merge.h"
+#include "util/text_lines.h"
 
 namespace lumi::baker
 {
 
 namespace fs = std::filesystem;
 
-namespace
-{
-
-std::string joined(const std::vector<std::string>& lines)
-{
-    std::string text;
-    for (const std::string& line : lines) {
-        text += (text.empty() ? "" : "\n") + line;
-    }
-    return text;
-}
-
-}  // namespace
-
-MergeError::MergeError(std::vector<std::string> all) : BakeError(joined(all)), problems(std::move(all)) {}
+MergeError::MergeError(std::vector<std::string> all) : BakeError(joined(all, "\n")), problems(std::move(all)) {}
 
 ShardSet::ShardSet(const std::vector<fs::path>& files, RequirePossible require_possible)
 {

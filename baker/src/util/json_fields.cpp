@@ -11,15 +11,6 @@ namespace lumi::baker
 namespace
 {
 
-std::string joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
-}
-
 std::string number_text(double value)
 {
     std::ostringstream out;
@@ -141,7 +132,7 @@ size_t JsonFields::choice(const std::string& name, const std::vector<std::string
     const std::string word = text_of(*value, name);
     const auto found = std::find(words.begin(), words.end(), word);
     if (found == words.end()) {
-        fail(*value, "'" + name + "' of " + what_ + " is '" + word + "'; choose one of: " + joined(words));
+        fail(*value, "'" + name + "' of " + what_ + " is '" + word + "'; choose one of: " + joined(words, ", "));
     }
     return static_cast<size_t>(found - words.begin());
 }
@@ -150,7 +141,8 @@ void JsonFields::finish() const
 {
     for (const auto& [name, value] : object_.members) {
         if (known_.count(name) == 0) {
-            fail(value, what_ + " knows no '" + name + "'; choose among: " + joined({known_.begin(), known_.end()}));
+            fail(value,
+                 what_ + " knows no '" + name + "'; choose among: " + joined({known_.begin(), known_.end()}, ", "));
         }
     }
 }

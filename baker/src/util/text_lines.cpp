@@ -135,6 +135,15 @@ std::vector<std::string_view> words(std::string_view argument)
     }
 }
 
+std::string joined(const std::vector<std::string>& parts, const char* separator)
+{
+    std::string text;
+    for (const std::string& part : parts) {
+        text += (text.empty() ? "" : separator) + part;
+    }
+    return text;
+}
+
 bool parse_finite(std::string_view word, double& value)
 {
     return parse_whole(word, value) && std::isfinite(value);

@@ -36,6 +36,9 @@ std::vector<Line> split_lines(std::string_view text);
 // The words of a line's argument.
 std::vector<std::string_view> words(std::string_view argument);
 
+// All parts with the separator between them.
+std::string joined(const std::vector<std::string>& parts, const char* separator);
+
 // Reads a finite number; false for anything else, such as nan, inf, 1e999 or "1,5".
 bool parse_finite(std::string_view word, double& value);
 bool parse_integer(std::string_view word, int64_t& value);

@@ -6,8 +6,7 @@
 
 #include "lumi/field.h"
 #include "lumi/texel.h"
-#include "support/scratch_folder.h"
-#include "support/shapes.h"
+#include "support/bake_scenes.h"
 
 namespace lumi::baker
 {
@@ -15,6 +14,7 @@ namespace
 {
 
 using format::TexelFormat;
+using testing::baked;
 using testing::read_bytes;
 using testing::ScratchFolder;
 
@@ -23,29 +23,16 @@ constexpr TexelFormat kFormats[] = {TexelFormat::rgb888, TexelFormat::rgb565, Te
 
 Scene small_scene()
 {
-    testing::SceneMaker maker;
-    maker.ball(maker.add(testing::glossy({0.7f, 0.3f, 0.1f}, 0.3f)), {0, 0, 0.2f}, 0.4f, 8);
-    const uint32_t floor = maker.add(testing::diffuse({0.2f, 0.5f, 0.3f}));
-    maker.quad(floor, {-0.6f, -0.6f, -0.3f}, {0.6f, -0.6f, -0.3f}, {0.6f, 0.6f, -0.3f}, {-0.6f, 0.6f, -0.3f});
-    return maker.make(studio_environment());
+    return testing::ball_over_floor(8, studio_environment());
 }
 
 BakeSettings small_settings(TexelFormat texel)
 {
-    BakeSettings s;
+    BakeSettings s = testing::tiny_settings(texel);
     s.origins = 40;
     s.directions = 70;
-    s.texel = texel;
     s.samples = 4;
-    s.threads = 1;
     return s;
-}
-
-std::string bake_bytes(const Scene& scene, const BakeSettings& settings)
-{
-    const ScratchFolder folder;
-    bake_field(scene, settings, folder.at("out.lumi"));
-    return read_bytes(folder.at("out.lumi"));
 }
 
 const uint8_t* bytes_of(const std::string& bytes)
@@ -78,7 +65,7 @@ TEST_CASE("bake: core opens and verifies what is written, in every texel format 
         for (const uint32_t cap : {0u, 1u, 25u}) {
             BakeSettings settings = small_settings(texel);
             settings.used_origins = cap;
-            const std::string bytes = bake_bytes(scene, settings);
+            const std::string bytes = baked(scene, settings);
             INFO("format " << static_cast<int>(texel) << ", cap " << cap);
             CHECK(bytes.size() == field_file_bytes(settings));
             Field field;
@@ -101,7 +88,7 @@ TEST_CASE("bake: the formats agree on coverage and colour")
     std::string bytes[4];
     Field fields[4];
     for (size_t k = 0; k < 4; ++k) {
-        bytes[k] = bake_bytes(scene, small_settings(kFormats[k]));
+        bytes[k] = baked(scene, small_settings(kFormats[k]));
         REQUIRE(open_field(bytes_of(bytes[k]), bytes[k].size(), fields[k]) == FieldError::none);
     }
     uint32_t covered = 0;
@@ -127,14 +114,14 @@ TEST_CASE("bake: the same bytes for any number of threads and every run; others 
     const Scene scene = small_scene();
     for (const TexelFormat texel : {TexelFormat::rgb888, TexelFormat::palette8}) {
         BakeSettings settings = small_settings(texel);
-        const std::string one = bake_bytes(scene, settings);
-        CHECK(bake_bytes(small_scene(), settings) == one);
+        const std::string one = baked(scene, settings);
+        CHECK(baked(small_scene(), settings) == one);
         settings.threads = 2;
-        CHECK(bake_bytes(scene, settings) == one);
+        CHECK(baked(scene, settings) == one);
         settings.threads = 3;
-        CHECK(bake_bytes(scene, settings) == one);
+        CHECK(baked(scene, settings) == one);
         settings.seed = 2;
-        CHECK(bake_bytes(scene, settings) != one);
+        CHECK(baked(scene, settings) != one);
     }
 }
 
@@ -148,7 +135,7 @@ TEST_CASE("bake: a texel tells what its ray sees: a ball in constant light is on
     settings.used_origins = 60;
     settings.directions = 300;
     settings.samples = 64;
-    const std::string bytes = bake_bytes(maker.make(constant_environment(1)), settings);
+    const std::string bytes = baked(maker.make(constant_environment(1)), settings);
     Field field;
     REQUIRE(open_field(bytes_of(bytes), bytes.size(), field) == FieldError::none);
     for (uint32_t i = 0; i < 60; ++i) {
@@ -228,7 +215,7 @@ TEST_CASE("bake: the smallest lattices work")
             BakeSettings settings = small_settings(TexelFormat::palette8);
             settings.origins = m;
             settings.directions = n;
-            const std::string bytes = bake_bytes(scene, settings);
+            const std::string bytes = baked(scene, settings);
             Field field;
             REQUIRE(open_field(bytes_of(bytes), bytes.size(), field) == FieldError::none);
             CHECK(verify_field(bytes_of(bytes), bytes.size()) == FieldError::none);

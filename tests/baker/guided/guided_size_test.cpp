@@ -5,7 +5,7 @@
 
 #include "lumi/baker/bake.h"
 #include "lumi/baker/guided.h"
-#include "support/shapes.h"
+#include "support/bake_scenes.h"
 
 namespace lumi::baker
 {
@@ -14,11 +14,7 @@ namespace
 
 Scene small_scene()
 {
-    testing::SceneMaker maker;
-    maker.ball(maker.add(testing::glossy({0.7f, 0.3f, 0.1f}, 0.3f)), {0, 0, 0.2f}, 0.4f, 8);
-    const uint32_t floor = maker.add(testing::diffuse({0.2f, 0.5f, 0.3f}));
-    maker.quad(floor, {-0.6f, -0.6f, -0.3f}, {0.6f, -0.6f, -0.3f}, {0.6f, 0.6f, -0.3f}, {-0.6f, 0.6f, -0.3f});
-    return maker.make(studio_environment());
+    return testing::ball_over_floor(8, studio_environment());
 }
 
 GuidedSettings small_settings()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene and settings whose bakes take milliseconds.
+// Scenes and settings whose bakes take milliseconds.
 #pragma once
 
 #include "lumi/baker/bake.h"
@@ -9,13 +9,19 @@
 namespace lumi::baker::testing
 {
 
-inline Scene tiny_scene(float ball_colour = 0.7f, float sky = 1)
+// A glossy ball, of so many rings, over a floor.
+inline Scene ball_over_floor(int rings, const Environment& environment, float ball_colour = 0.7f)
 {
     SceneMaker maker;
-    maker.ball(maker.add(glossy({ball_colour, 0.3f, 0.1f}, 0.3f)), {0, 0, 0.2f}, 0.4f, 6);
+    maker.ball(maker.add(glossy({ball_colour, 0.3f, 0.1f}, 0.3f)), {0, 0, 0.2f}, 0.4f, rings);
     const uint32_t floor = maker.add(diffuse({0.2f, 0.5f, 0.3f}));
     maker.quad(floor, {-0.6f, -0.6f, -0.3f}, {0.6f, -0.6f, -0.3f}, {0.6f, 0.6f, -0.3f}, {-0.6f, 0.6f, -0.3f});
-    return maker.make(constant_environment(sky));
+    return maker.make(environment);
+}
+
+inline Scene tiny_scene(float ball_colour = 0.7f, float sky = 1)
+{
+    return ball_over_floor(6, constant_environment(sky), ball_colour);
 }
 
 inline BakeSettings tiny_settings(format::TexelFormat texel = format::TexelFormat::rgb888)
