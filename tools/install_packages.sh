@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/install_packages.sh build|tests [--print]
-# Installs the Debian 12 packages that are missing: to build the `lumi` command, or to run all tests too.
+# tools/install_packages.sh build|tests|all [--print]
+# Installs the Debian 12 packages that are missing: to build the `lumi` command, to run the tests too, or to run
+# `tools/test.sh --all`.
 # With --print it only lists them. This is the one list of what the project needs.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -21,9 +22,26 @@ test_packages=(
   qemu-system-arm                                                           # boards to run it on
   slurm-wlm munge procps                                                    # a job array on this machine
   python3)                                                                  # the generator of the scenes, includes
+all_packages=(clang-tidy)
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+}
+
+lock_timeout_s=600  # another process may be installing
+
+# Fetches the lists of packages. apt-get waits for the lock of packages, but not for that of their lists.
+update_lists() {
+  local end=$((SECONDS + lock_timeout_s)) errors
+  errors=$(mktemp)
+  until LC_ALL=C apt-get update --quiet </dev/null 2>"$errors"; do
+    cat "$errors" >&2
+    if ((SECONDS >= end)) || ! grep --quiet 'get lock' "$errors"; then
+      die "apt-get update failed; the messages above say why"
+    fi
+    sleep 5
+  done
+  rm "$errors"
 }
 
 install_missing() {
@@ -40,16 +58,18 @@ install_missing() {
     die "run this as root, then start again:  apt-get update && apt-get install ${missing[*]}"
   fi
   export DEBIAN_FRONTEND=noninteractive
-  apt-get update --quiet </dev/null
-  apt-get install --yes --quiet --no-install-recommends "${missing[@]}" </dev/null
+  update_lists
+  apt-get -o DPkg::Lock::Timeout="$lock_timeout_s" install --yes --quiet --no-install-recommends "${missing[@]}" \
+    </dev/null
 }
 
 main() {
   case ${1:-} in
     build) packages=("${build_packages[@]}") ;;
     tests) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
+    all) packages=("${build_packages[@]}" "${test_packages[@]}" "${all_packages[@]}") ;;
     --help) help "$0" && exit ;;
-    *) wrong_call "say 'build' or 'tests'" ;;
+    *) wrong_call "say 'build', 'tests' or 'all'" ;;
   esac
   if [[ ${2:-} == --print ]]; then
     printf '%s\n' "${packages[@]}"
