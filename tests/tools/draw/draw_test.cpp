@@ -5,6 +5,7 @@
 
 #include "lumi/host/camera.h"
 #include "lumi/render.h"
+#include "lumi/span.h"
 #include "metrics/psnr.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
@@ -108,6 +109,22 @@ TEST_CASE("spans are drawn where asked for, and longer ones differ more")
     const double at16 = psnr_db(drawn(Mode::linear, 16), exact);
     CHECK(at16 < at4);
     CHECK(at16 > 25);
+}
+
+TEST_CASE("kernels of more than five points are those of core, on spans and exactly")
+{
+    const Camera camera = test_camera(60, 60);
+    const std::string bytes = test::field_bytes({200, 300, 200, format::TexelFormat::rgb888});
+    const Field field = opened(bytes);
+    constexpr uint32_t kMost = kMaxNeighbours;
+    Picture spans(camera.width_px, camera.height_px);
+    const Stripe stripe = {spans.rgb.data(), 0, 0, camera.width_px, camera.height_px, 3 * 60};
+    const RenderError error =
+        render_spans<Paper<kMost>, TexelRgb888, PixelRgb888>(field, camera, OverColour{kBackground}, stripe, 4);
+    REQUIRE(error == RenderError::none);
+    CHECK((draw(field, camera, {Mode::paper, kMost, DisplayFormat::rgb888, kBackground, 4}).rgb == spans.rgb));
+    CHECK((draw(field, camera, {Mode::paper, kMost, DisplayFormat::rgb888, kBackground}).rgb ==
+           drawn_at_once<Paper<kMost>, TexelRgb888>(field, camera).rgb));
 }
 
 TEST_CASE("modes and neighbour counts are told apart")

@@ -33,6 +33,29 @@ void copy_stripe(const Stripe& stripe, Picture& picture)
         }
 }
 
+// Spans weigh at most five points a side, so larger kernels of the paper are the same there. They are compiled for the
+// exact renderer alone, which draws the fields that spans cannot.
+template <class Reconstruction>
+struct OnSpans {
+    using Type = Reconstruction;
+};
+
+template <uint32_t kNeighbours>
+struct OnSpans<Paper<kNeighbours>> {
+    static constexpr uint32_t kMost = KernelTaps::kMost;
+    using Type = Paper<(kNeighbours < kMost ? kNeighbours : kMost)>;
+};
+
+template <class Reconstruction, class Texel, class Pixel>
+RenderError draw_stripe(const Field& field, const Camera& camera, const DrawSettings& settings, const Stripe& stripe)
+{
+    const OverColour background = {settings.background};
+    if (settings.span_px < 2 || !fits_spans(field.origins) || !fits_spans(field.directions) || !spans_can_read(field))
+        return render<Reconstruction, Texel, Pixel>(field, camera, background, stripe);
+    return render_spans<typename OnSpans<Reconstruction>::Type, Texel, Pixel>(field, camera, background, stripe,
+                                                                              settings.span_px);
+}
+
 template <class Reconstruction, class Texel, class Pixel>
 Picture draw_as(const Field& field, const Camera& camera, const DrawSettings& settings)
 {
@@ -43,8 +66,7 @@ Picture draw_as(const Field& field, const Camera& camera, const DrawSettings& se
         leave_if_interrupted();
         const int rows = std::min(kSpanStripeRows, camera.height_px - y);
         const Stripe stripe = {buffer.data(), 0, y, camera.width_px, rows, stride};
-        const RenderError error = render_spans<Reconstruction, Texel, Pixel>(
-            field, camera, OverColour{settings.background}, stripe, settings.span_px);
+        const RenderError error = draw_stripe<Reconstruction, Texel, Pixel>(field, camera, settings, stripe);
         assert(error == RenderError::none);  // draw() chose the texel policy by the field's own format
         static_cast<void>(error);
         copy_stripe<Pixel>(stripe, picture);
