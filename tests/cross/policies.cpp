@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Every combination of reconstruction × texel × pixel × background that core offers, and all of core's functions that
-// firmware calls, for tests that read symbols and stack sizes. Never run.
+// Combinations of reconstruction × texel × pixel × background that core offers, and all of core's functions that
+// firmware calls, for tests that read symbols and stack sizes. Never run. LUMI_POLICIES says which combinations: `all`;
+// `pairs`: any two choices meet in one of them; `each`: every reconstruction is in one.
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
 #include "lumi/focus_surface.h"
 #include "lumi/guided_render.h"
 #include "lumi/guided_vq.h"
@@ -24,6 +29,11 @@ template <class Reconstruction>
 struct BySpans;
 
 template <class Reconstruction, class Texel, class Pixel, class Background>
+struct Policy {
+    static constexpr Render kDraw = draw<Reconstruction, Texel, Pixel, Background>;
+};
+
+template <class Reconstruction, class Texel, class Pixel, class Background>
 RenderError draw_spans(const Field& field, const Camera& camera, const void* background, const Stripe& stripe)
 {
     constexpr int32_t kSpanPx = 16;
@@ -31,52 +41,97 @@ RenderError draw_spans(const Field& field, const Camera& camera, const void* bac
                                                       stripe, kSpanPx);
 }
 
-template <class Reconstruction, class Texel, class Pixel>
-struct OverEach {
-    Render black = draw<Reconstruction, Texel, Pixel, OverBlack>;
-    Render colour = draw<Reconstruction, Texel, Pixel, OverColour>;
-    Render stripe = draw<Reconstruction, Texel, Pixel, OverStripe>;
-};
-
-template <class Reconstruction, class Texel, class Pixel>
-struct OverEach<BySpans<Reconstruction>, Texel, Pixel> {
-    Render black = draw_spans<Reconstruction, Texel, Pixel, OverBlack>;
-    Render colour = draw_spans<Reconstruction, Texel, Pixel, OverColour>;
-    Render stripe = draw_spans<Reconstruction, Texel, Pixel, OverStripe>;
-};
-
-template <class Reconstruction, class Texel>
-struct EveryPixel {
-    OverEach<Reconstruction, Texel, PixelRgb565> rgb565;
-    OverEach<Reconstruction, Texel, PixelRgb565Swapped> rgb565_swapped;
-    OverEach<Reconstruction, Texel, PixelRgb888> rgb888;
-    OverEach<Reconstruction, Texel, PixelGrey8> grey8;
-};
-
-template <class Reconstruction>
-struct EveryTexel {
-    EveryPixel<Reconstruction, TexelRgb888> rgb888;
-    EveryPixel<Reconstruction, TexelRgb565> rgb565;
-    EveryPixel<Reconstruction, TexelPalette8> palette8;
-    EveryPixel<Reconstruction, TexelLuma8> luma8;
+template <class Reconstruction, class Texel, class Pixel, class Background>
+struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
+    static constexpr Render kDraw = draw_spans<Reconstruction, Texel, Pixel, Background>;
 };
 
 // Of the paper's kernel the smallest, the default and the largest.
-struct EveryReconstruction {
-    EveryTexel<Nearest> nearest;
-    EveryTexel<Linear> linear;
-    EveryTexel<Paper<1>> paper1;
-    EveryTexel<Paper<5>> paper5;
-    EveryTexel<Paper<kMaxNeighbours>> paper9;
-    EveryTexel<BySpans<Nearest>> nearest_spans;
-    EveryTexel<BySpans<NearestVoronoi>> voronoi_spans;
-    EveryTexel<BySpans<Dither>> dither_spans;
-    EveryTexel<BySpans<Linear>> linear_spans;
-    EveryTexel<BySpans<Paper<kMaxNeighbours>>> paper9_spans;
+using Reconstructions =
+    std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<kMaxNeighbours>, BySpans<Nearest>, BySpans<NearestVoronoi>,
+               BySpans<Dither>, BySpans<Linear>, BySpans<Paper<kMaxNeighbours>>>;
+using Texels = std::tuple<TexelRgb888, TexelRgb565, TexelPalette8, TexelLuma8>;
+using Pixels = std::tuple<PixelRgb565, PixelRgb565Swapped, PixelRgb888, PixelGrey8>;
+using Backgrounds = std::tuple<OverBlack, OverColour, OverStripe>;
+
+constexpr size_t kReconstructions = std::tuple_size_v<Reconstructions>;
+constexpr size_t kTexels = std::tuple_size_v<Texels>;
+constexpr size_t kPixels = std::tuple_size_v<Pixels>;
+constexpr size_t kBackgrounds = std::tuple_size_v<Backgrounds>;
+constexpr size_t kCombinations = kReconstructions * kTexels * kPixels * kBackgrounds;
+
+enum class Choice { all, pairs, each };
+constexpr Choice kChoice = Choice::LUMI_POLICIES;
+
+// A combination as the places of its parts in the lists above.
+struct Combination {
+    size_t reconstruction, texel, pixel, background;
+
+    constexpr explicit Combination(size_t index)
+        : reconstruction(index / kBackgrounds / kPixels / kTexels),
+          texel(index / kBackgrounds / kPixels % kTexels),
+          pixel(index / kBackgrounds % kPixels),
+          background(index % kBackgrounds)
+    {
+    }
 };
 
-extern const EveryReconstruction kEveryPolicy;
-const EveryReconstruction kEveryPolicy = {};
+// `pairs` has one combination of each reconstruction and texel, and counts pixel and background on with their sum: 4
+// and 3 have no common divisor, so 12 sums in a row meet every pair of those too.
+constexpr bool is_chosen(const Combination& of, Choice choice)
+{
+    if (choice == Choice::all) return true;
+    const size_t sum = of.reconstruction + of.texel;
+    if (of.pixel != sum % kPixels || of.background != sum % kBackgrounds) return false;
+    return choice == Choice::pairs || of.texel == of.reconstruction % kTexels;
+}
+
+// How many pairs of choices no chosen combination holds.
+constexpr int missing_pairs(Choice choice)
+{
+    constexpr size_t kLists = 4;
+    bool met[kLists][kLists][kReconstructions][kReconstructions] = {};
+    for (size_t i = 0; i < kCombinations; ++i) {
+        const Combination of(i);
+        if (!is_chosen(of, choice)) continue;
+        const size_t place[kLists] = {of.reconstruction, of.texel, of.pixel, of.background};
+        for (size_t a = 0; a < kLists; ++a)
+            for (size_t b = 0; b < kLists; ++b) met[a][b][place[a]][place[b]] = true;
+    }
+    constexpr size_t kSizes[kLists] = {kReconstructions, kTexels, kPixels, kBackgrounds};
+    int missing = 0;
+    for (size_t a = 0; a < kLists; ++a)
+        for (size_t b = 0; b < a; ++b)
+            for (size_t i = 0; i < kSizes[a]; ++i)
+                for (size_t j = 0; j < kSizes[b]; ++j) missing += met[a][b][i][j] ? 0 : 1;
+    return missing;
+}
+static_assert(missing_pairs(Choice::pairs) == 0, "any two choices meet");
+
+template <size_t kIndex>
+constexpr Render policy()
+{
+    constexpr Combination kOf(kIndex);
+    if constexpr (is_chosen(kOf, kChoice)) {
+        return Policy<std::tuple_element_t<kOf.reconstruction, Reconstructions>,
+                      std::tuple_element_t<kOf.texel, Texels>, std::tuple_element_t<kOf.pixel, Pixels>,
+                      std::tuple_element_t<kOf.background, Backgrounds>>::kDraw;
+    } else {
+        return nullptr;
+    }
+}
+
+template <class Indices>
+struct Policies;
+
+template <size_t... kIndex>
+struct Policies<std::index_sequence<kIndex...>> {
+    Render draw[sizeof...(kIndex)] = {policy<kIndex>()...};
+};
+using ChosenPolicies = Policies<std::make_index_sequence<kCombinations>>;
+
+extern const ChosenPolicies kChosenPolicies;
+const ChosenPolicies kChosenPolicies = {};
 
 // Guided fields: the shading policies over each surface. What firmware holds between stripes is not on its stack.
 struct GuidedView {
@@ -117,17 +172,22 @@ struct EveryStep {
     GuidedOverEach<GuidedPolicy<OneOrigin, NearestTap, Texel, Mean, OcclusionUse::ignored>> one_origin;
 };
 
-struct EveryGuided {
+// Every kind of chart and of mean.
+struct EachGuided {
     EveryStep<GuidedIndex4, MeanRgb565> index4_rgb565;
-    EveryStep<GuidedIndex4, MeanPalette8> index4_palette8;
-    EveryStep<GuidedIndex8, MeanRgb565> index8_rgb565;
-    EveryStep<GuidedIndex4, NoMean> index4;
     EveryStep<GuidedIndex8, NoMean> index8;
     EveryStep<GuidedVq8, MeanPalette8> vq8_palette8;
     GuidedOverEach<GuidedPolicy<ThreeOrigins, LinearTaps, NoChart, MeanRgb565, OcclusionUse::ignored>> mean;
 };
 
-extern const EveryGuided kEveryGuidedPolicy;
-const EveryGuided kEveryGuidedPolicy = {};
+struct EveryGuided : EachGuided {
+    EveryStep<GuidedIndex4, MeanPalette8> index4_palette8;
+    EveryStep<GuidedIndex8, MeanRgb565> index8_rgb565;
+    EveryStep<GuidedIndex4, NoMean> index4;
+};
+
+using ChosenGuided = std::conditional_t<kChoice == Choice::all, EveryGuided, EachGuided>;
+extern const ChosenGuided kChosenGuided;
+const ChosenGuided kChosenGuided = {};
 
 }  // namespace lumi::policies

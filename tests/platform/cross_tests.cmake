@@ -28,16 +28,20 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   set(lumi_firmware ${lumi_cross}/platform/mps2)
 
   add_test(NAME ${cpu}.build
-    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR} ${lumi_cross} --build-noclean
-      --build-generator ${CMAKE_GENERATOR} --build-options -DCMAKE_BUILD_TYPE=RelWithDebInfo
-        -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/toolchains/${cpu}.cmake
-        -DLUMI_BUILD_FIRMWARE=ON -DLUMI_FIRMWARE_FIELD=${CMAKE_CURRENT_BINARY_DIR}/fields/rgb565.lumi)
-  set_tests_properties(${cpu}.build PROPERTIES FIXTURES_SETUP lumi_built_${cpu}
-    PROCESSORS 2 TIMEOUT ${lumi_build_timeout_s})
+    COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${lumi_cross} -D CPU=${cpu} -D ALL=${LUMI_TEST_ALL}
+      -D FIELD=${CMAKE_CURRENT_BINARY_DIR}/fields/rgb565.lumi -P ${CMAKE_CURRENT_SOURCE_DIR}/build_board.cmake)
+  # Boards build side by side, each with one compiler, and before all else.
+  set_tests_properties(${cpu}.build PROPERTIES FIXTURES_SETUP lumi_built_${cpu} COST 1000
+    TIMEOUT ${lumi_build_timeout_s})
 
-  add_test(NAME ${cpu}.core_tests
-    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_core_tests.elf
-      -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+  set(lumi_cpu_tests)
+  if(LUMI_TEST_ALL OR cpu IN_LIST LUMI_UNIT_TEST_CPUS)
+    add_test(NAME ${cpu}.core_tests
+      COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_core_tests.elf
+        -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+    set_tests_properties(${cpu}.core_tests PROPERTIES COST 900)  # the longest of all, in one thread
+    list(APPEND lumi_cpu_tests ${cpu}.core_tests)
+  endif()
   add_test(NAME ${cpu}.board
     COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_board_test.elf
       -D COUNT_INSTRUCTIONS=ON -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
@@ -48,9 +52,9 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
     PASS_REGULAR_EXPRESSION "^error: .*\n.*ended with 1")
   add_test(NAME ${cpu}.frame_crcs
     COMMAND ${CMAKE_COMMAND} -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D BOARDS=${lumi_boards} -D CPU=${cpu}
-      -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}"
+      -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}" -D FRAMES=${lumi_frames}
       -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_frames.cmake)
-  set(lumi_cpu_tests ${cpu}.core_tests ${cpu}.board ${cpu}.refuses_missing_fields ${cpu}.frame_crcs)
+  list(APPEND lumi_cpu_tests ${cpu}.board ${cpu}.refuses_missing_fields ${cpu}.frame_crcs)
   foreach(mode nearest linear paper)
     add_test(NAME ${cpu}.demo_${mode}
       COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
@@ -93,7 +97,11 @@ add_test(NAME cortex-m0plus.unaligned_read_faults
 set_tests_properties(cortex-m0plus.unaligned_read_faults PROPERTIES FIXTURES_REQUIRED lumi_built_cortex-m0plus
   PASS_REGULAR_EXPRESSION "fault: .*ended with 70")
 
-foreach(cpu cortex-m0plus cortex-m4)
+set(lumi_size_cpus cortex-m0plus)
+if(LUMI_TEST_ALL)
+  list(APPEND lumi_size_cpus cortex-m4)
+endif()
+foreach(cpu IN LISTS lumi_size_cpus)
   add_test(NAME ${cpu}.size_report
     COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR}/cross/${cpu} --target size_report)
   set_tests_properties(${cpu}.size_report PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A fixed list of frames, every combination of view × renderer × texel format × pixel format, and their CRCs.
+// A fixed list of frames and their CRCs: every view × renderer × texel format as RGB565, and linear ones of every pixel
+// format. LUMI_EVERY_FRAME draws every combination of the four.
 // The same text is compiled for the host and for every board: equal lines prove equal pictures, bit by bit.
 #pragma once
 

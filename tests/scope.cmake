@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+# Which test runs where: the one list. Everything runs without sanitizers. What is left out below runs by
+# `tools/test.sh --all`, which sets LUMI_TEST_ALL. docs/log/tests.md says what each group protects.
+
+# Boards that run core's unit tests: the portable loops and those of DSP instructions. M3 has the loops of M0+, M7 those
+# of M4; both draw the frame list and pass the proof.
+set(LUMI_UNIT_TEST_CPUS cortex-m0plus cortex-m4)
+
+# Policies whose symbols and stacks the proof reads: all; every pair of two choices; each reconstruction once.
+set(LUMI_POLICIES_cortex-m0plus all)
+set(LUMI_POLICIES_cortex-m4 pairs)
+set(LUMI_POLICIES_cortex-m3 each)
+set(LUMI_POLICIES_cortex-m7 each)
+
+# Files that are not built under sanitizers. Statistics and pictures against a reference read no file and index no
+# memory that other tests do not; plans, reports and benches come from code that bakes and draws nothing itself.
+set(LUMI_PLAIN_FILES
+  baker/math/sampler_test.cpp
+  baker/math/warp_test.cpp
+  baker/material/anisotropy_test.cpp
+  baker/material/bsdf_test.cpp
+  baker/material/glass_test.cpp
+  baker/material/sheen_test.cpp
+  baker/light/fixtures_test.cpp
+  baker/light/light_test.cpp
+  baker/trace/agreement_test.cpp
+  baker/trace/catcher_test.cpp
+  baker/trace/error_gauge_test.cpp
+  baker/trace/path_tracer_test.cpp
+  baker/chord/field_rays_test.cpp
+  baker/guided/guided_size_test.cpp
+  tools/metrics/cw_ssim_test.cpp
+  tools/metrics/flip_test.cpp
+  tools/metrics/psnr_test.cpp
+  tools/metrics/ssim_test.cpp
+  tools/metrics/steerable_pyramid_test.cpp
+  tools/bench/cache_model_test.cpp
+  tools/bench/report_test.cpp
+  tools/quality/guided_twin_test.cpp
+  tools/quality/quality_test.cpp
+  tools/planner/fit_test.cpp
+  tools/planner/plan_search_test.cpp
+  tools/planner/speed_test.cpp
+  tools/planner/trials_test.cpp
+  tools/commands/fit_test.cpp
+  tools/commands/guided_scale_test.cpp
+  tools/commands/report_test.cpp
+  tools/commands/scale_test.cpp)
+
+# Tests with this tag bake one scene again and again (stopped, killed, in shards): not run under sanitizers either.
+set(LUMI_PLAIN_TAG "[repeated]")
+
+if(LUMI_SANITIZE AND NOT LUMI_TEST_ALL)
+  set(LUMI_TEST_SPEC "~${LUMI_PLAIN_TAG}")
+else()
+  set(LUMI_TEST_SPEC)
+  set(LUMI_PLAIN_FILES)
+endif()
+
+# lumi_test_program(TARGET AREA FILE...): a program of the tests in tests/AREA that belong to this tree, and its tests.
+function(lumi_test_program target area)
+  set(sources ${ARGN})
+  foreach(file IN LISTS LUMI_PLAIN_FILES)
+    if(file MATCHES "^${area}/(.*)")
+      if(NOT CMAKE_MATCH_1 IN_LIST sources)
+        message(FATAL_ERROR "tests/scope.cmake: tests/${file} is no test of ${target}")
+      endif()
+      list(REMOVE_ITEM sources ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  add_executable(${target} ${sources})
+  target_compile_definitions(${target} PRIVATE CATCH_CONFIG_FAST_COMPILE)
+  target_link_libraries(${target} PRIVATE lumi_catch_main lumi_options Catch2::Catch2)
+  target_precompile_headers(${target} PRIVATE <catch2/catch.hpp> ${LUMI_STD_HEADERS})
+  catch_discover_tests(${target} TEST_SPEC "${LUMI_TEST_SPEC}" TEST_PREFIX ${LUMI_TEST_PREFIX}${area}.)
+endfunction()
