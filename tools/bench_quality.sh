@@ -76,7 +76,7 @@ main() {
   done
   mkdir -p "$work"
   run_step "Packages" "$root/tools/install_packages.sh" build
-  run_step "Build" build_preset release
+  run_step "Build" build_lumi
   run_step "Fetch the meshes" fetch_meshes
   run_step "Write the scenes" write_scenes
   run_step "Count instructions" count_instructions

@@ -28,11 +28,20 @@ run_step() {
   shift
   printf '\n== %s\n' "$current_step"
   "$@"
-  step_times+=("$(printf '%5d s  %s' $((SECONDS - begin)) "$current_step")")
+  note_step $((SECONDS - begin)) "$current_step"
   current_step=
 }
 current_step=
 step_times=()
+
+# note_step SECONDS TITLE: adds a line to the table of steps. With LUMI_STEPS in the environment, the name of a file,
+# scripts that run one after the other share one table.
+note_step() {
+  step_times+=("$(printf '%5d s  %s' "$1" "$2")")
+  if [[ -n ${LUMI_STEPS:-} ]]; then
+    printf '%s\n' "${step_times[-1]}" >>"$LUMI_STEPS"
+  fi
+}
 
 report_failure() {
   if (($1 != 0)) && [[ -n $current_step ]]; then
@@ -43,14 +52,27 @@ trap 'report_failure $?' EXIT
 
 print_step_times() {
   printf '\n== Time\n'
-  printf '%s\n' "${step_times[@]}"
+  if [[ -n ${LUMI_STEPS:-} ]]; then
+    cat "$LUMI_STEPS"
+  else
+    printf '%s\n' "${step_times[@]}"
+  fi
 }
 
-# build_preset PRESET: configures and builds one of CMakePresets.json.
+# The `lumi` command, in the tree that the tests use too (see tools/test.sh).
+build_lumi() {
+  (
+    cd "$root" || exit
+    [[ -f build/release/build.ninja ]] || cmake --preset release
+    cmake --build --preset release --parallel "$jobs" --target lumi
+  )
+}
+
+# build_preset PRESET [OPTION...]: configures one of CMakePresets.json, with further options of cmake, and builds it.
 build_preset() {
   (
     cd "$root" || exit
-    cmake --preset "$1"
+    cmake --preset "$@"
     cmake --build --preset "$1" --parallel "$jobs"
   )
 }

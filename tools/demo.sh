@@ -106,7 +106,7 @@ main() {
   name=$(basename "$scene" .obj)
   mkdir -p "$out"
   run_step "Packages" "$root/tools/install_packages.sh" build
-  run_step "Build" build_preset release
+  run_step "Build" build_lumi
   run_step "Bake $name.obj" bake_guided
   run_step "Bake a chord field of as many bytes" bake_chord
   run_step "Draw $views views of each of: ${drawings[*]}" draw_turntables

@@ -102,7 +102,7 @@ main() {
     die "README.md has lost the markers of the table: put back '$begin_marker' and '$end_marker'"
   mkdir -p "$work"
   run_step "Packages" "$root/tools/install_packages.sh" build
-  run_step "Build" build_preset release
+  run_step "Build" build_lumi
   run_step "Path-trace references" trace_references
   local k
   for k in "${!names[@]}"; do

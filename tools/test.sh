@@ -1,30 +1,89 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/test.sh
-# Builds everything with warnings as errors and runs all tests: on the host, on the host under AddressSanitizer and
+# tools/test.sh [--all]
+# Builds everything with warnings as errors and runs the tests: on the host, on the host under AddressSanitizer and
 # UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
+# --all adds what tests/scope.cmake leaves out: every test under sanitizers too (built without precompiled headers, which
+# shows missing includes), every policy, frame and unit test on every board, and clang-tidy. A missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
+packages=tests
+all=OFF
+sanitize_options=()
+
+parse_arguments() {
+  while (($# > 0)); do
+    case $1 in
+      --all)
+        packages=all all=ON
+        sanitize_options=(-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+        ;;
+      --help) help "$0" && exit ;;
+      *) wrong_call "unknown argument '$1'" ;;
+    esac
+    shift
+  done
+}
+
 # One ctest run over both trees, so that one summary counts every test.
 join_trees() {
-  printf 'subdirs(host host-sanitize)\n' >"$root/build/CTestTestfile.cmake"
+  printf 'subdirs(release host-sanitize)\n' >"$root/build/CTestTestfile.cmake"
+}
+
+# The sources of our own that the host's build compiles, checked by .clang-tidy; precompiled headers are GCC's.
+check_with_clang_tidy() {
+  command -v run-clang-tidy >/dev/null || die "clang-tidy is missing"
+  (
+    cd "$root" || exit
+    cmake --preset tidy
+    run-clang-tidy -quiet -p build/tidy -j "$jobs" "$root/(core|baker|tools|platform|tests)/.*\.cpp$"
+  )
+}
+
+# Sums up what ctest says of each group of tests, a line a group: seconds of all processes together, number of tests.
+sum_up_tests() {
+  awk '/ Test +#[0-9]+: / {
+      name = $0
+      sub(/^.* Test +#[0-9]+: /, "", name)
+      seconds = $(NF - 1)
+      group = match(name, /^[a-z0-9-]+\.build/) ? substr(name, 1, RLENGTH) : \
+        match(name, /^(sanitized\.)?[a-z0-9-]+/) ? substr(name, 1, RLENGTH) : "other"
+      total[group] += seconds
+      ++count[group]
+    }
+    END { for (group in total) printf "%7.0f s  %s (%d)\n", total[group], group, count[group] }' "$1" | sort --reverse --numeric-sort
+}
+
+print_table() {
+  note_step "$1" "Tests, among them building for the boards; of that, two processes at a time:"
+  print_step_times
+  sum_up_tests "$2"
+  printf '\n'
+}
+
+# Runs ctest and keeps its closing lines back until the table of steps is printed.
+run_tests() {
+  local begin=$SECONDS log=$root/build/tests.log status=0
+  printf '\n== Tests (those of emulated boards build first)\n'
+  ctest --test-dir "$root/build" --parallel "$jobs" --output-on-failure 2>&1 | tee "$log" |
+    sed --unbuffered '/^[0-9]*% tests passed/,$d' || status=$?
+  print_table $((SECONDS - begin)) "$log"
+  sed --quiet '/^[0-9]*% tests passed/,$p' "$log"
+  return "$status"
 }
 
 main() {
-  case ${1:-} in
-    '') ;;
-    --help) help "$0" && exit ;;
-    *) wrong_call "unknown argument '$1'" ;;
-  esac
-  run_step "Packages" "$root/tools/install_packages.sh" tests
-  run_step "Build for the host" build_preset host
-  run_step "Build for the host, with sanitizers" build_preset host-sanitize
+  parse_arguments "$@"
+  run_step "Packages" "$root/tools/install_packages.sh" "$packages"
+  run_step "Build for the host" build_preset host -DLUMI_TEST_ALL="$all"
+  run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all" "${sanitize_options[@]}"
+  if [[ $all == ON ]]; then
+    run_step "clang-tidy" check_with_clang_tidy
+  fi
   join_trees
-  print_step_times
-  printf '\n== Tests (those of emulated boards build first)\n'
-  ctest --test-dir "$root/build" --parallel "$jobs" --output-on-failure
+  run_tests
 }
 
 main "$@"
