@@ -90,7 +90,7 @@ TEST_CASE("shards: a shard looks from all around, also where their number is one
     }
 }
 
-TEST_CASE("merge: the field is that of one machine, bit for bit, in every texel format, in any order")
+TEST_CASE("merge: the field is that of one machine, bit for bit, in every texel format, in any order", "[repeated]")
 {
     const Scene scene = tiny_scene();
     for (const TexelFormat texel :
@@ -111,7 +111,7 @@ TEST_CASE("merge: the field is that of one machine, bit for bit, in every texel 
     }
 }
 
-TEST_CASE("shard: one that was stopped goes on, and gives the same bytes")
+TEST_CASE("shard: one that was stopped goes on, and gives the same bytes", "[repeated]")
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
@@ -124,7 +124,7 @@ TEST_CASE("shard: one that was stopped goes on, and gives the same bytes")
     CHECK(folder.file_count() == 2);
 }
 
-TEST_CASE("shard: a complete one is left alone, of a damaged one the damaged row is baked again")
+TEST_CASE("shard: a complete one is left alone, of a damaged one the damaged row is baked again", "[repeated]")
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;

@@ -81,7 +81,8 @@ std::string partial_checkpoint(const std::string& complete, uint32_t charts, boo
 
 }  // namespace
 
-TEST_CASE("guided checkpoint: a bake goes on from any chart and gives the bytes of an undisturbed one, of every kind")
+TEST_CASE("guided checkpoint: a bake goes on from any chart and gives the bytes of an undisturbed one, of every kind",
+          "[repeated]")
 {
     const Scene scene = tiny_scene();
     for (const GuidedSettings& settings : tiny_guided_of_every_kind()) {
@@ -110,7 +111,7 @@ TEST_CASE("guided checkpoint: a bake goes on from any chart and gives the bytes 
     }
 }
 
-TEST_CASE("guided checkpoint: charts and points that are done are not traced again")
+TEST_CASE("guided checkpoint: charts and points that are done are not traced again", "[repeated]")
 {
     const Scene scene = tiny_scene();
     const GuidedSettings settings = tiny_focus();
@@ -123,7 +124,7 @@ TEST_CASE("guided checkpoint: charts and points that are done are not traced aga
     CHECK(three.first.rays_total == none.first.rays_total);
 }
 
-TEST_CASE("guided checkpoint: a bake stopped again and again is bit-identical to an undisturbed one")
+TEST_CASE("guided checkpoint: a bake stopped again and again is bit-identical to an undisturbed one", "[repeated]")
 {
     const Scene scene = tiny_scene();
     for (GuidedSettings settings : tiny_guided_of_every_kind()) {
@@ -147,7 +148,7 @@ TEST_CASE("guided checkpoint: a bake stopped again and again is bit-identical to
     }
 }
 
-TEST_CASE("guided checkpoint: a chart that was cut off in the middle is not kept")
+TEST_CASE("guided checkpoint: a chart that was cut off in the middle is not kept", "[repeated]")
 {
     const Scene scene = tiny_scene();
     GuidedSettings settings = tiny_focus();

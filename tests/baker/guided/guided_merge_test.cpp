@@ -25,7 +25,7 @@ Paths bake_shards(const ScratchFolder& folder, const Scene& scene, const GuidedS
 
 }  // namespace
 
-TEST_CASE("guided merge: shards give the bytes of one bake, of every kind and for any number of them")
+TEST_CASE("guided merge: shards give the bytes of one bake, of every kind and for any number of them", "[repeated]")
 {
     const Scene scene = tiny_scene();
     for (const GuidedSettings& settings : tiny_guided_of_every_kind()) {
@@ -45,7 +45,7 @@ TEST_CASE("guided merge: shards give the bytes of one bake, of every kind and fo
     }
 }
 
-TEST_CASE("guided shard: one that was stopped goes on; a complete one is left alone; damage is mended")
+TEST_CASE("guided shard: one that was stopped goes on; a complete one is left alone; damage is mended", "[repeated]")
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;

@@ -62,7 +62,8 @@ std::string continued(const Scene& scene, const BakeSettings& settings, const st
 
 }  // namespace
 
-TEST_CASE("checkpoint: a bake goes on from any row and gives the bytes of an undisturbed one, in every texel format")
+TEST_CASE("checkpoint: a bake goes on from any row and gives the bytes of an undisturbed one, in every texel format",
+          "[repeated]")
 {
     const Scene scene = tiny_scene();
     for (const TexelFormat texel :
@@ -76,7 +77,7 @@ TEST_CASE("checkpoint: a bake goes on from any row and gives the bytes of an und
     }
 }
 
-TEST_CASE("checkpoint: rows that are done are not traced again")
+TEST_CASE("checkpoint: rows that are done are not traced again", "[repeated]")
 {
     const Scene scene = tiny_scene();
     const BakeSettings settings = tiny_settings();
@@ -237,7 +238,7 @@ TEST_CASE("checkpoint: lights and skies enter the identity by every number, howe
     CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
 }
 
-TEST_CASE("checkpoint: a cap of all origins, and other threads, are the same bake")
+TEST_CASE("checkpoint: a cap of all origins, and other threads, are the same bake", "[repeated]")
 {
     const Scene scene = tiny_scene();
     BakeSettings settings = tiny_settings();
