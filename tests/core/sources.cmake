@@ -7,7 +7,7 @@ set(LUMI_CORE_TEST_SOURCES
   camera/quality_test.cpp
   camera/sphere_test.cpp
   chord/cover_test.cpp
-  chord/loops_test.cpp
+  chord/linear_test.cpp
   chord/nine_taps_test.cpp
   chord/pairs_test.cpp
   chord/range_test.cpp

@@ -16,6 +16,24 @@ struct Rgba8 {
     uint8_t r, g, b, a;
 };
 
+// A premultiplied colour over a background.
+constexpr Rgb8 over(const Rgba8& c, const Rgb8& under)
+{
+    const uint32_t transparency = 255u - c.a;
+    const auto blend = [&](uint8_t v, uint8_t u) {
+        return static_cast<uint8_t>(v + (transparency * u * 257u + 32768u) / 65536u);
+    };
+    return {blend(c.r, under.r), blend(c.g, under.g), blend(c.b, under.b)};
+}
+
+// The same of one channel of a weighted sum: colour and transparency where weights sum to 2^kBits, transparency in
+// those units.
+template <int kBits>
+constexpr uint8_t blended(uint32_t sum, uint32_t transparency, uint8_t under)
+{
+    return static_cast<uint8_t>((sum + transparency * under + (1u << (kBits - 1))) >> kBits);
+}
+
 // Luma of encoded values, ITU-R BT.709 weights in 1/256; the weights sum to 256, so grey stays grey.
 constexpr uint8_t luma(const Rgb8& c)
 {

@@ -80,10 +80,8 @@ struct Gathered {
     {
         constexpr uint32_t kOneQ24 = 1u << 24;
         const uint32_t transparency_q24 = kOneQ24 - a / 255u;
-        const auto blend = [&](uint32_t sum, uint8_t under) {
-            return static_cast<uint8_t>((sum + transparency_q24 * under + kOneQ24 / 2) >> 24);
-        };
-        return {blend(r, background.r), blend(g, background.g), blend(b, background.b)};
+        return {blended<24>(r, transparency_q24, background.r), blended<24>(g, transparency_q24, background.g),
+                blended<24>(b, transparency_q24, background.b)};
     }
 };
 

@@ -9,7 +9,8 @@
 // Paper<K> and NearestVoronoi need <lumi/render_spans_paper.h>, too.
 #pragma once
 
-#include "lumi/detail/chord/loops.h"
+#include "lumi/detail/chord/linear.h"
+#include "lumi/detail/chord/one_tap.h"
 
 namespace lumi
 {

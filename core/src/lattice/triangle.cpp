@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/lattice_query.h"
+#include "lattice/polar.h"
+#include "lumi/detail/cell_triangle.h"
 #include "lumi/lattice.h"
 #include "lumi/math.h"
-#include "lattice/polar.h"
 
 namespace lumi
 {
@@ -67,24 +68,21 @@ Triangle polar_triangle(const Lattice& lattice, const Query& q)
             {kWeightOneQ12 - w1 - w2, w1, w2}};
 }
 
-// The triangle of a cell of the lattice, by its parts (fu, fv) and the diagonal that divides it.
+// The triangle of a cell of the lattice.
 Triangle cell_triangle(const Lattice& lattice, const Query& q)
 {
+    constexpr int32_t kOne = static_cast<int32_t>(kWeightOneQ12);
     const Cell cell = cell_of(q);
     const int32_t corner = cell.first * (cell.u_q12 >> 12) + cell.second * (cell.v_q12 >> 12);
-    const uint32_t fu = static_cast<uint32_t>(cell.u_q12) & (kWeightOneQ12 - 1);
-    const uint32_t fv = static_cast<uint32_t>(cell.v_q12) & (kWeightOneQ12 - 1);
-    const auto index = [&](int32_t i) { return unmirrored(lattice, q, static_cast<uint32_t>(i)); };
-    const uint32_t first = index(corner + cell.first);
-    const uint32_t second = index(corner + cell.second);
-    const uint32_t near = index(corner);
-    const uint32_t far = index(corner + cell.first + cell.second);
-    if (is_obtuse(lattice, cell, corner)) {
-        if (fu > fv) return {{near, first, far}, {kWeightOneQ12 - fu, fu - fv, fv}};
-        return {{near, second, far}, {kWeightOneQ12 - fv, fv - fu, fu}};
+    const CellTriangle t = CellTriangle::of(cell.u_q12 & (kOne - 1), cell.v_q12 & (kOne - 1), kOne,
+                                            !is_obtuse(lattice, cell, corner));
+    Triangle result;
+    for (int m = 0; m < 3; ++m) {
+        const int32_t index = corner + t.first[m] * cell.first + t.second[m] * cell.second;
+        result.index[m] = unmirrored(lattice, q, static_cast<uint32_t>(index));
+        result.weight_q12[m] = static_cast<uint32_t>(t.weight[m]);
     }
-    if (fu + fv < kWeightOneQ12) return {{near, first, second}, {kWeightOneQ12 - fu - fv, fu, fv}};
-    return {{far, first, second}, {fu + fv - kWeightOneQ12, kWeightOneQ12 - fv, kWeightOneQ12 - fu}};
+    return result;
 }
 
 // Too few points for a pattern: the nearest three, by the kernel's weights.

@@ -17,8 +17,8 @@ std::string table_rule(size_t columns);
 // "12.3"; "–" for null, "∞" for infinity.
 std::string decimal_text(double value, int digits = 1);
 
-// What was aimed at against what was measured.
-std::string target_table(const Rows& rows);
+// The renderers that a reader looks for first: cost and accuracy.
+std::string glance_table(const Rows& rows);
 // Instructions per covered pixel, generic view: mode and texel against core and span.
 std::string cost_table(const Rows& rows);
 // The same split into set-up and inner loop, for span 8 and 16 on M4 and M0+.

@@ -100,7 +100,7 @@ void add_matrix_options(CLI::App& command, BenchOptions& options)
     add_words(command, "--mode", matrix.modes, "Reconstructions");
     add_words(command, "--texel", matrix.texels, "Texel formats");
     add_words(command, "--view", matrix.views, "Views");
-    command.add_option("--span", matrix.spans, "Pixels between exact ones, 0 for the exact renderer [0, 1, 4, 8, 16]")
+    command.add_option("--span", matrix.spans, "Pixels between exact ones, 0 for the exact renderer [0, 4, 8, 16]")
         ->delimiter(',')
         ->check(CLI::IsMember(bench::kSpans))
         ->type_name("LIST");

@@ -3,7 +3,7 @@
 // check every texel are made of. The fast loops through cells take the same taps (pairs.h).
 #pragma once
 
-#include "lumi/detail/register_hints.h"
+#include "lumi/detail/cell_triangle.h"
 #include "lumi/detail/stepping/lattice_line.h"
 
 namespace lumi
@@ -13,21 +13,6 @@ namespace lumi
 struct SideTaps {
     int32_t index[3];
     uint32_t weight[3];
-};
-
-// The triangle of a cell around fractions fu, fv in [0, one): which of its corners are taken, and their weights.
-// Cells are cut along the sum of both steps, or flipped: along their difference.
-struct CellTriangle {
-    int32_t first[3], second[3];  // how often a corner lies a first and a second step on
-    int32_t weight[3];
-
-    static CellTriangle of(int32_t fu, int32_t fv, int32_t one, bool flipped)
-    {
-        if (flipped && fu + fv >= one) return {{1, 1, 0}, {1, 0, 1}, {fu + fv - one, one - fv, one - fu}};
-        if (flipped) return {{0, 1, 0}, {0, 0, 1}, {one - fu - fv, fu, fv}};
-        if (fu > fv) return {{0, 1, 1}, {0, 0, 1}, {one - fu, fu - fv, fv}};
-        return {{0, 0, 1}, {0, 1, 1}, {one - fv, fv - fu, fu}};
-    }
 };
 
 // Walks a line pixel by pixel.

@@ -44,11 +44,6 @@ T load_aligned(const uint8_t* p)
     return v;
 }
 
-constexpr uint8_t blended(uint32_t sum_q16, uint32_t transparency_q16, uint8_t under)
-{
-    return static_cast<uint8_t>((sum_q16 + transparency_q16 * under + 0x8000u) >> 16);
-}
-
 // As pack_rgb565 does it, rounded once: of colours below 2^22, Q14. DSP's upper bits are not zero.
 #ifdef __ARM_FEATURE_DSP
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
@@ -132,11 +127,7 @@ struct SpanSumHalves {
     Rgb8 over(const Rgb8& under) const
     {
         if (!kCoverage) return {rounded(r), rounded(g), rounded(b)};
-        const uint32_t t = 255u - rounded(a);
-        const auto over_one = [&](uint8_t v, uint8_t u) {
-            return static_cast<uint8_t>(v + (t * u * 257u + 32768u) / 65536u);
-        };
-        return {over_one(rounded(r), under.r), over_one(rounded(g), under.g), over_one(rounded(b), under.b)};
+        return lumi::over({rounded(r), rounded(g), rounded(b), rounded(a)}, under);
     }
 
     template <class Pixel, class Background>
@@ -288,8 +279,8 @@ struct SpanSum<TexelRgb565, kCoverage> {
     {
         // 8·255/31 and 8·255/63 in Q8: sums of 31·2^13 and 63·2^13 become 255·2^16, within 32 bits on the way.
         const uint32_t t = kCoverage ? 65536u - 8 * a : 0;
-        return {blended((r * 16846u) >> 8, t, under.r), blended((g * 8290u) >> 8, t, under.g),
-                blended((b * 16846u) >> 8, t, under.b)};
+        return {blended<16>((r * 16846u) >> 8, t, under.r), blended<16>((g * 8290u) >> 8, t, under.g),
+                blended<16>((b * 16846u) >> 8, t, under.b)};
     }
 
     template <class Pixel, class Background>

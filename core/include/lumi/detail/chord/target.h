@@ -8,6 +8,13 @@
 namespace lumi
 {
 
+// The loops that draw pieces, one per reconstruction over any texel, pixel and background: draw(SpanTarget) through
+// cells, and draw_checked(CheckedTarget). Either fills all pixels of its target, whose lines it may move. Through cells
+// both sides' coordinates advance by addition and a texel's address is a sum of products of whole lattice steps; no
+// division, no table, no clamping.
+template <class Reconstruction>
+struct SpanDraw;
+
 // A span through cells, or one below the other those of a tile's rows, so that what they share is set up once.
 template <class Background>
 struct SpanTarget {

@@ -6,7 +6,8 @@
 #pragma once
 
 #include "lumi/detail/chord/kernel/distances.h"
-#include "lumi/detail/chord/loops.h"
+#include "lumi/detail/chord/linear.h"
+#include "lumi/detail/chord/one_tap.h"
 #include "lumi/detail/chord/kernel/weights.h"
 
 namespace lumi

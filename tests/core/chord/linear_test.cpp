@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "lumi/background.h"
-#include "lumi/detail/chord/loops.h"
+#include "lumi/detail/chord/linear.h"
+#include "lumi/detail/chord/one_tap.h"
 
 using namespace lumi;
 
