@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "chord/field_writer.h"
-#include "guided_bytes.h"
+#include "guided/guided_bytes.h"
 #include "lumi/texel.h"
 #include "synthetic_ray.h"
 

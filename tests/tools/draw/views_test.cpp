@@ -71,8 +71,8 @@ TEST_CASE("a turntable's eyes stand evenly around the vertical axis")
     write_views(options, folder / "a.png", std::ref(drawer));
     const double expected[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     for (size_t i = 0; i < 4; ++i) {
-        CHECK(drawer.cameras[i].eye_direction.x / double(kOneQ30) == Approx(expected[i][0]).margin(1e-6));
-        CHECK(drawer.cameras[i].eye_direction.y / double(kOneQ30) == Approx(expected[i][1]).margin(1e-6));
+        CHECK(drawer.cameras[i].eye_direction().x / double(kOneQ30) == Approx(expected[i][0]).margin(1e-6));
+        CHECK(drawer.cameras[i].eye_direction().y / double(kOneQ30) == Approx(expected[i][1]).margin(1e-6));
     }
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("a stereo pair shows the left eye left and both eyes as far apart as a
     CHECK(pair.pixel(12, 0)[0] == 2);
     for (size_t i = 0; i < 2; ++i) {
         const double side = i == 0 ? -0.25 : 0.25;
-        CHECK(drawer.cameras[i].eye_direction.y / double(kOneQ30) == Approx(side / std::hypot(4, 0.25)).margin(1e-6));
+        CHECK(drawer.cameras[i].eye_direction().y / double(kOneQ30) == Approx(side / std::hypot(4, 0.25)).margin(1e-6));
     }
 }
 
