@@ -28,8 +28,8 @@ struct Place {
 std::vector<Place> places()
 {
     std::vector<Place> all;
-    const int32_t offsets[] = {INT_MIN, -40000, -32769, -41, -17, -1, 0, 13, 39, 40, 41, 16384 + 40, 32767, 40000,
-                               INT_MAX - 8, INT_MAX};
+    const int32_t offsets[] = {INT_MIN, -40000, -32769, -41,        -17,   -1,    0,           13,
+                               39,      40,     41,     16384 + 40, 32767, 40000, INT_MAX - 8, INT_MAX};
     for (const int32_t x : offsets) {
         for (const int32_t y : offsets) all.push_back({x, y, 9, 5});
     }
@@ -132,9 +132,9 @@ TEST_CASE("images of one row or one column are drawn", "[render][span]")
                 REQUIRE(render<Nearest, TexelLuma8, PixelGrey8>(field, camera, OverBlack{},
                                                                 {exact.data(), 0, 0, size[0], size[1], stride}) ==
                         RenderError::none);
-                REQUIRE(render_spans<Nearest, TexelLuma8, PixelGrey8>(
-                            field, camera, OverBlack{}, {spans.data(), 0, 0, size[0], size[1], stride}, 16) ==
-                        RenderError::none);
+                REQUIRE(render_spans<Nearest, TexelLuma8, PixelGrey8>(field, camera, OverBlack{},
+                                                                      {spans.data(), 0, 0, size[0], size[1], stride},
+                                                                      16) == RenderError::none);
                 INFO(size[0] << " x " << size[1] << ", " << fov << " degrees, " << distance << " R");
                 size_t differ = 0;
                 for (size_t k = 0; k < exact.size(); ++k) differ += exact[k] != spans[k] ? 1u : 0u;

@@ -77,11 +77,11 @@ struct OutlineQuadratic {
 class Camera
 {
 public:
-    const Vec3q30& eye_direction() const { return eye_direction_; }             // ê
-    int32_t inverse_distance_q30() const { return inverse_distance_q30_; }      // 1/e in (0, 1]
-    int32_t perpendicular_q30() const { return perpendicular_q30_; }            // 1 - 1/e² in [0, 1)
-    const AffineQ40& facing() const { return facing_; }                         // m
-    const AffineQ40 (&offset() const)[3] { return offset_; }                    // P (x, y, z)
+    const Vec3q30& eye_direction() const { return eye_direction_; }         // ê
+    int32_t inverse_distance_q30() const { return inverse_distance_q30_; }  // 1/e in (0, 1]
+    int32_t perpendicular_q30() const { return perpendicular_q30_; }        // 1 - 1/e² in [0, 1)
+    const AffineQ40& facing() const { return facing_; }                     // m
+    const AffineQ40 (&offset() const)[3] { return offset_; }                // P (x, y, z)
     const OutlineQuadratic& outline() const { return outline_; }
     int32_t width_px() const { return width_px_; }
     int32_t height_px() const { return height_px_; }

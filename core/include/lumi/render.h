@@ -40,10 +40,7 @@ struct Stripe {
     int32_t bottom_px() const { return end_of(y_px, height_px); }
 
 private:
-    static int32_t end_of(int32_t begin, int32_t size)
-    {
-        return begin > INT32_MAX - size ? INT32_MAX : begin + size;
-    }
+    static int32_t end_of(int32_t begin, int32_t size) { return begin > INT32_MAX - size ? INT32_MAX : begin + size; }
 };
 
 // Where a pixel of the stripe lies in memory.

@@ -51,8 +51,8 @@ RenderError render_spans(const Field& field, const Camera& camera, const Backgro
                                              piece.y, origins.cells, directions.cells, piece.tile};
             Draw::template draw<Texel, Pixel>(target);
         } else {
-            Draw::template draw_checked<Texel, Pixel>(CheckedTarget<Background>{
-                field, background, pixels, piece.width, piece.x, piece.y, origins, directions});
+            Draw::template draw_checked<Texel, Pixel>(CheckedTarget<Background>{field, background, pixels, piece.width,
+                                                                                piece.x, piece.y, origins, directions});
         }
     }
     return RenderError::none;

@@ -149,7 +149,8 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
         const auto component = [&](int32_t e, int32_t p) {
             return static_cast<int32_t>((wide_product(a, e) + r_q30 * p + (int64_t{1} << 29)) >> 30);
         };
-        return Vec3q30{component(camera.eye_direction().x, ray.offset.x), component(camera.eye_direction().y, ray.offset.y),
+        return Vec3q30{component(camera.eye_direction().x, ray.offset.x),
+                       component(camera.eye_direction().y, ray.offset.y),
                        component(camera.eye_direction().z, ray.offset.z)};
     };
     return {combine(over_q(static_cast<int64_t>(lift_q30) + along_q30),

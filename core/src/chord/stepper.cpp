@@ -187,8 +187,8 @@ void ChordStepper::next_span(Piece& piece)
         length = 1;
     }
     const LatticeLine& origins = front_track_.line;
-    const bool is_whole = !origins.over_pole && !back_track_.line.over_pole &&
-                          (all_baked() || is_baked(origins.cells.highest(length)));
+    const bool is_whole =
+        !origins.over_pole && !back_track_.line.over_pole && (all_baked() || is_baked(origins.cells.highest(length)));
     piece = {is_whole ? Piece::Kind::cells : Piece::Kind::checked, x_, span_y_, length, nullptr};
     x_ += length;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/field.h"
 
+#include "field/sections.h"
 #include "lumi/crc32.h"
 #include "lumi/guided/guided_format.h"
-#include "field/sections.h"
 
 namespace lumi
 {

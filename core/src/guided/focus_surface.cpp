@@ -26,7 +26,8 @@ FocusSurface::FocusSurface(const GuidedField& field, const Camera& camera)
     : camera_(camera),
       focus_q14_{field.focus_q14[0], field.focus_q14[1], field.focus_q14[2]},
       radius_q14_(field.focus_radius_q14),
-      eye_direction_q14_{camera.eye_direction().x >> 16, camera.eye_direction().y >> 16, camera.eye_direction().z >> 16},
+      eye_direction_q14_{camera.eye_direction().x >> 16, camera.eye_direction().y >> 16,
+                         camera.eye_direction().z >> 16},
       inverse_distance_q15_(camera.inverse_distance_q30() >> 15),
       quantity_{}
 {

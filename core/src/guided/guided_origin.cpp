@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/guided/guided_origin.h"
 
-#include "lumi/detail/chord/sums.h"
 #include "field/sections.h"
+#include "lumi/detail/chord/sums.h"
 
 namespace lumi
 {

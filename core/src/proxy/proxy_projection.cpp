@@ -42,7 +42,8 @@ void set_axis(ProxyProjection& p, int k, const Vec3q30& axis, int64_t scale_q18)
 void set_depth_axis(ProxyProjection& p, const GuidedCamera& camera)
 {
     set_axis(p, 2, camera.forward, int64_t{1} << kAxisBits);
-    p.shift[2] = shift_to(static_cast<uint64_t>(magnitude(int64_t{camera.eye.z})), 20);  // |eye| then takes kSumBits bits
+    p.shift[2] =
+        shift_to(static_cast<uint64_t>(magnitude(int64_t{camera.eye.z})), 20);  // |eye| then takes kSumBits bits
     p.depth_bits = kSumBits - p.shift[2];
     p.eye[2] = static_cast<int32_t>(-shifted(camera.eye.z, p.depth_bits - 20));
 }

@@ -39,7 +39,8 @@ int32_t affine_q28(const AffineQ40& a, uint32_t x, uint32_t y)
 
 HitEvaluator::HitEvaluator(const Camera& camera)
     : camera_(camera),
-      eye_direction_q15_{camera.eye_direction().x >> 15, camera.eye_direction().y >> 15, camera.eye_direction().z >> 15},
+      eye_direction_q15_{camera.eye_direction().x >> 15, camera.eye_direction().y >> 15,
+                         camera.eye_direction().z >> 15},
       inverse_distance_q15_(camera.inverse_distance_q30() >> 15),
       perpendicular_q15_(camera.perpendicular_q30() >> 15),
       step_q28_{}

@@ -76,12 +76,7 @@ static RowSpan within(const RowSpan& columns, int32_t width_px)
 }
 
 OutlineTracker::OutlineTracker(const Camera& camera, const RowSpan& limits)
-    : camera_(camera),
-      limits_(within(limits, camera.width_px())),
-      span_{0, 0},
-      first_{},
-      last_{},
-      last_y_(INT32_MIN)
+    : camera_(camera), limits_(within(limits, camera.width_px())), span_{0, 0}, first_{}, last_{}, last_y_(INT32_MIN)
 {
 }
 

@@ -102,8 +102,8 @@ int32_t LineWalker::prepare_polar(const HitPair& at, const HitPair& next, int32_
     }
     next_place_ = track_.in_plane(next, mirrored);
     track_.line.over_pole = true;
-    track_.set_polar(place_, {step_of(next_place_.u_q16 - place_.u_q16, length),
-                              step_of(next_place_.v_q16 - place_.v_q16, length)});
+    track_.set_polar(
+        place_, {step_of(next_place_.u_q16 - place_.u_q16, length), step_of(next_place_.v_q16 - place_.v_q16, length)});
     return length;
 }
 

@@ -177,9 +177,9 @@ TEST_CASE("two interlaced halves make the frame", "[quality]")
     layout.used_origins = 100;
     layout.directions = 130;
     layout.texel = format::TexelFormat::luma8;
-    const Bytes bytes =
-        file_of({layout_section(layout),
-                 texel_section(layout, [](uint32_t i, uint32_t k) { return static_cast<uint8_t>(1 + (i * 37 + k * 11) % 255); })});
+    const Bytes bytes = file_of({layout_section(layout), texel_section(layout, [](uint32_t i, uint32_t k) {
+                                     return static_cast<uint8_t>(1 + (i * 37 + k * 11) % 255);
+                                 })});
     Field field;
     REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
     for (const View& view : extreme_views(kSide)) {

@@ -117,10 +117,9 @@ std::vector<uint8_t> drawn(const Field& field, const Edge& edge, int32_t span_px
 {
     std::vector<uint8_t> pixels(static_cast<size_t>(edge.width * edge.height));
     const Stripe stripe = {pixels.data(), edge.x, edge.y, edge.width, edge.height, static_cast<uint32_t>(edge.width)};
-    REQUIRE((span_px == 0
-                 ? render<Reconstruction, TexelLuma8, PixelGrey8>(field, edge.camera, OverBlack{}, stripe)
-                 : render_spans<Reconstruction, TexelLuma8, PixelGrey8>(field, edge.camera, OverBlack{}, stripe,
-                                                                        span_px)) == RenderError::none);
+    REQUIRE((span_px == 0 ? render<Reconstruction, TexelLuma8, PixelGrey8>(field, edge.camera, OverBlack{}, stripe)
+                          : render_spans<Reconstruction, TexelLuma8, PixelGrey8>(
+                                field, edge.camera, OverBlack{}, stripe, span_px)) == RenderError::none);
     return pixels;
 }
 

@@ -85,8 +85,8 @@ void check_refused(const Field& field, const View& view)
     Camera camera;
     REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
     std::vector<uint8_t> pixels(static_cast<size_t>(view.image.width_px * view.image.height_px), 77);
-    const Stripe stripe = {pixels.data(), 0, 0, view.image.width_px, view.image.height_px,
-                           static_cast<uint32_t>(view.image.width_px)};
+    const Stripe stripe = {
+        pixels.data(), 0, 0, view.image.width_px, view.image.height_px, static_cast<uint32_t>(view.image.width_px)};
     CHECK(render_spans<Linear, Texel, PixelGrey8>(field, camera, OverBlack{}, stripe, 8) ==
           RenderError::unfit_for_spans);
     CHECK(std::count(pixels.begin(), pixels.end(), 77) == static_cast<ptrdiff_t>(pixels.size()));

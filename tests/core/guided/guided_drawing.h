@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "guided/guided_bytes.h"
-#include "lumi/guided/guided_render.h"
 #include "guided/opened_guided.h"
+#include "lumi/guided/guided_render.h"
 #include "views.h"
 
 namespace lumi::test

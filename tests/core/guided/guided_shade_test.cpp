@@ -6,9 +6,9 @@
 #include <random>
 
 #include "guided/guided_bytes.h"
+#include "guided/opened_guided.h"
 #include "lumi/guided/guided_vq.h"
 #include "lumi/reference/guided_shading.h"
-#include "guided/opened_guided.h"
 #include "reference.h"
 #include "report.h"
 

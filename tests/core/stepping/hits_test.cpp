@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "lumi/math.h"
 #include "lumi/detail/stepping/outline.h"
+#include "lumi/math.h"
 #include "lumi/render_spans.h"
 #include "reference.h"
 #include "report.h"

@@ -179,9 +179,8 @@ std::string markdown_page(const Rows& rows, const Baselines& baselines, const st
 {
     std::string page = opening(field) + how_to_choose(rows);
     for (const std::string& plot : plots) page += "![Cost and accuracy](" + plot + ")\n";
-    page +=
-        "\n## At a glance\n\nInstructions per covered pixel, and PSNR against the exact picture.\n\n" +
-        glance_table(rows);
+    page += "\n## At a glance\n\nInstructions per covered pixel, and PSNR against the exact picture.\n\n" +
+            glance_table(rows);
     page += "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n" + guided_section(rows);
     page += accuracy_section(rows) + parts_model() + chip_table(rows) + "\n";
     return page + baseline_section(rows, baselines) + method(rows);

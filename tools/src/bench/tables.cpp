@@ -49,8 +49,8 @@ struct Glance {
     int span;
 };
 constexpr Glance kGlances[] = {
-    {"nearest", "rgb565", 16},  {"linear", "luma8", 16}, {"linear", "palette8", 16}, {"linear", "rgb888", 16},
-    {"paper", "rgb888", 16},    {"linear", "luma8", 8},  {"linear", "palette8", 8},  {"linear", "rgb888", 8},
+    {"nearest", "rgb565", 16}, {"linear", "luma8", 16}, {"linear", "palette8", 16}, {"linear", "rgb888", 16},
+    {"paper", "rgb888", 16},   {"linear", "luma8", 8},  {"linear", "palette8", 8},  {"linear", "rgb888", 8},
 };
 
 std::string cost_of(const Row* row)

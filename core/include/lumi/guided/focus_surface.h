@@ -10,8 +10,8 @@
 
 #include "lumi/camera.h"
 #include "lumi/guided/guided_field.h"
-#include "lumi/render.h"
 #include "lumi/guided/surface_point.h"
+#include "lumi/render.h"
 
 namespace lumi
 {

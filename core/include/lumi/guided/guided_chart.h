@@ -3,10 +3,10 @@
 // where a surface point lies in an origin's chart.
 #pragma once
 
+#include "lumi/detail/halves.h"
 #include "lumi/detail/register_hints.h"
 #include "lumi/fixed.h"
 #include "lumi/guided/guided_sums.h"
-#include "lumi/detail/halves.h"
 
 namespace lumi
 {

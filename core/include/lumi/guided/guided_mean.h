@@ -5,10 +5,10 @@
 // with it. Colours leave as levels of 0 .. 255 in Q8.
 #pragma once
 
+#include "lumi/detail/chord/sums.h"
 #include "lumi/detail/register_hints.h"
 #include "lumi/guided/guided_field.h"
 #include "lumi/guided/guided_registers.h"
-#include "lumi/detail/chord/sums.h"
 #include "lumi/guided/surface_point.h"
 
 namespace lumi

@@ -16,10 +16,10 @@
 // the sphere are asked for, others are background.
 #pragma once
 
+#include "lumi/detail/stepping/outline.h"
 #include "lumi/guided/guided_shade.h"
 #include "lumi/guided/guided_walker.h"
 #include "lumi/linear_light.h"
-#include "lumi/detail/stepping/outline.h"
 #include "lumi/pixel.h"
 #include "lumi/render.h"
 

@@ -5,9 +5,9 @@
 // Rows and palettes are read in one access each: the field lies at an address divisible by 4.
 #pragma once
 
+#include "lumi/detail/chord/sums.h"
 #include "lumi/detail/register_hints.h"
 #include "lumi/guided/guided_origin.h"
-#include "lumi/detail/chord/sums.h"
 
 namespace lumi
 {

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "lumi/detail/register_hints.h"
-#include "lumi/guided/guided_origin.h"
 #include "lumi/detail/stepping/walker.h"
+#include "lumi/guided/guided_origin.h"
 #include "lumi/sphere.h"
 
 namespace lumi

@@ -9,9 +9,9 @@
 #pragma once
 
 #include "lumi/detail/register_hints.h"
+#include "lumi/guided/surface_point.h"
 #include "lumi/proxy/proxy_frame.h"
 #include "lumi/render.h"
-#include "lumi/guided/surface_point.h"
 
 namespace lumi
 {

@@ -130,10 +130,11 @@ void draw_single_checked(const CheckedTarget<Background>& span)
     uint8_t* pixel = span.pixels;
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
         const SpanOffsets add = offsets.at(k);
-        store_checked<Texel, Pixel>(span,
-                                    span.template texel<Texel>(origins.template one_tap<Offsets>(add.origins_q16),
-                                                               directions.template one_tap<Offsets>(add.directions_q16)),
-                                    pixel);
+        store_checked<Texel, Pixel>(
+            span,
+            span.template texel<Texel>(origins.template one_tap<Offsets>(add.origins_q16),
+                                       directions.template one_tap<Offsets>(add.directions_q16)),
+            pixel);
         origins.advance();
         directions.advance();
     }

@@ -33,8 +33,7 @@ public:
     int32_t one_tap(int32_t add_q16) const
     {
         const PolarLine& p = line_.polar;
-        if (line_.over_pole)
-            return p.index(Offsets::pick(p.weight_q16[0], p.weight_q16[1], p.weight_q16[2], add_q16));
+        if (line_.over_pole) return p.index(Offsets::pick(p.weight_q16[0], p.weight_q16[1], p.weight_q16[2], add_q16));
         return line_.cells.base + corner(line_.cells.u_q16 + add_q16, line_.cells.v_q16 + add_q16);
     }
 

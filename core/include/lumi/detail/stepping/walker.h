@@ -16,8 +16,8 @@ public:
 
     // Begins at a pixel: a row, or anew. Leaves the track's line as it is.
     void begin(const HitPair& at);
-    // Sets the track's line for the span up to the pixel `length` on, 1 .. 16, and returns `length`; or returns how long
-    // to make it at most, 0 .. length - 1, as it comes near a pole or leaves it, or turns by more than 1/16 turn.
+    // Sets the track's line for the span up to the pixel `length` on, 1 .. 16, and returns `length`; or returns how
+    // long to make it at most, 0 .. length - 1, as it comes near a pole or leaves it, or turns by more than 1/16 turn.
     int32_t prepare(const HitPair& at, const HitPair& next, int32_t length);
     // Moves the line that prepare() set up by a share of a pixel's step (SpanLengths::shift_q8). Not over a pole, nor
     // where the map could end.
@@ -34,7 +34,7 @@ private:
     int32_t prepare_polar(const HitPair& at, const HitPair& next, int32_t length);
 
     LatticeTrack& track_;
-    bool in_plane_ = false;                              // places are of the polar pattern's plane
+    bool in_plane_ = false;                               // places are of the polar pattern's plane
     int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
     LatticePoint place_{}, next_place_{};
     int32_t z_q30_ = 0, next_z_q30_ = 0;  // of the prepared line's ends

@@ -10,10 +10,10 @@
 // points around the pixel: what it holds beside these four weighs less than 1/80.
 #pragma once
 
-#include "lumi/detail/register_hints.h"
-#include "lumi/field.h"
 #include "lumi/detail/halves.h"
+#include "lumi/detail/register_hints.h"
 #include "lumi/detail/stepping/zone_map.h"
+#include "lumi/field.h"
 
 namespace lumi
 {

@@ -6,9 +6,9 @@
 #pragma once
 
 #include "lumi/detail/chord/kernel/distances.h"
+#include "lumi/detail/chord/kernel/weights.h"
 #include "lumi/detail/chord/linear.h"
 #include "lumi/detail/chord/one_tap.h"
-#include "lumi/detail/chord/kernel/weights.h"
 
 namespace lumi
 {
@@ -103,8 +103,7 @@ private:
 class SideKernel
 {
 public:
-    SideKernel(LatticeLine& line, const Lattice& lattice, int32_t from, int32_t length)
-        : line_(line), pixel_(from)
+    SideKernel(LatticeLine& line, const Lattice& lattice, int32_t from, int32_t length) : line_(line), pixel_(from)
     {
         if (!line.over_pole) distances_ = SpanDistances(line.cells, lattice, 1, from, length);
     }
@@ -243,8 +242,7 @@ struct SpanDraw<Paper<K>> {
             for (int m = 0; m < origins.count; ++m) {
                 typename Sum::Row taps;
                 for (int k = 0; k < directions.count; ++k) {
-                    const uint8_t* const texel =
-                        span.template texel<Texel>(origins.offset[m], directions.offset[k]);
+                    const uint8_t* const texel = span.template texel<Texel>(origins.offset[m], directions.offset[k]);
                     if (texel != nullptr) taps.add(span.field, texel - Sum::kBefore, directions.weight[k]);
                 }
                 sum.add(taps, row_weight<Sum>(origins.weight[m]));
