@@ -188,9 +188,9 @@ bool OutlineTracker::search(int32_t y)
         span_.end = x + 1;
     }
     if (span_.begin >= span_.end) {
-        if (!is_concave()) return false;
-        const int32_t top = top_between(highest - step, highest + step, y);
-        span_ = {top, top + 1};
+        // Not concave, f is negative between two ends, of which m admits one: the row's first pixel was looked at.
+        const int32_t likeliest = is_concave() ? top_between(highest - step, highest + step, y) : limits_.end - 1;
+        span_ = {likeliest, likeliest + 1};
     }
     first_ = at(span_.begin, y);
     last_ = at(span_.end - 1, y);
@@ -222,13 +222,7 @@ RowSpan OutlineTracker::row(int32_t y)
         found = adjust();
     }
     last_y_ = y;
-    if (found || search(y)) return span_;
-    if (is_concave()) return span_ = {limits_.begin, limits_.begin};
-    span_ = covered_span(camera_, y, limits_.begin, limits_.end);
-    if (span_.begin < span_.end) {
-        first_ = at(span_.begin, y);
-        last_ = at(span_.end - 1, y);
-    }
+    if (!found && !search(y)) span_ = {limits_.begin, limits_.begin};
     return span_;
 }
 
