@@ -39,6 +39,7 @@ set(LUMI_PLAIN_FILES
   tools/metrics/steerable_pyramid_test.cpp
   tools/bench/cache_model_test.cpp
   tools/bench/report_test.cpp
+  tools/draw/draw_guided_test.cpp
   tools/quality/guided_twin_test.cpp
   tools/quality/quality_test.cpp
   tools/planner/fit_test.cpp
@@ -47,6 +48,7 @@ set(LUMI_PLAIN_FILES
   tools/planner/trials_test.cpp
   tools/commands/fit_test.cpp
   tools/commands/guided_scale_test.cpp
+  tools/commands/guided_test.cpp
   tools/commands/report_test.cpp
   tools/commands/scale_test.cpp)
 

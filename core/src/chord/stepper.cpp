@@ -90,9 +90,10 @@ bool ChordStepper::begin_tiles()
     constexpr int32_t kMargin = kTileRows / 2;
     begin_gap(INT32_MIN, INT32_MAX);
     const int32_t top = y_ & -kTileRows;
-    const int32_t bottom = top + kTileRows;
     const int32_t below = camera_.height_px() - 1;
-    if (span_log2_ < kMinTileLog2 || top < 0 || bottom > below || spans_[0].begin >= spans_[0].end) return false;
+    if (span_log2_ < kMinTileLog2 || top < 0 || top > below - kTileRows || spans_[0].begin >= spans_[0].end)
+        return false;
+    const int32_t bottom = top + kTileRows;
     const int32_t above_top = top > kMargin ? top - kMargin : 0;
     const int32_t below_bottom = bottom + kMargin < below ? bottom + kMargin : below;
     const RowSpan inside = outline_.columns(above_top, below_bottom, spans_[0], kMinTileLog2 - 1);
@@ -158,6 +159,8 @@ void ChordStepper::begin_gap(int32_t begin, int32_t end)
     row_ = begin < end ? 0 : rows_;
     part_ = {0, 0};
     x_ = 0;
+    at_ = &corners_[0][1 - left_];
+    end_ = &corners_[1][1 - left_];
 }
 
 // Goes on to the next row of the gap that covers something.

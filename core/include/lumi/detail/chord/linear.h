@@ -88,13 +88,14 @@ void draw_nine_checked(const CheckedTarget<Background>& span)
     for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
         const SideTaps rows = origins.template taps<Sum::kRowBits>();
         const SideTaps texels = directions.template taps<Sum::kTapBits>();
+        uint32_t offset[3];
+        for (int n = 0; n < 3; ++n) offset[n] = span.template offset<Texel>(texels.index[n]);
         Sum sum;
         for (int m = 0; m < 3; ++m) {
+            const uint8_t* const row = span.row(rows.index[m]);
+            if (row == nullptr) continue;
             typename Sum::Row of_row;
-            for (int n = 0; n < 3; ++n) {
-                const uint8_t* const texel = span.template texel<Texel>(rows.index[m], texels.index[n]);
-                if (texel != nullptr) of_row.add(span.field, texel - Sum::kBefore, texels.weight[n]);
-            }
+            for (int n = 0; n < 3; ++n) of_row.add(span.field, row + offset[n] - Sum::kBefore, texels.weight[n]);
             sum.add(of_row, row_weight<Sum>(rows.weight[m]));
         }
         sum.template store<Pixel>(span.background, pixel);

@@ -95,13 +95,12 @@ private:
     TileRows tile_rows_;
 
     // Spans: the gap's columns, what the row covers of the image and of the gap; hits of the next pixel to draw and of
-    // the one where its span ends.
+    // the one where its span ends, in the place of corners that no tile needs meanwhile.
     RowSpan gap_{0, 0}, span_{0, 0}, part_{0, 0};
     int32_t x_ = 0, span_y_ = 0;
     RayRow rays_;
-    HitPair ends_[2];
-    HitPair* at_ = &ends_[0];
-    HitPair* end_ = &ends_[1];
+    HitPair* at_ = nullptr;
+    HitPair* end_ = nullptr;
 };
 
 }  // namespace lumi

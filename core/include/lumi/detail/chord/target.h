@@ -60,13 +60,21 @@ struct CheckedTarget {
     LatticeLine& origins;
     LatticeLine& directions;
 
+    // An origin's texels; null where they are not baked.
+    const uint8_t* row(int32_t origin) const { return field.row(static_cast<uint32_t>(origin)); }
+    // Where a direction's texel lies in a row.
+    template <class Texel>
+    uint32_t offset(int32_t direction) const
+    {
+        const uint32_t j = static_cast<uint32_t>(direction);
+        return j < field.directions.size() ? j * format::bytes_per_texel(Texel::kFormat) : 0;
+    }
     // The texel at points of both lattices; null where it is not baked.
     template <class Texel>
     const uint8_t* texel(int32_t origin, int32_t direction) const
     {
-        const uint8_t* const row = field.row(static_cast<uint32_t>(origin));
-        if (row == nullptr || static_cast<uint32_t>(direction) >= field.directions.size()) return nullptr;
-        return row + static_cast<uint32_t>(direction) * format::bytes_per_texel(Texel::kFormat);
+        const uint8_t* const texels = row(origin);
+        return texels != nullptr ? texels + offset<Texel>(direction) : nullptr;
     }
 };
 

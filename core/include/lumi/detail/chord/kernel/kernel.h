@@ -238,13 +238,15 @@ struct SpanDraw<Paper<K>> {
             KernelTaps directions{};
             o.find<Sum::kRowBits, K>(origins);
             d.find<Sum::kTapBits, K>(directions);
+            uint32_t offset[KernelTaps::kMost];
+            for (int k = 0; k < directions.count; ++k) offset[k] = span.template offset<Texel>(directions.offset[k]);
             Sum sum;
             for (int m = 0; m < origins.count; ++m) {
+                const uint8_t* const row = span.row(origins.offset[m]);
+                if (row == nullptr) continue;
                 typename Sum::Row taps;
-                for (int k = 0; k < directions.count; ++k) {
-                    const uint8_t* const texel = span.template texel<Texel>(origins.offset[m], directions.offset[k]);
-                    if (texel != nullptr) taps.add(span.field, texel - Sum::kBefore, directions.weight[k]);
-                }
+                for (int k = 0; k < directions.count; ++k)
+                    taps.add(span.field, row + offset[k] - Sum::kBefore, directions.weight[k]);
                 sum.add(taps, row_weight<Sum>(origins.weight[m]));
             }
             sum.template store<Pixel>(span.background, pixel);
