@@ -28,6 +28,19 @@ inline bool fits_spans(const Field& field)
     return field.texel_format != format::TexelFormat::palette8 || aligned(field.palette, 4);
 }
 
+// The loops, each with a frame of its own: what they keep on the stack ends before the next piece is set up.
+template <class Reconstruction, class Texel, class Pixel, class Background>
+struct PieceLoops {
+    __attribute__((noinline)) static void draw(SpanTarget<Background> target)
+    {
+        SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
+    }
+    __attribute__((noinline)) static void draw_checked(const CheckedTarget<Background>& target)
+    {
+        SpanDraw<Reconstruction>::template draw_checked<Texel, Pixel>(target);
+    }
+};
+
 template <class Reconstruction, class Texel, class Pixel, class Background>
 RenderError render_spans(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe,
                          int32_t span_px)
@@ -36,7 +49,7 @@ RenderError render_spans(const Field& field, const Camera& camera, const Backgro
     if (!fits_spans(field)) return RenderError::unfit_for_spans;
     int span_log2 = 1;
     while (span_log2 < kMaxSpanLog2 && (2 << span_log2) <= span_px) ++span_log2;
-    using Draw = SpanDraw<Reconstruction>;
+    using Loops = PieceLoops<Reconstruction, Texel, Pixel, Background>;
     ChordStepper stepper(field, camera, stripe, span_log2);
     LatticeLine& origins = stepper.origins();
     LatticeLine& directions = stepper.directions();
@@ -47,12 +60,10 @@ RenderError render_spans(const Field& field, const Camera& camera, const Backgro
         }
         uint8_t* const pixels = pixel_of<Pixel>(stripe, piece.x, piece.y);
         if (piece.kind == Piece::Kind::cells) {
-            SpanTarget<Background> target = {field,   background,    pixels,           piece.width, piece.x,
-                                             piece.y, origins.cells, directions.cells, piece.tile};
-            Draw::template draw<Texel, Pixel>(target);
+            Loops::draw({field, background, pixels, piece.width, piece.x, piece.y, origins.cells, directions.cells,
+                         piece.tile});
         } else {
-            Draw::template draw_checked<Texel, Pixel>(CheckedTarget<Background>{field, background, pixels, piece.width,
-                                                                                piece.x, piece.y, origins, directions});
+            Loops::draw_checked({field, background, pixels, piece.width, piece.x, piece.y, origins, directions});
         }
     }
     return RenderError::none;
