@@ -2,7 +2,8 @@
 // Integer square root, reciprocal and trigonometry, each a small table and a short series.
 //
 // Tables are evaluated by the compiler from the formulas in math.cpp: 0.9 KB of flash in all, nothing at run time.
-// Errors stated here are the worst over the whole domain, checked in tests/core/math_test.cpp.
+// Roots and quotients begin at one of 192 reciprocal roots and take two Newton steps. Errors stated here are the worst
+// over the whole domain, checked in tests/core/math_test.cpp.
 #pragma once
 
 #include <cstdint>

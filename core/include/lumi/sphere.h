@@ -17,7 +17,7 @@ struct SphereRay {
     int32_t facing_q30;        // m > 0
     Vec3q30 offset;            // P
     int32_t offset2_q30;       // |P|²
-    uint64_t half_chord2_q60;  // s²
+    uint64_t half_chord2_q60;  // s², whose root is 2^-9 to 1
 };
 
 // The ray through the centre of pixel (x, y) of the image; false if it misses the sphere, is tangential or the sphere

@@ -25,7 +25,7 @@ public:
     explicit TileWalker(LatticeTrack& track) : track_(track) {}
 
     // Sets the track's line for the first row of a tile 2^width_log2 pixels wide; false where it comes near a pole or
-    // turns by more than 1/16 turn.
+    // turns by more than 1/16 turn. Places are within 0.25 of a cell of each pixel's own.
     bool prepare(const TileCorners& corners, int width_log2);
     // How the line changes from row to row.
     const LineChange& down() const { return down_; }

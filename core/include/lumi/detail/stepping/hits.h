@@ -33,7 +33,8 @@ struct RayRow {
     int32_t value_q28[4];
 };
 
-// Evaluates the hits of rows. Along a row, rays advance by additions.
+// Evaluates the hits of rows. Along a row, rays advance by additions. Where a pixel is covered, P, m, s, ê and 1/e are
+// at most 1.25 in Q15; q, s² and |P|² at most 1.6 in Q30, and so are |P|²/e, s·m, s/e and each component of q·h.
 class HitEvaluator
 {
 public:

@@ -12,7 +12,7 @@ namespace lumi
 // Spans and tiles that turn further are not drawn in one piece.
 inline constexpr int32_t kMaxTurnQ20 = 1 << 16;  // 1/16 turn
 
-// Coordinates in a map.
+// Coordinates in a map: below 2^10 cells.
 struct LatticePoint {
     int32_t u_q16, v_q16;
 };
@@ -35,6 +35,7 @@ public:
     // Whether no cell around this height is flipped.
     bool is_uniform_at(int32_t z_q30) const { return z_q30 >= uniform_low_z_q30_ && z_q30 <= uniform_high_z_q30_; }
 
+    // Longitudes within two turns of 0: products with steps of up to 377 stay below 2^30.
     LatticePoint at(int32_t longitude_q20, int32_t z_q16) const
     {
         const LatticePoint from_origin = change(longitude_q20, z_q16);
