@@ -28,7 +28,7 @@ std::string opening(const FieldSettings& field)
            "1.3 radii, all 57,600 pixels covered. Cost is the whole frame, rows and\nrim included, divided by covered "
            "pixels. S is the span length: hits are exact every S pixels of a row, from 8 on at the corners of "
            "tiles\nof "
-           "S × 8 pixels inside the sphere; in between lattice coordinates are linear. S = 1 is render() itself: "
+           "S × 8 pixels inside the sphere; in between lattice coordinates are linear. *exact* is render(): "
            "every\n"
            "pixel exact.\n\n";
 }

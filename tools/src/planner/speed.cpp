@@ -33,7 +33,7 @@ constexpr Cost kBlocks = {120, 250};
 constexpr Cost kFocusPixel = {60, 110};
 
 // Chord fields by render_spans, S = 8, per pixel of the sphere: docs/log/tradeoff.md, the dearest texel format.
-constexpr Cost kChord[] = {{108, 184}, {184, 344}, {476, 986}};  // by chord_kind()
+constexpr Cost kChord[] = {{119, 206}, {204, 369}, {489, 1005}};  // by chord_kind()
 
 // Misses per pixel of an RP2040's cache, of 8-byte lines. Chord fields: docs/log/tradeoff.md. Guided ones: neighbouring
 // pixels read texels half a step apart, 16 to a line in each of three origins' rows, and voxels of four rows.
