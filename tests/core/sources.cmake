@@ -9,6 +9,7 @@ set(LUMI_CORE_TEST_SOURCES
   chord/cover_test.cpp
   chord/linear_test.cpp
   chord/nine_taps_test.cpp
+  chord/one_tap_test.cpp
   chord/pairs_test.cpp
   chord/range_test.cpp
   chord/reads_test.cpp

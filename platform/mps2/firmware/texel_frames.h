@@ -2,6 +2,8 @@
 // The frames of frame_list.h of one view and one texel format.
 #pragma once
 
+#include <type_traits>
+
 #include "frame_list.h"
 #include "lumi/crc32.h"
 #include "lumi/render.h"
@@ -84,7 +86,8 @@ inline bool refuse(WriteText write, const char* why)
     return false;
 }
 
-// Draws a stripe over the background, then over itself; extends the CRC after each.
+// Draws a stripe over the background, then over itself, then, as RGB565, over black, where cores have loops of their
+// own; extends the CRC after each.
 template <class Renderer, class Texel, class Pixel>
 RenderError draw_stripe(const Frame& frame, const Stripe& stripe, uint32_t& crc)
 {
@@ -95,8 +98,12 @@ RenderError draw_stripe(const Frame& frame, const Stripe& stripe, uint32_t& crc)
         return error;
     }
     crc = crc32(crc, stripe.pixels, bytes);
-    const RenderError again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverStripe{}, stripe);
+    RenderError again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverStripe{}, stripe);
     crc = crc32(crc, stripe.pixels, bytes);
+    if constexpr (std::is_same_v<Pixel, PixelRgb565>) {
+        again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverBlack{}, stripe);
+        crc = crc32(crc, stripe.pixels, bytes);
+    }
     return again;
 }
 
