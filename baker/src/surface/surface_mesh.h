@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The mesh that carries a surface field's radiance (lumi/surface_format.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lumi/baker/proxy.h"
+#include "math/vec3.h"
+#include "scene/scene_data.h"
+#include "util/job.h"
+
+namespace lumi::baker
+{
+
+struct SurfaceMesh {
+    static constexpr uint32_t kNone = UINT32_MAX;
+
+    // Triangle (a, b, c), counter-clockwise seen from outside, and unless d is kNone (d, c, b).
+    struct Patch {
+        uint32_t a, b, c, d;
+    };
+
+    std::vector<Vec3> positions;  // of the unit sphere's frame, rounded to steps of 2^-14
+    std::vector<Vec3> normals;    // unit length: about where the surface around a vertex faces; view tables turn by it
+    std::vector<Patch> patches;
+    bool two_sided = false;
+    float longest_edge = 0;  // of any triangle
+};
+
+struct BuiltSurface {
+    SurfaceMesh mesh;
+    ProxyLoss loss;
+};
+
+struct SurfaceMeshSettings {
+    uint32_t triangles = 4000;   // about so many before edges are split
+    float longest_edge = 0.2f;   // edges longer than this are split, in radii
+    float crease_cosine = 0.7f;  // faces that turn more than this at a vertex get vertices of their own
+};
+
+// At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface_format.h); none where nothing can be seen.
+BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, Job& job);
+
+}  // namespace lumi::baker

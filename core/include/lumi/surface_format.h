@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Byte layout of a surface field: radiance kept where rays meet the surface of the scene, a mesh in the unit sphere.
+//
+// A surface file has the container of field_format.h and a kSurfaceSection in place of layout and texels, so a reader
+// that knows chord fields alone refuses it by name. Little-endian. Offsets below are within the section.
+//
+// The colour of the point u of a triangle, seen along a ray from direction ω:
+//   texel(u) + Σ over corners c: b_c(u) · gain_c · Σ over view nodes k around ω: w_k · colour[k][node(c, k)]
+// with b_c barycentric. View nodes are points 0 .. kViewNodes - 1 of the Spherical Fibonacci lattice of kViewLattice
+// points, in a frame of the vertex's own whose +z is about its normal; view_nodes.h finds those around a direction.
+#pragma once
+
+#include "lumi/field_format.h"
+
+namespace lumi::format
+{
+
+inline constexpr uint32_t kSurfaceSection = four_cc('S', 'U', 'R', 'F');  // required, kSurfaceBytes
+inline constexpr uint32_t kVertexSection = four_cc('S', 'V', 'T', 'X');   // required, vertices × kVertexBytes
+inline constexpr uint32_t kPatchSection = four_cc('S', 'P', 'A', 'T');    // required, patches × kPatchBytes
+inline constexpr uint32_t kColourSection = four_cc('S', 'T', 'E', 'X');   // required, one byte a texel
+inline constexpr uint32_t kPaletteRgb = four_cc('S', 'P', 'A', 'L');      // required, 256 × (r, g, b)
+inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');     // view tables, where there are any
+
+inline constexpr uint32_t kSurfaceBytes = 32;
+namespace surface
+{
+inline constexpr uint32_t kVerticesAt = 0;     // u16, 3 .. kMaxSurfaceVertices
+inline constexpr uint32_t kViewedAt = 2;       // u16, vertices 0 .. this - 1 have a view table; 0: no kViewSection
+inline constexpr uint32_t kPatchesAt = 4;      // u16, 1 .. kMaxPatches
+inline constexpr uint32_t kFlagsAt = 6;        // u16, kTwoSided or 0
+inline constexpr uint32_t kTexelsAt = 8;       // u32, length of the texel section, 1 .. kMaxSurfaceTexels
+inline constexpr uint32_t kColourSpaceAt = 12;  // u8, ColourSpace
+inline constexpr uint32_t kLongestEdgeAt = 13;  // u8, of any triangle, steps of 1/64 radius, rounded up, 1 .. 128
+inline constexpr uint32_t kReservedAt = 14;    // u16, 0
+inline constexpr uint32_t kCentreAt = 16;      // 3 × IEEE binary32: the sphere's centre, scene units and axes
+inline constexpr uint32_t kRadiusAt = 28;      // IEEE binary32 > 0
+}  // namespace surface
+inline constexpr uint32_t kTwoSided = 1;  // both sides of every triangle are drawn
+
+inline constexpr uint32_t kMaxSurfaceVertices = 8192;
+inline constexpr uint32_t kMaxPatches = 4096;
+inline constexpr uint32_t kMaxSurfaceTexels = uint32_t{1} << 20;
+
+// Vertices: x, y, z as s16, Q14, in the frame of the unit sphere; each within [-1, 1], and no vertex farther than
+// 1 + 2^-12 from the centre.
+inline constexpr uint32_t kVertexBytes = 6;
+
+// A patch is a triangle (a, b, c), counter-clockwise seen from outside, and mostly a second one (d, c, b) beside it.
+// Both share a rectangle of n × m texels, row after row: a lies in its corner (0, 0), b at (n, 0), c at (0, m), d at
+// (n, m). Triangle 2p is patch p's first, 2p + 1 its second.
+inline constexpr uint32_t kPatchBytes = 12;
+namespace patch
+{
+inline constexpr uint32_t kCornersAt = 0;  // 4 × u16: a, b, c, d; d = kNoVertex: no second triangle
+// u32: bits 0 .. 19 where the rectangle begins, 20 .. 25 n, 26 .. 31 m, both at least 1. The reader needs begin
+// + 63·n + 63 to lie within the texel section, so that no texture coordinate, however wrong, leaves it.
+inline constexpr uint32_t kTexelsAt = 8;
+}  // namespace patch
+inline constexpr uint32_t kNoVertex = 0xFFFF;
+inline constexpr uint32_t kMaxPatchSide = 63;
+// Texture coordinates keep so far inside a rectangle, in texels: corner a is at (1/4, 1/4), d at (n - 1/4, m - 1/4).
+// A texel is found by rounding down.
+inline constexpr uint32_t kPatchInsetShift = 2;
+// Bytes from the beginning of a rectangle n wide that must lie within the texel section.
+constexpr uint32_t patch_reach(uint32_t n)
+{
+    return kMaxPatchSide * n + kMaxPatchSide + 1;
+}
+
+// View tables: colours of nodes, then a record for each vertex that has one.
+inline constexpr uint32_t kViewLattice = 66;
+inline constexpr uint32_t kViewNodes = 40;  // down to z = -0.2
+inline constexpr uint32_t kNodeColours = 16;
+inline constexpr uint32_t kNodeColourBytes = 3;  // r, g, b as s8, in 8-bit levels times gain/64
+inline constexpr uint32_t kViewColoursBytes = kViewNodes * kNodeColours * kNodeColourBytes;
+inline constexpr uint32_t kViewBytes = 24;
+namespace view
+{
+// The frame: half a turn about h takes the vertex's +z to its own direction. 3 × s8, h · 127.
+inline constexpr uint32_t kTurnAt = 0;
+inline constexpr uint32_t kGainAt = 3;   // u8
+inline constexpr uint32_t kNodesAt = 4;  // kViewNodes × 4 bits, the even node in the low bits: which of its colours
+}  // namespace view
+
+}  // namespace lumi::format
