@@ -4,7 +4,7 @@
 
 #include "lumi/detail/register_hints.h"
 #include "lumi/proxy/proxy_frame.h"
-#include "proxy/proxy_reciprocal.h"
+#include "math/reciprocal.h"
 
 namespace lumi::proxy_math
 {

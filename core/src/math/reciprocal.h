@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Reciprocals for the proxy rasterizer: a table and one Newton step, 32-bit products. Table: 768 bytes.
+// Reciprocals: a table and one Newton step, 32-bit products. Table: 768 bytes.
 #pragma once
 
 #include <cstdint>
 
-namespace lumi::proxy_math
+namespace lumi
 {
 
 struct ReciprocalTable {
@@ -53,4 +53,4 @@ inline int32_t wrapped_product(int32_t a, int32_t b)
     return static_cast<int32_t>(static_cast<uint32_t>(a) * static_cast<uint32_t>(b));
 }
 
-}  // namespace lumi::proxy_math
+}  // namespace lumi

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "proxy/proxy_reciprocal.h"
+#include "math/reciprocal.h"
 
-namespace lumi::proxy_math
+namespace lumi
 {
 namespace
 {
@@ -21,4 +21,4 @@ constexpr ReciprocalTable make_table()
 
 constexpr ReciprocalTable kReciprocals = make_table();
 
-}  // namespace lumi::proxy_math
+}  // namespace lumi
