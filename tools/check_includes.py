@@ -61,6 +61,7 @@ baker/src/scene
 baker/src/trace
 baker/src/store
 baker/src/proxy
+baker/src/surface
 baker/src/chord
 baker/src/guided
 baker/src

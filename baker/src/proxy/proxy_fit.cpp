@@ -9,6 +9,7 @@ namespace
 // In shares of the rays that a vertex has on average.
 constexpr double kSmoothness = 0.02;  // of neighbours' displacements
 constexpr double kInertia = 0.005;    // of a displacement itself
+constexpr int kFittingRounds = 4;
 constexpr int kSolverSteps = 40;
 constexpr int kUntangling = 3;
 constexpr float kMinTurn = 0.3f;  // cosine between a triangle's old and new normal
@@ -192,6 +193,15 @@ Mesh fitted(const Mesh& proxy, bool two_sided, const Survey& survey, Job& job)
     Field by = System(proxy, std::move(equations)).solve();
     untangle(proxy, by);
     return moved(proxy, by);
+}
+
+Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job)
+{
+    const Survey survey = fitting_survey(scene, mesh);
+    for (int round = 0; round < kFittingRounds && mesh.triangle_count() != 0; ++round) {
+        mesh = fitted(mesh, two_sided, survey, job);
+    }
+    return mesh;
 }
 
 }  // namespace lumi::baker

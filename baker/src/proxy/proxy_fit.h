@@ -12,6 +12,9 @@ namespace lumi::baker
 // kMaxDepthError say nothing. Vertices whose triangles would turn over stay.
 Mesh fitted(const Mesh& proxy, bool two_sided, const Survey& survey, Job& job);
 
+// As many rounds as it takes.
+Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job);
+
 // Of two depths that belong to the same surface, in radii.
 inline constexpr float kMaxDepthError = 0.05f;
 

@@ -7,6 +7,14 @@
 
 namespace lumi::baker
 {
+namespace
+{
+
+constexpr uint32_t kRaysPerTriangle = 200;  // of all origins together
+constexpr uint32_t kMaxRaysPerOrigin = 8192;
+constexpr uint64_t kFitSeed = 0x70726F78;
+
+}  // namespace
 
 Survey::Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed)
     : scene_(scene), origins_(origins), rays_(rays_per_origin), seed_(seed)
@@ -27,6 +35,12 @@ std::vector<SurveyRay> Survey::look(uint32_t origin, const ProxyTracer& proxy) c
         result.push_back({ray, distance, proxy.closest(ray)});
     }
     return result;
+}
+
+Survey fitting_survey(const SceneData& scene, const Mesh& mesh)
+{
+    const uint32_t rays = static_cast<uint32_t>(mesh.triangle_count()) * kRaysPerTriangle / kSurveyOrigins + 1;
+    return Survey(scene, kSurveyOrigins, std::min(rays, kMaxRaysPerOrigin), kFitSeed);
 }
 
 }  // namespace lumi::baker

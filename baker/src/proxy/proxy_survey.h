@@ -31,4 +31,10 @@ private:
     uint64_t seed_;
 };
 
+// As many origins as measures of whole proxies take.
+inline constexpr uint32_t kSurveyOrigins = 192;
+
+// Enough rays for each triangle of `mesh`.
+Survey fitting_survey(const SceneData& scene, const Mesh& mesh);
+
 }  // namespace lumi::baker

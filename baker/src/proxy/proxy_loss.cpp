@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "proxy/proxy_loss.h"
+
+#include "proxy/proxy_fit.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr uint32_t kLossRays = 2048;  // an origin
+constexpr uint64_t kLossSeed = 0x6C6F7373;
+
+}  // namespace
+
+ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job)
+{
+    const Survey survey(scene, kSurveyOrigins, kLossRays, kLossSeed);
+    struct Counts {
+        uint32_t scene = 0, missed = 0, added = 0, displaced = 0;
+    };
+    std::vector<Counts> counts(survey.origins());
+    job.run(survey.origins(), [&](uint32_t i) {
+        for (const SurveyRay& r : survey.look(i, proxy)) {
+            const bool hit = std::isfinite(r.scene);
+            counts[i].scene += hit ? 1u : 0u;
+            counts[i].missed += hit && !r.proxy ? 1u : 0u;
+            counts[i].added += !hit && r.proxy ? 1u : 0u;
+            const bool displaced = hit && r.proxy && std::abs(r.scene - r.proxy->distance) > kMaxDepthError;
+            counts[i].displaced += displaced ? 1u : 0u;
+        }
+    });
+    Counts sum;
+    for (const Counts& c : counts) {
+        sum = {sum.scene + c.scene, sum.missed + c.missed, sum.added + c.added, sum.displaced + c.displaced};
+    }
+    const double hits = std::max(1u, sum.scene);
+    return {sum.missed / hits, sum.added / hits, sum.displaced / hits};
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Shorter edges: triangles are split, and their neighbours with them.
+#pragma once
+
+#include <functional>
+
+#include "geometry/mesh.h"
+
+namespace lumi::baker
+{
+
+// Where the vertex goes that splits an edge: its middle, the direction that the triangles beside it face (unit
+// length), the edge's length. At most a tenth of that length from the middle.
+using PlaceMiddle = std::function<Vec3(const Vec3& middle, const Vec3& facing, float length)>;
+
+// Only positions and corners count. The longest edge is split first, in all its triangles at once, so no vertex ends
+// up on another triangle's edge. Edges of one triangle alone are split in the middle.
+Mesh with_short_edges(Mesh mesh, float longest, const PlaceMiddle& place);
+
+}  // namespace lumi::baker

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Vertices of their own for each side of a crease.
+#pragma once
+
+#include "geometry/mesh.h"
+
+namespace lumi::baker
+{
+
+// Triangles that share an edge and turn less than `crease_cosine` there share its vertices; other triangles at the
+// same place get copies. Only positions and corners count; the result's normals are one for each position: the mean of
+// the triangles around, weighted by their angles.
+Mesh with_creases(const Mesh& mesh, float crease_cosine);
+
+}  // namespace lumi::baker

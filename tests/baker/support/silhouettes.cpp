@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "support/silhouettes.h"
+
+#include "math/frame.h"
+#include "math/warp.h"
+#include "trace/surface.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+constexpr int kSize = static_cast<int>(kSilhouetteSize);
+constexpr float kGolden = 0.618034f;
+constexpr float kOutside = 2;  // where rays start, in radii
+
+class Mask
+{
+public:
+    Mask() : pixels_(kSilhouetteSize * kSilhouetteSize, false) {}
+
+    bool at(int x, int y) const { return x >= 0 && y >= 0 && x < kSize && y < kSize && pixels_[index(x, y)]; }
+    void set(int x, int y, bool value) { pixels_[index(x, y)] = value; }
+    uint32_t count() const { return static_cast<uint32_t>(std::count(pixels_.begin(), pixels_.end(), true)); }
+
+    // Of the w × h pixels from (x, y) on.
+    uint32_t count(int x, int y, int w, int h) const
+    {
+        uint32_t sum = 0;
+        for (int k = 0; k < w * h; ++k) {
+            sum += at(x + k % w, y + k / w) ? 1u : 0u;
+        }
+        return sum;
+    }
+
+    // Clears the connected region around a pixel and returns its size.
+    uint32_t clear_region(int x, int y)
+    {
+        std::vector<std::array<int, 2>> open = {{x, y}};
+        uint32_t size = 0;
+        while (!open.empty()) {
+            const auto [px, py] = open.back();
+            open.pop_back();
+            if (!at(px, py)) {
+                continue;
+            }
+            set(px, py, false);
+            ++size;
+            for (int k = 0; k < 9; ++k) {
+                open.push_back({px - 1 + k % 3, py - 1 + k / 3});
+            }
+        }
+        return size;
+    }
+
+private:
+    static size_t index(int x, int y) { return static_cast<size_t>(y * kSize + x); }
+
+    std::vector<bool> pixels_;
+};
+
+template <class Covers>
+Mask silhouette(uint32_t direction, const Covers& covers)
+{
+    const float z = (2 * static_cast<float>(direction) + 1) / kSilhouettes - 1;
+    const Frame frame(direction_at(z, kGolden * static_cast<float>(direction)));
+    Mask mask;
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            const auto place = [](int k) { return (2 * static_cast<float>(k) + 1) / kSize - 1; };
+            mask.set(x, y, covers(Ray{frame.to_world({place(x), place(y), kOutside}), -frame.normal}));
+        }
+    }
+    return mask;
+}
+
+bool is_two_thick(const Mask& mask, int x, int y)
+{
+    return mask.count(x, y, 2, 2) == 4 || mask.count(x - 1, y, 2, 2) == 4 || mask.count(x, y - 1, 2, 2) == 4 ||
+           mask.count(x - 1, y - 1, 2, 2) == 4;
+}
+
+Mask missing_of(const Mask& scene, const Mask& mesh)
+{
+    Mask result;
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            const bool inside = scene.count(x - 1, y - 1, 3, 3) == 9;
+            const bool gone = mesh.count(x - 1, y - 1, 3, 3) == 0 && is_two_thick(scene, x, y);
+            result.set(x, y, scene.at(x, y) && !mesh.at(x, y) && (inside || gone));
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh)
+{
+    MissingPixels result;
+    for (uint32_t d = 0; d < kSilhouettes; ++d) {
+        const Mask truth = silhouette(d, [&](const Ray& ray) { return transmittance(scene, ray) < 0.5f; });
+        const Mask drawn = silhouette(d, [&](const Ray& ray) { return mesh.closest(ray).has_value(); });
+        Mask missing = missing_of(truth, drawn);
+        result.scene += truth.count();
+        result.missing += missing.count();
+        for (int k = 0; k < kSize * kSize; ++k) {
+            const uint32_t region = missing.clear_region(k % kSize, k / kSize);
+            result.largest = std::max(result.largest, region);
+            result.regions += region > 2 ? 1u : 0u;
+        }
+    }
+    return result;
+}
+
+}  // namespace lumi::baker::testing
