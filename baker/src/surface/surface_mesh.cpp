@@ -21,7 +21,7 @@ constexpr float kSplitEarly = 0.95f;  // of the longest edge: fitting makes some
 constexpr float kReach = 0.1f;        // how far a new vertex may move onto the scene, of its edge's length
 constexpr float kMinFacing = 0.5f;    // cosine between the surface that it moves to and the triangles around
 constexpr float kFewerTriangles = 0.8f;
-constexpr float kLongerEdges = 1.15f;
+constexpr float kLongerEdges = 1.1f;
 
 // Moves the middle of an edge onto the scene's surface, where that is near and faces the same way.
 PlaceMiddle onto(const SceneData& scene)
@@ -44,14 +44,17 @@ Vec3 in_the_middle(const Vec3& middle, const Vec3&, float)
     return middle;
 }
 
-// Near the scene, in steps of the format, without edges that are too long.
-Mesh shaped(const SceneData& scene, const Outside& outside, const SurfaceMeshSettings& s, Job& job)
+// Few triangles on the scene's surface, without edges that are too long.
+Mesh drafted(const SceneData& scene, const Mesh& outside, const SurfaceMeshSettings& s)
 {
-    Mesh mesh = simplified(outside.mesh, s.triangles);
-    mesh = with_short_edges(std::move(mesh), kSplitEarly * s.longest_edge, onto(scene));
-    mesh = fitted_in_rounds(scene, std::move(mesh), outside.two_sided, job);
-    mesh = seen_part(scene, mesh, outside.two_sided, job);
-    return rounded(with_short_edges(std::move(mesh), s.longest_edge, in_the_middle));
+    return with_short_edges(simplified(outside, s.triangles), kSplitEarly * s.longest_edge, onto(scene));
+}
+
+// Near the scene, in steps of the format.
+Mesh shaped(const SceneData& scene, Mesh draft, bool two_sided, const SurfaceMeshSettings& s, Job& job)
+{
+    const Mesh mesh = seen_part(scene, fitted_in_rounds(scene, std::move(draft), two_sided, job), two_sided, job);
+    return rounded(with_short_edges(mesh, s.longest_edge, in_the_middle));
 }
 
 SurfaceMesh assembled(const Mesh& shape, float crease_cosine)
@@ -68,6 +71,11 @@ SurfaceMesh assembled(const Mesh& shape, float crease_cosine)
     result.positions = std::move(mesh.positions);
     result.normals = std::move(mesh.normals);
     return result;
+}
+
+bool may_fit(const Mesh& draft)
+{
+    return draft.positions.size() <= format::kMaxSurfaceVertices && draft.triangle_count() <= 2 * format::kMaxPatches;
 }
 
 bool fits(const SurfaceMesh& mesh)
@@ -95,7 +103,11 @@ BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSetting
     SurfaceMeshSettings s = settings;
     s.triangles = std::min(s.triangles, 2 * format::kMaxPatches);
     for (;; s = smaller(s)) {
-        const Mesh shape = shaped(scene, outside, s, job);
+        Mesh draft = drafted(scene, outside.mesh, s);
+        if (!may_fit(draft)) {
+            continue;
+        }
+        const Mesh shape = shaped(scene, std::move(draft), outside.two_sided, s, job);
         result.mesh = assembled(shape, settings.crease_cosine);
         if (fits(result.mesh)) {
             result.mesh.two_sided = outside.two_sided;

@@ -35,7 +35,7 @@ Mesh triangles_of(const SurfaceMesh& surface)
 
 MissingPixels missing_pixels(const Scene& scene, const SurfaceMesh& mesh)
 {
-    return missing_pixels(scene.data(), ProxyTracer(triangles_of(mesh), mesh.two_sided));
+    return testing::missing_pixels(scene.data(), ProxyTracer(triangles_of(mesh), mesh.two_sided));
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[s
 TEST_CASE("Meshes that would be too large for the format are made smaller", "[surface]")
 {
     const Scene scene = ball_over_floor(48, constant_environment(1));
-    for (const SurfaceMeshSettings& s : {SurfaceMeshSettings{20000, 2, 0.7f}, SurfaceMeshSettings{300, 0.02f, 0.7f}}) {
+    for (const SurfaceMeshSettings& s : {SurfaceMeshSettings{20000, 2, 0.7f}, SurfaceMeshSettings{300, 0.05f, 0.7f}}) {
         const SurfaceMesh mesh = built(scene, s).mesh;
         CHECK(mesh.positions.size() <= format::kMaxSurfaceVertices);
         CHECK(mesh.patches.size() <= format::kMaxPatches);
