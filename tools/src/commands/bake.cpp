@@ -10,6 +10,7 @@
 #include "commands/fit_options.h"
 #include "commands/guided_options.h"
 #include "commands/scene_options.h"
+#include "commands/surface_options.h"
 #include "files/output_file.h"
 #include "lumi/baker/bake.h"
 #include "lumi/baker/file_guard.h"
@@ -31,6 +32,7 @@ struct BakeOptions {
     SceneOptions scene;
     baker::BakeSettings settings;
     GuidedOptions guided;
+    baker::SurfaceSettings surface;
     FitOptions fit;
     std::string output, cap, shard;
     bool restart = false;
@@ -40,7 +42,8 @@ struct BakeOptions {
 // What is baked, and where to.
 struct BakeJob {
     baker::BakeSettings settings;
-    std::optional<baker::GuidedSettings> guided;  // in place of them
+    std::optional<baker::GuidedSettings> guided;    // in place of them
+    std::optional<baker::SurfaceSettings> surface;  // likewise
     std::optional<baker::Shard> shard;
     std::string name;    // of the field, or of the shard file, as the caller says it
     std::string target;  // the file behind the name
@@ -68,7 +71,7 @@ baker::BakeSettings settings_of(const BakeOptions& options)
 // What both kinds of layout have comes from the chord field's settings.
 std::optional<baker::GuidedSettings> guided_of(const BakeOptions& options)
 {
-    if (options.guided.layout == Layout::chord) return std::nullopt;
+    if (options.guided.layout == Layout::chord || options.guided.layout == Layout::surface) return std::nullopt;
     const baker::BakeSettings common = settings_of(options);
     baker::GuidedSettings settings = guided_settings(options.guided);
     settings.origins = common.origins;
@@ -76,6 +79,15 @@ std::optional<baker::GuidedSettings> guided_of(const BakeOptions& options)
     settings.samples = common.samples;
     settings.seed = common.seed;
     settings.threads = common.threads;
+    return settings;
+}
+
+std::optional<baker::SurfaceSettings> surface_of(const BakeOptions& options)
+{
+    if (options.guided.layout != Layout::surface) return std::nullopt;
+    baker::SurfaceSettings settings = options.surface;
+    settings.seed = options.settings.seed;
+    settings.threads = options.scene.threads;
     return settings;
 }
 
@@ -97,6 +109,7 @@ BakeJob job_of(const BakeOptions& options)
 {
     BakeJob job = {settings_of(options),
                    guided_of(options),
+                   surface_of(options),
                    shard_of(options.shard),
                    options.output,
                    {},
@@ -111,6 +124,7 @@ BakeJob job_of(const BakeOptions& options)
 struct Outcome {
     baker::Progress last;
     std::optional<baker::GuidedBake> guided;
+    std::optional<baker::SurfaceBake> surface;
 };
 
 Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress)
@@ -121,7 +135,9 @@ Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::Progres
         return progress(report);
     };
     try {
-        if (job.guided && job.shard)
+        if (job.surface)
+            outcome.surface = baker::bake_surface(scene, *job.surface, job.target, note, job.earlier);
+        else if (job.guided && job.shard)
             baker::bake_guided_shard(scene, *job.guided, *job.shard, job.target, note, job.earlier);
         else if (job.guided)
             outcome.guided = baker::bake_guided(scene, *job.guided, job.target, note, job.earlier);
@@ -137,7 +153,7 @@ Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::Progres
 
 double rays_of(const BakeJob& job, const baker::Progress& last)
 {
-    if (job.guided) return static_cast<double>(last.rays_total);
+    if (job.guided || job.surface) return static_cast<double>(last.rays_total);
     const double rows = baker::shard_rows(job.settings, job.shard.value_or(baker::Shard{}));
     return rows * job.settings.directions * job.settings.samples;
 }
@@ -165,6 +181,7 @@ void bake_for_people(const baker::Scene& scene, const BakeJob& job, size_t warni
                 byte_text(std::filesystem::file_size(job.target)).c_str(), count_text(rays_of(job, last)).c_str(),
                 savings.c_str(), elapsed.c_str(), warnings);
     if (outcome.guided) std::printf("%s", proxy_text(*outcome.guided).c_str());
+    if (outcome.surface) std::printf("%s", surface_text(*outcome.surface).c_str());
 }
 
 // For machines: nothing but JSON lines on stdout.
@@ -211,7 +228,7 @@ void run(const BakeOptions& options, const CLI::App& command)
         return;
     }
     BakeJob job = job_of(options);
-    if (!job.guided && !options.fit.wanted())
+    if (!job.guided && !job.surface && !options.fit.wanted())
         baker::field_file_bytes(job.settings);  // throws before the scene is loaded
     const baker::Scene scene = load_scene(options.scene, warnings);
     if (options.fit.wanted()) take_plan(fitted_plan(options.fit, context, scene), job);
@@ -268,6 +285,7 @@ void add_bake(CLI::App& lumi)
     command->add_option("-o,--output", options->output, "Field file to write")->type_name("FIELD.lumi");
     add_lattice_options(*command, *options);
     add_guided_options(*command, options->guided);
+    add_surface_options(*command, options->surface);
     command
         ->add_option("--spp", options->settings.samples, "Light paths per texel, at most; more cost time, never bytes")
         ->type_name("S")
@@ -294,6 +312,7 @@ void add_bake(CLI::App& lumi)
         if (options->output.empty() && !options->fit.plan_only) throw UsageError("bake takes -o, --output FIELD.lumi");
         if (!options->fit.wanted() || command->count("--layout") > 0)
             require_fitting_options(*command, options->guided);
+        if (options->guided.layout != Layout::surface) refuse_surface_options(*command, "chord, guided or focus");
         if (options->guided.layout != Layout::chord && command->count("--origins") == 0)
             options->settings.origins = options->guided.settings.origins;
         run(*options, *command);

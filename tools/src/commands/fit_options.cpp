@@ -28,6 +28,8 @@ std::optional<planner::Layout> layout_by_hand(const FitContext& context)
             return planner::Layout::focus;
         case Layout::chord:
             return planner::Layout::chord;
+        case Layout::surface:
+            throw UsageError("--fit does not go with --layout surface; choose --triangles and --texel-density");
     }
     return std::nullopt;
 }

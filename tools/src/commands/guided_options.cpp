@@ -12,7 +12,8 @@ namespace lumi::tools
 namespace
 {
 
-const Choices<Layout> kLayouts = {{"chord", Layout::chord}, {"guided", Layout::guided}, {"focus", Layout::focus}};
+const Choices<Layout> kLayouts = {
+    {"chord", Layout::chord}, {"guided", Layout::guided}, {"focus", Layout::focus}, {"surface", Layout::surface}};
 const Choices<format::MeanFormat> kMeanFormats = {{"rgb565", format::MeanFormat::rgb565},
                                                   {"palette8", format::MeanFormat::palette8}};
 
@@ -24,6 +25,7 @@ const Choices<format::GuidedTexel> kTexels = {{"none", format::GuidedTexel::none
 constexpr const char* kChordOnly[] = {"--directions", "--texel", "--footprint", "--adaptive"};
 constexpr const char* kGuidedOnly[] = {"--proxy-triangles", "--mean-resolution", "--mean-format", "--no-occlusion"};
 constexpr const char* kFocusOnly[] = {"--focus", "--focus-radius"};
+constexpr const char* kLatticeOnly[] = {"--origins", "--cap", "--spp", "--shard"};
 constexpr const char* kChartOnly[] = {"--chart", "--texels", "--jitter"};
 
 template <size_t count>
@@ -75,9 +77,11 @@ void add_chart_options(CLI::App& command, GuidedOptions& options)
 
 void add_guided_options(CLI::App& command, GuidedOptions& options)
 {
-    add_choice(command, "--layout", options.layout, kLayouts, "LAYOUT",
-               "chord: the paper's, for everything; guided: aimed at a surface, by far the best for solid objects; "
-               "focus: aimed at a point or a sphere, for hair, glass and glow [chord]");
+    add_choice(
+        command, "--layout", options.layout, kLayouts, "LAYOUT",
+        "chord: the paper's, for everything; guided: aimed at a surface, by far the best for solid objects; "
+        "focus: aimed at a point or a sphere, for hair, glass and glow; surface: a mesh that carries colours, the "
+        "fastest to draw [chord]");
     add_chart_options(command, options);
     add_proxy_options(command, options);
     command.add_option("--focus", options.focus, "focus: the point, in the scene's units [the sphere's centre]")
@@ -106,6 +110,13 @@ void require_fitting_options(const CLI::App& command, const GuidedOptions& optio
         case Layout::focus:
             refuse(command, kChordOnly, "focus");
             refuse(command, kGuidedOnly, "focus");
+            return;
+        case Layout::surface:
+            refuse(command, kChordOnly, "surface");
+            refuse(command, kGuidedOnly, "surface");
+            refuse(command, kFocusOnly, "surface");
+            refuse(command, kChartOnly, "surface");
+            refuse(command, kLatticeOnly, "surface");
             return;
     }
 }

@@ -11,7 +11,7 @@
 namespace lumi::tools
 {
 
-enum class Layout { chord, guided, focus };
+enum class Layout { chord, guided, focus, surface };
 
 struct GuidedOptions {
     Layout layout = Layout::chord;

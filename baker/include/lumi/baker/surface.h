@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Bakes a scene into a surface field (lumi/surface_format.h): radiance kept where rays meet the surface.
+//
+// Random lines through the unit sphere, uniform over all lines, meet a mesh that follows the scene; the light along
+// each is one sample of a model that is linear in texels and view tables. What is kept of the samples are integer sums,
+// so memory does not grow with the number of paths, and order does not matter.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "lumi/baker/bake.h"
+#include "lumi/baker/proxy.h"
+
+namespace lumi::baker
+{
+
+struct SurfaceSettings {
+    uint32_t triangles = 4000;       // about so many before edges are split
+    float longest_edge = 0.2f;       // edges longer than this are split, in radii
+    float texels_per_radius = 100;   // texels along a line of one radius
+    uint32_t paths_per_texel = 300;  // light paths, in the mean
+    bool view_tables = true;         // false: colours do not depend on the direction of view
+    uint64_t seed = 1;
+    unsigned threads = 0;  // 0 = as many as the machine has
+};
+
+struct SurfaceBake {
+    std::vector<uint8_t> file;
+    uint32_t vertices = 0, viewed_vertices = 0, triangles = 0, texels = 0;
+    bool two_sided = false;
+    ProxyLoss loss;
+    uint64_t paths = 0;  // that meet the mesh where the scene is
+};
+
+// The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel. Throws BakeError
+// for settings that no field can hold, Cancelled.
+SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {});
+
+// Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was.
+SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
+                         const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
+
+}  // namespace lumi::baker

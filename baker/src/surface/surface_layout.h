@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Where the texels of each patch lie (lumi/surface_format.h).
+#pragma once
+
+#include "surface/surface_mesh.h"
+
+namespace lumi::baker
+{
+
+// n × m texels from `begin` on, row after row.
+struct PatchRectangle {
+    uint32_t begin, n, m;
+
+    uint32_t size() const { return n * m; }
+};
+
+struct SurfaceLayout {
+    std::vector<PatchRectangle> rectangles;  // by patch
+    uint32_t texels = 0;                     // length of the section, unused ones at its end included
+};
+
+// Sides follow the lengths of a patch's edges. Throws BakeError where the format cannot hold so many texels.
+SurfaceLayout layout_of(const SurfaceMesh& mesh, float texels_per_radius);
+
+// The texel at a point of a patch's first or second triangle, by the barycentric weights of its second and third
+// corner.
+uint32_t texel_at(const PatchRectangle& rectangle, bool second_triangle, float weight_of_second, float weight_of_third);
+
+}  // namespace lumi::baker

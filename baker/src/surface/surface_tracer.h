@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Samples of the light that leaves a surface field's mesh: pure functions of scene, seed and number.
+#pragma once
+
+#include "proxy/proxy_tracer.h"
+#include "surface/surface_shape.h"
+#include "trace/path_tracer.h"
+
+namespace lumi::baker
+{
+
+// The light along one line. Weights of corners are Q12.
+struct SurfaceSample {
+    uint32_t triangle;  // 2p or 2p + 1 of patch p
+    uint32_t texel;
+    int16_t second_q12, third_q12;  // barycentric weights of the triangle's corners
+    EyePoint eye;                   // on the line
+    Rgb radiance;
+};
+
+class SurfaceTracer
+{
+public:
+    // Borrows both.
+    SurfaceTracer(const SceneData& scene, const SurfaceShape& shape);
+
+    // The lines of a batch: uniform over all lines through the unit sphere.
+    static constexpr uint32_t kLines = 4096;
+    // The light along those of a batch that meet the mesh where the scene is.
+    std::vector<SurfaceSample> samples(uint64_t seed, uint32_t batch) const;
+
+    struct Meeting {
+        uint32_t mesh = 0, scene = 0;  // lines that meet the mesh, and those of them that count
+    };
+    // The same without light.
+    Meeting meeting(uint64_t seed, uint32_t batch) const;
+
+private:
+    struct Line {
+        Ray ray;
+        Hit hit;
+    };
+    std::optional<Line> line(Sampler& sampler) const;
+    bool scene_is_there(const Line& line, Sampler sampler) const;
+    SurfaceSample sample(const Line& line, const Rgb& radiance) const;
+
+    const SceneData& scene_;
+    const SurfaceShape& shape_;
+    std::vector<uint32_t> numbers_;  // of the accelerator's triangles
+    ProxyTracer proxy_;
+    PathTracer tracer_;
+};
+
+}  // namespace lumi::baker

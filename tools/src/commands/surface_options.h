@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The options of `lumi bake` for surface fields.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "lumi/baker/surface.h"
+
+namespace lumi::tools
+{
+
+// Adds what only surface fields have; `settings` must outlive the parse.
+void add_surface_options(CLI::App& command, baker::SurfaceSettings& settings);
+
+// Throws UsageError where an option of surface fields was given with another layout.
+void refuse_surface_options(const CLI::App& command, const std::string& layout);
+
+// What the mesh of a field is and gets wrong, a line.
+std::string surface_text(const baker::SurfaceBake& bake);
+
+}  // namespace lumi::tools
