@@ -51,7 +51,7 @@ std::vector<uint8_t> surface_section(const SurfaceShape& shape, const SurfacePar
     b.put16(at::kVerticesAt, static_cast<uint16_t>(shape.mesh.positions.size()));
     b.put16(at::kViewedAt, static_cast<uint16_t>(viewed));
     b.put16(at::kPatchesAt, static_cast<uint16_t>(shape.mesh.patches.size()));
-    b.put16(at::kFlagsAt, shape.mesh.two_sided ? format::kTwoSided : 0);
+    b.put16(at::kFlagsAt, shape.mesh.two_sided ? format::kSurfaceTwoSided : 0);
     b.put32(at::kTexelsAt, shape.layout.texels);
     b.put8(at::kColourSpaceAt, static_cast<uint8_t>(format::ColourSpace::srgb));
     b.put8(at::kLongestEdgeAt, edge_steps(shape.mesh.longest_edge));

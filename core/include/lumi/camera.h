@@ -105,6 +105,9 @@ private:
     int32_t width_px_ = 0, height_px_ = 0;
 };
 
+// What is wrong with a view, if anything.
+CameraError check_view(const Pose& pose, const Image& image);
+
 // Fills `out`, which stays untouched on failure.
 CameraError make_camera(const Pose& pose, const Image& image, Camera& out);
 

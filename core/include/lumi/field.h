@@ -56,6 +56,12 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_chart,          // counts and size of the chart section do not fit, or a directory entry leaves the tables
     bad_chart_colours,  // the wrong size, or a group's first entry is not 0
     bad_occlusion,      // as bad_chart, of the occlusion section
+    surface_field,      // open_field only: the file holds a surface field, see open_surface in surface_field.h
+    missing_surface,    // open_surface only: not a surface field
+    bad_surface,        // the surface section has the wrong size, or a count, a flag or a reserved byte out of range
+    bad_vertices,       // the wrong size, or a vertex outside the sphere
+    bad_patches,        // the wrong size, a corner that does not exist, or a rectangle that leaves the texels
+    bad_views,          // the view tables have the wrong size
     section_crc,        // verify_field only: a section's bytes are damaged
 };
 

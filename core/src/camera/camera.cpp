@@ -188,12 +188,19 @@ void Camera::set_view(const Pose& pose, const Image& image)
     for (int k = 0; k < 3; ++k) offset_[k] = {first.offset[k], step_x.offset[k], step_y.offset[k]};
 }
 
-CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
+CameraError check_view(const Pose& pose, const Image& image)
 {
     uint64_t distance2_q40 = 0;
     if (const CameraError error = check_eye(pose.eye, distance2_q40); error != CameraError::none) return error;
     if (const CameraError error = check_image(image); error != CameraError::none) return error;
-    if (!is_orthonormal(pose)) return CameraError::axes_not_orthonormal;
+    return is_orthonormal(pose) ? CameraError::none : CameraError::axes_not_orthonormal;
+}
+
+CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
+{
+    if (const CameraError error = check_view(pose, image); error != CameraError::none) return error;
+    uint64_t distance2_q40 = 0;
+    static_cast<void>(check_eye(pose.eye, distance2_q40));
     out.set_eye(pose.eye, distance2_q40);
     out.set_view(pose, image);
     out.width_px_ = image.width_px;

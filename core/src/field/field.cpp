@@ -4,6 +4,7 @@
 #include "field/sections.h"
 #include "lumi/crc32.h"
 #include "lumi/guided/guided_format.h"
+#include "lumi/surface_format.h"
 
 namespace lumi
 {
@@ -14,8 +15,9 @@ using namespace format;
 using namespace container;
 
 constexpr uint32_t kChordTypes[] = {kLayoutSection, kTexelSection, kPaletteSection};
-constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection, kPaletteSection, kGuidedSection,   kProxySection,
-                                  kMeanSection,   kChartSection, kChartColours,   kOcclusionSection};
+constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection, kPaletteSection, kGuidedSection,    kProxySection,
+                                  kMeanSection,   kChartSection, kChartColours,   kOcclusionSection, kSurfaceSection,
+                                  kVertexSection, kPatchSection, kColourSection,  kPaletteRgb,       kViewSection};
 
 template <uint32_t Count>
 constexpr KnownTypes known(const uint32_t (&types)[Count])
@@ -97,6 +99,7 @@ FieldError open_field(const uint8_t* bytes, size_t size, Field& out)
 {
     if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
     if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
+    if (has_section(bytes, kSurfaceSection)) return FieldError::surface_field;
     if (const FieldError error = check_sections(bytes, known(kChordTypes)); error != FieldError::none) return error;
     Section section;
     if (!find_section(bytes, kLayoutSection, section)) return FieldError::missing_layout;
@@ -203,6 +206,18 @@ const char* describe(FieldError error)
             return "the chart's colours have a wrong size or a first entry that is not 0";
         case FieldError::bad_occlusion:
             return "the occlusion table has a wrong size or an origin outside its tables";
+        case FieldError::surface_field:
+            return "a surface field, which this reader does not draw";
+        case FieldError::missing_surface:
+            return "the surface section is missing";
+        case FieldError::bad_surface:
+            return "the surface section is malformed";
+        case FieldError::bad_vertices:
+            return "the vertices have the wrong size, or one lies outside the sphere";
+        case FieldError::bad_patches:
+            return "the patches have the wrong size, or one leaves the vertices or the texels";
+        case FieldError::bad_views:
+            return "the view tables have the wrong size";
         case FieldError::section_crc:
             return "a section's bytes are damaged";
     }

@@ -76,7 +76,7 @@ SurfaceFile::SurfaceFile(const uint8_t* file)
 {
     namespace at = format::surface;
     const uint8_t* head = section(file, format::kSurfaceSection);
-    two_sided = (u16(head + at::kFlagsAt) & format::kTwoSided) != 0;
+    two_sided = (u16(head + at::kFlagsAt) & format::kSurfaceTwoSided) != 0;
     positions = positions_in(section(file, format::kVertexSection), u16(head + at::kVerticesAt));
     triangles = triangles_in(section(file, format::kPatchSection), u16(head + at::kPatchesAt));
     const uint8_t *indices = section(file, format::kColourSection), *palette = section(file, format::kPaletteRgb);

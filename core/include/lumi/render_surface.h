@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Draws a surface field into stripes of pixels: fills the triangles that reach a stripe into a buffer of depths and
+// colours, then turns samples into pixels.
+//
+//     uint8_t samples[surface_stripe_bytes(240, 16, SurfaceMode::one_sample)];  // at an address divisible by 4
+//     render_surface<PixelRgb565>(frame, OverBlack(), stripe, samples);         // frame: prepare_surface, once
+//
+// A stripe may be any rectangle of the image, or beside it. Stripes may be drawn in any order, and on several cores at
+// once with a buffer of samples each. Any rectangle shows the same pixels as any other.
+#pragma once
+
+#include "lumi/background.h"
+#include "lumi/render.h"
+#include "lumi/surface_frame.h"
+
+namespace lumi
+{
+
+// Bytes of a stripe's samples: a colour and a depth each.
+constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t rows_px, SurfaceMode mode)
+{
+    const uint32_t samples = mode == SurfaceMode::two_by_two ? 4 : 1;
+    return static_cast<uint32_t>(width_px) * static_cast<uint32_t>(rows_px) * samples *
+           static_cast<uint32_t>(sizeof(PackedColour) + sizeof(uint16_t));
+}
+
+namespace surfaces
+{
+
+struct SampleRect {
+    int32_t x_px, y_px, width_px, height_px;  // within the image
+};
+
+// Clears the depths and draws every triangle that reaches the rectangle.
+void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* depths, PackedColour* colours);
+
+// The samples of a pixel that some background shows through.
+template <class Pixel, class Background>
+__attribute__((noinline)) void store_mixed(uint8_t* pixel, const Background& background,
+                                           const uint16_t* const (&depths)[2], const PackedColour* const (&colours)[2])
+{
+    const Rgb8 under = background.template under<Pixel>(pixel);
+    uint32_t r = 2, g = 2, b = 2;
+    for (int k = 0; k < 4; ++k) {
+        const Rgb8 c = depths[k >> 1][k & 1] == kEmptyDepth ? under : unpacked(colours[k >> 1][k & 1]);
+        r += c.r;
+        g += c.g;
+        b += c.b;
+    }
+    Pixel::store(pixel, {static_cast<uint8_t>(r >> 2), static_cast<uint8_t>(g >> 2), static_cast<uint8_t>(b >> 2)});
+}
+
+template <class Pixel, class Background>
+void resolve_row(const Background& background, uint8_t* pixel, int32_t count, const uint16_t* depths,
+                 const PackedColour* colours)
+{
+    for (int32_t x = 0; x < count; ++x, pixel += Pixel::kBytes) {
+        if (depths[x] != kEmptyDepth) {
+            store_colour<Pixel>(pixel, colours[x]);
+        } else if (Background::kFills) {
+            Pixel::store(pixel, background.template under<Pixel>(pixel));
+        }
+    }
+}
+
+template <class Pixel, class Background>
+void resolve_two_by_two(const Background& background, uint8_t* pixel, int32_t count, const uint16_t* depths,
+                        const PackedColour* colours)
+{
+    for (int32_t x = 0; x < count; ++x, pixel += Pixel::kBytes, depths += 2, colours += 2) {
+        const uint16_t *upper = depths, *lower = depths + 2 * count;
+        const PackedColour *above = colours, *below = colours + 2 * count;
+        if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0) {
+            store_colour<Pixel>(pixel, mean_of(mean_of(above[0], above[1]), mean_of(below[0], below[1])));
+        } else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0) {
+            store_mixed<Pixel>(pixel, background, {upper, lower}, {above, below});
+        } else if (Background::kFills) {
+            Pixel::store(pixel, background.template under<Pixel>(pixel));
+        }
+    }
+}
+
+}  // namespace surfaces
+
+// Draws every pixel of the stripe: over a constant colour all of them are written, over the stripe's own content only
+// those that the surface covers. `samples`: surface_stripe_bytes() of the stripe, at an address divisible by 4.
+template <class Pixel, class Background>
+void render_surface(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, void* samples)
+{
+    const auto within = [](int32_t v, int32_t most) { return v < 0 ? 0 : v < most ? v : most; };
+    const int32_t left = within(stripe.x_px, frame.width_px), right = within(stripe.right_px(), frame.width_px);
+    const int32_t top = within(stripe.y_px, frame.height_px), bottom = within(stripe.bottom_px(), frame.height_px);
+    const surfaces::SampleRect rect = {left, top, right - left, bottom - top};
+    const bool is_drawn = rect.width_px > 0 && rect.height_px > 0;
+    const uint32_t samples_of_row = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
+    PackedColour* colours = static_cast<PackedColour*>(samples);
+    uint16_t* depths = nullptr;
+    if (is_drawn) {
+        depths = reinterpret_cast<uint16_t*>(colours + samples_of_row * static_cast<uint32_t>(rect.height_px));
+        surfaces::rasterize(frame, rect, depths, colours);
+    }
+    for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
+        const bool has_row = is_drawn && y >= top && y < bottom;
+        fill_beside<Pixel>(background, stripe, has_row ? RowSpan{left, right} : RowSpan{stripe.x_px, stripe.x_px}, y);
+        if (!has_row) continue;
+        uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
+        if (frame.samples_log2 == 0) {
+            surfaces::resolve_row<Pixel>(background, pixel, rect.width_px, depths, colours);
+        } else {
+            surfaces::resolve_two_by_two<Pixel>(background, pixel, rect.width_px, depths, colours);
+        }
+        depths += samples_of_row;
+        colours += samples_of_row;
+    }
+}
+
+}  // namespace lumi

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Fills triangles of the grid of samples with depth, texture and colour; the nearest stays.
+//
+// A sample belongs to a triangle if it lies right of the left edge or on it, left of the right edge, and between the
+// rows of its ends. All of this is decided exactly on the vertices' grid: triangles that share an edge share neither
+// a sample nor leave one out.
+#pragma once
+
+#include "surface/projection.h"
+
+namespace lumi::surfaces
+{
+
+// A rectangle of samples in memory.
+struct Target {
+    uint16_t* depths;
+    PackedColour* colours;
+    int32_t x, y, width, height;  // samples; rows are `width` apart
+    const PackedColour* palette;
+};
+
+// A rectangle of texels, see surface_format.h.
+struct Texture {
+    const uint8_t* texels;
+    uint32_t columns;
+};
+
+struct Corner {
+    SamplePoint point;
+    int32_t u_q10, v_q10;  // texels
+    uint32_t colour;       // as SurfaceVertex has it
+};
+
+// A vertex's share of the colour: 3 signed fields of 10 bits, levels times 4.
+inline int32_t red_q2(uint32_t colour)
+{
+    return static_cast<int32_t>(colour) >> 22;
+}
+inline int32_t green_q2(uint32_t colour)
+{
+    return static_cast<int32_t>(colour << 10) >> 22;
+}
+inline int32_t blue_q2(uint32_t colour)
+{
+    return static_cast<int32_t>(colour << 20) >> 22;
+}
+
+// Fills a triangle at most kSmallQ6 wide and high whose corners are there and lie counter-clockwise on the screen, or
+// clockwise, too, where `two_sided`.
+void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
+                   const Target& target);
+
+}  // namespace lumi::surfaces

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// A frame's vertices and lists of triangles.
+#include "lumi/detail/surface/view_nodes.h"
+#include "surface/bands.h"
+#include "surface/projection.h"
+
+namespace lumi::surfaces
+{
+namespace
+{
+
+static_assert(2 * format::kMaxPatches <= kLinkMask + 1, "a link holds every triangle's number");
+static_assert(kBandReach <= 1 << (16 - kLinkBits), "and how far it reaches");
+
+constexpr uint32_t kUnlit = 1;  // in the two bits that no colour uses
+
+// Three signed fields of 10 bits below each other, see red_q2.
+uint32_t packed_fields(int32_t r_q2, int32_t g_q2, int32_t b_q2)
+{
+    const auto field = [](int32_t v) { return static_cast<uint32_t>(v < -511 ? -511 : v > 511 ? 511 : v) & 0x3FF; };
+    return field(r_q2) << 22 | field(g_q2) << 12 | field(b_q2) << 2;
+}
+
+// What a vertex's view table shows of the eye.
+uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
+{
+    if (vertex >= frame.field.viewed_count) return 0;
+    const uint8_t* record = frame.field.views + vertex * format::kViewBytes;
+    const auto number = [](const uint8_t* p) { return static_cast<int32_t>(static_cast<int8_t>(*p)); };
+    const SurfaceProjection& p = frame.projection;
+    const VertexQ14 v = surface_vertex(frame.field, vertex);
+    const ViewDirection to_eye = {p.viewer.x - (v.x >> p.viewer_shift), p.viewer.y - (v.y >> p.viewer_shift),
+                                  p.viewer.z - (v.z >> p.viewer_shift)};
+    const ViewDirection d = in_view_frame(to_eye, number(record), number(record + 1), number(record + 2));
+    const ViewTaps taps = view_taps(d.x, d.y, d.z);
+    int32_t r = 0, g = 0, b = 0;
+    for (int m = 0; m < 3; ++m) {
+        const uint32_t node = taps.node[m];
+        const uint32_t index = (record[format::view::kNodesAt + (node >> 1)] >> (4 * (node & 1))) & 15;
+        const uint8_t* colour =
+            frame.field.node_colours + (node * format::kNodeColours + index) * format::kNodeColourBytes;
+        const int32_t weight = taps.weight_q8[m];
+        r += weight * number(colour);
+        g += weight * number(colour + 1);
+        b += weight * number(colour + 2);
+    }
+    // Weights have 8 bits of fraction, gains 6, the result 2.
+    const int32_t gain = record[format::view::kGainAt];
+    return packed_fields((r * gain + 2048) >> 12, (g * gain + 2048) >> 12, (b * gain + 2048) >> 12);
+}
+
+LUMI_ALWAYS_INLINE void light(const SurfaceFrame& frame, uint32_t vertex)
+{
+    SurfaceVertex& v = frame.memory.vertices[vertex];
+    if (v.colour == kUnlit) v.colour = lit_colour(frame, vertex);
+}
+
+LUMI_ALWAYS_INLINE int32_t least_of(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a < b ? a : b;
+    return ab < c ? ab : c;
+}
+LUMI_ALWAYS_INLINE int32_t most_of(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a > b ? a : b;
+    return ab > c ? ab : c;
+}
+
+// Puts a triangle before the others of a list.
+void put(SurfaceFrame& frame, uint32_t list, uint32_t triangle, int32_t reach)
+{
+    uint16_t& first = frame.memory.bands[list];
+    const uint32_t next = first == kEmptyBand ? triangle : first;
+    frame.memory.links[triangle] = static_cast<uint16_t>(next | static_cast<uint32_t>(reach) << kLinkBits);
+    first = static_cast<uint16_t>(triangle);
+}
+
+// Corners of a triangle that is to be drawn: packed numbers compare as their upper bits do.
+struct Seen {
+    const SurfaceVertex *a, *b, *c;
+
+    bool are_there() const { return is_there(*a) && is_there(*b) && is_there(*c); }
+    int32_t upper_q6() const { return least_of(a->y, b->y, c->y) >> 8; }
+    int32_t lower_q6() const { return most_of(a->y, b->y, c->y) >> 8; }
+    int32_t left_q6() const { return least_of(a->x, b->x, c->x) >> 8; }
+    int32_t right_q6() const { return most_of(a->x, b->x, c->x) >> 8; }
+};
+
+// Whether the outside is seen, or any side of a two-sided mesh. Of triangles of any size.
+LUMI_ALWAYS_INLINE bool faces_eye(const Seen& s, bool is_small, bool two_sided)
+{
+    const int32_t abx = (s.b->x >> 8) - (s.a->x >> 8), aby = (s.b->y >> 8) - (s.a->y >> 8);
+    const int32_t acx = (s.c->x >> 8) - (s.a->x >> 8), acy = (s.c->y >> 8) - (s.a->y >> 8);
+    if (is_small) {
+        const int32_t area = abx * acy - acx * aby;
+        return area < 0 || (area > 0 && two_sided);
+    }
+    const int64_t area = wide_product(abx, acy) - wide_product(acx, aby);
+    return area < 0 || (area > 0 && two_sided);
+}
+
+bool has_curved_edge(const SurfaceFrame& frame, const Seen& s)
+{
+    const SamplePoint a = unpacked(*s.a), b = unpacked(*s.b), c = unpacked(*s.c);
+    const uint32_t from = frame.projection.curved_from;
+    if (a.depth < from && b.depth < from && c.depth < from) return false;
+    return is_curved(frame, a, b) || is_curved(frame, b, c) || is_curved(frame, c, a);
+}
+
+class Lister
+{
+public:
+    explicit Lister(SurfaceFrame& frame)
+        : frame_(frame),
+          rows_(frame.height_px << frame.samples_log2),
+          right_q6_(frame.width_px << (frame.samples_log2 + 6))
+    {
+    }
+
+    LUMI_ALWAYS_INLINE void add(uint32_t triangle, uint32_t a, uint32_t b, uint32_t c)
+    {
+        const SurfaceVertex* v = frame_.memory.vertices;
+        const Seen s = {v + a, v + b, v + c};
+        if (s.are_there()) {
+            if (!list(triangle, s)) return;
+        } else {
+            put(frame_, frame_.other_list, triangle, 0);
+        }
+        light(frame_, a);
+        light(frame_, b);
+        light(frame_, c);
+    }
+
+private:
+    // False if nothing of it can be seen.
+    LUMI_ALWAYS_INLINE bool list(uint32_t triangle, const Seen& s)
+    {
+        const int32_t upper_q6 = s.upper_q6(), lower_q6 = s.lower_q6(), left_q6 = s.left_q6(), right_q6 = s.right_q6();
+        const bool is_small = lower_q6 - upper_q6 < kSmallQ6 && right_q6 - left_q6 < kSmallQ6;
+        if (!faces_eye(s, is_small, frame_.field.two_sided)) return false;
+        const int32_t first = row_from(upper_q6), last = row_from(lower_q6);
+        const int32_t begin = first > 0 ? first : 0, end = last < rows_ ? last : rows_;
+        if (begin >= end || right_q6 < 0 || left_q6 > right_q6_) return false;
+        const uint32_t band = static_cast<uint32_t>(begin) >> (frame_.samples_log2 + frame_.memory.band_log2);
+        const uint32_t last_band = static_cast<uint32_t>(end - 1) >> (frame_.samples_log2 + frame_.memory.band_log2);
+        const int32_t reach = static_cast<int32_t>(last_band - band);
+        const bool is_listed = is_small && reach < kBandReach && !has_curved_edge(frame_, s);
+        put(frame_, is_listed ? band : frame_.other_list, triangle, is_listed ? reach : 0);
+        return true;
+    }
+
+    SurfaceFrame& frame_;
+    const int32_t rows_, right_q6_;
+};
+
+void put_vertices(const SurfaceFrame& frame)
+{
+    for (uint32_t k = 0; k < frame.field.vertex_count; ++k) {
+        const SamplePoint p = projected(frame.projection, view_point(frame.projection, surface_vertex(frame.field, k)));
+        frame.memory.vertices[k] = packed(p, kUnlit);
+    }
+}
+
+void put_triangles(SurfaceFrame& frame)
+{
+    Lister lister(frame);
+    for (uint32_t k = 0; k < frame.field.patch_count; ++k) {
+        const SurfacePatch patch = surface_patch(frame.field, k);
+        const uint32_t* corner = patch.corner;
+        lister.add(2 * k, corner[0], corner[1], corner[2]);
+        if (corner[3] != format::kNoVertex) lister.add(2 * k + 1, corner[3], corner[2], corner[1]);
+    }
+}
+
+}  // namespace
+
+void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
+             SurfaceFrame& out)
+{
+    out.field = field;
+    out.memory = memory;
+    out.width_px = camera.width_px;
+    out.height_px = camera.height_px;
+    out.samples_log2 = mode == SurfaceMode::two_by_two ? 1 : 0;
+    out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
+    for (uint32_t k = 0; k <= out.other_list; ++k) memory.bands[k] = kEmptyBand;
+    if (!set_projection(camera, out)) return;
+    put_vertices(out);
+    put_triangles(out);
+}
+
+}  // namespace lumi::surfaces

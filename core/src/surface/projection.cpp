@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// A frame's constants: from a vertex's numbers to the grid of samples and to depths.
+#include "surface/projection.h"
+
+#include "lumi/math.h"
+
+namespace lumi::surfaces
+{
+namespace
+{
+
+constexpr int kNumberBits = 14;  // fraction bits of a vertex's number
+constexpr int kAxisBits = 15;    // of a projection's axes
+constexpr int kSumBits = kAxisBits + kNumberBits;
+constexpr uint32_t kDepthRange = kNearDepth - kFarDepth;
+constexpr int kMarginShift = 6;  // of the sphere, in radii: no rounding leaves the range of depths
+
+int64_t shifted(int64_t v, int left)
+{
+    return left >= 0 ? v * (int64_t{1} << left) : v >> -left;
+}
+
+// How far to shift right until at most `bits` bits remain.
+int shift_to(uint64_t v, int bits)
+{
+    int shift = 0;
+    while ((v >> shift) >> bits != 0) ++shift;
+    return shift;
+}
+
+void set_axis(SurfaceProjection& p, int k, const Vec3q30& axis, int64_t scale)
+{
+    const auto scaled = [&](int32_t c) { return static_cast<int32_t>((c * scale + (1 << 29)) >> 30); };
+    p.axis[k][0] = scaled(axis.x);
+    p.axis[k][1] = scaled(axis.y);
+    p.axis[k][2] = scaled(axis.z);
+}
+
+// z = forward·V - forward·eye.
+void set_depth_axis(SurfaceProjection& p, const SurfaceCamera& camera)
+{
+    set_axis(p, 2, camera.forward, int64_t{1} << kAxisBits);
+    p.shift[2] = shift_to(static_cast<uint64_t>(magnitude(int64_t{camera.eye.z})), 20);  // z then takes kSumBits bits
+    p.depth_bits = kSumBits - p.shift[2];
+    p.eye[2] = static_cast<int32_t>(-shifted(camera.eye.z, p.depth_bits - 20));
+}
+
+// x = focal·(right·V - right·eye) and y = -focal·(up·V - up·eye), to be divided by z. `spare_bits` are left out.
+void set_place_axes(SurfaceProjection& p, const SurfaceCamera& camera, uint64_t focal_q12, int spare_bits)
+{
+    int focal_bits = 12;
+    while (focal_q12 >= uint64_t{1} << kAxisBits) {
+        focal_q12 >>= 1;
+        --focal_bits;
+    }
+    while (focal_q12 < uint64_t{1} << (kAxisBits - 1)) {
+        focal_q12 <<= 1;
+        ++focal_bits;
+    }
+    const int64_t focal = static_cast<int64_t>(focal_q12);
+    set_axis(p, 0, camera.right, focal);
+    set_axis(p, 1, camera.up, -focal);
+    const int64_t x = camera.eye.x * focal, y = camera.eye.y * focal;  // Q20, the sums have kNumberBits
+    const int64_t farther = (magnitude(x) > magnitude(y) ? magnitude(x) : magnitude(y)) >> (20 - kNumberBits);
+    const int shift = shift_to(static_cast<uint64_t>(farther), kSumBits) + spare_bits;
+    p.shift[0] = p.shift[1] = shift;
+    p.eye[0] = static_cast<int32_t>(-(x >> (20 - kNumberBits + shift)));
+    p.eye[1] = static_cast<int32_t>(y >> (20 - kNumberBits + shift));
+    const int place_bits = focal_bits + kNumberBits - shift;
+    p.place_shift = 25 + place_bits - p.depth_bits;  // 25: 31 of the reciprocal, less 6 of the place
+}
+
+void set_places(SurfaceProjection& p, const SurfaceCamera& camera, uint32_t samples_log2)
+{
+    constexpr int32_t kMostShift = 30;  // of a place after the division, at the far end
+    const uint64_t focal_q12 = uint64_t{camera.focal_q12} << samples_log2;
+    set_place_axes(p, camera, focal_q12, 0);
+    const int32_t spare = p.place_shift - __builtin_clz(static_cast<uint32_t>(p.far_z)) - kMostShift;
+    if (spare > 0) set_place_axes(p, camera, focal_q12, spare);
+    const auto q6 = [&](int32_t v_q8) { return (v_q8 * (int32_t{1} << samples_log2) + 2) >> 2; };
+    p.centre_x_q6 = q6(camera.centre_x_q8);
+    p.centre_y_q6 = q6(camera.centre_y_q8);
+}
+
+// The range of depths that the sphere has in front of the near plane; false if there is none.
+bool set_depth_range(SurfaceProjection& p)
+{
+    const int32_t one = int32_t{1} << p.depth_bits, reach = one + (one >> kMarginShift);
+    const int32_t near_plane = one >> kNearPlaneShift;
+    p.far_z = p.eye[2] + reach;
+    p.near_z = p.eye[2] - reach;
+    if (p.near_z < near_plane) p.near_z = near_plane;
+    return p.far_z > 2 * near_plane;
+}
+
+// A depth's number is offset·(far - z)/z, so that it is kDepthRange at the near end.
+void set_depth_factor(SurfaceProjection& p)
+{
+    const uint32_t range = static_cast<uint32_t>(p.far_z - p.near_z);
+    const uint64_t offset_q16 = (static_cast<uint64_t>(p.near_z) * kDepthRange << 16) / range;
+    const int drop = shift_to(offset_q16, 16);
+    p.ahead_shift = shift_to(range, 16);
+    p.depth_factor = static_cast<uint32_t>(offset_q16 >> drop);
+    p.depth_shift = 47 - drop - p.ahead_shift;
+    p.depth_offset = static_cast<uint32_t>(offset_q16 >> 16);
+}
+
+// The depth from which on no edge of the mesh can be curved: an edge e long at depth z is at most focal·e/z pixels long
+// and lies at most e/4z of that off, together a pixel where z = e·√focal/2.
+void set_curved_from(SurfaceProjection& p, const SurfaceCamera& camera, uint32_t longest_edge_q6)
+{
+    const int64_t root_q6 = square_root(camera.focal_q12);
+    const int64_t z = shifted(longest_edge_q6 * root_q6, p.depth_bits - 13);
+    if (z <= p.near_z) {
+        p.curved_from = UINT32_MAX;
+    } else if (z >= p.far_z) {
+        p.curved_from = 0;
+    } else {
+        p.curved_from = kFarDepth + static_cast<uint32_t>(p.depth_offset * static_cast<uint64_t>(p.far_z - z) /
+                                                          static_cast<uint64_t>(z));
+    }
+}
+
+void set_viewer(SurfaceProjection& p, const Vec3q20& eye)
+{
+    const int32_t x = magnitude(eye.x), y = magnitude(eye.y), z = magnitude(eye.z);
+    const int32_t most = x > y ? (x > z ? x : z) : y > z ? y : z;
+    p.viewer_shift = shift_to(static_cast<uint64_t>(most) >> (20 - kNumberBits), 14);
+    const int shift = 20 - kNumberBits + p.viewer_shift;
+    p.viewer = {eye.x >> shift, eye.y >> shift, eye.z >> shift};
+}
+
+}  // namespace
+
+bool is_curved(const SurfaceFrame& frame, const SamplePoint& a, const SamplePoint& b)
+{
+    const uint32_t dx_q6 = static_cast<uint32_t>(magnitude(a.x_q6 - b.x_q6));
+    const uint32_t dy_q6 = static_cast<uint32_t>(magnitude(a.y_q6 - b.y_q6));
+    const uint32_t length = (dx_q6 > dy_q6 ? dx_q6 : dy_q6) >> (6 + frame.samples_log2);  // pixels, at most 2^16
+    const uint32_t rise = a.depth > b.depth ? a.depth - b.depth : b.depth - a.depth;
+    const uint64_t sum = a.depth + b.depth - 2 * kFarDepth + 2 * static_cast<uint64_t>(frame.projection.depth_offset);
+    return static_cast<uint64_t>(rise) * length > 2 * sum;
+}
+
+bool set_projection(const SurfaceCamera& camera, SurfaceFrame& out)
+{
+    SurfaceProjection& p = out.projection;
+    set_depth_axis(p, camera);
+    if (!set_depth_range(p)) return false;
+    set_places(p, camera, out.samples_log2);
+    set_depth_factor(p);
+    set_curved_from(p, camera, out.field.longest_edge_q6);
+    set_viewer(p, camera.position);
+    return true;
+}
+
+}  // namespace lumi::surfaces

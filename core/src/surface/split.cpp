@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "surface/split.h"
+
+namespace lumi::surfaces
+{
+namespace
+{
+
+constexpr int32_t kWhole = 1024;
+constexpr int kMostParts = 32;
+
+// A point of the triangle: shares of the corners b and c in kWhole, a has the rest.
+struct Share {
+    int16_t b, c;
+};
+
+Share middle(const Share& p, const Share& q)
+{
+    return {static_cast<int16_t>((p.b + q.b) / 2), static_cast<int16_t>((p.c + q.c) / 2)};
+}
+
+// Whether the middle is one exactly.
+bool can_be_halved(const Share& p, const Share& q)
+{
+    return ((p.b ^ q.b) & 1) == 0 && ((p.c ^ q.c) & 1) == 0;
+}
+
+struct Part {
+    Share corner[3];
+};
+
+class Parts
+{
+public:
+    Parts(const SurfaceFrame& frame, const MeshTriangle& triangle, const Target& target)
+        : frame_(frame), triangle_(triangle), target_(target)
+    {
+        for (int k = 0; k < 3; ++k) {
+            view_[k] = view_point(frame.projection, surface_vertex(frame.field, triangle.vertex[k]));
+        }
+    }
+
+    void fill()
+    {
+        pending_[count_++] = {{{0, 0}, {kWhole, 0}, {0, kWhole}}};
+        while (count_ != 0) fill(pending_[--count_]);
+    }
+
+private:
+    struct Corners {
+        ViewPoint view[3];
+        SamplePoint point[3];
+    };
+
+    void fill(const Part& part)
+    {
+        Corners c;
+        for (int k = 0; k < 3; ++k) {
+            c.view[k] = view_at(part.corner[k]);
+            c.point[k] = projected(frame_.projection, c.view[k]);
+        }
+        if (is_beside(c.view)) return;
+        for (int k = 0; k < 3; ++k) {
+            const int next = k == 2 ? 0 : k + 1;
+            if (is_whole(c.point[k], c.point[next])) continue;
+            return halve(part, k, next, 3 - k - next);
+        }
+        fill_triangle(corner(part.corner[0], c.point[0]), corner(part.corner[1], c.point[1]),
+                      corner(part.corner[2], c.point[2]), frame_.field.two_sided, triangle_.texture, target_);
+    }
+
+    // Whether an edge can be drawn as it is.
+    bool is_whole(const SamplePoint& a, const SamplePoint& b) const
+    {
+        return a.depth != 0 && b.depth != 0 && magnitude(a.x_q6 - b.x_q6) < kSmallQ6 &&
+               magnitude(a.y_q6 - b.y_q6) < kSmallQ6 && !is_curved(frame_, a, b);
+    }
+
+    // The other edges come first in the halves.
+    void halve(const Part& part, int from, int to, int opposite)
+    {
+        const Share &a = part.corner[from], &b = part.corner[to], &c = part.corner[opposite];
+        if (!can_be_halved(a, b) || count_ + 2 > kMostParts) return;
+        const Share m = middle(a, b);
+        pending_[count_++] = {{m, c, a}};
+        pending_[count_++] = {{b, c, m}};
+        // Both wind as (a, b, c) does: (a, m, c) and (m, b, c), turned.
+    }
+
+    static int64_t mixed(const Share& s, int64_t a, int64_t b, int64_t c)
+    {
+        return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> 10;
+    }
+
+    ViewPoint view_at(const Share& s) const
+    {
+        const auto at = [&](int32_t ViewPoint::*k) {
+            return static_cast<int32_t>(mixed(s, view_[0].*k, view_[1].*k, view_[2].*k));
+        };
+        return {at(&ViewPoint::x), at(&ViewPoint::y), at(&ViewPoint::z)};
+    }
+
+    Corner corner(const Share& s, const SamplePoint& point) const
+    {
+        const auto of = [&](const int32_t(&q)[3]) { return static_cast<int32_t>(mixed(s, q[0], q[1], q[2])); };
+        const SurfaceVertex* v = frame_.memory.vertices;
+        const uint32_t *k = triangle_.vertex, a = v[k[0]].colour, b = v[k[1]].colour, c = v[k[2]].colour;
+        const auto field = [&](int32_t (*channel)(uint32_t)) {
+            return static_cast<uint32_t>(mixed(s, channel(a), channel(b), channel(c))) & 0x3FF;
+        };
+        return {point, of(triangle_.u_q10), of(triangle_.v_q10),
+                field(red_q2) << 22 | field(green_q2) << 12 | field(blue_q2) << 2};
+    }
+
+    // Whether all corners lie beyond one of the target's sides, or nearer than the near plane.
+    bool is_beside(const ViewPoint (&v)[3]) const
+    {
+        const SurfaceProjection& p = frame_.projection;
+        const int32_t left = target_.x, right = target_.x + target_.width;
+        const int32_t top = target_.y, bottom = target_.y + target_.height;
+        const auto all = [&](auto is_beyond) { return is_beyond(v[0]) && is_beyond(v[1]) && is_beyond(v[2]); };
+        const auto across = [&](const ViewPoint& at, int32_t side) {
+            return place_q6(at.x) + static_cast<int64_t>(p.centre_x_q6 - 64 * side) * at.z;
+        };
+        const auto down = [&](const ViewPoint& at, int32_t side) {
+            return place_q6(at.y) + static_cast<int64_t>(p.centre_y_q6 - 64 * side) * at.z;
+        };
+        return all([&](const ViewPoint& at) { return at.z < p.near_z; }) ||
+               all([&](const ViewPoint& at) { return across(at, left) < 0; }) ||
+               all([&](const ViewPoint& at) { return across(at, right) > 0; }) ||
+               all([&](const ViewPoint& at) { return down(at, top) < 0; }) ||
+               all([&](const ViewPoint& at) { return down(at, bottom) > 0; });
+    }
+
+    // A place before the division, as 1/64 sample times z.
+    int64_t place_q6(int32_t v) const
+    {
+        const int32_t left = 31 - frame_.projection.place_shift;
+        return left >= 0 ? v * (int64_t{1} << left) : int64_t{v} >> -left;
+    }
+
+    const SurfaceFrame& frame_;
+    const MeshTriangle& triangle_;
+    const Target& target_;
+    ViewPoint view_[3];
+    Part pending_[kMostParts];
+    int count_ = 0;
+};
+
+}  // namespace
+
+void fill_in_parts(const SurfaceFrame& frame, const MeshTriangle& triangle, const Target& target)
+{
+    Parts(frame, triangle, target).fill();
+}
+
+}  // namespace lumi::surfaces
