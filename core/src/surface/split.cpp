@@ -43,7 +43,10 @@ public:
     void fill()
     {
         pending_[count_++] = {{{0, 0}, {kWhole, 0}, {0, kWhole}}};
-        while (count_ != 0) fill(pending_[--count_]);
+        while (count_ != 0) {
+            const Part part = pending_[--count_];
+            fill(part);
+        }
     }
 
 private:
@@ -79,7 +82,7 @@ private:
     // The other edges come first in the halves.
     void halve(const Part& part, int from, int to, int opposite)
     {
-        const Share &a = part.corner[from], &b = part.corner[to], &c = part.corner[opposite];
+        const Share a = part.corner[from], b = part.corner[to], c = part.corner[opposite];
         if (!can_be_halved(a, b) || count_ + 2 > kMostParts) return;
         const Share m = middle(a, b);
         pending_[count_++] = {{m, c, a}};
