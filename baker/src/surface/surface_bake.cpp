@@ -1,47 +1,64 @@
 // SPDX-License-Identifier: MIT
-#include "image/srgb.h"
 #include "lumi/baker/surface.h"
+
 #include "store/new_file.h"
-#include "surface/surface_tracer.h"
-#include "surface/surface_writer.h"
+#include "surface/surface_fit.h"
 #include "surface/texel_palette.h"
+#include "surface/view_quantiser.h"
 #include "trace/catcher.h"
 
 namespace lumi::baker
 {
+namespace
+{
+
+void describe(const SurfaceShape& shape, SurfaceBake& bake)
+{
+    bake.vertices = static_cast<uint32_t>(shape.mesh.positions.size());
+    bake.texels = shape.layout.texels;
+    bake.two_sided = shape.mesh.two_sided;
+    for (const SurfaceMesh::Patch& patch : shape.mesh.patches) {
+        bake.triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
+    }
+}
+
+// The nodes as they can be stored, then the texels that go with them.
+SurfaceParts quantised_parts(const SceneData& scene, const SurfaceFit& fit, const SurfaceSettings& settings, Job& job)
+{
+    const size_t vertices = fit.sums().shape().mesh.positions.size();
+    std::vector<uint8_t> viewed(vertices, 0);
+    if (settings.view_tables) {
+        viewed = viewed_vertices(fit.sums(), fit.solve({}, job));
+    }
+    SurfaceModel model = fit.solve(viewed, job);
+    QuantisedViews views = quantised(fit.sums(), model, viewed);
+    model.nodes = decoded(views);
+    fit.refit_texels(model, job);
+    PalettedTexels texels = paletted(model.texels);
+    return {scene.centre,  scene.radius,          texels.palette, std::move(texels.texels),
+            views.colours, std::move(views.views)};
+}
+
+}  // namespace
 
 SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress)
 {
     const SceneData& data = scene.data();
+    require_partial_coverage(data, false);
+    SurfaceBake bake;
     Job job(1, settings.threads, progress);
     BuiltSurface built = build_surface_mesh(data, {settings.triangles, settings.longest_edge}, job);
-    SurfaceBake bake;
     bake.loss = built.loss;
     const SurfaceShape shape(std::move(built.mesh), settings.texels_per_radius);
-    const SurfaceTracer tracer(data, shape);
-    const uint32_t batches = 300;
-    std::vector<std::vector<SurfaceSample>> samples(batches);
-    job.run(batches, [&](uint32_t k) { samples[k] = tracer.samples(settings.seed, k); });
-    std::vector<Rgb> sums(shape.layout.texels);
-    std::vector<float> counts(shape.layout.texels);
-    for (const auto& batch : samples) {
-        for (const SurfaceSample& s : batch) {
-            sums[s.texel] = sums[s.texel] + s.radiance;
-            counts[s.texel] += 1;
-        }
+    describe(shape, bake);
+    SurfaceFit fit(data, shape, settings);
+    fit.trace(progress);
+    bake.paths = fit.paths();
+    const SurfaceParts parts = quantised_parts(data, fit, settings, job);
+    for (const ViewCode& view : parts.views) {
+        bake.viewed_vertices += view.gain != 0 ? 1u : 0u;
     }
-    std::vector<LevelColour> texels(shape.layout.texels);
-    for (size_t k = 0; k < texels.size(); ++k) {
-        const Rgb c = toned(data.tone, sums[k] * (1 / std::max(1.0f, counts[k])));
-        texels[k] = {255 * srgb_encode_unit(c.r), 255 * srgb_encode_unit(c.g), 255 * srgb_encode_unit(c.b)};
-    }
-    PalettedTexels p = paletted(texels);
-    SurfaceParts parts = {data.centre, data.radius, p.palette, p.texels, {}, {}};
-    parts.views.resize(shape.mesh.positions.size());
     bake.file = surface_file(shape, parts);
-    bake.vertices = static_cast<uint32_t>(shape.mesh.positions.size());
-    bake.texels = shape.layout.texels;
-    job.finish();
     return bake;
 }
 

@@ -8,11 +8,10 @@
 
 #include "lumi/color.h"
 #include "lumi/field_format.h"
+#include "surface/encoded_tone.h"
 
 namespace lumi::baker
 {
-
-using LevelColour = std::array<float, 3>;  // encoded, 0 .. 255; of a fit also a little beyond
 
 struct PalettedTexels {
     std::array<Rgb8, format::kPaletteEntries> palette{};

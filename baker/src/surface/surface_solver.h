@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The texels and view tables that fit best what the sums hold.
+//
+// Texels are eliminated: each is the mean of its targets less what the view tables add. The rest, one equation a node,
+// is solved by conjugate gradients, preconditioned by the diagonal. The result does not depend on threads.
+#pragma once
+
+#include "surface/surface_sums.h"
+#include "surface/view_smoothness.h"
+#include "util/job.h"
+
+namespace lumi::baker
+{
+
+class SurfaceSolver
+{
+public:
+    // Borrows all. Nodes of vertices that are not `viewed` stay 0; empty: all are.
+    SurfaceSolver(const SurfaceSums& sums, const ViewSmoothness& smoothness, const std::vector<uint8_t>& viewed,
+                  Job& job);
+
+    // Goes on from the nodes of `model`.
+    void solve(SurfaceModel& model, int iterations);
+    // The texels alone, for the nodes as they are.
+    void fit_texels(SurfaceModel& model);
+
+private:
+    using Numbers = std::vector<double>;  // 3 a node
+
+    Numbers right_side();
+    Numbers diagonal();
+    void apply(const Numbers& nodes, Numbers& result);
+    void mask(Numbers& numbers) const;
+
+    // f(patch, local numbers of its nodes) for all patches, whose results are then summed.
+    template <class Function>
+    void gather(Numbers& result, Function f);
+    Numbers local(uint32_t patch, const Numbers& nodes) const;
+
+    const SurfaceSums& sums_;
+    const ViewSmoothness& smoothness_;
+    const std::vector<uint8_t>& viewed_;
+    Job& job_;
+    std::vector<Numbers> parts_;  // by patch
+};
+
+}  // namespace lumi::baker

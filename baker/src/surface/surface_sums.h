@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The normal equations of a surface field's fit, summed over samples as integers: the same sums in any order.
+//
+// A sample's target is (texel) + Σ weight · (node). With 12 bits of weight and targets in 1/64 level, below 2^15
+// levels, 64-bit sums hold 2^30 samples a patch, and the 32-bit ones below 2^20 samples a texel.
+#pragma once
+
+#include "surface/sorted_samples.h"
+#include "surface/surface_model.h"
+
+namespace lumi::baker
+{
+
+inline constexpr double kWeightUnit = 1.0 / 4096, kLevelUnit = 1.0 / 64;
+
+struct TexelSums {
+    uint32_t count = 0;
+    std::array<int64_t, 3> target{}, predicted{};
+};
+
+// Sums of products of two nodes' weights: few of a patch's pairs are ever seen together.
+class NodePairs
+{
+public:
+    NodePairs() : keys_(kFirstSize, kEmpty), sums_(kFirstSize, 0) {}
+
+    void add(uint16_t a, uint16_t b, int64_t product) { sum(a < b ? a : b, a < b ? b : a) += product; }
+
+    // f(a, b, sum) with a <= b, in no particular order.
+    template <class Function>
+    void each(Function f) const
+    {
+        for (size_t k = 0; k < keys_.size(); ++k) {
+            if (keys_[k] != kEmpty) {
+                f(keys_[k] / kPatchNodes, keys_[k] % kPatchNodes, sums_[k]);
+            }
+        }
+    }
+    // In the order of keys, so that what is computed from it does not depend on the order of samples.
+    void sort();
+
+private:
+    static constexpr uint16_t kEmpty = UINT16_MAX;
+    static constexpr size_t kFirstSize = 256;
+
+    int64_t& sum(uint32_t a, uint32_t b);
+    void grow();
+
+    std::vector<uint16_t> keys_;
+    std::vector<int64_t> sums_;
+    size_t used_ = 0;
+};
+
+struct PatchSums {
+    std::vector<TexelSums> texels;
+    std::vector<uint32_t> crossed;                // kPatchNodes a texel: sums of weights
+    std::vector<std::array<int64_t, 3>> targets;  // by node: sums of weight · target
+    NodePairs pairs;
+};
+
+class SurfaceSums
+{
+public:
+    // Borrows all.
+    SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, const SurfaceModel& expected);
+
+    // Adds samples whose targets are linear around what `expected` shows. Thread-safe for different patches. Throws
+    // BakeError where a texel got too many.
+    void add(uint32_t patch, const SurfaceSample* begin, const SurfaceSample* end);
+
+    const SurfaceShape& shape() const { return shape_; }
+    std::vector<PatchSums>& patches() { return patches_; }
+    const std::vector<PatchSums>& patches() const { return patches_; }
+
+private:
+    const SurfaceShape& shape_;
+    const EncodedTone& tone_;
+    const SurfaceModel& expected_;
+    std::vector<PatchSums> patches_;
+};
+
+}  // namespace lumi::baker

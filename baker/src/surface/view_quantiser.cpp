@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "surface/view_quantiser.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/k_means.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+using format::kNodeColours;
+using format::kViewNodes;
+
+constexpr double kLeastDifference = 0.7;  // levels, root mean square
+constexpr int kRounds = 12;
+constexpr uint64_t kSeed = 0x76696577;
+constexpr float kGainUnit = 64;
+constexpr float kMost = 127;  // of a channel
+
+// How much of all paths each node carries.
+std::vector<double> node_weights(const SurfaceSums& sums)
+{
+    const SurfaceShape& shape = sums.shape();
+    std::vector<double> weights(kViewNodes * shape.mesh.positions.size());
+    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
+            if (a == b) {
+                const uint32_t v = shape.vertex(p, a / kViewNodes);
+                weights[v * kViewNodes + a % kViewNodes] += kWeightUnit * kWeightUnit * static_cast<double>(sum);
+            }
+        });
+    }
+    return weights;
+}
+
+float dot(const LevelColour& a, const LevelColour& b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Colours of one node over all vertices: shape, how large each vertex makes it, and what the error counts there.
+struct Wanted {
+    LevelColour colour;
+    float gain, weight;
+    uint32_t vertex;
+};
+
+float error_of(const Wanted& w, const LevelColour& centre)
+{
+    float sum = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        const float d = w.colour[c] - w.gain * centre[c];
+        sum += d * d;
+    }
+    return sum * w.weight;
+}
+
+class Quantiser
+{
+public:
+    Quantiser(const SurfaceSums& sums, const SurfaceModel& model, const std::vector<uint8_t>& viewed)
+        : model_(model), viewed_(viewed), weights_(node_weights(sums)), gains_(viewed.size(), 0), codes_(viewed.size())
+    {
+        for (size_t v = 0; v < viewed_.size(); ++v) {
+            double floor = 0;
+            for (size_t k = 0; k < kViewNodes; ++k) {
+                floor += weights_[v * kViewNodes + k];
+            }
+            floor *= kUnseenWeight / kViewNodes;
+            for (size_t k = 0; k < kViewNodes; ++k) {
+                weights_[v * kViewNodes + k] += floor;
+            }
+        }
+    }
+
+    QuantisedViews result()
+    {
+        first_gains();
+        seed_centres();
+        for (int round = 0; round < kRounds; ++round) {
+            assign();
+            move_centres();
+            fit_gains();
+        }
+        round_centres();
+        assign();
+        return {colours_, codes_};
+    }
+
+private:
+    static constexpr double kUnseenWeight = 0.02;  // of nodes that no path met, against the mean
+
+    const LevelColour& node(size_t v, size_t k) const { return model_.nodes[v * kViewNodes + k]; }
+    float weight(size_t v, size_t k) const { return static_cast<float>(weights_[v * kViewNodes + k]); }
+
+    // The root mean square of a table.
+    void first_gains()
+    {
+        constexpr float kTypical = 32;  // of a channel, at that size
+        for (size_t v = 0; v < viewed_.size(); ++v) {
+            if (viewed_[v] == 0) {
+                continue;
+            }
+            float sum = 0, weights = 0;
+            for (size_t k = 0; k < kViewNodes; ++k) {
+                sum += weight(v, k) * dot(node(v, k), node(v, k));
+                weights += weight(v, k);
+            }
+            gains_[v] = rounded_gain(std::sqrt(sum / std::max(weights, 1e-6f)) / kTypical);
+        }
+    }
+
+    // In units of the format, at least 1.
+    static uint8_t rounded_gain(float gain)
+    {
+        return static_cast<uint8_t>(std::clamp(std::round(gain * kGainUnit), 1.0f, 255.0f));
+    }
+    float gain(size_t v) const { return static_cast<float>(gains_[v]) / kGainUnit; }
+
+    std::vector<Wanted> wanted(size_t k) const
+    {
+        std::vector<Wanted> result;
+        for (uint32_t v = 0; v < viewed_.size(); ++v) {
+            if (viewed_[v] != 0) {
+                result.push_back({node(v, k), gain(v), weight(v, k), v});
+            }
+        }
+        return result;
+    }
+
+    void seed_centres()
+    {
+        for (size_t k = 0; k < kViewNodes; ++k) {
+            const std::vector<Wanted> all = wanted(k);
+            std::vector<float> distances;
+            for (const Wanted& w : all) {
+                distances.push_back(error_of(w, centres_[k][0]));
+            }
+            Sampler sampler(kSeed, static_cast<uint32_t>(k), 0);
+            for (size_t c = 1; c < kNodeColours; ++c) {
+                sampler.start(static_cast<uint32_t>(c));
+                const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
+                if (!chosen) {
+                    break;
+                }
+                for (size_t channel = 0; channel < 3; ++channel) {
+                    centres_[k][c][channel] =
+                        std::clamp(all[*chosen].colour[channel] / all[*chosen].gain, -kMost, kMost);
+                }
+                for (size_t i = 0; i < all.size(); ++i) {
+                    distances[i] = std::min(distances[i], error_of(all[i], centres_[k][c]));
+                }
+            }
+        }
+    }
+
+    void assign()
+    {
+        for (size_t k = 0; k < kViewNodes; ++k) {
+            for (const Wanted& w : wanted(k)) {
+                size_t best = 0;
+                for (size_t c = 1; c < kNodeColours; ++c) {
+                    best = error_of(w, centres_[k][c]) < error_of(w, centres_[k][best]) ? c : best;
+                }
+                codes_[w.vertex].colours[k] = static_cast<uint8_t>(best);
+                codes_[w.vertex].gain = gains_[w.vertex];
+            }
+        }
+    }
+
+    void move_centres()
+    {
+        for (size_t k = 0; k < kViewNodes; ++k) {
+            std::array<LevelColour, kNodeColours> sums{};
+            std::array<float, kNodeColours> weights{};
+            for (const Wanted& w : wanted(k)) {
+                const size_t c = codes_[w.vertex].colours[k];
+                for (size_t channel = 0; channel < 3; ++channel) {
+                    sums[c][channel] += w.weight * w.gain * w.colour[channel];
+                }
+                weights[c] += w.weight * w.gain * w.gain;
+            }
+            for (size_t c = 0; c < kNodeColours; ++c) {
+                for (size_t channel = 0; channel < 3 && weights[c] > 0; ++channel) {
+                    centres_[k][c][channel] = std::clamp(sums[c][channel] / weights[c], -kMost, kMost);
+                }
+            }
+        }
+    }
+
+    void fit_gains()
+    {
+        for (size_t v = 0; v < viewed_.size(); ++v) {
+            if (viewed_[v] == 0) {
+                continue;
+            }
+            float wanted_sum = 0, size = 0;
+            for (size_t k = 0; k < kViewNodes; ++k) {
+                const LevelColour& centre = centres_[k][codes_[v].colours[k]];
+                wanted_sum += weight(v, k) * dot(node(v, k), centre);
+                size += weight(v, k) * dot(centre, centre);
+            }
+            if (size > 0) {
+                gains_[v] = rounded_gain(wanted_sum / size);
+            }
+        }
+    }
+
+    void round_centres()
+    {
+        for (size_t k = 0; k < kViewNodes; ++k) {
+            for (size_t c = 0; c < kNodeColours; ++c) {
+                for (size_t channel = 0; channel < 3; ++channel) {
+                    float& value = centres_[k][c][channel];
+                    value = std::round(value);
+                    colours_.colours[k][c][channel] = static_cast<int8_t>(value);
+                }
+            }
+        }
+    }
+
+    const SurfaceModel& model_;
+    const std::vector<uint8_t>& viewed_;
+    std::vector<double> weights_;
+    std::vector<uint8_t> gains_;
+    std::vector<ViewCode> codes_;
+    std::array<std::array<LevelColour, kNodeColours>, kViewNodes> centres_{};
+    NodeColours colours_;
+};
+
+}  // namespace
+
+std::vector<uint8_t> viewed_vertices(const SurfaceSums& sums, const SurfaceModel& model)
+{
+    const std::vector<double> weights = node_weights(sums);
+    std::vector<uint8_t> viewed;
+    for (size_t v = 0; v < sums.shape().mesh.positions.size(); ++v) {
+        double sum = 0, all = 0;
+        for (size_t k = v * kViewNodes; k < (v + 1) * kViewNodes; ++k) {
+            sum += weights[k] * static_cast<double>(dot(model.nodes[k], model.nodes[k])) / 3;
+            all += weights[k];
+        }
+        viewed.push_back(sum > kLeastDifference * kLeastDifference * all ? 1 : 0);
+    }
+    return viewed;
+}
+
+QuantisedViews quantised(const SurfaceSums& sums, const SurfaceModel& model, const std::vector<uint8_t>& viewed)
+{
+    return Quantiser(sums, model, viewed).result();
+}
+
+std::vector<LevelColour> decoded(const QuantisedViews& q)
+{
+    std::vector<LevelColour> nodes(kViewNodes * q.views.size());
+    for (size_t v = 0; v < q.views.size(); ++v) {
+        const float gain = static_cast<float>(q.views[v].gain) / kGainUnit;
+        for (size_t k = 0; k < kViewNodes; ++k) {
+            const NodeColours::Colour& c = q.colours.colours[k][q.views[v].colours[k]];
+            for (size_t channel = 0; channel < 3; ++channel) {
+                nodes[v * kViewNodes + k][channel] = gain * static_cast<float>(c[channel]);
+            }
+        }
+    }
+    return nodes;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What view tables are expected to be before a path is traced: small, and alike in neighbouring directions and at
+// neighbouring vertices. Directions that no path saw are filled by it.
+#pragma once
+
+#include "surface/surface_shape.h"
+
+namespace lumi::baker
+{
+
+// A sum of squares, of Σ weight · node each; weights are in units of a path's.
+class ViewSmoothness
+{
+public:
+    explicit ViewSmoothness(const SurfaceShape& shape);
+
+    // All by channel: 3 numbers a node.
+    void add_gradient(const std::vector<double>& nodes, std::vector<double>& gradient) const;
+    void add_diagonal(std::vector<double>& diagonal) const;
+
+private:
+    struct Row {
+        std::array<uint32_t, 4> nodes;
+        std::array<float, 4> weights;
+    };
+    void add_directions(uint32_t vertex);
+    void add_neighbour(const SurfaceShape& shape, uint32_t vertex, uint32_t other);
+
+    std::vector<Row> rows_;
+};
+
+}  // namespace lumi::baker
