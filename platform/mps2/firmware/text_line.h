@@ -11,7 +11,7 @@ namespace lumi::firmware
 class TextLine
 {
 public:
-    static constexpr size_t kCapacity = 160;
+    static constexpr size_t kCapacity = 400;
 
     TextLine& text(const char* words);
     TextLine& decimal(uint64_t value);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The surface renderer for the pixels that the build names: LUMI_BENCH_PIXEL.
+#include "surface_instance.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+using Pixel = LUMI_BENCH_PIXEL;
+
+constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
+
+SurfaceFrame frame;
+SurfaceVertex vertices[format::kMaxSurfaceVertices];
+uint16_t links[2 * format::kMaxPatches];
+uint16_t bands[surface_bands(kSidePx, kSurfaceBandLog2)];
+uint32_t samples[surface_stripe_bytes(kSidePx, kSurfaceStripeRows, SurfaceMode::two_by_two) / sizeof(uint32_t)];
+
+}  // namespace
+
+const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
+
+void prepare_alone(const SurfaceField& field, const SurfaceView& view)
+{
+    prepare_surface<Pixel>(field, view.camera, view.mode, {vertices, links, bands, kSurfaceBandLog2}, frame);
+}
+
+void fill_alone(int32_t width_px)
+{
+    const uint32_t row_samples = static_cast<uint32_t>(width_px) << (2 * frame.samples_log2);
+    for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeRows) {
+        auto* const depths = reinterpret_cast<uint16_t*>(samples + row_samples * kSurfaceStripeRows);
+        surfaces::rasterize(frame, {0, y, width_px, kSurfaceStripeRows}, depths, samples);
+    }
+}
+
+void draw_surface(const SurfaceField& field, const SurfaceView& view, uint8_t* pixels)
+{
+    prepare_alone(field, view);
+    for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeRows) {
+        uint8_t* const at = pixels + static_cast<uint32_t>(y) * kStrideBytes;
+        render_surface<Pixel>(frame, kBackground, {at, 0, y, kSidePx, kSurfaceStripeRows, kStrideBytes}, samples);
+    }
+}
+
+}  // namespace lumi::bench

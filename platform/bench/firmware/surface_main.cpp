@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Counts what drawing a surface field costs, one line per view and mode:
+//     view generic mode one-sample covered 42272 instructions 2345678 palette 8000 vertices 345678 lists 145678
+//     lights 123456 edges 345678 samples 1345678 resolve 245678 stack 600 ram 46000 crc 1234abcd
+// Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; lists
+// of triangles; what vertices show of the eye; triangles and rows without their samples; samples; pixels. The field is
+// loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none: all).
+#include "loaded_view.h"
+#include "lumi/crc32.h"
+#include "lumi/mps2/instruction_counter.h"
+#include "lumi/mps2/stack_meter.h"
+#include "surface_instance.h"
+#include "text_line.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+using firmware::TextLine;
+uint8_t pixels[kSidePx * kSidePx * PixelRgb888::kBytes];
+
+template <class Work>
+__attribute__((noinline)) uint64_t instructions_of(const Work& work)
+{
+    const uint64_t begin = mps2::instructions();
+    work();
+    return mps2::instructions() - begin;
+}
+
+struct Parts {
+    uint64_t palette, vertices, lists, lights, edges, samples;
+
+    uint64_t sum() const { return palette + vertices + lists + lights + edges + samples; }
+};
+
+// Differences of next to nothing may come out below it: the counter ticks every few instructions.
+uint64_t less(uint64_t count, uint64_t other)
+{
+    return count > other ? count - other : 0;
+}
+
+// Fields that lack a part tell what the part costs.
+Parts count_parts(const SurfaceField& field, const SurfaceView& view)
+{
+    SurfaceField unlit = field, bare = field, empty = field;
+    unlit.viewed_count = 0;
+    bare.patch_count = 0;
+    empty.patch_count = empty.vertex_count = 0;
+    const auto preparing = [&](const SurfaceField& f) { return instructions_of([&] { prepare_alone(f, view); }); };
+    const uint64_t palette = preparing(empty), vertices = preparing(bare), lists = preparing(unlit);
+    const uint64_t lights = preparing(field);
+    const uint64_t edges = instructions_of([] { fill_alone(0); });
+    const uint64_t samples = instructions_of([] { fill_alone(kSidePx); });
+    return {palette, less(vertices, palette), less(lists, vertices), less(lights, lists), edges, less(samples, edges)};
+}
+
+void write_costs(TextLine& line, const Parts& parts, uint64_t whole)
+{
+    line.text(" instructions ").decimal(whole);
+    line.text(" palette ").decimal(parts.palette).text(" vertices ").decimal(parts.vertices);
+    line.text(" lists ").decimal(parts.lists).text(" lights ").decimal(parts.lights);
+    line.text(" edges ").decimal(parts.edges).text(" samples ").decimal(parts.samples);
+    line.text(" resolve ").decimal(less(whole, parts.sum()));
+}
+
+void report(const char* view_name, const char* mode_name, const SurfaceField& field, const SurfaceView& view,
+            uint32_t covered)
+{
+    const Parts parts = count_parts(field, view);
+    mps2::StackMeter meter;
+    meter.paint();
+    const uint64_t whole = instructions_of([&] { draw_surface(field, view, pixels); });
+    const uint32_t stack_bytes = meter.high_water_bytes();
+    TextLine line;
+    line.text("view ").text(view_name).text(" mode ").text(mode_name).text(" covered ").decimal(covered);
+    write_costs(line, parts, whole);
+    line.text(" stack ").decimal(stack_bytes).text(" ram ");
+    line.decimal(surface_ram_bytes(field.vertex_count, field.patch_count, view.mode));
+    mps2::write(line.text(" crc ").hex32(crc32(0, pixels, kSurfaceFrameBytes)).text("\n").c_str());
+}
+
+bool is_mode(const char* word)
+{
+    for (const NamedSurfaceMode& mode : kSurfaceModes)
+        if (std::strcmp(mode.name, word) == 0) return true;
+    return false;
+}
+
+bool report_view(const View& view, const SurfaceField& field, const Words& modes)
+{
+    SurfaceCamera camera;
+    Camera rays;
+    if (make_surface_camera(view_pose(view), view_image(view), camera) != CameraError::none) return false;
+    if (make_view_camera(view, rays) != CameraError::none) return false;
+    for (const NamedSurfaceMode& mode : kSurfaceModes)
+        if (modes.contain(mode.name)) report(view.name, mode.name, field, {camera, mode.mode}, covered_pixels(rays));
+    return true;
+}
+
+}  // namespace
+}  // namespace lumi::bench
+
+int main(int argc, char** argv)
+{
+    using namespace lumi;
+    SurfaceField field;
+    if (!bench::open_loaded(open_surface, field)) return 1;
+    mps2::start_instruction_counter();
+    const bench::Words words = bench::words_of(argc, argv);
+    bench::Words views = {words.begin, words.begin};
+    while (views.end != words.end && !bench::is_mode(*views.end)) ++views.end;
+    for (const bench::View& view : bench::kViews)
+        if (views.contain(view.name) && !bench::report_view(view, field, {views.end, words.end})) return 1;
+    return 0;
+}

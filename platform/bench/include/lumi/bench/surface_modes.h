@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How the bench draws surface fields: the modes, their names in reports, and the stripes.
+#pragma once
+
+#include "lumi/bench/views.h"
+#include "lumi/render_surface.h"
+
+namespace lumi::bench
+{
+
+struct NamedSurfaceMode {
+    const char* name;
+    SurfaceMode mode;
+};
+
+inline constexpr NamedSurfaceMode kSurfaceModes[] = {
+    {"one-sample", SurfaceMode::one_sample},
+    {"2x2", SurfaceMode::two_by_two},
+};
+
+// As firmware does that feeds a panel from a small buffer: a band of the lists is a stripe.
+inline constexpr uint32_t kSurfaceBandLog2 = 4;
+inline constexpr int32_t kSurfaceStripeRows = 1 << kSurfaceBandLog2;
+
+// Memory that drawing a frame takes, the stripe's pixels left out.
+constexpr uint32_t surface_ram_bytes(uint32_t vertices, uint32_t patches, SurfaceMode mode)
+{
+    return static_cast<uint32_t>(sizeof(SurfaceFrame)) +
+           surface_frame_bytes(vertices, patches, kSidePx, kSurfaceBandLog2) +
+           surface_stripe_bytes(kSidePx, kSurfaceStripeRows, mode);
+}
+
+}  // namespace lumi::bench
