@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "store/section_writer.h"
+#include "surface/neighbours.h"
 
 namespace lumi::baker
 {
@@ -94,6 +95,19 @@ std::vector<uint8_t> patch_section(const SurfaceShape& shape, const VertexOrder&
     return b.take();
 }
 
+std::vector<uint8_t> neighbour_section(const SurfaceShape& shape)
+{
+    Bytes b(shape.mesh.patches.size() * format::kNeighbourBytes);
+    size_t at = 0;
+    for (const std::array<uint16_t, 4>& across : neighbours_of(shape.mesh)) {
+        for (const uint16_t triangle : across) {
+            b.put16(at, triangle);
+            at += 2;
+        }
+    }
+    return b.take();
+}
+
 std::vector<uint8_t> palette_section(const SurfaceParts& parts)
 {
     Bytes b(3 * parts.palette.size());
@@ -157,7 +171,8 @@ std::vector<uint8_t> surface_file(const SurfaceShape& shape, const SurfaceParts&
                                       {format::kVertexSection, vertex_section(shape, order)},
                                       {format::kPatchSection, patch_section(shape, order)},
                                       {format::kColourSection, parts.texels},
-                                      {format::kPaletteRgb, palette_section(parts)}};
+                                      {format::kPaletteRgb, palette_section(parts)},
+                                      {format::kNeighbourSection, neighbour_section(shape)}};
     if (order.viewed != 0) {
         contents.push_back({format::kViewSection, view_section(shape, parts, order)});
     }

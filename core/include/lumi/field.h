@@ -61,6 +61,7 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_surface,        // the surface section has the wrong size, or a count, a flag or a reserved byte out of range
     bad_vertices,       // the wrong size, or a vertex outside the sphere
     bad_patches,        // the wrong size, a corner that does not exist, or a rectangle that leaves the texels
+    bad_neighbours,     // the wrong size, or a triangle that does not exist
     bad_views,          // the view tables have the wrong size
     section_crc,        // verify_field only: a section's bytes are damaged
 };

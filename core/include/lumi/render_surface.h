@@ -16,11 +16,12 @@
 namespace lumi
 {
 
-// Bytes of a stripe's samples: a colour and a depth each.
+// Bytes of a stripe's samples: a colour and a depth each. Outlines are blended with the pixels around the stripe.
 constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t rows_px, SurfaceMode mode)
 {
     const uint32_t samples = mode == SurfaceMode::two_by_two ? 4 : 1;
-    return static_cast<uint32_t>(width_px) * static_cast<uint32_t>(rows_px) * samples *
+    const int32_t margin = mode == SurfaceMode::antialiased ? 2 : 0;
+    return static_cast<uint32_t>(width_px + margin) * static_cast<uint32_t>(rows_px + margin) * samples *
            static_cast<uint32_t>(sizeof(PackedColour) + sizeof(uint16_t));
 }
 
@@ -30,6 +31,11 @@ namespace surfaces
 struct SampleRect {
     int32_t x_px, y_px, width_px, height_px;  // within the image
 };
+
+inline bool blends_outlines(const SurfaceFrame& frame)
+{
+    return frame.mode == SurfaceMode::antialiased && frame.field.neighbours != nullptr;
+}
 
 // Clears the depths and draws every triangle that reaches the rectangle.
 void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* depths, PackedColour* colours);
@@ -50,13 +56,27 @@ __attribute__((noinline)) void store_mixed(uint8_t* pixel, const Background& bac
     Pixel::store(pixel, {static_cast<uint8_t>(r >> 2), static_cast<uint8_t>(g >> 2), static_cast<uint8_t>(b >> 2)});
 }
 
+// A pixel that the outline cuts, see blend_edge.
+template <class Pixel, class Background>
+__attribute__((noinline)) void store_covered(uint8_t* pixel, const Background& background, uint32_t coverage,
+                                             PackedColour colour)
+{
+    const Rgb8 over = unpacked(colour), under = background.template under<Pixel>(pixel);
+    const auto channel = [&](uint32_t a, uint32_t b) {
+        return static_cast<uint8_t>((a * coverage + b * (256 - coverage) + 128) >> 8);
+    };
+    Pixel::store(pixel, {channel(over.r, under.r), channel(over.g, under.g), channel(over.b, under.b)});
+}
+
 template <class Pixel, class Background>
 void resolve_row(const Background& background, uint8_t* pixel, int32_t count, const uint16_t* depths,
                  const PackedColour* colours)
 {
     for (int32_t x = 0; x < count; ++x, pixel += Pixel::kBytes) {
-        if (depths[x] != kEmptyDepth) {
+        if (depths[x] >= kFarDepth) {
             store_colour<Pixel>(pixel, colours[x]);
+        } else if (depths[x] != kEmptyDepth) {
+            store_covered<Pixel>(pixel, background, depths[x], colours[x]);
         } else if (Background::kFills) {
             Pixel::store(pixel, background.template under<Pixel>(pixel));
         }
@@ -90,14 +110,21 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
     const auto within = [](int32_t v, int32_t most) { return v < 0 ? 0 : v < most ? v : most; };
     const int32_t left = within(stripe.x_px, frame.width_px), right = within(stripe.right_px(), frame.width_px);
     const int32_t top = within(stripe.y_px, frame.height_px), bottom = within(stripe.bottom_px(), frame.height_px);
-    const surfaces::SampleRect rect = {left, top, right - left, bottom - top};
-    const bool is_drawn = rect.width_px > 0 && rect.height_px > 0;
-    const uint32_t samples_of_row = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
+    const bool is_drawn = left < right && top < bottom;
+    const int32_t margin = surfaces::blends_outlines(frame) ? 1 : 0;
+    const int32_t from_x = within(left - margin, frame.width_px), from_y = within(top - margin, frame.height_px);
+    const surfaces::SampleRect rect = {from_x, from_y, within(right + margin, frame.width_px) - from_x,
+                                       within(bottom + margin, frame.height_px) - from_y};
+    const uint32_t row_samples = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
     PackedColour* colours = static_cast<PackedColour*>(samples);
     uint16_t* depths = nullptr;
     if (is_drawn) {
-        depths = reinterpret_cast<uint16_t*>(colours + samples_of_row * static_cast<uint32_t>(rect.height_px));
+        depths = reinterpret_cast<uint16_t*>(colours + row_samples * static_cast<uint32_t>(rect.height_px));
         surfaces::rasterize(frame, rect, depths, colours);
+        const uint32_t before =
+            static_cast<uint32_t>(top - from_y) * row_samples + static_cast<uint32_t>(left - from_x);
+        depths += before;
+        colours += before;
     }
     for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
         const bool has_row = is_drawn && y >= top && y < bottom;
@@ -105,12 +132,12 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
         if (!has_row) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
         if (frame.samples_log2 == 0) {
-            surfaces::resolve_row<Pixel>(background, pixel, rect.width_px, depths, colours);
+            surfaces::resolve_row<Pixel>(background, pixel, right - left, depths, colours);
         } else {
-            surfaces::resolve_two_by_two<Pixel>(background, pixel, rect.width_px, depths, colours);
+            surfaces::resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
         }
-        depths += samples_of_row;
-        colours += samples_of_row;
+        depths += row_samples;
+        colours += row_samples;
     }
 }
 

@@ -15,12 +15,13 @@
 namespace lumi::format
 {
 
-inline constexpr uint32_t kSurfaceSection = four_cc('S', 'U', 'R', 'F');  // required, kSurfaceBytes
-inline constexpr uint32_t kVertexSection = four_cc('S', 'V', 'T', 'X');   // required, vertices × kVertexBytes
-inline constexpr uint32_t kPatchSection = four_cc('S', 'P', 'A', 'T');    // required, patches × kPatchBytes
-inline constexpr uint32_t kColourSection = four_cc('S', 'T', 'E', 'X');   // required, one byte a texel
-inline constexpr uint32_t kPaletteRgb = four_cc('S', 'P', 'A', 'L');      // required, 256 × (r, g, b)
-inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');     // view tables, where there are any
+inline constexpr uint32_t kSurfaceSection = four_cc('S', 'U', 'R', 'F');    // required, kSurfaceBytes
+inline constexpr uint32_t kVertexSection = four_cc('S', 'V', 'T', 'X');     // required, vertices × kVertexBytes
+inline constexpr uint32_t kPatchSection = four_cc('S', 'P', 'A', 'T');      // required, patches × kPatchBytes
+inline constexpr uint32_t kColourSection = four_cc('S', 'T', 'E', 'X');     // required, one byte a texel
+inline constexpr uint32_t kPaletteRgb = four_cc('S', 'P', 'A', 'L');        // required, 256 × (r, g, b)
+inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');       // view tables, where there are any
+inline constexpr uint32_t kNeighbourSection = four_cc('S', 'N', 'E', 'I');  // optional, patches × kNeighbourBytes
 
 inline constexpr uint32_t kSurfaceBytes = 32;
 namespace surface
@@ -67,6 +68,11 @@ constexpr uint32_t patch_reach(uint32_t n)
 {
     return kMaxPatchSide * n + kMaxPatchSide + 1;
 }
+
+// Neighbours: for each patch the triangles across its sides a-b, c-a, and c-d, d-b, or b-c where it has one triangle
+// (then 0xFFFF). u16; kNoNeighbour where the mesh ends. With them, outlines can be drawn smooth (SurfaceMode).
+inline constexpr uint32_t kNeighbourBytes = 8;
+inline constexpr uint32_t kNoNeighbour = 0xFFFF;
 
 // View tables: colours of nodes, then a record for each vertex that has one.
 inline constexpr uint32_t kViewLattice = 66;

@@ -19,8 +19,10 @@ namespace lumi
 {
 
 enum class SurfaceMode : uint8_t {
-    one_sample,  // a pixel's centre
-    two_by_two,  // the mean of four, at 1/4 and 3/4 of a pixel's sides
+    one_sample,   // a pixel's centre
+    antialiased,  // the same, with two taps of the texture, and outlines blended by coverage where the field has
+                  // neighbours
+    two_by_two,   // the mean of four, at 1/4 and 3/4 of a pixel's sides
 };
 
 struct SurfaceCamera {
@@ -79,6 +81,7 @@ struct SurfaceProjection {
     uint32_t depth_factor;  // 16 bits
     int32_t depth_shift;
     uint32_t depth_offset;  // a depth's number + this is proportional to 1/z
+    uint32_t one_surface;   // depths that differ by no more may belong to one surface: 1/32 R in the sphere's middle
     uint32_t curved_from;   // edges that come nearer than this depth may look bent along their texture
     VertexQ14 viewer;       // the eye in the vertices' format, shifted right
     int32_t viewer_shift;
@@ -89,6 +92,7 @@ struct SurfaceFrame {
     SurfaceMemory memory;
     SurfaceProjection projection;
     int32_t width_px, height_px;
+    SurfaceMode mode;
     uint32_t samples_log2;  // a side of a pixel: 0 or 1
     uint32_t other_list;    // the last of the bands' lists: triangles that are cut, large or tall
     PackedColour palette[256];
@@ -110,6 +114,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
     const uint8_t* entry = field.palette;
     for (PackedColour& c : out.palette) {
         c = palette_colour<Pixel>({entry[0], entry[1], entry[2]});
+        if (mode == SurfaceMode::antialiased) c = mean_of(c, 0);
         entry += 3;
     }
 }

@@ -15,9 +15,10 @@ using namespace format;
 using namespace container;
 
 constexpr uint32_t kChordTypes[] = {kLayoutSection, kTexelSection, kPaletteSection};
-constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection, kPaletteSection, kGuidedSection,    kProxySection,
-                                  kMeanSection,   kChartSection, kChartColours,   kOcclusionSection, kSurfaceSection,
-                                  kVertexSection, kPatchSection, kColourSection,  kPaletteRgb,       kViewSection};
+constexpr uint32_t kAllTypes[] = {kLayoutSection,    kTexelSection,   kPaletteSection, kGuidedSection,
+                                  kProxySection,     kMeanSection,    kChartSection,   kChartColours,
+                                  kOcclusionSection, kSurfaceSection, kVertexSection,  kPatchSection,
+                                  kColourSection,    kPaletteRgb,     kViewSection,    kNeighbourSection};
 
 template <uint32_t Count>
 constexpr KnownTypes known(const uint32_t (&types)[Count])
@@ -216,6 +217,8 @@ const char* describe(FieldError error)
             return "the vertices have the wrong size, or one lies outside the sphere";
         case FieldError::bad_patches:
             return "the patches have the wrong size, or one leaves the vertices or the texels";
+        case FieldError::bad_neighbours:
+            return "the neighbours have the wrong size, or one does not exist";
         case FieldError::bad_views:
             return "the view tables have the wrong size";
         case FieldError::section_crc:

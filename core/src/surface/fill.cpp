@@ -38,17 +38,23 @@ struct Brush {
     PackedColour colour, colour_step;
 };
 
+template <bool kTwoTaps>
 LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, PackedColour* colour_at, Brush b,
                                      const Texture& texture, const PackedColour* palette)
 {
+    // A quarter texel to the lower right, less what would leave the rectangle.
+    constexpr uint32_t kQuarter = 250 << 16 | 250;
     const uint8_t* const texels = texture.texels;
     const uint32_t columns = texture.columns;
     do {
         const uint32_t depth = b.depth_q14 >> 14;
         if (depth > *depth_at) {
             *depth_at = static_cast<uint16_t>(depth);
-            const uint32_t texel = texels[(b.place >> 26) * columns + ((b.place << 16) >> 26)];
-            PackedColour sum = palette[texel] + b.colour;
+            const auto texel_at = [&](uint32_t place) {
+                return palette[texels[(place >> 26) * columns + ((place << 16) >> 26)]];
+            };
+            PackedColour sum = kTwoTaps ? texel_at(b.place - kQuarter) + texel_at(b.place + kQuarter) + b.colour
+                                        : texel_at(b.place) + b.colour;
             if ((sum & kGuardBits) != 0) sum = clamped(sum);
             *colour_at = sum;
         }
@@ -60,6 +66,7 @@ LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, Pa
 }
 
 // A triangle on its way down the target.
+template <bool kTwoTaps>
 class Descent
 {
 public:
@@ -150,8 +157,8 @@ private:
         while (true) {
             const int32_t end = to - from > kRun ? from + kRun : to;
             brush.colour = colour_at(static_cast<uint32_t>(from));
-            fill_samples(target_.depths + row_ + from, target_.depths + row_ + end, target_.colours + row_ + from,
-                         brush, texture_, target_.palette);
+            fill_samples<kTwoTaps>(target_.depths + row_ + from, target_.depths + row_ + end,
+                                   target_.colours + row_ + from, brush, texture_, target_.palette);
             if (end == to) return;
             brush.depth_q14 += kRun * brush.depth_step;
             brush.place += kRun * brush.place_step;
@@ -192,7 +199,12 @@ void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_s
 {
     const int32_t area = doubled_area(a.point, b.point, c.point);
     if (area == 0 || (area > 0 && !two_sided)) return;
-    Descent(area < 0 ? from_top(a, b, c) : from_top(a, c, b), texture, target);
+    const Wound w = area < 0 ? from_top(a, b, c) : from_top(a, c, b);
+    if (target.has_two_taps) {
+        Descent<true>(w, texture, target);
+    } else {
+        Descent<false>(w, texture, target);
+    }
 }
 
 }  // namespace lumi::surfaces

@@ -17,6 +17,7 @@ struct Target {
     PackedColour* colours;
     int32_t x, y, width, height;  // samples; rows are `width` apart
     const PackedColour* palette;
+    bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side
 };
 
 // A rectangle of texels, see surface_format.h.

@@ -122,7 +122,10 @@ public:
         const SurfaceVertex* v = frame_.memory.vertices;
         const Seen s = {v + a, v + b, v + c};
         if (s.are_there()) {
-            if (!list(triangle, s)) return;
+            if (!list(triangle, s)) {
+                frame_.memory.links[triangle] = kUnlisted;
+                return;
+            }
         } else {
             put(frame_, frame_.other_list, triangle, 0);
         }
@@ -168,7 +171,11 @@ void put_triangles(SurfaceFrame& frame)
         const SurfacePatch patch = surface_patch(frame.field, k);
         const uint32_t* corner = patch.corner;
         lister.add(2 * k, corner[0], corner[1], corner[2]);
-        if (corner[3] != format::kNoVertex) lister.add(2 * k + 1, corner[3], corner[2], corner[1]);
+        if (corner[3] != format::kNoVertex) {
+            lister.add(2 * k + 1, corner[3], corner[2], corner[1]);
+        } else {
+            frame.memory.links[2 * k + 1] = kUnlisted;
+        }
     }
 }
 
@@ -181,6 +188,7 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     out.memory = memory;
     out.width_px = camera.width_px;
     out.height_px = camera.height_px;
+    out.mode = mode;
     out.samples_log2 = mode == SurfaceMode::two_by_two ? 1 : 0;
     out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
     for (uint32_t k = 0; k <= out.other_list; ++k) memory.bands[k] = kEmptyBand;

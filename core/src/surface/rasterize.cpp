@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/render_surface.h"
 #include "surface/bands.h"
+#include "surface/silhouette.h"
 #include "surface/split.h"
 
 namespace lumi::surfaces
@@ -47,25 +48,66 @@ void each_of(const SurfaceFrame& frame, uint32_t list, const Draw& draw)
     }
 }
 
+// Of a triangle's sides the vertices, and the triangle across.
+struct Side {
+    uint32_t from, to, neighbour;
+};
+
+void blend_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
+{
+    const SurfacePatch patch = surface_patch(frame.field, k >> 1);
+    const uint8_t* p = frame.field.neighbours + (k >> 1) * format::kNeighbourBytes;
+    const auto neighbour = [&](int at) { return static_cast<uint32_t>(p[2 * at] | p[2 * at + 1] << 8); };
+    const uint32_t *v = patch.corner, other = k ^ 1;
+    const bool is_lone = v[3] == format::kNoVertex;
+    const Side sides[] = {k & 1 ? Side{v[3], v[2], neighbour(2)} : Side{v[0], v[1], neighbour(0)},
+                          k & 1 ? Side{v[1], v[3], neighbour(3)} : Side{v[2], v[0], neighbour(1)},
+                          k & 1 ? Side{v[2], v[1], other} : Side{v[1], v[2], is_lone ? neighbour(2) : other}};
+    for (const Side& side : sides) {
+        const bool is_outline =
+            side.neighbour == format::kNoNeighbour || frame.memory.links[side.neighbour] == kUnlisted;
+        const SurfaceVertex &from = frame.memory.vertices[side.from], &to = frame.memory.vertices[side.to];
+        if (is_outline && is_there(from) && is_there(to)) {
+            blend_edge(from, to, frame.projection.one_surface, target);
+        }
+    }
+}
+
+// Calls draw(triangle) for each that may reach rows of pixels [top, bottom), of the bands and of the other list.
+template <class Draw, class DrawOther>
+void each_between(const SurfaceFrame& frame, int32_t top, int32_t bottom, const Draw& draw, const DrawOther& draw_other)
+{
+    const int32_t first = top >> frame.memory.band_log2, last = (bottom - 1) >> frame.memory.band_log2;
+    for (int32_t band = first < kBandReach ? 0 : first - kBandReach + 1; band <= last; ++band) {
+        each_of(frame, static_cast<uint32_t>(band), [&](uint32_t k, int32_t reach) {
+            if (band + reach >= first) draw(k);
+        });
+    }
+    each_of(frame, frame.other_list, [&](uint32_t k, int32_t) { draw_other(k); });
+}
+
 }  // namespace
 
 void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* depths, PackedColour* colours)
 {
     const int32_t log2 = static_cast<int32_t>(frame.samples_log2);
-    const Target target = {
-        depths,       colours, rect.x_px << log2, rect.y_px << log2, rect.width_px << log2, rect.height_px << log2,
-        frame.palette};
+    const Target target = {depths,
+                           colours,
+                           rect.x_px << log2,
+                           rect.y_px << log2,
+                           rect.width_px << log2,
+                           rect.height_px << log2,
+                           frame.palette,
+                           frame.mode == SurfaceMode::antialiased};
     const uint32_t samples = static_cast<uint32_t>(target.width) * static_cast<uint32_t>(target.height);
     __builtin_memset(depths, 0, samples * sizeof *depths);
-    const int32_t first = rect.y_px >> frame.memory.band_log2;
-    const int32_t last = (rect.y_px + rect.height_px - 1) >> frame.memory.band_log2;
-    for (int32_t band = first < kBandReach ? 0 : first - kBandReach + 1; band <= last; ++band) {
-        each_of(frame, static_cast<uint32_t>(band), [&](uint32_t k, int32_t reach) {
-            if (band + reach >= first) fill_listed(frame, k, target);
-        });
-    }
-    each_of(frame, frame.other_list,
-            [&](uint32_t k, int32_t) { fill_in_parts(frame, mesh_triangle(frame.field, k), target); });
+    const int32_t bottom_px = rect.y_px + rect.height_px;
+    each_between(
+        frame, rect.y_px, bottom_px, [&](uint32_t k) { fill_listed(frame, k, target); },
+        [&](uint32_t k) { fill_in_parts(frame, mesh_triangle(frame.field, k), target); });
+    if (!blends_outlines(frame)) return;
+    const auto blend = [&](uint32_t k) { blend_sides(frame, k, target); };
+    each_between(frame, rect.y_px, bottom_px, blend, blend);
 }
 
 }  // namespace lumi::surfaces

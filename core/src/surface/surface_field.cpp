@@ -11,8 +11,8 @@ namespace
 using namespace format;
 using namespace container;
 
-constexpr uint32_t kSurfaceTypes[] = {kSurfaceSection, kVertexSection, kPatchSection,
-                                      kColourSection,  kPaletteRgb,    kViewSection};
+constexpr uint32_t kSurfaceTypes[] = {kSurfaceSection, kVertexSection, kPatchSection,    kColourSection,
+                                      kPaletteRgb,     kViewSection,   kNeighbourSection};
 constexpr int32_t kOneQ14 = 1 << 14;
 
 FieldError read_counts(const uint8_t* b, SurfaceField& out)
@@ -61,6 +61,10 @@ FieldError read_sections(const uint8_t* bytes, SurfaceField& out)
     if (!find_bytes(bytes, kPatchSection, out.patch_count * kPatchBytes, out.patches)) return FieldError::bad_patches;
     if (!find_bytes(bytes, kColourSection, out.texel_bytes, out.texels)) return FieldError::bad_texel_size;
     if (!find_bytes(bytes, kPaletteRgb, 3 * kPaletteEntries, out.palette)) return FieldError::bad_palette;
+    if (has_section(bytes, kNeighbourSection) &&
+        !find_bytes(bytes, kNeighbourSection, out.patch_count * kNeighbourBytes, out.neighbours)) {
+        return FieldError::bad_neighbours;
+    }
     const uint32_t view_bytes = kViewColoursBytes + out.viewed_count * kViewBytes;
     if (out.viewed_count == 0) return has_section(bytes, kViewSection) ? FieldError::bad_views : FieldError::none;
     if (!find_bytes(bytes, kViewSection, view_bytes, out.node_colours)) return FieldError::bad_views;
@@ -84,6 +88,16 @@ bool fits(const SurfacePatch& patch, const SurfaceField& field)
            patch.texels + patch_reach(patch.columns) <= field.texel_bytes;
 }
 
+bool has_fitting_neighbours(const SurfaceField& field)
+{
+    if (field.neighbours == nullptr) return true;
+    for (uint32_t k = 0; k < 4 * field.patch_count; ++k) {
+        const uint32_t triangle = load_u16(field.neighbours + 2 * k);
+        if (triangle >= 2 * field.patch_count && triangle != kNoNeighbour) return false;
+    }
+    return true;
+}
+
 FieldError check_mesh(const SurfaceField& field)
 {
     for (uint32_t k = 0; k < field.vertex_count; ++k) {
@@ -92,7 +106,7 @@ FieldError check_mesh(const SurfaceField& field)
     for (uint32_t k = 0; k < field.patch_count; ++k) {
         if (!fits(surface_patch(field, k), field)) return FieldError::bad_patches;
     }
-    return FieldError::none;
+    return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
 }
 
 }  // namespace
