@@ -39,7 +39,7 @@ set(LUMI_PLAIN_FILES
   tools/metrics/steerable_pyramid_test.cpp
   tools/bench/cache_model_test.cpp
   tools/bench/report_test.cpp
-  tools/draw/draw_guided_test.cpp
+  tools/draw/draw_surface_test.cpp
   tools/quality/guided_twin_test.cpp
   tools/quality/quality_test.cpp
   tools/planner/fit_test.cpp

@@ -172,7 +172,7 @@ const char* describe(FieldError error)
         case FieldError::bad_palette:
             return "the palette has the wrong size or an entry brighter than its coverage";
         case FieldError::guided_field:
-            return "a guided field, which this reader does not draw";
+            return "guided fields ended with version 0.1.0";
         case FieldError::chord_field:
             return "a field without a surface, where a guided one is needed";
         case FieldError::missing_guided:

@@ -48,7 +48,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {render("--orbit", "0,0,0.9"), "radii above 1"},
         {render("--orbit", "0,91,3"), "-90"},
         {render("--fov", "150"), "--fov"},
-        {render("--mode", "cubic"), "nearest, voronoi, dither, linear, paper"},
+        {render("--mode", "cubic"), "nearest, voronoi, dither, linear or paper"},
         {render("--neighbours", "0"), "--neighbours"},
         {render("--neighbours", "10"), "--neighbours"},
         {render("--neighbours", "3"), "--mode paper"},
@@ -140,6 +140,23 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
         CHECK(test::content_of(asm_out) == "earlier");
         CHECK(folder.entries() == entries);
     }
+}
+
+TEST_CASE("an old guided field is refused by every command, with what to do")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "g.lumi", test::guided_bytes());
+    const std::string field = folder / "g.lumi";
+    const std::vector<Arguments> calls = {{"render", field, "-o", folder / "o.png"},
+                                          {"inspect", field},
+                                          {"embed", field, "-o", folder / "o.S"},
+                                          {"report", kScene, field}};
+    for (const auto& call : calls) {
+        const Outcome outcome = lumi(call);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains("g.lumi: guided fields ended with version 0.1.0; bake it again"));
+    }
+    CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("an output in a folder that does not exist is refused before the work begins")

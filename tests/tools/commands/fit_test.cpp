@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "files/field_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -98,12 +97,6 @@ TEST_CASE("a plan fits its budget, keeps what is set by hand, and its options ba
     REQUIRE(outcome.code == 0);
     CHECK(std::filesystem::file_size(planned) <= 60000);
     CHECK(std::filesystem::file_size(planned) > 55000);
-    {
-        const FieldFile file(planned);
-        REQUIRE(file.is_guided());
-        CHECK(file.guided().origins.size() == 70);
-        CHECK(file.guided().mean.resolution == 12);
-    }
     const auto json = nlohmann::json::parse(test::content_of(plan));
     CHECK(json["chosen"]["layout"] == "guided");
     CHECK(json["tried"].size() >= 2);  // with and without occlusion

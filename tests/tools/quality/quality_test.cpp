@@ -39,7 +39,7 @@ size_t count_of(const std::string& text, const std::string& part)
 
 Measured some_field(const std::string& name, uint64_t bytes, const std::vector<Truth>& truths)
 {
-    Measured m = {name, "guided", bytes, {{"GUID", true, 64, 44, 0}, {"PROX", true, 108, 400, 0}}, {}, {}, {}};
+    Measured m = {name, "surface", bytes, {{"SURF", true, 64, 32, 0}, {"SPAT", true, 96, 400, 0}}, {}, {}, {}};
     for (const Truth& truth : truths) {
         m.pictures.push_back(truth.picture);
         m.figures.push_back(figures_of(truth.picture, truth));
@@ -170,7 +170,7 @@ TEST_CASE("the page holds every picture and asks the network for nothing")
     report.fields = {some_field("x/small.lumi", 250000, report.truths),
                      some_field("x/large.lumi", 500000, report.truths)};
     report.one_ray = some_field("one ray", 0, report.truths);
-    report.costs = {{"m4", "linear", "rgb565", 8, 190.4}};
+    report.costs = {{"chord", "m4", "linear", "rgb565", 8, 190.4}, {"surface", "m4", "2x2", "", 0, 151}};
     const std::string page = page_of(report);
     CHECK(count_of(page, "<img ") == 2 * (1 + 2 * 2));  // the truth, and a picture and its error a field
     CHECK(count_of(page, "data:image/png;base64,") == count_of(page, "<img "));
@@ -179,7 +179,7 @@ TEST_CASE("the page holds every picture and asks the network for nothing")
     CHECK(count_of(page, "http") == count_of(page, "xmlns=\"http://www.w3.org/2000/svg\""));
     CHECK_THAT(page, Catch::Contains("a &lt;b&gt; &amp; &quot;c&quot;.obj"));
     CHECK_THAT(page, Catch::Contains("width=device-width"));
-    CHECK_THAT(page, Catch::Contains(">proxy 400 bytes<") && Catch::Contains("<td>190</td>"));
+    CHECK_THAT(page, Catch::Contains(">patch 400 bytes<") && Catch::Contains("<td>190</td>"));
 }
 
 TEST_CASE("the report for programs has the promised keys")
@@ -199,7 +199,7 @@ TEST_CASE("the report for programs has the promised keys")
         CHECK(field["views"][0][key].is_number());
     }
     CHECK(field["flash_bytes"] == 250000);
-    CHECK(field["sections"]["PROX"] == 400);
+    CHECK(field["sections"]["SPAT"] == 400);
     CHECK_FALSE(json.contains("one_ray"));
 }
 
@@ -210,9 +210,14 @@ TEST_CASE("mode costs are the generic view's rows of a bench")
                                R"([{"core":"m4","mode":"linear","texel":"rgb888","span":16,"view":"generic",
                                     "instructions_per_pixel":292.5},
                                    {"core":"m4","mode":"linear","texel":"rgb888","span":16,"view":"pole",
-                                    "instructions_per_pixel":310}])");
+                                    "instructions_per_pixel":310},
+                                   {"layout":"surface","core":"m4","mode":"2x2","view":"generic",
+                                    "instructions_per_pixel":151}])");
     const auto costs = read_mode_costs(folder / "bench.json");
-    REQUIRE(costs.size() == 1);
+    REQUIRE(costs.size() == 2);
+    CHECK(costs[0].layout == "chord");
+    CHECK(costs[1].layout == "surface");
+    CHECK(costs[1].mode == "2x2");
     CHECK(costs[0].core == "m4");
     CHECK(costs[0].span == 16);
     CHECK(costs[0].instructions_per_pixel == 292.5);

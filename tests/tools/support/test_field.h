@@ -82,22 +82,20 @@ inline std::string palette_bytes()
     return palette.bytes();
 }
 
-inline std::string field_bytes(const TestField& field)
-{
-    struct Section {
-        uint32_t type;
-        std::string bytes;
-    };
-    std::vector<Section> sections = {{format::kLayoutSection, layout_bytes(field)}};
-    if (field.texel == format::TexelFormat::palette8) sections.push_back({format::kPaletteSection, palette_bytes()});
-    sections.push_back({format::kTexelSection, texel_bytes(field)});
+struct TestSection {
+    uint32_t type;
+    std::string bytes;
+};
 
+// A file of these sections, all of them required.
+inline std::string file_bytes(const std::vector<TestSection>& sections)
+{
     const auto aligned = [](size_t size) {
         return (size + format::kSectionAlignment - 1) / format::kSectionAlignment * format::kSectionAlignment;
     };
     ByteWriter table, body;
     const size_t body_at = aligned(format::kHeaderBytes + sections.size() * format::kEntryBytes);
-    for (const Section& section : sections) {
+    for (const TestSection& section : sections) {
         body.pad_to(format::kSectionAlignment);
         table.u32(section.type);
         table.u32(format::kRequired);
@@ -121,6 +119,20 @@ inline std::string field_bytes(const TestField& field)
     file.pad_to(format::kSectionAlignment);
     file.append(body.bytes());
     return file.bytes();
+}
+
+inline std::string field_bytes(const TestField& field)
+{
+    std::vector<TestSection> sections = {{format::kLayoutSection, layout_bytes(field)}};
+    if (field.texel == format::TexelFormat::palette8) sections.push_back({format::kPaletteSection, palette_bytes()});
+    sections.push_back({format::kTexelSection, texel_bytes(field)});
+    return file_bytes(sections);
+}
+
+// The container of a guided field, which no reader opens any more.
+inline std::string guided_bytes()
+{
+    return file_bytes({{format::four_cc('G', 'U', 'I', 'D'), std::string(44, '\1')}});
 }
 
 }  // namespace lumi::tools::test

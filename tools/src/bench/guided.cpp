@@ -7,10 +7,12 @@
 
 #include "bench/boards.h"
 #include "draw/draw_guided.h"
-#include "files/field_file.h"
+#include "lumi/baker/file_guard.h"
 #include "lumi/baker/guided.h"
 #include "lumi/bench/views.h"
 #include "lumi/crc32.h"
+#include "lumi/guided/guided_field.h"
+#include "lumi/host/mapped_file.h"
 #include "lumi/pixel.h"
 #include "lumi/reference/guided_picture.h"
 #include "terminal/failure.h"
@@ -147,6 +149,20 @@ Accuracy judge(const reference::GuidedPicture& exact, const tools::Picture& draw
     return {db, db, static_cast<uint32_t>(std::lround(worst))};
 }
 
+// Opened here alone: commands refuse guided fields.
+struct GuidedFile {
+    std::string path;
+    host::MappedFile file;
+    GuidedField field;
+
+    explicit GuidedFile(const std::string& name) : path(name)
+    {
+        baker::note_input(path);
+        if (file.open(path) != 0 || open_guided(file.bytes(), file.size(), field) != FieldError::none)
+            throw tools::Failure(path, "cannot be opened", "delete it");
+    }
+};
+
 class GuidedMeasurement
 {
 public:
@@ -195,8 +211,8 @@ private:
         const std::string renderer = renderer_of(program.mode, program.texel);
         announce_(core + ": " + renderer);
         const uint32_t code_bytes = board.code_bytes(renderer);
-        const tools::FieldFile& file = fields_.at(program.texel);
-        for (Count& count : board.count(renderer, file.path(), settings_.matrix.views, {})) {
+        const GuidedFile& file = fields_.at(program.texel);
+        for (Count& count : board.count(renderer, file.path, settings_.matrix.views, {})) {
             tools::leave_if_interrupted();
             const HostFacts& host = facts(program, count);
             count.surface = host.surface;
@@ -211,7 +227,7 @@ private:
     {
         const auto [at, is_new] = facts_.try_emplace(program.mode + program.texel + count.view);
         if (!is_new) return at->second;
-        const GuidedField& field = fields_.at(program.texel).guided();
+        const GuidedField& field = fields_.at(program.texel).field;
         const tools::Eye eye = eye_of(*std::find_if(std::begin(kViews), std::end(kViews),
                                                     [&](const View& view) { return view.name == count.view; }));
         tools::GuidedDrawSettings drawing;
@@ -227,7 +243,7 @@ private:
     const Settings& settings_;
     const Announce& announce_;
     std::vector<Program> programs_;
-    std::map<std::string, tools::FieldFile> fields_;
+    std::map<std::string, GuidedFile> fields_;
     std::map<std::string, HostFacts> facts_;
     Rows rows_;
 };

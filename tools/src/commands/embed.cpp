@@ -50,7 +50,7 @@ void run(const EmbedOptions& options)
     const std::string incbin =
         options.incbin.empty() ? std::filesystem::absolute(options.field).lexically_normal().string() : options.incbin;
     write_output(source.string(), embed_source(symbol, incbin));
-    write_output(header, embed_header(symbol));
+    write_output(header, embed_header(symbol, field.is_surface() ? "open_surface" : "open_field"));
     std::printf("%s, %s: symbol %s, %zu bytes\n", source.c_str(), header.c_str(), symbol.c_str(), field.size());
 }
 

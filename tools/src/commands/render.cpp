@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lumi render: pictures from a field file, by the renderer that firmware links.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -7,7 +8,7 @@
 #include "commands/camera_options.h"
 #include "commands/choice.h"
 #include "commands/commands.h"
-#include "draw/draw_guided.h"
+#include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "terminal/failure.h"
 
@@ -17,87 +18,56 @@ namespace lumi::tools
 namespace
 {
 
-// What either kind of field can be drawn by.
-enum class RenderMode { best, nearest, voronoi, dither, linear, paper, one_origin, mean };
-
 struct RenderOptions {
     std::string field, output;
     ViewOptions views;
-    RenderMode mode = RenderMode::best;
-    DrawSettings drawing;
-    bool antialiased = true, twin = false;
+    std::string mode = "best";
+    DrawSettings drawing;  // its mode is that of a chord field
+    bool twin = false;
 };
 
-Mode chord_mode(const RenderOptions& options)
+const Choices<Mode> kChordModes = {{"nearest", Mode::nearest},
+                                   {"voronoi", Mode::voronoi},
+                                   {"dither", Mode::dither},
+                                   {"linear", Mode::linear},
+                                   {"paper", Mode::paper}};
+const Choices<SurfaceMode> kSurfaceModes = {{name_of(SurfaceMode::one_sample), SurfaceMode::one_sample},
+                                            {name_of(SurfaceMode::antialiased), SurfaceMode::antialiased},
+                                            {name_of(SurfaceMode::two_by_two), SurfaceMode::two_by_two}};
+
+// The mode of that name, `best` for the word "best". `kind` is what the field is.
+template <class Value>
+Value mode_of(const RenderOptions& options, const Choices<Value>& choices, Value best, const std::string& kind)
 {
-    switch (options.mode) {
-        case RenderMode::nearest:
-            return Mode::nearest;
-        case RenderMode::voronoi:
-            return Mode::voronoi;
-        case RenderMode::dither:
-            return Mode::dither;
-        case RenderMode::best:
-        case RenderMode::linear:
-            return Mode::linear;
-        case RenderMode::paper:
-            return Mode::paper;
-        case RenderMode::one_origin:
-        case RenderMode::mean:
-            break;
-    }
-    throw UsageError("--mode one-origin and mean belong to guided fields; " + options.field + " is a chord field");
+    if (options.mode == "best") return best;
+    for (const auto& [word, value] : choices)
+        if (word == options.mode) return value;
+    throw UsageError("--mode " + options.mode + " does not draw " + options.field + ", a " + kind + " field; choose " +
+                     words_of(choices));
 }
 
-GuidedMode guided_mode(const RenderOptions& options)
+[[noreturn]] void refuse(const RenderOptions& options, const std::string& option, const std::string& kind)
 {
-    switch (options.mode) {
-        case RenderMode::best:
-        case RenderMode::linear:
-            return GuidedMode::linear;
-        case RenderMode::nearest:
-            return GuidedMode::nearest;
-        case RenderMode::one_origin:
-            return GuidedMode::one_origin;
-        case RenderMode::mean:
-            return GuidedMode::mean;
-        case RenderMode::voronoi:
-        case RenderMode::dither:
-        case RenderMode::paper:
-            break;
-    }
-    throw UsageError("--mode voronoi, dither and paper belong to chord fields; " + options.field +
-                     " is a guided field");
+    throw UsageError(option + " belongs to " + kind + " fields, and " + options.field + " is none");
 }
 
-// The same steps in the double-precision twin.
-reference::GuidedDrawing twin_drawing(const RenderOptions& options)
+Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
 {
-    const GuidedMode mode = guided_mode(options);
-    if (mode == GuidedMode::mean) throw UsageError("--twin has no --mode mean");
-    return {options.antialiased,
-            {mode == GuidedMode::one_origin ? reference::Origins::heaviest : reference::Origins::three,
-             mode == GuidedMode::linear ? reference::Taps::linear : reference::Taps::nearest}};
-}
-
-Drawer guided_drawer(const RenderOptions& options, const FieldFile& file)
-{
-    if (options.drawing.span_px > 1)
-        throw UsageError("--span belongs to chord fields; " + options.field + " is a guided field");
+    if (options.drawing.span_px > 1) refuse(options, "--span", "chord");
+    const SurfaceMode mode = mode_of(options, kSurfaceModes, SurfaceMode::two_by_two, "surface");
     if (options.twin)
-        return [&file, &options, drawing = twin_drawing(options)](const Eye& eye) {
-            return quality::draw_twin(file.guided(), eye, drawing, options.views.background);
+        return [&file, &options, mode](const Eye& eye) {
+            return quality::draw_twin(file.bytes(), eye, mode, options.views.background);
         };
-    const GuidedDrawSettings settings = {guided_mode(options), options.antialiased, options.drawing.display,
-                                         options.views.background};
-    return [&file, settings](const Eye& eye) { return draw_guided(file.guided(), eye, settings); };
+    const SurfaceDrawSettings settings = {mode, options.drawing.display, options.views.background};
+    return [&file, settings](const Eye& eye) { return draw_surface(file.surface(), eye, settings); };
 }
 
 Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
 {
-    if (options.twin) throw UsageError("--twin belongs to guided fields; " + options.field + " is a chord field");
+    if (options.twin) refuse(options, "--twin", "surface");
     DrawSettings drawing = options.drawing;
-    drawing.mode = chord_mode(options);
+    drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
     drawing.background = options.views.background;
     return [&file, drawing](const Eye& eye) { return draw(file.field(), eye.camera, drawing); };
 }
@@ -106,28 +76,33 @@ void run(const RenderOptions& options)
 {
     const FieldFile file(options.field);
     file.require_intact();
-    const Drawer drawer = file.is_guided() ? guided_drawer(options, file) : chord_drawer(options, file);
+    const Drawer drawer = file.is_surface() ? surface_drawer(options, file) : chord_drawer(options, file);
     for (const std::string& path : write_views(options.views, options.output, drawer))
         std::printf("%s\n", path.c_str());
 }
 
+// What is wrong with the word; nothing if it is a mode.
+std::string known_mode(const std::string& word)
+{
+    const auto has = [&](const auto& choices) {
+        return std::any_of(choices.begin(), choices.end(), [&](const auto& choice) { return choice.first == word; });
+    };
+    if (word == "best" || has(kChordModes) || has(kSurfaceModes)) return "";
+    return "takes best, or of a surface field " + words_of(kSurfaceModes) + ", of a chord field " +
+           words_of(kChordModes) + ", not \"" + word + "\"";
+}
+
 void add_drawing_options(CLI::App& command, RenderOptions& options)
 {
-    add_choice<RenderMode>(
-        command, "--mode", options.mode,
-        {{"best", RenderMode::best},
-         {"nearest", RenderMode::nearest},
-         {"voronoi", RenderMode::voronoi},
-         {"dither", RenderMode::dither},
-         {"linear", RenderMode::linear},
-         {"paper", RenderMode::paper},
-         {"one-origin", RenderMode::one_origin},
-         {"mean", RenderMode::mean}},
-        "MODE",
-        "Reconstruction: linear (3x3 texels a pixel); nearest (1 texel, of a guided field 3); voronoi "
-        "(chord fields: nearest with the true cells, also on spans); dither (chord fields: 1 texel, "
-        "on spans); paper (chord fields: KxK, the kernel of the LumiPath paper); one-origin (guided: 1 texel); mean "
-        "(guided: mean colours alone); best: linear [best]");
+    command
+        .add_option("--mode", options.mode,
+                    "Surface fields: 2x2 (four samples a pixel), antialiased (one, outlines smooth) or one-sample (the "
+                    "fastest). Chord fields: linear (3x3 "
+                    "texels a pixel), nearest (1), voronoi (1, in the true cells also on spans), dither (1, on spans), "
+                    "paper (KxK, the kernel of the LumiPath paper). best: 2x2, or linear")
+        ->type_name("MODE")
+        ->check(known_mode)
+        ->capture_default_str();
     command.add_option("--neighbours", options.drawing.neighbours, "Neighbours a side for --mode paper")
         ->type_name("K")
         ->check(CLI::Range(1u, uint32_t{kMaxNeighbours}))
@@ -142,11 +117,8 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         command, "--pixel", options.drawing.display,
         {{"rgb888", DisplayFormat::rgb888}, {"rgb565", DisplayFormat::rgb565}, {"grey8", DisplayFormat::grey8}},
         "FORMAT", "Display to preview: rgb888, rgb565 or grey8 [rgb888]");
-    command.add_flag_callback(
-        "--no-antialiasing", [&options] { options.antialiased = false; },
-        "Guided fields: one sample of the surface a pixel in place of four");
     command.add_flag("--twin", options.twin,
-                     "Guided fields, for checking: the same reconstruction in double precision, by other means");
+                     "Surface fields, for checking: the same picture in double precision, by other means");
 }
 
 }  // namespace
@@ -160,12 +132,11 @@ void add_render(CLI::App& lumi)
     command->add_option("-o,--output", options->output, "Picture to write")->type_name("OUT.png")->required();
     add_camera_options(*command, options->views);
     add_drawing_options(*command, *options);
-    command->footer(
-        "Example:\n  lumi render product.lumi -o product.png --turntable 24 --mode paper --background 202428");
+    command->footer("Example:\n  lumi render product.lumi -o product.png --turntable 24 --background 202428");
     command->callback([options, command] {
-        if (command->count("--neighbours") > 0 && options->mode != RenderMode::paper)
+        if (command->count("--neighbours") > 0 && options->mode != "paper")
             throw UsageError("--neighbours belongs to --mode paper");
-        if (options->mode == RenderMode::dither && options->drawing.span_px < 2)
+        if (options->mode == "dither" && options->drawing.span_px < 2)
             throw UsageError("--mode dither needs --span 2 or more: exact drawing does not dither");
         run(*options);
     });

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "draw/draw.h"
+#include "draw/display.h"
 #include "lumi/render_spans_paper.h"
 #include "terminal/interrupt.h"
 
@@ -17,21 +17,6 @@ namespace lumi::tools
 {
 
 inline constexpr int kSpanStripeRows = 16;  // what firmware with a few kilobytes to spare draws at once
-
-template <class Pixel>
-void copy_stripe(const Stripe& stripe, Picture& picture)
-{
-    for (int y = 0; y < stripe.height_px; ++y)
-        for (int x = 0; x < stripe.width_px; ++x) {
-            const uint8_t* bytes =
-                stripe.pixels + static_cast<size_t>(y) * stripe.stride_bytes + static_cast<size_t>(x) * Pixel::kBytes;
-            const Rgb8 colour = Pixel::load(bytes);  // what a display shows
-            uint8_t* target = picture.pixel(x, stripe.y_px + y);
-            target[0] = colour.r;
-            target[1] = colour.g;
-            target[2] = colour.b;
-        }
-}
 
 // Spans weigh at most five points a side, so larger kernels of the paper are the same there. They are compiled for the
 // exact renderer alone, which draws the fields that spans cannot.
@@ -99,20 +84,6 @@ Picture with_reconstruction(const DrawSettings& settings, const Next& next)
             return with_neighbours(settings.neighbours, next, std::make_integer_sequence<uint32_t, kMaxNeighbours>());
     }
     throw std::logic_error("unknown mode");
-}
-
-template <class Next>
-Picture with_pixel(DisplayFormat display, const Next& next)
-{
-    switch (display) {
-        case DisplayFormat::rgb888:
-            return next(PixelRgb888());
-        case DisplayFormat::rgb565:
-            return next(PixelRgb565());
-        case DisplayFormat::grey8:
-            return next(PixelGrey8());
-    }
-    throw std::logic_error("unknown display format");
 }
 
 // Draws all stripes of a field whose texels are of the format Texel.

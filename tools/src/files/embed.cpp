@@ -66,7 +66,7 @@ std::string embed_source(const std::string& symbol, const std::string& path)
     return replaced(replaced(text, "@SYMBOL@", symbol), "@PATH@", quoted(path));
 }
 
-std::string embed_header(const std::string& symbol)
+std::string embed_header(const std::string& symbol, const std::string& opener)
 {
     const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. */
 #ifndef LUMI_EMBEDDED_@SYMBOL@
@@ -79,7 +79,7 @@ std::string embed_header(const std::string& symbol)
 extern "C" {
 #endif
 
-/* The bytes of a field file, aligned to 8: lumi::open_field(@SYMBOL@, @SYMBOL@_size(), field). */
+/* The bytes of a field file, aligned to 8: lumi::@OPENER@(@SYMBOL@, @SYMBOL@_size(), field). */
 extern const uint8_t @SYMBOL@[];
 extern const uint8_t @SYMBOL@_end[];
 
@@ -94,7 +94,7 @@ static inline size_t @SYMBOL@_size(void)
 
 #endif
 )";
-    return replaced(text, "@SYMBOL@", symbol);
+    return replaced(replaced(text, "@OPENER@", opener), "@SYMBOL@", symbol);
 }
 
 }  // namespace lumi::tools

@@ -17,7 +17,7 @@ std::string symbol_from(std::string_view text);
 // `path` is written into .incbin as it is.
 std::string embed_source(const std::string& symbol, const std::string& path);
 
-// Declares SYMBOL, SYMBOL_end and the inline function SYMBOL_size().
-std::string embed_header(const std::string& symbol);
+// Declares SYMBOL, SYMBOL_end and the inline function SYMBOL_size(); names core's function that opens them.
+std::string embed_header(const std::string& symbol, const std::string& opener);
 
 }  // namespace lumi::tools

@@ -44,9 +44,8 @@ uint32_t read_u32(const uint8_t* bytes)
 std::string title_of(const std::string& type)
 {
     static const std::map<std::string, std::string> titles = {
-        {"TEXL", "texel"},       {"LAYO", "layout"},       {"PALT", "palette"},
-        {"GUID", "guided"},      {"PROX", "proxy"},        {"MEAN", "mean colour"},
-        {"CHRT", "chart texel"}, {"CPAL", "chart colour"}, {"OCCL", "occlusion"}};
+        {"TEXL", "texel"}, {"LAYO", "layout"},    {"PALT", "palette"}, {"SURF", "surface"}, {"SVTX", "vertex"},
+        {"SPAT", "patch"}, {"SNEI", "neighbour"}, {"STEX", "texel"},   {"SPAL", "palette"}, {"SVIE", "view table"}};
     const auto title = titles.find(type);
     return title != titles.end() ? title->second : "\"" + type + "\"";
 }
@@ -57,15 +56,9 @@ FieldFile::FieldFile(const std::string& path) : path_(path)
     if (const int error = file_.open(path); error != 0)
         throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
     FieldError error = open_field(file_.bytes(), file_.size(), field_);
-    is_guided_ = error == FieldError::guided_field;
-    if (is_guided_) error = open_guided(file_.bytes(), file_.size(), guided_);
+    is_surface_ = error == FieldError::surface_field;
+    if (is_surface_) error = open_surface(file_.bytes(), file_.size(), surface_);
     if (error != FieldError::none) throw Failure(path, describe(error), mend_of(error));
-}
-
-const Field& FieldFile::require_chord(const std::string& task) const
-{
-    if (is_guided_) throw Failure(path_, "is a guided field, " + task, "give a field baked with --layout chord");
-    return field_;
 }
 
 std::vector<Section> FieldFile::sections() const
@@ -112,31 +105,6 @@ const char* name_of(format::TexelFormat format)
             return "luma8";
     }
     return "unknown";
-}
-
-const char* name_of(format::GuidedTexel texel)
-{
-    switch (texel) {
-        case format::GuidedTexel::none:
-            return "none";
-        case format::GuidedTexel::index4:
-            return "index4";
-        case format::GuidedTexel::index8:
-            return "index8";
-        case format::GuidedTexel::vq8:
-            return "vq8";
-    }
-    return "unknown";
-}
-
-const char* name_of(format::GuidedSurface surface)
-{
-    return surface == format::GuidedSurface::proxy ? "proxy" : "focus";
-}
-
-const char* name_of(format::MeanFormat format)
-{
-    return format == format::MeanFormat::rgb565 ? "rgb565" : "palette8";
 }
 
 }  // namespace lumi::tools

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lumi/field.h"
-#include "lumi/guided/guided_field.h"
 #include "lumi/host/mapped_file.h"
+#include "lumi/surface_field.h"
 
 namespace lumi::tools
 {
@@ -19,7 +19,7 @@ struct Section {
     uint32_t offset, bytes, crc32;
 };
 
-// What people call a section of this type: "mean colour"; an unknown type in quotes.
+// What people call a section of this type: "view table"; an unknown type in quotes.
 std::string title_of(const std::string& type);
 
 class FieldFile
@@ -29,12 +29,10 @@ public:
     explicit FieldFile(const std::string& path);
 
     const std::string& path() const { return path_; }
-    bool is_guided() const { return is_guided_; }
+    bool is_surface() const { return is_surface_; }
     // Precondition: the kind that the file holds.
     const Field& field() const { return field_; }
-    const GuidedField& guided() const { return guided_; }
-    // Throws Failure for a guided field, saying that `task` is about chord fields.
-    const Field& require_chord(const std::string& task) const;
+    const SurfaceField& surface() const { return surface_; }
     const uint8_t* bytes() const { return file_.bytes(); }
     size_t size() const { return file_.size(); }
 
@@ -49,16 +47,12 @@ public:
 private:
     std::string path_;
     host::MappedFile file_;
-    bool is_guided_ = false;
+    bool is_surface_ = false;
     Field field_;
-    GuidedField guided_;
+    SurfaceField surface_;
 };
 
 // "rgb888", "rgb565", "palette8" or "luma8".
 const char* name_of(format::TexelFormat format);
-// "none", "index4", "index8" or "vq8"; "proxy" or "focus"; "rgb565" or "palette8".
-const char* name_of(format::GuidedTexel texel);
-const char* name_of(format::GuidedSurface surface);
-const char* name_of(format::MeanFormat format);
 
 }  // namespace lumi::tools

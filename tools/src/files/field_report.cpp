@@ -71,62 +71,67 @@ void describe_chord(const Field& field, FieldReport& report)
     report.radius = float_from_bits(field.radius_bits);
 }
 
-void describe_guided(const GuidedField& field, FieldReport& report)
+void describe_surface(const SurfaceField& field, FieldReport& report)
 {
-    report.layout = "guided";
-    report.guided = field;
-    report.origins = field.origins.size();
-    report.used_origins = field.used_origins;
-    report.texel_format = name_of(field.texel);
+    report.layout = "surface";
+    report.surface = field;
+    report.texel_format = "palette8";
     report.colour_space = colour_space_name(field.colour_space);
     report.centre = centre_of(field.centre_bits);
     report.radius = float_from_bits(field.radius_bits);
 }
 
-double radii_of_q14(int32_t q14)
+uint32_t triangles_of(const SurfaceField& field)
 {
-    constexpr double kOne = 16384;
-    return q14 / kOne;
+    uint32_t triangles = field.patch_count;
+    for (uint32_t k = 0; k < field.patch_count; ++k)
+        triangles += surface_patch(field, k).corner[3] != format::kNoVertex ? 1u : 0u;
+    return triangles;
 }
 
-bool has_chart(const GuidedField& field)
+double longest_edge_of(const SurfaceField& field)
 {
-    return field.texel != format::GuidedTexel::none;
+    constexpr double kOneQ6 = 64;
+    return field.longest_edge_q6 / kOneQ6;
 }
 
-void append_guided(std::string& text, const GuidedField& field)
+void append_surface(std::string& text, const SurfaceField& field)
 {
-    if (field.surface == format::GuidedSurface::proxy) {
-        append_line(text, "  surface       proxy, %" PRIu32 " vertices, %" PRIu32 " triangles%s",
-                    field.proxy.vertex_count, field.proxy.triangle_count,
-                    field.proxy.two_sided ? ", seen from both sides" : "");
-    } else {
-        append_line(text, "  surface       focus at %.3f %.3f %.3f, radius %.3f (in radii)",
-                    radii_of_q14(field.focus_q14[0]), radii_of_q14(field.focus_q14[1]),
-                    radii_of_q14(field.focus_q14[2]), radii_of_q14(field.focus_radius_q14));
-    }
-    if (has_chart(field))
-        append_line(text,
-                    "  charts        %" PRIu32 " grid points across, %" PRIu32 " texels, colours for %" PRIu32
-                    " origins at a time",
-                    field.chart_size, field.chart.texel_count, field.origins_per_palette);
-    if (field.mean.resolution != 0)
-        append_line(text, "  mean colours  %" PRIu32 " nodes across, %s, %" PRIu32 " bricks", field.mean.resolution,
-                    name_of(field.mean.format), field.mean.brick_count);
+    append_line(text, "  mesh          %" PRIu32 " triangles in %" PRIu32 " patches%s, edges up to %.2f radii",
+                triangles_of(field), field.patch_count, field.two_sided ? ", seen from both sides" : "",
+                longest_edge_of(field));
+    append_line(text, "  vertices      %" PRIu32 ", of which %" PRIu32 " with a view table", field.vertex_count,
+                field.viewed_count);
+    if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 
-void add_guided(nlohmann::ordered_json& json, const GuidedField& field)
+void append_chord(std::string& text, const FieldReport& report)
 {
-    json["surface"] = name_of(field.surface);
-    json["proxy_vertices"] = field.proxy.vertex_count;
-    json["proxy_triangles"] = field.proxy.triangle_count;
-    json["chart_size"] = has_chart(field) ? field.chart_size : 0;
-    json["chart_texels"] = field.chart.texel_count;
-    json["origins_per_palette"] = field.origins_per_palette;
-    json["mean_resolution"] = field.mean.resolution;
-    json["mean_format"] = field.mean.resolution != 0 ? name_of(field.mean.format) : "none";
-    json["mean_bricks"] = field.mean.brick_count;
-    json["occlusion_blocks"] = field.occlusion.texel_count;
+    append_line(text, "  origins       %" PRIu32 ", of which %" PRIu32 " used", report.origins, report.used_origins);
+    append_line(text, "  directions    %" PRIu32, report.directions);
+    append_line(text, "  row           %" PRIu32 " bytes, %" PRIu32 " apart", report.row_bytes,
+                report.row_stride_bytes);
+}
+
+nlohmann::ordered_json json_of(const SurfaceField& field)
+{
+    return {{"triangles", triangles_of(field)},
+            {"patches", field.patch_count},
+            {"vertices", field.vertex_count},
+            {"viewed_vertices", field.viewed_count},
+            {"texels", field.texel_bytes},
+            {"two_sided", field.two_sided},
+            {"neighbours", field.neighbours != nullptr},
+            {"longest_edge", longest_edge_of(field)}};
+}
+
+nlohmann::ordered_json chord_json(const FieldReport& report)
+{
+    return {{"origins", report.origins},
+            {"used_origins", report.used_origins},
+            {"directions", report.directions},
+            {"row_bytes", report.row_bytes},
+            {"row_stride_bytes", report.row_stride_bytes}};
 }
 
 }  // namespace
@@ -137,8 +142,8 @@ FieldReport describe_field(const FieldFile& file, bool verify)
     report.path = file.path();
     report.file_bytes = file.size();
     report.version = format::kVersion;
-    if (file.is_guided()) {
-        describe_guided(file.guided(), report);
+    if (file.is_surface()) {
+        describe_surface(file.surface(), report);
     } else {
         describe_chord(file.field(), report);
     }
@@ -156,16 +161,14 @@ std::string text_of(const FieldReport& report)
     append_line(text, "  version       %" PRIu32, report.version);
     append_line(text, "  layout        %s", report.layout.c_str());
     append_line(text, "  bytes         %" PRIu64 " (%s)", report.file_bytes, byte_text(report.file_bytes).c_str());
-    append_line(text, "  origins       %" PRIu32 ", of which %" PRIu32 " used", report.origins, report.used_origins);
-    if (report.guided) {
-        append_guided(text, *report.guided);
+    if (report.surface) {
+        append_surface(text, *report.surface);
     } else {
-        append_line(text, "  directions    %" PRIu32, report.directions);
+        append_chord(text, report);
     }
-    append_line(text, "  texels        %s, %s", report.texel_format.c_str(), report.colour_space.c_str());
-    if (!report.guided)
-        append_line(text, "  row           %" PRIu32 " bytes, %" PRIu32 " apart", report.row_bytes,
-                    report.row_stride_bytes);
+    const std::string count = report.surface ? std::to_string(report.surface->texel_bytes) + ", " : "";
+    append_line(text, "  texels        %s%s, %s", count.c_str(), report.texel_format.c_str(),
+                report.colour_space.c_str());
     append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", static_cast<double>(report.centre[0]),
                 static_cast<double>(report.centre[1]), static_cast<double>(report.centre[2]),
                 static_cast<double>(report.radius));
@@ -177,20 +180,11 @@ std::string text_of(const FieldReport& report)
 
 std::string json_of(const FieldReport& report)
 {
-    nlohmann::ordered_json json = {{"file", report.path},       {"bytes", report.file_bytes},
-                                   {"version", report.version}, {"layout", report.layout},
-                                   {"origins", report.origins}, {"used_origins", report.used_origins}};
-    if (report.guided) {
-        add_guided(json, *report.guided);
-    } else {
-        json["directions"] = report.directions;
-    }
+    nlohmann::ordered_json json = {
+        {"file", report.path}, {"bytes", report.file_bytes}, {"version", report.version}, {"layout", report.layout}};
+    json.update(report.surface ? json_of(*report.surface) : chord_json(report));
     json["texel_format"] = report.texel_format;
     json["colour_space"] = report.colour_space;
-    if (!report.guided) {
-        json["row_bytes"] = report.row_bytes;
-        json["row_stride_bytes"] = report.row_stride_bytes;
-    }
     json["centre"] = report.centre;
     json["radius"] = report.radius;
     json["sections"] = nlohmann::ordered_json::array();

@@ -20,11 +20,11 @@ struct FieldReport {
     std::string path;
     uint64_t file_bytes = 0;
     uint32_t version = 0;
-    std::string layout;  // "chord" or "guided"
+    std::string layout;  // "chord" or "surface"
     uint32_t origins = 0, directions = 0, used_origins = 0;
     uint32_t row_bytes = 0, row_stride_bytes = 0;
     std::string texel_format, colour_space;
-    std::optional<GuidedField> guided;
+    std::optional<SurfaceField> surface;
     std::array<float, 3> centre = {};  // scene units, scene axes
     float radius = 0;
     std::vector<Entry> sections;

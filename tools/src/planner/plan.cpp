@@ -26,6 +26,11 @@ const char* texel_word(format::GuidedTexel texel)
                                                   : "8";
 }
 
+const char* mean_word(format::MeanFormat format)
+{
+    return format == format::MeanFormat::rgb565 ? "rgb565" : "palette8";
+}
+
 std::string cap_text(uint32_t used, uint32_t all)
 {
     return used == 0 || used == all ? "" : " (uppermost " + std::to_string(used) + ")";
@@ -41,7 +46,7 @@ std::string texel_text(const baker::GuidedSettings& s)
 std::string mean_text(const baker::GuidedSettings& s)
 {
     if (s.mean_resolution == 0) return ", no mean";
-    return ", mean " + std::to_string(s.mean_resolution) + " " + tools::name_of(s.mean_format);
+    return ", mean " + std::to_string(s.mean_resolution) + " " + mean_word(s.mean_format);
 }
 
 std::string guided_text(const Plan& plan)
@@ -74,7 +79,7 @@ std::string guided_options(const Plan& plan)
     if (plan.layout == Layout::focus) return text + " --focus-radius " + number(s.focus_radius);
     text += " --proxy-triangles " + std::to_string(s.proxy_triangles) + " --mean-resolution " +
             std::to_string(s.mean_resolution);
-    if (s.mean_resolution != 0) text += std::string(" --mean-format ") + tools::name_of(s.mean_format);
+    if (s.mean_resolution != 0) text += std::string(" --mean-format ") + mean_word(s.mean_format);
     return text + (s.occlusion ? "" : " --no-occlusion");
 }
 

@@ -2,7 +2,7 @@
 #include "quality/measured.h"
 
 #include "draw/draw.h"
-#include "draw/draw_guided.h"
+#include "draw/draw_surface.h"
 
 namespace lumi::quality
 {
@@ -23,10 +23,10 @@ Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutV
                         const std::vector<Truth>& truths)
 {
     const auto draw = [&](const HeldOutView& view) {
-        return file.is_guided() ? tools::draw_guided(file.guided(), view.eye)
-                                : tools::draw(file.field(), view.eye.camera, {});
+        return file.is_surface() ? tools::draw_surface(file.surface(), view.eye)
+                                 : tools::draw(file.field(), view.eye.camera, {});
     };
-    Measured result = measured(file.path(), file.is_guided() ? "guided" : "chord", file.size(), draw, views, truths);
+    Measured result = measured(file.path(), file.is_surface() ? "surface" : "chord", file.size(), draw, views, truths);
     result.sections = file.sections();
     return result;
 }

@@ -16,7 +16,7 @@ namespace lumi::quality
 // A kind of picture, drawn for every view.
 struct Measured {
     std::string name;    // of the file, or what the baseline is
-    std::string layout;  // "chord", "guided", "sprites", "one ray"
+    std::string layout;  // "chord", "surface", "sprites", "one ray"
     uint64_t flash_bytes = 0;
     std::vector<tools::Section> sections;
     std::vector<tools::Picture> pictures;

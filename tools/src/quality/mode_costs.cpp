@@ -10,6 +10,22 @@
 namespace lumi::quality
 {
 
+namespace
+{
+
+// Rows of early benches are of chord fields.
+ModeCost cost_of(const nlohmann::json& row)
+{
+    ModeCost cost = {row.value("layout", "chord"),    row.at("core"), row.at("mode"), "", 0,
+                     row.at("instructions_per_pixel")};
+    if (cost.layout != "chord") return cost;
+    cost.texel = row.at("texel");
+    cost.span = row.at("span");
+    return cost;
+}
+
+}  // namespace
+
 std::vector<ModeCost> read_mode_costs(const std::string& path)
 {
     baker::note_input(path);
@@ -19,8 +35,7 @@ std::vector<ModeCost> read_mode_costs(const std::string& path)
     try {
         for (const auto& row : nlohmann::json::parse(file)) {
             if (row.at("view") != "generic") continue;
-            costs.push_back(
-                {row.at("core"), row.at("mode"), row.at("texel"), row.at("span"), row.at("instructions_per_pixel")});
+            costs.push_back(cost_of(row));
         }
     } catch (const nlohmann::json::exception&) {
         throw tools::Failure(path, "does not hold rows of a bench", "give the file that lumi bench --json wrote");

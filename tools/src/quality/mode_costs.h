@@ -9,8 +9,9 @@ namespace lumi::quality
 {
 
 struct ModeCost {
-    std::string core, mode, texel;
-    int span = 0;  // 0: every pixel exact
+    std::string layout, core, mode;
+    std::string texel;  // chord alone
+    int span = 0;       // likewise; 0: every pixel exact
     double instructions_per_pixel = 0;
 };
 

@@ -104,16 +104,22 @@ std::string section_bar(const Measured& field)
            "</div><div class=\"key\">" + key + "</div>\n";
 }
 
+std::string span_text(const ModeCost& cost)
+{
+    if (cost.layout != "chord") return "";
+    return cost.span == 0 ? "exact" : std::to_string(cost.span);
+}
+
 std::string cost_table(const ReportData& report)
 {
     if (report.costs.empty()) return "";
     std::string html =
         "<h2>Cost of drawing</h2>\n<p>Instructions per covered pixel, as <code>lumi bench</code> counted them.</p>\n"
-        "<div class=\"wide\"><table><tr><th>mode<th>texel<th>span<th>core<th>instructions</tr>\n";
+        "<div class=\"wide\"><table><tr><th>layout<th>mode<th>texel<th>span<th>core<th>instructions</tr>\n";
     for (const ModeCost& cost : report.costs)
-        html += "<tr>" + cell(escaped(cost.mode)) + cell(escaped(cost.texel)) +
-                cell(cost.span == 0 ? "exact" : std::to_string(cost.span)) + cell(escaped(cost.core)) +
-                cell(number(cost.instructions_per_pixel, 0)) + "</tr>\n";
+        html += "<tr>" + cell(escaped(cost.layout)) + cell(escaped(cost.mode)) + cell(escaped(cost.texel)) +
+                cell(span_text(cost)) + cell(escaped(cost.core)) + cell(number(cost.instructions_per_pixel, 0)) +
+                "</tr>\n";
     return html + "</table></div>\n";
 }
 

@@ -62,6 +62,18 @@ Json json_of(const HeldOutView& view)
             {"distance", rounded(view.distance)}};
 }
 
+Json json_of(const ModeCost& cost)
+{
+    Json json = {{"layout", cost.layout},
+                 {"core", cost.core},
+                 {"mode", cost.mode},
+                 {"instructions_per_pixel", cost.instructions_per_pixel}};
+    if (cost.layout != "chord") return json;
+    json["texel"] = cost.texel;
+    json["span"] = cost.span;
+    return json;
+}
+
 }  // namespace
 
 std::string text_of(const ReportData& report)
@@ -88,12 +100,7 @@ std::string json_of(const ReportData& report)
     json["baselines"] = json_of(report.baselines);
     if (report.one_ray) json["one_ray"] = json_of(*report.one_ray);
     json["costs"] = Json::array();
-    for (const ModeCost& cost : report.costs)
-        json["costs"].push_back({{"core", cost.core},
-                                 {"mode", cost.mode},
-                                 {"texel", cost.texel},
-                                 {"span", cost.span},
-                                 {"instructions_per_pixel", cost.instructions_per_pixel}});
+    for (const ModeCost& cost : report.costs) json["costs"].push_back(json_of(cost));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

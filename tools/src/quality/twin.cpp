@@ -3,13 +3,15 @@
 
 #include <cmath>
 
+#include "lumi/reference/surface_picture.h"
+
 namespace lumi::quality
 {
 
-tools::Picture draw_twin(const GuidedField& field, const tools::Eye& eye, const reference::GuidedDrawing& drawing,
-                         const Rgb8& background)
+tools::Picture draw_twin(const uint8_t* file, const tools::Eye& eye, SurfaceMode mode, const Rgb8& background)
 {
-    const reference::GuidedPicture drawn = reference::draw_guided(field, eye.pose, eye.image, drawing, background);
+    const reference::SurfaceDrawing drawing = {mode == SurfaceMode::one_sample ? 1 : 2};
+    const reference::SurfacePicture drawn = reference::draw_surface(file, eye.pose, eye.image, drawing, background);
     tools::Picture picture(drawn.width_px, drawn.height_px);
     for (size_t i = 0; i < drawn.colours.size(); ++i) {
         const double rgb[3] = {drawn.colours[i].r, drawn.colours[i].g, drawn.colours[i].b};

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Pictures by the double-precision twin of the guided renderer.
+// Pictures by the double-precision twin of the renderer of surface fields.
 #pragma once
 
-#include "draw/views.h"
-#include "lumi/guided/guided_field.h"
-#include "lumi/reference/guided_picture.h"
+#include "draw/draw_surface.h"
 
 namespace lumi::quality
 {
 
-tools::Picture draw_twin(const GuidedField& field, const tools::Eye& eye, const reference::GuidedDrawing& drawing,
-                         const Rgb8& background);
+// `file`: the bytes of an intact surface field. SurfaceMode::antialiased is drawn with four samples.
+tools::Picture draw_twin(const uint8_t* file, const tools::Eye& eye, SurfaceMode mode, const Rgb8& background);
 
 }  // namespace lumi::quality

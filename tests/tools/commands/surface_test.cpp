@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Surface fields through the program.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "image/png.h"
+#include "metrics/psnr.h"
+#include "support/program.h"
+#include "support/small_surface.h"
+#include "support/temporary_folder.h"
+#include "support/test_field.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+using test::lumi;
+
+std::string write_surface(const test::TemporaryFolder& folder)
+{
+    test::write_content(folder / "s.lumi", test::small_surface_bytes());
+    return folder / "s.lumi";
+}
+
+test::Arguments joined(test::Arguments a, const test::Arguments& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+}  // namespace
+
+TEST_CASE("bake writes the bytes of a surface field, and says what its mesh misses")
+{
+    const test::TemporaryFolder folder;
+    const test::Outcome outcome =
+        lumi(joined({"bake", test::write_cube(folder.path()), "-o", folder / "f.lumi"}, test::small_surface_options()));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK_THAT(outcome.out, Catch::Contains("triangles") && Catch::Contains("misses 0.0 %"));
+    CHECK((test::content_of(folder / "f.lumi") == test::small_surface_bytes()));
+}
+
+TEST_CASE("render draws surface fields in every mode of theirs, by default the best")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = write_surface(folder);
+    const auto drawn = [&](const test::Arguments& more) {
+        const test::Outcome outcome = lumi(joined({"render", field, "-o", folder / "o.png", "--size", "64x64"}, more));
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return read_png(folder / "o.png");
+    };
+    const Picture best = drawn({});
+    CHECK(drawn({"--mode", "2x2"}).rgb == best.rgb);
+    const Picture smooth = drawn({"--mode", "antialiased"}), rough = drawn({"--mode", "one-sample"});
+    CHECK(smooth.rgb != best.rgb);
+    CHECK(psnr_db(smooth, best) > psnr_db(rough, best));
+    CHECK(psnr_db(drawn({"--twin"}), best) > 30);
+    CHECK(psnr_db(drawn({"--pixel", "rgb565"}), best) > 35);
+    CHECK(drawn({"--background", "00ff00"}).pixel(0, 0)[1] == 255);
+}
+
+TEST_CASE("a turntable of a surface field is drawn, in stereo too")
+{
+    const test::TemporaryFolder folder;
+    const test::Outcome outcome = lumi({"render", write_surface(folder), "-o", folder / "o.png", "--turntable", "3",
+                                        "--size", "20x16", "--stereo", "0.1"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(read_png(folder / "o-002.png").width_px == 40);
+    CHECK(folder.entries() == 5);
+}
+
+TEST_CASE("render refuses modes of the other kind of field, and names those of its own")
+{
+    const test::TemporaryFolder folder;
+    const std::string surface = write_surface(folder), chord = folder / "c.lumi";
+    test::write_content(chord, test::field_bytes({}));
+    const std::vector<std::pair<test::Arguments, std::string>> calls = {
+        {{surface, "--mode", "paper"}, "choose one-sample, antialiased or 2x2"},
+        {{surface, "--span", "8"}, "--span belongs to chord fields"},
+        {{chord, "--mode", "2x2"}, "choose nearest, voronoi, dither, linear or paper"},
+        {{chord, "--twin"}, "--twin belongs to surface fields"},
+    };
+    for (const auto& [call, hint] : calls) {
+        const test::Outcome outcome = lumi(joined({"render", "-o", folder / "o.png"}, call));
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains(hint));
+    }
+}
+
+TEST_CASE("inspect accounts for every byte of a surface field")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = write_surface(folder);
+    const auto json = nlohmann::json::parse(lumi({"inspect", field, "--json", "--verify"}).out);
+    CHECK(json["layout"] == "surface");
+    CHECK(json["triangles"] == test::small_surface().triangles);
+    CHECK(json["vertices"] == test::small_surface().vertices);
+    CHECK(json["texels"].get<uint32_t>() >= test::small_surface().texels);
+    CHECK(json["texel_format"] == "palette8");
+    CHECK(json["two_sided"] == false);
+    CHECK(json["radius"].get<double>() > 1);
+    uint64_t sum = json["other_bytes"];
+    for (const auto& section : json["sections"]) {
+        sum += section["bytes"].get<uint64_t>();
+        CHECK(section["intact"] == true);
+    }
+    CHECK(sum == json["bytes"].get<uint64_t>());
+    const std::string text = lumi({"inspect", field}).out;
+    for (const char* word : {"surface", "triangles", "view table", "SVTX", "STEX"})
+        CHECK_THAT(text, Catch::Contains(word));
+}
+
+TEST_CASE("a damaged texel of a surface field stops render, embed and report")
+{
+    const test::TemporaryFolder folder;
+    std::string bytes = test::small_surface_bytes();
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    test::write_content(folder / "d.lumi", bytes);
+    const std::string field = folder / "d.lumi", scene = test::write_cube(folder.path());
+    const std::vector<test::Arguments> calls = {{"render", field, "-o", folder / "o.png"},
+                                                {"embed", field, "-o", folder / "o.S"},
+                                                {"report", scene, field},
+                                                {"inspect", field, "--verify"}};
+    for (const auto& call : calls) {
+        const test::Outcome outcome = lumi(call);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains("the view table section's bytes are damaged (CRC)"));
+    }
+}
+
+TEST_CASE("embed names the function that opens a surface field")
+{
+    const test::TemporaryFolder folder;
+    REQUIRE(lumi({"embed", write_surface(folder), "-o", folder / "s.S"}).code == 0);
+    CHECK_THAT(test::content_of(folder / "s.h"), Catch::Contains("lumi::open_surface(s, s_size(), field)"));
+    test::write_content(folder / "c.lumi", test::field_bytes({}));
+    REQUIRE(lumi({"embed", folder / "c.lumi", "-o", folder / "c.S"}).code == 0);
+    CHECK_THAT(test::content_of(folder / "c.h"), Catch::Contains("lumi::open_field(c, c_size(), field)"));
+}
+
+TEST_CASE("report measures a surface field and shows what its modes cost")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path());
+    test::write_content(folder / "bench.json",
+                        R"([{"layout": "surface", "view": "generic", "core": "m4", "mode": "2x2",
+                             "instructions_per_pixel": 150.5}])");
+    const test::Outcome outcome = lumi({"report", scene, write_surface(folder), "--count", "1", "--spp", "2",
+                                        "--no-baselines", "--cache", folder / "cache", "--bench", folder / "bench.json",
+                                        "--json", folder / "r.json", "-o", folder / "r.html"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto json = nlohmann::json::parse(test::content_of(folder / "r.json"));
+    CHECK(json["fields"][0]["layout"] == "surface");
+    CHECK(json["fields"][0]["psnr_db"].get<double>() > 20);
+    CHECK(json["costs"][0]["mode"] == "2x2");
+    CHECK_FALSE(json["costs"][0].contains("span"));
+    CHECK_THAT(test::content_of(folder / "r.html"), Catch::Contains("<td>surface<") || Catch::Contains("<td>surface"));
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The integer renderer of surface fields against its double-precision twin, on a baked scene.
+#include "draw/draw_surface.h"
+
+#include <catch2/catch.hpp>
+
+#include "metrics/psnr.h"
+#include "quality/held_out.h"
+#include "quality/truths.h"
+#include "quality/twin.h"
+#include "support/small_surface.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+const uint8_t* file_bytes()
+{
+    return test::small_surface().file.data();
+}
+
+SurfaceField opened()
+{
+    SurfaceField field;
+    const auto& file = test::small_surface().file;
+    REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
+    return field;
+}
+
+Eye eye_at(double azimuth, double elevation, double distance, double fov_deg, int width = 96, int height = 96)
+{
+    Eye eye = {host::make_pose({azimuth, elevation, distance}), host::make_image(width, height, fov_deg), {}};
+    REQUIRE(make_camera(eye.pose, eye.image, eye.camera) == CameraError::none);
+    return eye;
+}
+
+constexpr SurfaceMode kModes[] = {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two};
+
+}  // namespace
+
+TEST_CASE("surface pictures are those of the twin, from the sphere's skin, from far away, wide and narrow")
+{
+    const SurfaceField field = opened();
+    const Eye eyes[] = {eye_at(50, 30, 3, 42),     eye_at(10, 5, 1.05, 90),      eye_at(200, -60, 1.2, 120),
+                        eye_at(300, 90, 1.3, 100), eye_at(77, 0, 40, 3),         eye_at(5, 45, 1000, 1),
+                        eye_at(130, -90, 2, 60),   eye_at(20, 2, 3, 42, 160, 40)};
+    for (const SurfaceMode mode : kModes)
+        for (const Eye& eye : eyes) {
+            const Picture drawn = draw_surface(field, eye, {mode, DisplayFormat::rgb888, {0, 40, 0}});
+            const Picture twin = quality::draw_twin(file_bytes(), eye, mode, {0, 40, 0});
+            INFO(name_of(mode) << ", focal length " << eye.image.fov_turns32 << ": " << psnr_db(drawn, twin) << " dB");
+            CHECK(psnr_db(drawn, twin) > 26);
+        }
+}
+
+// The twin of the antialiased mode is that of four samples.
+TEST_CASE("surface pictures are as good as the twin's, within 0.2 dB of the same truth")
+{
+    const SurfaceField field = opened();
+    const auto views = quality::held_out_views(quality::ViewSet::all, 4, 128);
+    const auto truths = quality::truths_of(test::cube_scene(), views, {8, 1, 0, false}, {});
+    for (const SurfaceMode mode : kModes) {
+        double drawn = 0, twin = 0;
+        for (size_t v = 0; v < views.size(); ++v) {
+            drawn += psnr_db(draw_surface(field, views[v].eye, {mode}), truths[v].picture);
+            twin += psnr_db(quality::draw_twin(file_bytes(), views[v].eye, mode, {0, 0, 0}), truths[v].picture);
+        }
+        INFO(name_of(mode) << ": " << drawn / 4 << " dB, twin " << twin / 4);
+        CHECK(drawn / 4 > 24);
+        CHECK(std::fabs(drawn - twin) / 4 < (mode == SurfaceMode::antialiased ? 1.5 : 0.2));
+    }
+}
+
+TEST_CASE("surface pictures are shown as an RGB565 or a grey display shows them")
+{
+    const SurfaceField field = opened();
+    const Eye eye = eye_at(50, 30, 3, 42, 40, 40);
+    const Picture full = draw_surface(field, eye);
+    const Picture coarse = draw_surface(field, eye, {SurfaceMode::two_by_two, DisplayFormat::rgb565});
+    const Picture grey = draw_surface(field, eye, {SurfaceMode::two_by_two, DisplayFormat::grey8});
+    CHECK(psnr_db(full, coarse) > 36);
+    for (size_t i = 0; i < full.rgb.size(); i += 3) {
+        const Rgb8 c = unpack_rgb565(pack_rgb565({coarse.rgb[i], coarse.rgb[i + 1], coarse.rgb[i + 2]}));
+        REQUIRE((coarse.rgb[i] == c.r && coarse.rgb[i + 1] == c.g && coarse.rgb[i + 2] == c.b));
+        REQUIRE(grey.rgb[i] == luma({full.rgb[i], full.rgb[i + 1], full.rgb[i + 2]}));
+    }
+}
+
+}  // namespace lumi::tools

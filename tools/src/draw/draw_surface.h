@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Draws a surface field as firmware does: by core, stripe by stripe, in a display's pixel format.
+#pragma once
+
+#include "draw/draw.h"
+#include "draw/views.h"
+#include "lumi/surface_frame.h"
+
+namespace lumi::tools
+{
+
+struct SurfaceDrawSettings {
+    SurfaceMode mode = SurfaceMode::two_by_two;
+    DisplayFormat display = DisplayFormat::rgb888;
+    Rgb8 background = {0, 0, 0};
+};
+
+// "one-sample", "antialiased" or "2x2".
+const char* name_of(SurfaceMode mode);
+
+// The whole image, as a display of that format would show it. Leaves by Interrupted between stripes. Throws UsageError
+// for an eye that core refuses.
+Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings = {});
+
+}  // namespace lumi::tools
