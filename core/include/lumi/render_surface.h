@@ -107,14 +107,16 @@ void resolve_two_by_two(const Background& background, uint8_t* pixel, int32_t co
 template <class Pixel, class Background>
 void render_surface(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, void* samples)
 {
-    const auto within = [](int32_t v, int32_t most) { return v < 0 ? 0 : v < most ? v : most; };
-    const int32_t left = within(stripe.x_px, frame.width_px), right = within(stripe.right_px(), frame.width_px);
-    const int32_t top = within(stripe.y_px, frame.height_px), bottom = within(stripe.bottom_px(), frame.height_px);
+    const auto clamped_to = [](int32_t v, const PixelRange& r) {
+        return v < r.begin ? r.begin : v < r.end ? v : r.end;
+    };
+    const int32_t left = clamped_to(stripe.x_px, frame.columns), right = clamped_to(stripe.right_px(), frame.columns);
+    const int32_t top = clamped_to(stripe.y_px, frame.rows), bottom = clamped_to(stripe.bottom_px(), frame.rows);
     const bool is_drawn = left < right && top < bottom;
     const int32_t margin = surfaces::blends_outlines(frame) ? 1 : 0;
-    const int32_t from_x = within(left - margin, frame.width_px), from_y = within(top - margin, frame.height_px);
-    const surfaces::SampleRect rect = {from_x, from_y, within(right + margin, frame.width_px) - from_x,
-                                       within(bottom + margin, frame.height_px) - from_y};
+    const int32_t from_x = clamped_to(left - margin, frame.columns), from_y = clamped_to(top - margin, frame.rows);
+    const surfaces::SampleRect rect = {from_x, from_y, clamped_to(right + margin, frame.columns) - from_x,
+                                       clamped_to(bottom + margin, frame.rows) - from_y};
     const uint32_t row_samples = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
     PackedColour* colours = static_cast<PackedColour*>(samples);
     uint16_t* depths = nullptr;

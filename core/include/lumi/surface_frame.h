@@ -87,14 +87,21 @@ struct SurfaceProjection {
     int32_t viewer_shift;
 };
 
+struct PixelRange {
+    int32_t begin, end;
+};
+
 struct SurfaceFrame {
     SurfaceField field;
     SurfaceMemory memory;
     SurfaceProjection projection;
     int32_t width_px, height_px;
     SurfaceMode mode;
-    uint32_t samples_log2;  // a side of a pixel: 0 or 1
-    uint32_t other_list;    // the last of the bands' lists: triangles that are cut, large or tall
+    uint32_t samples_log2;     // a side of a pixel: 0 or 1
+    PixelRange columns, rows;  // beside them all is background
+    bool is_whole;             // no vertex is missing
+    bool is_narrow;            // areas of triangles fit 32 bits
+    uint32_t other_list;       // the last of the bands' lists: triangles that are cut, large or tall
     PackedColour palette[256];
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/fill.h"
 
-#include "surface/gradients.h"
+#include "surface/planes.h"
 
 namespace lumi::surfaces
 {
@@ -31,15 +31,10 @@ LUMI_ALWAYS_INLINE Walk walk_down(const SamplePoint& top, const SamplePoint& bot
 // The first sample at a crossing or to its right is the whole part of the crossing plus this.
 constexpr int32_t kCentreBias = 0xFFFF - 0x8000;
 
-// Draws the samples [at, end): adds a step to each quantity from sample to sample.
-struct Brush {
-    uint32_t depth_q14, depth_step;
-    uint32_t place, place_step;  // v, u: 6 bits and 10 of fraction each
-    PackedColour colour, colour_step;
-};
-
+// Draws the samples [depth_at, end) of a row, whose first quantities are given.
 template <bool kTwoTaps>
-LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, PackedColour* colour_at, Brush b,
+LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, PackedColour* colour_at,
+                                     uint32_t depth_q14, uint32_t place, PackedColour colour, const Planes& planes,
                                      const Texture& texture, const PackedColour* palette)
 {
     // A quarter texel to the lower right, less what would leave the rectangle.
@@ -47,149 +42,100 @@ LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, Pa
     const uint8_t* const texels = texture.texels;
     const uint32_t columns = texture.columns;
     do {
-        const uint32_t depth = b.depth_q14 >> 14;
+        const uint32_t depth = depth_q14 >> 14;
         if (depth > *depth_at) {
             *depth_at = static_cast<uint16_t>(depth);
-            const auto texel_at = [&](uint32_t place) {
-                return palette[texels[(place >> 26) * columns + ((place << 16) >> 26)]];
+            const auto texel_at = [&](uint32_t at) {
+                return palette[texels[(at >> 26) * columns + ((at << 16) >> 26)]];
             };
-            PackedColour sum = kTwoTaps ? texel_at(b.place - kQuarter) + texel_at(b.place + kQuarter) + b.colour
-                                        : texel_at(b.place) + b.colour;
+            PackedColour sum =
+                colour + (kTwoTaps ? texel_at(place - kQuarter) + texel_at(place + kQuarter) : texel_at(place));
             if ((sum & kGuardBits) != 0) sum = clamped(sum);
             *colour_at = sum;
         }
-        b.depth_q14 += b.depth_step;
-        b.place += b.place_step;
-        b.colour += b.colour_step;
+        depth_q14 += planes.depth.right;
+        place += planes.place.right;
+        colour += planes.colour.right;
         ++colour_at;
     } while (++depth_at != end);
 }
 
-// A triangle on its way down the target.
-template <bool kTwoTaps>
-class Descent
-{
-public:
-    LUMI_ALWAYS_INLINE Descent(const Wound& w, const Texture& texture, const Target& target)
-        : texture_(texture), target_(target)
-    {
-        const SamplePoint &top = w.top->point, &left = w.left->point, &right = w.right->point;
-        const bool left_is_short = left.y_q6 < right.y_q6;
-        const int32_t first = row_from(top.y_q6), below = target.y + target.height;
-        const int32_t last = row_from(left_is_short ? right.y_q6 : left.y_q6);
-        const int32_t bend = row_from(left_is_short ? left.y_q6 : right.y_q6);
-        y_ = first > target.y ? first : target.y;
-        const int32_t end = last < below ? last : below;
-        if (y_ >= end) return;
-        slopes_.set(w);
-        begin(w);
-        if (y_ < bend) {
-            left_ = walk_down(top, left, y_);
-            right_ = walk_down(top, right, y_);
-            fill_until(bend < end ? bend : end);
-            if (bend >= end) return;
-            if (left_is_short) {
-                left_ = walk_down(left, right, y_);
-            } else {
-                right_ = walk_down(right, left, y_);
-            }
-        } else {
-            left_ = left_is_short ? walk_down(left, right, y_) : walk_down(top, left, y_);
-            right_ = left_is_short ? walk_down(top, right, y_) : walk_down(right, left, y_);
-        }
-        fill_until(end);
-    }
-
-private:
-    // Quantities at column 0 of the target, in row y_.
-    LUMI_ALWAYS_INLINE void begin(const Wound& w)
-    {
-        const Corner& top = *w.top;
-        const Offset to = {(target_.x << 6) + 32 - top.point.x_q6, (y_ << 6) + 32 - top.point.y_q6};
-        depth_q14_ = (top.point.depth << 14) + along(slopes_.depth, to);
-        const uint32_t u = static_cast<uint32_t>(top.u_q10) + along(slopes_.u, to);
-        const uint32_t v = static_cast<uint32_t>(top.v_q10) + along(slopes_.v, to);
-        place_ = (v << 16) + u;
-        place_step_ = (static_cast<uint32_t>(slopes_.v.right) << 16) + static_cast<uint32_t>(slopes_.u.right);
-        place_down_ = (static_cast<uint32_t>(slopes_.v.down) << 16) + static_cast<uint32_t>(slopes_.u.down);
-        colour_q16_[0] = first_colour(red_q2(top.colour), slopes_.colour[0], to);
-        colour_q16_[1] = first_colour(green_q2(top.colour), slopes_.colour[1], to);
-        colour_q16_[2] = first_colour(blue_q2(top.colour), slopes_.colour[2], to);
-        const auto rounded = [](int32_t q16) { return (q16 + (1 << 13)) >> 14; };
-        colour_step_ = packed_difference(rounded(slopes_.colour[0].right), rounded(slopes_.colour[1].right),
-                                         rounded(slopes_.colour[2].right));
-        row_ = (y_ - target_.y) * target_.width;
-    }
-
-    LUMI_ALWAYS_INLINE static uint32_t first_colour(int32_t q2, const Slope& slope, const Offset& to)
-    {
-        return (static_cast<uint32_t>(q2) << 14) + along(slope, to);
-    }
-
-    LUMI_ALWAYS_INLINE void fill_until(int32_t end)
-    {
-        const int32_t bias = kCentreBias - target_.x * 65536;
-        do {
-            const int32_t from = (left_.x_q16 + bias) >> 16, to = (right_.x_q16 + bias) >> 16;
-            const int32_t first = from < 0 ? 0 : from, last = to > target_.width ? target_.width : to;
-            if (first < last) fill_row(first, last);
-            left_.x_q16 += left_.step_q16;
-            right_.x_q16 += right_.step_q16;
-            row_ += target_.width;
-            depth_q14_ += static_cast<uint32_t>(slopes_.depth.down);
-            place_ += place_down_;
-            for (int k = 0; k < 3; ++k) colour_q16_[k] += static_cast<uint32_t>(slopes_.colour[k].down);
-        } while (++y_ != end);
-    }
-
-    // Colours are seated anew every so many samples: a step's rounding of 1/8 level adds up.
-    static constexpr int32_t kRun = 32;
-
-    LUMI_ALWAYS_INLINE void fill_row(int32_t from, int32_t to)
-    {
-        uint32_t column = static_cast<uint32_t>(from);
-        Brush brush = {depth_q14_ + column * static_cast<uint32_t>(slopes_.depth.right),
-                       static_cast<uint32_t>(slopes_.depth.right),
-                       place_ + column * place_step_,
-                       place_step_,
-                       0,
-                       colour_step_};
-        while (true) {
-            const int32_t end = to - from > kRun ? from + kRun : to;
-            brush.colour = colour_at(static_cast<uint32_t>(from));
-            fill_samples<kTwoTaps>(target_.depths + row_ + from, target_.depths + row_ + end,
-                                   target_.colours + row_ + from, brush, texture_, target_.palette);
-            if (end == to) return;
-            brush.depth_q14 += kRun * brush.depth_step;
-            brush.place += kRun * brush.place_step;
-            from = end;
-        }
-    }
-
-    LUMI_ALWAYS_INLINE PackedColour colour_at(uint32_t column) const
-    {
-        const auto q2 = [&](int k) {
-            return static_cast<int32_t>(colour_q16_[k] + column * static_cast<uint32_t>(slopes_.colour[k].right)) >> 14;
-        };
-        return packed_difference(q2(0), q2(1), q2(2));
-    }
-
-    const Texture& texture_;
-    const Target& target_;
-    Slopes slopes_;
-    Walk left_{0, 0}, right_{0, 0};
-    int32_t y_ = 0, row_ = 0;
-    uint32_t depth_q14_ = 0, place_ = 0, place_step_ = 0, place_down_ = 0;
-    uint32_t colour_q16_[3] = {};
-    PackedColour colour_step_ = 0;
+// A triangle's way down the target.
+struct Descent {
+    Planes planes;  // at column 0 of the row y
+    Walk left, right;
+    Walk lower;  // in place of one of them from the row `bend` on
+    bool lower_is_left;
+    int32_t y, bend, end;
 };
 
-// Turns a triangle's corners until the upper one is first.
-LUMI_ALWAYS_INLINE Wound from_top(const Corner& a, const Corner& b, const Corner& c)
+template <bool kTwoTaps>
+__attribute__((noinline)) void fill_rows(const Descent& d, const Texture& texture, const Target& target)
 {
-    if (b.point.y_q6 < a.point.y_q6 && b.point.y_q6 <= c.point.y_q6) return {&b, &c, &a};
-    if (c.point.y_q6 < a.point.y_q6) return {&c, &a, &b};
-    return {&a, &b, &c};
+    Planes at = d.planes;
+    Walk left = d.left, right = d.right;
+    int32_t row = (d.y - target.y) * target.width;
+    for (int32_t y = d.y; y < d.end; ++y) {
+        if (y == d.bend) (d.lower_is_left ? left : right) = d.lower;
+        const int32_t from = left.x_q16 >> 16, to = right.x_q16 >> 16;
+        const int32_t first = from < 0 ? 0 : from, last = to > target.width ? target.width : to;
+        if (first < last) {
+            const uint32_t column = static_cast<uint32_t>(first);
+            const auto at_first = [&](const Plane& p) { return p.value + column * p.right; };
+            fill_samples<kTwoTaps>(target.depths + row + first, target.depths + row + last,
+                                   target.colours + row + first, at_first(at.depth), at_first(at.place),
+                                   at_first(at.colour), at, texture, target.palette);
+        }
+        left.x_q16 += left.step_q16;
+        right.x_q16 += right.step_q16;
+        row += target.width;
+        at.depth.value += at.depth.down;
+        at.place.value += at.place.down;
+        at.colour.value += at.colour.down;
+    }
+}
+
+// A triangle's corners from the upper one on, and the rows of samples where it begins, its short edges meet and it
+// ends.
+struct Outline {
+    const SamplePoint *top, *left, *right;
+    int32_t first, bend, last;
+
+    LUMI_ALWAYS_INLINE bool left_is_short() const { return left->y_q6 < right->y_q6; }
+};
+
+// Of corners that run counter-clockwise on the screen.
+LUMI_ALWAYS_INLINE Outline outline_of(const SamplePoint* a, const SamplePoint* b, const SamplePoint* c)
+{
+    const bool b_is_top = b->y_q6 < a->y_q6 && b->y_q6 <= c->y_q6, c_is_top = !b_is_top && c->y_q6 < a->y_q6;
+    const SamplePoint* top = b_is_top ? b : c_is_top ? c : a;
+    const SamplePoint* left = b_is_top ? c : c_is_top ? a : b;
+    const SamplePoint* right = b_is_top ? a : c_is_top ? b : c;
+    const bool left_is_short = left->y_q6 < right->y_q6;
+    return {top,
+            left,
+            right,
+            row_from(top->y_q6),
+            row_from(left_is_short ? left->y_q6 : right->y_q6),
+            row_from(left_is_short ? right->y_q6 : left->y_q6)};
+}
+
+LUMI_ALWAYS_INLINE void set_edges(Descent& d, const Outline& o, int32_t first_column)
+{
+    const int32_t bias_q16 = kCentreBias - first_column * 65536;
+    const auto walk = [&](const SamplePoint* top, const SamplePoint* bottom, int32_t y) {
+        const Walk w = walk_down(*top, *bottom, y);
+        return Walk{w.x_q16 + bias_q16, w.step_q16};
+    };
+    d.lower_is_left = o.left_is_short();
+    d.bend = o.bend;
+    if (o.bend < d.end) {
+        const int32_t y = d.y < o.bend ? o.bend : d.y;
+        d.lower = d.lower_is_left ? walk(o.left, o.right, y) : walk(o.right, o.left, y);
+    }
+    if (d.y >= o.bend) d.bend = d.y;
+    if (d.y < o.bend || !d.lower_is_left) d.left = walk(o.top, o.left, d.y);
+    if (d.y < o.bend || d.lower_is_left) d.right = walk(o.top, o.right, d.y);
 }
 
 }  // namespace
@@ -197,14 +143,22 @@ LUMI_ALWAYS_INLINE Wound from_top(const Corner& a, const Corner& b, const Corner
 void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
                    const Target& target)
 {
-    const int32_t area = doubled_area(a.point, b.point, c.point);
-    if (area == 0 || (area > 0 && !two_sided)) return;
-    const Wound w = area < 0 ? from_top(a, b, c) : from_top(a, c, b);
-    if (target.has_two_taps) {
-        Descent<true>(w, texture, target);
-    } else {
-        Descent<false>(w, texture, target);
+    const Length ab = between(a.point, b.point), ac = between(a.point, c.point);
+    const int32_t area = doubled_area(ab, ac);
+    if (area >= 0) {
+        if (area != 0 && two_sided) fill_triangle(a, c, b, false, texture, target);
+        return;
     }
+    const Outline o = outline_of(&a.point, &b.point, &c.point);
+    const int32_t below = target.y + target.height;
+    Descent d;
+    d.y = o.first > target.y ? o.first : target.y;
+    d.end = o.last < below ? o.last : below;
+    if (d.y >= d.end) return;
+    const PlaneMaker maker(a, b, c, ab, ac, static_cast<uint32_t>(-area), target.x, d.y);
+    d.planes = {maker.depth(), maker.place(), maker.colour()};
+    set_edges(d, o, target.x);
+    target.has_two_taps ? fill_rows<true>(d, texture, target) : fill_rows<false>(d, texture, target);
 }
 
 }  // namespace lumi::surfaces

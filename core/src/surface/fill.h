@@ -28,8 +28,8 @@ struct Texture {
 
 struct Corner {
     SamplePoint point;
-    int32_t u_q10, v_q10;  // texels
-    uint32_t colour;       // as SurfaceVertex has it
+    int32_t u_q8, v_q8;  // texels
+    uint32_t colour;     // as SurfaceVertex has it
 };
 
 // A vertex's share of the colour: 3 signed fields of 10 bits, levels times 4.

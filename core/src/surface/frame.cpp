@@ -86,17 +86,17 @@ struct Seen {
     int32_t right_q6() const { return most_of(a->x, b->x, c->x) >> 8; }
 };
 
-// Whether the outside is seen, or any side of a two-sided mesh. Of triangles of any size.
-LUMI_ALWAYS_INLINE bool faces_eye(const Seen& s, bool is_small, bool two_sided)
+// Whether the outside is seen, or any side of a two-sided mesh.
+LUMI_ALWAYS_INLINE bool faces_eye(const SurfaceFrame& frame, const Seen& s)
 {
     const int32_t abx = (s.b->x >> 8) - (s.a->x >> 8), aby = (s.b->y >> 8) - (s.a->y >> 8);
     const int32_t acx = (s.c->x >> 8) - (s.a->x >> 8), acy = (s.c->y >> 8) - (s.a->y >> 8);
-    if (is_small) {
+    if (frame.is_narrow) {
         const int32_t area = abx * acy - acx * aby;
-        return area < 0 || (area > 0 && two_sided);
+        return area < 0 || (area > 0 && frame.field.two_sided);
     }
     const int64_t area = wide_product(abx, acy) - wide_product(acx, aby);
-    return area < 0 || (area > 0 && two_sided);
+    return area < 0 || (area > 0 && frame.field.two_sided);
 }
 
 bool has_curved_edge(const SurfaceFrame& frame, const Seen& s)
@@ -113,7 +113,8 @@ public:
     explicit Lister(SurfaceFrame& frame)
         : frame_(frame),
           rows_(frame.height_px << frame.samples_log2),
-          right_q6_(frame.width_px << (frame.samples_log2 + 6))
+          right_q6_(frame.width_px << (frame.samples_log2 + 6)),
+          band_log2_(frame.samples_log2 + frame.memory.band_log2)
     {
     }
 
@@ -121,8 +122,8 @@ public:
     {
         const SurfaceVertex* v = frame_.memory.vertices;
         const Seen s = {v + a, v + b, v + c};
-        if (s.are_there()) {
-            if (!list(triangle, s)) {
+        if (frame_.is_whole || s.are_there()) {
+            if (!faces_eye(frame_, s) || !list(triangle, s)) {
                 frame_.memory.links[triangle] = kUnlisted;
                 return;
             }
@@ -135,33 +136,62 @@ public:
     }
 
 private:
-    // False if nothing of it can be seen.
+    // False if it lies beside the image or between the rows.
     LUMI_ALWAYS_INLINE bool list(uint32_t triangle, const Seen& s)
     {
         const int32_t upper_q6 = s.upper_q6(), lower_q6 = s.lower_q6(), left_q6 = s.left_q6(), right_q6 = s.right_q6();
-        const bool is_small = lower_q6 - upper_q6 < kSmallQ6 && right_q6 - left_q6 < kSmallQ6;
-        if (!faces_eye(s, is_small, frame_.field.two_sided)) return false;
         const int32_t first = row_from(upper_q6), last = row_from(lower_q6);
         const int32_t begin = first > 0 ? first : 0, end = last < rows_ ? last : rows_;
         if (begin >= end || right_q6 < 0 || left_q6 > right_q6_) return false;
-        const uint32_t band = static_cast<uint32_t>(begin) >> (frame_.samples_log2 + frame_.memory.band_log2);
-        const uint32_t last_band = static_cast<uint32_t>(end - 1) >> (frame_.samples_log2 + frame_.memory.band_log2);
-        const int32_t reach = static_cast<int32_t>(last_band - band);
-        const bool is_listed = is_small && reach < kBandReach && !has_curved_edge(frame_, s);
+        const bool is_small = lower_q6 - upper_q6 < kSmallQ6 && right_q6 - left_q6 < kSmallQ6;
+        const uint32_t band = static_cast<uint32_t>(begin) >> band_log2_;
+        const int32_t reach = static_cast<int32_t>((static_cast<uint32_t>(end - 1) >> band_log2_) - band);
+        const bool is_listed = is_small && reach < kBandReach &&
+                               (frame_.projection.curved_from == UINT32_MAX || !has_curved_edge(frame_, s));
         put(frame_, is_listed ? band : frame_.other_list, triangle, is_listed ? reach : 0);
         return true;
     }
 
     SurfaceFrame& frame_;
     const int32_t rows_, right_q6_;
+    const uint32_t band_log2_;
 };
 
-void put_vertices(const SurfaceFrame& frame)
+struct Range {
+    int32_t least = INT32_MAX, most = INT32_MIN;
+
+    LUMI_ALWAYS_INLINE void add(int32_t v)
+    {
+        if (v < least) least = v;
+        if (v > most) most = v;
+    }
+};
+
+// The pixels that a range of places in 1/64 sample meets, of `size`, and those beside them that an outline may change.
+PixelRange pixels_of(const Range& q6, uint32_t samples_log2, int32_t size)
 {
+    if (q6.least > q6.most) return {0, 0};
+    const auto within = [&](int32_t v) { return v < 0 ? 0 : v < size ? v : size; };
+    const uint32_t shift = 6 + samples_log2;
+    return {within((q6.least >> shift) - 1), within((q6.most >> shift) + 2)};
+}
+
+void put_vertices(SurfaceFrame& frame)
+{
+    Range x, y;
+    bool is_whole = true;
     for (uint32_t k = 0; k < frame.field.vertex_count; ++k) {
         const SamplePoint p = projected(frame.projection, view_point(frame.projection, surface_vertex(frame.field, k)));
         frame.memory.vertices[k] = packed(p, kUnlit);
+        is_whole = is_whole && p.depth != 0;
+        x.add(p.x_q6);
+        y.add(p.y_q6);
     }
+    constexpr int32_t kNarrowQ6 = 46340;  // twice a triangle's area, at most its width times its height, fits 32 bits
+    frame.is_whole = is_whole;
+    frame.is_narrow = x.most - x.least < kNarrowQ6 && y.most - y.least < kNarrowQ6;
+    frame.columns = is_whole ? pixels_of(x, frame.samples_log2, frame.width_px) : PixelRange{0, frame.width_px};
+    frame.rows = is_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : PixelRange{0, frame.height_px};
 }
 
 void put_triangles(SurfaceFrame& frame)
@@ -192,6 +222,7 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     out.samples_log2 = mode == SurfaceMode::two_by_two ? 1 : 0;
     out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
     for (uint32_t k = 0; k <= out.other_list; ++k) memory.bands[k] = kEmptyBand;
+    out.columns = out.rows = {0, 0};
     if (!set_projection(camera, out)) return;
     put_vertices(out);
     put_triangles(out);

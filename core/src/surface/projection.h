@@ -69,8 +69,9 @@ LUMI_ALWAYS_INLINE bool is_there(const SurfaceVertex& v)
     return (v.y & 0xFF) != 0;
 }
 
-// Triangles up to this wide and high take 32-bit products: 256 samples.
-inline constexpr int32_t kSmallQ6 = 1 << 14;
+// Triangles up to this wide and high take 32-bit products, and the roundings of their colours do not add up to much:
+// 128 samples.
+inline constexpr int32_t kSmallQ6 = 1 << 13;
 
 // The first row of samples, at y = row + 1/2, at or below a height.
 LUMI_ALWAYS_INLINE int32_t row_from(int32_t y_q6)

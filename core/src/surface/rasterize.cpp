@@ -12,16 +12,15 @@ namespace
 MeshTriangle mesh_triangle(const SurfaceField& field, uint32_t k)
 {
     const SurfacePatch patch = surface_patch(field, k >> 1);
-    constexpr int32_t kInsetQ10 = 1024 >> format::kPatchInsetShift;
-    const int32_t right = static_cast<int32_t>(patch.columns << 10) - kInsetQ10;
-    const int32_t bottom = static_cast<int32_t>(patch.rows << 10) - kInsetQ10;
+    constexpr int32_t kInsetQ8 = 256 >> format::kPatchInsetShift;
+    const int32_t right = static_cast<int32_t>(patch.columns << 8) - kInsetQ8;
+    const int32_t bottom = static_cast<int32_t>(patch.rows << 8) - kInsetQ8;
     const Texture texture = {field.texels + patch.texels, patch.columns};
     const uint32_t* corner = patch.corner;
     if ((k & 1) == 0) {
-        return {
-            {corner[0], corner[1], corner[2]}, {kInsetQ10, right, kInsetQ10}, {kInsetQ10, kInsetQ10, bottom}, texture};
+        return {{corner[0], corner[1], corner[2]}, {kInsetQ8, right, kInsetQ8}, {kInsetQ8, kInsetQ8, bottom}, texture};
     }
-    return {{corner[3], corner[2], corner[1]}, {right, kInsetQ10, right}, {bottom, bottom, kInsetQ10}, texture};
+    return {{corner[3], corner[2], corner[1]}, {right, kInsetQ8, right}, {bottom, bottom, kInsetQ8}, texture};
 }
 
 void fill_listed(const SurfaceFrame& frame, uint32_t k, const Target& target)
@@ -29,7 +28,7 @@ void fill_listed(const SurfaceFrame& frame, uint32_t k, const Target& target)
     const MeshTriangle t = mesh_triangle(frame.field, k);
     const auto corner = [&](int m) {
         const SurfaceVertex& v = frame.memory.vertices[t.vertex[m]];
-        return Corner{unpacked(v), t.u_q10[m], t.v_q10[m], v.colour};
+        return Corner{unpacked(v), t.u_q8[m], t.v_q8[m], v.colour};
     };
     fill_triangle(corner(0), corner(1), corner(2), frame.field.two_sided, t.texture, target);
 }

@@ -111,7 +111,7 @@ private:
         const auto field = [&](int32_t (*channel)(uint32_t)) {
             return static_cast<uint32_t>(mixed(s, channel(a), channel(b), channel(c))) & 0x3FF;
         };
-        return {point, of(triangle_.u_q10), of(triangle_.v_q10),
+        return {point, of(triangle_.u_q8), of(triangle_.v_q8),
                 field(red_q2) << 22 | field(green_q2) << 12 | field(blue_q2) << 2};
     }
 

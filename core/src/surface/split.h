@@ -9,7 +9,7 @@ namespace lumi::surfaces
 // A triangle of the field with its texture.
 struct MeshTriangle {
     uint32_t vertex[3];
-    int32_t u_q10[3], v_q10[3];
+    int32_t u_q8[3], v_q8[3];
     Texture texture;
 };
 
