@@ -93,7 +93,7 @@ void SurfaceFit::pilot(Job& job)
     expected_ = empty_model(shape_);
     start_from_means(shape_, samples, tone_, expected_);
     for (int round = 0; round < kPilotRounds; ++round) {
-        SurfaceSums sums(shape_, tone_, expected_);
+        SurfaceSums sums(shape_, tone_, expected_, White::goes_on);
         for_patches(patches, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
         SurfaceModel next = expected_;
         const std::vector<uint8_t> all;
@@ -109,7 +109,7 @@ void SurfaceFit::trace(const ProgressCallback& progress)
     const uint32_t first = batches_for(std::min(kPilotPaths * shape_.layout.texels, kMaxPilotPaths));
     Job job(uint64_t{SurfaceTracer::kLines} * (first + batches), settings_.threads, progress);
     pilot(job);
-    sums_.emplace(shape_, tone_, expected_);
+    sums_.emplace(shape_, tone_, expected_, White::clips);
     for (uint32_t k = 0; k < batches; k += kBatchesAtOnce) {
         const SortedSamples samples = traced(settings_.seed, k, std::min(kBatchesAtOnce, batches - k), job);
         for_patches(patches, job, [&](uint32_t p) { sums_->add(p, samples.begin(p), samples.end(p)); });
@@ -148,7 +148,7 @@ void SurfaceFit::finish_texels(SurfaceModel& model) const
             const double unit = kLevelUnit / std::max(texel.count, 1u);
             LevelColour expected, target;
             for (size_t c = 0; c < 3; ++c) {
-                expected[c] = static_cast<float>(unit * static_cast<double>(texel.predicted[c]));
+                expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(texel.predicted[c])));
                 target[c] = static_cast<float>(unit * static_cast<double>(texel.target[c]));
             }
             const LevelColour shown = tone_.encoded(tone_.line_at(expected).inverse(target));

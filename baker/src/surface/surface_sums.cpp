@@ -11,6 +11,7 @@ namespace lumi::baker
 namespace
 {
 
+constexpr float kWhite = 255;
 constexpr uint32_t kMaxTexelSamples = uint32_t{1} << 20;
 
 std::array<int64_t, 3> fixed(const LevelColour& levels)
@@ -68,8 +69,8 @@ void NodePairs::sort()
     *this = std::move(ordered);
 }
 
-SurfaceSums::SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, const SurfaceModel& expected)
-    : shape_(shape), tone_(tone), expected_(expected), patches_(shape.mesh.patches.size())
+SurfaceSums::SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, const SurfaceModel& expected, White white)
+    : shape_(shape), tone_(tone), expected_(expected), white_(white), patches_(shape.mesh.patches.size())
 {
     for (size_t p = 0; p < patches_.size(); ++p) {
         const uint32_t texels = shape.layout.rectangles[p].size();
@@ -77,6 +78,15 @@ SurfaceSums::SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, con
         patches_[p].crossed.resize(size_t{texels} * kPatchNodes);
         patches_[p].targets.resize(kPatchNodes);
     }
+}
+
+LevelColour SurfaceSums::target_of(const SurfaceSample& sample, const LevelColour& expected) const
+{
+    LevelColour target = tone_.line_at(expected)(sample.radiance);
+    for (size_t c = 0; c < 3; ++c) {
+        target[c] = white_ == White::clips && expected[c] > kWhite ? kWhite : target[c];
+    }
+    return target;
 }
 
 void SurfaceSums::add(uint32_t patch, const SurfaceSample* begin, const SurfaceSample* end)
@@ -87,7 +97,7 @@ void SurfaceSums::add(uint32_t patch, const SurfaceSample* begin, const SurfaceS
     for (const SurfaceSample* s = begin; s != end; ++s) {
         const SampleTaps taps = taps_of(shape_, *s);
         const LevelColour expected = predicted(expected_, nodes, *s, taps);
-        const std::array<int64_t, 3> target = fixed(tone_.line_at(expected)(s->radiance)), p = fixed(expected);
+        const std::array<int64_t, 3> target = fixed(target_of(*s, expected)), p = fixed(expected);
         TexelSums& texel = sums.texels[s->texel - first];
         uint32_t* crossed = &sums.crossed[size_t{s->texel - first} * kPatchNodes];
         if (++texel.count == kMaxTexelSamples) {

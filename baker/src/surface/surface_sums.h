@@ -58,11 +58,14 @@ struct PatchSums {
     NodePairs pairs;
 };
 
+// What is brighter than white shows as white: a fit may count it as that, once it is known well what is.
+enum class White : uint8_t { goes_on, clips };
+
 class SurfaceSums
 {
 public:
     // Borrows all.
-    SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, const SurfaceModel& expected);
+    SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, const SurfaceModel& expected, White white);
 
     // Adds samples whose targets are linear around what `expected` shows. Thread-safe for different patches. Throws
     // BakeError where a texel got too many.
@@ -73,9 +76,12 @@ public:
     const std::vector<PatchSums>& patches() const { return patches_; }
 
 private:
+    LevelColour target_of(const SurfaceSample& sample, const LevelColour& expected) const;
+
     const SurfaceShape& shape_;
     const EncodedTone& tone_;
     const SurfaceModel& expected_;
+    const White white_;
     std::vector<PatchSums> patches_;
 };
 

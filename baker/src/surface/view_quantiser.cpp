@@ -36,6 +36,37 @@ std::vector<double> node_weights(const SurfaceSums& sums)
     return weights;
 }
 
+// The sums of products of nodes' weights, node by node: what an error at one node adds to the gradient at others.
+class NodeProducts
+{
+public:
+    explicit NodeProducts(const SurfaceSums& sums)
+    {
+        const SurfaceShape& shape = sums.shape();
+        rows_.resize(kViewNodes * shape.mesh.positions.size());
+        for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+            sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
+                const uint32_t i = shape.vertex(p, a / kViewNodes) * kViewNodes + a % kViewNodes;
+                const uint32_t j = shape.vertex(p, b / kViewNodes) * kViewNodes + b % kViewNodes;
+                const auto product = static_cast<float>(kWeightUnit * kWeightUnit * static_cast<double>(sum));
+                if (i != j) {
+                    rows_[i].push_back({j, product});
+                    rows_[j].push_back({i, product});
+                }
+            });
+        }
+    }
+
+    struct Entry {
+        uint32_t node;
+        float product;
+    };
+    const std::vector<Entry>& row(size_t node) const { return rows_[node]; }
+
+private:
+    std::vector<std::vector<Entry>> rows_;
+};
+
 float dot(const LevelColour& a, const LevelColour& b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -62,7 +93,12 @@ class Quantiser
 {
 public:
     Quantiser(const SurfaceSums& sums, const SurfaceModel& model, const std::vector<uint8_t>& viewed)
-        : model_(model), viewed_(viewed), weights_(node_weights(sums)), gains_(viewed.size(), 0), codes_(viewed.size())
+        : sums_(sums),
+          model_(model),
+          viewed_(viewed),
+          weights_(node_weights(sums)),
+          gains_(viewed.size(), 0),
+          codes_(viewed.size())
     {
         for (size_t v = 0; v < viewed_.size(); ++v) {
             double floor = 0;
@@ -87,6 +123,7 @@ public:
         }
         round_centres();
         assign();
+        settle();
         return {colours_, codes_};
     }
 
@@ -209,6 +246,60 @@ private:
         }
     }
 
+    // Errors of nodes that paths saw together cancel where they can: each node takes the colour that is best with the
+    // others as they are.
+    void settle()
+    {
+        constexpr int kSweeps = 4;
+        const NodeProducts products(sums_);
+        std::vector<LevelColour> errors(model_.nodes.size());
+        for (size_t v = 0; v < viewed_.size(); ++v) {
+            for (size_t k = 0; k < kViewNodes; ++k) {
+                errors[v * kViewNodes + k] = error_with(v, k, codes_[v].colours[k]);
+            }
+        }
+        for (int sweep = 0; sweep < kSweeps; ++sweep) {
+            for (size_t v = 0; v < viewed_.size(); ++v) {
+                for (size_t k = 0; k < kViewNodes && viewed_[v] != 0; ++k) {
+                    const size_t here = v * kViewNodes + k;
+                    LevelColour pull{};
+                    for (const NodeProducts::Entry& entry : products.row(here)) {
+                        for (size_t c = 0; c < 3; ++c) {
+                            pull[c] += entry.product * errors[entry.node][c];
+                        }
+                    }
+                    codes_[v].colours[k] = best_with(v, k, pull);
+                    errors[here] = error_with(v, k, codes_[v].colours[k]);
+                }
+            }
+        }
+    }
+
+    LevelColour error_with(size_t v, size_t k, size_t code) const
+    {
+        LevelColour e = node(v, k);
+        const float g = viewed_[v] != 0 ? gain(v) : 0;
+        for (size_t c = 0; c < 3; ++c) {
+            e[c] = g * centres_[k][code][c] - e[c];
+        }
+        return e;
+    }
+
+    uint8_t best_with(size_t v, size_t k, const LevelColour& pull) const
+    {
+        size_t best = 0;
+        float least = 0;
+        for (size_t code = 0; code < kNodeColours; ++code) {
+            const LevelColour e = error_with(v, k, code);
+            const float cost = weight(v, k) * dot(e, e) + 2 * dot(pull, e);
+            if (code == 0 || cost < least) {
+                least = cost;
+                best = code;
+            }
+        }
+        return static_cast<uint8_t>(best);
+    }
+
     void round_centres()
     {
         for (size_t k = 0; k < kViewNodes; ++k) {
@@ -222,6 +313,7 @@ private:
         }
     }
 
+    const SurfaceSums& sums_;
     const SurfaceModel& model_;
     const std::vector<uint8_t>& viewed_;
     std::vector<double> weights_;
