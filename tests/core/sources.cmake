@@ -17,17 +17,10 @@ set(LUMI_CORE_TEST_SOURCES
   chord/tile_test.cpp
   field/color_test.cpp
   field/field_test.cpp
-  guided/focus_surface_test.cpp
-  guided/guided_field_test.cpp
-  guided/guided_hostile_test.cpp
-  guided/guided_render_test.cpp
-  guided/guided_shade_test.cpp
   lattice/lattice_test.cpp
   lattice/polar_test.cpp
   math/linear_light_test.cpp
   math/math_test.cpp
-  proxy/proxy_stripes_test.cpp
-  proxy/proxy_test.cpp
   stepping/hits_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 # Helpers that tests share lie here; tests look into core, too.

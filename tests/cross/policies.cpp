@@ -6,11 +6,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "lumi/guided/focus_surface.h"
-#include "lumi/guided/guided_render.h"
-#include "lumi/guided/guided_vq.h"
-#include "lumi/proxy/proxy_surface.h"
 #include "lumi/render_spans_paper.h"
+#include "lumi/render_surface.h"
 
 namespace lumi::policies
 {
@@ -132,61 +129,44 @@ using ChosenPolicies = Policies<std::make_index_sequence<kCombinations>>;
 extern const ChosenPolicies kChosenPolicies;
 const ChosenPolicies kChosenPolicies = {};
 
-// Guided fields: the shading policies over each surface. What firmware holds between stripes is not on its stack.
-struct GuidedView {
-    GuidedField field;
-    Camera camera;
-    ProxyFrame frame;
-    uint16_t* depths;
+// Surface fields. What firmware holds between stripes, the frame too, is not on its stack.
+struct SurfaceView {
+    SurfaceField field;
+    SurfaceCamera camera;
+    SurfaceMemory memory;
+    SurfaceFrame frame;
+    void* samples;
 };
-using RenderGuided = GuidedError (*)(const GuidedView&, const void* background, const Stripe&);
+using PrepareSurface = void (*)(SurfaceView&, SurfaceMode);
+using DrawSurface = void (*)(const SurfaceView&, const void* background, const Stripe&);
 
-template <class Policy, class Pixel, class Background>
-GuidedError draw_guided_focus(const GuidedView& view, const void* background, const Stripe& stripe)
+template <class Pixel>
+void prepare_surface_frame(SurfaceView& view, SurfaceMode mode)
 {
-    FocusSurface surface(view.field, view.camera);
-    return render_guided<Policy, Pixel>(view.field, view.camera, surface, *static_cast<const Background*>(background),
-                                        stripe);
+    prepare_surface<Pixel>(view.field, view.camera, mode, view.memory, view.frame);
 }
 
-template <class Policy, uint32_t Samples, class Pixel, class Background>
-GuidedError draw_guided_proxy(const GuidedView& view, const void* background, const Stripe& stripe)
+template <class Pixel, class Background>
+void draw_surface(const SurfaceView& view, const void* background, const Stripe& stripe)
 {
-    ProxySurface<Samples> surface(view.frame, view.depths);
-    return render_guided<Policy, Pixel>(view.field, view.camera, surface, *static_cast<const Background*>(background),
-                                        stripe);
+    render_surface<Pixel>(view.frame, *static_cast<const Background*>(background), stripe, view.samples);
 }
 
-template <class Policy>
-struct GuidedOverEach {
-    RenderGuided focus = draw_guided_focus<Policy, PixelRgb565Swapped, OverColour>;
-    RenderGuided proxy = draw_guided_proxy<Policy, 1, PixelRgb565, OverBlack>;
-    RenderGuided samples = draw_guided_proxy<Policy, 4, PixelRgb888, OverStripe>;
+template <class Pixel>
+struct SurfacePixels {
+    PrepareSurface prepare = prepare_surface_frame<Pixel>;
+    DrawSurface over_black = draw_surface<Pixel, OverBlack>;
+    DrawSurface over_colour = draw_surface<Pixel, OverColour>;
+    DrawSurface over_stripe = draw_surface<Pixel, OverStripe>;
 };
 
-template <class Texel, class Mean>
-struct EveryStep {
-    GuidedOverEach<GuidedPolicy<ThreeOrigins, LinearTaps, Texel, Mean, OcclusionUse::read>> best;
-    GuidedOverEach<GuidedPolicy<ThreeOrigins, NearestTap, Texel, Mean, OcclusionUse::read>> nearest;
-    GuidedOverEach<GuidedPolicy<OneOrigin, NearestTap, Texel, Mean, OcclusionUse::ignored>> one_origin;
+struct EverySurface {
+    SurfacePixels<PixelRgb565> rgb565;
+    SurfacePixels<PixelRgb565Swapped> rgb565_swapped;
+    SurfacePixels<PixelRgb888> rgb888;
+    SurfacePixels<PixelGrey8> grey8;
 };
-
-// Every kind of chart and of mean.
-struct EachGuided {
-    EveryStep<GuidedIndex4, MeanRgb565> index4_rgb565;
-    EveryStep<GuidedIndex8, NoMean> index8;
-    EveryStep<GuidedVq8, MeanPalette8> vq8_palette8;
-    GuidedOverEach<GuidedPolicy<ThreeOrigins, LinearTaps, NoChart, MeanRgb565, OcclusionUse::ignored>> mean;
-};
-
-struct EveryGuided : EachGuided {
-    EveryStep<GuidedIndex4, MeanPalette8> index4_palette8;
-    EveryStep<GuidedIndex8, MeanRgb565> index8_rgb565;
-    EveryStep<GuidedIndex4, NoMean> index4;
-};
-
-using ChosenGuided = std::conditional_t<kChoice == Choice::all, EveryGuided, EachGuided>;
-extern const ChosenGuided kChosenGuided;
-const ChosenGuided kChosenGuided = {};
+extern const EverySurface kEverySurface;
+const EverySurface kEverySurface = {};
 
 }  // namespace lumi::policies

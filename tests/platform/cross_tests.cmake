@@ -13,13 +13,13 @@ endforeach()
 set(lumi_boards ${PROJECT_SOURCE_DIR}/platform/mps2/boards.cmake)
 include(${lumi_boards})
 
-# Deepest stack of render(), of render_spans(), and of render_guided() with prepare_proxy(), on any of the CPUs, as
+# Deepest stack of render(), of render_spans(), and of prepare_surface() and render_surface(), on any of the CPUs, as
 # docs/boards.md states it.
 set(LUMI_STACK_LIMIT 1024)
 set(LUMI_SPAN_STACK_LIMIT 2560)
-set(LUMI_GUIDED_STACK_LIMIT 3072)
+set(LUMI_SURFACE_STACK_LIMIT 2048)
 # What no program holds that draws chord fields alone.
-set(lumi_guided_symbols ".*([Gg]uided|[Pp]roxy|Focus|MeanReader).*")
+set(lumi_surface_symbols ".*([Ss]urface|view_taps|view_frame).*")
 set(lumi_build_timeout_s 1500)
 set(lumi_run_timeout_s 900)
 
@@ -76,15 +76,15 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   add_test(NAME ${cpu}.core_stack_spans
     COMMAND ${CMAKE_COMMAND} -D "FOLDERS=${lumi_cross}/core;${lumi_policies}" -D ROOTS=^_ZN4lumi8policies10draw_spans
       -D LIMIT=${LUMI_SPAN_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
-  add_test(NAME ${cpu}.core_stack_guided
+  add_test(NAME ${cpu}.core_stack_surface
     COMMAND ${CMAKE_COMMAND} -D "FOLDERS=${lumi_cross}/core;${lumi_policies}"
-      -D "ROOTS=^_ZN4lumi(8policies[0-9]+draw_guided_|13prepare_proxy)"
-      -D LIMIT=${LUMI_GUIDED_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
-  add_test(NAME ${cpu}.chord_firmware_links_nothing_guided
+      -D "ROOTS=^_ZN4lumi8policies[0-9]+(prepare_surface|draw_surface)"
+      -D LIMIT=${LUMI_SURFACE_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
+  add_test(NAME ${cpu}.chord_firmware_links_no_surface
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_firmware}/lumi_demo_firmware.elf
-      -D "FORBIDDEN=${lumi_guided_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
-  list(APPEND lumi_cpu_tests ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_guided
-    ${cpu}.chord_firmware_links_nothing_guided)
+      -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  list(APPEND lumi_cpu_tests ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
+    ${cpu}.chord_firmware_links_no_surface)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
     TIMEOUT ${lumi_run_timeout_s})
 endforeach()
@@ -124,11 +124,11 @@ foreach(violation float double heap new exception rtti)
       -D FILES=${lumi_planted}/liblumi_planted_${violation}.a -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
   list(APPEND lumi_proof_tests proof.finds_${violation})
 endforeach()
-add_test(NAME proof.finds_guided
+add_test(NAME proof.finds_surface
   COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
     -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/platform/mps2/lumi_frame_crcs_firmware.elf
-    -D "FORBIDDEN=${lumi_guided_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
-list(APPEND lumi_proof_tests proof.finds_guided)
+    -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+list(APPEND lumi_proof_tests proof.finds_surface)
 foreach(violation dynamic_frame recursion indirect_call)
   add_test(NAME proof.finds_${violation}
     COMMAND ${CMAKE_COMMAND} -D FOLDERS=${lumi_planted}/CMakeFiles/lumi_planted_${violation}.dir -D ROOTS=planted

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // lumi_make_test_fields FOLDER: writes one small field per texel format, FOLDER/{rgb888,rgb565,palette8,luma8}.lumi,
-// and FOLDER/guided.lumi.
+// and surface fields, FOLDER/surface.lumi and FOLDER/sheet.lumi.
 #include <cstdio>
 #include <exception>
 
 #include "chord/field_writer.h"
-#include "guided/guided_bytes.h"
 #include "lumi/texel.h"
+#include "surface/surface_bytes.h"
 #include "synthetic_ray.h"
 
 namespace
@@ -74,13 +74,9 @@ void write(TexelFormat texel, const std::vector<Rgba8>& seen, const std::filesys
     out.commit();
 }
 
-void write_guided(const std::filesystem::path& path)
+void write_surface(const test::TestSurface& surface, const std::filesystem::path& path)
 {
-    test::TestGuided guided;
-    guided.origins = kOrigins;
-    guided.used_origins = kUsedOrigins;
-    guided.chart_size = 24;
-    const test::Bytes bytes = test::sample_guided(guided);
+    const test::Bytes bytes = test::surface_file(surface);
     baker::NewFile out(path);
     out.append(bytes);
     out.commit();
@@ -102,7 +98,8 @@ int main(int argc, char** argv)
         write(TexelFormat::rgb565, seen, folder / "rgb565.lumi");
         write(TexelFormat::palette8, seen, folder / "palette8.lumi");
         write(TexelFormat::luma8, seen, folder / "luma8.lumi");
-        write_guided(folder / "guided.lumi");
+        write_surface(test::bumpy_ball(), folder / "surface.lumi");
+        write_surface(test::wavy_sheet(), folder / "sheet.lumi");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());
         return 1;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the frame list for five fields that the loader put into PSRAM, kSlotBytes apart: four in the order of
-// TexelFormat and a guided one.
+// Writes the frame list for fields that the loader put into PSRAM, kSlotBytes apart.
 #include "frame_list.h"
 #include "lumi/mps2/loaded_field.h"
 #include "lumi/mps2/semihosting.h"
@@ -14,12 +13,12 @@ constexpr uint32_t kSlotBytes = 1024 * 1024;
 
 int main(int, char**)
 {
-    lumi::firmware::FieldBytes fields[lumi::format::kTexelFormats];
-    for (uint32_t i = 0; i < lumi::format::kTexelFormats; ++i) {
-        const lumi::mps2::LoadedField field = lumi::mps2::loaded_field(i * kSlotBytes);
-        fields[i] = {field.bytes, field.size};
+    lumi::firmware::FieldBytes fields[lumi::firmware::kListedFields];
+    uint32_t at = 0;
+    for (lumi::firmware::FieldBytes& bytes : fields) {
+        const lumi::mps2::LoadedField field = lumi::mps2::loaded_field(at);
+        bytes = {field.bytes, field.size};
+        at += kSlotBytes;
     }
-    if (!lumi::firmware::write_frame_crcs(fields, lumi::mps2::write)) return 1;
-    const lumi::mps2::LoadedField guided = lumi::mps2::loaded_field(lumi::format::kTexelFormats * kSlotBytes);
-    return lumi::firmware::write_guided_crcs({guided.bytes, guided.size}, lumi::mps2::write) ? 0 : 1;
+    return lumi::firmware::write_frame_crcs(fields, lumi::mps2::write) ? 0 : 1;
 }

@@ -38,9 +38,10 @@ bool for_each_view(const Field& field, WriteText write)
 
 }  // namespace
 
-bool write_frame_crcs(const FieldBytes (&fields)[format::kTexelFormats], WriteText write)
+bool write_frame_crcs(const FieldBytes (&fields)[kListedFields], WriteText write)
 {
-    for (const FieldBytes& file : fields) {
+    for (uint32_t k = 0; k < format::kTexelFormats; ++k) {
+        const FieldBytes& file = fields[k];
         Field field;
         const FieldError error = open_field(file.bytes, file.size, field);
         if (error != FieldError::none) {
@@ -50,7 +51,8 @@ bool write_frame_crcs(const FieldBytes (&fields)[format::kTexelFormats], WriteTe
             return false;
         }
     }
-    return true;
+    return write_surface_crcs(fields[format::kTexelFormats], "surface", write) &&
+           write_surface_crcs(fields[format::kTexelFormats + 1], "sheet", write);
 }
 
 }  // namespace lumi::firmware

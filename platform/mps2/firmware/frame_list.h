@@ -20,13 +20,16 @@ struct FieldBytes {
 
 using WriteText = void (*)(const char* zero_terminated);
 
-// Draws the list, stripe by stripe, with fields[f] for texel format f. Writes one line a frame,
-// "view renderer texel pixel crc32"; the CRC runs over the frame drawn over a constant colour, then over the
-// frame drawn once more over that. Stops with a line "error: ..." and returns false if a field does not open.
-bool write_frame_crcs(const FieldBytes (&fields)[format::kTexelFormats], WriteText write);
+// Four fields in the order of TexelFormat, then two surface fields.
+inline constexpr uint32_t kListedFields = format::kTexelFormats + 2;
 
-// The same for a guided field of 4-bit texels, RGB565 voxels and a proxy of up to 64 vertices and triangles, drawn once
-// over a constant colour; "view guided picture rgb888 crc32". The file's address is divisible by 4.
-bool write_guided_crcs(const FieldBytes& file, WriteText write);
+// Draws the list, stripe by stripe. Writes one line a frame of a chord field, "view renderer texel pixel crc32"; the
+// CRC runs over the frame drawn over a constant colour, then over the frame drawn once more over that. Of a surface
+// field, "view surface mode pixel crc32". Stops with a line "error: ..." and returns false if a field does not open.
+bool write_frame_crcs(const FieldBytes (&fields)[kListedFields], WriteText write);
+
+// The surface fields' part: of up to 128 vertices and patches, in every mode and as every kind of pixel, which are the
+// same however a frame is cut into rectangles.
+bool write_surface_crcs(const FieldBytes& file, const char* name, WriteText write);
 
 }  // namespace lumi::firmware

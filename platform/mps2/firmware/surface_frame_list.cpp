@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// The surface part of the frame list.
+#include "frame_list.h"
+#include "lumi/crc32.h"
+#include "lumi/render_surface.h"
+#include "surface_views.h"
+#include "text_line.h"
+
+namespace lumi::firmware
+{
+namespace
+{
+
+constexpr int32_t kWidth = 48, kHeight = 36;
+constexpr uint32_t kBandLog2 = 3;
+constexpr uint32_t kMaxVertices = 128, kMaxPatches = 128;  // of the test's fields
+constexpr uint32_t kChanceViews = 8;
+constexpr Rgb8 kBackground = {40, 96, 168};
+
+struct NamedMode {
+    const char* name;
+    SurfaceMode mode;
+};
+constexpr NamedMode kModes[] = {{"one-sample", SurfaceMode::one_sample}, {"2x2", SurfaceMode::two_by_two}};
+
+SurfaceVertex vertices[kMaxVertices];
+uint16_t links[2 * kMaxPatches];
+uint16_t bands[surface_bands(kHeight, kBandLog2)];
+uint32_t samples[surface_stripe_bytes(kWidth, kHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
+uint8_t pixels[kWidth * kHeight * PixelRgb888::kBytes];
+
+struct Part {
+    const SurfaceField& field;
+    const char* name;
+    WriteText write;
+};
+
+// A frame cut into rectangles so wide and high; those at the right and lower end reach beyond the image.
+struct Cut {
+    int32_t width_px, height_px;
+};
+constexpr Cut kStripes = {kWidth, 10};
+constexpr Cut kOtherCuts[] = {{kWidth, 1}, {kWidth, kHeight}};
+
+template <class Pixel>
+uint32_t frame_crc(const SurfaceFrame& frame, const Cut& cut)
+{
+    constexpr uint32_t kStrideBytes = kWidth * Pixel::kBytes;
+    for (int32_t y = 0; y < kHeight; y += cut.height_px) {
+        for (int32_t x = 0; x < kWidth; x += cut.width_px) {
+            const int32_t width = kWidth - x < cut.width_px ? kWidth - x : cut.width_px;
+            const int32_t height = kHeight - y < cut.height_px ? kHeight - y : cut.height_px;
+            uint8_t* const at =
+                pixels + static_cast<uint32_t>(y) * kStrideBytes + static_cast<uint32_t>(x) * Pixel::kBytes;
+            const Stripe stripe = {at, x, y, width, height, kStrideBytes};
+            render_surface<Pixel>(frame, OverColour{kBackground}, stripe, samples);
+        }
+    }
+    return crc32(0, pixels, kHeight * kStrideBytes);
+}
+
+template <class Pixel>
+bool write_line(const Part& part, const char* view, const SurfaceFrame& frame, const char* mode, const char* pixel)
+{
+    const uint32_t crc = frame_crc<Pixel>(frame, kStripes);
+    for (const Cut& cut : kOtherCuts) {
+        if (frame_crc<Pixel>(frame, cut) == crc) continue;
+        part.write("error: a frame differs with its stripes\n");
+        return false;
+    }
+    TextLine line;
+    line.text(view).text(" ").text(part.name).text(" ").text(mode).text(" ").text(pixel).text(" ");
+    part.write(line.hex32(crc).text("\n").c_str());
+    return true;
+}
+
+template <class Pixel>
+bool write_modes(const Part& part, const char* view, const SurfaceCamera& camera, const char* pixel)
+{
+    for (const NamedMode& mode : kModes) {
+        SurfaceFrame frame;
+        prepare_surface<Pixel>(part.field, camera, mode.mode, {vertices, links, bands, kBandLog2}, frame);
+        if (!write_line<Pixel>(part, view, frame, mode.name, pixel)) return false;
+    }
+    return true;
+}
+
+bool write_view(const Part& part, const char* view, const Pose& pose, const Image& image)
+{
+    SurfaceCamera camera;
+    const CameraError error = make_surface_camera(pose, image, camera);
+    if (error == CameraError::none) return write_modes<PixelRgb565>(part, view, camera, "rgb565");
+    part.write("error: ");
+    part.write(describe(error));
+    return false;
+}
+
+bool write_ordinary_view(const Part& part, const View& view)
+{
+    SurfaceCamera camera;
+    return write_view(part, view.name, view.pose(), view.image(kWidth, kHeight)) &&
+           make_surface_camera(view.pose(), view.image(kWidth, kHeight), camera) == CameraError::none &&
+           write_modes<PixelRgb565Swapped>(part, view.name, camera, "rgb565-swapped") &&
+           write_modes<PixelRgb888>(part, view.name, camera, "rgb888") &&
+           write_modes<PixelGrey8>(part, view.name, camera, "grey8");
+}
+
+bool write_hard_views(const Part& part)
+{
+    for (const View& view : kHardViews) {
+        const Image image = view.image(kWidth, kHeight);
+        if (!write_view(part, view.name, view.pose(), image)) return false;
+        const bool is_near = view.distance_q20 < kOneQ20 + 2 * kRounding;
+        if (is_near && !write_view(part, view.name, aside(view.pose()), image)) return false;
+    }
+    for (uint32_t k = 0; k < kChanceViews; ++k) {
+        const View view = chance_view(k);
+        if (!write_view(part, view.name, view.pose(), view.image(kWidth, kHeight))) return false;
+    }
+    return true;
+}
+
+bool write_views(const Part& part)
+{
+    for (const View& view : kViews)
+        if (!write_ordinary_view(part, view)) return false;
+    return write_hard_views(part);
+}
+
+}  // namespace
+
+bool write_surface_crcs(const FieldBytes& file, const char* name, WriteText write)
+{
+    SurfaceField field;
+    const FieldError error = open_surface(file.bytes, file.size, field);
+    if (error == FieldError::none && field.vertex_count <= kMaxVertices && field.patch_count <= kMaxPatches)
+        return write_views({field, name, write});
+    write("error: the surface field cannot be drawn: ");
+    write(describe(error));
+    write("\n");
+    return false;
+}
+
+}  // namespace lumi::firmware
