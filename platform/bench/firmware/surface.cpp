@@ -26,12 +26,16 @@ void prepare_alone(const SurfaceField& field, const SurfaceView& view)
     prepare_surface<Pixel>(field, view.camera, view.mode, {vertices, links, bands, kSurfaceBandLog2}, frame);
 }
 
-void fill_alone(int32_t width_px)
+void fill_alone(int32_t width_px, bool with_outlines)
 {
-    const uint32_t row_samples = static_cast<uint32_t>(width_px) << (2 * frame.samples_log2);
+    SurfaceFrame filled = frame;
+    if (!with_outlines) filled.field.neighbours = nullptr;
+    const int32_t margin = surfaces::blends_outlines(filled) ? 1 : 0;
     for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeRows) {
-        auto* const depths = reinterpret_cast<uint16_t*>(samples + row_samples * kSurfaceStripeRows);
-        surfaces::rasterize(frame, {0, y, width_px, kSurfaceStripeRows}, depths, samples);
+        const int32_t top = y - margin < 0 ? 0 : y - margin, end = y + kSurfaceStripeRows + margin;
+        const int32_t rows = (end < kSidePx ? end : kSidePx) - top;
+        const uint32_t count = static_cast<uint32_t>(width_px * rows) << (2 * frame.samples_log2);
+        surfaces::rasterize(filled, {0, top, width_px, rows}, reinterpret_cast<uint16_t*>(samples + count), samples);
     }
 }
 

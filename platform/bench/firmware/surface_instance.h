@@ -23,6 +23,7 @@ void draw_surface(const SurfaceField& field, const SurfaceView& view, uint8_t* p
 void prepare_alone(const SurfaceField& field, const SurfaceView& view);
 
 // Fills the stripes of the frame that was prepared last, its first `width_px` columns, and makes no pixels of them.
-void fill_alone(int32_t width_px);
+// Outlines are blended or not.
+void fill_alone(int32_t width_px, bool with_outlines);
 
 }  // namespace lumi::bench

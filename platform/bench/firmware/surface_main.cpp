@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Counts what drawing a surface field costs, one line per view and mode:
 //     view generic mode one-sample covered 42272 instructions 2345678 palette 8000 vertices 345678 lists 145678
-//     lights 123456 edges 345678 samples 1345678 resolve 245678 stack 600 ram 46000 crc 1234abcd
+//     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 stack 600 ram 46000 crc 1234abcd
 // Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; lists
-// of triangles; what vertices show of the eye; triangles and rows without their samples; samples; pixels. The field is
-// loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none: all).
+// of triangles; what vertices show of the eye; triangles and rows without their samples; samples; outlines; pixels. The
+// field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none: all).
 #include "loaded_view.h"
 #include "lumi/crc32.h"
 #include "lumi/mps2/instruction_counter.h"
@@ -29,9 +29,9 @@ __attribute__((noinline)) uint64_t instructions_of(const Work& work)
 }
 
 struct Parts {
-    uint64_t palette, vertices, lists, lights, edges, samples;
+    uint64_t palette, vertices, lists, lights, edges, samples, outlines;
 
-    uint64_t sum() const { return palette + vertices + lists + lights + edges + samples; }
+    uint64_t sum() const { return palette + vertices + lists + lights + edges + samples + outlines; }
 };
 
 // Differences of next to nothing may come out below it: the counter ticks every few instructions.
@@ -50,9 +50,11 @@ Parts count_parts(const SurfaceField& field, const SurfaceView& view)
     const auto preparing = [&](const SurfaceField& f) { return instructions_of([&] { prepare_alone(f, view); }); };
     const uint64_t palette = preparing(empty), vertices = preparing(bare), lists = preparing(unlit);
     const uint64_t lights = preparing(field);
-    const uint64_t edges = instructions_of([] { fill_alone(0); });
-    const uint64_t samples = instructions_of([] { fill_alone(kSidePx); });
-    return {palette, less(vertices, palette), less(lists, vertices), less(lights, lists), edges, less(samples, edges)};
+    const uint64_t edges = instructions_of([] { fill_alone(0, false); });
+    const uint64_t samples = instructions_of([] { fill_alone(kSidePx, false); });
+    const uint64_t all = instructions_of([] { fill_alone(kSidePx, true); });
+    return {palette, less(vertices, palette), less(lists, vertices), less(lights, lists),
+            edges,   less(samples, edges),    less(all, samples)};
 }
 
 void write_costs(TextLine& line, const Parts& parts, uint64_t whole)
@@ -61,6 +63,7 @@ void write_costs(TextLine& line, const Parts& parts, uint64_t whole)
     line.text(" palette ").decimal(parts.palette).text(" vertices ").decimal(parts.vertices);
     line.text(" lists ").decimal(parts.lists).text(" lights ").decimal(parts.lights);
     line.text(" edges ").decimal(parts.edges).text(" samples ").decimal(parts.samples);
+    line.text(" outlines ").decimal(parts.outlines);
     line.text(" resolve ").decimal(less(whole, parts.sum()));
 }
 

@@ -21,7 +21,9 @@ struct NamedMode {
     const char* name;
     SurfaceMode mode;
 };
-constexpr NamedMode kModes[] = {{"one-sample", SurfaceMode::one_sample}, {"2x2", SurfaceMode::two_by_two}};
+constexpr NamedMode kModes[] = {{"one-sample", SurfaceMode::one_sample},
+                                {"antialiased", SurfaceMode::antialiased},
+                                {"2x2", SurfaceMode::two_by_two}};
 
 SurfaceVertex vertices[kMaxVertices];
 uint16_t links[2 * kMaxPatches];

@@ -24,6 +24,7 @@ struct TestSurface {
     std::vector<TestPatch> patches;
     Bytes texels;
     uint32_t viewed = 0;  // the first so many vertices have view tables
+    bool has_neighbours = true;
     uint32_t flags = 0, colour_space = 0, longest_edge_q6 = 128, reserved = 0;
     float centre[3] = {1, 2, 3};
     float radius = 4;
@@ -104,6 +105,30 @@ inline TestSection view_section(const TestSurface& s)
     return {format::kViewSection, 0, b};
 }
 
+// By directed sides: across from->to lies the triangle with to->from.
+inline TestSection neighbour_section(const TestSurface& s)
+{
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> sides;
+    for (uint32_t k = 0; k < s.patches.size(); ++k) {
+        const auto& [a, b, c, d, begin, columns, rows] = s.patches[k];
+        sides.insert({{{a, b}, 2 * k}, {{b, c}, 2 * k}, {{c, a}, 2 * k}});
+        if (d != format::kNoVertex) sides.insert({{{d, c}, 2 * k + 1}, {{c, b}, 2 * k + 1}, {{b, d}, 2 * k + 1}});
+    }
+    const auto across = [&](uint32_t from, uint32_t to) {
+        const auto it = sides.find({to, from});
+        return it == sides.end() ? format::kNoNeighbour : it->second;
+    };
+    Bytes bytes;
+    for (const auto& [a, b, c, d, begin, columns, rows] : s.patches) {
+        const bool is_lone = d == format::kNoVertex;
+        put16(bytes, across(a, b));
+        put16(bytes, across(c, a));
+        put16(bytes, is_lone ? across(b, c) : across(d, c));
+        put16(bytes, is_lone ? format::kNoNeighbour : across(b, d));
+    }
+    return {format::kNeighbourSection, 0, bytes};
+}
+
 inline std::vector<TestSection> surface_sections(const TestSurface& s)
 {
     std::vector<TestSection> sections = {surface_section(s),
@@ -112,6 +137,7 @@ inline std::vector<TestSection> surface_sections(const TestSurface& s)
                                          {format::kColourSection, format::kRequired, s.texels},
                                          surface_palette_section()};
     if (s.viewed != 0) sections.push_back(view_section(s));
+    if (s.has_neighbours) sections.push_back(neighbour_section(s));
     return sections;
 }
 

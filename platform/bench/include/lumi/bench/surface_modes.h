@@ -15,6 +15,7 @@ struct NamedSurfaceMode {
 
 inline constexpr NamedSurfaceMode kSurfaceModes[] = {
     {"one-sample", SurfaceMode::one_sample},
+    {"antialiased", SurfaceMode::antialiased},
     {"2x2", SurfaceMode::two_by_two},
 };
 
