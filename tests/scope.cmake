@@ -31,7 +31,6 @@ set(LUMI_PLAIN_FILES
   baker/trace/error_gauge_test.cpp
   baker/trace/path_tracer_test.cpp
   baker/chord/field_rays_test.cpp
-  baker/guided/guided_size_test.cpp
   tools/metrics/cw_ssim_test.cpp
   tools/metrics/flip_test.cpp
   tools/metrics/psnr_test.cpp
@@ -40,15 +39,11 @@ set(LUMI_PLAIN_FILES
   tools/bench/cache_model_test.cpp
   tools/bench/report_test.cpp
   tools/draw/draw_surface_test.cpp
-  tools/quality/guided_twin_test.cpp
   tools/quality/quality_test.cpp
   tools/planner/fit_test.cpp
   tools/planner/plan_search_test.cpp
   tools/planner/speed_test.cpp
-  tools/planner/trials_test.cpp
   tools/commands/fit_test.cpp
-  tools/commands/guided_scale_test.cpp
-  tools/commands/guided_test.cpp
   tools/commands/report_test.cpp
   tools/commands/scale_test.cpp)
 

@@ -63,7 +63,6 @@ baker/src/store
 baker/src/proxy
 baker/src/surface
 baker/src/chord
-baker/src/guided
 baker/src
 baker/bench
 

@@ -3,10 +3,7 @@
 
 #include "chord/bake_layout.h"
 #include "chord/chord_merge.h"
-#include "guided/guided_merge.h"
-#include "guided/guided_settings.h"
 #include "lumi/baker/file_guard.h"
-#include "store/shard_rows.h"
 
 namespace lumi::baker
 {
@@ -17,12 +14,7 @@ namespace fs = std::filesystem;
 
 void require_possible(const BakeIdentity& id)
 {
-    if (const GuidedSettings* guided = std::get_if<GuidedSettings>(&id.settings)) {
-        checked(*guided);
-        check_shard(id.shard);
-    } else {
-        layout_of(id);
-    }
+    layout_of(id);
 }
 
 }  // namespace
@@ -37,8 +29,7 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
     };
     const FileGuard guard;
     ShardSet set(shards, require_possible);
-    return set.is_guided() ? merge_guided(set, output, leave_if_cancelled)
-                           : merge_chord(set, output, leave_if_cancelled);
+    return merge_chord(set, output, leave_if_cancelled);
 }
 
 }  // namespace lumi::baker

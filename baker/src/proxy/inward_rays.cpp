@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "proxy/inward_rays.h"
 
-#include "lumi/guided/guided_chart.h"
+#include "math/frame.h"
 
 namespace lumi::baker
 {
 namespace
 {
-
-Vec3 from_q14(const int16_t (&v)[3])
-{
-    constexpr float kUnit = 1.0f / 16384;
-    return {v[0] * kUnit, v[1] * kUnit, v[2] * kUnit};
-}
 
 Vec3 from_q30(const Vec3q30& p)
 {
@@ -25,9 +19,9 @@ Vec3 from_q30(const Vec3q30& p)
 
 InwardRays::InwardRays(const Lattice& origins, uint32_t origin) : origin_(from_q30(point(origins, origin)))
 {
-    const ChartFrame frame = chart_frame(point(origins, origin));
-    tangent_ = from_q14(frame.tangent_q14);
-    bitangent_ = from_q14(frame.bitangent_q14);
+    const Frame frame(origin_);
+    tangent_ = frame.tangent;
+    bitangent_ = frame.bitangent;
 }
 
 Ray InwardRays::ray(const Vec2& place) const

@@ -38,18 +38,4 @@ std::optional<Hit> ProxyTracer::closest(const Ray& ray) const
     return std::nullopt;
 }
 
-Mesh unpacked(const PackedProxy& proxy)
-{
-    constexpr float kUnit = 1.0f / 2048;
-    const auto coordinate = [](uint16_t c) { return static_cast<float>(static_cast<int>(c) - 2048) * kUnit; };
-    Mesh mesh;
-    for (const PackedProxy::Triple& v : proxy.vertices) {
-        mesh.positions.push_back({coordinate(v[0]), coordinate(v[1]), coordinate(v[2])});
-    }
-    for (const PackedProxy::Triple& t : proxy.triangles) {
-        mesh.corners.push_back({t[0], t[1], t[2]});
-    }
-    return mesh;
-}
-
 }  // namespace lumi::baker

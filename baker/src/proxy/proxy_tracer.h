@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/accelerator.h"
-#include "proxy/packed_proxy.h"
+#include "geometry/mesh.h"
 
 namespace lumi::baker
 {
@@ -25,8 +25,5 @@ private:
     bool two_sided_;
     std::optional<Accelerator> accelerator_;  // none where there is no triangle
 };
-
-// Vertices as a reader sees them.
-Mesh unpacked(const PackedProxy& proxy);
 
 }  // namespace lumi::baker

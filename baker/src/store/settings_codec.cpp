@@ -37,37 +37,6 @@ std::string footprint_name(Footprint footprint)
     return kNames[static_cast<size_t>(footprint)];
 }
 
-std::string texel_name(format::GuidedTexel texel)
-{
-    switch (texel) {
-        case format::GuidedTexel::none:
-            return "none";
-        case format::GuidedTexel::index4:
-            return "4 bits";
-        case format::GuidedTexel::index8:
-            return "8 bits";
-        case format::GuidedTexel::vq8:
-            return "blocks";
-    }
-    return "unknown";
-}
-
-std::string format_name(format::MeanFormat format)
-{
-    return format == format::MeanFormat::rgb565 ? "rgb565" : "palette8";
-}
-
-std::string focus_name(const std::optional<std::array<float, 3>>& focus)
-{
-    return focus ? number((*focus)[0]) + "," + number((*focus)[1]) + "," + number((*focus)[2]) : "the centre";
-}
-
-std::string layout_name(const AnySettings& settings)
-{
-    const GuidedSettings* guided = std::get_if<GuidedSettings>(&settings);
-    return guided == nullptr ? "chord" : guided->surface == format::GuidedSurface::focus ? "focus" : "guided";
-}
-
 std::string first_of(std::initializer_list<std::string> texts)
 {
     const auto found = std::find_if(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
@@ -88,26 +57,6 @@ std::string difference(const BakeSettings& there, const BakeSettings& here)
                      other("seed", there.seed, seed)});
 }
 
-std::string difference(const GuidedSettings& there, const GuidedSettings& here)
-{
-    const auto& [origins, used_origins, chart_size, texel, surface, proxy_triangles, mean_resolution, mean_format,
-                 occlusion, focus, focus_radius, samples, jitter, seed, threads] = here;
-    static_cast<void>(threads);
-    static_cast<void>(surface);  // names the layout
-    const auto with = [](bool has) { return std::string(has ? "with" : "without"); };
-    return first_of({other("origins", there.origins, origins), other("cap", there.used_origins, used_origins),
-                     other("chart", there.chart_size, chart_size),
-                     other("texels", texel_name(there.texel), texel_name(texel)),
-                     other("proxy triangles", there.proxy_triangles, proxy_triangles),
-                     other("mean resolution", there.mean_resolution, mean_resolution),
-                     other("mean format", format_name(there.mean_format), format_name(mean_format)),
-                     other("occlusion", with(there.occlusion), with(occlusion)),
-                     other("focus", focus_name(there.focus), focus_name(focus)),
-                     other("focus radius", number(there.focus_radius), number(focus_radius)),
-                     other("samples", there.samples, samples), other("jitter", number(there.jitter), number(jitter)),
-                     other("seed", there.seed, seed)});
-}
-
 void put(ByteWriter& out, const BakeSettings& s)
 {
     for (const uint32_t v : {s.origins, s.directions, s.used_origins, static_cast<uint32_t>(s.texel), s.samples,
@@ -115,22 +64,6 @@ void put(ByteWriter& out, const BakeSettings& s)
         out.put32(v);
     }
     out.put_float(s.max_error_levels);
-    out.put64(s.seed);
-}
-
-void put(ByteWriter& out, const GuidedSettings& s)
-{
-    for (const uint32_t v :
-         {s.origins, s.used_origins, s.chart_size, static_cast<uint32_t>(s.texel), static_cast<uint32_t>(s.surface),
-          s.proxy_triangles, s.mean_resolution, static_cast<uint32_t>(s.mean_format), uint32_t{s.occlusion}, s.samples,
-          uint32_t{s.focus.has_value()}}) {
-        out.put32(v);
-    }
-    for (const float v : s.focus.value_or(std::array<float, 3>{})) {
-        out.put_float(v);
-    }
-    out.put_float(s.focus_radius);
-    out.put_float(s.jitter);
     out.put64(s.seed);
 }
 
@@ -150,32 +83,6 @@ BakeSettings get_chord(ByteReader& in)
     s.samples = in.get32();
     s.footprint = get_enum<Footprint>(in, kFootprints);
     s.max_error_levels = in.get_float();
-    s.seed = in.get64();
-    s.threads = 0;
-    return s;
-}
-
-GuidedSettings get_guided(ByteReader& in)
-{
-    GuidedSettings s;
-    for (uint32_t* v : {&s.origins, &s.used_origins, &s.chart_size}) {
-        *v = in.get32();
-    }
-    s.texel = get_enum<format::GuidedTexel>(in, format::kGuidedTexels);
-    s.surface = get_enum<format::GuidedSurface>(in, format::kGuidedSurfaces);
-    s.proxy_triangles = in.get32();
-    s.mean_resolution = in.get32();
-    s.mean_format = get_enum<format::MeanFormat>(in, format::kMeanFormats);
-    s.occlusion = in.get32() != 0;
-    s.samples = in.get32();
-    const bool has_focus = in.get32() != 0;
-    std::array<float, 3> focus;
-    for (float& v : focus) {
-        v = in.get_float();
-    }
-    s.focus = has_focus ? std::optional(focus) : std::nullopt;
-    s.focus_radius = in.get_float();
-    s.jitter = in.get_float();
     s.seed = in.get64();
     s.threads = 0;
     return s;
@@ -205,18 +112,13 @@ void put_settings(ByteWriter& out, const AnySettings& settings)
 
 AnySettings get_settings(ByteReader& in)
 {
-    return in.get32() == 0 ? AnySettings(get_chord(in)) : AnySettings(get_guided(in));
+    in.get32();  // the kind: chord
+    return get_chord(in);
 }
 
 std::string settings_difference(const AnySettings& there, const AnySettings& here)
 {
-    const std::string layout = other("layout", layout_name(there), layout_name(here));
-    if (!layout.empty()) {
-        return layout;
-    }
-    const BakeSettings* chord = std::get_if<BakeSettings>(&here);
-    return chord != nullptr ? difference(std::get<BakeSettings>(there), *chord)
-                            : difference(std::get<GuidedSettings>(there), std::get<GuidedSettings>(here));
+    return difference(std::get<BakeSettings>(there), std::get<BakeSettings>(here));
 }
 
 }  // namespace lumi::baker

@@ -6,14 +6,13 @@
 #include <variant>
 
 #include "lumi/baker/bake.h"
-#include "lumi/baker/guided.h"
 #include "util/byte_stream.h"
 
 namespace lumi::baker
 {
 
 // As they decide bytes: used_origins resolved, threads 0.
-using AnySettings = std::variant<BakeSettings, GuidedSettings>;
+using AnySettings = std::variant<BakeSettings>;
 
 inline constexpr size_t kSettingsBytes = 76;
 

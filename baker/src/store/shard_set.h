@@ -22,7 +22,6 @@ public:
 
     // Those that belong together, by index, from 1.
     const std::map<uint32_t, BlockFile*>& shards() const { return shards_; }
-    bool is_guided() const { return !shards_.empty() && shards_.begin()->second->identity().is_guided(); }
     uint32_t count() const { return shards_.begin()->second->identity().shard.count; }
 
     // Problems of the contents.

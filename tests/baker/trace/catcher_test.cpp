@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "chord/texel_tracer.h"
-#include "lumi/baker/guided.h"
+#include "lumi/baker/surface.h"
 #include "math/warp.h"
 #include "scene/scene_fingerprint.h"
 #include "support/bake_scenes.h"
@@ -348,7 +348,7 @@ TEST_CASE("catcher: its shadow reaches palette texels as partial coverage; other
         CHECK_THROWS_WITH(testing::baked(scene, testing::tiny_settings(texel)),
                           Catch::Contains("'catcher'") && Catch::Contains("--texel palette8"));
     }
-    CHECK_THROWS_WITH(guided_field(scene, {}), Catch::Contains("'catcher'") && Catch::Contains("--layout chord"));
+    CHECK_THROWS_WITH(surface_field(scene, {}), Catch::Contains("'catcher'") && Catch::Contains("--layout chord"));
 }
 
 TEST_CASE("catcher: the fingerprint knows it")

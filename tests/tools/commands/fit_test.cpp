@@ -28,9 +28,7 @@ Arguments fit(const std::string& output, const Arguments& more)
 }
 
 // A plan of one trial, or of few.
-const Arguments kNearlyAllByHand = {"--layout",          "guided",   "--origins",         "70",
-                                    "--proxy-triangles", "50",       "--mean-resolution", "12",
-                                    "--mean-format",     "palette8", "--texels",          "4"};
+const Arguments kNearlyAllByHand = {"--layout", "chord", "--origins", "70"};
 
 Arguments joined(Arguments a, const Arguments& b)
 {
@@ -55,8 +53,7 @@ TEST_CASE("a budget, a pace or a set of views that cannot be meant is refused wi
         {{"--fit", "1MB", "--views", "side"}, "all, upper or ring"},
         {{"--fit", "1MB", "--trials", "0"}, "--trials"},
         {{"--fit", "1MB", "--shard", "1/2"}, "--shard does not go with --fit"},
-        {{"--fit", "1MB", "--directions", "64", "--mean-resolution", "64"}, "no layout has all"},
-        {{"--fit", "1MB", "--layout", "chord", "--chart", "64"}, "--layout chord"},
+        {{"--fit", "1MB", "--layout", "chord", "--triangles", "64"}, "--layout chord"},
         {{"--plan", folder / "plan.json"}, "belongs to --fit"},
         {{"--for", "rp2040@30fps"}, "belongs to --fit"},
     };
@@ -98,8 +95,8 @@ TEST_CASE("a plan fits its budget, keeps what is set by hand, and its options ba
     CHECK(std::filesystem::file_size(planned) <= 60000);
     CHECK(std::filesystem::file_size(planned) > 55000);
     const auto json = nlohmann::json::parse(test::content_of(plan));
-    CHECK(json["chosen"]["layout"] == "guided");
-    CHECK(json["tried"].size() >= 2);  // with and without occlusion
+    CHECK(json["chosen"]["layout"] == "chord");
+    CHECK(json["tried"].size() >= 2);  // of either texel
     std::istringstream options(json["chosen"]["options"].get<std::string>());
     Arguments by_hand = {"bake", kScene, "-o", again, "--spp", "1"};
     for (std::string word; options >> word;) by_hand.push_back(word);

@@ -26,7 +26,7 @@ const char* const kSky = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\
 const char* const kRows =
     R"([{"view": "generic", "core": "m4", "mode": "linear", "texel": "rgb565", "span": 8, "instructions_per_pixel": 1}])";
 const std::string kTinyBake = " --origins 8 --directions 8 --spp 1";
-const std::string kTinyGuidedBake = " --layout guided --origins 64 --chart 8 --mean-resolution 8 --spp 1";
+const std::string kTinySurfaceBake = " --layout surface --triangles 20 --longest-edge 2 --texel-density 4 --paths 4";
 const std::string kTinyPicture = " --size 16x16 --spp 1";
 
 // A folder with something of everything that commands read, and other names for some of it.
@@ -112,7 +112,7 @@ void check_twins_refused(const std::string& call, const std::string& file)
 
 TEST_CASE("own files: bake keeps every file of its scene, under any name")
 {
-    for (const std::string& more : {kTinyBake, kTinyGuidedBake}) {
+    for (const std::string& more : {kTinyBake, kTinySurfaceBake}) {
         check_input_kept("bake s.obj -o s.obj" + more, "s.obj");
         check_input_kept("bake s.obj -o s.mtl" + more, "s.mtl");
         check_input_kept("bake s.obj -o t.png" + more, "t.png");
@@ -236,7 +236,7 @@ TEST_CASE("own files: outputs may replace earlier outputs, be new, or be a devic
         "bake s.obj -o new.lumi" + kTinyBake + " --seed 2",
         "bake s.obj -o new.lumi --shard 1/2" + kTinyBake,
         "bake s.obj -o new.lumi --shard 1/2" + kTinyBake,
-        "bake s.obj -o guided.lumi" + kTinyGuidedBake,
+        "bake s.obj -o surface.lumi" + kTinySurfaceBake,
         "render new.lumi -o a.png --size 16x16",
         "render new.lumi -o a.png --size 16x16",
         "reference s.obj -o a.png" + kTinyPicture,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "bench/guided.h"
 #include "bench/tables.h"
 
 namespace lumi::bench
@@ -79,24 +78,6 @@ std::string how_to_choose(const Rows& rows)
            "The best reconstruction, then the shortest span, then the finest texel that reaches a rate in the model "
            "below (generic view;\nin brackets the modelled rate):\n\n" +
            choice_table(rows) + "\n";
-}
-
-std::string guided_section(const Rows& rows)
-{
-    const std::string table = guided_table(rows);
-    if (table.empty()) return "";
-    return "## Guided fields, generic view\n\n"
-           "The same scene as guided fields: " +
-           std::to_string(kGuidedOrigins) + " origins, charts of " + std::to_string(kGuidedChartSize) + ", " +
-           std::to_string(kGuidedTriangles) +
-           " triangles. Instructions per covered pixel / those of them that find the\nsurface; *-aa* has four samples "
-           "a "
-           "pixel. *residual4*: differences from mean colours, what bakes have by default; "
-           "*residual_vq8*:\nthe same bytes in blocks of 2 × 2, charts of " +
-           std::to_string(kGuidedBlockChartSize) +
-           "; *colour4*: colours without a mean.\ndB and worst pixel are against the double-precision twin. Stack "
-           "includes the `ProxyFrame`.\n\n" +
-           table + "\n";
 }
 
 std::string parts_model()
@@ -181,7 +162,7 @@ std::string markdown_page(const Rows& rows, const Baselines& baselines, const st
     for (const std::string& plot : plots) page += "![Cost and accuracy](" + plot + ")\n";
     page += "\n## At a glance\n\nInstructions per covered pixel, and PSNR against the exact picture.\n\n" +
             glance_table(rows);
-    page += "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n" + guided_section(rows);
+    page += "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n";
     page += accuracy_section(rows) + parts_model() + chip_table(rows) + "\n";
     return page + baseline_section(rows, baselines) + method(rows);
 }

@@ -14,10 +14,6 @@ namespace lumi::bench
 
 inline const std::vector<std::string> kCores = {"m0plus", "m3", "m4", "m7"};
 inline const std::vector<std::string> kModes = {"nearest", "voronoi", "dither", "linear", "paper"};
-// Of guided fields: the best picture and the steps down from it, also with antialiasing.
-inline const std::vector<std::string> kGuidedModes = {"guided-linear",     "guided-linear-aa",  "guided-nearest",
-                                                      "guided-nearest-aa", "guided-one-origin", "guided-one-origin-aa",
-                                                      "guided-mean",       "guided-mean-aa"};
 inline const std::vector<std::string> kTexels = {"rgb888", "rgb565", "palette8", "luma8"};
 inline const std::vector<std::string> kViewNames = {"generic", "pole", "close"};
 
@@ -38,7 +34,6 @@ struct Count {
     int span = 0;
     uint64_t covered = 0, instructions = 0, setup = 0;
     uint32_t stack_bytes = 0, crc = 0;
-    uint64_t surface = 0;  // guided modes: pixels that see the surface
 };
 
 struct Accuracy {

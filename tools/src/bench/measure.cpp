@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "bench/boards.h"
-#include "bench/guided.h"
 #include "bench/host_renderer.h"
 #include "bench/judge.h"
 #include "files/field_file.h"
@@ -31,7 +30,6 @@ std::vector<Program> programs_of(const Matrix& matrix)
     const bool exact = spans.size() != matrix.spans.size();
     std::vector<Program> programs;
     for (const std::string& mode : matrix.modes) {
-        if (is_guided(mode)) continue;
         for (const std::string& texel : matrix.texels) {
             if (exact && mode != "dither" && mode != "voronoi")
                 programs.push_back({mode, texel, "exact_" + mode + "_" + texel, {0}});
@@ -137,10 +135,7 @@ private:
 
 Rows measure(const Settings& settings, const Announce& announce)
 {
-    Rows rows = Measurement(settings, announce).run();
-    const Rows guided = measure_guided(settings, announce);
-    rows.insert(rows.end(), guided.begin(), guided.end());
-    return rows;
+    return Measurement(settings, announce).run();
 }
 
 }  // namespace lumi::bench

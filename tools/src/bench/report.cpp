@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "bench/guided.h"
 
 namespace lumi::bench
 {
@@ -44,10 +43,6 @@ ordered_json json_row(const Row& row)
     json["psnr_db"] = decibels(row.accuracy.psnr_db);
     json["psnr_all_db"] = decibels(row.accuracy.psnr_all_db);
     json["worst_pixel"] = row.accuracy.worst_pixel;
-    if (is_guided(row.mode)) {
-        json["surface_pixels"] = row.count.surface;
-        return json;
-    }
     for (size_t i = 0; i < kChips; ++i) {
         json[std::string("lines_") + kChipList[i].key] = row.traffic[i].lines;
         json[std::string("misses_") + kChipList[i].key] = row.traffic[i].misses;
@@ -72,7 +67,7 @@ void append_row(std::string& text, const Row& row)
            row.setup_per_pixel(), row.inner_per_pixel(), static_cast<double>(row.count.instructions) / 1e6,
            row.code_bytes, row.count.stack_bytes, row.accuracy.psnr_db, row.accuracy.worst_pixel);
     for (size_t i = 0; i < kChips; ++i) {
-        if (kChipList[i].core == row.core && !is_guided(row.mode))
+        if (kChipList[i].core == row.core)
             append(text, "  %s %.1f fps, %llu lines, %llu misses", kChipList[i].key,
                    frames_per_second(kChipList[i], row.count.instructions, row.traffic[i].misses),
                    static_cast<unsigned long long>(row.traffic[i].lines),

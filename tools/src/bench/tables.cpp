@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <functional>
 
-#include "bench/guided.h"
-
 namespace lumi::bench
 {
 namespace
@@ -32,12 +30,12 @@ void for_each_renderer(const Rows& rows, const std::function<void(const std::str
     }
 }
 
-// The spans of which there is a row. Guided modes have none.
+// The spans of which there is a row.
 std::vector<int> spans_of(const Rows& rows)
 {
     std::vector<int> spans;
     for (const int span : kSpans) {
-        const auto has_it = [&](const Row& row) { return row.count.span == span && !is_guided(row.mode); };
+        const auto has_it = [&](const Row& row) { return row.count.span == span; };
         if (std::any_of(rows.begin(), rows.end(), has_it)) spans.push_back(span);
     }
     return spans;

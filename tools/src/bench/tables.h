@@ -25,9 +25,6 @@ std::string cost_table(const Rows& rows);
 std::string split_table(const Rows& rows);
 // PSNR and worst pixel per view and span; the same for every core.
 std::string accuracy_table(const Rows& rows);
-// Guided fields: instructions per covered pixel and how many of them find the surface, per core, generic view; PSNR and
-// worst pixel per view; code and stack. Empty without guided rows.
-std::string guided_table(const Rows& rows);
 // Flash for code and tables, stack.
 std::string memory_table(const Rows& rows);
 // Lines touched, missed and frames per second per part, generic view, span 16.

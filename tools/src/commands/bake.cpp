@@ -8,7 +8,7 @@
 #include "commands/choice.h"
 #include "commands/commands.h"
 #include "commands/fit_options.h"
-#include "commands/guided_options.h"
+#include "commands/layout_options.h"
 #include "commands/scene_options.h"
 #include "commands/surface_options.h"
 #include "files/output_file.h"
@@ -31,7 +31,7 @@ enum class ProgressStyle { automatic, json };
 struct BakeOptions {
     SceneOptions scene;
     baker::BakeSettings settings;
-    GuidedOptions guided;
+    Layout layout = Layout::automatic;
     baker::SurfaceSettings surface;
     FitOptions fit;
     std::string output, cap, shard;
@@ -42,8 +42,7 @@ struct BakeOptions {
 // What is baked, and where to.
 struct BakeJob {
     baker::BakeSettings settings;
-    std::optional<baker::GuidedSettings> guided;    // in place of them
-    std::optional<baker::SurfaceSettings> surface;  // likewise
+    std::optional<baker::SurfaceSettings> surface;  // in place of them
     std::optional<baker::Shard> shard;
     std::string name;    // of the field, or of the shard file, as the caller says it
     std::string target;  // the file behind the name
@@ -68,23 +67,9 @@ baker::BakeSettings settings_of(const BakeOptions& options)
     return settings;
 }
 
-// What both kinds of layout have comes from the chord field's settings.
-std::optional<baker::GuidedSettings> guided_of(const BakeOptions& options)
-{
-    if (options.guided.layout == Layout::chord || options.guided.layout == Layout::surface) return std::nullopt;
-    const baker::BakeSettings common = settings_of(options);
-    baker::GuidedSettings settings = guided_settings(options.guided);
-    settings.origins = common.origins;
-    settings.used_origins = common.used_origins;
-    settings.samples = common.samples;
-    settings.seed = common.seed;
-    settings.threads = common.threads;
-    return settings;
-}
-
 std::optional<baker::SurfaceSettings> surface_of(const BakeOptions& options)
 {
-    if (options.guided.layout != Layout::surface) return std::nullopt;
+    if (options.layout == Layout::chord) return std::nullopt;
     baker::SurfaceSettings settings = options.surface;
     settings.seed = options.settings.seed;
     settings.threads = options.scene.threads;
@@ -108,7 +93,6 @@ std::string shard_name(const std::string& field, const baker::Shard& shard)
 BakeJob job_of(const BakeOptions& options)
 {
     BakeJob job = {settings_of(options),
-                   guided_of(options),
                    surface_of(options),
                    shard_of(options.shard),
                    options.output,
@@ -123,7 +107,6 @@ BakeJob job_of(const BakeOptions& options)
 
 struct Outcome {
     baker::Progress last;
-    std::optional<baker::GuidedBake> guided;
     std::optional<baker::SurfaceBake> surface;
 };
 
@@ -137,10 +120,6 @@ Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::Progres
     try {
         if (job.surface)
             outcome.surface = baker::bake_surface(scene, *job.surface, job.target, note, job.earlier);
-        else if (job.guided && job.shard)
-            baker::bake_guided_shard(scene, *job.guided, *job.shard, job.target, note, job.earlier);
-        else if (job.guided)
-            outcome.guided = baker::bake_guided(scene, *job.guided, job.target, note, job.earlier);
         else if (job.shard)
             baker::bake_shard(scene, job.settings, *job.shard, job.target, note, job.earlier);
         else
@@ -153,7 +132,7 @@ Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::Progres
 
 double rays_of(const BakeJob& job, const baker::Progress& last)
 {
-    if (job.guided || job.surface) return static_cast<double>(last.rays_total);
+    if (job.surface) return static_cast<double>(last.rays_total);
     const double rows = baker::shard_rows(job.settings, job.shard.value_or(baker::Shard{}));
     return rows * job.settings.directions * job.settings.samples;
 }
@@ -180,7 +159,6 @@ void bake_for_people(const baker::Scene& scene, const BakeJob& job, size_t warni
     std::printf("%s: %s, %s rays%s in %s, %zu warnings\n", job.name.c_str(),
                 byte_text(std::filesystem::file_size(job.target)).c_str(), count_text(rays_of(job, last)).c_str(),
                 savings.c_str(), elapsed.c_str(), warnings);
-    if (outcome.guided) std::printf("%s", proxy_text(*outcome.guided).c_str());
     if (outcome.surface) std::printf("%s", surface_text(*outcome.surface).c_str());
 }
 
@@ -197,22 +175,13 @@ void bake_for_machines(const baker::Scene& scene, const BakeJob& job, size_t war
                            {"rays_saved", last.rays_saved},
                            {"elapsed_seconds", seconds_since(start)},
                            {"warnings", warnings}};
-    if (outcome.guided) {
-        const baker::ProxyLoss& loss = outcome.guided->loss;
-        line["proxy"] = {{"triangles", outcome.guided->triangles},
-                         {"two_sided", outcome.guided->two_sided},
-                         {"missed", loss.missed},
-                         {"added", loss.added},
-                         {"displaced", loss.displaced}};
-    }
+    if (outcome.surface) line["surface"] = surface_json(*outcome.surface);
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 void take_plan(const planner::Plan& plan, BakeJob& job)
 {
     job.settings = plan.chord;
-    job.guided.reset();
-    if (plan.layout != planner::Layout::chord) job.guided = plan.guided;
 }
 
 void run(const BakeOptions& options, const CLI::App& command)
@@ -220,7 +189,7 @@ void run(const BakeOptions& options, const CLI::App& command)
     const Clock::time_point start = Clock::now();
     const bool json = options.progress == ProgressStyle::json;
     const baker::BakeSettings common = settings_of(options);
-    const FitContext context = {command, options.guided, common, options.cap, json};
+    const FitContext context = {command, common, options.cap, json};
     check_fit(options.fit, context);
     size_t warnings = 0;
     if (options.fit.plan_only) {
@@ -228,7 +197,7 @@ void run(const BakeOptions& options, const CLI::App& command)
         return;
     }
     BakeJob job = job_of(options);
-    if (!job.guided && !job.surface && !options.fit.wanted())
+    if (!job.surface && !options.fit.wanted())
         baker::field_file_bytes(job.settings);  // throws before the scene is loaded
     const baker::Scene scene = load_scene(options.scene, warnings);
     if (options.fit.wanted()) take_plan(fitted_plan(options.fit, context, scene), job);
@@ -284,7 +253,7 @@ void add_bake(CLI::App& lumi)
     add_scene_options(*command, options->scene);
     command->add_option("-o,--output", options->output, "Field file to write")->type_name("FIELD.lumi");
     add_lattice_options(*command, *options);
-    add_guided_options(*command, options->guided);
+    add_layout_option(*command, options->layout);
     add_surface_options(*command, options->surface);
     command
         ->add_option("--spp", options->settings.samples, "Light paths per texel, at most; more cost time, never bytes")
@@ -310,11 +279,7 @@ void add_bake(CLI::App& lumi)
         "  lumi bake product.obj -o product.lumi --origins 512 --directions 1024 --spp 32");
     command->callback([options, command] {
         if (options->output.empty() && !options->fit.plan_only) throw UsageError("bake takes -o, --output FIELD.lumi");
-        if (!options->fit.wanted() || command->count("--layout") > 0)
-            require_fitting_options(*command, options->guided);
-        if (options->guided.layout != Layout::surface) refuse_surface_options(*command, "chord, guided or focus");
-        if (options->guided.layout != Layout::chord && command->count("--origins") == 0)
-            options->settings.origins = options->guided.settings.origins;
+        options->layout = resolved_layout(*command, options->layout);
         run(*options, *command);
     });
 }

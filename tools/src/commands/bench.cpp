@@ -96,7 +96,6 @@ void add_matrix_options(CLI::App& command, BenchOptions& options)
     command.add_flag_callback(
         "--quick", [&matrix] { matrix = bench::quick_matrix(); }, "A few rows only");
     add_words(command, "--core", matrix.cores, "Cores");
-    matrix.modes.insert(matrix.modes.end(), bench::kGuidedModes.begin(), bench::kGuidedModes.end());
     add_words(command, "--mode", matrix.modes, "Reconstructions");
     add_words(command, "--texel", matrix.texels, "Texel formats");
     add_words(command, "--view", matrix.views, "Views");

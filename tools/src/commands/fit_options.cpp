@@ -18,22 +18,6 @@ namespace
 
 using planner::ByHand;
 
-std::optional<planner::Layout> layout_by_hand(const FitContext& context)
-{
-    if (context.command.count("--layout") == 0) return std::nullopt;
-    switch (context.guided.layout) {
-        case Layout::guided:
-            return planner::Layout::guided;
-        case Layout::focus:
-            return planner::Layout::focus;
-        case Layout::chord:
-            return planner::Layout::chord;
-        case Layout::surface:
-            throw UsageError("--fit does not go with --layout surface; choose --triangles and --texel-density");
-    }
-    return std::nullopt;
-}
-
 std::function<uint32_t(uint32_t)> cap_by_hand(const std::string& cap)
 {
     if (cap.empty()) return {};
@@ -46,24 +30,13 @@ std::function<uint32_t(uint32_t)> cap_by_hand(const std::string& cap)
 
 ByHand by_hand(const FitContext& context)
 {
-    const baker::GuidedSettings guided = guided_settings(context.guided);
     ByHand set;
     const auto take = [&](const char* option, auto& value, const auto& given) {
         if (context.command.count(option) > 0) value = given;
     };
-    set.layout = layout_by_hand(context);
     take("--origins", set.origins, context.common.origins);
     take("--directions", set.directions, context.common.directions);
-    take("--texel", set.chord_texel, context.common.texel);
-    take("--chart", set.chart_size, guided.chart_size);
-    take("--texels", set.texel, guided.texel);
-    take("--jitter", set.jitter, guided.jitter);
-    take("--proxy-triangles", set.triangles, guided.proxy_triangles);
-    take("--mean-resolution", set.mean_resolution, guided.mean_resolution);
-    take("--mean-format", set.mean_format, guided.mean_format);
-    take("--no-occlusion", set.occlusion, guided.occlusion);
-    take("--focus-radius", set.focus_radius, guided.focus_radius);
-    if (context.command.count("--focus") > 0) set.focus = guided.focus;
+    take("--texel", set.texel, context.common.texel);
     set.cap = cap_by_hand(context.cap);
     return set;
 }
@@ -86,8 +59,6 @@ planner::Task task_of(const FitOptions& options, const FitContext& context)
     task.max_error_levels = context.common.max_error_levels;
     task.seed = context.common.seed;
     task.threads = context.common.threads;
-    if (layouts_of(task.by_hand).empty())
-        throw UsageError("no layout has all of the parameters that were set by hand; leave some to --fit");
     return task;
 }
 
@@ -118,9 +89,9 @@ void print_line(std::FILE* stream, const std::string& line)
 void add_fit_options(CLI::App& command, FitOptions& options)
 {
     command
-        .add_option("--fit", options.budget,
-                    "Choose layout and all parameters that are not set by hand, by measuring, so that the file takes "
-                    "at most this: 2MB, 512KiB, 1500000")
+        .add_option(
+            "--fit", options.budget,
+            "Choose all parameters that are not set by hand so that the file takes at most this: 2MB, 512KiB, 1500000")
         ->type_name("SIZE");
     command.add_option("--for", options.pace, "fit: draw on this part at this rate: " + planner::chip_names())
         ->type_name("PART@RATEfps");
@@ -158,8 +129,7 @@ void check_fit(const FitOptions& options, const FitContext& context)
 
 planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene)
 {
-    planner::Task task = task_of(options, context);
-    task.radius = scene.radius();
+    const planner::Task task = task_of(options, context);
     const baker::ProgressCallback interrupted = [](const baker::Progress&) {
         return !interrupt_flag().load(std::memory_order_relaxed);
     };
@@ -169,7 +139,7 @@ planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, 
     try {
         if (!context.json_progress) print_line(stderr, "tracing references to measure against");
         planner::Result result = planner::plan_field(scene, task, settings_of(options), interrupted, report);
-        result.best.plan = planner::final_plan(scene, result, interrupted);
+        result.best.plan = planner::final_plan(result);
         if (!options.json.empty()) write_output(options.json, json_of(result));
         if (!context.json_progress) std::fputs(text_of(result).c_str(), stdout);
         std::fflush(stdout);

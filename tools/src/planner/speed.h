@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How fast a part draws a field in each mode: a model, of counted instructions, that decides which modes a plan may
-// count on.
+// How fast a part draws a chord field in each mode: a model, of counted instructions, that decides which modes a plan
+// may count on.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,18 @@
 
 #include "bench/chips.h"
 #include "draw/draw.h"
-#include "draw/draw_guided.h"
-#include "planner/plan.h"
 
 namespace lumi::planner
 {
 
-// A way to draw a layout. Of the two modes, one is the layout's own.
+// A way to draw a chord field.
 struct DrawMode {
     const char* name;
-    tools::GuidedMode guided;
-    bool antialiased;
-    tools::Mode chord;
+    tools::Mode mode;
 };
 
 // Dearest and best first.
-const std::vector<DrawMode>& modes_of(Layout layout);
+const std::vector<DrawMode>& chord_modes();
 
 // What --for asks for.
 struct Pace {
@@ -37,22 +33,18 @@ std::optional<Pace> parse_pace(const std::string& text);
 // "rp2040, rp2350, stm32f4, stm32h7 or esp32s3".
 std::string chip_names();
 
-// What of a frame of 240 × 240 pixels the scene covers, on average over the views.
-struct FrameShare {
-    double sphere_px = 0, object_px = 0;
-};
-
 struct FrameCost {
     double instructions = 0;
     double misses = 0;  // of flash lines
 };
-// What a frame takes with the code of `core` ("m0plus", else M4 code); figures and their sources: docs/log/quality.md.
-FrameCost frame_cost(const std::string& core, const Plan& plan, const DrawMode& mode, const FrameShare& share);
+// What a frame of 240 × 240 pixels that the sphere fills takes with the code of `core` ("m0plus", else M4 code);
+// figures and their sources: docs/log/tradeoff.md.
+FrameCost frame_cost(const std::string& core, const DrawMode& mode);
 
 // Frames per second by the model of `lumi bench`.
-double modelled_rate(const bench::Chip& chip, const Plan& plan, const DrawMode& mode, const FrameShare& share);
+double modelled_rate(const bench::Chip& chip, const DrawMode& mode);
 
-// The modes that a part draws at that pace, best first; without a pace the best alone.
-std::vector<DrawMode> affordable_modes(const std::optional<Pace>& pace, const Plan& plan, const FrameShare& share);
+// The modes that a part draws at that pace, best first; without a pace what `lumi render` draws.
+std::vector<DrawMode> affordable_modes(const std::optional<Pace>& pace);
 
 }  // namespace lumi::planner

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <map>
-#include <memory>
 
 #include "planner/fit.h"
 #include "planner/speed.h"
@@ -17,7 +16,7 @@ namespace lumi::planner
 struct MeasureSettings {
     uint32_t views = 6;           // not the ones that `lumi report` judges by
     uint32_t truth_samples = 32;  // light paths a pixel
-    uint32_t samples = 4;         // light paths a texel; trials that are compared must agree in it
+    uint32_t samples = 8;         // light paths a texel; trials that are compared must agree in it
     std::filesystem::path cache;  // of truths; empty: they are not kept
     std::optional<Pace> pace;
 };
@@ -44,32 +43,17 @@ public:
     // earlier one is not baked again. Throws Cancelled.
     Measurement measure(const Task& task, const Plan& plan, const baker::ProgressCallback& progress);
 
-    // What the noise of a trial's few light paths costs this plan against task.samples of them, in dB; 0 where the plan
-    // does not work. Measured by baking it with twice as many paths: the noise's share of the squared error halves.
-    double noise_db(const Task& task, const Plan& plan, const baker::ProgressCallback& progress);
-
-    // Of all plans that were measured.
-    std::shared_ptr<baker::ProxyCache> proxies() const { return proxies_; }
-
 private:
-    Measurement fresh(const Fit& fit, uint32_t samples, const baker::ProgressCallback& progress);
-    void measure_chord(Measurement& result, uint32_t samples, const baker::ProgressCallback& progress);
-    void measure_guided(Measurement& result, uint32_t samples, const baker::ProgressCallback& progress);
-    void judge(Measurement& result, const std::function<tools::Picture(const DrawMode&, const tools::Eye&)>& draw);
-    BytesOf size_of(const Task& task, const baker::ProgressCallback& progress);
+    Measurement fresh(const Fit& fit, const baker::ProgressCallback& progress);
+    void bake_and_judge(Measurement& result, const baker::ProgressCallback& progress);
+    void judge(Measurement& result, const Field& field);
 
     const baker::Scene& scene_;
     const MeasureSettings settings_;
     std::vector<quality::HeldOutView> views_;
     std::vector<quality::Truth> truths_;
-    FrameShare share_;
-    const std::shared_ptr<baker::ProxyCache> proxies_ = std::make_shared<baker::ProxyCache>();
     std::map<std::string, Measurement> known_;  // by the sized plan's text
 };
-
-// Squared errors of the same plan with few light paths a texel and with twice as many give what it has with `share`
-// times the few: how many dB better that is. At least 0: noise only harms.
-double noise_gain_db(double few_psnr_db, double twice_psnr_db, double share);
 
 // A number of light paths a texel with which trials of all budgets take about the same time.
 uint32_t trial_samples(uint64_t budget_bytes);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "commands/layout_options.h"
+
+#include <array>
+
+#include "commands/choice.h"
+#include "terminal/failure.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+const Choices<Layout> kLayouts = {{"auto", Layout::automatic}, {"surface", Layout::surface}, {"chord", Layout::chord}};
+
+constexpr std::array kChordOnly = {"--origins",   "--directions", "--cap",      "--texel",
+                                   "--footprint", "--spp",        "--adaptive", "--shard"};
+constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--paths"};
+
+// The first of them that was given; null if none was.
+template <class Names>
+const char* first_given(const CLI::App& command, const Names& names)
+{
+    for (const char* name : names)
+        if (command.count(name) != 0) return name;
+    return nullptr;
+}
+
+void refuse(const char* option, const std::string& layout)
+{
+    if (option != nullptr) throw UsageError(std::string(option) + " does not go with --layout " + layout);
+}
+
+}  // namespace
+
+void add_layout_option(CLI::App& command, Layout& layout)
+{
+    add_choice(command, "--layout", layout, kLayouts, "LAYOUT",
+               "surface: a mesh that carries colours, by far the best for solid objects; chord: the paper's, for all "
+               "scenes; auto: surface, unless a mesh does not do the scene justice [auto]");
+}
+
+Layout resolved_layout(const CLI::App& command, Layout layout)
+{
+    const char* chord = first_given(command, kChordOnly);
+    const char* surface = first_given(command, kSurfaceOnly);
+    if (layout == Layout::chord) refuse(surface, "chord");
+    if (layout == Layout::surface) refuse(chord, "surface");
+    if (layout != Layout::automatic) return layout;
+    if (chord != nullptr && surface != nullptr)
+        throw UsageError(std::string(chord) + " belongs to chord fields, " + surface +
+                         " to surface fields; leave one of them out");
+    return chord != nullptr ? Layout::chord : surface != nullptr ? Layout::surface : Layout::automatic;
+}
+
+}  // namespace lumi::tools
