@@ -2,10 +2,10 @@
 #include "lumi/baker/surface.h"
 
 #include "store/new_file.h"
+#include "surface/surface_draft.h"
 #include "surface/surface_fit.h"
 #include "surface/texel_palette.h"
 #include "surface/view_quantiser.h"
-#include "trace/catcher.h"
 
 namespace lumi::baker
 {
@@ -41,15 +41,19 @@ SurfaceParts quantised_parts(const SceneData& scene, const SurfaceFit& fit, cons
 
 }  // namespace
 
-SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress)
+SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress,
+                          const SurfaceDraft* draft)
 {
+    if (draft == nullptr) {
+        const SurfaceDraft own(scene, settings, progress);
+        return surface_field(scene, settings, progress, &own);
+    }
     const SceneData& data = scene.data();
-    require_partial_coverage(data, false);
     SurfaceBake bake;
     Job job(1, settings.threads, progress);
-    BuiltSurface built = build_surface_mesh(data, {settings.triangles, settings.longest_edge}, job);
+    const BuiltSurface& built = draft->contents().built;
     bake.loss = built.loss;
-    const SurfaceShape shape(std::move(built.mesh), settings.texels_per_radius);
+    const SurfaceShape shape(built.mesh, settings.texels_per_radius);
     describe(shape, bake);
     SurfaceFit fit(data, shape, settings);
     fit.trace(progress);
@@ -63,9 +67,9 @@ SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, c
 }
 
 SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
-                         const ProgressCallback& progress, Earlier)
+                         const ProgressCallback& progress, Earlier, const SurfaceDraft* draft)
 {
-    SurfaceBake bake = surface_field(scene, settings, progress);
+    SurfaceBake bake = surface_field(scene, settings, progress, draft);
     NewFile file(output);
     file.append(bake.file);
     file.commit();

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "lumi/baker/bake.h"
@@ -34,12 +35,38 @@ struct SurfaceBake {
     uint64_t paths = 0;  // that meet the mesh where the scene is
 };
 
+// The mesh of a surface field before any light is traced: what the file will take, and what the mesh gets wrong.
+class SurfaceDraft
+{
+public:
+    // Of the settings, triangles, longest edge and threads count. Throws BakeError for a scene that no surface field
+    // can hold, Cancelled.
+    SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {});
+    ~SurfaceDraft();
+    SurfaceDraft(SurfaceDraft&&) noexcept;
+    SurfaceDraft& operator=(SurfaceDraft&&) noexcept;
+
+    uint32_t triangles() const;  // 0: there is no surface
+    const ProxyLoss& loss() const;
+    // Of the file: as many if every vertex gets a view table. Throws BakeError for more texels than the format holds.
+    uint64_t most_bytes(float texels_per_radius) const;
+
+    struct Contents;  // baker's own, see baker/src
+    const Contents& contents() const { return *contents_; }
+
+private:
+    std::unique_ptr<Contents> contents_;
+};
+
 // The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel. Throws BakeError
-// for settings that no field can hold, Cancelled.
-SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {});
+// for settings that no field can hold, Cancelled. A `draft` of the same scene and settings saves building its mesh
+// again.
+SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {},
+                          const SurfaceDraft* draft = nullptr);
 
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was.
 SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
-                         const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
+                         const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume,
+                         const SurfaceDraft* draft = nullptr);
 
 }  // namespace lumi::baker

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "surface/surface_draft.h"
+
+#include "lumi/surface_format.h"
+#include "store/section_writer.h"
+#include "surface/surface_layout.h"
+#include "trace/catcher.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr size_t kMostSections = 7;
+
+uint64_t file_bytes(const SurfaceMesh& mesh, uint64_t texels)
+{
+    const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
+    uint64_t bytes = aligned(format::kHeaderBytes + kMostSections * format::kEntryBytes);
+    for (const uint64_t section :
+         {uint64_t{format::kSurfaceBytes}, vertices * format::kVertexBytes, patches * format::kPatchBytes, texels,
+          uint64_t{3 * format::kPaletteEntries}, patches * format::kNeighbourBytes,
+          format::kViewColoursBytes + vertices * format::kViewBytes}) {
+        bytes += aligned(section);
+    }
+    return bytes;
+}
+
+}  // namespace
+
+SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress)
+{
+    require_partial_coverage(scene.data(), false);
+    Job job(1, settings.threads, progress);
+    contents_ = std::make_unique<Contents>(
+        Contents{build_surface_mesh(scene.data(), {settings.triangles, settings.longest_edge}, job)});
+}
+
+SurfaceDraft::~SurfaceDraft() = default;
+SurfaceDraft::SurfaceDraft(SurfaceDraft&&) noexcept = default;
+SurfaceDraft& SurfaceDraft::operator=(SurfaceDraft&&) noexcept = default;
+
+uint32_t SurfaceDraft::triangles() const
+{
+    uint32_t triangles = 0;
+    for (const SurfaceMesh::Patch& patch : contents_->built.mesh.patches) {
+        triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
+    }
+    return triangles;
+}
+
+const ProxyLoss& SurfaceDraft::loss() const
+{
+    return contents_->built.loss;
+}
+
+uint64_t SurfaceDraft::most_bytes(float texels_per_radius) const
+{
+    const SurfaceMesh& mesh = contents_->built.mesh;
+    return file_bytes(mesh, layout_of(mesh, texels_per_radius).texels);
+}
+
+}  // namespace lumi::baker
