@@ -21,7 +21,11 @@ set(LUMI_CORE_TEST_SOURCES
   lattice/polar_test.cpp
   math/linear_light_test.cpp
   math/math_test.cpp
-  stepping/hits_test.cpp)
+  stepping/hits_test.cpp
+  surface/render_surface_test.cpp
+  surface/surface_field_test.cpp
+  surface/surface_twin_test.cpp
+  surface/view_nodes_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 # Helpers that tests share lie here; tests look into core, too.
 set(LUMI_CORE_TEST_INCLUDES ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/../../core/src)

@@ -56,27 +56,45 @@ __attribute__((noinline)) void store_mixed(uint8_t* pixel, const Background& bac
     Pixel::store(pixel, {static_cast<uint8_t>(r >> 2), static_cast<uint8_t>(g >> 2), static_cast<uint8_t>(b >> 2)});
 }
 
-// A pixel that the outline cuts, see blend_edge.
+// A pixel that an outline cuts is marked by the first guard bit of its colour, or where it is empty by a depth below
+// kFarDepth. Its depth's low bits then name a pixel beside it and how much of it, in 1/32, that one's colour shows. The
+// colours of both stay, so the order of edges does not matter.
+inline constexpr PackedColour kMarkedColour = 0x80000000;
+inline constexpr uint32_t kMarkBits = 6;
+enum class Neighbour : uint8_t { right, left, below, above };
+
+struct SampleRow {
+    const uint16_t* depths;
+    const PackedColour* colours;
+    int32_t pitch;  // to the next row
+};
+
 template <class Pixel, class Background>
-__attribute__((noinline)) void store_covered(uint8_t* pixel, const Background& background, uint32_t coverage,
-                                             PackedColour colour)
+__attribute__((noinline)) void store_marked(uint8_t* pixel, const Background& background, const SampleRow& row,
+                                            int32_t x)
 {
-    const Rgb8 over = unpacked(colour), under = background.template under<Pixel>(pixel);
-    const auto channel = [&](uint32_t a, uint32_t b) {
-        return static_cast<uint8_t>((a * coverage + b * (256 - coverage) + 128) >> 8);
+    const Rgb8 under = background.template under<Pixel>(pixel);
+    const auto colour_at = [&](int32_t k) {
+        return row.depths[k] < kFarDepth ? under : unpacked(row.colours[k] & ~kMarkedColour);
     };
-    Pixel::store(pixel, {channel(over.r, under.r), channel(over.g, under.g), channel(over.b, under.b)});
+    const uint32_t mark = row.depths[x], share = mark & 15;
+    const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
+    const Rgb8 own = colour_at(x), other = colour_at(x + steps[(mark >> 4) & 3]);
+    const auto channel = [&](uint32_t a, uint32_t b) {
+        return static_cast<uint8_t>((a * (32 - share) + b * share + 16) >> 5);
+    };
+    Pixel::store(pixel, {channel(own.r, other.r), channel(own.g, other.g), channel(own.b, other.b)});
 }
 
 template <class Pixel, class Background>
-void resolve_row(const Background& background, uint8_t* pixel, int32_t count, const uint16_t* depths,
-                 const PackedColour* colours)
+void resolve_row(const Background& background, uint8_t* pixel, int32_t count, const SampleRow& row)
 {
     for (int32_t x = 0; x < count; ++x, pixel += Pixel::kBytes) {
-        if (depths[x] >= kFarDepth) {
-            store_colour<Pixel>(pixel, colours[x]);
-        } else if (depths[x] != kEmptyDepth) {
-            store_covered<Pixel>(pixel, background, depths[x], colours[x]);
+        const uint32_t depth = row.depths[x];
+        if (depth >= kFarDepth && (row.colours[x] & kMarkedColour) == 0) {
+            store_colour<Pixel>(pixel, row.colours[x]);
+        } else if (depth != kEmptyDepth) {
+            store_marked<Pixel>(pixel, background, row, x);
         } else if (Background::kFills) {
             Pixel::store(pixel, background.template under<Pixel>(pixel));
         }
@@ -134,7 +152,7 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
         if (!has_row) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
         if (frame.samples_log2 == 0) {
-            surfaces::resolve_row<Pixel>(background, pixel, right - left, depths, colours);
+            surfaces::resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px});
         } else {
             surfaces::resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
         }

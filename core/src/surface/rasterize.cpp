@@ -52,7 +52,7 @@ struct Side {
     uint32_t from, to, neighbour;
 };
 
-void blend_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
+void mark_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
 {
     const SurfacePatch patch = surface_patch(frame.field, k >> 1);
     const uint8_t* p = frame.field.neighbours + (k >> 1) * format::kNeighbourBytes;
@@ -67,7 +67,7 @@ void blend_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
             side.neighbour == format::kNoNeighbour || frame.memory.links[side.neighbour] == kUnlisted;
         const SurfaceVertex &from = frame.memory.vertices[side.from], &to = frame.memory.vertices[side.to];
         if (is_outline && is_there(from) && is_there(to)) {
-            blend_edge(from, to, frame.projection.one_surface, target);
+            mark_edge(from, to, frame.projection.one_surface, target);
         }
     }
 }
@@ -105,8 +105,8 @@ void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* dept
         frame, rect.y_px, bottom_px, [&](uint32_t k) { fill_listed(frame, k, target); },
         [&](uint32_t k) { fill_in_parts(frame, mesh_triangle(frame.field, k), target); });
     if (!blends_outlines(frame)) return;
-    const auto blend = [&](uint32_t k) { blend_sides(frame, k, target); };
-    each_between(frame, rect.y_px, bottom_px, blend, blend);
+    const auto mark = [&](uint32_t k) { mark_sides(frame, k, target); };
+    each_between(frame, rect.y_px, bottom_px, mark, mark);
 }
 
 }  // namespace lumi::surfaces

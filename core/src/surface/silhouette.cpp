@@ -6,20 +6,6 @@ namespace lumi::surfaces
 namespace
 {
 
-// A part of a channel, out of 256.
-LUMI_ALWAYS_INLINE uint32_t mixed(uint32_t a, uint32_t b, uint32_t share_of_b)
-{
-    return (a * (256 - share_of_b) + b * share_of_b) >> 8;
-}
-
-PackedColour blended(PackedColour a, PackedColour b, uint32_t share_of_b)
-{
-    const uint32_t red = mixed(a >> 21, b >> 21, share_of_b);
-    const uint32_t green = mixed((a >> 10) & 0x3FF, (b >> 10) & 0x3FF, share_of_b);
-    const uint32_t blue = mixed(a & 0x1FF, b & 0x1FF, share_of_b);
-    return red << 21 | green << 10 | blue;
-}
-
 // An edge as lines of samples cross it: rows where it is steep, else columns.
 struct Crossing {
     int32_t at_q16, step_q16;  // along the line; the first sample's centre is at 0
@@ -57,25 +43,26 @@ struct Lines {
     int32_t pitch, stride;  // from line to line, from sample to sample
 };
 
-void blend_pixel(const Target& target, int32_t inner, int32_t outer, bool is_inner_cut, uint32_t share, int32_t depth,
-                 uint32_t one_surface)
+// `towards`: from the changed pixel to the one that shows in a part of it.
+void mark_pixel(const Target& target, int32_t inner, int32_t outer, bool is_inner_cut, uint32_t share_q8,
+                Neighbour towards, uint32_t depth)
 {
-    const uint32_t d_inner = target.depths[inner], d_outer = target.depths[outer];
-    if (d_inner < kFarDepth || d_outer >= d_inner) return;
-    if (d_inner > static_cast<uint32_t>(depth) + one_surface) return;  // another surface in front of the edge
-    const int32_t changed = is_inner_cut ? inner : outer, other = is_inner_cut ? outer : inner;
-    if (d_outer < kFarDepth) {
-        const uint32_t coverage = is_inner_cut ? 256 - share : share;
-        if (!is_inner_cut) target.colours[outer] = target.colours[inner];
-        target.depths[changed] = static_cast<uint16_t>(coverage > 255 ? 255 : coverage < 1 ? 1 : coverage);
-    } else {
-        target.colours[changed] = blended(target.colours[changed], target.colours[other], share);
-    }
+    const uint32_t d_inner = target.depths[inner] >> kMarkBits, d_outer = target.depths[outer] >> kMarkBits;
+    if (d_inner < kFarDepth >> kMarkBits || d_outer >= d_inner) return;
+    if (d_inner > depth >> kMarkBits) return;  // another surface in front of the edge
+    const uint32_t share = (share_q8 + 4) >> 3;
+    if (share == 0) return;
+    const int32_t changed = is_inner_cut ? inner : outer;
+    const uint32_t mark = static_cast<uint32_t>(towards) << 4 | (share > 15 ? 15 : share);
+    target.depths[changed] = static_cast<uint16_t>((is_inner_cut ? d_inner : d_outer) << kMarkBits | mark);
+    target.colours[changed] |= kMarkedColour;
 }
 
 // `inward`: +1 where the inside has the larger places.
-void blend_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint32_t one_surface, const Target& target)
+void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint32_t one_surface, const Target& target)
 {
+    const Neighbour up = lines.stride == 1 ? Neighbour::right : Neighbour::below;
+    const Neighbour down = lines.stride == 1 ? Neighbour::left : Neighbour::above;
     int32_t at_q16 = c.at_q16, depth_q8 = c.depth_q8;
     for (int32_t line = c.first; line < c.end; ++line, at_q16 += c.step_q16, depth_q8 += c.depth_step_q8) {
         const int32_t sample = at_q16 >> 16;
@@ -84,14 +71,15 @@ void blend_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint3
         const bool is_inner_cut = covered > 128;
         const int32_t inner = is_inner_cut ? sample : sample + inward, outer = inner - inward;
         if (inner < 0 || outer < 0 || inner >= lines.count || outer >= lines.count) continue;
-        blend_pixel(target, line * lines.pitch + inner * lines.stride, line * lines.pitch + outer * lines.stride,
-                    is_inner_cut, is_inner_cut ? 256 - covered : covered, depth_q8 >> 8, one_surface);
+        mark_pixel(target, line * lines.pitch + inner * lines.stride, line * lines.pitch + outer * lines.stride,
+                   is_inner_cut, is_inner_cut ? 256 - covered : covered, (inward > 0) == is_inner_cut ? down : up,
+                   static_cast<uint32_t>(depth_q8 >> 8) + one_surface);
     }
 }
 
 }  // namespace
 
-void blend_edge(const SurfaceVertex& from, const SurfaceVertex& to, uint32_t one_surface, const Target& target)
+void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, uint32_t one_surface, const Target& target)
 {
     const SamplePoint a = unpacked(from), b = unpacked(to);
     const int32_t dx = b.x_q6 - a.x_q6, dy = b.y_q6 - a.y_q6;
@@ -107,7 +95,7 @@ void blend_edge(const SurfaceVertex& from, const SurfaceVertex& to, uint32_t one
                                   : crossing(end(b), end(a), 0, is_steep ? target.height : target.width);
     // Counter-clockwise on the screen, with y down: what goes down has its inside to the right, what goes right above.
     const int32_t inward = is_steep ? (dy > 0 ? 1 : -1) : (dx > 0 ? -1 : 1);
-    blend_crossing(c, inward, lines, one_surface, target);
+    mark_crossing(c, inward, lines, one_surface, target);
 }
 
 }  // namespace lumi::surfaces
