@@ -1,28 +1,65 @@
 // SPDX-License-Identifier: MIT
 #include "proxy/proxy_seen.h"
 
-#include "proxy/proxy_survey.h"
+#include "math/frame.h"
+#include "math/sampler.h"
+#include "math/warp.h"
 
 namespace lumi::baker
 {
-
-Mesh seen_part(const SceneData& scene, const Mesh& mesh, bool two_sided, Job& job)
+namespace
 {
-    const ProxyTracer tracer(mesh, two_sided);
-    const Survey survey = fitting_survey(scene, mesh);
-    std::vector<std::vector<uint8_t>> seen(survey.origins(), std::vector<uint8_t>(mesh.triangle_count(), 0));
-    job.run(survey.origins(), [&](uint32_t i) {
-        for (const SurveyRay& r : survey.look(i, tracer)) {
-            if (r.proxy) {
-                seen[i][r.proxy->triangle] = 1;
-            }
+
+constexpr uint32_t kRays = 2048;  // that a triangle gets before it counts as hidden
+constexpr uint32_t kTrianglesATask = 64;
+constexpr float kOutside = 2.5f;  // beyond the sphere from any place in it, in radii
+constexpr uint64_t kSeed = 0x7365656E;
+
+Vec3 place_on(const Mesh& mesh, uint32_t triangle, const Vec2& weights)
+{
+    const Vec3& a = mesh.position(triangle, 0);
+    return a + (mesh.position(triangle, 1) - a) * weights.x + (mesh.position(triangle, 2) - a) * weights.y;
+}
+
+bool is_seen(const ProxyTracer& proxy, uint32_t triangle)
+{
+    const Vec3 area = proxy.mesh().area_vector(triangle);
+    if (!(length(area) > 0)) {
+        return false;
+    }
+    const Frame frame(normalized(area));
+    Sampler sampler(kSeed, triangle, 0);
+    for (uint32_t k = 0; k < kRays; ++k) {
+        sampler.start(k);
+        const Vec3 place = place_on(proxy.mesh(), triangle, square_to_triangle(sampler.next_2d()));
+        const Vec2 square = sampler.next_2d();
+        const float side = proxy.two_sided() && k % 2 != 0 ? -1.0f : 1.0f;
+        const Vec3 outwards = frame.to_world(direction_at(square.x, square.y) * side);
+        const std::optional<Hit> hit = proxy.closest({place + outwards * kOutside, -outwards});
+        if (hit && hit->triangle == triangle) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+Mesh seen_part(const ProxyTracer& proxy, Job& job)
+{
+    const uint32_t triangles = static_cast<uint32_t>(proxy.mesh().triangle_count());
+    std::vector<uint8_t> seen(triangles);
+    job.run((triangles + kTrianglesATask - 1) / kTrianglesATask, [&](uint32_t task) {
+        const uint32_t end = std::min(triangles, (task + 1) * kTrianglesATask);
+        for (uint32_t k = task * kTrianglesATask; k < end && !job.stopping(); ++k) {
+            seen[k] = is_seen(proxy, k) ? 1 : 0;
         }
     });
     Mesh result;
-    result.positions = mesh.positions;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        if (std::any_of(seen.begin(), seen.end(), [k](const std::vector<uint8_t>& part) { return part[k] != 0; })) {
-            result.corners.push_back(mesh.corners[k]);
+    result.positions = proxy.mesh().positions;
+    for (uint32_t k = 0; k < triangles; ++k) {
+        if (seen[k] != 0) {
+            result.corners.push_back(proxy.mesh().corners[k]);
         }
     }
     return result;

@@ -2,14 +2,14 @@
 // Which triangles of a proxy can be seen from around.
 #pragma once
 
-#include "geometry/mesh.h"
-#include "scene/scene_data.h"
+#include "proxy/proxy_tracer.h"
 #include "util/job.h"
 
 namespace lumi::baker
 {
 
-// Without the triangles that no ray from around sees. Positions stay as they are.
-Mesh seen_part(const SceneData& scene, const Mesh& mesh, bool two_sided, Job& job);
+// Without the triangles that nobody outside can see: each gets many rays, in many directions, before it counts as
+// such. Positions stay as they are.
+Mesh seen_part(const ProxyTracer& proxy, Job& job);
 
 }  // namespace lumi::baker

@@ -53,7 +53,8 @@ Mesh drafted(const SceneData& scene, const Mesh& outside, const SurfaceMeshSetti
 // Near the scene, in steps of the format.
 Mesh shaped(const SceneData& scene, Mesh draft, bool two_sided, const SurfaceMeshSettings& s, Job& job)
 {
-    const Mesh mesh = seen_part(scene, fitted_in_rounds(scene, std::move(draft), two_sided, job), two_sided, job);
+    const Mesh fit = fitted_in_rounds(scene, std::move(draft), two_sided, job);
+    const Mesh mesh = seen_part(ProxyTracer(fit, two_sided), job);
     return rounded(with_short_edges(mesh, s.longest_edge, in_the_middle));
 }
 
