@@ -11,8 +11,7 @@ constexpr double kSmoothness = 0.02;  // of neighbours' displacements
 constexpr double kInertia = 0.005;    // of a displacement itself
 constexpr int kFittingRounds = 4;
 constexpr int kSolverSteps = 40;
-constexpr int kUntangling = 3;
-constexpr float kMinTurn = 0.3f;  // cosine between a triangle's old and new normal
+constexpr float kMinTurn = 0.3f;  // cosine between a triangle's normals before and after all rounds
 
 struct Vec3d {
     double x = 0, y = 0, z = 0;
@@ -163,25 +162,27 @@ Mesh moved(const Mesh& mesh, const Field& by)
     return result;
 }
 
-// Takes back what turns triangles over.
-void untangle(const Mesh& before, Field& by)
+// Takes back what turns triangles away from where `upright` has them; returns whether there was anything.
+bool untangle_once(const Mesh& before, const Mesh& upright, Field& by)
 {
-    for (int round = 0; round < kUntangling; ++round) {
-        const Mesh after = moved(before, by);
-        for (size_t k = 0; k < before.triangle_count(); ++k) {
-            const Vec3 a = before.area_vector(k), b = after.area_vector(k);
-            if (dot(a, b) < kMinTurn * length(a) * length(b)) {
-                for (const uint32_t corner : before.corners[k]) {
-                    by[corner] = {};
-                }
-            }
+    const Mesh after = moved(before, by);
+    bool any = false;
+    for (size_t k = 0; k < before.triangle_count(); ++k) {
+        const Vec3 a = upright.area_vector(k), b = after.area_vector(k);
+        if (dot(a, b) >= kMinTurn * length(a) * length(b)) {
+            continue;
+        }
+        for (const uint32_t corner : before.corners[k]) {
+            any = any || dot(by[corner], by[corner]) > 0;
+            by[corner] = {};
         }
     }
+    return any;
 }
 
 }  // namespace
 
-Mesh fitted(const Mesh& proxy, bool two_sided, const Survey& survey, Job& job)
+Mesh fitted(const Mesh& proxy, const Mesh& upright, bool two_sided, const Survey& survey, Job& job)
 {
     const ProxyTracer tracer(proxy, two_sided);
     std::vector<std::vector<Equation>> parts(survey.origins());
@@ -191,15 +192,17 @@ Mesh fitted(const Mesh& proxy, bool two_sided, const Survey& survey, Job& job)
         equations.insert(equations.end(), part.begin(), part.end());
     }
     Field by = System(proxy, std::move(equations)).solve();
-    untangle(proxy, by);
+    while (untangle_once(proxy, upright, by)) {
+    }
     return moved(proxy, by);
 }
 
 Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job)
 {
     const Survey survey = fitting_survey(scene, mesh);
+    const Mesh upright = mesh;
     for (int round = 0; round < kFittingRounds && mesh.triangle_count() != 0; ++round) {
-        mesh = fitted(mesh, two_sided, survey, job);
+        mesh = fitted(mesh, upright, two_sided, survey, job);
     }
     return mesh;
 }

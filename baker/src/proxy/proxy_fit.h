@@ -9,8 +9,9 @@ namespace lumi::baker
 
 // One round: the displacements of all vertices that bring the hits of `survey` onto the scene in the least-squares
 // sense, distances along the triangles' normals, kept smooth over the mesh. Rays whose depths differ by more than
-// kMaxDepthError say nothing. Vertices whose triangles would turn over stay.
-Mesh fitted(const Mesh& proxy, bool two_sided, const Survey& survey, Job& job);
+// kMaxDepthError say nothing. Vertices stay whose triangles would turn far from where `upright` has them: the mesh
+// before the first round.
+Mesh fitted(const Mesh& proxy, const Mesh& upright, bool two_sided, const Survey& survey, Job& job);
 
 // As many rounds as it takes.
 Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job);

@@ -57,7 +57,7 @@ TEST_CASE("Simplified balls stay balls, and fitting brings them closer", "[proxy
     CHECK(rough.triangle_count() <= 200);
     CHECK(rough.triangle_count() > 150);
     const Survey survey(scene.data(), 64, 300, 5);
-    const Mesh fine = fitted(rough, false, survey, job);
+    const Mesh fine = fitted(rough, rough, false, survey, job);
     CHECK(mean_depth_error(survey, fine) < 0.6 * mean_depth_error(survey, rough));
 }
 
