@@ -6,44 +6,14 @@
 #include "lumi/surface_format.h"
 #include "support/bake_scenes.h"
 #include "support/silhouettes.h"
+#include "support/surfaces.h"
 
 namespace lumi::baker::testing
 {
-namespace
-{
-
-const ProgressCallback kSilent;
-
-BuiltSurface built(const Scene& scene, const SurfaceMeshSettings& settings)
-{
-    Job job(1, 2, kSilent);
-    return build_surface_mesh(scene.data(), settings, job);
-}
-
-Mesh triangles_of(const SurfaceMesh& surface)
-{
-    Mesh mesh;
-    mesh.positions = surface.positions;
-    for (const SurfaceMesh::Patch& p : surface.patches) {
-        mesh.corners.push_back({p.a, p.b, p.c});
-        if (p.d != SurfaceMesh::kNone) {
-            mesh.corners.push_back({p.d, p.c, p.b});
-        }
-    }
-    return mesh;
-}
-
-MissingPixels missing_pixels(const Scene& scene, const SurfaceMesh& mesh)
-{
-    return testing::missing_pixels(scene.data(), ProxyTracer(triangles_of(mesh), mesh.two_sided));
-}
-
-}  // namespace
-
 TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[surface]")
 {
     const Scene scene = ball_over_floor(32, constant_environment(1));
-    const BuiltSurface surface = built(scene, {600, 0.2f, 0.7f});
+    const BuiltSurface surface = built_surface(scene, {600, 0.2f, 0.7f});
     const SurfaceMesh& mesh = surface.mesh;
     CHECK(mesh.longest_edge <= 0.2f * 1.001f);
     CHECK(mesh.longest_edge > 0.1f);
@@ -63,14 +33,14 @@ TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[s
     for (const Vec3& n : mesh.normals) {
         CHECK(length(n) == Approx(1));
     }
-    CHECK(missing_pixels(scene, mesh).largest <= 2);
+    CHECK(missing_pixels(scene.data(), ProxyTracer(triangles, mesh.two_sided)).largest <= 2);
 }
 
 TEST_CASE("Meshes that would be too large for the format are made smaller", "[surface]")
 {
     const Scene scene = ball_over_floor(48, constant_environment(1));
     for (const SurfaceMeshSettings& s : {SurfaceMeshSettings{20000, 2, 0.7f}, SurfaceMeshSettings{300, 0.05f, 0.7f}}) {
-        const SurfaceMesh mesh = built(scene, s).mesh;
+        const SurfaceMesh mesh = built_surface(scene, s).mesh;
         CHECK(mesh.positions.size() <= format::kMaxSurfaceVertices);
         CHECK(mesh.patches.size() <= format::kMaxPatches);
         CHECK(mesh.patches.size() > format::kMaxPatches / 2);
