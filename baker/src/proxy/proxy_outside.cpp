@@ -7,6 +7,7 @@
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
+#include "proxy/sheets.h"
 
 namespace lumi::baker
 {
@@ -15,11 +16,12 @@ namespace
 
 constexpr uint32_t kDirections = 24;  // over each side of a triangle
 constexpr uint32_t kPlaces = 4;       // of a triangle, before it counts as never seen
+constexpr float kPlaceArea = 4e-4f;   // large triangles get one more place for each so many square radii
+constexpr float kMaxPlaces = 1024;
 constexpr uint32_t kTrianglesATask = 512;
 constexpr float kAbove = 1e-4f;         // the rays' starts, in radii: sheets closer together count as one
 constexpr double kMaxBothSides = 0.02;  // of what is seen, may be lost by culling
 constexpr float kWeldSteps = 1 << 17;   // vertices that round to the same 1/kWeldSteps radius are one
-constexpr double kMaxStray = 0.05;      // of a component, may be wound the other way without being turned one by one
 constexpr uint64_t kSeed = 0x6F757473;
 
 // The shares of directions in which each side of a triangle is open to the outside.
@@ -40,7 +42,8 @@ public:
         }
         const Frame frame(normalized(area));
         Sampler sampler(kSeed, triangle, 0);
-        for (uint32_t k = 0; k < kPlaces; ++k) {
+        const uint32_t places = kPlaces + static_cast<uint32_t>(std::min(kMaxPlaces, 0.5f * length(area) / kPlaceArea));
+        for (uint32_t k = 0; k < places; ++k) {
             sampler.start(k);
             const Vec3 place = at(triangle, k == 0 ? Vec2{1.0f / 3, 1.0f / 3} : square_to_triangle(sampler.next_2d()));
             const Openness result = {open_share(place, frame, 1, sampler), open_share(place, frame, -1, sampler)};
@@ -157,18 +160,69 @@ private:
     std::vector<uint32_t> parent_;
 };
 
-// How much of a component is seen from which side: areas times openness.
+// How much of a sheet is seen from which side of its first triangle: areas times openness.
 struct Seen {
-    double front = 0, back = 0;  // of whole triangles, on the side that is seen more
-    double both = 0;             // on the other side
+    double front = 0, back = 0;
+    double total() const { return front + back; }
+};
 
-    void add(const Openness& open, double area)
+// Turns whole sheets; keeps components of which anything is seen.
+class Turner
+{
+public:
+    Turner(const Mesh& mesh, const std::vector<Openness>& open)
+        : mesh_(mesh),
+          sheets_(mesh),
+          components_(mesh),
+          seen_(mesh.triangle_count()),
+          component_seen_(mesh.positions.size())
     {
-        (open.front >= open.back ? front : back) += area * static_cast<double>(std::max(open.front, open.back));
-        both += area * static_cast<double>(std::min(open.front, open.back));
+        for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
+            const double area = static_cast<double>(mesh.area(k));
+            double front = area * static_cast<double>(open[k].front), back = area * static_cast<double>(open[k].back);
+            component_seen_[components_.of(mesh.corners[k])] += front + back;
+            const SheetPlace place = sheets_.of(k);
+            if (place.reversed) {
+                std::swap(front, back);
+            }
+            seen_[place.sheet].front += front;
+            seen_[place.sheet].back += back;
+        }
     }
-    double total() const { return front + back + both; }
-    bool is_consistent() const { return std::min(front, back) <= kMaxStray * (front + back); }
+
+    std::vector<Mesh::Corners> turned()
+    {
+        std::vector<Mesh::Corners> result;
+        for (uint32_t k = 0; k < mesh_.triangle_count(); ++k) {
+            Mesh::Corners corners = mesh_.corners[k];
+            const SheetPlace place = sheets_.of(k);
+            if (place.reversed != (seen_[place.sheet].back > seen_[place.sheet].front)) {
+                std::swap(corners[1], corners[2]);
+            }
+            if (component_seen_[components_.of(corners)] > 0 && !is_degenerate(corners)) {
+                result.push_back(corners);
+            }
+        }
+        return result;
+    }
+
+    // Of all that is seen, what culling of back faces would lose.
+    double lost_share() const
+    {
+        double lost = 0, total = 0;
+        for (const Seen& sheet : seen_) {
+            lost += std::min(sheet.front, sheet.back);
+            total += sheet.total();
+        }
+        return total > 0 ? lost / total : 0;
+    }
+
+private:
+    const Mesh& mesh_;
+    Sheets sheets_;
+    Components components_;
+    std::vector<Seen> seen_;              // by sheet
+    std::vector<double> component_seen_;  // by component
 };
 
 }  // namespace
@@ -177,32 +231,10 @@ Outside outside_of(const SceneData& scene, Job& job)
 {
     const std::vector<Openness> open = survey(scene, job);
     Outside result = {welded(scene.mesh)};
-    const std::vector<Mesh::Corners> all = std::move(result.mesh.corners);
-    result.mesh.corners = all;
-    Components components(result.mesh);
-    std::vector<Seen> seen(result.mesh.positions.size());
-    for (size_t k = 0; k < all.size(); ++k) {
-        seen[components.of(all[k])].add(open[k], static_cast<double>(scene.mesh.area(k)));
-    }
-    result.mesh.corners.clear();
-    for (size_t k = 0; k < all.size(); ++k) {
-        Mesh::Corners corners = all[k];
-        const Seen& component = seen[components.of(corners)];
-        const bool turned = component.is_consistent() ? component.back > component.front : open[k].back > open[k].front;
-        if (turned) {
-            std::swap(corners[1], corners[2]);
-        }
-        if (component.total() > 0 && !is_degenerate(corners)) {
-            result.mesh.corners.push_back(corners);
-        }
-    }
-    double both = 0, total = 0;
-    for (const Seen& component : seen) {
-        // Triangles that a consistent component shows from behind are lost to culling, too.
-        both += component.both + (component.is_consistent() ? std::min(component.front, component.back) : 0);
-        total += component.total();
-    }
-    result.two_sided = both > kMaxBothSides * total;
+    Turner turner(result.mesh, open);
+    std::vector<Mesh::Corners> turned = turner.turned();
+    result.two_sided = turner.lost_share() > kMaxBothSides;
+    result.mesh.corners = std::move(turned);
     return result;
 }
 

@@ -4,6 +4,8 @@
 #include "proxy/proxy_fit.h"
 #include "proxy/proxy_outside.h"
 #include "proxy/proxy_simplify.h"
+#include "proxy/sheets.h"
+
 #include "support/shapes.h"
 
 namespace lumi::baker::testing
@@ -28,6 +30,43 @@ double mean_depth_error(const Survey& survey, const Mesh& mesh)
         }
     }
     return sum / std::max(both, 1u);
+}
+
+// Hills seen from both sides, and a box that stands on them; each second square is wound the other way if asked for.
+Scene terrain(bool wound_by_chance)
+{
+    constexpr int kSquares = 60;
+    SceneMaker maker;
+    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+    const auto at = [](int x, int y) {
+        const float noise = static_cast<float>((x * 7919 + y * 104729) % 31) / 31;
+        const float side = 1.2f / kSquares;
+        return Vec3{static_cast<float>(x) * side - 0.6f, static_cast<float>(y) * side - 0.6f, 0.02f * noise - 0.3f};
+    };
+    for (int y = 0; y < kSquares; ++y) {
+        for (int x = 0; x < kSquares; ++x) {
+            if (wound_by_chance && (x * 31 + y * 17) % 3 == 0) {
+                maker.quad(matter, at(x, y), at(x, y + 1), at(x + 1, y + 1), at(x + 1, y));
+            } else {
+                maker.quad(matter, at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1));
+            }
+        }
+    }
+    maker.box(matter, {-0.2f, -0.2f, -0.3f}, {0.2f, 0.2f, 0.3f});
+    return maker.make(constant_environment(1));
+}
+
+// Of a mesh's triangles, the pairs beside each other that are wound against each other.
+uint32_t torn_edges(const Mesh& mesh)
+{
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> sides;
+    for (const Mesh::Corners& c : mesh.corners) {
+        for (size_t i = 0; i < 3; ++i) {
+            ++sides[{c[i], c[(i + 1) % 3]}];
+        }
+    }
+    return static_cast<uint32_t>(
+        std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.second > 1; }));
 }
 
 Scene box_with(bool ball_inside)
@@ -84,6 +123,36 @@ TEST_CASE("Boxes wound inside out are turned", "[proxy]")
         REQUIRE(hit);
         CHECK(hit->distance < 1);  // the near face
     }
+}
+
+TEST_CASE("Sheets are turned whole, however their triangles are wound", "[proxy]")
+{
+    for (const bool by_chance : {false, true}) {
+        const Scene scene = terrain(by_chance);
+        Job job(1, 2, kSilent);
+        const Outside outside = outside_of(scene.data(), job);
+        CHECK(outside.two_sided);
+        CHECK(torn_edges(outside.mesh) == 0);
+    }
+}
+
+TEST_CASE("Sheets that cannot face one way are torn, not lost", "[proxy]")
+{
+    Mesh strip;  // with half a turn
+    for (uint32_t k = 0; k < 6; ++k) {
+        const uint32_t a = 2 * k, c = k == 5 ? 1 : a + 2, d = k == 5 ? 0 : a + 3;
+        strip.corners.push_back({a, a + 1, c});
+        strip.corners.push_back({a + 1, d, c});
+    }
+    strip.positions.resize(12);
+    const Sheets sheets(strip);
+    for (uint32_t k = 0; k < 12; ++k) {
+        CHECK(sheets.of(k).sheet == sheets.of(0).sheet);
+        if (sheets.of(k).reversed) {
+            std::swap(strip.corners[k][1], strip.corners[k][2]);
+        }
+    }
+    CHECK(torn_edges(strip) == 1);
 }
 
 }  // namespace lumi::baker::testing
