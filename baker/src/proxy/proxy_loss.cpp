@@ -35,7 +35,11 @@ ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job)
         sum = {sum.scene + c.scene, sum.missed + c.missed, sum.added + c.added, sum.displaced + c.displaced};
     }
     const double hits = std::max(1u, sum.scene);
-    return {sum.missed / hits, sum.added / hits, sum.displaced / hits};
+    ProxyLoss loss;
+    loss.missed = sum.missed / hits;
+    loss.added = sum.added / hits;
+    loss.displaced = sum.displaced / hits;
+    return loss;
 }
 
 }  // namespace lumi::baker

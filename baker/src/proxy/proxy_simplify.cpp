@@ -54,11 +54,11 @@ Mesh compact(const std::vector<Vec3>& positions, const Indices& indices)
 
 }  // namespace
 
-Mesh simplified(const Mesh& mesh, size_t triangles)
+Simplified simplified(const Mesh& mesh, size_t triangles)
 {
     Indices indices = indices_of(mesh);
     if (indices.size() <= 3 * triangles) {
-        return compact(mesh.positions, indices);
+        return {compact(mesh.positions, indices), false};
     }
     const float* positions = &mesh.positions[0].x;
     const size_t vertices = mesh.positions.size();
@@ -67,13 +67,14 @@ Mesh simplified(const Mesh& mesh, size_t triangles)
                                 kMaxError, 0, nullptr);
     });
     // Stalled by borders and seams that it must not collapse. The rougher one leaves fewer than asked for.
-    if (static_cast<double>(indices.size()) > 3 * kTolerated * static_cast<double>(triangles)) {
+    const bool rough = static_cast<double>(indices.size()) > 3 * kTolerated * static_cast<double>(triangles);
+    if (rough) {
         indices = reduced(indices, [&](uint32_t* out) {
             return meshopt_simplifySloppy(out, indices.data(), indices.size(), positions, vertices, sizeof(Vec3),
                                           3 * triangles, kMaxRoughError, nullptr);
         });
     }
-    return compact(mesh.positions, indices);
+    return {compact(mesh.positions, indices), rough};
 }
 
 }  // namespace lumi::baker

@@ -7,8 +7,13 @@
 namespace lumi::baker
 {
 
+struct Simplified {
+    Mesh mesh;
+    bool rough = false;  // the shape's topology was given up
+};
+
 // Of `mesh` only positions and corners count, and the result has no more. Vertices are a subset of the mesh's, each
 // used. About `triangles` remain, a quarter more at most; the shape's topology stays where that can be.
-Mesh simplified(const Mesh& mesh, size_t triangles);
+Simplified simplified(const Mesh& mesh, size_t triangles);
 
 }  // namespace lumi::baker

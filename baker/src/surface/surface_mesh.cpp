@@ -4,10 +4,11 @@
 #include "lumi/surface_format.h"
 #include "proxy/proxy_fit.h"
 #include "proxy/proxy_loss.h"
-#include "proxy/proxy_outside.h"
 #include "proxy/proxy_seen.h"
-#include "proxy/proxy_simplify.h"
+#include "proxy/silhouettes.h"
 #include "surface/edge_split.h"
+#include "surface/mesh_draft.h"
+#include "surface/mesh_warnings.h"
 #include "surface/patch_pairs.h"
 #include "surface/rounded_mesh.h"
 #include "surface/smooth_groups.h"
@@ -17,45 +18,16 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kSplitEarly = 0.95f;  // of the longest edge: fitting makes some a little longer
-constexpr float kReach = 0.1f;        // how far a new vertex may move onto the scene, of its edge's length
-constexpr float kMinFacing = 0.5f;    // cosine between the surface that it moves to and the triangles around
 constexpr float kFewerTriangles = 0.8f;
 constexpr float kLongerEdges = 1.1f;
-
-// Moves the middle of an edge onto the scene's surface, where that is near and faces the same way.
-PlaceMiddle onto(const SceneData& scene)
-{
-    return [&scene](const Vec3& middle, const Vec3& facing, float edge) {
-        const float reach = kReach * edge;
-        const Ray ray = {middle + facing * reach, -facing, 2 * reach};
-        const std::optional<Hit> hit = scene.accelerator.closest(ray);
-        if (!hit) {
-            return middle;
-        }
-        const Vec3 area = scene.mesh.area_vector(hit->triangle);
-        const bool alike = std::abs(dot(area, facing)) > kMinFacing * length(area);
-        return alike ? ray.origin + ray.direction * hit->distance : middle;
-    };
-}
-
-Vec3 in_the_middle(const Vec3& middle, const Vec3&, float)
-{
-    return middle;
-}
-
-// Few triangles on the scene's surface, without edges that are too long.
-Mesh drafted(const SceneData& scene, const Mesh& outside, const SurfaceMeshSettings& s)
-{
-    return with_short_edges(simplified(outside, s.triangles), kSplitEarly * s.longest_edge, onto(scene));
-}
 
 // Near the scene, in steps of the format.
 Mesh shaped(const SceneData& scene, Mesh draft, bool two_sided, const SurfaceMeshSettings& s, Job& job)
 {
     const Mesh fit = fitted_in_rounds(scene, std::move(draft), two_sided, job);
     const Mesh mesh = seen_part(ProxyTracer(fit, two_sided), job);
-    return rounded(with_short_edges(mesh, s.longest_edge, in_the_middle));
+    return rounded(
+        with_short_edges(mesh, s.longest_edge, [](const Vec3& middle, const Vec3&, float) { return middle; }));
 }
 
 SurfaceMesh assembled(const Mesh& shape, float crease_cosine)
@@ -74,11 +46,6 @@ SurfaceMesh assembled(const Mesh& shape, float crease_cosine)
     return result;
 }
 
-bool may_fit(const Mesh& draft)
-{
-    return draft.positions.size() <= format::kMaxSurfaceVertices && draft.triangle_count() <= 2 * format::kMaxPatches;
-}
-
 bool fits(const SurfaceMesh& mesh)
 {
     return mesh.positions.size() <= format::kMaxSurfaceVertices && mesh.patches.size() <= format::kMaxPatches;
@@ -95,6 +62,16 @@ SurfaceMeshSettings smaller(SurfaceMeshSettings s)
     return s;
 }
 
+ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& shape, bool rough, Job& job)
+{
+    ProxyLoss loss = loss_of(scene, shape, job);
+    const MissingPixels pixels = missing_pixels(scene, shape, job);
+    loss.rough = rough;
+    loss.holes = pixels.regions;
+    loss.largest_hole = pixels.largest;
+    return loss;
+}
+
 }  // namespace
 
 BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, Job& job)
@@ -104,15 +81,17 @@ BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSetting
     SurfaceMeshSettings s = settings;
     s.triangles = std::min(s.triangles, 2 * format::kMaxPatches);
     for (;; s = smaller(s)) {
-        Mesh draft = drafted(scene, outside.mesh, s);
-        if (!may_fit(draft)) {
+        MeshDraft draft = drafted(scene, outside, s, job);
+        if (!draft.fits) {
             continue;
         }
-        const Mesh shape = shaped(scene, std::move(draft), outside.two_sided, s, job);
+        const Mesh shape = shaped(scene, std::move(draft.mesh), outside.two_sided, s, job);
         result.mesh = assembled(shape, settings.crease_cosine);
         if (fits(result.mesh)) {
             result.mesh.two_sided = outside.two_sided;
-            result.loss = loss_of(scene, ProxyTracer(shape, outside.two_sided), job);
+            result.loss = loss_of(scene, ProxyTracer(shape, outside.two_sided), draft.rough, job);
+            result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
+                                            shape.triangle_count());
             return result;
         }
     }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "lumi/baker/proxy.h"
@@ -32,6 +33,7 @@ struct SurfaceMesh {
 struct BuiltSurface {
     SurfaceMesh mesh;
     ProxyLoss loss;
+    std::vector<std::string> warnings;  // sentences for the user: what is wrong, and what mends it
 };
 
 struct SurfaceMeshSettings {

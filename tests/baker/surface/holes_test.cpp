@@ -5,7 +5,6 @@
 #include "math/frame.h"
 #include "math/warp.h"
 #include "support/shapes.h"
-#include "support/silhouettes.h"
 #include "support/surfaces.h"
 
 namespace lumi::baker::testing
@@ -54,11 +53,8 @@ void check_no_holes(SceneMaker& maker, uint32_t triangles)
 {
     const Scene scene = maker.make(constant_environment(1));
     const BuiltSurface surface = built_surface(scene, {triangles, 0.2f, 0.7f});
-    const ProxyTracer mesh(triangles_of(surface.mesh), surface.mesh.two_sided);
-    const MissingPixels pixels = missing_pixels(scene.data(), mesh);
-    INFO(pixels.missing << " of " << pixels.scene << " pixels, " << pixels.regions << " regions, the largest of "
-                        << pixels.largest);
-    CHECK(pixels.largest <= 2);
+    INFO(surface.loss.holes << " holes, the largest of " << surface.loss.largest_hole << " pixels");
+    CHECK(surface.loss.holes == 0);
     CHECK(surface.mesh.patches.size() > triangles / 4);
 }
 

@@ -4,22 +4,25 @@
 
 #include "proxy/proxy_tracer.h"
 #include "scene/scene_data.h"
+#include "util/job.h"
 
-namespace lumi::baker::testing
+namespace lumi::baker
 {
 
 inline constexpr uint32_t kSilhouettes = 24;      // directions, spread over the sphere
 inline constexpr uint32_t kSilhouetteSize = 240;  // pixels across the unit sphere, each way
 
+inline constexpr uint32_t kMaxMissing = 2;  // pixels, of a region that nobody minds
+
 struct MissingPixels {
     uint32_t scene = 0;    // pixels that the scene covers, of all silhouettes
     uint32_t missing = 0;  // of them, those that the mesh should cover and does not
     uint32_t largest = 0;  // of the connected regions of missing pixels
-    uint32_t regions = 0;  // of more than two
+    uint32_t regions = 0;  // of more than kMaxMissing
 };
 
 // Outlines may be off by one pixel: a missing pixel either has the scene all around, or the mesh is nowhere beside it
 // and the scene is two pixels thick there.
-MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh);
+MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh, Job& job);
 
-}  // namespace lumi::baker::testing
+}  // namespace lumi::baker

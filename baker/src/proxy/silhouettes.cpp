@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "support/silhouettes.h"
+#include "proxy/silhouettes.h"
 
 #include "math/frame.h"
 #include "math/warp.h"
 #include "trace/surface.h"
 
-namespace lumi::baker::testing
+namespace lumi::baker
 {
 namespace
 {
@@ -93,24 +93,37 @@ Mask missing_of(const Mask& scene, const Mask& mesh)
     return result;
 }
 
-}  // namespace
-
-MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh)
+bool covers(const SceneData& scene, const Ray& ray)
 {
-    MissingPixels result;
-    for (uint32_t d = 0; d < kSilhouettes; ++d) {
-        const Mask truth = silhouette(d, [&](const Ray& ray) { return transmittance(scene, ray) < 0.5f; });
-        const Mask drawn = silhouette(d, [&](const Ray& ray) { return mesh.closest(ray).has_value(); });
-        Mask missing = missing_of(truth, drawn);
-        result.scene += truth.count();
-        result.missing += missing.count();
-        for (int k = 0; k < kSize * kSize; ++k) {
-            const uint32_t region = missing.clear_region(k % kSize, k / kSize);
-            result.largest = std::max(result.largest, region);
-            result.regions += region > 2 ? 1u : 0u;
-        }
+    return scene.has_transparency ? transmittance(scene, ray) < 0.5f : scene.accelerator.blocked(ray);
+}
+
+MissingPixels missing_from(uint32_t direction, const SceneData& scene, const ProxyTracer& mesh)
+{
+    const Mask truth = silhouette(direction, [&](const Ray& ray) { return covers(scene, ray); });
+    const Mask drawn = silhouette(direction, [&](const Ray& ray) { return mesh.closest(ray).has_value(); });
+    Mask missing = missing_of(truth, drawn);
+    MissingPixels result = {truth.count(), missing.count()};
+    for (int k = 0; k < kSize * kSize; ++k) {
+        const uint32_t region = missing.clear_region(k % kSize, k / kSize);
+        result.largest = std::max(result.largest, region);
+        result.regions += region > kMaxMissing ? 1u : 0u;
     }
     return result;
 }
 
-}  // namespace lumi::baker::testing
+}  // namespace
+
+MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh, Job& job)
+{
+    std::vector<MissingPixels> parts(kSilhouettes);
+    job.run(kSilhouettes, [&](uint32_t d) { parts[d] = missing_from(d, scene, mesh); });
+    MissingPixels sum;
+    for (const MissingPixels& part : parts) {
+        sum = {sum.scene + part.scene, sum.missing + part.missing, std::max(sum.largest, part.largest),
+               sum.regions + part.regions};
+    }
+    return sum;
+}
+
+}  // namespace lumi::baker

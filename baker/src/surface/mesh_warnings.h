@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What a user should know about a mesh that came out badly.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lumi/baker/proxy.h"
+
+namespace lumi::baker
+{
+
+// `asked` and `got` are triangles that can be seen; ask for no more than the scene has. Sentences for the user: what
+// is wrong, and what mends it.
+std::vector<std::string> mesh_warnings(const ProxyLoss& loss, size_t asked, size_t got);
+
+}  // namespace lumi::baker
