@@ -13,11 +13,6 @@ namespace
 
 using format::kViewNodes;
 
-// Light paths that outweigh the expectation: the noise of a path against how different nodes are, squared.
-constexpr float kDirectionPaths = 10;  // neighbouring nodes of a vertex
-constexpr float kNeighbourPaths = 10;  // the same direction at neighbouring vertices
-constexpr float kZeroPaths = 1;
-
 constexpr int32_t kDirectionScale = 16384;
 constexpr double kLowest = -0.3;  // a direction's height in a frame; the nodes end a little above
 
@@ -78,7 +73,7 @@ double height(const ViewDirection& w)
 
 }  // namespace
 
-ViewSmoothness::ViewSmoothness(const SurfaceShape& shape)
+ViewSmoothness::ViewSmoothness(const SurfaceShape& shape, const ViewExpectation& expected) : expected_(expected)
 {
     for (uint32_t v = 0; v < shape.mesh.positions.size(); ++v) {
         add_directions(v);
@@ -92,7 +87,7 @@ ViewSmoothness::ViewSmoothness(const SurfaceShape& shape)
 void ViewSmoothness::add_directions(uint32_t vertex)
 {
     static const std::vector<NodePair> kNeighbours = neighbouring_nodes();
-    const float weight = std::sqrt(kDirectionPaths), zero = std::sqrt(kZeroPaths);
+    const float weight = std::sqrt(expected_.direction), zero = std::sqrt(expected_.zero);
     const uint32_t first = vertex * kViewNodes;
     for (const auto& [a, b] : kNeighbours) {
         rows_.push_back({{first + a, first + b, first, first}, {weight, -weight, 0, 0}});
@@ -105,7 +100,7 @@ void ViewSmoothness::add_directions(uint32_t vertex)
 // What a vertex's nodes show, another one shows in the same directions.
 void ViewSmoothness::add_neighbour(const SurfaceShape& shape, uint32_t vertex, uint32_t other)
 {
-    const float weight = std::sqrt(kNeighbourPaths);
+    const float weight = std::sqrt(expected_.neighbour);
     for (uint32_t k = 0; k < kViewNodes; ++k) {
         const ViewDirection local = turned(shape.turns[other], turned(shape.turns[vertex], node_direction(k)));
         if (height(local) < kLowest) {

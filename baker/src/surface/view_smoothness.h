@@ -8,11 +8,18 @@
 namespace lumi::baker
 {
 
+// How many light paths each expectation is worth: the noise of a path against how different nodes are, squared.
+struct ViewExpectation {
+    float direction = 3;  // neighbouring nodes of a vertex are alike
+    float neighbour = 3;  // neighbouring vertices are alike in the same direction
+    float zero = 0.5f;    // nodes are small
+};
+
 // A sum of squares, of Σ weight · node each; weights are in units of a path's.
 class ViewSmoothness
 {
 public:
-    explicit ViewSmoothness(const SurfaceShape& shape);
+    explicit ViewSmoothness(const SurfaceShape& shape, const ViewExpectation& expected = {});
 
     // All by channel: 3 numbers a node.
     void add_gradient(const std::vector<double>& nodes, std::vector<double>& gradient) const;
@@ -26,6 +33,7 @@ private:
     void add_directions(uint32_t vertex);
     void add_neighbour(const SurfaceShape& shape, uint32_t vertex, uint32_t other);
 
+    const ViewExpectation expected_;
     std::vector<Row> rows_;
 };
 
