@@ -61,8 +61,8 @@ baker/src/scene
 baker/src/trace
 baker/src/store
 baker/src/proxy
-baker/src/surface
 baker/src/chord
+baker/src/surface
 baker/src
 baker/bench
 

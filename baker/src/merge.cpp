@@ -4,6 +4,9 @@
 #include "chord/bake_layout.h"
 #include "chord/chord_merge.h"
 #include "lumi/baker/file_guard.h"
+#include "store/shard_rows.h"
+#include "surface/surface_merge.h"
+#include "surface/surface_settings.h"
 
 namespace lumi::baker
 {
@@ -14,7 +17,12 @@ namespace fs = std::filesystem;
 
 void require_possible(const BakeIdentity& id)
 {
-    layout_of(id);
+    if (const SurfaceSettings* surface = std::get_if<SurfaceSettings>(&id.settings)) {
+        require_possible_surface(*surface);
+        check_shard(id.shard);
+    } else {
+        layout_of(id);
+    }
 }
 
 }  // namespace
@@ -29,7 +37,8 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
     };
     const FileGuard guard;
     ShardSet set(shards, require_possible);
-    return merge_chord(set, output, leave_if_cancelled);
+    return set.is_surface() ? merge_surface(set, output, leave_if_cancelled)
+                            : merge_chord(set, output, leave_if_cancelled);
 }
 
 }  // namespace lumi::baker

@@ -17,6 +17,8 @@ struct BakeIdentity {
     float radius = 0;
     std::array<uint64_t, 2> scene = {};  // its fingerprint
     uint64_t tracing = 0;                // of some light paths, traced by the program on the machine that bakes
+
+    bool is_surface() const { return std::holds_alternative<SurfaceSettings>(settings); }
 };
 
 inline constexpr size_t kIdentityBytes = 160;

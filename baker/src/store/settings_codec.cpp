@@ -57,6 +57,24 @@ std::string difference(const BakeSettings& there, const BakeSettings& here)
                      other("seed", there.seed, seed)});
 }
 
+std::string difference(const SurfaceSettings& there, const SurfaceSettings& here)
+{
+    const auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, view_tables, seed, threads] = here;
+    static_cast<void>(threads);
+    const auto with = [](bool has) { return std::string(has ? "with" : "without"); };
+    return first_of({other("triangles", there.triangles, triangles),
+                     other("longest edge", number(there.longest_edge), number(longest_edge)),
+                     other("texel density", number(there.texels_per_radius), number(texels_per_radius)),
+                     other("paths", there.paths_per_texel, paths_per_texel),
+                     other("view tables", with(there.view_tables), with(view_tables)),
+                     other("seed", there.seed, seed)});
+}
+
+std::string layout_name(const AnySettings& settings)
+{
+    return std::holds_alternative<SurfaceSettings>(settings) ? "surface" : "chord";
+}
+
 void put(ByteWriter& out, const BakeSettings& s)
 {
     for (const uint32_t v : {s.origins, s.directions, s.used_origins, static_cast<uint32_t>(s.texel), s.samples,
@@ -64,6 +82,16 @@ void put(ByteWriter& out, const BakeSettings& s)
         out.put32(v);
     }
     out.put_float(s.max_error_levels);
+    out.put64(s.seed);
+}
+
+void put(ByteWriter& out, const SurfaceSettings& s)
+{
+    out.put32(s.triangles);
+    out.put_float(s.longest_edge);
+    out.put_float(s.texels_per_radius);
+    out.put32(s.paths_per_texel);
+    out.put32(s.view_tables ? 1 : 0);
     out.put64(s.seed);
 }
 
@@ -85,6 +113,18 @@ BakeSettings get_chord(ByteReader& in)
     s.max_error_levels = in.get_float();
     s.seed = in.get64();
     s.threads = 0;
+    return s;
+}
+
+SurfaceSettings get_surface(ByteReader& in)
+{
+    SurfaceSettings s;
+    s.triangles = in.get32();
+    s.longest_edge = in.get_float();
+    s.texels_per_radius = in.get_float();
+    s.paths_per_texel = in.get32();
+    s.view_tables = in.get32() != 0;
+    s.seed = in.get64();
     return s;
 }
 
@@ -112,13 +152,18 @@ void put_settings(ByteWriter& out, const AnySettings& settings)
 
 AnySettings get_settings(ByteReader& in)
 {
-    in.get32();  // the kind: chord
-    return get_chord(in);
+    return in.get32() == 0 ? AnySettings(get_chord(in)) : AnySettings(get_surface(in));
 }
 
 std::string settings_difference(const AnySettings& there, const AnySettings& here)
 {
-    return difference(std::get<BakeSettings>(there), std::get<BakeSettings>(here));
+    const std::string layout = other("layout", layout_name(there), layout_name(here));
+    if (!layout.empty()) {
+        return layout;
+    }
+    const SurfaceSettings* surface = std::get_if<SurfaceSettings>(&here);
+    return surface != nullptr ? difference(std::get<SurfaceSettings>(there), *surface)
+                              : difference(std::get<BakeSettings>(there), std::get<BakeSettings>(here));
 }
 
 }  // namespace lumi::baker

@@ -6,13 +6,14 @@
 #include <variant>
 
 #include "lumi/baker/bake.h"
+#include "lumi/baker/surface.h"
 #include "util/byte_stream.h"
 
 namespace lumi::baker
 {
 
 // As they decide bytes: used_origins resolved, threads 0.
-using AnySettings = std::variant<BakeSettings>;
+using AnySettings = std::variant<BakeSettings, SurfaceSettings>;
 
 inline constexpr size_t kSettingsBytes = 76;
 

@@ -22,6 +22,7 @@ public:
 
     // Those that belong together, by index, from 1.
     const std::map<uint32_t, BlockFile*>& shards() const { return shards_; }
+    bool is_surface() const { return !shards_.empty() && shards_.begin()->second->identity().is_surface(); }
     uint32_t count() const { return shards_.begin()->second->identity().shard.count; }
 
     // Problems of the contents.

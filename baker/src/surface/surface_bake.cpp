@@ -1,42 +1,167 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/surface.h"
 
+#include <chrono>
+
+#include "chord/tracing_fingerprint.h"
+#include "store/checkpoint.h"
 #include "store/new_file.h"
+#include "store/output_names.h"
 #include "surface/surface_draft.h"
+#include "surface/surface_file_store.h"
 #include "surface/surface_fit.h"
-#include "surface/texel_palette.h"
-#include "surface/view_quantiser.h"
+#include "surface/surface_settings.h"
+#include "trace/catcher.h"
 
 namespace lumi::baker
 {
 namespace
 {
 
-void describe(const SurfaceShape& shape, SurfaceBake& bake)
+// Keeps the basis and, now and then, the state.
+class Keeper
 {
-    bake.vertices = static_cast<uint32_t>(shape.mesh.positions.size());
-    bake.texels = shape.layout.texels;
-    bake.two_sided = shape.mesh.two_sided;
-    for (const SurfaceMesh::Patch& patch : shape.mesh.patches) {
-        bake.triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
+public:
+    Keeper(const std::filesystem::path& path, const BakeIdentity& identity, Earlier earlier)
+        : checkpoint_(path, identity, earlier), store_(checkpoint_.blocks())
+    {
     }
+
+    SurfaceFileStore& store() { return store_; }
+    Checkpoint& checkpoint() { return checkpoint_; }
+
+    void keep(const SurfaceState& state)
+    {
+        if (state.batches != kept_) {
+            store_.write_state(encode(state));
+            kept_ = state.batches;
+        }
+    }
+    void keep_now_and_then(const SurfaceState& state)
+    {
+        if (std::chrono::steady_clock::now() >= next_) {
+            keep(state);
+            next_ = std::chrono::steady_clock::now() + kInterval;
+        }
+    }
+
+private:
+    static constexpr std::chrono::seconds kInterval{60};  // a state takes a second or two to write
+
+    Checkpoint checkpoint_;
+    SurfaceFileStore store_;
+    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + kInterval;
+    uint32_t kept_ = 0;
+};
+
+SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft)
+{
+    const BuiltSurface& built = draft.contents().built;
+    if (built.mesh.patches.empty()) {
+        throw BakeError("the scene has no surface that could be seen; choose --layout chord");
+    }
+    return {built.mesh, built.loss, scene.tone, {scene.centre, scene.radius}};
 }
 
-// The nodes as they can be stored, then the texels that go with them.
-SurfaceParts quantised_parts(const SceneData& scene, const SurfaceFit& fit, const SurfaceSettings& settings, Job& job)
+class SurfaceBaker
 {
-    const size_t vertices = fit.sums().shape().mesh.positions.size();
-    std::vector<uint8_t> viewed(vertices, 0);
-    if (settings.view_tables) {
-        viewed = viewed_vertices(fit.sums(), fit.solve({}, job));
+public:
+    // `keeper` and `draft` may be null.
+    SurfaceBaker(const Scene& scene, const SurfaceSettings& settings, const Shard& shard, Keeper* keeper,
+                 const ProgressCallback& progress, const SurfaceDraft* draft)
+        : settings_(settings),
+          progress_(progress),
+          keeper_(keeper),
+          basis_(basis_for(scene, draft)),
+          shape_(basis_.mesh, settings.texels_per_radius),
+          tone_(basis_.tone),
+          state_(shape_, tone_),
+          fit_(scene.data(), shape_, settings_, shard)
+    {
     }
-    SurfaceModel model = fit.solve(viewed, job);
-    QuantisedViews views = quantised(fit.sums(), model, viewed);
-    model.nodes = decoded(views);
-    fit.refit_texels(model, job);
-    PalettedTexels texels = paletted(model.texels);
-    return {scene.centre,  scene.radius,          texels.palette, std::move(texels.texels),
-            views.colours, std::move(views.views)};
+
+    void trace()
+    {
+        std::vector<uint8_t> earlier;
+        if (keeper_ != nullptr && keeper_->store().read_state(earlier) && !add_encoded(earlier, state_)) {
+            throw BakeError("the checkpoint is damaged; discard it with --restart");
+        }
+        try {
+            fit_.trace(state_, progress_, [this] {
+                if (keeper_ != nullptr) {
+                    keeper_->keep_now_and_then(state_);
+                }
+            });
+        } catch (const Cancelled&) {
+            if (keeper_ != nullptr) {
+                keeper_->keep(state_);
+            }
+            throw;
+        }
+    }
+
+    SurfaceBake field()
+    {
+        SurfaceBake bake;
+        Job job(1, settings_.threads, {});
+        const SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, job);
+        bake.file = surface_file(shape_, parts);
+        bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
+        for (const ViewCode& view : parts.views) {
+            bake.viewed_vertices += view.gain != 0 ? 1u : 0u;
+        }
+        for (const SurfaceMesh::Patch& patch : shape_.mesh.patches) {
+            bake.triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
+        }
+        bake.texels = shape_.layout.texels;
+        bake.two_sided = shape_.mesh.two_sided;
+        bake.loss = basis_.loss;
+        bake.paths = state_.paths;
+        return bake;
+    }
+
+    const SurfaceState& state() const { return state_; }
+
+private:
+    SurfaceBasis basis_for(const Scene& scene, const SurfaceDraft* draft) const
+    {
+        if (std::optional<SurfaceBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt) {
+            return std::move(*kept);
+        }
+        SurfaceBasis basis = draft != nullptr ? basis_of(scene.data(), *draft)
+                                              : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_));
+        if (keeper_ != nullptr) {
+            keeper_->store().write_basis(basis);
+        }
+        return basis;
+    }
+
+    const SurfaceSettings settings_;
+    const ProgressCallback& progress_;
+    Keeper* const keeper_;
+    const SurfaceBasis basis_;
+    const SurfaceShape shape_;
+    const EncodedTone tone_;
+    SurfaceState state_;
+    SurfaceFit fit_;
+};
+
+void require_possible(const Scene& scene, const SurfaceSettings& settings)
+{
+    require_partial_coverage(scene.data(), false);
+    require_possible_surface(settings);
+}
+
+BakeIdentity identity(const Scene& scene, const SurfaceSettings& settings, const Shard& shard)
+{
+    return identity_of(scene, settings, shard, tracing_fingerprint(scene.data()));
+}
+
+bool has_all(BlockFile& file)
+{
+    SurfaceFileStore store(file);
+    std::vector<uint8_t> bytes;
+    return store.read_basis() && store.read_state(bytes) && is_complete(bytes);
 }
 
 }  // namespace
@@ -44,36 +169,40 @@ SurfaceParts quantised_parts(const SceneData& scene, const SurfaceFit& fit, cons
 SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress,
                           const SurfaceDraft* draft)
 {
-    if (draft == nullptr) {
-        const SurfaceDraft own(scene, settings, progress);
-        return surface_field(scene, settings, progress, &own);
-    }
-    const SceneData& data = scene.data();
-    SurfaceBake bake;
-    Job job(1, settings.threads, progress);
-    const BuiltSurface& built = draft->contents().built;
-    bake.loss = built.loss;
-    const SurfaceShape shape(built.mesh, settings.texels_per_radius);
-    describe(shape, bake);
-    SurfaceFit fit(data, shape, settings);
-    fit.trace(progress);
-    bake.paths = fit.paths();
-    const SurfaceParts parts = quantised_parts(data, fit, settings, job);
-    for (const ViewCode& view : parts.views) {
-        bake.viewed_vertices += view.gain != 0 ? 1u : 0u;
-    }
-    bake.file = surface_file(shape, parts);
-    return bake;
+    require_possible(scene, settings);
+    SurfaceBaker baker(scene, settings, {}, nullptr, progress, draft);
+    baker.trace();
+    return baker.field();
 }
 
 SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
-                         const ProgressCallback& progress, Earlier, const SurfaceDraft* draft)
+                         const ProgressCallback& progress, Earlier earlier, const SurfaceDraft* draft)
 {
-    SurfaceBake bake = surface_field(scene, settings, progress, draft);
+    require_possible(scene, settings);
+    Keeper keeper(checkpoint_of(output), identity(scene, settings, {}), earlier);
+    SurfaceBaker baker(scene, settings, {}, &keeper, progress, draft);
+    baker.trace();
+    SurfaceBake bake = baker.field();
     NewFile file(output);
     file.append(bake.file);
     file.commit();
+    keeper.checkpoint().remove();
     return bake;
+}
+
+void bake_surface_shard(const Scene& scene, const SurfaceSettings& settings, const Shard& shard,
+                        const std::filesystem::path& output, const ProgressCallback& progress, Earlier earlier)
+{
+    require_possible(scene, settings);
+    const BakeIdentity id = identity(scene, settings, shard);
+    if (earlier == Earlier::resume && is_finished_shard(output, id, has_all)) {
+        return;
+    }
+    Keeper keeper(checkpoint_of(output), id, earlier);
+    SurfaceBaker baker(scene, settings, shard, &keeper, progress, nullptr);
+    baker.trace();
+    keeper.keep(baker.state());
+    keeper.checkpoint().rename_to(output);
 }
 
 }  // namespace lumi::baker

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// From light paths to the colours of a surface field.
+// Traces the light of a surface field into sums.
 //
 // A pilot of few paths, kept one by one, finds about which levels each sample shows; then every further path is added
 // to sums that are linear around those.
 #pragma once
 
-#include <optional>
+#include <functional>
 
 #include "lumi/baker/surface.h"
 #include "surface/surface_solver.h"
+#include "surface/surface_state.h"
 
 namespace lumi::baker
 {
@@ -17,33 +18,25 @@ class SurfaceFit
 {
 public:
     // Borrows all.
-    SurfaceFit(const SceneData& scene, const SurfaceShape& shape, const SurfaceSettings& settings);
+    SurfaceFit(const SceneData& scene, const SurfaceShape& shape, const SurfaceSettings& settings, const Shard& shard);
 
-    // Traces. Throws Cancelled.
-    void trace(const ProgressCallback& progress);
-    uint64_t paths() const { return paths_; }
-
-    // The best for all that was traced; nodes of vertices that are not `viewed` are 0, empty: all are viewed.
-    SurfaceModel solve(const std::vector<uint8_t>& viewed, Job& job) const;
-    // The texels that go with these nodes.
-    void refit_texels(SurfaceModel& model, Job& job) const;
-    const SurfaceSums& sums() const { return *sums_; }
+    // Goes on from `state` until all paths of the shard are in it; `keep` is called when some more are. Throws
+    // Cancelled, with what is whole in the state.
+    void trace(SurfaceState& state, const ProgressCallback& progress, const std::function<void()>& keep);
 
 private:
-    uint32_t batches_for(double paths_per_texel) const;
-    void pilot(Job& job);
-    SortedSamples traced(uint64_t seed, uint32_t first, uint32_t count, Job& job) const;
-    void finish_texels(SurfaceModel& model) const;
+    uint32_t batches_for(double paths) const;
+    uint32_t pilot_batches() const;
+    uint32_t shard_batches() const;
+    void pilot(SurfaceState& state, Job& job) const;
+    SortedSamples traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const;
+    std::vector<uint32_t> next_batches(uint32_t first, uint32_t count) const;
 
     const SurfaceShape& shape_;
     const SurfaceSettings& settings_;
-    const EncodedTone tone_;
+    const Shard shard_;
     const SurfaceTracer tracer_;
-    const ViewSmoothness smoothness_;
     double paths_per_batch_;
-    SurfaceModel expected_;
-    std::optional<SurfaceSums> sums_;
-    uint64_t paths_ = 0;
 };
 
 }  // namespace lumi::baker

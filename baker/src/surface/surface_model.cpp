@@ -12,6 +12,12 @@ constexpr int kOneQ12 = 4096;
 
 }  // namespace
 
+SurfaceModel empty_model(const SurfaceShape& shape)
+{
+    return {std::vector<LevelColour>(shape.layout.texels),
+            std::vector<LevelColour>(shape.mesh.positions.size() * format::kViewNodes)};
+}
+
 SampleTaps taps_of(const SurfaceShape& shape, const SurfaceSample& s)
 {
     SampleTaps result;

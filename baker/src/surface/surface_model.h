@@ -15,6 +15,8 @@ struct SurfaceModel {
     std::vector<LevelColour> nodes;  // kViewNodes a vertex
 };
 
+SurfaceModel empty_model(const SurfaceShape& shape);
+
 // The nodes that a sample sees, and their weights; those of no weight are left out.
 struct SampleTaps {
     struct Tap {

@@ -47,9 +47,9 @@ void subtract(const uint32_t* crossed, const std::array<double, 3>& colour, std:
 
 }  // namespace
 
-SurfaceSolver::SurfaceSolver(const SurfaceSums& sums, const ViewSmoothness& smoothness,
-                             const std::vector<uint8_t>& viewed, Job& job)
-    : sums_(sums), smoothness_(smoothness), viewed_(viewed), job_(job), parts_(sums.patches().size())
+SurfaceSolver::SurfaceSolver(const SurfaceSums& sums, const ViewSmoothness& smoothness, std::vector<uint8_t> viewed,
+                             Job& job)
+    : sums_(sums), smoothness_(smoothness), viewed_(std::move(viewed)), job_(job), parts_(sums.patches().size())
 {
 }
 

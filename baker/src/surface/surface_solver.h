@@ -15,9 +15,8 @@ namespace lumi::baker
 class SurfaceSolver
 {
 public:
-    // Borrows all. Nodes of vertices that are not `viewed` stay 0; empty: all are.
-    SurfaceSolver(const SurfaceSums& sums, const ViewSmoothness& smoothness, const std::vector<uint8_t>& viewed,
-                  Job& job);
+    // Borrows the others. Nodes of vertices that are not `viewed` stay 0; empty: all are.
+    SurfaceSolver(const SurfaceSums& sums, const ViewSmoothness& smoothness, std::vector<uint8_t> viewed, Job& job);
 
     // Goes on from the nodes of `model`.
     void solve(SurfaceModel& model, int iterations);
@@ -39,7 +38,7 @@ private:
 
     const SurfaceSums& sums_;
     const ViewSmoothness& smoothness_;
-    const std::vector<uint8_t>& viewed_;
+    const std::vector<uint8_t> viewed_;
     Job& job_;
     std::vector<Numbers> parts_;  // by patch
 };

@@ -12,7 +12,6 @@ namespace
 {
 
 constexpr float kWhite = 255;
-constexpr uint32_t kMaxTexelSamples = uint32_t{1} << 20;
 
 std::array<int64_t, 3> fixed(const LevelColour& levels)
 {
@@ -80,6 +79,13 @@ SurfaceSums::SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, con
     }
 }
 
+void require_few_enough(uint32_t texel_samples)
+{
+    if (texel_samples >= kMaxTexelSamples) {
+        throw BakeError("a texel got a million light paths, more than sums can hold; choose fewer --paths");
+    }
+}
+
 LevelColour SurfaceSums::target_of(const SurfaceSample& sample, const LevelColour& expected) const
 {
     LevelColour target = tone_.line_at(expected)(sample.radiance);
@@ -100,9 +106,7 @@ void SurfaceSums::add(uint32_t patch, const SurfaceSample* begin, const SurfaceS
         const std::array<int64_t, 3> target = fixed(target_of(*s, expected)), p = fixed(expected);
         TexelSums& texel = sums.texels[s->texel - first];
         uint32_t* crossed = &sums.crossed[size_t{s->texel - first} * kPatchNodes];
-        if (++texel.count == kMaxTexelSamples) {
-            throw BakeError("a texel got a million light paths, more than sums can hold; choose fewer --paths");
-        }
+        require_few_enough(++texel.count);
         for (size_t c = 0; c < 3; ++c) {
             texel.target[c] += target[c];
             texel.predicted[c] += p[c];

@@ -11,6 +11,7 @@
 namespace lumi::baker
 {
 
+inline constexpr uint32_t kMaxTexelSamples = uint32_t{1} << 20;
 inline constexpr double kWeightUnit = 1.0 / 4096, kLevelUnit = 1.0 / 64;
 
 struct TexelSums {
@@ -60,6 +61,9 @@ struct PatchSums {
 
 // What is brighter than white shows as white: a fit may count it as that, once it is known well what is.
 enum class White : uint8_t { goes_on, clips };
+
+// Throws BakeError where sums cannot hold so many.
+void require_few_enough(uint32_t texel_samples);
 
 class SurfaceSums
 {

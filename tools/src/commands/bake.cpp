@@ -118,7 +118,9 @@ Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::Progres
         return progress(report);
     };
     try {
-        if (job.surface)
+        if (job.surface && job.shard)
+            baker::bake_surface_shard(scene, *job.surface, *job.shard, job.target, note, job.earlier);
+        else if (job.surface)
             outcome.surface = baker::bake_surface(scene, *job.surface, job.target, note, job.earlier);
         else if (job.shard)
             baker::bake_shard(scene, job.settings, *job.shard, job.target, note, job.earlier);

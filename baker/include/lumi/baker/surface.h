@@ -64,9 +64,18 @@ private:
 SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {},
                           const SurfaceDraft* draft = nullptr);
 
-// Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was.
+// Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
+// checkpoint keeps the mesh and the sums of what is traced, written every minute and when a bake is cancelled: a killed
+// process loses a minute. Disk: about three times the sums, which take some hundred bytes a texel. Throws BakeError,
+// Cancelled; either way the checkpoint stays.
 SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
                          const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume,
                          const SurfaceDraft* draft = nullptr);
+
+// The same for one shard of the light paths, as bake_shard does. Each shard traces the pilot for itself, about 65 paths
+// a texel: that share of the work is not divided.
+void bake_surface_shard(const Scene& scene, const SurfaceSettings& settings, const Shard& shard,
+                        const std::filesystem::path& output, const ProgressCallback& progress = {},
+                        Earlier earlier = Earlier::resume);
 
 }  // namespace lumi::baker

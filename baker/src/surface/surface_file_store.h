@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The blocks of a surface bake's checkpoint or shard.
+//
+//   size    of the block "basis"
+//   basis   the mesh and what else a merge needs, the same in all shards
+//   places  two of them, written in turn: where the newest state lies. A state is written beside the one before it, so
+//           that a bake that is killed meanwhile goes on from that one.
+#pragma once
+
+#include "store/block_file.h"
+#include "surface/surface_codec.h"
+
+namespace lumi::baker
+{
+
+class SurfaceFileStore
+{
+public:
+    explicit SurfaceFileStore(BlockFile& file) : file_(file) {}  // borrows
+
+    // Nothing where it is not there or damaged.
+    std::optional<SurfaceBasis> read_basis();
+    void write_basis(const SurfaceBasis& basis);
+
+    // After the basis is read or written. False where no whole state is there.
+    bool read_state(std::vector<uint8_t>& bytes);
+    void write_state(const std::vector<uint8_t>& bytes);
+
+private:
+    struct Place {
+        uint64_t turn = 0, offset = 0, size = 0;
+    };
+    Block basis_block() const;
+    Block place_block(uint64_t turn) const;
+    Block state_block(const Place& place) const;
+    std::optional<Place> place(uint64_t turn) const;
+
+    BlockFile& file_;
+    uint64_t basis_size_ = 0;
+    Place newest_;
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "surface/surface_solution.h"
+
+#include "surface/surface_solver.h"
+#include "surface/texel_fill.h"
+#include "surface/texel_palette.h"
+#include "surface/view_quantiser.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr int kIterations = 60;
+
+// Takes the line back: the mean light that it stands for, encoded.
+void finish_texels(const SurfaceState& state, SurfaceModel& model)
+{
+    for (uint32_t p = 0; p < state.shape.mesh.patches.size(); ++p) {
+        const PatchRectangle& r = state.shape.layout.rectangles[p];
+        std::vector<uint32_t> counts;
+        for (size_t t = 0; t < r.size(); ++t) {
+            const TexelSums& texel = state.sums.patches()[p].texels[t];
+            counts.push_back(texel.count);
+            const double unit = kLevelUnit / std::max(texel.count, 1u);
+            LevelColour expected, target;
+            for (size_t c = 0; c < 3; ++c) {
+                expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(texel.predicted[c])));
+                target[c] = static_cast<float>(unit * static_cast<double>(texel.target[c]));
+            }
+            const LevelColour shown = state.tone.encoded(state.tone.line_at(expected).inverse(target));
+            for (size_t c = 0; c < 3 && texel.count != 0; ++c) {
+                model.texels[r.begin + t][c] += shown[c] - target[c];
+            }
+        }
+        smooth_starved(&model.texels[r.begin], counts, r.n);
+    }
+}
+
+class Solution
+{
+public:
+    Solution(const SurfaceState& state, Job& job) : state_(state), smoothness_(state.shape), job_(job) {}
+
+    // Nodes of vertices that are not `viewed` are 0; empty: all are viewed.
+    SurfaceModel best(const std::vector<uint8_t>& viewed) const
+    {
+        SurfaceModel model = state_.expected;
+        SurfaceSolver(state_.sums, smoothness_, viewed, job_).solve(model, kIterations);
+        return model;
+    }
+    // The texels that go with these nodes.
+    void refit_texels(SurfaceModel& model) const
+    {
+        SurfaceSolver(state_.sums, smoothness_, {}, job_).fit_texels(model);
+        finish_texels(state_, model);
+    }
+
+private:
+    const SurfaceState& state_;
+    const ViewSmoothness smoothness_;
+    Job& job_;
+};
+
+}  // namespace
+
+SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, Job& job)
+{
+    for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
+    const Solution solution(state, job);
+    std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
+    if (view_tables) {
+        viewed = viewed_vertices(state.sums, solution.best({}));
+    }
+    SurfaceModel model = solution.best(viewed);
+    QuantisedViews views = quantised(state.sums, model, viewed);
+    model.nodes = decoded(views);
+    solution.refit_texels(model);
+    PalettedTexels texels = paletted(model.texels);
+    return {sphere.centre, sphere.radius,         texels.palette, std::move(texels.texels),
+            views.colours, std::move(views.views)};
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include "lumi/baker/merge.h"
+#include "surface/surface_scenes.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+std::string file_of(const Scene& scene, const SurfaceSettings& settings, const ScratchFolder& folder)
+{
+    bake_surface(scene, settings, folder.at("f.lumi"));
+    return read_bytes(folder.at("f.lumi"));
+}
+
+// Cancels once so many of a bake's light paths are traced; reports of the mesh are let pass.
+ProgressCallback stop_at(double share)
+{
+    return [share](const Progress& p) {
+        return p.rays_total <= 1 || static_cast<double>(p.rays_done) < share * static_cast<double>(p.rays_total);
+    };
+}
+
+std::vector<std::filesystem::path> bake_shards(const Scene& scene, const SurfaceSettings& settings, uint32_t count,
+                                               const ScratchFolder& folder)
+{
+    std::vector<std::filesystem::path> files;
+    for (uint32_t k = 1; k <= count; ++k) {
+        files.push_back(folder.at("f." + std::to_string(k)));
+        bake_surface_shard(scene, settings, {k, count}, files.back());
+    }
+    return files;
+}
+
+}  // namespace
+
+TEST_CASE("a surface bake goes on where it was stopped, to the same bytes", "[repeated]")
+{
+    const Scene scene = tiny_scene();
+    const std::string whole = baked(scene, tiny_surface());
+    for (const double share : {0.1, 0.95}) {
+        const ScratchFolder folder;
+        CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(share)), Cancelled);
+        CHECK(folder.file_count() == 1);
+        CHECK(file_of(scene, tiny_surface(), folder) == whole);
+        CHECK(folder.file_count() == 1);
+    }
+}
+
+TEST_CASE("what a stopped surface bake has traced is not traced again", "[repeated]")
+{
+    const Scene scene = tiny_scene();
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(1)), Cancelled);
+    std::optional<Progress> first;
+    bake_surface(scene, tiny_surface(), folder.at("f.lumi"), [&](const Progress& p) {
+        first = first ? first : p;
+        return true;
+    });
+    CHECK(first->rays_done == first->rays_total);
+}
+
+TEST_CASE("a damaged surface checkpoint is traced again, to the same bytes", "[repeated]")
+{
+    const Scene scene = tiny_scene();
+    const std::string whole = baked(scene, tiny_surface());
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(1)), Cancelled);
+    std::string part = read_bytes(folder.at("f.lumi.part"));
+    for (const size_t at : {part.size() - 1, size_t{230}}) {
+        std::string damaged = part;
+        damaged[at] = static_cast<char>(damaged[at] ^ 1);
+        folder.write("f.lumi.part", damaged);
+        CHECK(file_of(scene, tiny_surface(), folder) == whole);
+    }
+}
+
+TEST_CASE("a checkpoint of other surface settings is refused by name")
+{
+    const Scene scene = tiny_scene();
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(0.1)), Cancelled);
+    SurfaceSettings other = tiny_surface();
+    other.texels_per_radius = 7;
+    CHECK_THROWS_WITH(bake_surface(scene, other, folder.at("f.lumi")),
+                      Catch::Contains("other texel density: 6 there, 7 here"));
+}
+
+TEST_CASE("shards of a surface bake merge to the bytes of the whole", "[repeated]")
+{
+    const Scene scene = tiny_scene();
+    const ScratchFolder folder;
+    std::vector<std::filesystem::path> shards = bake_shards(scene, tiny_surface(), 3, folder);
+    std::reverse(shards.begin(), shards.end());
+    const MergedField merged = merge_shards(shards, folder.at("f.lumi"));
+    CHECK(merged.shards == 3);
+    CHECK(read_bytes(folder.at("f.lumi")) == baked(scene, tiny_surface()));
+}
+
+TEST_CASE("missing and damaged and foreign and unfinished surface shards are named", "[repeated]")
+{
+    const Scene scene = tiny_scene();
+    const ScratchFolder folder;
+    SurfaceSettings settings = tiny_surface();
+    settings.paths_per_texel = 100;
+    const std::vector<std::filesystem::path> shards = bake_shards(scene, settings, 2, folder);
+    CHECK_THROWS_WITH(merge_shards({shards[1]}, folder.at("f.lumi")), Catch::Contains("shard 1 of 2 is missing"));
+    std::string bytes = read_bytes(shards[0]);
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    folder.write("f.1", bytes);
+    CHECK_THROWS_WITH(merge_shards(shards, folder.at("f.lumi")), Catch::Contains("f.1: is not finished or damaged"));
+    CHECK_THROWS_AS(bake_surface_shard(scene, settings, {1, 2}, folder.at("u"), stop_at(0.8)), Cancelled);
+    CHECK_THROWS_WITH(merge_shards({folder.at("u.part"), shards[1]}, folder.at("f.lumi")),
+                      Catch::Contains("u.part: is not finished or damaged"));
+    SurfaceSettings other = settings;
+    other.seed = 2;
+    bake_surface_shard(scene, other, {1, 2}, folder.at("f.1"), {}, Earlier::discard);
+    CHECK_THROWS_WITH(merge_shards(shards, folder.at("f.lumi")), Catch::Contains("other seed"));
+}
+
+}  // namespace lumi::baker::testing
