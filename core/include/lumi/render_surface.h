@@ -89,15 +89,19 @@ __attribute__((noinline)) void store_marked(uint8_t* pixel, const Background& ba
 template <class Pixel, class Background>
 void resolve_row(const Background& background, uint8_t* pixel, int32_t count, const SampleRow& row)
 {
-    for (int32_t x = 0; x < count; ++x, pixel += Pixel::kBytes) {
-        const uint32_t depth = row.depths[x];
-        if (depth >= kFarDepth && (row.colours[x] & kMarkedColour) == 0) {
-            store_colour<Pixel>(pixel, row.colours[x]);
+    const uint16_t* depth_at = row.depths;
+    const PackedColour* colour_at = row.colours;
+    for (const uint16_t* const end = depth_at + count; depth_at != end; ++depth_at, ++colour_at) {
+        const uint32_t depth = *depth_at;
+        const PackedColour colour = *colour_at;
+        if (depth >= kFarDepth && (colour & kMarkedColour) == 0) {
+            store_colour<Pixel>(pixel, colour);
         } else if (depth != kEmptyDepth) {
-            store_marked<Pixel>(pixel, background, row, x);
+            store_marked<Pixel>(pixel, background, row, static_cast<int32_t>(depth_at - row.depths));
         } else if (Background::kFills) {
             Pixel::store(pixel, background.template under<Pixel>(pixel));
         }
+        pixel += Pixel::kBytes;
     }
 }
 

@@ -51,10 +51,15 @@ struct SurfaceVertex {
 // The caller's memory for a frame. It belongs to the frame as long as it is used; so do the field's bytes.
 struct SurfaceMemory {
     SurfaceVertex* vertices;  // of every vertex
-    uint16_t* links;          // of every triangle: 2 × patch_count
+    uint16_t* links;          // surface_links(): of every triangle, then a bit for each that has an outline
     uint16_t* bands;          // surface_bands()
     uint32_t band_log2;       // rows of pixels a band: best those of a stripe, 2^0 .. 2^8
 };
+
+constexpr uint32_t surface_links(uint32_t patches)
+{
+    return 2 * patches + (2 * patches + 15) / 16;
+}
 
 constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
 {
@@ -65,7 +70,7 @@ constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
 constexpr uint32_t surface_frame_bytes(uint32_t vertices, uint32_t patches, int32_t height_px, uint32_t band_log2)
 {
     return vertices * static_cast<uint32_t>(sizeof(SurfaceVertex)) +
-           static_cast<uint32_t>(sizeof(uint16_t)) * (2 * patches + surface_bands(height_px, band_log2));
+           static_cast<uint32_t>(sizeof(uint16_t)) * (surface_links(patches) + surface_bands(height_px, band_log2));
 }
 
 // From a vertex's numbers to the grid of samples; shifts and scales are chosen so that all fits 32 bits.

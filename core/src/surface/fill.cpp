@@ -143,19 +143,21 @@ LUMI_ALWAYS_INLINE void set_edges(Descent& d, const Outline& o, int32_t first_co
 void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
                    const Target& target)
 {
-    const Length ab = between(a.point, b.point), ac = between(a.point, c.point);
-    const int32_t area = doubled_area(ab, ac);
-    if (area >= 0) {
-        if (area != 0 && two_sided) fill_triangle(a, c, b, false, texture, target);
-        return;
+    Facing f = {&a, &b, &c, between(a.point, b.point), between(a.point, c.point)};
+    int32_t area = doubled_area(f.ab, f.ac);
+    if (area > 0 && two_sided) {
+        f = {&a, &c, &b, f.ac, f.ab};
+        area = -area;
     }
-    const Outline o = outline_of(&a.point, &b.point, &c.point);
+    if (area >= 0) return;
+    const Outline o = outline_of(&f.a->point, &f.b->point, &f.c->point);
     const int32_t below = target.y + target.height;
     Descent d;
     d.y = o.first > target.y ? o.first : target.y;
     d.end = o.last < below ? o.last : below;
     if (d.y >= d.end) return;
-    const PlaneMaker maker(a, b, c, ab, ac, static_cast<uint32_t>(-area), target.x, d.y);
+    const Shares shares = shares_of(f, static_cast<uint32_t>(-area));
+    const PlaneMaker maker(f, shares, target.x, d.y);
     d.planes = {maker.depth(), maker.place(), maker.colour()};
     set_edges(d, o, target.x);
     target.has_two_taps ? fill_rows<true>(d, texture, target) : fill_rows<false>(d, texture, target);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A frame's vertices and lists of triangles.
 #include "lumi/detail/surface/view_nodes.h"
-#include "surface/bands.h"
+#include "lumi/render_surface.h"
 #include "surface/projection.h"
+#include "surface/sides.h"
 
 namespace lumi::surfaces
 {
@@ -122,13 +123,15 @@ public:
     {
         const SurfaceVertex* v = frame_.memory.vertices;
         const Seen s = {v + a, v + b, v + c};
-        if (frame_.is_whole || s.are_there()) {
-            if (!faces_eye(frame_, s) || !list(triangle, s)) {
-                frame_.memory.links[triangle] = kUnlisted;
-                return;
-            }
-        } else {
+        uint16_t& link = frame_.memory.links[triangle];
+        if (!frame_.is_whole && !s.are_there()) {
             put(frame_, frame_.other_list, triangle, 0);
+        } else if (!faces_eye(frame_, s)) {
+            link = kTurnedAway;
+            return;
+        } else if (!list(triangle, s)) {
+            link = kWithoutSamples;
+            return;
         }
         light(frame_, a);
         light(frame_, b);
@@ -204,7 +207,20 @@ void put_triangles(SurfaceFrame& frame)
         if (corner[3] != format::kNoVertex) {
             lister.add(2 * k + 1, corner[3], corner[2], corner[1]);
         } else {
-            frame.memory.links[2 * k + 1] = kUnlisted;
+            frame.memory.links[2 * k + 1] = kTurnedAway;
+        }
+    }
+}
+
+void put_outlines(const SurfaceFrame& frame)
+{
+    uint16_t* const bits = outline_bits(frame);
+    for (uint32_t k = 0; k < 2 * frame.field.patch_count; ++k) {
+        if ((k & 15) == 0) bits[k >> 4] = 0;
+        if (frame.memory.links[k] >= kWithoutSamples) continue;
+        const Sides s = sides_of(frame.field, surface_patch(frame.field, k >> 1), k);
+        if (is_outline(frame, s.side[0]) || is_outline(frame, s.side[1]) || is_outline(frame, s.side[2])) {
+            bits[k >> 4] = static_cast<uint16_t>(bits[k >> 4] | 1u << (k & 15));
         }
     }
 }
@@ -226,6 +242,7 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     if (!set_projection(camera, out)) return;
     put_vertices(out);
     put_triangles(out);
+    if (blends_outlines(out)) put_outlines(out);
 }
 
 }  // namespace lumi::surfaces

@@ -33,13 +33,19 @@ LUMI_ALWAYS_INLINE int32_t doubled_area(const Length& ab, const Length& ac)
     return ab.x_q6 * ac.y_q6 - ac.x_q6 * ab.y_q6;
 }
 
+// A triangle whose corners run counter-clockwise on the screen.
+struct Facing {
+    const Corner *a, *b, *c;
+    Length ab, ac;
+};
+
 // What the shares of the corners b and c in a sample add to the right and downwards, Q16.
 struct Shares {
     int32_t b_right, b_down, c_right, c_down;
 };
 
-// Of a triangle that is less than about a sample thick: it is taken for its longest edge.
-Shares shares_of_sliver(const Length& ab, const Length& ac);
+// Of a triangle that is less than about a sample thick: it is taken for its longest edge, which becomes a-b.
+Shares shares_of_sliver(Facing& f);
 
 // 64·length/area, Q16, for an area of at least 64.
 LUMI_ALWAYS_INLINE int32_t over_area(int32_t length_q6, const Reciprocal& r)
@@ -53,26 +59,25 @@ LUMI_ALWAYS_INLINE int32_t extent(const Length& e)
     return x > y ? x : y;
 }
 
-LUMI_ALWAYS_INLINE Shares shares_of(const Length& ab, const Length& ac, uint32_t area)
+LUMI_ALWAYS_INLINE Shares shares_of(Facing& f, uint32_t area)
 {
-    const int32_t of_b = extent(ab), of_c = extent(ac), longer = of_b > of_c ? of_b : of_c;
-    if (area < static_cast<uint32_t>(longer) * 96) return shares_of_sliver(ab, ac);
+    const int32_t of_b = extent(f.ab), of_c = extent(f.ac), longer = of_b > of_c ? of_b : of_c;
+    if (area < static_cast<uint32_t>(longer) * 96) return shares_of_sliver(f);
     const Reciprocal r = reciprocal(area);
-    return {-over_area(ac.y_q6, r), over_area(ac.x_q6, r), over_area(ab.y_q6, r), -over_area(ab.x_q6, r)};
+    return {-over_area(f.ac.y_q6, r), over_area(f.ac.x_q6, r), over_area(f.ab.y_q6, r), -over_area(f.ab.x_q6, r)};
 }
 
 // Planes from a sample near the triangle's middle, where roundings of steps add up least.
 class PlaneMaker
 {
 public:
-    LUMI_ALWAYS_INLINE PlaneMaker(const Corner& a, const Corner& b, const Corner& c, const Length& ab, const Length& ac,
-                                  uint32_t area, int32_t left, int32_t row)
-        : a_(a), b_(b), c_(c), shares_(shares_of(ab, ac, area))
+    LUMI_ALWAYS_INLINE PlaneMaker(const Facing& f, const Shares& shares, int32_t left, int32_t row)
+        : a_(*f.a), b_(*f.b), c_(*f.c), shares_(shares)
     {
-        const int32_t column = (a.point.x_q6 + (ab.x_q6 + ac.x_q6) / 4) >> 6;
-        const int32_t middle = (a.point.y_q6 + (ab.y_q6 + ac.y_q6) / 4) >> 6;
-        x_q6_ = (column << 6) + 32 - a.point.x_q6;
-        y_q6_ = (middle << 6) + 32 - a.point.y_q6;
+        const int32_t column = (a_.point.x_q6 + (f.ab.x_q6 + f.ac.x_q6) / 4) >> 6;
+        const int32_t middle = (a_.point.y_q6 + (f.ab.y_q6 + f.ac.y_q6) / 4) >> 6;
+        x_q6_ = (column << 6) + 32 - a_.point.x_q6;
+        y_q6_ = (middle << 6) + 32 - a_.point.y_q6;
         columns_ = static_cast<uint32_t>(left - column);
         rows_ = static_cast<uint32_t>(row - middle);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/render_surface.h"
 #include "surface/bands.h"
+#include "surface/sides.h"
 #include "surface/silhouette.h"
 #include "surface/split.h"
 
@@ -9,9 +10,8 @@ namespace lumi::surfaces
 namespace
 {
 
-MeshTriangle mesh_triangle(const SurfaceField& field, uint32_t k)
+MeshTriangle mesh_triangle(const SurfacePatch& patch, const SurfaceField& field, uint32_t k)
 {
-    const SurfacePatch patch = surface_patch(field, k >> 1);
     constexpr int32_t kInsetQ8 = 256 >> format::kPatchInsetShift;
     const int32_t right = static_cast<int32_t>(patch.columns << 8) - kInsetQ8;
     const int32_t bottom = static_cast<int32_t>(patch.rows << 8) - kInsetQ8;
@@ -23,9 +23,20 @@ MeshTriangle mesh_triangle(const SurfaceField& field, uint32_t k)
     return {{corner[3], corner[2], corner[1]}, {right, kInsetQ8, right}, {bottom, bottom, kInsetQ8}, texture};
 }
 
+// Whether a listed triangle has samples in the target's rows. Packed numbers compare as their upper bits do.
+LUMI_ALWAYS_INLINE bool reaches(const SurfaceFrame& frame, const SurfacePatch& patch, uint32_t k, const Target& target)
+{
+    const SurfaceVertex* v = frame.memory.vertices;
+    const int32_t top = target.y << 14, bottom = (target.y + target.height) << 14;
+    const int32_t a = v[patch.corner[3 * (k & 1)]].y, b = v[patch.corner[1]].y, c = v[patch.corner[2]].y;
+    return (a > top || b > top || c > top) && (a < bottom || b < bottom || c < bottom);
+}
+
 void fill_listed(const SurfaceFrame& frame, uint32_t k, const Target& target)
 {
-    const MeshTriangle t = mesh_triangle(frame.field, k);
+    const SurfacePatch patch = surface_patch(frame.field, k >> 1);
+    if (!reaches(frame, patch, k, target)) return;
+    const MeshTriangle t = mesh_triangle(patch, frame.field, k);
     const auto corner = [&](int m) {
         const SurfaceVertex& v = frame.memory.vertices[t.vertex[m]];
         return Corner{unpacked(v), t.u_q8[m], t.v_q8[m], v.colour};
@@ -47,26 +58,13 @@ void each_of(const SurfaceFrame& frame, uint32_t list, const Draw& draw)
     }
 }
 
-// Of a triangle's sides the vertices, and the triangle across.
-struct Side {
-    uint32_t from, to, neighbour;
-};
-
 void mark_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
 {
     const SurfacePatch patch = surface_patch(frame.field, k >> 1);
-    const uint8_t* p = frame.field.neighbours + (k >> 1) * format::kNeighbourBytes;
-    const auto neighbour = [&](int at) { return static_cast<uint32_t>(p[2 * at] | p[2 * at + 1] << 8); };
-    const uint32_t *v = patch.corner, other = k ^ 1;
-    const bool is_lone = v[3] == format::kNoVertex;
-    const Side sides[] = {k & 1 ? Side{v[3], v[2], neighbour(2)} : Side{v[0], v[1], neighbour(0)},
-                          k & 1 ? Side{v[1], v[3], neighbour(3)} : Side{v[2], v[0], neighbour(1)},
-                          k & 1 ? Side{v[2], v[1], other} : Side{v[1], v[2], is_lone ? neighbour(2) : other}};
-    for (const Side& side : sides) {
-        const bool is_outline =
-            side.neighbour == format::kNoNeighbour || frame.memory.links[side.neighbour] == kUnlisted;
-        const SurfaceVertex &from = frame.memory.vertices[side.from], &to = frame.memory.vertices[side.to];
-        if (is_outline && is_there(from) && is_there(to)) {
+    const SurfaceVertex* v = frame.memory.vertices;
+    for (const Side& side : sides_of(frame.field, patch, k).side) {
+        const SurfaceVertex &from = v[side.from], &to = v[side.to];
+        if (is_outline(frame, side) && is_there(from) && is_there(to)) {
             mark_edge(from, to, frame.projection.one_surface, target);
         }
     }
@@ -103,9 +101,13 @@ void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* dept
     const int32_t bottom_px = rect.y_px + rect.height_px;
     each_between(
         frame, rect.y_px, bottom_px, [&](uint32_t k) { fill_listed(frame, k, target); },
-        [&](uint32_t k) { fill_in_parts(frame, mesh_triangle(frame.field, k), target); });
+        [&](uint32_t k) {
+            fill_in_parts(frame, mesh_triangle(surface_patch(frame.field, k >> 1), frame.field, k), target);
+        });
     if (!blends_outlines(frame)) return;
-    const auto mark = [&](uint32_t k) { mark_sides(frame, k, target); };
+    const auto mark = [&](uint32_t k) {
+        if (has_outline(frame, k)) mark_sides(frame, k, target);
+    };
     each_between(frame, rect.y_px, bottom_px, mark, mark);
 }
 

@@ -82,8 +82,9 @@ void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint32
 void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, uint32_t one_surface, const Target& target)
 {
     const SamplePoint a = unpacked(from), b = unpacked(to);
+    const int32_t left_q6 = target.x * 64, top_q6 = target.y * 64, bottom_q6 = top_q6 + target.height * 64;
+    if ((a.y_q6 < top_q6 && b.y_q6 < top_q6) || (a.y_q6 > bottom_q6 && b.y_q6 > bottom_q6)) return;
     const int32_t dx = b.x_q6 - a.x_q6, dy = b.y_q6 - a.y_q6;
-    const int32_t left_q6 = target.x * 64, top_q6 = target.y * 64;
     const bool is_steep = magnitude(dy) >= magnitude(dx);
     const auto end = [&](const SamplePoint& p) {
         const int32_t x = p.x_q6 - left_q6, y = p.y_q6 - top_q6, depth = static_cast<int32_t>(p.depth);

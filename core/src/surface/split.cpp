@@ -6,17 +6,18 @@ namespace lumi::surfaces
 namespace
 {
 
-constexpr int32_t kWhole = 1024;
-constexpr int kMostParts = 32;
+constexpr int kWholeLog2 = 16;
+constexpr int32_t kWhole = 1 << kWholeLog2;
+constexpr int kMostParts = 3 * kWholeLog2;
 
 // A point of the triangle: shares of the corners b and c in kWhole, a has the rest.
 struct Share {
-    int16_t b, c;
+    int32_t b, c;
 };
 
 Share middle(const Share& p, const Share& q)
 {
-    return {static_cast<int16_t>((p.b + q.b) / 2), static_cast<int16_t>((p.c + q.c) / 2)};
+    return {(p.b + q.b) / 2, (p.c + q.c) / 2};
 }
 
 // Whether the middle is one exactly.
@@ -92,7 +93,7 @@ private:
 
     static int64_t mixed(const Share& s, int64_t a, int64_t b, int64_t c)
     {
-        return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> 10;
+        return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> kWholeLog2;
     }
 
     ViewPoint view_at(const Share& s) const

@@ -13,7 +13,7 @@ constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
 
 SurfaceFrame frame;
 SurfaceVertex vertices[format::kMaxSurfaceVertices];
-uint16_t links[2 * format::kMaxPatches];
+uint16_t links[surface_links(format::kMaxPatches)];
 uint16_t bands[surface_bands(kSidePx, kSurfaceBandLog2)];
 uint32_t samples[surface_stripe_bytes(kSidePx, kSurfaceStripeRows, SurfaceMode::two_by_two) / sizeof(uint32_t)];
 

@@ -26,7 +26,7 @@ constexpr NamedMode kModes[] = {{"one-sample", SurfaceMode::one_sample},
                                 {"2x2", SurfaceMode::two_by_two}};
 
 SurfaceVertex vertices[kMaxVertices];
-uint16_t links[2 * kMaxPatches];
+uint16_t links[surface_links(kMaxPatches)];
 uint16_t bands[surface_bands(kHeight, kBandLog2)];
 uint32_t samples[surface_stripe_bytes(kWidth, kHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
 uint8_t pixels[kWidth * kHeight * PixelRgb888::kBytes];

@@ -44,7 +44,7 @@ public:
         : image_(image),
           mode_(mode),
           vertices_(field.vertex_count),
-          links_(2 * field.patch_count),
+          links_(surface_links(field.patch_count)),
           bands_(surface_bands(image.height_px, band_log2))
     {
         SurfaceCamera camera;
