@@ -27,12 +27,13 @@ ARROWS = {
 ORDER = """
 core/include/lumi
 core/include/lumi/detail
+core/include/lumi/detail/surface
 core/include/lumi/detail/stepping
 core/include/lumi/detail/chord
 core/include/lumi/detail/chord/kernel
 core/include/lumi/proxy
 core/include/lumi/guided
-core/include/lumi: render_spans.h render_spans_paper.h
+core/include/lumi: render_spans.h render_spans_paper.h quality.h surface_frame.h surface_quality.h render_surface.h
 core/src
 core/src/math
 core/src/field
@@ -44,6 +45,7 @@ core/src/chord/armv6m
 core/src/chord/kernel
 core/src/proxy
 core/src/guided
+core/src/surface
 
 platform/host
 platform/reference

@@ -24,6 +24,7 @@ set(LUMI_CORE_TEST_SOURCES
   stepping/hits_test.cpp
   surface/render_surface_test.cpp
   surface/surface_field_test.cpp
+  surface/surface_quality_test.cpp
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

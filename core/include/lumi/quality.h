@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Holds a frame rate: what to draw next, from how long the last frame took.
+// Holds a frame rate of chord fields (surface_quality.h: of surface fields): what to draw next, from how long the last
+// frame took.
 //
 //     QualityControl control({33333});                    // microseconds a frame
 //     const FrameQuality q = control.next(last_us, is_moving);
@@ -11,6 +12,7 @@
 #pragma once
 
 #include "lumi/camera.h"
+#include "lumi/detail/quality_ladder.h"
 
 namespace lumi
 {
@@ -53,21 +55,11 @@ public:
     FrameQuality next(uint32_t last_frame, bool moving);
 
     // The step of the last answer.
-    QualityStep step() const { return resting_ ? refined_ : moving_; }
+    QualityStep step() const { return static_cast<QualityStep>(ladder_.step()); }
 
 private:
-    void adapt(uint32_t last_frame);
-    void refine();
-
-    QualityLimits limits_;
-    QualityStep moving_, refined_;
-    uint32_t roomy_frames_ = 0;      // frames in a row with room for a finer step
-    uint32_t patience_;              // how many of them it takes
-    uint32_t since_raised_ = kLong;  // frames since the last raise
-    bool resting_ = false, measured_ = false, finished_ = false;
+    QualityLadder ladder_;
     int32_t parity_ = 1;
-
-    static constexpr uint32_t kLong = 1u << 20;
 };
 
 }  // namespace lumi

@@ -9,28 +9,9 @@ namespace
 // What a step costs at most, in sixteenths of the one before: docs/log/tradeoff.md, with a margin. From one tap to the
 // product's reconstruction it is that of 3×3; where it costs more, a raise fails and is tried ever more seldom.
 constexpr uint8_t kGrowth_q4[] = {16, 34, 34, 20, 22, 28, 250};
-constexpr uint32_t kMinPatience = 4;    // frames
-constexpr uint32_t kMaxPatience = 128;  // a raise that fails again and again is tried every few seconds
-constexpr uint32_t kTrial = 8;          // frames after a raise within which being late counts as its failure
-
-QualityStep clamped(QualityStep step, QualityStep low, QualityStep high)
+constexpr uint8_t number(QualityStep step)
 {
-    return step < low ? low : step > high ? high : step;
-}
-
-QualityStep raised(QualityStep step)
-{
-    return static_cast<QualityStep>(static_cast<uint8_t>(step) + 1);
-}
-
-QualityStep lowered(QualityStep step)
-{
-    return static_cast<QualityStep>(static_cast<uint8_t>(step) - 1);
-}
-
-bool has_room_for(QualityStep step, const QualityLimits& limits, uint32_t last_frame)
-{
-    return step <= limits.finest_moving && last_frame <= limits.budget / kGrowth_q4[static_cast<uint8_t>(step)] * 16;
+    return static_cast<uint8_t>(step);
 }
 
 int32_t span_px_of(QualityStep step)
@@ -55,65 +36,17 @@ int32_t span_px_of(QualityStep step)
 }  // namespace
 
 QualityControl::QualityControl(const QualityLimits& limits)
-    : limits_(limits),
-      moving_(clamped(QualityStep::spans16, limits.coarsest, limits.finest_moving)),
-      refined_(moving_),
-      patience_(kMinPatience)
+    : ladder_({limits.budget, kGrowth_q4, number(limits.coarsest), number(limits.finest_moving),
+               number(QualityStep::spans16), number(limits.finest_resting), number(QualityStep::spans16)})
 {
 }
 
 FrameQuality QualityControl::next(uint32_t last_frame, bool moving)
 {
-    if (moving) {
-        // A frame at rest says nothing about those that must be in time.
-        if (measured_ && !resting_) adapt(last_frame);
-        resting_ = false;
-    } else {
-        refine();
-    }
-    measured_ = true;
+    const bool draws = ladder_.next(last_frame, moving);
     parity_ ^= 1;
     const QualityStep now = step();
-    return {!(resting_ && finished_), now <= QualityStep::one_tap, now == QualityStep::one_tap_interlaced, parity_,
-            span_px_of(now)};
-}
-
-void QualityControl::adapt(uint32_t last_frame)
-{
-    if (since_raised_ < kLong) ++since_raised_;
-    const bool late = last_frame > limits_.budget;
-    roomy_frames_ = has_room_for(raised(moving_), limits_, last_frame) ? roomy_frames_ + 1 : 0;
-    if (late && moving_ > limits_.coarsest) {
-        // A raise that failed makes the next one wait longer, so that quality does not swing.
-        if (since_raised_ <= kTrial && patience_ < kMaxPatience) patience_ *= 2;
-        const bool very_late = last_frame > 2 * limits_.budget;
-        moving_ = lowered(moving_);
-        if (very_late && moving_ > limits_.coarsest) moving_ = lowered(moving_);
-        since_raised_ = kLong;
-    } else if (roomy_frames_ >= patience_) {
-        moving_ = raised(moving_);
-        roomy_frames_ = 0;
-        since_raised_ = 0;
-    }
-}
-
-// The first frame at rest repeats the step of the last moving one without its shortcuts; each further one is a step
-// finer.
-void QualityControl::refine()
-{
-    if (!resting_) {
-        resting_ = true;
-        finished_ = false;
-        refined_ = clamped(moving_, QualityStep::spans16, limits_.finest_resting);
-        patience_ = kMinPatience;
-        roomy_frames_ = 0;
-        return;
-    }
-    if (refined_ < limits_.finest_resting) {
-        refined_ = raised(refined_);
-    } else {
-        finished_ = true;
-    }
+    return {draws, now <= QualityStep::one_tap, now == QualityStep::one_tap_interlaced, parity_, span_px_of(now)};
 }
 
 }  // namespace lumi
