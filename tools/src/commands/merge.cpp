@@ -42,8 +42,11 @@ void run(const MergeOptions& options)
     const std::string target = regular_target(options.output);
     announce_outputs({options.output});
     const baker::MergedField field = merge(options, target);
-    std::printf("%s: %s, %u x %u rays from %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(),
-                field.origins, field.directions, field.shards);
+    const bool surface = field.origins == 0;
+    const std::string rays =
+        surface ? "" : std::to_string(field.origins) + " x " + std::to_string(field.directions) + " rays ";
+    std::printf("%s: %s, %sfrom %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(), rays.c_str(),
+                field.shards);
 }
 
 }  // namespace

@@ -21,10 +21,11 @@ struct MergeError : BakeError {
 
 struct MergedField {
     uint64_t bytes = 0;
-    uint32_t origins = 0, directions = 0, shards = 0;
+    uint32_t origins = 0, directions = 0;  // of a chord field
+    uint32_t shards = 0;
 };
 
-// Writes `output`, bit-identical to what bake_field would. The shards may come in any order. Before the
+// Writes `output`, bit-identical to what bake_field or bake_surface would. The shards may come in any order. Before the
 // first byte is written every row of every shard is checked. Throws MergeError for missing, double, foreign, stale or
 // damaged shards, FileClash where the output is one of them, BakeError if it cannot be written, Cancelled once
 // `keep_going` returns false; an earlier output then stays as it was. Memory: one row.
