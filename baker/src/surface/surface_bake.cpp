@@ -32,7 +32,7 @@ public:
 
     void keep(const SurfaceState& state)
     {
-        if (state.batches != kept_) {
+        if (state.has_pilot && state.batches != kept_) {
             store_.write_state(encode(state));
             kept_ = state.batches;
         }
@@ -51,7 +51,7 @@ private:
     Checkpoint checkpoint_;
     SurfaceFileStore store_;
     std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + kInterval;
-    uint32_t kept_ = 0;
+    uint32_t kept_ = UINT32_MAX;  // batches
 };
 
 SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft)
@@ -103,7 +103,8 @@ public:
     SurfaceBake field()
     {
         SurfaceBake bake;
-        Job job(1, settings_.threads, {});
+        const ProgressCallback quiet;
+        Job job(1, settings_.threads, quiet);
         const SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, job);
         bake.file = surface_file(shape_, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());

@@ -114,13 +114,14 @@ void SurfaceFit::trace(SurfaceState& state, const ProgressCallback& progress, co
     const uint64_t found = state.has_pilot ? uint64_t{first} + state.batches : 0;
     Job job(uint64_t{SurfaceTracer::kLines} * (uint64_t{first} + batches), settings_.threads, progress,
             SurfaceTracer::kLines * found);
+    const ProgressCallback quiet;
     if (!state.has_pilot) {
         pilot(state, job);
     }
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
         const SortedSamples samples = traced(settings_.seed, next_batches(state.batches, count), job);
-        Job whole(1, settings_.threads, {});  // sums hold all of a batch or nothing
+        Job whole(1, settings_.threads, quiet);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;
         state.paths += samples.samples.size();
