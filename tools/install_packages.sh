@@ -22,7 +22,7 @@ test_packages=(
   qemu-system-arm                                                           # boards to run it on
   slurm-wlm munge procps                                                    # a job array on this machine
   python3)                                                                  # the generator of the scenes, includes
-all_packages=(clang-tidy)
+all_packages=(clang-tidy clang)
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]

@@ -76,8 +76,8 @@ public:
     {
         const int32_t column = (a_.point.x_q6 + (f.ab.x_q6 + f.ac.x_q6) / 4) >> 6;
         const int32_t middle = (a_.point.y_q6 + (f.ab.y_q6 + f.ac.y_q6) / 4) >> 6;
-        x_q6_ = (column << 6) + 32 - a_.point.x_q6;
-        y_q6_ = (middle << 6) + 32 - a_.point.y_q6;
+        x_q6_ = column * 64 + 32 - a_.point.x_q6;
+        y_q6_ = middle * 64 + 32 - a_.point.y_q6;
         columns_ = static_cast<uint32_t>(left - column);
         rows_ = static_cast<uint32_t>(row - middle);
     }
