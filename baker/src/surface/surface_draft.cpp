@@ -54,6 +54,11 @@ const ProxyLoss& SurfaceDraft::loss() const
     return contents_->built.loss;
 }
 
+const std::vector<std::string>& SurfaceDraft::warnings() const
+{
+    return contents_->built.warnings;
+}
+
 uint64_t SurfaceDraft::most_bytes(float texels_per_radius) const
 {
     const SurfaceMesh& mesh = contents_->built.mesh;

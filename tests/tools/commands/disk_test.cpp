@@ -16,7 +16,8 @@ namespace
 {
 
 // 160 kB.
-const std::string kBake = std::string(" bake ") + LUMI_TEST_SCENE + " --origins 200 --directions 400 --spp 2 -o ";
+const std::string kBake =
+    std::string(" bake ") + LUMI_TEST_SCENE + " --origins 200 --directions 400 --spp 2 --texel rgb565 -o ";
 
 Outcome shell(const std::string& script)
 {

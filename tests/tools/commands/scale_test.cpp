@@ -26,7 +26,8 @@ constexpr int kKilled = 128 + 9;
 
 Arguments bake(const std::string& output, const Arguments& more = {})
 {
-    Arguments all = {"bake", kScene, "-o", output, "--origins", "60", "--directions", "80", "--spp", "16"};
+    Arguments all = {"bake",         kScene, "-o",    output, "--origins", "60",
+                     "--directions", "80",   "--spp", "16",   "--texel",   "rgb565"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 // lumi bake: from a scene to a field file.
-#include <chrono>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "commands/bake_job.h"
+#include "commands/bake_summary.h"
 #include "commands/choice.h"
 #include "commands/commands.h"
 #include "commands/fit_options.h"
 #include "commands/layout_options.h"
 #include "commands/scene_options.h"
+#include "commands/surface_choice.h"
 #include "commands/surface_options.h"
 #include "files/output_file.h"
-#include "lumi/baker/bake.h"
 #include "lumi/baker/file_guard.h"
 #include "lumi/lattice.h"
 #include "terminal/failure.h"
-#include "terminal/json_progress.h"
 #include "terminal/progress_printer.h"
 #include "terminal/text.h"
 
@@ -28,25 +27,23 @@ namespace
 
 enum class ProgressStyle { automatic, json };
 
+// A byte a texel, the field that fits devices best.
+baker::BakeSettings chord_defaults()
+{
+    baker::BakeSettings settings;
+    settings.texel = format::TexelFormat::palette8;
+    return settings;
+}
+
 struct BakeOptions {
     SceneOptions scene;
-    baker::BakeSettings settings;
+    baker::BakeSettings settings = chord_defaults();
     Layout layout = Layout::automatic;
     baker::SurfaceSettings surface;
     FitOptions fit;
     std::string output, cap, shard;
     bool restart = false;
     ProgressStyle progress = ProgressStyle::automatic;
-};
-
-// What is baked, and where to.
-struct BakeJob {
-    baker::BakeSettings settings;
-    std::optional<baker::SurfaceSettings> surface;  // in place of them
-    std::optional<baker::Shard> shard;
-    std::string name;    // of the field, or of the shard file, as the caller says it
-    std::string target;  // the file behind the name
-    baker::Earlier earlier;
 };
 
 const Choices<format::TexelFormat> kTexelChoices = {{"rgb888", format::TexelFormat::rgb888},
@@ -67,15 +64,6 @@ baker::BakeSettings settings_of(const BakeOptions& options)
     return settings;
 }
 
-std::optional<baker::SurfaceSettings> surface_of(const BakeOptions& options)
-{
-    if (options.layout == Layout::chord) return std::nullopt;
-    baker::SurfaceSettings settings = options.surface;
-    settings.seed = options.settings.seed;
-    settings.threads = options.scene.threads;
-    return settings;
-}
-
 std::optional<baker::Shard> shard_of(const std::string& text)
 {
     if (text.empty()) return std::nullopt;
@@ -90,121 +78,101 @@ std::string shard_name(const std::string& field, const baker::Shard& shard)
     return field + "." + std::to_string(shard.index) + "-of-" + std::to_string(shard.count) + ".shard";
 }
 
+// model.lumi in the working folder for .../model.obj.
+std::string output_of(const BakeOptions& options)
+{
+    if (!options.output.empty()) return options.output;
+    return std::filesystem::path(options.scene.path).stem().string() + ".lumi";
+}
+
 BakeJob job_of(const BakeOptions& options)
 {
-    BakeJob job = {settings_of(options),
-                   surface_of(options),
-                   shard_of(options.shard),
-                   options.output,
-                   {},
-                   options.restart ? baker::Earlier::discard : baker::Earlier::resume};
-    if (job.shard) job.name = shard_name(options.output, *job.shard);
+    BakeJob job;
+    job.settings = settings_of(options);
+    job.shard = shard_of(options.shard);
+    job.name = output_of(options);
+    job.earlier = options.restart ? baker::Earlier::discard : baker::Earlier::resume;
+    if (job.shard) job.name = shard_name(job.name, *job.shard);
     job.target = regular_target(job.name);
     announce_outputs({job.name});
     baker::announce_outputs(baker::working_files_of(job.target));
     return job;
 }
 
-struct Outcome {
-    baker::Progress last;
-    std::optional<baker::SurfaceBake> surface;
-};
-
-Outcome bake(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress)
+// Without a size and with a mesh or texels by hand, what is left open has its default.
+planner::SurfaceTask surface_task(const BakeOptions& options, const CLI::App& command)
 {
-    Outcome outcome;
-    const auto note = [&](const baker::Progress& report) {
-        outcome.last = report;
-        return progress(report);
-    };
-    try {
-        if (job.surface && job.shard)
-            baker::bake_surface_shard(scene, *job.surface, *job.shard, job.target, note, job.earlier);
-        else if (job.surface)
-            outcome.surface = baker::bake_surface(scene, *job.surface, job.target, note, job.earlier);
-        else if (job.shard)
-            baker::bake_shard(scene, job.settings, *job.shard, job.target, note, job.earlier);
-        else
-            baker::bake_field(scene, job.settings, job.target, note, job.earlier);
-        return outcome;
-    } catch (const baker::Cancelled&) {
-        throw Interrupted(job.name + ".part keeps the finished rows; the same command goes on from there");
-    }
+    const auto given = [&](const char* name) { return command.count(name) > 0; };
+    planner::SurfaceTask task;
+    task.settings = options.surface;
+    task.settings.seed = options.settings.seed;
+    task.settings.threads = options.scene.threads;
+    const bool is_planned = options.fit.wanted() || (!given("--triangles") && !given("--texel-density"));
+    if (options.fit.wanted()) task.budget_bytes = options.fit.budget_bytes();
+    if (!is_planned) task.budget_bytes = UINT32_MAX;
+    task.triangles_by_hand = !is_planned || given("--triangles");
+    task.density_by_hand = !is_planned || given("--texel-density");
+    task.edge_by_hand = !is_planned || given("--longest-edge");
+    return task;
 }
 
-double rays_of(const BakeJob& job, const baker::Progress& last)
+class Bake
 {
-    if (job.surface) return static_cast<double>(last.rays_total);
-    const double rows = baker::shard_rows(job.settings, job.shard.value_or(baker::Shard{}));
-    return rows * job.settings.directions * job.settings.samples;
-}
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-// For people: a bar or lines on stderr, a summary on stdout.
-void bake_for_people(const baker::Scene& scene, const BakeJob& job, size_t warnings, Clock::time_point start)
-{
-    Outcome outcome;
+public:
+    Bake(const BakeOptions& options, const CLI::App& command)
+        : options_(options),
+          command_(command),
+          json_(options.progress == ProgressStyle::json),
+          chord_(settings_of(options)),
+          context_{command, chord_, options.cap, json_}
     {
+        check_fit(options.fit, context_, options.layout);
+    }
+
+    void run()
+    {
+        BakeJob job;
+        if (!options_.fit.plan_only) job = job_of(options_);
+        if (options_.layout == Layout::chord && !options_.fit.wanted())
+            baker::field_file_bytes(chord_);  // throws before the scene is loaded
+        const BakeSummary::Clock::time_point start = BakeSummary::Clock::now();
+        size_t warnings = 0;
+        const baker::Scene scene = load_scene(options_.scene, warnings);
+        if (options_.layout == Layout::chord || !takes_surface(scene, job)) plan_chord(scene, job);
+        if (options_.fit.plan_only) return;
+        const BakeSummary summary = {scene, job, warnings, start, options_.layout != Layout::chord};
+        json_ ? bake_for_machines(summary) : bake_for_people(summary);
+    }
+
+private:
+    // False where a chord field does the scene more justice and the user did not decide.
+    bool takes_surface(const baker::Scene& scene, BakeJob& job)
+    {
+        const planner::SurfaceTask task = surface_task(options_, command_);
         ProgressPrinter printer(stderr, stderr_is_terminal());
-        outcome = bake(scene, job, watch(printer));
+        const SurfaceChoice choice = surface_choice(scene, task, json_ ? watch_interrupt() : watch(printer));
+        if (!choice.plan.draft && options_.layout == Layout::surface) throw baker::BakeError(choice.against);
+        const bool takes = choice.against.empty() || options_.layout == Layout::surface;
+        tell_choice(choice, takes, json_);
+        if (!takes) return false;
+        write_plan(options_.fit, task, choice.plan);
+        job.surface = choice.plan.settings;
+        job.draft = choice.plan.draft;
+        return true;
     }
-    const baker::Progress& last = outcome.last;
-    const std::string elapsed = duration_text(seconds_since(start));
-    const double saved = static_cast<double>(last.rays_saved);
-    const std::string savings = saved > 0 ? " (" + count_text(saved) + " of them saved)" : "";
-    std::printf("%s: %s, %s rays%s in %s, %zu warnings\n", job.name.c_str(),
-                byte_text(std::filesystem::file_size(job.target)).c_str(), count_text(rays_of(job, last)).c_str(),
-                savings.c_str(), elapsed.c_str(), warnings);
-    if (outcome.surface) std::printf("%s", surface_text(*outcome.surface).c_str());
-}
 
-// For machines: nothing but JSON lines on stdout.
-void bake_for_machines(const baker::Scene& scene, const BakeJob& job, size_t warnings, Clock::time_point start)
-{
-    JsonProgress printer(stdout);
-    const Outcome outcome = bake(scene, job, watch(printer));
-    const baker::Progress& last = outcome.last;
-    nlohmann::json line = {{"state", "done"},
-                           {"output", job.name},
-                           {"bytes", std::filesystem::file_size(job.target)},
-                           {"rays_total", rays_of(job, last)},
-                           {"rays_saved", last.rays_saved},
-                           {"elapsed_seconds", seconds_since(start)},
-                           {"warnings", warnings}};
-    if (outcome.surface) line["surface"] = surface_json(*outcome.surface);
-    std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-}
-
-void take_plan(const planner::Plan& plan, BakeJob& job)
-{
-    job.settings = plan.chord;
-}
-
-void run(const BakeOptions& options, const CLI::App& command)
-{
-    const Clock::time_point start = Clock::now();
-    const bool json = options.progress == ProgressStyle::json;
-    const baker::BakeSettings common = settings_of(options);
-    const FitContext context = {command, common, options.cap, json};
-    check_fit(options.fit, context);
-    size_t warnings = 0;
-    if (options.fit.plan_only) {
-        fitted_plan(options.fit, context, load_scene(options.scene, warnings));
-        return;
+    void plan_chord(const baker::Scene& scene, BakeJob& job) const
+    {
+        job.settings = chord_;
+        if (options_.fit.wanted()) job.settings = fitted_plan(options_.fit, context_, scene).chord;
     }
-    BakeJob job = job_of(options);
-    if (!job.surface && !options.fit.wanted())
-        baker::field_file_bytes(job.settings);  // throws before the scene is loaded
-    const baker::Scene scene = load_scene(options.scene, warnings);
-    if (options.fit.wanted()) take_plan(fitted_plan(options.fit, context, scene), job);
-    (json ? bake_for_machines : bake_for_people)(scene, job, warnings, start);
-}
+
+    const BakeOptions& options_;
+    const CLI::App& command_;
+    const bool json_;
+    const baker::BakeSettings chord_;
+    const FitContext context_;
+};
 
 void add_scale_options(CLI::App& command, BakeOptions& options)
 {
@@ -223,26 +191,27 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
 {
     baker::BakeSettings& settings = options.settings;
     const auto sizes = CLI::Range(uint32_t{1}, kMaxLatticeSize);
-    command.add_option("--origins", settings.origins, "Points on the near side of the sphere, M")
+    command.add_option("--origins", settings.origins, "chord: points on the near side of the sphere, M")
         ->type_name("M")
         ->check(sizes)
         ->capture_default_str();
-    command.add_option("--directions", settings.directions, "Points on the far side, N")
+    command.add_option("--directions", settings.directions, "chord: points on the far side, N")
         ->type_name("N")
         ->check(sizes)
         ->capture_default_str();
     command
-        .add_option("--cap", options.cap,
-                    "Bake the uppermost origins only: a number of them, or a share such as 50% or 0.5; from below the "
-                    "object is then not seen [all]")
+        .add_option(
+            "--cap", options.cap,
+            "chord: bake the uppermost origins only: a number of them, or a share such as 50% or 0.5; from below the "
+            "object is then not seen [all]")
         ->type_name("F");
     add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
-               "What a ray is stored as: rgb888 (3 bytes), rgb565 (2), palette8 or luma8 (1) [rgb565]");
+               "chord: what a ray is stored as: rgb888 (3 bytes), rgb565 (2), palette8 or luma8 (1) [palette8]");
     add_choice<baker::Footprint>(
         command, "--footprint", settings.footprint,
         {{"point", baker::Footprint::point}, {"origin", baker::Footprint::origin}, {"both", baker::Footprint::both}},
         "point|origin|both",
-        "What a texel is the mean of: one ray, rays from all over the origin's cell, or also to "
+        "chord: what a texel is the mean of: one ray, rays from all over the origin's cell, or also to "
         "all over the direction's [origin]");
 }
 
@@ -253,19 +222,24 @@ void add_bake(CLI::App& lumi)
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command = lumi.add_subcommand("bake", "Path-trace a scene into a field file");
     add_scene_options(*command, options->scene);
-    command->add_option("-o,--output", options->output, "Field file to write")->type_name("FIELD.lumi");
+    command
+        ->add_option("-o,--output", options->output,
+                     "Field file to write [the scene's name, .lumi, in the working folder]")
+        ->type_name("FIELD.lumi");
     add_lattice_options(*command, *options);
     add_layout_option(*command, options->layout);
     add_surface_options(*command, options->surface);
     command
-        ->add_option("--spp", options->settings.samples, "Light paths per texel, at most; more cost time, never bytes")
+        ->add_option("--spp", options->settings.samples,
+                     "chord: light paths per texel, at most; more cost time, never bytes")
         ->type_name("S")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     command
-        ->add_option("--adaptive", options->settings.max_error_levels,
-                     "End a texel before --spp paths, from 16 on, once its standard error is below this many steps of "
-                     "255; 0: never")
+        ->add_option(
+            "--adaptive", options->settings.max_error_levels,
+            "chord: end a texel before --spp paths, from 16 on, once its standard error is below this many steps of "
+            "255; 0: never")
         ->type_name("LEVELS")
         ->check(CLI::Range(0.0f, 255.0f))
         ->capture_default_str();
@@ -275,14 +249,17 @@ void add_bake(CLI::App& lumi)
     add_fit_options(*command, options->fit);
     add_scale_options(*command, *options);
     command->footer(
-        "The file takes M x N x bytes per texel: " + byte_text(baker::field_file_bytes({})) +
-        " with the defaults.\nA bake that was stopped, by Ctrl-C or otherwise, goes on with the same command.\n"
-        "Example:\n  lumi bake product.obj -o product.lumi --fit 1MB --for rp2350@15fps\n"
-        "  lumi bake product.obj -o product.lumi --origins 512 --directions 1024 --spp 32");
+        "Without other options the field is a surface field of at most " +
+        byte_text(planner::SurfaceTask().budget_bytes) +
+        "; an option of one layout chooses that\nlayout. A chord field takes M x N x bytes per texel: " +
+        byte_text(baker::field_file_bytes(chord_defaults())) +
+        " with the defaults. A chord bake that was\nstopped, by Ctrl-C or otherwise, goes on with the same command.\n"
+        "Example:\n  lumi bake product.obj\n"
+        "  lumi bake product.obj -o product.lumi --fit 1MB --for rp2350@15fps\n"
+        "  lumi bake product.obj -o product.lumi --layout chord --origins 512 --directions 1024 --spp 32");
     command->callback([options, command] {
-        if (options->output.empty() && !options->fit.plan_only) throw UsageError("bake takes -o, --output FIELD.lumi");
         options->layout = resolved_layout(*command, options->layout);
-        run(*options, *command);
+        Bake(*options, *command).run();
     });
 }
 

@@ -2,6 +2,7 @@
 #include "commands/fit_options.h"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "../planner/plan_report.h"
 #include "commands/choice.h"
@@ -41,18 +42,10 @@ ByHand by_hand(const FitContext& context)
     return set;
 }
 
-uint64_t budget_of(const std::string& text)
-{
-    const auto bytes = parse_bytes(text);
-    if (!bytes || *bytes == 0 || *bytes > UINT32_MAX)
-        throw UsageError("--fit takes a size below 4 GB such as 2MB, 512KiB or 1500000, not \"" + text + "\"");
-    return *bytes;
-}
-
 planner::Task task_of(const FitOptions& options, const FitContext& context)
 {
     planner::Task task;
-    task.budget_bytes = budget_of(options.budget);
+    task.budget_bytes = options.budget_bytes();
     task.views = options.views;
     task.by_hand = by_hand(context);
     task.samples = context.common.samples;
@@ -65,7 +58,7 @@ planner::Task task_of(const FitOptions& options, const FitContext& context)
 planner::PlanSettings settings_of(const FitOptions& options)
 {
     planner::PlanSettings settings;
-    settings.measure.samples = planner::trial_samples(budget_of(options.budget));
+    settings.measure.samples = planner::trial_samples(options.budget_bytes());
     settings.measure.views = options.view_count;
     settings.measure.cache = options.cache;
     settings.search.max_trials = options.max_trials;
@@ -86,6 +79,14 @@ void print_line(std::FILE* stream, const std::string& line)
 
 }  // namespace
 
+uint64_t FitOptions::budget_bytes() const
+{
+    const auto bytes = parse_bytes(budget);
+    if (!bytes || *bytes == 0 || *bytes > UINT32_MAX)
+        throw UsageError("--fit takes a size below 4 GB such as 2MB, 512KiB or 1500000, not \"" + budget + "\"");
+    return *bytes;
+}
+
 void add_fit_options(CLI::App& command, FitOptions& options)
 {
     command
@@ -98,22 +99,23 @@ void add_fit_options(CLI::App& command, FitOptions& options)
     add_choice<quality::ViewSet>(
         command, "--views", options.views,
         {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}}, "SET",
-        "fit: the views that must be good: all around, upper half, or ring [all]");
-    command.add_option("--count", options.view_count, "fit: number of views to measure from")
+        "fit, chord: the views that must be good: all around, upper half, or ring [all]");
+    command.add_option("--count", options.view_count, "fit, chord: number of views to measure from")
         ->type_name("COUNT")
         ->check(CLI::Range(1u, 100u))
         ->capture_default_str();
-    command.add_option("--trials", options.max_trials, "fit: trial bakes at most")
+    command.add_option("--trials", options.max_trials, "fit, chord: trial bakes at most")
         ->type_name("COUNT")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command.add_flag("--plan-only", options.plan_only, "fit: end with the plan, without a bake");
-    command.add_option("--plan", options.json, "fit: write all that was measured here as JSON")->type_name("FILE");
-    command.add_option("--cache", options.cache, "fit: folder that keeps references, as of lumi report [none]")
+    command.add_option("--plan", options.json, "fit: write the plan, and all that was measured, here as JSON")
+        ->type_name("FILE");
+    command.add_option("--cache", options.cache, "fit, chord: folder that keeps references, as of lumi report [none]")
         ->type_name("DIR");
 }
 
-void check_fit(const FitOptions& options, const FitContext& context)
+void check_fit(const FitOptions& options, const FitContext& context, Layout layout)
 {
     if (!options.wanted()) {
         for (const char* name : {"--for", "--views", "--count", "--trials", "--plan-only", "--plan", "--cache"})
@@ -122,9 +124,20 @@ void check_fit(const FitOptions& options, const FitContext& context)
     }
     if (context.command.count("--shard") > 0)
         throw UsageError("--shard does not go with --fit; shard the plan it finds");
-    task_of(options, context);
     settings_of(options);
+    if (layout == Layout::chord) task_of(options, context);
     announce_outputs({options.json});
+}
+
+void write_plan(const FitOptions& options, const planner::SurfaceTask& task, const planner::SurfacePlan& plan)
+{
+    if (options.json.empty()) return;
+    const nlohmann::json json = {
+        {"budget_bytes", task.budget_bytes},    {"layout", "surface"},
+        {"options", options_of(plan)},          {"most_bytes", plan.most_bytes},
+        {"triangles", plan.draft->triangles()}, {"texels_per_radius", plan.settings.texels_per_radius},
+        {"missed", plan.draft->loss().missed}};
+    write_output(options.json, json.dump(2) + "\n");
 }
 
 planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene)

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include "../planner/planner.h"
+#include "../planner/surface_plan.h"
+#include "commands/layout_options.h"
 
 namespace lumi::tools
 {
@@ -17,6 +19,8 @@ struct FitOptions {
     bool plan_only = false;
 
     bool wanted() const { return !budget.empty(); }
+    // Throws UsageError for a text that is no size. Precondition: wanted().
+    uint64_t budget_bytes() const;
 };
 
 // Adds --fit and what goes with it; `options` must outlive the parse.
@@ -31,9 +35,13 @@ struct FitContext {
 };
 
 // Throws UsageError for options that cannot be meant: before the scene is loaded.
-void check_fit(const FitOptions& options, const FitContext& context);
+void check_fit(const FitOptions& options, const FitContext& context, Layout layout);
 
-// Plans, and prints what was found; the plan has its final size. Throws Failure where nothing fits, Interrupted.
+// Writes the plan of a surface field where the options ask for it.
+void write_plan(const FitOptions& options, const planner::SurfaceTask& task, const planner::SurfacePlan& plan);
+
+// Plans a chord field, and prints what was found; the plan has its final size. Throws Failure where nothing fits,
+// Interrupted.
 planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene);
 
 }  // namespace lumi::tools

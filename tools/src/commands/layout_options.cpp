@@ -14,8 +14,8 @@ namespace
 
 const Choices<Layout> kLayouts = {{"auto", Layout::automatic}, {"surface", Layout::surface}, {"chord", Layout::chord}};
 
-constexpr std::array kChordOnly = {"--origins",   "--directions", "--cap",     "--texel",
-                                   "--footprint", "--spp",        "--adaptive"};
+constexpr std::array kChordOnly = {"--origins",  "--directions", "--cap",   "--texel",  "--footprint", "--spp",
+                                   "--adaptive", "--views",      "--count", "--trials", "--cache"};
 constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--paths"};
 
 // The first of them that was given; null if none was.

@@ -50,9 +50,9 @@ std::string title_of(const std::string& type)
     return title != titles.end() ? title->second : "\"" + type + "\"";
 }
 
-FieldFile::FieldFile(const std::string& path) : path_(path)
+FieldFile::FieldFile(const std::string& path, Role role) : path_(path)
 {
-    baker::note_input(path);
+    if (role == Role::input) baker::note_input(path);
     if (const int error = file_.open(path); error != 0)
         throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
     FieldError error = open_field(file_.bytes(), file_.size(), field_);

@@ -25,8 +25,11 @@ std::string title_of(const std::string& type);
 class FieldFile
 {
 public:
-    // Maps and opens; checks no section's bytes. Throws Failure with the cause and its mend.
-    explicit FieldFile(const std::string& path);
+    enum class Role { input, own_output };
+
+    // Maps and opens; checks no section's bytes. Throws Failure with the cause and its mend. An input may not be written
+    // by the same command (lumi/baker/file_guard.h); what the command has written itself may be.
+    explicit FieldFile(const std::string& path, Role role = Role::input);
 
     const std::string& path() const { return path_; }
     bool is_surface() const { return is_surface_; }

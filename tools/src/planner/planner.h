@@ -3,6 +3,7 @@
 // worth, search.h what to try next.
 #pragma once
 
+#include "planner/no_plan.h"
 #include "planner/trials.h"
 
 namespace lumi::planner
@@ -33,11 +34,6 @@ struct PlanProgress {
     const Measurement* best = nullptr;
 };
 using PlanReport = std::function<void(const PlanProgress&)>;
-
-// No plan fits, or none is fast enough; what() says which would.
-struct NoPlan : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct PlanSettings {
     MeasureSettings measure;

@@ -19,13 +19,16 @@ Measured measured(const std::string& name, const std::string& layout, uint64_t f
     return result;
 }
 
+tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view)
+{
+    return file.is_surface() ? tools::draw_surface(file.surface(), view.eye)
+                             : tools::draw(file.field(), view.eye.camera, {});
+}
+
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
                         const std::vector<Truth>& truths)
 {
-    const auto draw = [&](const HeldOutView& view) {
-        return file.is_surface() ? tools::draw_surface(file.surface(), view.eye)
-                                 : tools::draw(file.field(), view.eye.camera, {});
-    };
+    const auto draw = [&](const HeldOutView& view) { return drawn(file, view); };
     Measured result = measured(file.path(), file.is_surface() ? "surface" : "chord", file.size(), draw, views, truths);
     result.sections = file.sections();
     return result;

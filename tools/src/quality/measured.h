@@ -31,6 +31,7 @@ Measured measured(const std::string& name, const std::string& layout, uint64_t f
                   const std::vector<HeldOutView>& views, const std::vector<Truth>& truths);
 
 // A field by the best that it offers.
+tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view);
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
                         const std::vector<Truth>& truths);
 

@@ -69,6 +69,11 @@ baker::ProgressCallback watch(ProgressPrinter& printer)
     };
 }
 
+baker::ProgressCallback watch_interrupt()
+{
+    return [](const baker::Progress&) { return !interrupt_flag().load(std::memory_order_relaxed); };
+}
+
 bool stderr_is_terminal()
 {
     return isatty(STDERR_FILENO) == 1;

@@ -36,6 +36,8 @@ private:
 
 // A callback that prints to stderr through `printer` and cancels on Ctrl-C. Keeps a reference.
 baker::ProgressCallback watch(ProgressPrinter& printer);
+// Only asks for Ctrl-C.
+baker::ProgressCallback watch_interrupt();
 
 // Whether stderr is a terminal.
 bool stderr_is_terminal();

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "lumi/baker/bake.h"
@@ -48,6 +49,7 @@ public:
 
     uint32_t triangles() const;  // 0: there is no surface
     const ProxyLoss& loss() const;
+    const std::vector<std::string>& warnings() const;  // what is wrong with the mesh, and what mends it
     // Of the file: as many if every vertex gets a view table. Throws BakeError for more texels than the format holds.
     uint64_t most_bytes(float texels_per_radius) const;
 

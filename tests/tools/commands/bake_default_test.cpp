@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What `lumi bake` chooses where the user does not.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/program.h"
+#include "support/small_surface.h"
+#include "support/temporary_folder.h"
+
+namespace lumi::tools
+{
+
+using test::lumi;
+using test::Outcome;
+
+namespace
+{
+
+std::string layout_of(const std::string& field)
+{
+    return nlohmann::json::parse(lumi({"inspect", field, "--json"}).out)["layout"];
+}
+
+// Specks that few triangles cannot follow.
+std::string write_specks(const std::string& folder)
+{
+    std::ostringstream obj;
+    for (int k = 0; k < 150; ++k) {
+        const double x = k % 10 - 4.5, y = k / 10 % 10 - 4.5, z = k / 100 - 2.5;
+        obj << "v " << x << ' ' << y << ' ' << z << "\nv " << x + 0.2 << ' ' << y << ' ' << z << "\nv " << x << ' '
+            << y + 0.2 << ' ' << z + 0.1 << "\nf -3 -2 -1\n";
+    }
+    test::write_content(folder + "/specks.obj", obj.str());
+    return folder + "/specks.obj";
+}
+
+}  // namespace
+
+TEST_CASE("bake without a layout writes a surface field beside the working folder's files, and says what it is worth")
+{
+    const test::TemporaryFolder folder;
+    test::write_cube(folder.path());
+    const Outcome outcome = test::run_program(
+        {"sh", "-c", "cd '" + folder.path() + "' && '" LUMI_PROGRAM "' bake cube.obj --fit 12kB --paths 10"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(layout_of(folder / "cube.lumi") == "surface");
+    CHECK(std::filesystem::file_size(folder / "cube.lumi") <= 12'000);
+    for (const char* word :
+         {"layout surface: ", "at most ", "by hand: --layout surface", "shows about ", "next: lumi render cube.lumi"})
+        CHECK_THAT(outcome.out, Catch::Contains(word));
+}
+
+TEST_CASE("a plan's options bake the planned surface field")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path()), plan = folder / "plan.json";
+    REQUIRE(lumi({"bake", scene, "--fit", "12kB", "--plan-only", "--plan", plan}).code == 0);
+    const auto json = nlohmann::json::parse(test::content_of(plan));
+    CHECK(json["layout"] == "surface");
+    CHECK(json["most_bytes"].get<uint64_t>() <= 12'000);
+    CHECK_FALSE(std::filesystem::exists(folder / "cube.lumi"));
+    std::istringstream options(json["options"].get<std::string>());
+    test::Arguments by_hand = {"bake", scene, "--paths", "4", "-o", folder / "a.lumi"};
+    for (std::string word; options >> word;) by_hand.push_back(word);
+    REQUIRE(lumi(by_hand).code == 0);
+    REQUIRE(lumi({"bake", scene, "--paths", "4", "-o", folder / "b.lumi", "--fit", "12kB"}).code == 0);
+    CHECK((test::content_of(folder / "a.lumi") == test::content_of(folder / "b.lumi")));
+}
+
+TEST_CASE("where light paths miss the mesh, bake takes a chord field and says why; --layout surface only warns")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_specks(folder.path()), field = folder / "f.lumi";
+    const Outcome chord = lumi({"bake", scene, "-o", field, "--fit", "20kB", "--plan-only", "--progress", "json"});
+    INFO(chord.err);
+    CHECK(chord.code == 0);
+    std::istringstream lines(chord.out);
+    std::string first;
+    std::getline(lines, first);
+    CHECK(nlohmann::json::parse(first)["layout"] == "chord");
+    CHECK_THAT(first, Catch::Contains("miss a mesh of") && Catch::Contains("limit 5 %"));
+    const Outcome surface = lumi({"bake", scene, "-o", field, "--fit", "20kB", "--layout", "surface", "--plan-only"});
+    INFO(surface.err);
+    CHECK(surface.code == 0);
+    CHECK_THAT(surface.out, Catch::StartsWith("layout surface: "));
+    CHECK_THAT(surface.err, Catch::Contains("warning: of the light paths"));
+}
+
+TEST_CASE("an option of one layout chooses it")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path()), field = folder / "f.lumi";
+    REQUIRE(lumi({"bake", scene, "-o", field, "--origins", "40", "--directions", "40", "--spp", "1"}).code == 0);
+    CHECK(layout_of(field) == "chord");
+    CHECK(nlohmann::json::parse(lumi({"inspect", field, "--json"}).out)["texel_format"] == "palette8");
+    REQUIRE(lumi({"bake", scene, "-o", field, "--triangles", "20", "--texel-density", "4", "--paths", "4"}).code == 0);
+    CHECK(layout_of(field) == "surface");
+}
+
+}  // namespace lumi::tools

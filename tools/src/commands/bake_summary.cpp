@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "commands/bake_summary.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "../quality/quick_check.h"
+#include "commands/surface_options.h"
+#include "files/field_file.h"
+#include "terminal/interrupt.h"
+#include "terminal/json_progress.h"
+#include "terminal/progress_printer.h"
+#include "terminal/text.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+double seconds_since(BakeSummary::Clock::time_point start)
+{
+    return std::chrono::duration<double>(BakeSummary::Clock::now() - start).count();
+}
+
+void print_json(const nlohmann::json& line)
+{
+    std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    std::fflush(stdout);
+}
+
+// What the field shows; nothing where it is not to be judged.
+std::optional<double> checked_db(const BakeSummary& summary)
+{
+    if (!summary.checks || summary.job.shard) return std::nullopt;
+    const unsigned threads = summary.job.surface ? summary.job.surface->threads : summary.job.settings.threads;
+    try {
+        const FieldFile field(summary.job.target, FieldFile::Role::own_output);
+        return quality::quick_psnr_db(summary.scene, field, threads, watch_interrupt());
+    } catch (const baker::Cancelled&) {
+        return std::nullopt;  // the field is there, and that is what counts
+    }
+}
+
+std::string file_line(const BakeSummary& summary, const BakeOutcome& outcome)
+{
+    const double saved = static_cast<double>(outcome.last.rays_saved);
+    const std::string savings = saved > 0 ? " (" + count_text(saved) + " of them saved)" : "";
+    return summary.job.name + ": " + byte_text(std::filesystem::file_size(summary.job.target)) + ", " +
+           count_text(outcome.rays) + " rays" + savings + " in " + duration_text(seconds_since(summary.start)) + ", " +
+           std::to_string(summary.warnings) + " warnings\n";
+}
+
+std::string check_line(double psnr_db)
+{
+    char text[120];
+    std::snprintf(text, sizeof text, "shows about %.1f dB in %d path-traced views, 240 x 240 pixels\n", psnr_db,
+                  quality::kQuickViews);
+    return text;
+}
+
+std::string next_line(const std::string& field)
+{
+    const std::string picture = std::filesystem::path(field).stem().string() + ".png";
+    return "next: lumi render " + field + " -o " + picture + " --turntable 12\n";
+}
+
+}  // namespace
+
+void tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
+{
+    if (json) {
+        nlohmann::json line = {{"state", "planned"}, {"layout", takes_surface ? "surface" : "chord"}};
+        if (!choice.against.empty()) line["reason"] = choice.against;
+        if (takes_surface) line["options"] = options_of(choice.plan);
+        return print_json(line);
+    }
+    if (!takes_surface) {
+        std::printf("layout chord: %s\n", choice.against.c_str());
+    } else {
+        std::printf("layout surface: %s\n  by hand: %s\n", text_of(choice.plan).c_str(),
+                    options_of(choice.plan).c_str());
+        for (const std::string& warning : choice.plan.draft->warnings())
+            std::fprintf(stderr, "warning: %s\n", warning.c_str());
+        if (!choice.against.empty())
+            std::fprintf(stderr, "warning: %s; --layout chord shows all of it\n", choice.against.c_str());
+    }
+    std::fflush(stdout);
+}
+
+void bake_for_people(const BakeSummary& summary)
+{
+    BakeOutcome outcome;
+    {
+        ProgressPrinter printer(stderr, stderr_is_terminal());
+        outcome = run_job(summary.scene, summary.job, watch(printer));
+    }
+    std::string text = file_line(summary, outcome);
+    if (outcome.surface) text += surface_text(*outcome.surface);
+    if (const auto psnr_db = checked_db(summary)) text += check_line(*psnr_db);
+    if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
+    std::fputs(text.c_str(), stdout);
+}
+
+void bake_for_machines(const BakeSummary& summary)
+{
+    JsonProgress printer(stdout);
+    const BakeOutcome outcome = run_job(summary.scene, summary.job, watch(printer));
+    nlohmann::json line = {{"state", "done"},
+                           {"output", summary.job.name},
+                           {"layout", outcome.surface ? "surface" : "chord"},
+                           {"bytes", std::filesystem::file_size(summary.job.target)},
+                           {"rays_total", outcome.rays},
+                           {"rays_saved", outcome.last.rays_saved},
+                           {"elapsed_seconds", seconds_since(summary.start)},
+                           {"warnings", summary.warnings}};
+    if (outcome.surface) line["surface"] = surface_json(*outcome.surface);
+    if (const auto psnr_db = checked_db(summary)) line["quick_psnr_db"] = *psnr_db;
+    print_json(line);
+}
+
+}  // namespace lumi::tools

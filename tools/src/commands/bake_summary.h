@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What `lumi bake` says: what it chose, how far it is, what it wrote and what that is worth.
+#pragma once
+
+#include <chrono>
+
+#include "commands/bake_job.h"
+#include "commands/surface_choice.h"
+
+namespace lumi::tools
+{
+
+struct BakeSummary {
+    using Clock = std::chrono::steady_clock;
+
+    const baker::Scene& scene;
+    const BakeJob& job;
+    size_t warnings;
+    Clock::time_point start;
+    bool checks;  // whether the field is judged by a few path-traced views
+};
+
+// The layout, its reason and its figures, before the bake.
+void tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json);
+
+// Both bake. For people: a bar or lines on stderr, a summary on stdout.
+void bake_for_people(const BakeSummary& summary);
+// For machines: nothing but JSON lines on stdout.
+void bake_for_machines(const BakeSummary& summary);
+
+}  // namespace lumi::tools

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Whether a scene is baked into a surface field, and into which one: the default of `lumi bake`.
+#pragma once
+
+#include <string>
+
+#include "../planner/surface_plan.h"
+
+namespace lumi::tools
+{
+
+// Of the light paths that meet a scene: where more miss its mesh, --layout auto takes a chord field.
+inline constexpr double kMostMissed = 0.05;
+
+struct SurfaceChoice {
+    planner::SurfacePlan plan;  // without a draft where there can be no surface field
+    std::string against;        // why a chord field does the scene more justice, with figures; empty: it does not
+};
+
+// Drafts meshes. Throws Interrupted.
+SurfaceChoice surface_choice(const baker::Scene& scene, const planner::SurfaceTask& task,
+                             const baker::ProgressCallback& progress);
+
+// "about 5,500 triangles, 93.4 texels a radius, at most 499 kB".
+std::string text_of(const planner::SurfacePlan& plan);
+
+}  // namespace lumi::tools

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "planner/surface_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "lumi/baker/bake.h"
+#include "lumi/surface_format.h"
+#include "planner/no_plan.h"
+
+namespace lumi::planner
+{
+
+namespace
+{
+
+using baker::SurfaceDraft;
+using baker::SurfaceSettings;
+
+// Triangles come first: the mesh takes about two fifths of the bytes.
+constexpr double kBytesATriangle = 90;  // of the budget; split edges and view tables included the mesh takes about 35
+constexpr double kFewestTriangles = 100, kMostTriangles = 6000;
+constexpr double kMostForMesh = 0.6;  // of the budget
+constexpr float kLongestEdge = 0.6f, kLongerEdge = 1.4f;
+
+// Texels along a line of one radius, in steps that options can name.
+constexpr int kStepsARadius = 10;
+constexpr int kCoarsest = kStepsARadius, kFinest = 250 * kStepsARadius;  // a 480-pixel display shows no more
+
+float density_of(int steps)
+{
+    return static_cast<float>(steps) / kStepsARadius;
+}
+
+bool fits(const SurfaceDraft& draft, int steps, uint64_t budget)
+{
+    try {
+        return draft.most_bytes(density_of(steps)) <= budget;
+    } catch (const baker::BakeError&) {
+        return false;  // more texels than the format holds
+    }
+}
+
+// Precondition: the coarsest fits.
+int finest_that_fits(const SurfaceDraft& draft, uint64_t budget)
+{
+    int low = kCoarsest, high = kFinest + 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        (fits(draft, middle, budget) ? low : high) = middle;
+    }
+    return low;
+}
+
+uint32_t triangles_for(double bytes)
+{
+    return static_cast<uint32_t>(std::clamp(bytes / kBytesATriangle, kFewestTriangles, kMostTriangles));
+}
+
+// Splitting edges takes some kilobytes, however few triangles there are.
+float edge_for(double bytes)
+{
+    constexpr double kShort = 0.2, kBytesForShort = 100'000;
+    return static_cast<float>(std::clamp(kShort * std::sqrt(kBytesForShort / bytes), kShort, double{kLongestEdge}));
+}
+
+// Makes the mesh of `settings` smaller, which takes this share of the bytes: first by longer edges, since splitting
+// them shows less than triangles do. False where it cannot be.
+bool shrink(const SurfaceTask& task, double share, SurfaceSettings& s)
+{
+    if (!task.edge_by_hand && s.longest_edge < kLongestEdge) {
+        s.longest_edge = std::min(kLongestEdge, kLongerEdge * s.longest_edge);
+        return true;
+    }
+    if (task.triangles_by_hand || s.triangles <= kFewestTriangles) return false;
+    s.triangles = std::max(static_cast<uint32_t>(kFewestTriangles),
+                           static_cast<uint32_t>(s.triangles * std::min(0.8, 0.5 / share)));
+    return true;
+}
+
+}  // namespace
+
+SurfacePlan plan_surface(const baker::Scene& scene, const SurfaceTask& task, const baker::ProgressCallback& progress)
+{
+    const double budget = static_cast<double>(task.budget_bytes);
+    SurfacePlan plan = {task.settings, nullptr, 0};
+    if (!task.triangles_by_hand) plan.settings.triangles = triangles_for(budget);
+    if (!task.edge_by_hand) plan.settings.longest_edge = edge_for(budget);
+    for (;;) {
+        plan.draft = std::make_shared<SurfaceDraft>(scene, plan.settings, progress);
+        if (plan.draft->triangles() == 0) return plan;
+        const int coarsest = task.density_by_hand ? 0 : kCoarsest;
+        const float density = task.density_by_hand ? task.settings.texels_per_radius : density_of(coarsest);
+        const uint64_t least = plan.draft->most_bytes(density);
+        const double most = task.density_by_hand || task.triangles_by_hand ? budget : kMostForMesh * budget;
+        if (static_cast<double>(least) <= most) break;
+        if (shrink(task, static_cast<double>(least) / budget, plan.settings)) continue;
+        if (least <= task.budget_bytes) break;
+        throw NoPlan("nothing fits into " + std::to_string(task.budget_bytes) +
+                     " bytes; the smallest that works takes " + std::to_string(least) + " bytes");
+    }
+    if (!task.density_by_hand)
+        plan.settings.texels_per_radius = density_of(finest_that_fits(*plan.draft, task.budget_bytes));
+    plan.most_bytes = plan.draft->most_bytes(plan.settings.texels_per_radius);
+    return plan;
+}
+
+std::string options_of(const SurfacePlan& plan)
+{
+    char text[160];
+    std::snprintf(text, sizeof text, "--layout surface --triangles %u --longest-edge %.6g --texel-density %.6g",
+                  plan.settings.triangles, static_cast<double>(plan.settings.longest_edge),
+                  static_cast<double>(plan.settings.texels_per_radius));
+    return text;
+}
+
+}  // namespace lumi::planner

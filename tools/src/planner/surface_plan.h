@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// From a size in bytes to a surface field: how many triangles, and how many texels the rest of the bytes hold. Nothing
+// is traced: a mesh or two are drafted, which takes seconds to a minute.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lumi/baker/surface.h"
+
+namespace lumi::planner
+{
+
+struct SurfaceTask {
+    uint64_t budget_bytes = 500'000;
+    baker::SurfaceSettings settings;  // what is set by hand, and what a plan leaves alone
+    bool triangles_by_hand = false, edge_by_hand = false, density_by_hand = false;
+};
+
+struct SurfacePlan {
+    baker::SurfaceSettings settings;
+    std::shared_ptr<const baker::SurfaceDraft> draft;
+    uint64_t most_bytes = 0;
+};
+
+// Throws NoPlan (planner.h) where not even the coarsest mesh fits, BakeError for a scene that no surface field can
+// hold, Cancelled. A scene without a surface gets a plan whose draft has no triangles.
+SurfacePlan plan_surface(const baker::Scene& scene, const SurfaceTask& task, const baker::ProgressCallback& progress);
+
+// The options of `lumi bake` that set the same by hand.
+std::string options_of(const SurfacePlan& plan);
+
+}  // namespace lumi::planner
