@@ -31,25 +31,61 @@ LUMI_ALWAYS_INLINE Walk walk_down(const SamplePoint& top, const SamplePoint& bot
 // The first sample at a crossing or to its right is the whole part of the crossing plus this.
 constexpr int32_t kCentreBias = 0xFFFF - 0x8000;
 
+enum class Filter : uint8_t { nearest, two_taps, bilinear };
+
+// Between the middles of four texels of a rectangle, by 1/16 of a texel.
+LUMI_ALWAYS_INLINE PackedColour bilinear_texel(uint32_t place, const Texture& texture, const PackedColour* palette)
+{
+    const int32_t u = static_cast<int32_t>(place & 0xFFFF) - 512, v = static_cast<int32_t>(place >> 16) - 512;
+    const auto within = [](int32_t k, uint32_t count) {
+        return k < 0 ? 0u : static_cast<uint32_t>(k) < count ? static_cast<uint32_t>(k) : count - 1;
+    };
+    const uint32_t left = within(u >> 10, texture.columns), right = within((u >> 10) + 1, texture.columns);
+    const uint8_t* const upper = texture.texels + within(v >> 10, texture.rows) * texture.columns;
+    const uint8_t* const lower = texture.texels + within((v >> 10) + 1, texture.rows) * texture.columns;
+    const uint32_t to_right = static_cast<uint32_t>(u >> 6) & 15, down = static_cast<uint32_t>(v >> 6) & 15;
+    uint32_t r = 0, g = 0, b = 0;
+    const auto add = [&](uint8_t texel, uint32_t weight) {
+        const PackedColour c = palette[texel];
+        r += weight * (c >> 21);
+        g += weight * ((c >> 10) & 0x3FF);
+        b += weight * (c & 0x1FF);
+    };
+    add(upper[left], (16 - to_right) * (16 - down));
+    add(upper[right], to_right * (16 - down));
+    add(lower[left], (16 - to_right) * down);
+    add(lower[right], to_right * down);
+    return (r >> 8) << 21 | (g >> 8) << 10 | b >> 8;
+}
+
+template <Filter kFilter>
+LUMI_ALWAYS_INLINE PackedColour texel_at(uint32_t place, const Texture& texture, const PackedColour* palette)
+{
+    // To the lower right; a little less than a quarter texel, so that no rounding leaves the rectangle.
+    constexpr uint32_t kQuarter = 200 << 16 | 200;
+    if constexpr (kFilter == Filter::nearest) {
+        return palette[texture.texels[(place >> 26) * texture.columns + ((place << 16) >> 26)]];
+    } else if constexpr (kFilter == Filter::two_taps) {
+        return texel_at<Filter::nearest>(place - kQuarter, texture, palette) +
+               texel_at<Filter::nearest>(place + kQuarter, texture, palette);
+    } else {
+        return bilinear_texel(place, texture, palette);
+    }
+}
+
 // Draws the samples [depth_at, end) of a row, whose first quantities are given.
-template <bool kTwoTaps>
+template <Filter kFilter>
 LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, PackedColour* colour_at,
                                      uint32_t depth_q14, uint32_t place, PackedColour colour, const Planes& planes,
-                                     const Texture& texture, const PackedColour* palette)
+                                     const Texture& texture, const Target& target)
 {
-    // A quarter texel to the lower right, less what would leave the rectangle.
-    constexpr uint32_t kQuarter = 250 << 16 | 250;
-    const uint8_t* const texels = texture.texels;
-    const uint32_t columns = texture.columns;
     do {
         const uint32_t depth = depth_q14 >> 14;
         if (depth > *depth_at) {
             *depth_at = static_cast<uint16_t>(depth);
-            const auto texel_at = [&](uint32_t at) {
-                return palette[texels[(at >> 26) * columns + ((at << 16) >> 26)]];
-            };
-            PackedColour sum =
-                colour + (kTwoTaps ? texel_at(place - kQuarter) + texel_at(place + kQuarter) : texel_at(place));
+            PackedColour texel = texel_at<kFilter>(place, texture, target.palette);
+            if (kFilter == Filter::bilinear && target.has_two_taps) texel *= 2;
+            PackedColour sum = colour + texel;
             if ((sum & kGuardBits) != 0) sum = clamped(sum);
             *colour_at = sum;
         }
@@ -69,7 +105,7 @@ struct Descent {
     int32_t y, bend, end;
 };
 
-template <bool kTwoTaps>
+template <Filter kFilter>
 __attribute__((noinline)) void fill_rows(const Descent& d, const Texture& texture, const Target& target)
 {
     Planes at = d.planes;
@@ -82,9 +118,8 @@ __attribute__((noinline)) void fill_rows(const Descent& d, const Texture& textur
         if (first < last) {
             const uint32_t column = static_cast<uint32_t>(first);
             const auto at_first = [&](const Plane& p) { return p.value + column * p.right; };
-            fill_samples<kTwoTaps>(target.depths + row + first, target.depths + row + last,
-                                   target.colours + row + first, at_first(at.depth), at_first(at.place),
-                                   at_first(at.colour), at, texture, target.palette);
+            fill_samples<kFilter>(target.depths + row + first, target.depths + row + last, target.colours + row + first,
+                                  at_first(at.depth), at_first(at.place), at_first(at.colour), at, texture, target);
         }
         left.x_q16 += left.step_q16;
         right.x_q16 += right.step_q16;
@@ -160,7 +195,13 @@ void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_s
     const PlaneMaker maker(f, shares, target.x, d.y);
     d.planes = {maker.depth(), maker.place(), maker.colour()};
     set_edges(d, o, target.x);
-    target.has_two_taps ? fill_rows<true>(d, texture, target) : fill_rows<false>(d, texture, target);
+    if (is_magnified(d.planes.place, target.magnified_q10)) {
+        fill_rows<Filter::bilinear>(d, texture, target);
+    } else if (target.has_two_taps) {
+        fill_rows<Filter::two_taps>(d, texture, target);
+    } else {
+        fill_rows<Filter::nearest>(d, texture, target);
+    }
 }
 
 }  // namespace lumi::surfaces

@@ -17,13 +17,15 @@ struct Target {
     PackedColour* colours;
     int32_t x, y, width, height;  // samples; rows are `width` apart
     const PackedColour* palette;
-    bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side
+    bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side; the palette has halves
+    // Textures that change by no more than so much of a texel a sample are read bilinearly; negative: none.
+    int32_t magnified_q10;
 };
 
 // A rectangle of texels, see surface_format.h.
 struct Texture {
     const uint8_t* texels;
-    uint32_t columns;
+    uint32_t columns, rows;
 };
 
 struct Corner {

@@ -18,6 +18,16 @@ struct Planes {
     Plane colour;  // PackedColour; steps are rounded to its last bit
 };
 
+// Whether neither coordinate of a texture changes by more than `most_q10` from sample to sample.
+LUMI_ALWAYS_INLINE bool is_magnified(const Plane& place, int32_t most_q10)
+{
+    const auto fits = [&](uint32_t step) {
+        const int32_t u = static_cast<int16_t>(step), v = (static_cast<int32_t>(step) - u) >> 16;
+        return u <= most_q10 && u >= -most_q10 && v <= most_q10 && v >= -most_q10;
+    };
+    return fits(place.right) && fits(place.down);
+}
+
 struct Length {
     int32_t x_q6, y_q6;
 };

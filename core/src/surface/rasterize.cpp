@@ -15,7 +15,7 @@ MeshTriangle mesh_triangle(const SurfacePatch& patch, const SurfaceField& field,
     constexpr int32_t kInsetQ8 = 256 >> format::kPatchInsetShift;
     const int32_t right = static_cast<int32_t>(patch.columns << 8) - kInsetQ8;
     const int32_t bottom = static_cast<int32_t>(patch.rows << 8) - kInsetQ8;
-    const Texture texture = {field.texels + patch.texels, patch.columns};
+    const Texture texture = {field.texels + patch.texels, patch.columns, patch.rows};
     const uint32_t* corner = patch.corner;
     if ((k & 1) == 0) {
         return {{corner[0], corner[1], corner[2]}, {kInsetQ8, right, kInsetQ8}, {kInsetQ8, kInsetQ8, bottom}, texture};
@@ -95,7 +95,8 @@ void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* dept
                            rect.width_px << log2,
                            rect.height_px << log2,
                            frame.palette,
-                           frame.mode == SurfaceMode::antialiased};
+                           frame.mode == SurfaceMode::antialiased,
+                           frame.mode == SurfaceMode::one_sample ? -1 : 512 >> log2};
     const uint32_t samples = static_cast<uint32_t>(target.width) * static_cast<uint32_t>(target.height);
     __builtin_memset(depths, 0, samples * sizeof *depths);
     const int32_t bottom_px = rect.y_px + rect.height_px;
