@@ -119,7 +119,7 @@ public:
     {
     }
 
-    LUMI_ALWAYS_INLINE void add(uint32_t triangle, uint32_t a, uint32_t b, uint32_t c)
+    __attribute__((noinline)) void add(uint32_t triangle, uint32_t a, uint32_t b, uint32_t c)
     {
         const SurfaceVertex* v = frame_.memory.vertices;
         const Seen s = {v + a, v + b, v + c};

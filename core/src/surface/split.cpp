@@ -91,12 +91,12 @@ private:
         // Both wind as (a, b, c) does: (a, m, c) and (m, b, c), turned.
     }
 
-    static int64_t mixed(const Share& s, int64_t a, int64_t b, int64_t c)
+    __attribute__((noinline)) static int64_t mixed(const Share& s, int64_t a, int64_t b, int64_t c)
     {
         return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> kWholeLog2;
     }
 
-    ViewPoint view_at(const Share& s) const
+    __attribute__((noinline)) ViewPoint view_at(const Share& s) const
     {
         const auto at = [&](int32_t ViewPoint::*k) {
             return static_cast<int32_t>(mixed(s, view_[0].*k, view_[1].*k, view_[2].*k));
@@ -117,23 +117,27 @@ private:
     }
 
     // Whether all corners lie beyond one of the target's sides, or nearer than the near plane.
-    bool is_beside(const ViewPoint (&v)[3]) const
+    __attribute__((noinline)) bool is_beside(const ViewPoint (&v)[3]) const
     {
         const SurfaceProjection& p = frame_.projection;
         const int32_t left = target_.x, right = target_.x + target_.width;
         const int32_t top = target_.y, bottom = target_.y + target_.height;
-        const auto all = [&](auto is_beyond) { return is_beyond(v[0]) && is_beyond(v[1]) && is_beyond(v[2]); };
-        const auto across = [&](const ViewPoint& at, int32_t side) {
-            return place_q6(at.x) + static_cast<int64_t>(p.centre_x_q6 - 64 * side) * at.z;
-        };
-        const auto down = [&](const ViewPoint& at, int32_t side) {
-            return place_q6(at.y) + static_cast<int64_t>(p.centre_y_q6 - 64 * side) * at.z;
-        };
-        return all([&](const ViewPoint& at) { return at.z < p.near_z; }) ||
-               all([&](const ViewPoint& at) { return across(at, left) < 0; }) ||
-               all([&](const ViewPoint& at) { return across(at, right) > 0; }) ||
-               all([&](const ViewPoint& at) { return down(at, top) < 0; }) ||
-               all([&](const ViewPoint& at) { return down(at, bottom) > 0; });
+        return is_beyond(v, &ViewPoint::x, p.centre_x_q6 - 64 * left, -1) ||
+               is_beyond(v, &ViewPoint::x, p.centre_x_q6 - 64 * right, 1) ||
+               is_beyond(v, &ViewPoint::y, p.centre_y_q6 - 64 * top, -1) ||
+               is_beyond(v, &ViewPoint::y, p.centre_y_q6 - 64 * bottom, 1) ||
+               (v[0].z < p.near_z && v[1].z < p.near_z && v[2].z < p.near_z);
+    }
+
+    // Whether all places are beyond one of the target's sides, which lies `to_centre_q6` from the optical axis.
+    __attribute__((noinline)) bool is_beyond(const ViewPoint (&v)[3], int32_t ViewPoint::*place, int32_t to_centre_q6,
+                                             int32_t sign) const
+    {
+        for (const ViewPoint& at : v) {
+            const int64_t beyond = place_q6(at.*place) + static_cast<int64_t>(to_centre_q6) * at.z;
+            if (sign > 0 ? beyond <= 0 : beyond >= 0) return false;
+        }
+        return true;
     }
 
     // A place before the division, as 1/64 sample times z.

@@ -27,8 +27,9 @@ constexpr uint8_t kCorners[kTriangles][3] = {
     {26, 34, 39}};
 constexpr uint8_t kNone = 0xFF;
 
-// The plane is cut into kCells × kCells cells; places in it are in Q8 cells.
+// Places in the plane are in Q8, from 0 to kCells. Where to begin is known for squares of two cells by two.
 constexpr int kCells = 32;
+constexpr int kSquares = kCells / 2;
 constexpr int32_t kScaleQ8 = 3264;  // of s and t: 1.25 of them reach the plane's sides
 constexpr int32_t kMiddleQ8 = kCells * 128;
 
@@ -40,8 +41,8 @@ struct Weight {
 
 struct ViewTables {
     Weight weight[kTriangles][2];
-    uint8_t beyond[kTriangles][3];  // the triangle across the edge opposite a corner, or kNone
-    uint8_t first[kCells][kCells];  // at a cell's middle, or the nearest
+    uint8_t beyond[kTriangles][3];      // the triangle across the edge opposite a corner, or kNone
+    uint8_t first[kSquares][kSquares];  // at a square's middle, or the nearest
 };
 
 struct Place {
@@ -103,16 +104,16 @@ constexpr ViewTables make_tables()
     ViewTables tables{};
     Place places[kViewNodes] = {};
     for (uint32_t k = 0; k < kViewNodes; ++k) places[k] = place_of_node(k);
-    double least[kCells][kCells] = {};
+    double least[kSquares][kSquares] = {};
     for (int k = 0; k < kTriangles; ++k) {
         const Place &a = places[kCorners[k][0]], &b = places[kCorners[k][1]], &c = places[kCorners[k][2]];
         const double whole = area(a, b, c);
         tables.weight[k][0] = weight_opposite(c, a, whole);
         tables.weight[k][1] = weight_opposite(a, b, whole);
         for (int e = 0; e < 3; ++e) tables.beyond[k][e] = beyond_of(k, e);
-        for (int row = 0; row < kCells; ++row) {
-            for (int column = 0; column < kCells; ++column) {
-                const Place p = {column + 0.5, row + 0.5};
+        for (int row = 0; row < kSquares; ++row) {
+            for (int column = 0; column < kSquares; ++column) {
+                const Place p = {2 * column + 1.0, 2 * row + 1.0};
                 const double of_b = area(c, a, p) / whole, of_c = area(a, b, p) / whole, of_a = 1 - of_b - of_c;
                 const double smallest = of_a < of_b ? (of_a < of_c ? of_a : of_c) : of_b < of_c ? of_b : of_c;
                 if (k == 0 || smallest > least[row][column]) {
@@ -171,9 +172,9 @@ uint8_t across_lowest(uint32_t k, const int32_t (&weight)[3])
 
 ViewTaps view_taps(int32_t x, int32_t y, int32_t z)
 {
-    constexpr int kMostSteps = 6;  // beyond a cell's own triangle
+    constexpr int kMostSteps = 8;  // beyond the triangle of a square's middle
     const CellPlace p = place_of(x, y, z);
-    uint32_t k = kTables.first[p.t_q8 >> 8][p.s_q8 >> 8];
+    uint32_t k = kTables.first[p.t_q8 >> 9][p.s_q8 >> 9];
     int32_t weight[3] = {};
     for (int step = 0;; ++step) {
         weight[1] = weight_at(kTables.weight[k][0], p);
