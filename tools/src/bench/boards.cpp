@@ -63,6 +63,11 @@ bool read_pair(std::istringstream& line, const char* word, Value& value)
     return line >> found && found == word && line >> value;
 }
 
+void require_count(bool is_one, const std::string& text)
+{
+    if (!is_one) throw Failure("the bench firmware", "wrote \"" + text + "\"", "clear the work folder and build anew");
+}
+
 Count parse_count(const std::string& text)
 {
     std::istringstream line(text);
@@ -73,10 +78,27 @@ Count parse_count(const std::string& text)
                           read_pair(line, "instructions", count.instructions) &&
                           read_pair(line, "setup", count.setup) && read_pair(line, "stack", count.stack_bytes) &&
                           read_pair(line, "crc", crc);
-    if (!complete || count.instructions == 0 || count.covered == 0)
-        throw Failure("the bench firmware", "wrote \"" + text + "\"", "clear the work folder and build anew");
+    require_count(complete && count.instructions != 0 && count.covered != 0, text);
     count.crc = static_cast<uint32_t>(std::stoul(crc, nullptr, 16));
     return count;
+}
+
+SurfaceCount parse_surface_count(const std::string& text)
+{
+    std::istringstream line(text);
+    SurfaceCount c;
+    std::string crc;
+    const bool complete = read_pair(line, "view", c.view) && read_pair(line, "mode", c.mode) &&
+                          read_pair(line, "covered", c.covered) && read_pair(line, "instructions", c.instructions) &&
+                          read_pair(line, "palette", c.palette) && read_pair(line, "vertices", c.vertices) &&
+                          read_pair(line, "lists", c.lists) && read_pair(line, "lights", c.lights) &&
+                          read_pair(line, "edges", c.edges) && read_pair(line, "samples", c.samples) &&
+                          read_pair(line, "outlines", c.outlines) && read_pair(line, "resolve", c.resolve) &&
+                          read_pair(line, "stack", c.stack_bytes) && read_pair(line, "ram", c.ram_bytes) &&
+                          read_pair(line, "crc", crc);
+    require_count(complete && c.instructions != 0 && c.covered != 0, text);
+    c.crc = static_cast<uint32_t>(std::stoul(crc, nullptr, 16));
+    return c;
 }
 
 }  // namespace
@@ -112,17 +134,32 @@ uint32_t Board::code_bytes(const std::string& renderer) const
     return flash_bytes(program("size_" + renderer)) - flash_bytes(program("size_empty"));
 }
 
+std::string Board::run(const std::string& renderer, const std::filesystem::path& field,
+                       const std::vector<std::string>& words) const
+{
+    std::string semihosting = "enable=on,target=native,chardev=console,arg=bench";
+    for (const std::string& word : words) semihosting += ",arg=" + word;
+    const std::string loader = "loader,file=" + suboption(field.string()) + ",addr=" + field_address_ + ",force-raw=on";
+    return run_program({"qemu-system-arm", "-M", machine_, "-display", "none", "-serial", "none", "-monitor", "none",
+                        "-chardev", "stdio,id=console", "-semihosting-config", semihosting, "-icount", "shift=0",
+                        "-device", loader, "-kernel", program(renderer)});
+}
+
 std::vector<Count> Board::count(const std::string& renderer, const std::filesystem::path& field,
                                 const std::vector<std::string>& views, const std::vector<int>& spans) const
 {
-    std::string semihosting = "enable=on,target=native,chardev=console,arg=bench";
-    for (const std::string& view : views) semihosting += ",arg=" + view;
-    for (const int span : spans) semihosting += ",arg=" + std::to_string(span);
-    const std::string loader = "loader,file=" + suboption(field.string()) + ",addr=" + field_address_ + ",force-raw=on";
-    return parse_counts(
-        run_program({"qemu-system-arm", "-M", machine_, "-display", "none", "-serial", "none", "-monitor", "none",
-                     "-chardev", "stdio,id=console", "-semihosting-config", semihosting, "-icount", "shift=0",
-                     "-device", loader, "-kernel", program(renderer)}));
+    std::vector<std::string> words = views;
+    for (const int span : spans) words.push_back(std::to_string(span));
+    return parse_counts(run(renderer, field, words));
+}
+
+std::vector<SurfaceCount> Board::count_surface(const std::string& renderer, const std::filesystem::path& field,
+                                               const std::vector<std::string>& views,
+                                               const std::vector<std::string>& modes) const
+{
+    std::vector<std::string> words = views;
+    words.insert(words.end(), modes.begin(), modes.end());
+    return parse_surface_counts(run(renderer, field, words));
 }
 
 std::vector<Count> parse_counts(const std::string& text)
@@ -130,6 +167,14 @@ std::vector<Count> parse_counts(const std::string& text)
     std::vector<Count> counts;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) counts.push_back(parse_count(line));
+    return counts;
+}
+
+std::vector<SurfaceCount> parse_surface_counts(const std::string& text)
+{
+    std::vector<SurfaceCount> counts;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) counts.push_back(parse_surface_count(line));
     return counts;
 }
 

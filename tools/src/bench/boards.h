@@ -27,7 +27,14 @@ public:
     std::vector<Count> count(const std::string& renderer, const std::filesystem::path& field,
                              const std::vector<std::string>& views, const std::vector<int>& spans) const;
 
+    // Draws a surface field in these views and modes.
+    std::vector<SurfaceCount> count_surface(const std::string& renderer, const std::filesystem::path& field,
+                                            const std::vector<std::string>& views,
+                                            const std::vector<std::string>& modes) const;
+
 private:
+    std::string run(const std::string& renderer, const std::filesystem::path& field,
+                    const std::vector<std::string>& words) const;
     std::filesystem::path program(const std::string& name) const;
 
     std::filesystem::path folder_;
@@ -36,5 +43,7 @@ private:
 
 // Reads the lines of the bench firmware, as its main.cpp states them; throws tools::Failure on anything else.
 std::vector<Count> parse_counts(const std::string& text);
+// The same of its surface_main.cpp.
+std::vector<SurfaceCount> parse_surface_counts(const std::string& text);
 
 }  // namespace lumi::bench

@@ -21,6 +21,7 @@ struct Chip {
     CacheShape cache;
     double miss_ns;
     const char* remark;
+    int cores = 1;  // remark and rates are of one
 };
 
 inline constexpr size_t kChips = 5;
@@ -30,7 +31,17 @@ extern const std::array<Chip, kChips> kChipList;
 inline constexpr double kDisplayHz = 62.5e6;
 inline constexpr double kDisplayBits = 240.0 * 240.0 * 16.0;
 
+struct Traffic {
+    uint64_t lines = 0, misses = 0;
+};
+// Through every part's cache.
+std::array<Traffic, kChips> traffic_of(const std::vector<Read>& reads);
+
 // Whichever of drawing and sending takes longer limits the rate.
 double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses);
+
+// Where two cores draw alternate stripes after one of them has prepared the frame. They share cache and flash, so they
+// wait as long as one does.
+double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t instructions, uint64_t misses);
 
 }  // namespace lumi::bench

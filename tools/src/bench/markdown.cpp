@@ -80,6 +80,25 @@ std::string how_to_choose(const Rows& rows)
            choice_table(rows) + "\n";
 }
 
+std::string surface_section(const SurfaceResults& surface)
+{
+    if (surface.rows.empty()) return "";
+    const SurfaceFacts& field = surface.field;
+    return "## Surface fields\n\n`" + field.name + "`, a surface field of " + std::to_string(field.bytes) + " bytes, " +
+           std::to_string(field.triangles) + " triangles and " + std::to_string(field.vertices) +
+           " vertices (SHA-256\n`" + field.sha256 +
+           "`), in the same frames and stripes.\nInstructions per covered pixel of the sphere, generic view; dB and "
+           "worst pixel are against the twin in double precision with one\nsample or 2 × 2 (*antialiased* is judged by "
+           "2 × 2). RAM: the frame and a stripe's samples, its pixels left out.\n\n" +
+           surface_table(surface) +
+           "\nOf these, by part (generic view): *edges* are triangles and rows without their samples.\n\n" +
+           surface_split_table(surface) +
+           "\nFrame rates in the model of *Frame rates of named parts*, flash lines missed by reads of the field; two "
+           "cores draw alternate stripes\nafter one of them has prepared the frame, and wait for flash as long as one "
+           "does.\n\n" +
+           surface_chip_table(surface) + "\n";
+}
+
 std::string parts_model()
 {
     std::string text =
@@ -155,14 +174,15 @@ std::string method(const Rows& rows)
 
 }  // namespace
 
-std::string markdown_page(const Rows& rows, const Baselines& baselines, const std::vector<std::string>& plots,
-                          const FieldSettings& field)
+std::string markdown_page(const Rows& rows, const SurfaceResults& surface, const Baselines& baselines,
+                          const std::vector<std::string>& plots, const FieldSettings& field)
 {
     std::string page = opening(field) + how_to_choose(rows);
     for (const std::string& plot : plots) page += "![Cost and accuracy](" + plot + ")\n";
     page += "\n## At a glance\n\nInstructions per covered pixel, and PSNR against the exact picture.\n\n" +
             glance_table(rows);
-    page += "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n";
+    page +=
+        "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n" + surface_section(surface);
     page += accuracy_section(rows) + parts_model() + chip_table(rows) + "\n";
     return page + baseline_section(rows, baselines) + method(rows);
 }

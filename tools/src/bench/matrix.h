@@ -20,8 +20,11 @@ inline const std::vector<std::string> kViewNames = {"generic", "pole", "close"};
 // Span 0: render() in place of render_spans(), every pixel exact; it has no dither, and voronoi is its nearest.
 inline const std::vector<int> kSpans = {0, 2, 4, 8, 16};
 
+// Of surface fields' frames.
+inline const std::vector<std::string> kPixels = {"rgb565", "rgb888"};
+
 struct Matrix {
-    std::vector<std::string> cores = kCores, modes = kModes, texels = kTexels, views = kViewNames;
+    std::vector<std::string> cores = kCores, modes = kModes, texels = kTexels, views = kViewNames, pixels = kPixels;
     std::vector<int> spans = {0, 4, 8, 16};
 };
 
@@ -40,10 +43,6 @@ struct Accuracy {
     double psnr_db = 0;        // nearest: outside cell borders; dither: both pictures blurred; over covered pixels
     double psnr_all_db = 0;    // over all covered pixels as they are
     uint32_t worst_pixel = 0;  // levels of 255, over the pixels of psnr_db
-};
-
-struct Traffic {
-    uint64_t lines = 0, misses = 0;
 };
 
 struct Row {
@@ -66,7 +65,41 @@ private:
 
 using Rows = std::vector<Row>;
 
+// Of a surface field's frame, with what its parts take: surface_main.cpp of the firmware says what they are.
+struct SurfaceCount {
+    std::string view, mode;
+    uint64_t covered = 0, instructions = 0;
+    uint64_t palette = 0, vertices = 0, lists = 0, lights = 0, edges = 0, samples = 0, outlines = 0, resolve = 0;
+    uint32_t stack_bytes = 0, ram_bytes = 0, crc = 0;
+
+    double per_pixel(uint64_t count) const { return static_cast<double>(count) / static_cast<double>(covered); }
+    // What one core does for both where two draw.
+    uint64_t preparing() const { return palette + vertices + lists + lights; }
+};
+
+struct SurfaceRow {
+    std::string core, pixel;
+    SurfaceCount count;
+    uint32_t code_bytes = 0;
+    Accuracy accuracy;
+    std::array<Traffic, kChips> traffic;
+};
+
+// Which file was drawn.
+struct SurfaceFacts {
+    std::string name;
+    uint32_t bytes = 0, vertices = 0, patches = 0, triangles = 0;
+    std::string sha256;
+};
+
+struct SurfaceResults {
+    SurfaceFacts field;
+    std::vector<SurfaceRow> rows;
+};
+
 // The first row of these properties, or null.
+const SurfaceRow* find_row(const SurfaceResults& results, const std::string& core, const std::string& mode,
+                           const std::string& pixel, const std::string& view);
 const Row* find_row(const Rows& rows, const std::string& core, const std::string& mode, const std::string& texel,
                     int span, const std::string& view);
 

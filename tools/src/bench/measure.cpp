@@ -8,6 +8,7 @@
 #include "bench/boards.h"
 #include "bench/host_renderer.h"
 #include "bench/judge.h"
+#include "bench/surface.h"
 #include "files/field_file.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
@@ -30,6 +31,7 @@ std::vector<Program> programs_of(const Matrix& matrix)
     const bool exact = spans.size() != matrix.spans.size();
     std::vector<Program> programs;
     for (const std::string& mode : matrix.modes) {
+        if (is_surface(mode)) continue;
         for (const std::string& texel : matrix.texels) {
             if (exact && mode != "dither" && mode != "voronoi")
                 programs.push_back({mode, texel, "exact_" + mode + "_" + texel, {0}});
@@ -50,17 +52,6 @@ struct HostFacts {
     std::array<Traffic, kChips> traffic;
     uint32_t crc = 0;
 };
-
-std::array<Traffic, kChips> traffic_of(const std::vector<Read>& reads)
-{
-    std::array<Traffic, kChips> traffic;
-    for (size_t i = 0; i < kChips; ++i) {
-        CacheModel cache(kChipList[i].cache);
-        for (const Read& read : reads) cache.read(read);
-        traffic[i] = {cache.lines_touched(), cache.misses()};
-    }
-    return traffic;
-}
 
 class Measurement
 {

@@ -16,14 +16,15 @@ struct Settings {
     std::filesystem::path source;  // the project's tree
     std::filesystem::path work;    // builds and fields; kept between runs
     FieldSettings field;
+    std::filesystem::path surface_file;  // drawn in place of a surface field baked here; may be empty
     Matrix matrix;
 };
 
 // Told what is done next.
 using Announce = std::function<void(const std::string&)>;
 
-// One row per existing combination of the matrix, in its order. Throws tools::Failure, also where a board draws other
-// bits than this machine.
+// Of chord fields: one row per existing combination of the matrix, in its order. Throws tools::Failure, also where a
+// board draws other bits than this machine.
 Rows measure(const Settings& settings, const Announce& announce);
 
 }  // namespace lumi::bench

@@ -5,7 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-
+#include <utility>
 
 namespace lumi::bench
 {
@@ -28,6 +28,7 @@ ordered_json decibels(double value)
 ordered_json json_row(const Row& row)
 {
     ordered_json json;
+    json["layout"] = "chord";
     json["core"] = row.core;
     json["mode"] = row.mode;
     json["texel"] = row.texel;
@@ -47,6 +48,53 @@ ordered_json json_row(const Row& row)
         json[std::string("lines_") + kChipList[i].key] = row.traffic[i].lines;
         json[std::string("misses_") + kChipList[i].key] = row.traffic[i].misses;
     }
+    return json;
+}
+
+void put_parts(ordered_json& json, const SurfaceCount& c)
+{
+    const std::pair<const char*, uint64_t> parts[] = {
+        {"palette", c.palette}, {"vertices", c.vertices}, {"lists", c.lists},       {"lights", c.lights},
+        {"edges", c.edges},     {"samples", c.samples},   {"outlines", c.outlines}, {"resolve", c.resolve}};
+    for (const auto& [name, count] : parts) json[name] = hundredths(c.per_pixel(count));
+}
+
+void put_rates(ordered_json& json, const SurfaceRow& row)
+{
+    for (size_t i = 0; i < kChips; ++i) {
+        const Chip& chip = kChipList[i];
+        const uint64_t misses = row.traffic[i].misses, instructions = row.count.instructions;
+        json[std::string("misses_") + chip.key] = misses;
+        if (chip.core != row.core) continue;
+        json[std::string("fps_") + chip.key] = hundredths(frames_per_second(chip, instructions, misses));
+        if (chip.cores == 2)
+            json[std::string("fps2_") + chip.key] =
+                hundredths(frames_per_second_of_two(chip, row.count.preparing(), instructions, misses));
+    }
+}
+
+ordered_json json_row(const SurfaceRow& row, const SurfaceFacts& field)
+{
+    ordered_json json;
+    json["layout"] = "surface";
+    json["core"] = row.core;
+    json["mode"] = row.count.mode;
+    json["pixel"] = row.pixel;
+    json["view"] = row.count.view;
+    json["instructions_per_pixel"] = hundredths(row.count.per_pixel(row.count.instructions));
+    put_parts(json, row.count);
+    json["instructions_per_frame"] = row.count.instructions;
+    json["covered_pixels"] = row.count.covered;
+    json["code_bytes"] = row.code_bytes;
+    json["stack_bytes"] = row.count.stack_bytes;
+    json["ram_bytes"] = row.count.ram_bytes;
+    json["psnr_db"] = decibels(row.accuracy.psnr_db);
+    json["worst_pixel"] = row.accuracy.worst_pixel;
+    put_rates(json, row);
+    json["file"] = field.name;
+    json["file_bytes"] = field.bytes;
+    json["triangles"] = field.triangles;
+    json["sha256"] = field.sha256;
     return json;
 }
 
@@ -76,25 +124,68 @@ void append_row(std::string& text, const Row& row)
     text += "\n";
 }
 
-}  // namespace
-
-std::string text_report(const Rows& rows)
+std::string chord_text(const Rows& rows)
 {
+    if (rows.empty()) return "";
     std::string text =
         "instructions per covered pixel (whole frame, of it set-up, of it inner loop), M instructions a frame, bytes "
-        "of "
-        "code and stack,\nPSNR against exact in dB, worst pixel of 255; per part: frames a second, flash lines touched "
-        "and missed a frame\n";
+        "of code and stack,\nPSNR against exact in dB, worst pixel of 255; per part: frames a second, flash lines "
+        "touched and missed a frame\n";
     append(text, "%-7s %-8s %-9s %4s %-8s %8s %7s %8s %10s %6s %6s %6s %5s\n", "core", "mode", "texel", "span", "view",
            "per px", "set-up", "inner", "M a frame", "code", "stack", "dB", "worst");
     for (const Row& row : rows) append_row(text, row);
     return text;
 }
 
-std::string json_report(const Rows& rows)
+void append_row(std::string& text, const SurfaceRow& row)
+{
+    const SurfaceCount& c = row.count;
+    append(text, "%-7s %-11s %-6s %-8s %7.1f = %5.1f %5.1f %5.1f %6.1f %6.1f %6.1f %6.1f %6u %6u %7u %6.1f %5u",
+           row.core.c_str(), c.mode.c_str(), row.pixel.c_str(), c.view.c_str(), c.per_pixel(c.instructions),
+           c.per_pixel(c.palette + c.vertices), c.per_pixel(c.lists), c.per_pixel(c.lights), c.per_pixel(c.edges),
+           c.per_pixel(c.samples), c.per_pixel(c.outlines), c.per_pixel(c.resolve), row.code_bytes, c.stack_bytes,
+           c.ram_bytes, row.accuracy.psnr_db, row.accuracy.worst_pixel);
+    for (size_t i = 0; i < kChips; ++i) {
+        const Chip& chip = kChipList[i];
+        const uint64_t misses = row.traffic[i].misses;
+        if (chip.core != row.core) continue;
+        append(text, "  %s %.1f", chip.key, frames_per_second(chip, c.instructions, misses));
+        if (chip.cores == 2)
+            append(text, " (both cores %.1f)", frames_per_second_of_two(chip, c.preparing(), c.instructions, misses));
+        append(text, " fps, %llu misses", static_cast<unsigned long long>(misses));
+    }
+    text += "\n";
+}
+
+std::string surface_text(const SurfaceResults& surface)
+{
+    if (surface.rows.empty()) return "";
+    std::string text;
+    append(text, "surface field %s: %u bytes, %u triangles, %u vertices\nsha256 %s\n", surface.field.name.c_str(),
+           surface.field.bytes, surface.field.triangles, surface.field.vertices, surface.field.sha256.c_str());
+    text +=
+        "instructions per covered pixel (whole frame = vertices, lists of triangles, view tables, triangles and rows, "
+        "samples, outlines, pixels),\nbytes of code, stack and RAM, PSNR against exact in dB, worst pixel of 255; per "
+        "part: frames a second, flash lines missed a frame\n";
+    append(text, "%-7s %-11s %-6s %-8s %7s = %5s %5s %5s %6s %6s %6s %6s %6s %6s %7s %6s %5s\n", "core", "mode",
+           "pixel", "view", "per px", "vert", "lists", "views", "edges", "sample", "outl", "pixels", "code", "stack",
+           "RAM", "dB", "worst");
+    for (const SurfaceRow& row : surface.rows) append_row(text, row);
+    return text;
+}
+
+}  // namespace
+
+std::string text_report(const Rows& rows, const SurfaceResults& surface)
+{
+    return chord_text(rows) + surface_text(surface);
+}
+
+std::string json_report(const Rows& rows, const SurfaceResults& surface)
 {
     ordered_json json = ordered_json::array();
     for (const Row& row : rows) json.push_back(json_row(row));
+    for (const SurfaceRow& row : surface.rows) json.push_back(json_row(row, surface.field));
     return json.dump(1) + "\n";
 }
 

@@ -25,6 +25,12 @@ std::string cost_table(const Rows& rows);
 std::string split_table(const Rows& rows);
 // PSNR and worst pixel per view and span; the same for every core.
 std::string accuracy_table(const Rows& rows);
+// Surface fields: instructions per covered pixel per core, generic view; PSNR and worst pixel per view; memory.
+std::string surface_table(const SurfaceResults& results);
+// The same split into parts, for M4 and M0+.
+std::string surface_split_table(const SurfaceResults& results);
+// Misses and frames per second per part, generic view.
+std::string surface_chip_table(const SurfaceResults& results);
 // Flash for code and tables, stack.
 std::string memory_table(const Rows& rows);
 // Lines touched, missed and frames per second per part, generic view, span 16.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lumi bench: what drawing costs on microcontrollers and how exact it is.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -7,10 +8,12 @@
 #include "../bench/measure.h"
 #include "../bench/plots.h"
 #include "../bench/report.h"
+#include "../bench/surface.h"
 #include "commands/commands.h"
 #include "files/output_file.h"
 #include "lumi/baker/file_guard.h"
 #include "lumi/baker/scene.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {
@@ -20,7 +23,7 @@ namespace
 
 struct BenchOptions {
     bench::Settings settings;
-    std::string source = LUMI_SOURCE_DIR, work = "lumi-bench", scene, json, plots, markdown;
+    std::string source = LUMI_SOURCE_DIR, work = "lumi-bench", scene, field, json, plots, markdown;
     bool quick = false;
 };
 
@@ -34,15 +37,16 @@ std::vector<std::string> seen_from(const std::filesystem::path& page, const std:
     return names;
 }
 
-void write_reports(const BenchOptions& options, const bench::Rows& rows, const bench::Announce& announce)
+void write_reports(const BenchOptions& options, const bench::Rows& rows, const bench::SurfaceResults& surface,
+                   const bench::Announce& announce)
 {
-    if (!options.json.empty()) write_output(options.json, bench::json_report(rows));
+    if (!options.json.empty()) write_output(options.json, bench::json_report(rows, surface));
     std::vector<std::string> plots;
     if (!options.plots.empty()) plots = bench::write_plots(rows, options.plots);
     if (options.markdown.empty()) return;
     const bench::Baselines baselines = bench::measure_baselines(options.settings, announce);
     write_output(options.markdown,
-                 bench::markdown_page(rows, baselines, seen_from(options.markdown, options.plots, plots),
+                 bench::markdown_page(rows, surface, baselines, seen_from(options.markdown, options.plots, plots),
                                       options.settings.field));
 }
 
@@ -64,6 +68,16 @@ void read_scene(const std::filesystem::path& scene)
     baker::load_scene(scene, {}, ignored);
 }
 
+// Chord fields are those of the bench's scene.
+void keep_surface_modes(BenchOptions& options)
+{
+    options.settings.surface_file = options.field;
+    std::vector<std::string>& modes = options.settings.matrix.modes;
+    modes.erase(std::remove_if(modes.begin(), modes.end(), [](const auto& m) { return !bench::is_surface(m); }),
+                modes.end());
+    if (modes.empty()) throw UsageError("--field goes with modes of surface fields");
+}
+
 void run(BenchOptions& options)
 {
     bench::Settings& settings = options.settings;
@@ -71,12 +85,14 @@ void run(BenchOptions& options)
     settings.work = std::filesystem::absolute(options.work);
     settings.field.scene = options.scene.empty() ? settings.source / "baker" / "scenes" / "product.obj"
                                                  : std::filesystem::path(options.scene);
+    if (!options.field.empty()) keep_surface_modes(options);
     announce_files(options);
     read_scene(settings.field.scene);
     const bench::Announce announce = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
     const bench::Rows rows = bench::measure(settings, announce);
-    std::fputs(bench::text_report(rows).c_str(), stdout);
-    write_reports(options, rows, announce);
+    const bench::SurfaceResults surface = bench::measure_surface(settings, announce);
+    std::fputs(bench::text_report(rows, surface).c_str(), stdout);
+    write_reports(options, rows, surface, announce);
 }
 
 // A list of words, separated by commas.
@@ -96,8 +112,11 @@ void add_matrix_options(CLI::App& command, BenchOptions& options)
     command.add_flag_callback(
         "--quick", [&matrix] { matrix = bench::quick_matrix(); }, "A few rows only");
     add_words(command, "--core", matrix.cores, "Cores");
-    add_words(command, "--mode", matrix.modes, "Reconstructions");
-    add_words(command, "--texel", matrix.texels, "Texel formats");
+    const std::vector<std::string> surface_modes = bench::surface_mode_names();
+    matrix.modes.insert(matrix.modes.end(), surface_modes.begin(), surface_modes.end());
+    add_words(command, "--mode", matrix.modes, "Reconstructions of chord fields and modes of surface fields");
+    add_words(command, "--texel", matrix.texels, "Texel formats of chord fields");
+    add_words(command, "--pixel", matrix.pixels, "Pixels of surface fields");
     add_words(command, "--view", matrix.views, "Views");
     command.add_option("--span", matrix.spans, "Pixels between exact ones, 0 for the exact renderer [0, 4, 8, 16]")
         ->delimiter(',')
@@ -116,6 +135,8 @@ void add_place_options(CLI::App& command, BenchOptions& options)
         ->capture_default_str();
     command.add_option("--source", options.source, "The project's source tree")->type_name("DIR");
     command.add_option("--scene", options.scene, "Scene to bake [product.obj of the source tree]")->type_name("OBJ");
+    command.add_option("--field", options.field, "A surface field to draw alone, in place of the scene's")
+        ->type_name("FILE");
     bench::FieldSettings& field = options.settings.field;
     command.add_option("--origins", field.origins, "M of the baked field")->capture_default_str();
     command.add_option("--directions", field.directions, "N of the baked field")->capture_default_str();
@@ -133,7 +154,8 @@ void add_bench(CLI::App& lumi)
     add_place_options(*command, *options);
     command->footer(
         "Needs cmake, ninja, the arm-none-eabi toolchain and qemu-system-arm in PATH.\n"
-        "Example:\n  lumi bench --core m4,m0plus --mode linear --span 8,16 --json bench.json");
+        "Example:\n  lumi bench --core m4,m0plus --mode linear --span 8,16 --json bench.json\n"
+        "  lumi bench --field model.lumi --core m4,m0plus --view generic");
     command->callback([options] { run(*options); });
 }
 

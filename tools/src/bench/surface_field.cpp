@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "bench/surface_field.h"
+
+#include "files/sha256.h"
+#include "lumi/baker/scene.h"
+#include "lumi/baker/surface.h"
+#include "terminal/failure.h"
+#include "terminal/progress_printer.h"
+
+namespace lumi::bench
+{
+namespace
+{
+
+// Small enough to be baked in seconds: noise costs nothing to draw.
+baker::SurfaceSettings surface_settings()
+{
+    baker::SurfaceSettings settings;
+    settings.triangles = 2500;
+    settings.texels_per_radius = 80;
+    settings.paths_per_texel = 40;
+    return settings;
+}
+
+void bake(const std::filesystem::path& scene_file, const std::filesystem::path& path)
+{
+    std::vector<std::string> warnings;
+    const baker::Scene scene = baker::load_scene(scene_file, {}, warnings);
+    tools::ProgressPrinter printer(stderr, tools::stderr_is_terminal());
+    try {
+        baker::bake_surface(scene, surface_settings(), path, tools::watch(printer));
+    } catch (const baker::Cancelled&) {
+        throw tools::Interrupted();
+    }
+}
+
+}  // namespace
+
+tools::FieldFile require_surface_field(const Settings& settings)
+{
+    std::filesystem::path path = settings.surface_file;
+    if (path.empty()) {
+        path = settings.work / (settings.field.scene.stem().string() + ".surface.lumi");
+        if (!std::filesystem::exists(path)) bake(settings.field.scene, path);
+    }
+    tools::FieldFile file(path.string());
+    if (!file.is_surface()) throw tools::Failure(path, "holds a chord field", "give a surface field");
+    return file;
+}
+
+SurfaceFacts facts_of(const tools::FieldFile& file)
+{
+    const SurfaceField& field = file.surface();
+    uint32_t triangles = field.patch_count;
+    for (uint32_t k = 0; k < field.patch_count; ++k)
+        if (surface_patch(field, k).corner[3] != format::kNoVertex) ++triangles;
+    return {std::filesystem::path(file.path()).filename().string(),
+            static_cast<uint32_t>(file.size()),
+            field.vertex_count,
+            field.patch_count,
+            triangles,
+            tools::sha256(file.bytes(), file.size())};
+}
+
+}  // namespace lumi::bench

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What drawing a frame of a surface field reads of its file, about: vertices and patches once, view tables of lit
+// vertices, then for each stripe the patches that show there and a texel for each sample. Samples that end up hidden
+// and triangles that reach a stripe without a sample are left out.
+#pragma once
+
+#include <vector>
+
+#include "bench/cache_model.h"
+#include "bench/surface.h"
+#include "files/field_file.h"
+
+namespace lumi::bench
+{
+
+// In the renderer's order; addresses count from the file's start.
+std::vector<Read> reads_of(const tools::FieldFile& file, const View& view, SurfaceMode mode);
+
+}  // namespace lumi::bench
