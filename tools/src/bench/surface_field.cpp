@@ -18,7 +18,7 @@ baker::SurfaceSettings surface_settings()
     baker::SurfaceSettings settings;
     settings.triangles = 2500;
     settings.texels_per_radius = 80;
-    settings.paths_per_texel = 40;
+    settings.paths_per_texel = 20;
     return settings;
 }
 
