@@ -38,6 +38,7 @@ set(LUMI_PLAIN_FILES
   tools/metrics/steerable_pyramid_test.cpp
   tools/bench/cache_model_test.cpp
   tools/bench/report_test.cpp
+  tools/bench/surface_reads_test.cpp
   tools/draw/draw_surface_test.cpp
   tools/quality/quality_test.cpp
   tools/planner/fit_test.cpp

@@ -31,8 +31,6 @@ core/include/lumi/detail/surface
 core/include/lumi/detail/stepping
 core/include/lumi/detail/chord
 core/include/lumi/detail/chord/kernel
-core/include/lumi/proxy
-core/include/lumi/guided
 core/include/lumi: render_spans.h render_spans_paper.h quality.h surface_frame.h surface_quality.h render_surface.h
 core/src
 core/src/math
@@ -43,8 +41,6 @@ core/src/stepping
 core/src/chord
 core/src/chord/armv6m
 core/src/chord/kernel
-core/src/proxy
-core/src/guided
 core/src/surface
 
 platform/host

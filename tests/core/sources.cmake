@@ -19,7 +19,6 @@ set(LUMI_CORE_TEST_SOURCES
   field/field_test.cpp
   lattice/lattice_test.cpp
   lattice/polar_test.cpp
-  math/linear_light_test.cpp
   math/math_test.cpp
   stepping/hits_test.cpp
   surface/render_surface_test.cpp

@@ -34,36 +34,20 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_lattice_size,  // M or N is 0 or above kMaxLatticeSize, or the used origins are not in 1 .. M
     bad_texel_format,
     bad_colour_space,
-    bad_row_stride,  // shorter than a row, or a power of two
-    bad_bounds,      // the sphere's centre is not finite, or its radius not finite and positive
-    bad_texel_size,  // the texel section is not used_origins × row_stride bytes
-    bad_palette,     // the palette section has the wrong size, or an entry that is not premultiplied
-    guided_field,    // open_field only: the file holds a guided field, see open_guided in guided_field.h
-    chord_field,     // open_guided only: the file holds a chord field
-    missing_guided,  // neither kind of field
-    missing_proxy,
-    missing_mean,  // and no chart either: nothing gives the surface a colour
-    missing_chart,
-    missing_chart_colours,
-    unused_section,     // a section of guided_format.h that the guided section rules out
-    bad_guided,         // the guided section has the wrong size, an unknown kind or reserved bytes that are not zero
-    bad_chart_size,     // G outside kMinChart .. kMaxChart
-    bad_focus,          // farther from the centre than 1 along an axis, larger than 1, or there with a proxy
-    bad_proxy,          // counts, flags and size of the proxy section do not fit
-    bad_proxy_index,    // a triangle's corner >= vertices
-    bad_mean,           // resolution, box, format and size of the mean section do not fit
-    bad_mean_brick,     // an index entry >= bricks
-    bad_chart,          // counts and size of the chart section do not fit, or a directory entry leaves the tables
-    bad_chart_colours,  // the wrong size, or a group's first entry is not 0
-    bad_occlusion,      // as bad_chart, of the occlusion section
-    surface_field,      // open_field only: the file holds a surface field, see open_surface in surface_field.h
-    missing_surface,    // open_surface only: not a surface field
-    bad_surface,        // the surface section has the wrong size, or a count, a flag or a reserved byte out of range
-    bad_vertices,       // the wrong size, or a vertex outside the sphere
-    bad_patches,        // the wrong size, a corner that does not exist, or a rectangle that leaves the texels
-    bad_neighbours,     // the wrong size, or a triangle that does not exist
-    bad_views,          // the view tables have the wrong size
-    section_crc,        // verify_field only: a section's bytes are damaged
+    bad_row_stride,   // shorter than a row, or a power of two
+    bad_bounds,       // the sphere's centre is not finite, or its radius not finite and positive
+    bad_texel_size,   // the texel section is not used_origins × row_stride bytes
+    bad_palette,      // the palette section has the wrong size, or an entry that is not premultiplied
+    guided_field,     // the file holds a guided field, which no reader knows any more
+    chord_field,      // open_surface only: the file holds a chord field
+    surface_field,    // open_field only: the file holds a surface field, see open_surface in surface_field.h
+    missing_surface,  // open_surface only: not a surface field
+    bad_surface,      // the surface section has the wrong size, or a count, a flag or a reserved byte out of range
+    bad_vertices,     // the wrong size, or a vertex outside the sphere
+    bad_patches,      // the wrong size, a corner that does not exist, or a rectangle that leaves the texels
+    bad_neighbours,   // the wrong size, or a triangle that does not exist
+    bad_views,        // the view tables have the wrong size
+    section_crc,      // verify_field only: a section's bytes are damaged
 };
 
 // One short English phrase per error, for logs. Linked only if called.
@@ -91,7 +75,7 @@ struct Field {
 // Checks `size` bytes and fills `out`; `out` stays untouched on failure. Cost: a CRC over the header and the table.
 FieldError open_field(const uint8_t* bytes, size_t size, Field& out);
 
-// Checks the CRC of every section of a file that open_field or open_guided accepted: container and bytes of either
+// Checks the CRC of every section of a file that open_field or open_surface accepted: container and bytes of either
 // kind, without the code that reads them. Cost: reads the whole file once.
 FieldError verify_field(const uint8_t* bytes, size_t size);
 

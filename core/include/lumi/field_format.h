@@ -50,6 +50,9 @@ inline constexpr uint32_t kLayoutSection = four_cc('L', 'A', 'Y', 'O');   // req
 inline constexpr uint32_t kTexelSection = four_cc('T', 'E', 'X', 'L');    // required, used_origins × row_stride
 inline constexpr uint32_t kPaletteSection = four_cc('P', 'A', 'L', 'T');  // required with palette8, kPaletteBytes
 
+// Of guided fields, which ended with version 0.1.0. Its other names are reserved, too: PROX, MEAN, CHRT, CPAL, OCCL.
+inline constexpr uint32_t kGuidedSection = four_cc('G', 'U', 'I', 'D');
+
 inline constexpr uint32_t kLayoutBytes = 36;
 namespace layout
 {

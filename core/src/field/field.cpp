@@ -3,7 +3,6 @@
 
 #include "field/sections.h"
 #include "lumi/crc32.h"
-#include "lumi/guided/guided_format.h"
 #include "lumi/surface_format.h"
 
 namespace lumi
@@ -15,10 +14,8 @@ using namespace format;
 using namespace container;
 
 constexpr uint32_t kChordTypes[] = {kLayoutSection, kTexelSection, kPaletteSection};
-constexpr uint32_t kAllTypes[] = {kLayoutSection,    kTexelSection,   kPaletteSection, kGuidedSection,
-                                  kProxySection,     kMeanSection,    kChartSection,   kChartColours,
-                                  kOcclusionSection, kSurfaceSection, kVertexSection,  kPatchSection,
-                                  kColourSection,    kPaletteRgb,     kViewSection,    kNeighbourSection};
+constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection,  kPaletteSection, kSurfaceSection, kVertexSection,
+                                  kPatchSection,  kColourSection, kPaletteRgb,     kViewSection,    kNeighbourSection};
 
 template <uint32_t Count>
 constexpr KnownTypes known(const uint32_t (&types)[Count])
@@ -174,39 +171,7 @@ const char* describe(FieldError error)
         case FieldError::guided_field:
             return "guided fields ended with version 0.1.0";
         case FieldError::chord_field:
-            return "a field without a surface, where a guided one is needed";
-        case FieldError::missing_guided:
-            return "the guided section is missing";
-        case FieldError::missing_proxy:
-            return "the proxy mesh is missing";
-        case FieldError::missing_mean:
-            return "the mean colours are missing, and there is no chart";
-        case FieldError::missing_chart:
-            return "the chart section is missing";
-        case FieldError::missing_chart_colours:
-            return "the chart's colours are missing";
-        case FieldError::unused_section:
-            return "a section is there that the guided section has no use for";
-        case FieldError::bad_guided:
-            return "the guided section is malformed";
-        case FieldError::bad_chart_size:
-            return "the chart size is out of range";
-        case FieldError::bad_focus:
-            return "the focus lies outside the sphere";
-        case FieldError::bad_proxy:
-            return "the proxy mesh has a wrong size or an unknown flag";
-        case FieldError::bad_proxy_index:
-            return "a triangle of the proxy mesh has a corner that does not exist";
-        case FieldError::bad_mean:
-            return "the mean colours have a wrong size or a value out of range";
-        case FieldError::bad_mean_brick:
-            return "the mean colours' index names a brick that does not exist";
-        case FieldError::bad_chart:
-            return "the chart has a wrong size or an origin outside its tables";
-        case FieldError::bad_chart_colours:
-            return "the chart's colours have a wrong size or a first entry that is not 0";
-        case FieldError::bad_occlusion:
-            return "the occlusion table has a wrong size or an origin outside its tables";
+            return "a chord field, which this reader does not draw";
         case FieldError::surface_field:
             return "a surface field, which this reader does not draw";
         case FieldError::missing_surface:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The container of field_format.h: header, section table, sections. Shared by the readers of chord and guided fields.
+// The container of field_format.h: header, section table, sections. Shared by the readers of chord and surface fields.
 #pragma once
 
 #include "lumi/field.h"

@@ -79,23 +79,7 @@ LUMI_ALWAYS_INLINE HitEvaluator::Ray HitEvaluator::ray(const RayRow& row, int32_
     return {px, py, pz, m, offset2_q30, half_chord2 > 0 ? static_cast<uint32_t>(half_chord2) : 0};
 }
 
-int32_t HitEvaluator::half_chord_q15(const RayRow& row, int32_t ahead) const
-{
-    return coarse_root_q15(ray(row, ahead).half_chord2_q30);
-}
-
 void HitEvaluator::evaluate(const RayRow& row, int32_t ahead, HitPair& out) const
-{
-    evaluate_sides<true>(row, ahead, out);
-}
-
-void HitEvaluator::evaluate_front(const RayRow& row, int32_t ahead, HitPair& out) const
-{
-    evaluate_sides<false>(row, ahead, out);
-}
-
-template <bool kBack>
-LUMI_ALWAYS_INLINE void HitEvaluator::evaluate_sides(const RayRow& row, int32_t ahead, HitPair& out) const
 {
     const Ray r = ray(row, ahead);
     const int32_t px = r.px_q15;
@@ -121,7 +105,7 @@ LUMI_ALWAYS_INLINE void HitEvaluator::evaluate_sides(const RayRow& row, int32_t 
         hit.longitude_turns32 = coarse_angle_turns32(hit.y_q15, hit.x_q15);
     };
     set(out.front, (lift + along) >> 15, m - shrink);
-    if constexpr (kBack) set(out.back, (lift - along) >> 15, m + shrink);
+    set(out.back, (lift - along) >> 15, m + shrink);
 }
 
 }  // namespace lumi

@@ -114,6 +114,7 @@ FieldError check_mesh(const SurfaceField& field)
 FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
 {
     if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
+    if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
     if (has_section(bytes, kLayoutSection)) return FieldError::chord_field;
     constexpr uint32_t kTypes = sizeof kSurfaceTypes / sizeof kSurfaceTypes[0];
     if (const FieldError error = check_sections(bytes, {kSurfaceTypes, kTypes}); error != FieldError::none) {

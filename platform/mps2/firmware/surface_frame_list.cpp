@@ -42,7 +42,7 @@ struct Cut {
     int32_t width_px, height_px;
 };
 constexpr Cut kStripes = {kWidth, 10};
-constexpr Cut kOtherCuts[] = {{kWidth, 1}, {kWidth, kHeight}};
+constexpr Cut kOtherCuts[] = {{kWidth, 1}, {kWidth, kHeight}, {17, 13}};
 
 template <class Pixel>
 uint32_t frame_crc(const SurfaceFrame& frame, const Cut& cut)

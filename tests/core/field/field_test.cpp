@@ -6,6 +6,7 @@
 
 #include "field_bytes.h"
 #include "lumi/render.h"
+#include "lumi/surface_field.h"
 #include "truncation.h"
 
 using namespace lumi;
@@ -134,6 +135,16 @@ TEST_CASE("a damaged byte of a section is found by verify_field", "[field]")
     Field field;
     CHECK(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
     CHECK(verify_field(bytes.data(), bytes.size()) == FieldError::section_crc);
+}
+
+TEST_CASE("guided fields are refused by name", "[field]")
+{
+    const Bytes file = file_of({{format::kGuidedSection, format::kRequired, Bytes(44, 1)}});
+    Field chord;
+    SurfaceField surface;
+    CHECK(open_field(file.data(), file.size(), chord) == FieldError::guided_field);
+    CHECK(open_surface(file.data(), file.size(), surface) == FieldError::guided_field);
+    CHECK(describe(FieldError::guided_field) == std::string("guided fields ended with version 0.1.0"));
 }
 
 TEST_CASE("header and table damage is named", "[field]")

@@ -134,16 +134,16 @@ TEST_CASE("coarse hits lie where the exact rays meet the sphere", "[span]")
     for (const View& view : extreme_views(kSide)) {
         Camera camera;
         REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        RowHits nodes(camera);
+        const HitEvaluator nodes(camera);
         for (int32_t y = 0; y < view.image.height_px; ++y) {
             const RowSpan span = covered_span(camera, y, 0, view.image.width_px);
             if (span.begin >= span.end) continue;
-            nodes.begin_row(span.begin, y);
+            const RayRow row = nodes.row_at(span.begin, y);
             for (int32_t x = span.begin; x < span.end; ++x) {
                 SphereRay ray;
                 if (!ray_at(camera, x, y, ray) || ray.half_chord2_q60 < uint64_t{1} << 54) continue;  // s > 1/8
                 HitPair node;
-                nodes.evaluate(x - span.begin, node);
+                nodes.evaluate(row, x - span.begin, node);
                 const SphereHits truth = hits(camera, ray);
                 const auto see = [&](const Hit& hit, const Vec3q30& t) {
                     const uint64_t where = static_cast<uint64_t>(y) * 1000 + static_cast<uint64_t>(x);

@@ -16,6 +16,28 @@ namespace
 
 const std::string kLine = "view pole span 8 covered 1000 instructions 123456 setup 23456 stack 640 crc 0badcafe\n";
 
+const std::string kSurfaceLine =
+    "view generic mode 2x2 covered 1000 instructions 100000 palette 100 vertices 9900 lists 10000 lights 20000 edges "
+    "30000 samples 20000 outlines 4000 resolve 6000 stack 640 ram 48000 crc 0badcafe\n";
+
+// On the cores of RP2350, which has two.
+SurfaceResults some_surface()
+{
+    SurfaceRow row;
+    row.core = "m4";
+    row.pixel = "rgb565";
+    row.count = parse_surface_counts(kSurfaceLine).front();
+    row.accuracy = {INFINITY, INFINITY, 0};
+    return {{"a.lumi", 12345, 60, 50, 80, "0123"}, {row}};
+}
+
+std::set<std::string> keys_of(const nlohmann::json& row)
+{
+    std::set<std::string> keys;
+    for (const auto& [key, value] : row.items()) keys.insert(key);
+    return keys;
+}
+
 Row some_row()
 {
     Row row;
@@ -43,13 +65,57 @@ TEST_CASE("the bench reads what its firmware writes, and nothing else", "[bench]
                     lumi::tools::Failure);
 }
 
+TEST_CASE("the bench reads parts of surface frames, and nothing else", "[bench]")
+{
+    const auto counts = parse_surface_counts(kSurfaceLine + kSurfaceLine);
+    REQUIRE(counts.size() == 2);
+    const SurfaceCount& c = counts[1];
+    CHECK(c.mode == "2x2");
+    CHECK(c.palette + c.vertices + c.lists + c.lights + c.edges + c.samples + c.outlines + c.resolve == c.instructions);
+    CHECK(c.preparing() == 40000);
+    CHECK(c.ram_bytes == 48000);
+    CHECK_THROWS_AS(parse_surface_counts(kLine), lumi::tools::Failure);
+    CHECK_THROWS_AS(parse_surface_counts(kSurfaceLine.substr(0, kSurfaceLine.size() - 30)), lumi::tools::Failure);
+}
+
+TEST_CASE("a surface field's row of JSON has the documented keys", "[bench]")
+{
+    const auto rows = nlohmann::json::parse(json_report({some_row()}, some_surface()));
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0]["layout"] == "chord");
+    std::set<std::string> expected = {"layout",        "core",
+                                      "mode",          "pixel",
+                                      "view",          "instructions_per_pixel",
+                                      "palette",       "vertices",
+                                      "lists",         "lights",
+                                      "edges",         "samples",
+                                      "outlines",      "resolve",
+                                      "psnr_db",       "code_bytes",
+                                      "ram_bytes",     "stack_bytes",
+                                      "triangles",     "instructions_per_frame",
+                                      "sha256",        "file",
+                                      "file_bytes",    "worst_pixel",
+                                      "covered_pixels"};
+    for (const Chip& chip : kChipList) {
+        expected.insert(std::string("misses_") + chip.key);
+        if (std::string(chip.core) == "m4") expected.insert(std::string("fps_") + chip.key);
+        if (std::string(chip.core) == "m4" && chip.cores == 2) expected.insert(std::string("fps2_") + chip.key);
+    }
+    CHECK(keys_of(rows[1]) == expected);
+    CHECK(rows[1]["layout"] == "surface");
+    CHECK(rows[1]["mode"] == "2x2");
+    CHECK(rows[1]["instructions_per_pixel"] == Approx(100));
+    CHECK(rows[1]["edges"] == Approx(30));
+    CHECK(rows[1]["triangles"] == 80);
+    CHECK(rows[1]["psnr_db"].is_null());
+}
+
 TEST_CASE("a row of JSON has the documented keys and adds up", "[bench]")
 {
-    const auto rows = nlohmann::json::parse(json_report({some_row()}));
+    const auto rows = nlohmann::json::parse(json_report({some_row()}, {}));
     REQUIRE(rows.size() == 1);
-    std::set<std::string> keys;
-    for (const auto& [key, value] : rows[0].items()) keys.insert(key);
-    std::set<std::string> expected = {"core",
+    std::set<std::string> expected = {"layout",
+                                      "core",
                                       "mode",
                                       "texel",
                                       "span",
@@ -68,7 +134,7 @@ TEST_CASE("a row of JSON has the documented keys and adds up", "[bench]")
         expected.insert(std::string("lines_") + chip.key);
         expected.insert(std::string("misses_") + chip.key);
     }
-    CHECK(keys == expected);
+    CHECK(keys_of(rows[0]) == expected);
     CHECK(rows[0]["instructions_per_pixel"] == Approx(123.46));
     CHECK(rows[0]["setup"] == Approx(23.46));
     CHECK(rows[0]["inner"] == Approx(100.0));
@@ -82,6 +148,14 @@ TEST_CASE("the slower of drawing and sending limits the frame rate", "[bench]")
     CHECK(frames_per_second(chip, 0, 0) == Approx(67.8).epsilon(0.001));
     CHECK(frames_per_second(chip, 5'000'000, 0) == Approx(10));       // 10 M clocks at 100 MHz
     CHECK(frames_per_second(chip, 5'000'000, 200'000) == Approx(5));  // and as long again in flash
+}
+
+TEST_CASE("two cores share what comes after the preparing, and wait for flash as long as one", "[bench]")
+{
+    const Chip chip = {"x", "X", "m4", 100, 2.0, {64, 2, 8}, 500, "", 2};
+    CHECK(frames_per_second_of_two(chip, 0, 10'000'000, 0) == Approx(10));
+    CHECK(frames_per_second_of_two(chip, 5'000'000, 15'000'000, 0) == Approx(5));
+    CHECK(frames_per_second_of_two(chip, 0, 10'000'000, 200'000) == Approx(5));
 }
 
 TEST_CASE("a plot leaves out what has no place on it", "[bench]")

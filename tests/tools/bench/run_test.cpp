@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
+#include "support/small_surface.h"
 #include "support/temporary_folder.h"
 
 using lumi::tools::test::content_of;
@@ -37,4 +38,30 @@ TEST_CASE("lumi bench builds, runs and judges, and counts the same twice", "[ben
         CHECK(row["misses_rp2040"].get<uint64_t>() >= row["lines_rp2040"].get<uint64_t>());
     }
     CHECK(rows[0]["psnr_db"].get<double>() > 60);  // the exact renderer, within rounding
+}
+
+// The same of a surface field that the user names.
+TEST_CASE("lumi bench counts a given surface field, part by part", "[bench]")
+{
+    const TemporaryFolder folder;
+    lumi::tools::test::write_content(folder / "cube.lumi", lumi::tools::test::small_surface_bytes());
+    const Outcome outcome = lumi::tools::test::lumi({"bench", "--core", "m0plus", "--field", folder / "cube.lumi",
+                                                     "--pixel", "rgb565,rgb888", "--view", "generic", "--work",
+                                                     folder / "work", "--json", folder / "a.json"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto rows = nlohmann::json::parse(content_of(folder / "a.json"));
+    REQUIRE(rows.size() == 6);  // three modes of two kinds of pixels
+    for (const auto& row : rows) {
+        CHECK(row["layout"] == "surface");
+        CHECK(row["covered_pixels"] == 42272);
+        double sum = 0;
+        for (const char* part : {"palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"})
+            sum += row[part].get<double>();
+        CHECK(row["instructions_per_pixel"].get<double>() == Approx(sum).margin(0.1));
+        CHECK(row["fps2_rp2040"].get<double>() > row["fps_rp2040"].get<double>());
+        CHECK(row["file_bytes"] == lumi::tools::test::small_surface_bytes().size());
+        CHECK(row["sha256"].get<std::string>().size() == 64);
+    }
+    CHECK(rows[0]["ram_bytes"].get<uint32_t>() < rows[2]["ram_bytes"].get<uint32_t>());
 }

@@ -60,22 +60,6 @@ LUMI_ALWAYS_INLINE int32_t product_bottoms(int32_t a, int32_t b)
     asm("smulbb %0, %1, %2" : "=r"(result) : "r"(a), "r"(b));
     return result;
 }
-// Two numbers over 2^kShift, rounded down, as halves; kShift <= 16.
-template <int kShift>
-LUMI_ALWAYS_INLINE uint32_t join_halves(int32_t top, int32_t bottom)
-{
-    uint32_t result;
-    const uint32_t shifted = static_cast<uint32_t>(top) << (16 - kShift);
-    asm("pkhtb %0, %1, %2, asr %3" : "=r"(result) : "r"(shifted), "r"(bottom), "I"(kShift));
-    return result;
-}
-// a times the lower half of b over 2^16, rounded down, for a below 2^16 and that half below 2^15.
-LUMI_ALWAYS_INLINE uint32_t part_by_low(uint32_t a, uint32_t b)
-{
-    uint32_t result;  // arm_acle.h lacks __smulwb
-    asm("smulwb %0, %1, %2" : "=r"(result) : "r"(a), "r"(b));
-    return result;
-}
 #else
 inline constexpr bool kHasHalfProducts = false;
 
@@ -91,24 +75,7 @@ LUMI_ALWAYS_INLINE uint32_t add_product_high(uint32_t a, uint32_t b, uint32_t su
 {
     return sum + (a >> 16) * b;
 }
-template <int kShift>
-LUMI_ALWAYS_INLINE uint32_t join_halves(int32_t top, int32_t bottom)
-{
-    return static_cast<uint32_t>(top >> kShift) << 16 | (static_cast<uint32_t>(bottom >> kShift) & 0xFFFFu);
-}
-LUMI_ALWAYS_INLINE uint32_t part_by_low(uint32_t a, uint32_t b)
-{
-    return (a * (b & 0xFFFF)) >> 16;
-}
 #endif
-
-// pack_rgb565 of channels in Q16, below 2^24 and rounded down: red and blue in one product, 255·249 + 1014 < 2^16.
-LUMI_ALWAYS_INLINE uint16_t pack_rgb565_q16(uint32_t r, uint32_t g, uint32_t b)
-{
-    const uint32_t br = join_halves<16>(static_cast<int32_t>(b), static_cast<int32_t>(r)) * 249u + 0x03F603F6u;
-    const uint32_t green = ((g >> 16) * 253u + 505u) >> 10;
-    return static_cast<uint16_t>((br & 0xF800u) | br >> 27 | green << 5);
-}
 
 // Signed halves: a's by b's, both products, and added to a sum; the lower halves' product less the upper ones'; a's
 // upper half by b's lower one, added to a sum.

@@ -48,10 +48,6 @@ public:
 
     // Sets `out` to the hits `ahead` pixels on; that pixel is covered.
     void evaluate(const RayRow& row, int32_t ahead, HitPair& out) const;
-    // The same but for out.back, which is left as it is.
-    void evaluate_front(const RayRow& row, int32_t ahead, HitPair& out) const;
-    // Half the chord of that pixel's ray, s of camera.h.
-    int32_t half_chord_q15(const RayRow& row, int32_t ahead) const;
 
 private:
     // The ray of a pixel, without what cancels.
@@ -62,8 +58,6 @@ private:
     };
 
     Ray ray(const RayRow& row, int32_t ahead) const;
-    template <bool kBack>
-    void evaluate_sides(const RayRow& row, int32_t ahead, HitPair& out) const;
     const AffineQ40& source(int k) const { return k < 3 ? camera_.offset()[k] : camera_.facing(); }
 
     const Camera& camera_;
@@ -71,23 +65,6 @@ private:
     int32_t inverse_distance_q15_;
     int32_t perpendicular_q15_;
     int32_t step_q28_[4];
-};
-
-// The hits of one row.
-class RowHits
-{
-public:
-    explicit RowHits(const Camera& camera) : evaluator_(camera), row_{} {}
-
-    // Goes to row y; `x` is a covered pixel of it.
-    void begin_row(int32_t x, int32_t y) { row_ = evaluator_.row_at(x, y); }
-    // Sets `out` to the hits at pixel x + ahead; that pixel is covered.
-    void evaluate(int32_t ahead, HitPair& out) const { evaluator_.evaluate(row_, ahead, out); }
-    void evaluate_front(int32_t ahead, HitPair& out) const { evaluator_.evaluate_front(row_, ahead, out); }
-
-private:
-    HitEvaluator evaluator_;
-    RayRow row_;
 };
 
 }  // namespace lumi
