@@ -17,7 +17,7 @@ include(${lumi_boards})
 # docs/boards.md states it.
 set(LUMI_STACK_LIMIT 1024)
 set(LUMI_SPAN_STACK_LIMIT 2560)
-set(LUMI_SURFACE_STACK_LIMIT 2048)
+set(LUMI_SURFACE_STACK_LIMIT 3072)
 # What no program holds that draws chord fields alone.
 set(lumi_surface_symbols ".*([Ss]urface|view_taps|view_frame).*")
 set(lumi_build_timeout_s 1500)
