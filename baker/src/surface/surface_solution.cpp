@@ -42,12 +42,10 @@ class Solution
 public:
     Solution(const SurfaceState& state, Job& job) : state_(state), smoothness_(state.shape), job_(job) {}
 
-    // Nodes of vertices that are not `viewed` are 0; empty: all are viewed.
-    SurfaceModel best(const std::vector<uint8_t>& viewed) const
+    // From `model` on. Nodes of vertices that are not `viewed` are 0; empty: all are viewed.
+    void solve(SurfaceModel& model, const std::vector<uint8_t>& viewed) const
     {
-        SurfaceModel model = state_.expected;
         SurfaceSolver(state_.sums, smoothness_, viewed, job_).solve(model, kIterations);
-        return model;
     }
     // The texels that go with these nodes.
     void refit_texels(SurfaceModel& model) const
@@ -69,10 +67,12 @@ SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& 
     for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
     const Solution solution(state, job);
     std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
+    SurfaceModel model = state.expected;
     if (view_tables) {
-        viewed = viewed_vertices(state.sums, solution.best({}));
+        solution.solve(model, {});
+        viewed = viewed_vertices(state.sums, model);
     }
-    SurfaceModel model = solution.best(viewed);
+    solution.solve(model, viewed);
     QuantisedViews views = quantised(state.sums, model, viewed);
     model.nodes = decoded(views);
     solution.refit_texels(model);

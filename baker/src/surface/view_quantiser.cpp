@@ -121,8 +121,6 @@ public:
             move_centres();
             fit_gains();
         }
-        round_centres();
-        assign();
         settle();
         return {colours_, codes_};
     }
@@ -246,30 +244,79 @@ private:
         }
     }
 
-    // Errors of nodes that paths saw together cancel where they can: each node takes the colour that is best with the
-    // others as they are.
+    // Errors of nodes that paths saw together cancel where they can: what each node shows, and the colours that there
+    // are, is chosen to be best with all others as they are.
     void settle()
     {
-        constexpr int kSweeps = 4;
+        constexpr int kSweeps = 6, kLastSweeps = 3;
         const NodeProducts products(sums_);
-        std::vector<LevelColour> errors(model_.nodes.size());
+        find_errors();
+        for (int sweep = 0; sweep < kSweeps; ++sweep) {
+            assign_jointly(products);
+            move_centres_jointly(products);
+            find_errors();
+        }
+        round_centres();
+        find_errors();
+        for (int sweep = 0; sweep < kLastSweeps; ++sweep) {
+            assign_jointly(products);
+        }
+    }
+
+    void find_errors()
+    {
+        errors_.resize(model_.nodes.size());
         for (size_t v = 0; v < viewed_.size(); ++v) {
             for (size_t k = 0; k < kViewNodes; ++k) {
-                errors[v * kViewNodes + k] = error_with(v, k, codes_[v].colours[k]);
+                errors_[v * kViewNodes + k] = error_with(v, k, codes_[v].colours[k]);
             }
         }
-        for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    }
+
+    // What the errors of other nodes ask of this one.
+    LevelColour pull_on(const NodeProducts& products, size_t node) const
+    {
+        LevelColour pull{};
+        for (const NodeProducts::Entry& entry : products.row(node)) {
+            for (size_t c = 0; c < 3; ++c) {
+                pull[c] += entry.product * errors_[entry.node][c];
+            }
+        }
+        return pull;
+    }
+
+    void assign_jointly(const NodeProducts& products)
+    {
+        for (size_t v = 0; v < viewed_.size(); ++v) {
+            for (size_t k = 0; k < kViewNodes && viewed_[v] != 0; ++k) {
+                const size_t here = v * kViewNodes + k;
+                codes_[v].colours[k] = best_with(v, k, pull_on(products, here));
+                errors_[here] = error_with(v, k, codes_[v].colours[k]);
+            }
+        }
+    }
+
+    void move_centres_jointly(const NodeProducts& products)
+    {
+        constexpr float kStep = 0.5f;  // vertices that share a colour pull at each other, too
+        for (size_t k = 0; k < kViewNodes; ++k) {
+            std::array<LevelColour, kNodeColours> sums{};
+            std::array<float, kNodeColours> weights{};
             for (size_t v = 0; v < viewed_.size(); ++v) {
-                for (size_t k = 0; k < kViewNodes && viewed_[v] != 0; ++k) {
-                    const size_t here = v * kViewNodes + k;
-                    LevelColour pull{};
-                    for (const NodeProducts::Entry& entry : products.row(here)) {
-                        for (size_t c = 0; c < 3; ++c) {
-                            pull[c] += entry.product * errors[entry.node][c];
-                        }
-                    }
-                    codes_[v].colours[k] = best_with(v, k, pull);
-                    errors[here] = error_with(v, k, codes_[v].colours[k]);
+                if (viewed_[v] == 0) {
+                    continue;
+                }
+                const size_t here = v * kViewNodes + k, code = codes_[v].colours[k];
+                const LevelColour pull = pull_on(products, here);
+                for (size_t c = 0; c < 3; ++c) {
+                    sums[code][c] += gain(v) * (weight(v, k) * errors_[here][c] + pull[c]);
+                }
+                weights[code] += gain(v) * gain(v) * weight(v, k);
+            }
+            for (size_t code = 0; code < kNodeColours; ++code) {
+                for (size_t c = 0; c < 3 && weights[code] > 0; ++c) {
+                    float& channel = centres_[k][code][c];
+                    channel = std::clamp(channel - kStep * sums[code][c] / weights[code], -kMost, kMost);
                 }
             }
         }
@@ -321,6 +368,7 @@ private:
     std::vector<ViewCode> codes_;
     std::array<std::array<LevelColour, kNodeColours>, kViewNodes> centres_{};
     NodeColours colours_;
+    std::vector<LevelColour> errors_;  // of nodes as they are shown
 };
 
 }  // namespace
