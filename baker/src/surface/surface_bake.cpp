@@ -11,6 +11,7 @@
 #include "surface/surface_file_store.h"
 #include "surface/surface_fit.h"
 #include "surface/surface_settings.h"
+#include "surface/texel_density.h"
 #include "trace/catcher.h"
 
 namespace lumi::baker
@@ -54,13 +55,19 @@ private:
     uint32_t kept_ = UINT32_MAX;  // batches
 };
 
-SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft)
+SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const SurfaceSettings& settings,
+                      const ProgressCallback& progress)
 {
     const BuiltSurface& built = draft.contents().built;
     if (built.mesh.patches.empty()) {
         throw BakeError("the scene has no surface that could be seen; choose --layout chord");
     }
-    return {built.mesh, built.loss, scene.tone, {scene.centre, scene.radius}};
+    Job job(1, settings.threads, progress);
+    return {built.mesh,
+            texel_densities(scene, built.mesh, settings, job),
+            built.loss,
+            scene.tone,
+            {scene.centre, scene.radius}};
 }
 
 class SurfaceBaker
@@ -73,7 +80,7 @@ public:
           progress_(progress),
           keeper_(keeper),
           basis_(basis_for(scene, draft)),
-          shape_(basis_.mesh, settings.texels_per_radius),
+          shape_(basis_.mesh, basis_.densities),
           tone_(basis_.tone),
           state_(shape_, tone_),
           fit_(scene.data(), shape_, settings_, shard)
@@ -129,8 +136,9 @@ private:
         if (std::optional<SurfaceBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt) {
             return std::move(*kept);
         }
-        SurfaceBasis basis = draft != nullptr ? basis_of(scene.data(), *draft)
-                                              : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_));
+        SurfaceBasis basis =
+            draft != nullptr ? basis_of(scene.data(), *draft, settings_, progress_)
+                             : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_), settings_, progress_);
         if (keeper_ != nullptr) {
             keeper_->store().write_basis(basis);
         }

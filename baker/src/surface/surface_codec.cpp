@@ -164,6 +164,9 @@ std::vector<uint8_t> encode(const SurfaceBasis& basis)
             out.put32(corner);
         }
     }
+    for (const float density : basis.densities) {
+        out.put_float(density);
+    }
     return out.bytes();
 }
 
@@ -195,6 +198,9 @@ std::optional<SurfaceBasis> decode_basis(const std::vector<uint8_t>& bytes)
             }
         }
         basis.mesh.patches.push_back(patch);
+    }
+    for (uint32_t p = 0; p < patches; ++p) {
+        basis.densities.push_back(in.get_float());
     }
     return basis;
 }

@@ -13,6 +13,7 @@ namespace lumi::baker
 // What all shards of a bake have in common, and a merge has no scene for.
 struct SurfaceBasis {
     SurfaceMesh mesh;
+    std::vector<float> densities;  // texels a radius, by patch
     ProxyLoss loss;
     ToneCurve tone;
     SurfaceSphere sphere;

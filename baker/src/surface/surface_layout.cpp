@@ -51,9 +51,14 @@ uint32_t place_in(float coordinate, uint32_t side)
 
 SurfaceLayout layout_of(const SurfaceMesh& mesh, float texels_per_radius)
 {
+    return layout_of(mesh, std::vector<float>(mesh.patches.size(), texels_per_radius));
+}
+
+SurfaceLayout layout_of(const SurfaceMesh& mesh, const std::vector<float>& densities)
+{
     SurfaceLayout layout;
-    for (const SurfaceMesh::Patch& patch : mesh.patches) {
-        layout.rectangles.push_back(rectangle_of(mesh, patch, texels_per_radius));
+    for (size_t p = 0; p < mesh.patches.size(); ++p) {
+        layout.rectangles.push_back(rectangle_of(mesh, mesh.patches[p], densities[p]));
     }
     uint32_t begin = 0;
     for (const uint32_t k : widest_first(layout.rectangles)) {

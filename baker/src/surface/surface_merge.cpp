@@ -49,7 +49,7 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
     std::optional<SurfaceBasis> basis = common_basis(set);
     set.throw_problems();
     const SurfaceSettings settings = std::get<SurfaceSettings>(set.shards().begin()->second->identity().settings);
-    const SurfaceShape shape(std::move(basis->mesh), settings.texels_per_radius);
+    const SurfaceShape shape(std::move(basis->mesh), basis->densities);
     const EncodedTone tone(basis->tone);
     SurfaceState state(shape, tone);
     add_shards(set, state, leave_if_cancelled);

@@ -15,8 +15,8 @@ ViewTurn view_turn(const Vec3& normal)
     return {step(h.x), step(h.y), step(h.z)};
 }
 
-SurfaceShape::SurfaceShape(SurfaceMesh m, float texels_per_radius)
-    : mesh(std::move(m)), layout(layout_of(mesh, texels_per_radius))
+SurfaceShape::SurfaceShape(SurfaceMesh m, const std::vector<float>& densities)
+    : mesh(std::move(m)), layout(layout_of(mesh, densities))
 {
     const auto step = [](float v) { return static_cast<int16_t>(std::lround(v * kEyeScale)); };
     for (size_t v = 0; v < mesh.positions.size(); ++v) {

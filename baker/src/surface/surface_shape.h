@@ -22,7 +22,7 @@ struct EyePoint {
 };
 
 struct SurfaceShape {
-    SurfaceShape(SurfaceMesh mesh, float texels_per_radius);
+    SurfaceShape(SurfaceMesh mesh, const std::vector<float>& densities);  // texels a radius, by patch
 
     // Where an eye lies between the nodes of a vertex's view table.
     ViewTaps taps(uint32_t vertex, const EyePoint& eye) const;
