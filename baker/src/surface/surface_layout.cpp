@@ -54,7 +54,7 @@ SurfaceLayout layout_of(const SurfaceMesh& mesh, float texels_per_radius)
     return layout_of(mesh, std::vector<float>(mesh.patches.size(), texels_per_radius));
 }
 
-SurfaceLayout layout_of(const SurfaceMesh& mesh, const std::vector<float>& densities)
+SurfaceLayout unlimited_layout(const SurfaceMesh& mesh, const std::vector<float>& densities)
 {
     SurfaceLayout layout;
     for (size_t p = 0; p < mesh.patches.size(); ++p) {
@@ -68,6 +68,12 @@ SurfaceLayout layout_of(const SurfaceMesh& mesh, const std::vector<float>& densi
         layout.texels = std::max(layout.texels, r.begin + format::patch_reach(r.n));
     }
     layout.texels = std::max(layout.texels, begin);
+    return layout;
+}
+
+SurfaceLayout layout_of(const SurfaceMesh& mesh, const std::vector<float>& densities)
+{
+    SurfaceLayout layout = unlimited_layout(mesh, densities);
     if (layout.texels > format::kMaxSurfaceTexels) {
         throw BakeError("the field would hold " + std::to_string(layout.texels) +
                         " texels, and the format ends at 1048576; choose a smaller --texel-density");

@@ -19,8 +19,9 @@ struct SurfaceLayout {
     uint32_t texels = 0;                     // length of the section, unused ones at its end included
 };
 
-// Sides follow the lengths of a patch's edges, times texels a radius, by patch. Throws BakeError where the format
-// cannot hold so many texels.
+// Sides follow the lengths of a patch's edges, times texels a radius, by patch; of any size.
+SurfaceLayout unlimited_layout(const SurfaceMesh& mesh, const std::vector<float>& densities);
+// Throws BakeError where the format cannot hold so many texels.
 SurfaceLayout layout_of(const SurfaceMesh& mesh, const std::vector<float>& densities);
 // The same density everywhere.
 SurfaceLayout layout_of(const SurfaceMesh& mesh, float texels_per_radius);

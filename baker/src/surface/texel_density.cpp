@@ -98,7 +98,7 @@ std::vector<float> within(uint32_t texels, const SurfaceMesh& mesh, const std::v
     float low = 0, high = 16;
     for (int k = 0; k < kHalvings; ++k) {
         const float middle = 0.5f * (low + high);
-        (layout_of(mesh, scaled(importance, density, middle)).texels <= texels ? low : high) = middle;
+        (unlimited_layout(mesh, scaled(importance, density, middle)).texels <= texels ? low : high) = middle;
     }
     return scaled(importance, density, low);
 }
