@@ -58,18 +58,4 @@ TEST_CASE("texels lie densest where colours change, and are no more in all")
     CHECK(layout_of(mesh, densities).texels <= layout_of(mesh, settings.texels_per_radius).texels);
 }
 
-TEST_CASE("the search for texel densities passes by more texels than the format holds")
-{
-    const Scene scene = one_of_them_striped();
-    SurfaceMesh mesh = two_squares();
-    const SurfaceMesh::Patch striped = mesh.patches.back();
-    mesh.patches.insert(mesh.patches.end(), 300, striped);  // 63 × 63 texels each where they are densest
-    SurfaceSettings settings = tiny_surface();
-    settings.texels_per_radius = 60;
-    const ProgressCallback quiet;
-    Job job(1, 2, quiet);
-    const std::vector<float> densities = texel_densities(scene.data(), mesh, settings, job);
-    CHECK(layout_of(mesh, densities).texels <= layout_of(mesh, settings.texels_per_radius).texels);
-}
-
 }  // namespace lumi::baker::testing
