@@ -1,27 +1,28 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/demo.sh [--quick] [SCENE.obj]
-# From a scene to pictures: builds `lumi`, bakes the scene (ours: a desk clock) into a guided field of about 1 MB and, for
-# comparison, a chord field of as many bytes, draws a turntable from each, path-traces three of the views as references
-# and compares them. Everything lands in the folder out.
-# --quick bakes a quarter of a megabyte, in seconds. Installs missing packages when run as root.
+# From a scene to pictures: builds `lumi`, bakes the scene (ours: a desk clock) into a surface field of at most 0.5 MB and
+# into a chord field, the layout of the LumiPath paper, draws a turntable from each, path-traces three of the views as
+# references and compares them. Everything lands in the folder out.
+# --quick bakes an eighth of a megabyte. Installs missing packages when run as root.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
-guided=(--origins 128 --chart 130) bake_spp=64  # one to two minutes on two cores
+surface=()                   # the default; minutes on two cores
+chord=(--layout chord)       # 1024 × 2048 rays of a byte
 reference_spp=256
 orbit=30,20,3 size=320x320 background=202428
 views=12 references=3  # a reference is compared with every (views / references)-th view
-drawings=(guided guided-nearest chord)
+drawings=(surface one-sample chord)
 out=$root/out
 lumi=$root/build/release/tools/lumi
 
 parse_arguments() {
   while (($# > 0)); do
     case $1 in
-      --quick) guided=(--origins 64 --chart 100 --mean-resolution 80) bake_spp=8 reference_spp=32 ;;
+      --quick) surface=(--fit 125kB --paths 70) chord=(--layout chord --fit 500kB --trials 1) reference_spp=32 ;;
       --help) help "$0" && exit ;;
       -*) wrong_call "unknown option '$1'" ;;
       *)
@@ -33,15 +34,12 @@ parse_arguments() {
   done
 }
 
-bake_guided() {
-  "$lumi" bake "$scene" -o "$out/$name.lumi" --layout guided "${guided[@]}" --spp "$bake_spp"
+bake_surface() {
+  "$lumi" bake "$scene" -o "$out/$name.lumi" "${surface[@]}"
 }
 
-# A chord field of two bytes a ray with as many origins as directions, as large as the guided one.
 bake_chord() {
-  local side
-  side=$(awk -v bytes="$(stat --format=%s "$out/$name.lumi")" 'BEGIN { printf "%d", sqrt(bytes / 2) }')
-  "$lumi" bake "$scene" -o "$out/$name-chord.lumi" --origins "$side" --directions "$side" --spp 16
+  "$lumi" bake "$scene" -o "$out/$name-chord.lumi" "${chord[@]}"
 }
 
 view_options() {
@@ -55,8 +53,8 @@ draw_turntable() {
 }
 
 draw_turntables() {
-  draw_turntable "$name" guided best
-  draw_turntable "$name" guided-nearest nearest
+  draw_turntable "$name" surface best
+  draw_turntable "$name" one-sample one-sample
   draw_turntable "$name-chord" chord best
 }
 
@@ -93,9 +91,10 @@ print_where() {
   cat <<END
 
 == Pictures, in $out
-$name-guided-sheet.png     the turntable, as a microcontroller draws it from $(stat --format=%s "$out/$name.lumi") bytes
-$name-guided-000.png ...   its views one by one; -guided-nearest- with one texel an origin
-$name-chord-sheet.png      the same from a chord field of as many bytes, the layout of the LumiPath paper
+$name-surface-sheet.png    the turntable, as a microcontroller draws it from $(stat --format=%s "$out/$name.lumi") bytes
+$name-surface-000.png ...  its views one by one; -one-sample- with one sample a pixel, the fastest
+$name-chord-sheet.png      the same from a chord field, the layout of the LumiPath paper:
+                           lumi bake $scene -o $name-chord.lumi ${chord[*]}
 $name-reference-sheet.png  the path-traced references
 $name.lumi                 the field
 END
@@ -107,8 +106,8 @@ main() {
   mkdir -p "$out"
   run_step "Packages" "$root/tools/install_packages.sh" build
   run_step "Build" build_lumi
-  run_step "Bake $name.obj" bake_guided
-  run_step "Bake a chord field of as many bytes" bake_chord
+  run_step "Bake $name.obj" bake_surface
+  run_step "Bake a chord field" bake_chord
   run_step "Draw $views views of each of: ${drawings[*]}" draw_turntables
   run_step "Path-trace $references of the views, $reference_spp samples a pixel" trace_references
   run_step "Compare" compare_views

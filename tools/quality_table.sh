@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/quality_table.sh [--check]
-# Measures guided and chord fields of the demo scene against path-traced references and writes the table of README.md,
+# Measures surface and chord fields of the demo scene against path-traced references and writes the table of README.md,
 # between its two marker comments. With --check it leaves README.md alone and fails if the table there differs.
 # Scene, seeds, views and samples are fixed, so the figures are the same on every run.
 set -euo pipefail
@@ -10,13 +10,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
 # A row's name and what it bakes. Chord fields: as many origins as directions shows most per byte.
-names=("guided, M = 64" "guided, M = 128" "guided, M = 256" "chord, 724 × 724" "chord, 1448 × 1448")
-options=("--layout guided --origins 64 --chart 100 --mean-resolution 80 --spp 32"
-  "--layout guided --origins 128 --chart 130 --spp 32"
-  "--layout guided --origins 256 --chart 150 --mean-resolution 112 --proxy-triangles 6000 --spp 32"
-  "--origins 724 --directions 724 --spp 16"
-  "--origins 1448 --directions 1448 --spp 16")
-modes=(nearest linear)
+names=("surface, 150 kB" "surface, 250 kB" "surface, 500 kB" "chord, 1024 × 1024" "chord, 2048 × 2048")
+options=("--layout surface --fit 150kB" "--layout surface --fit 250kB" "--layout surface --fit 500kB"
+  "--origins 1024 --directions 1024 --spp 16"
+  "--origins 2048 --directions 2048 --spp 16")
+# Of surface and of chord fields: the fast mode and the good one.
+declare -A fast=([surface]=antialiased [chord]=nearest) good=([surface]=2x2 [chord]=linear)
 orbits=("30,20,3" "75,50,3")  # two rings around the clock, one from nearly level, one from above
 views=4                   # a ring
 reference_spp=256
@@ -39,7 +38,7 @@ trace_references() {
   draw_rings "$lumi" reference "$scene" --spp "$reference_spp"
 }
 
-# Mean PSNR, SSIM and CW-SSIM over all views of $drawing, as cells of a table.
+# Mean PSNR and SSIM over all views of $drawing, as cells of a table.
 mean_figures() {
   local ring view picture
   for ring in "${!orbits[@]}"; do
@@ -48,18 +47,18 @@ mean_figures() {
       "$lumi" compare "$work/$drawing-$picture" "$work/reference-$picture"
     done
   done | awk -v count=$((${#orbits[@]} * views)) '{ sum[$1] += $2 }
-    END { printf " %.1f dB / %.3f / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count, sum["CW-SSIM"] / count }'
+    END { printf " %.1f dB / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count }'
 }
 
 # Row k, printed to a file of its own.
 measure_row() {
-  local k=$1 mode drawing bake
+  local k=$1 mode drawing bake layout=${names[$1]%%,*}
   local field=$work/$k.lumi
   read -ra bake <<<"${options[$k]}"
   "$lumi" bake "$scene" -o "$field" "${bake[@]}"
   {
     printf '| %s | %s |' "${names[$k]}" "$(stat --format=%s "$field" | awk '{ printf "%.2f MB", $1 / 1e6 }')"
-    for mode in "${modes[@]}"; do
+    for mode in "${fast[$layout]}" "${good[$layout]}"; do
       drawing=$k-$mode
       draw_rings "$lumi" render "$field" --mode "$mode"
       mean_figures
@@ -70,11 +69,11 @@ measure_row() {
 
 print_table() {
   local k
-  printf '| field | flash | nearest | linear |\n|---|---|---|---|\n'
+  printf '| field | flash | antialiased; nearest | 2×2; linear |\n|---|---|---|---|\n'
   for k in "${!names[@]}"; do
     cat "$work/$k.row"
   done
-  printf '\nMeans over %d views of %s; 32 light paths a texel for guided fields, 16 for chord fields of RGB565 texels;\n' \
+  printf '\nMeans over %d views of %s; chord fields have 16 light paths and a byte a texel;\n' \
     $((${#orbits[@]} * views)) "$size"
   printf 'references with %d samples a pixel.\n' "$reference_spp"
 }

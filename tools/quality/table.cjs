@@ -15,7 +15,7 @@ const readJson = file => JSON.parse(fs.readFileSync(file, 'utf8'));
 // What a layout's usual mode costs, on the generic view of the bench's own scene; null where it was not counted.
 function instructions(bench, layout, core) {
   const wanted = {
-    guided: {mode: 'guided-linear-aa', texel: 'residual4'},
+    surface: {mode: '2x2'},
     chord: {mode: 'linear', texel: 'rgb565', span: 16}
   }[layout];
   const row = wanted && bench.find(r => r.core === core && r.view === 'generic' &&
@@ -33,7 +33,7 @@ function rowOf(scene, bench, m) {
 }
 
 function rowsOf(bench, report) {
-  const scene = path.basename(report.scene, '.json');
+  const scene = path.parse(report.scene).name;
   const all = [...report.fields, ...report.baselines, ...(report.one_ray ? [report.one_ray] : [])];
   return all.map(m => rowOf(scene, bench, m))
       .sort((a, b) => a.layout.localeCompare(b.layout) || a.flash_bytes - b.flash_bytes);

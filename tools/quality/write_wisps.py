@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """write_wisps.py OUT: a tuft of 4,000 hairs, each a ribbon of crossed strips, around a glass ball.
 
-No single surface tells what a ray sees: the scene that a planner should give another layout than the guided one. Writes
+No single surface tells what a ray sees: the scene that should get a chord field by default. Writes
 OUT/wisps.obj and OUT/wisps.mtl, the same bytes on every run.
 """
 import math
