@@ -48,8 +48,8 @@ TEST_CASE("bake without a layout writes a surface field beside the working folde
     REQUIRE(outcome.code == 0);
     CHECK(layout_of(folder / "cube.lumi") == "surface");
     CHECK(std::filesystem::file_size(folder / "cube.lumi") <= 12'000);
-    for (const char* word :
-         {"layout surface: ", "at most ", "by hand: --layout surface", "shows about ", "next: lumi render cube.lumi"})
+    for (const char* word : {"layout surface: ", "at most ", "by hand: --layout surface", "shows about ",
+                             "antialiased ", "RP2040 ", "next: lumi render cube.lumi"})
         CHECK_THAT(outcome.out, Catch::Contains(word));
 }
 

@@ -55,8 +55,8 @@ TEST_CASE("surface pictures are those of the twin, from the sphere's skin, from 
         }
 }
 
-// The twin of the antialiased mode is that of four samples.
-TEST_CASE("surface pictures are as good as the twin's, within 0.2 dB of the same truth")
+// The twin of the antialiased mode is that of four samples. The twin does not blend between texels.
+TEST_CASE("surface pictures are at most 0.2 dB worse than the twin's")
 {
     const SurfaceField field = opened();
     const auto views = quality::held_out_views(quality::ViewSet::all, 4, 128);
@@ -69,7 +69,7 @@ TEST_CASE("surface pictures are as good as the twin's, within 0.2 dB of the same
         }
         INFO(name_of(mode) << ": " << drawn / 4 << " dB, twin " << twin / 4);
         CHECK(drawn / 4 > 24);
-        CHECK(std::fabs(drawn - twin) / 4 < (mode == SurfaceMode::antialiased ? 1.5 : 0.2));
+        CHECK(drawn / 4 > twin / 4 - (mode == SurfaceMode::antialiased ? 1.5 : 0.2));
     }
 }
 

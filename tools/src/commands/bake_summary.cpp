@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "../planner/surface_speed.h"
 #include "../quality/quick_check.h"
 #include "commands/surface_options.h"
+#include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "terminal/interrupt.h"
 #include "terminal/json_progress.h"
@@ -60,6 +62,25 @@ std::string check_line(double psnr_db)
     return text;
 }
 
+// How fast parts draw the field, one core each.
+std::string speed_lines(const FieldFile& field)
+{
+    std::string text = "frames a second of 240 x 240 pixels, modelled, one core, mean (worst) of " +
+                       std::to_string(planner::kRatedPoses) + " poses:\n";
+    for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two}) {
+        char words[80];
+        std::snprintf(words, sizeof words, "  %-12s", name_of(mode));
+        text += words;
+        for (const planner::PartRate& rate : planner::surface_rates(field.surface(), mode)) {
+            std::snprintf(words, sizeof words, "%s%s %.0f (%.0f)", text.back() == ' ' ? "" : ", ", rate.chip->title,
+                          rate.mean, rate.worst);
+            text += words;
+        }
+        text += "\n";
+    }
+    return text;
+}
+
 std::string next_line(const std::string& field)
 {
     const std::string picture = std::filesystem::path(field).stem().string() + ".png";
@@ -99,6 +120,7 @@ void bake_for_people(const BakeSummary& summary)
     std::string text = file_line(summary, outcome);
     if (outcome.surface) text += surface_text(*outcome.surface);
     if (const auto psnr_db = checked_db(summary)) text += check_line(*psnr_db);
+    if (outcome.surface) text += speed_lines(FieldFile(summary.job.target, FieldFile::Role::own_output));
     if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
     std::fputs(text.c_str(), stdout);
 }

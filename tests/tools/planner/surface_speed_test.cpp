@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What a view of a surface field loads a part with, and what that costs.
+#include "planner/surface_speed.h"
+
+#include <catch2/catch.hpp>
+
+#include "lumi/host/camera.h"
+#include "support/small_surface.h"
+
+namespace lumi::planner
+{
+
+namespace
+{
+
+constexpr SurfaceMode kModes[] = {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two};
+
+SurfaceField opened()
+{
+    SurfaceField field;
+    const auto& file = tools::test::small_surface().file;
+    REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
+    return field;
+}
+
+tools::Eye eye_at(double azimuth, double elevation, double distance)
+{
+    tools::Eye eye = {host::make_pose({azimuth, elevation, distance}), host::make_image(240, 240, 42), {}};
+    REQUIRE(make_camera(eye.pose, eye.image, eye.camera) == CameraError::none);
+    return eye;
+}
+
+}  // namespace
+
+TEST_CASE("a view of a cube loads what its faces show")
+{
+    const SurfaceField field = opened();
+    const SurfaceLoad front = load_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample);
+    // The sphere's radius is √3 of the half edge: the front face lies 3 - 1/√3 away and is 2/√3 wide.
+    const double focal = 120 / std::tan(21 * 3.14159265 / 180), side = focal * 1.1547 / (3 - 0.57735);
+    CHECK(front.samples == Approx(side * side).epsilon(0.05));
+    CHECK(front.seen == Approx(tools::test::small_surface().triangles / 6.0).epsilon(0.1));
+    const SurfaceLoad corner = load_of(field, eye_at(45, 35, 3), SurfaceMode::one_sample);
+    CHECK(corner.seen > 2.7 * front.seen);
+    const SurfaceLoad fine = load_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two);
+    CHECK(fine.samples == Approx(4 * corner.samples));
+    CHECK(fine.rows == Approx(2 * corner.rows));
+}
+
+TEST_CASE("modes of surface fields cost more from one sample to four, and nearer eyes more than far ones")
+{
+    const SurfaceField field = opened();
+    for (const char* core : {"m4", "m0plus"}) {
+        double before = 0;
+        for (const SurfaceMode mode : kModes) {
+            const double cost = surface_instructions(core, mode, load_of(field, eye_at(45, 35, 3), mode));
+            CHECK(cost > before);
+            CHECK(cost > surface_instructions(core, mode, load_of(field, eye_at(45, 35, 6), mode)));
+            before = cost;
+        }
+    }
+}
+
+TEST_CASE("rates of parts are means and worst cases, at most what the display takes")
+{
+    for (const PartRate& rate : surface_rates(opened(), SurfaceMode::antialiased)) {
+        CHECK(rate.worst > 0);
+        CHECK(rate.worst <= rate.mean + 1e-9);
+        CHECK(rate.mean < 67.9);
+    }
+}
+
+}  // namespace lumi::planner
