@@ -43,13 +43,15 @@ TEST_CASE("bake without a layout writes a surface field beside the working folde
     const test::TemporaryFolder folder;
     test::write_cube(folder.path());
     const Outcome outcome = test::run_program(
-        {"sh", "-c", "cd '" + folder.path() + "' && '" LUMI_PROGRAM "' bake cube.obj --fit 12kB --paths 10"});
+        {"sh", "-c",
+         "cd '" + folder.path() + "' && '" LUMI_PROGRAM "' bake cube.obj --fit 12kB --paths 10 --for rp2040@1fps"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(layout_of(folder / "cube.lumi") == "surface");
     CHECK(std::filesystem::file_size(folder / "cube.lumi") <= 12'000);
-    for (const char* word : {"layout surface: ", "at most ", "by hand: --layout surface", "shows about ",
-                             "antialiased ", "RP2040 ", "next: lumi render cube.lumi"})
+    for (const char* word :
+         {"layout surface: ", "at most ", "by hand: --layout surface", "shows about ", "antialiased ", "RP2040 ",
+          "RP2040 at 1.0 frames a second: by mode 2x2", "next: lumi render cube.lumi"})
         CHECK_THAT(outcome.out, Catch::Contains(word));
 }
 

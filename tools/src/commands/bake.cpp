@@ -140,7 +140,8 @@ public:
         const baker::Scene scene = load_scene(options_.scene, warnings);
         if (options_.layout == Layout::chord || !takes_surface(scene, job)) plan_chord(scene, job);
         if (options_.fit.plan_only) return;
-        const BakeSummary summary = {scene, job, warnings, start, options_.layout != Layout::chord};
+        const BakeSummary summary = {
+            scene, job, warnings, start, options_.fit.wanted_pace(), options_.layout != Layout::chord};
         json_ ? bake_for_machines(summary) : bake_for_people(summary);
     }
 

@@ -81,6 +81,23 @@ std::string speed_lines(const FieldFile& field)
     return text;
 }
 
+// The best mode that the part draws at that pace in the mean of all poses.
+std::string pace_line(const FieldFile& field, const planner::Pace& pace)
+{
+    char text[160] = "";
+    for (const SurfaceMode mode : {SurfaceMode::two_by_two, SurfaceMode::antialiased, SurfaceMode::one_sample}) {
+        for (const planner::PartRate& rate : planner::surface_rates(field.surface(), mode)) {
+            if (rate.chip != pace.chip) continue;
+            const bool reached = rate.mean >= pace.frames_per_second;
+            std::snprintf(text, sizeof text, "%s at %.1f frames a second: %s%s (%.1f)%s\n", rate.chip->title,
+                          pace.frames_per_second, reached ? "by mode " : "in no mode, by ", name_of(mode), rate.mean,
+                          reached ? "" : "; give fewer --triangles");
+            if (reached) return text;
+        }
+    }
+    return text;
+}
+
 std::string next_line(const std::string& field)
 {
     const std::string picture = std::filesystem::path(field).stem().string() + ".png";
@@ -120,7 +137,11 @@ void bake_for_people(const BakeSummary& summary)
     std::string text = file_line(summary, outcome);
     if (outcome.surface) text += surface_text(*outcome.surface);
     if (const auto psnr_db = checked_db(summary)) text += check_line(*psnr_db);
-    if (outcome.surface) text += speed_lines(FieldFile(summary.job.target, FieldFile::Role::own_output));
+    if (outcome.surface) {
+        const FieldFile field(summary.job.target, FieldFile::Role::own_output);
+        text += speed_lines(field);
+        if (summary.pace) text += pace_line(field, *summary.pace);
+    }
     if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
     std::fputs(text.c_str(), stdout);
 }

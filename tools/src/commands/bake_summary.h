@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "../planner/speed.h"
 #include "commands/bake_job.h"
 #include "commands/surface_choice.h"
 
@@ -17,7 +18,8 @@ struct BakeSummary {
     const BakeJob& job;
     size_t warnings;
     Clock::time_point start;
-    bool checks;  // whether the field is judged by a few path-traced views
+    std::optional<planner::Pace> pace;  // that a surface field should be drawn at
+    bool checks;                        // whether the field is judged by a few path-traced views
 };
 
 // The layout, its reason and its figures, before the bake.

@@ -63,11 +63,7 @@ planner::PlanSettings settings_of(const FitOptions& options)
     settings.measure.cache = options.cache;
     settings.search.max_trials = options.max_trials;
     settings.outlook = options.max_trials > 1;  // who asks for one trial asks what one plan is worth
-    if (options.pace.empty()) return settings;
-    settings.measure.pace = planner::parse_pace(options.pace);
-    if (!settings.measure.pace)
-        throw UsageError("--for takes a part and a frame rate such as rp2040@30fps, with " + planner::chip_names() +
-                         ", not \"" + options.pace + "\"");
+    settings.measure.pace = options.wanted_pace();
     return settings;
 }
 
@@ -85,6 +81,14 @@ uint64_t FitOptions::budget_bytes() const
     if (!bytes || *bytes == 0 || *bytes > UINT32_MAX)
         throw UsageError("--fit takes a size below 4 GB such as 2MB, 512KiB or 1500000, not \"" + budget + "\"");
     return *bytes;
+}
+
+std::optional<planner::Pace> FitOptions::wanted_pace() const
+{
+    if (pace.empty()) return std::nullopt;
+    if (const auto parsed = planner::parse_pace(pace)) return parsed;
+    throw UsageError("--for takes a part and a frame rate such as rp2040@30fps, with " + planner::chip_names() +
+                     ", not \"" + pace + "\"");
 }
 
 void add_fit_options(CLI::App& command, FitOptions& options)

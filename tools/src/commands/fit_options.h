@@ -21,6 +21,8 @@ struct FitOptions {
     bool wanted() const { return !budget.empty(); }
     // Throws UsageError for a text that is no size. Precondition: wanted().
     uint64_t budget_bytes() const;
+    // Nothing without --for. Throws UsageError for a text that is no pace.
+    std::optional<planner::Pace> wanted_pace() const;
 };
 
 // Adds --fit and what goes with it; `options` must outlive the parse.
