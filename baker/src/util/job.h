@@ -45,7 +45,7 @@ private:
 
     const uint64_t rays_total_;
     const unsigned threads_;
-    const ProgressCallback& progress_;
+    const ProgressCallback progress_;
     const Clock::time_point start_ = Clock::now();
     RateMeter meter_;
 
