@@ -117,8 +117,8 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
              SurfaceFrame& out);
 }
 
-// Any field that open_surface accepted and any camera are safe. Costs about 170 instructions a vertex, 100 a triangle
-// and 250 a vertex that some triangle shows and that has a view table (Cortex-M4).
+// Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
+// docs/log/tradeoff.md, surface fields.
 template <class Pixel>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out)

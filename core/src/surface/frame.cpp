@@ -76,7 +76,7 @@ void put(SurfaceFrame& frame, uint32_t list, uint32_t triangle, int32_t reach)
     first = static_cast<uint16_t>(triangle);
 }
 
-// Corners of a triangle that is to be drawn: packed numbers compare as their upper bits do.
+// Corners of a triangle. Packed numbers compare as their upper bits do.
 struct Seen {
     const SurfaceVertex *a, *b, *c;
 

@@ -94,12 +94,9 @@ public:
 
     LUMI_ALWAYS_INLINE Plane depth() const
     {
-        const int32_t right = slope(b_.point.depth - a_.point.depth, c_.point.depth - a_.point.depth, &Shares::b_right,
-                                    &Shares::c_right) >>
-                              2;
-        const int32_t down =
-            slope(b_.point.depth - a_.point.depth, c_.point.depth - a_.point.depth, &Shares::b_down, &Shares::c_down) >>
-            2;
+        const uint32_t to_b = b_.point.depth - a_.point.depth, to_c = c_.point.depth - a_.point.depth;
+        const int32_t right = slope(to_b, to_c, &Shares::b_right, &Shares::c_right) >> 2;
+        const int32_t down = slope(to_b, to_c, &Shares::b_down, &Shares::c_down) >> 2;
         const uint32_t middle = (a_.point.depth << 14) +
                                 static_cast<uint32_t>(right >> 6) * static_cast<uint32_t>(x_q6_) +
                                 static_cast<uint32_t>(down >> 6) * static_cast<uint32_t>(y_q6_);
