@@ -7,6 +7,7 @@
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
+#include "proxy/cut_outs.h"
 #include "proxy/sheets.h"
 
 namespace lumi::baker
@@ -32,11 +33,12 @@ struct Openness {
 class Surveyor
 {
 public:
-    explicit Surveyor(const SceneData& scene) : scene_(scene) {}
+    // Borrows both.
+    Surveyor(const Mesh& mesh, const Accelerator& accelerator) : mesh_(mesh), accelerator_(accelerator) {}
 
     Openness openness(uint32_t triangle) const
     {
-        const Vec3 area = scene_.mesh.area_vector(triangle);
+        const Vec3 area = mesh_.area_vector(triangle);
         if (!(length(area) > 0)) {
             return {};
         }
@@ -57,9 +59,8 @@ public:
 private:
     Vec3 at(uint32_t triangle, const Vec2& weights) const
     {
-        const Vec3& a = scene_.mesh.position(triangle, 0);
-        return a + (scene_.mesh.position(triangle, 1) - a) * weights.x +
-               (scene_.mesh.position(triangle, 2) - a) * weights.y;
+        const Vec3& a = mesh_.position(triangle, 0);
+        return a + (mesh_.position(triangle, 1) - a) * weights.x + (mesh_.position(triangle, 2) - a) * weights.y;
     }
 
     float open_share(const Vec3& place, const Frame& frame, float side, Sampler& sampler) const
@@ -71,12 +72,13 @@ private:
             // A Fibonacci set on the hemisphere, turned at random; the lowest heights stay clear of the triangle.
             const float z = (static_cast<float>(k) + 0.25f + 0.5f * turn.y) / kDirections;
             const Vec3 local = direction_at(z, static_cast<float>(k) * 0.618034f + turn.x);
-            open += scene_.accelerator.blocked({start, frame.to_world(local * side)}) ? 0u : 1u;
+            open += accelerator_.blocked({start, frame.to_world(local * side)}) ? 0u : 1u;
         }
         return static_cast<float>(open) / kDirections;
     }
 
-    const SceneData& scene_;
+    const Mesh& mesh_;
+    const Accelerator& accelerator_;
 };
 
 class Welder
@@ -119,10 +121,10 @@ Mesh welded(const Mesh& mesh)
     return result;
 }
 
-std::vector<Openness> survey(const SceneData& scene, Job& job)
+std::vector<Openness> survey(const Mesh& mesh, const Accelerator& accelerator, Job& job)
 {
-    const uint32_t triangles = static_cast<uint32_t>(scene.mesh.triangle_count());
-    const Surveyor surveyor(scene);
+    const uint32_t triangles = static_cast<uint32_t>(mesh.triangle_count());
+    const Surveyor surveyor(mesh, accelerator);
     std::vector<Openness> all(triangles);
     job.run((triangles + kTrianglesATask - 1) / kTrianglesATask, [&](uint32_t task) {
         const uint32_t end = std::min(triangles, (task + 1) * kTrianglesATask);
@@ -225,17 +227,23 @@ private:
     std::vector<double> component_seen_;  // by component
 };
 
-}  // namespace
-
-Outside outside_of(const SceneData& scene, Job& job)
+Outside outside_of(const Mesh& mesh, const Accelerator& accelerator, Job& job)
 {
-    const std::vector<Openness> open = survey(scene, job);
-    Outside result = {welded(scene.mesh)};
+    const std::vector<Openness> open = survey(mesh, accelerator, job);
+    Outside result = {welded(mesh)};
     Turner turner(result.mesh, open);
     std::vector<Mesh::Corners> turned = turner.turned();
     result.two_sided = turner.lost_share() > kMaxBothSides;
     result.mesh.corners = std::move(turned);
     return result;
+}
+
+}  // namespace
+
+Outside outside_of(const SceneData& scene, Job& job)
+{
+    const std::optional<Mesh> cut = cut_out(scene);
+    return cut ? outside_of(*cut, Accelerator(*cut), job) : outside_of(scene.mesh, scene.accelerator, job);
 }
 
 }  // namespace lumi::baker

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What pictures of opacity (map_d) leave of a scene's triangles.
+#pragma once
+
+#include <optional>
+
+#include "scene/scene_data.h"
+
+namespace lumi::baker
+{
+
+// The scene's triangles, those with such a picture cut along the line where it lets half of the light pass, to about a
+// pixel at 240 × 240. Only positions and corners count; pieces of different triangles do not share vertices. Nothing
+// where no picture cuts anything.
+std::optional<Mesh> cut_out(const SceneData& scene);
+
+}  // namespace lumi::baker
