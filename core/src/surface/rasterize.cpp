@@ -61,6 +61,7 @@ void each_of(const SurfaceFrame& frame, uint32_t list, const Draw& draw)
 void mark_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
 {
     const SurfacePatch patch = surface_patch(frame.field, k >> 1);
+    if (!reaches(frame, patch, k, target)) return;
     const SurfaceVertex* v = frame.memory.vertices;
     for (const Side& side : sides_of(frame.field, patch, k).side) {
         const SurfaceVertex &from = v[side.from], &to = v[side.to];

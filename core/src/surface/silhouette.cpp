@@ -43,37 +43,37 @@ struct Lines {
     int32_t pitch, stride;  // from line to line, from sample to sample
 };
 
-// `towards`: from the changed pixel to the one that shows in a part of it.
-void mark_pixel(const Target& target, int32_t inner, int32_t outer, bool is_inner_cut, uint32_t share_q8,
-                Neighbour towards, uint32_t depth)
-{
-    const uint32_t d_inner = target.depths[inner] >> kMarkBits, d_outer = target.depths[outer] >> kMarkBits;
-    if (d_inner < kFarDepth >> kMarkBits || d_outer >= d_inner) return;
-    if (d_inner > depth >> kMarkBits) return;  // another surface in front of the edge
-    const uint32_t share = (share_q8 + 4) >> 3;
-    if (share == 0) return;
-    const int32_t changed = is_inner_cut ? inner : outer;
-    const uint32_t mark = static_cast<uint32_t>(towards) << 4 | (share > 15 ? 15 : share);
-    target.depths[changed] = static_cast<uint16_t>((is_inner_cut ? d_inner : d_outer) << kMarkBits | mark);
-    target.colours[changed] |= kMarkedColour;
-}
-
-// `inward`: +1 where the inside has the larger places.
+// Marks the outlines where an edge crosses lines between the centres of two samples. The one that the edge cuts shows a
+// share of the other. `inward`: +1 where the inside has the larger places.
 void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint32_t one_surface, const Target& target)
 {
-    const Neighbour up = lines.stride == 1 ? Neighbour::right : Neighbour::below;
-    const Neighbour down = lines.stride == 1 ? Neighbour::left : Neighbour::above;
-    int32_t at_q16 = c.at_q16, depth_q8 = c.depth_q8;
-    for (int32_t line = c.first; line < c.end; ++line, at_q16 += c.step_q16, depth_q8 += c.depth_step_q8) {
-        const int32_t sample = at_q16 >> 16;
-        const uint32_t part = (static_cast<uint32_t>(at_q16) >> 8) & 255;  // of the pixel that lies below the edge
-        const uint32_t covered = inward > 0 ? 256 - part : part;
-        const bool is_inner_cut = covered > 128;
-        const int32_t inner = is_inner_cut ? sample : sample + inward, outer = inner - inward;
-        if (inner < 0 || outer < 0 || inner >= lines.count || outer >= lines.count) continue;
-        mark_pixel(target, line * lines.pitch + inner * lines.stride, line * lines.pitch + outer * lines.stride,
-                   is_inner_cut, is_inner_cut ? 256 - covered : covered, (inward > 0) == is_inner_cut ? down : up,
-                   static_cast<uint32_t>(depth_q8 >> 8) + one_surface);
+    const bool is_row = lines.stride == 1;
+    const uint32_t to_upper = static_cast<uint32_t>(is_row ? Neighbour::right : Neighbour::below) << 4;
+    const uint32_t to_lower = static_cast<uint32_t>(is_row ? Neighbour::left : Neighbour::above) << 4;
+    const int32_t to_inner = inward > 0 ? lines.stride : 0, to_outer = lines.stride - to_inner;
+    const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1;
+    int32_t line_at = c.first * lines.pitch, at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;
+    for (int32_t left = c.end - c.first; left > 0; --left) {
+        const uint32_t lower = static_cast<uint32_t>(at_q16 >> 16), past_q8 = static_cast<uint32_t>(at_q16 >> 8) & 255;
+        if (lower < pairs) {
+            uint16_t* const depth_at = target.depths + line_at + static_cast<int32_t>(lower) * lines.stride;
+            const uint32_t inner = depth_at[to_inner] >> kMarkBits, outer = depth_at[to_outer] >> kMarkBits;
+            const uint32_t edge = (static_cast<uint32_t>(depth_q8 >> 8) + one_surface) >> kMarkBits;
+            // A surface in front of the edge hides it.
+            if (inner <= edge && outer < inner && inner >= kFarDepth >> kMarkBits) {
+                const bool cuts_lower = past_q8 < 128;
+                const uint32_t share = ((cuts_lower ? 128 - past_q8 : past_q8 - 128) + 4) >> 3;
+                if (share != 0) {
+                    uint16_t* const cut = depth_at + (cuts_lower ? 0 : lines.stride);
+                    const uint32_t mark = (cuts_lower ? to_upper : to_lower) | (share > 15 ? 15 : share);
+                    *cut = static_cast<uint16_t>((*cut & ~((1u << kMarkBits) - 1)) | mark);
+                    target.colours[cut - target.depths] |= kMarkedColour;
+                }
+            }
+        }
+        line_at += lines.pitch;
+        at_q16 = wrapped_sum(at_q16, c.step_q16);
+        depth_q8 = wrapped_sum(depth_q8, c.depth_step_q8);
     }
 }
 
