@@ -58,16 +58,18 @@ LUMI_ALWAYS_INLINE PackedColour bilinear_texel(uint32_t place, const Texture& te
     return (r >> 8) << 21 | (g >> 8) << 10 | b >> 8;
 }
 
+// To the lower right; a little less than a quarter texel, so that no rounding leaves the rectangle.
+constexpr uint32_t kQuarter = 200 << 16 | 200;
+
+// Of two taps `place` is the upper left one's.
 template <Filter kFilter>
 LUMI_ALWAYS_INLINE PackedColour texel_at(uint32_t place, const Texture& texture, const PackedColour* palette)
 {
-    // To the lower right; a little less than a quarter texel, so that no rounding leaves the rectangle.
-    constexpr uint32_t kQuarter = 200 << 16 | 200;
     if constexpr (kFilter == Filter::nearest) {
         return palette[texture.texels[(place >> 26) * texture.columns + ((place << 16) >> 26)]];
     } else if constexpr (kFilter == Filter::two_taps) {
-        return texel_at<Filter::nearest>(place - kQuarter, texture, palette) +
-               texel_at<Filter::nearest>(place + kQuarter, texture, palette);
+        return texel_at<Filter::nearest>(place, texture, palette) +
+               texel_at<Filter::nearest>(place + 2 * kQuarter, texture, palette);
     } else {
         return bilinear_texel(place, texture, palette);
     }
@@ -77,14 +79,14 @@ LUMI_ALWAYS_INLINE PackedColour texel_at(uint32_t place, const Texture& texture,
 template <Filter kFilter>
 LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, PackedColour* colour_at,
                                      uint32_t depth_q14, uint32_t place, PackedColour colour, const Planes& planes,
-                                     const Texture& texture, const Target& target)
+                                     const Texture texture, const PackedColour* palette, bool has_two_taps)
 {
     do {
         const uint32_t depth = depth_q14 >> 14;
         if (depth > *depth_at) {
             *depth_at = static_cast<uint16_t>(depth);
-            PackedColour texel = texel_at<kFilter>(place, texture, target.palette);
-            if (kFilter == Filter::bilinear && target.has_two_taps) texel *= 2;
+            PackedColour texel = texel_at<kFilter>(place, texture, palette);
+            if (kFilter == Filter::bilinear && has_two_taps) texel *= 2;
             PackedColour sum = colour + texel;
             if ((sum & kGuardBits) != 0) sum = clamped(sum);
             *colour_at = sum;
@@ -109,6 +111,7 @@ template <Filter kFilter>
 __attribute__((noinline)) void fill_rows(const Descent& d, const Texture& texture, const Target& target)
 {
     Planes at = d.planes;
+    if (kFilter == Filter::two_taps) at.place.value -= kQuarter;
     Walk left = d.left, right = d.right;
     int32_t row = (d.y - target.y) * target.width;
     for (int32_t y = d.y; y < d.end; ++y) {
@@ -119,7 +122,7 @@ __attribute__((noinline)) void fill_rows(const Descent& d, const Texture& textur
             const uint32_t column = static_cast<uint32_t>(first);
             const auto at_first = [&](const Plane& p) { return p.value + column * p.right; };
             fill_samples<kFilter>(target.depths + row + first, target.depths + row + last, target.colours + row + first,
-                                  at_first(at.depth), at_first(at.place), at_first(at.colour), at, texture, target);
+                                  at_first(at.depth), at_first(at.place), at_first(at.colour), at, texture, target.palette, target.has_two_taps);
         }
         left.x_q16 += left.step_q16;
         right.x_q16 += right.step_q16;
