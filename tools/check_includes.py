@@ -31,7 +31,7 @@ core/include/lumi/detail/surface
 core/include/lumi/detail/stepping
 core/include/lumi/detail/chord
 core/include/lumi/detail/chord/kernel
-core/include/lumi: render_spans.h render_spans_paper.h quality.h surface_frame.h surface_quality.h render_surface.h
+core/include/lumi: render_spans.h render_spans_paper.h quality.h surface_frame.h surface_quality.h render_surface.h view.h surface_view.h chord_view.h
 core/src
 core/src/math
 core/src/field
@@ -42,6 +42,7 @@ core/src/chord
 core/src/chord/armv6m
 core/src/chord/kernel
 core/src/surface
+core/src/view
 
 platform/host
 platform/reference

@@ -4,6 +4,7 @@ set(LUMI_CORE_TEST_SOURCES
   render_test.cpp
   stripes_test.cpp
   camera/camera_test.cpp
+  camera/orbit_test.cpp
   camera/quality_test.cpp
   camera/sphere_test.cpp
   chord/cover_test.cpp
@@ -25,7 +26,8 @@ set(LUMI_CORE_TEST_SOURCES
   surface/surface_field_test.cpp
   surface/surface_quality_test.cpp
   surface/surface_twin_test.cpp
-  surface/view_nodes_test.cpp)
+  surface/view_nodes_test.cpp
+  view/view_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 # Helpers that tests share lie here; tests look into core, too.
 set(LUMI_CORE_TEST_INCLUDES ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/../../core/src)

@@ -22,7 +22,7 @@ inline constexpr uint32_t kMaxNeighbours = 9;
 class Lattice
 {
 public:
-    Lattice() : Lattice(1) {}
+    constexpr Lattice() = default;  // no points yet: to be assigned
     explicit Lattice(uint32_t size);
 
     uint32_t size() const { return size_; }
@@ -40,10 +40,10 @@ public:
     uint32_t reciprocal_q30() const { return static_cast<uint32_t>(reciprocal_q62_ >> 32); }
 
 private:
-    uint32_t size_;
-    uint64_t reciprocal_q62_;  // 1/n
-    uint32_t spacing2_;
-    int distance_shift_;
+    uint32_t size_ = 0;
+    uint64_t reciprocal_q62_ = 0;  // 1/n
+    uint32_t spacing2_ = 0;
+    int distance_shift_ = 0;
 };
 
 // Longitude of point i; the same for every n. i < kMaxLatticeSize.

@@ -16,6 +16,7 @@
 #include "lumi/pixel.h"
 #include "lumi/reconstruction.h"
 #include "lumi/sphere.h"
+#include "lumi/stripe.h"
 #include "lumi/texel.h"
 
 namespace lumi
@@ -26,30 +27,6 @@ enum class [[nodiscard]] RenderError : uint8_t{
     wrong_texel_format,  // the field holds another texel format than the policy
     unfit_for_spans,     // render_spans() only: see fits_spans(); render() draws this field
 };
-
-// A rectangle in the caller's memory: rows of width_px pixels, stride_bytes apart, top row first. It may lie beside the
-// image, wholly or in part. With 16-bit pixels, address and stride are even.
-struct Stripe {
-    uint8_t* pixels;
-    int32_t x_px, y_px;  // of its first pixel in the image
-    int32_t width_px, height_px;
-    uint32_t stride_bytes;
-
-    // One beyond its last column and row; at most INT32_MAX, which lies beside every image.
-    int32_t right_px() const { return end_of(x_px, width_px); }
-    int32_t bottom_px() const { return end_of(y_px, height_px); }
-
-private:
-    static int32_t end_of(int32_t begin, int32_t size) { return begin > INT32_MAX - size ? INT32_MAX : begin + size; }
-};
-
-// Where a pixel of the stripe lies in memory.
-template <class Pixel>
-uint8_t* pixel_of(const Stripe& stripe, int32_t x, int32_t y)
-{
-    return stripe.pixels + static_cast<size_t>(y - stripe.y_px) * stripe.stride_bytes +
-           static_cast<uint32_t>(x - stripe.x_px) * Pixel::kBytes;
-}
 
 // Draws one row of covered pixels, every pixel evaluated exactly. `pixels` is where pixel span.begin lies.
 template <class Reconstruction, class Texel, class Pixel, class Background>

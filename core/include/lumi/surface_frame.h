@@ -67,6 +67,14 @@ constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
     return ((static_cast<uint32_t>(height_px) - 1) >> band_log2) + 2;
 }
 
+// The band of SurfaceMemory for stripes of so many rows: the largest that is no higher.
+constexpr uint32_t surface_band_log2(int32_t stripe_rows)
+{
+    uint32_t log2 = 0;
+    while (log2 < 8 && (2 << log2) <= stripe_rows) ++log2;
+    return log2;
+}
+
 // Bytes that a frame needs besides sizeof(SurfaceFrame).
 constexpr uint32_t surface_frame_bytes(uint32_t vertices, uint32_t patches, int32_t height_px, uint32_t band_log2)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/host/camera.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "lumi/orbit.h"
 
 namespace lumi::host
 {
@@ -10,15 +11,8 @@ namespace lumi::host
 namespace
 {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegreesPerTurn = 360;
 constexpr double kTurn = 4294967296.0;  // one turn in turns32
-constexpr double kMaxFovDeg = 120;
-
-double degrees_from_radians(double radians)
-{
-    return radians * 180 / kPi;
-}
 
 }  // namespace
 
@@ -52,10 +46,7 @@ Image make_image(int32_t width_px, int32_t height_px, double fov_deg)
 
 double framing_fov_deg(int32_t width_px, int32_t height_px, double distance)
 {
-    // The silhouette is a cone of half angle asin(1/e); the longer side shows more by the ratio of the sides.
-    const double tangent = std::tan(std::asin(1 / distance)) * kFramingMargin;
-    const double ratio = static_cast<double>(std::max(width_px, height_px)) / std::min(width_px, height_px);
-    return std::min(kMaxFovDeg, 2 * degrees_from_radians(std::atan(tangent * ratio)));
+    return fit_sphere(width_px, height_px, q20_from_radii(distance)) * (kDegreesPerTurn / kTurn);
 }
 
 }  // namespace lumi::host

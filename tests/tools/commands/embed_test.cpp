@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Embedded fields, assembled by real tools.
 #include <catch2/catch.hpp>
+#include <filesystem>
 
+#include "lumi/surface_field.h"
 #include "support/program.h"
+#include "support/small_surface.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
 
@@ -49,12 +52,79 @@ TEST_CASE("a host program finds the field's very bytes, aligned to 8, through th
                             "int main(void) { if ((uintptr_t)demo_field % 8 != 0) return 1;\n"
                             "return fwrite(demo_field, 1, demo_field_size(), stdout) != demo_field_size(); }\n");
         const std::string compiler = suffix == ".c" ? LUMI_C_COMPILER : LUMI_CXX_COMPILER;
-        require_success(
-            {compiler, "-Wall", "-Wextra", "-Werror", program + suffix, embedded.folder / "my-field.S", "-o", program});
+        require_success({compiler, "-Wall", "-Wextra", "-Werror", "-I", LUMI_CORE_INCLUDE, "-I", embedded.folder.path(),
+                         program + suffix, embedded.folder / "my-field.S", "-o", program});
         const Outcome outcome = run_program({program});
         CHECK(outcome.code == 0);
         CHECK((outcome.out == embedded.bytes));
     }
+}
+
+TEST_CASE("an array in C holds the field's very bytes, in C and in C++")
+{
+    const test::TemporaryFolder folder;
+    const std::string bytes = test::field_bytes({}), program = folder / "main";
+    test::write_content(folder / "a.lumi", bytes);
+    REQUIRE(lumi({"embed", folder / "a.lumi", "-o", folder / "a.c", "--section", ".my_section"}).code == 0);
+    test::write_content(program + ".c",
+                        "#include <stdio.h>\n#include \"a.h\"\n"
+                        "int main(void) { return (uintptr_t)a % 8 != 0 || fwrite(a, 1, a_size(), stdout) != a_size(); }\n");
+    for (const char* language : {"c", "c++"}) {
+        require_success({LUMI_C_COMPILER, "-pedantic", "-Wall", "-Wextra", "-Werror", "-I", LUMI_CORE_INCLUDE, "-x",
+                         language, program + ".c", folder / "a.c", "-o", program});
+        const Outcome outcome = run_program({program});
+        CHECK(outcome.code == 0);
+        CHECK((outcome.out == bytes));
+        CHECK_THAT(run_program({"objdump", "-h", program}).out, Catch::Contains(".my_section"));
+    }
+}
+
+TEST_CASE("a field to be flashed on its own is a copy, and its header tells the size")
+{
+    const test::TemporaryFolder folder;
+    const std::string bytes = test::field_bytes({});
+    test::write_content(folder / "a.lumi", bytes);
+    REQUIRE(lumi({"embed", folder / "a.lumi", "-o", folder / "a.bin"}).code == 0);
+    CHECK((test::content_of(folder / "a.bin") == bytes));
+    CHECK_THAT(test::content_of(folder / "a.h"), Catch::Contains("return " + std::to_string(bytes.size()) + "u;"));
+    const Outcome refused = lumi({"embed", folder / "a.lumi", "-o", folder / "a.bin", "--section", "s"});
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Catch::Contains("flashed on its own"));
+}
+
+TEST_CASE("header and inspect name the view of exactly this field")
+{
+    const test::TemporaryFolder folder;
+    test::TestField chord;
+    chord.origins = chord.used_origins = chord.directions = 64;
+    chord.texel = format::TexelFormat::luma8;
+    test::write_content(folder / "chord.lumi", test::field_bytes(chord));
+    test::write_content(folder / "few.lumi", test::field_bytes({}));
+    test::write_content(folder / "surface.lumi", test::small_surface_bytes());
+    const auto check = [&](const std::string& name, const std::string& view) {
+        CHECK_THAT(lumi({"inspect", folder / (name + ".lumi")}).out, Catch::Contains("drawn by      " + view + "\n"));
+        REQUIRE(lumi({"embed", folder / (name + ".lumi"), "-o", folder / (name + ".bin")}).code == 0);
+        CHECK_THAT(test::content_of(folder / (name + ".h")), Catch::Contains("using " + name + "_view = " + view + ";"));
+    };
+    check("chord", "lumi::View<lumi::ChordDrawing<lumi::TexelLuma8, Reconstruction>, Screen>");
+    check("few", "lumi::View<lumi::ExactChordDrawing<lumi::TexelRgb888, Reconstruction>, Screen>");
+    const std::string bytes = test::small_surface_bytes();
+    SurfaceField field;
+    REQUIRE(open_surface(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), field) == FieldError::none);
+    check("surface", "lumi::View<lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " +
+                         std::to_string(field.patch_count) + ", Finest>, Screen>");
+}
+
+TEST_CASE("an assembler file names its field from its own folder, and the section that was asked for")
+{
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "out");
+    test::write_content(folder / "f.lumi", test::field_bytes({}));
+    REQUIRE(lumi({"embed", folder / "f.lumi", "-o", folder / "out/f.S", "--section", ".flashdata.f"}).code == 0);
+    CHECK_THAT(test::content_of(folder / "out/f.S"),
+               Catch::Contains(".incbin \"../f.lumi\"") && Catch::Contains(".section .flashdata.f, "));
+    require_success({LUMI_C_COMPILER, "-c", "-I", folder / "out", folder / "out/f.S", "-o", folder / "f.o"});
+    CHECK(lumi({"embed", folder / "f.lumi", "-o", folder / "f.S", "--section", "a b"}).code == 2);
 }
 
 TEST_CASE("a relative .incbin path is written as given and found through -I")
@@ -71,8 +141,8 @@ TEST_CASE("an ARM object holds the field's very bytes in .rodata")
 {
     const Embedded embedded;
     const std::string object = embedded.folder / "f.o", raw = embedded.folder / "f.bin";
-    require_success(
-        {LUMI_ARM_COMPILER, "-mcpu=cortex-m0plus", "-mthumb", "-c", embedded.folder / "my-field.S", "-o", object});
+    require_success({LUMI_ARM_COMPILER, "-mcpu=cortex-m0plus", "-mthumb", "-I", embedded.folder.path(), "-c",
+                     embedded.folder / "my-field.S", "-o", object});
     require_success({LUMI_ARM_OBJCOPY, "-O", "binary", "-j", ".rodata.demo_field", object, raw});
     CHECK((test::content_of(raw) == embedded.bytes));
 }

@@ -20,6 +20,12 @@ TEST_CASE("symbols are C identifiers, and any name has a nearest one")
     CHECK(is_symbol(symbol_from("dé jà")));
 }
 
+TEST_CASE("sections have names that every assembler takes")
+{
+    for (const char* name : {".flashdata.lumi", ".qspi", "$field", "a-b_c2"}) CHECK(is_section(name));
+    for (const char* name : {"", "a b", "a,b", "a\"b", "a\nb"}) CHECK_FALSE(is_section(name));
+}
+
 TEST_CASE("words of C and C++ are no symbols, names like them are")
 {
     for (const char* word : {"int", "restrict", "_Bool", "class", "xor", "co_await", "uint8_t", "main"})
@@ -29,7 +35,7 @@ TEST_CASE("words of C and C++ are no symbols, names like them are")
 
 TEST_CASE("a path keeps its quotes and backslashes in the assembler file")
 {
-    CHECK_THAT(embed_source("f", R"(C:\a "b".lumi)"), Catch::Contains(R"(.incbin "C:\\a \"b\".lumi")"));
+    CHECK_THAT(embed_assembler({"f", ""}, R"(C:\a "b".lumi)"), Catch::Contains(R"(.incbin "C:\\a \"b\".lumi")"));
 }
 
 }  // namespace lumi::tools

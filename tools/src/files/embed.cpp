@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "files/renderer_name.h"
+
 namespace lumi::tools
 {
 
@@ -48,11 +50,19 @@ std::string symbol_from(std::string_view text)
     return symbol.empty() || is_digit(symbol.front()) ? "_" + symbol : symbol;
 }
 
-// %progbits, not @progbits: in ARM assembler @ begins a comment. The path goes in last: it may hold any text.
-std::string embed_source(const std::string& symbol, const std::string& path)
+bool is_section(std::string_view text)
 {
-    const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. */
-    .section .rodata.@SYMBOL@, "a", %progbits
+    const auto is_sign = [](char c) { return c == '.' || c == '$' || c == '-'; };
+    return !text.empty() && std::all_of(text.begin(), text.end(),
+                                        [&](char c) { return is_letter(c) || is_digit(c) || is_sign(c); });
+}
+
+// %progbits, not @progbits: in ARM assembler @ begins a comment. The path goes in last: it may hold any text.
+std::string embed_assembler(const EmbedName& name, const std::string& path)
+{
+    const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. A relative path below is looked up in the compiler's
+   folder and in those of -I: give it this file's. */
+    .section @SECTION@, "a", %progbits
     .balign 8
     .global @SYMBOL@
     .global @SYMBOL@_end
@@ -63,10 +73,76 @@ std::string embed_source(const std::string& symbol, const std::string& path)
     .size @SYMBOL@, @SYMBOL@_end - @SYMBOL@
     .section .note.GNU-stack, "", %progbits
 )";
-    return replaced(replaced(text, "@SYMBOL@", symbol), "@PATH@", quoted(path));
+    const std::string section = name.section.empty() ? ".rodata." + name.symbol : name.section;
+    return replaced(replaced(replaced(text, "@SECTION@", section), "@SYMBOL@", name.symbol), "@PATH@", quoted(path));
 }
 
-std::string embed_header(const std::string& symbol, const std::string& opener)
+std::string embed_array(const EmbedName& name, const uint8_t* bytes, size_t size)
+{
+    std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. */
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" const uint8_t @SYMBOL@[@BYTES@];
+#endif
+
+#ifdef _MSC_VER
+__declspec(align(8))
+#else
+__attribute__((aligned(8)@SECTION@))
+#endif
+const uint8_t @SYMBOL@[@BYTES@] = {)";
+    const std::string section = name.section.empty() ? "" : ", section(\"" + name.section + "\")";
+    text = replaced(replaced(replaced(text, "@SYMBOL@", name.symbol), "@SECTION@", section), "@BYTES@",
+                    std::to_string(size));
+    constexpr size_t kPerLine = 32;
+    text.reserve(text.size() + 4 * size + size / kPerLine);
+    for (size_t k = 0; k < size; ++k) {
+        if (k % kPerLine == 0) text += '\n';
+        text += std::to_string(bytes[k]) + ',';
+    }
+    return text + "\n};\n";
+}
+
+namespace
+{
+
+std::string declaration_of(EmbedKind kind)
+{
+    switch (kind) {
+        case EmbedKind::assembler:
+            return R"(/* The bytes of the field, aligned to 8. */
+extern const uint8_t @SYMBOL@[];
+extern const uint8_t @SYMBOL@_end[];
+
+static inline size_t @SYMBOL@_size(void)
+{
+    return (size_t)(@SYMBOL@_end - @SYMBOL@);
+}
+)";
+        case EmbedKind::array:
+            return R"(/* The bytes of the field, aligned to 8. */
+extern const uint8_t @SYMBOL@[@BYTES@];
+
+static inline size_t @SYMBOL@_size(void)
+{
+    return @BYTES@u;
+}
+)";
+        case EmbedKind::flashed:
+            return R"(/* The bytes of the field lie where the program flashes them, at an address divisible by 4. */
+static inline size_t @SYMBOL@_size(void)
+{
+    return @BYTES@u;
+}
+)";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field)
 {
     const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. */
 #ifndef LUMI_EMBEDDED_@SYMBOL@
@@ -79,22 +155,25 @@ std::string embed_header(const std::string& symbol, const std::string& opener)
 extern "C" {
 #endif
 
-/* The bytes of a field file, aligned to 8: lumi::@OPENER@(@SYMBOL@, @SYMBOL@_size(), field). */
-extern const uint8_t @SYMBOL@[];
-extern const uint8_t @SYMBOL@_end[];
-
-static inline size_t @SYMBOL@_size(void)
-{
-    return (size_t)(@SYMBOL@_end - @SYMBOL@);
-}
-
+@DECLARATION@
 #ifdef __cplusplus
 }
+
+/* What draws this field: @SYMBOL@_view<lumi::Screen<240, 240, 16>>, see lumi/view.h. Without a view,
+   lumi::@OPENER@(@SYMBOL@, @SYMBOL@_size(), field) opens it. */
+#include <@HEADER@>
+template <class Screen = lumi::Screen<>, @PARAMETERS@>
+using @SYMBOL@_view = @VIEW@;
 #endif
 
 #endif
 )";
-    return replaced(replaced(text, "@OPENER@", opener), "@SYMBOL@", symbol);
+    const RendererName renderer = renderer_of(field);
+    std::string result = replaced(text, "@DECLARATION@", declaration_of(kind));
+    result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
+    result = replaced(result, "@OPENER@", renderer.opener);
+    result = replaced(replaced(result, "@VIEW@", renderer.view), "@BYTES@", std::to_string(field.size()));
+    return replaced(result, "@SYMBOL@", symbol);
 }
 
 }  // namespace lumi::tools

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A field as part of a program: an assembler file that includes its bytes, and a C and C++ header for them.
+// A field as part of a program: its bytes as assembler, C or a file to be flashed, and a C and C++ header for them.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "files/field_file.h"
 
 namespace lumi::tools
 {
@@ -12,12 +15,28 @@ namespace lumi::tools
 bool is_symbol(std::string_view text);
 // The nearest symbol to `text`: other characters become underscores.
 std::string symbol_from(std::string_view text);
+// What may name a section: letters, digits and ._$-, so that it means the same to every assembler and compiler.
+bool is_section(std::string_view text);
 
-// GNU assembler text for any target: section .rodata.SYMBOL, aligned to 8 bytes, global labels SYMBOL and SYMBOL_end.
-// `path` is written into .incbin as it is.
-std::string embed_source(const std::string& symbol, const std::string& path);
+struct EmbedName {
+    std::string symbol;
+    std::string section;  // empty: .rodata.SYMBOL in assembler, the compiler's choice in C
+};
 
-// Declares SYMBOL, SYMBOL_end and the inline function SYMBOL_size(); names core's function that opens them.
-std::string embed_header(const std::string& symbol, const std::string& opener);
+// GNU assembler text for any target, aligned to 8 bytes, with global labels SYMBOL and SYMBOL_end. `path` is written
+// into .incbin as it is.
+std::string embed_assembler(const EmbedName& name, const std::string& path);
+
+// The bytes as an array in C, for compilers that have no .incbin: aligned to 8 bytes.
+std::string embed_array(const EmbedName& name, const uint8_t* bytes, size_t size);
+
+enum class EmbedKind {
+    assembler,  // bytes from SYMBOL to SYMBOL_end
+    array,      // SYMBOL, an array
+    flashed,    // nothing: the program says where the bytes lie
+};
+
+// What a build needs to know: the bytes, how many, and the view that draws them.
+std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field);
 
 }  // namespace lumi::tools

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "files/renderer_name.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -147,6 +148,7 @@ FieldReport describe_field(const FieldFile& file, bool verify)
     } else {
         describe_chord(file.field(), report);
     }
+    report.view = renderer_of(file).view;
     report.other_bytes = report.file_bytes;
     for (const Section& section : file.sections()) {
         report.sections.push_back({section, verify ? std::optional<bool>(file.is_intact(section)) : std::nullopt});
@@ -172,6 +174,7 @@ std::string text_of(const FieldReport& report)
     append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", static_cast<double>(report.centre[0]),
                 static_cast<double>(report.centre[1]), static_cast<double>(report.centre[2]),
                 static_cast<double>(report.radius));
+    append_line(text, "  drawn by      %s", report.view.c_str());
     append_line(text, "  type      offset       bytes    share  CRC-32");
     for (const FieldReport::Entry& entry : report.sections) append_section(text, entry, report.file_bytes);
     append_line(text, "  header, table and alignment: %" PRIu64 " bytes", report.other_bytes);
@@ -187,6 +190,7 @@ std::string json_of(const FieldReport& report)
     json["colour_space"] = report.colour_space;
     json["centre"] = report.centre;
     json["radius"] = report.radius;
+    json["drawn_by"] = report.view;
     json["sections"] = nlohmann::ordered_json::array();
     for (const FieldReport::Entry& entry : report.sections) {
         nlohmann::ordered_json section = {{"type", entry.section.type},

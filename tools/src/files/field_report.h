@@ -27,6 +27,7 @@ struct FieldReport {
     std::optional<SurfaceField> surface;
     std::array<float, 3> centre = {};  // scene units, scene axes
     float radius = 0;
+    std::string view;  // core's type that draws it
     std::vector<Entry> sections;
     uint64_t other_bytes = 0;  // header, table and alignment
 };

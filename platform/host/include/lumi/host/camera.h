@@ -26,8 +26,7 @@ Pose make_pose(const Orbit& orbit);
 Image make_image(int32_t width_px, int32_t height_px, double fov_deg);
 
 // The field of view, in degrees over the longer side, at which the sphere seen from `distance` radii fills the shorter
-// side but for kFramingMargin; at most 120. Precondition: distance > 1, sides positive.
-inline constexpr double kFramingMargin = 1.06;
+// side: core's fit_sphere, so that firmware and tool show the same. Precondition: distance > 1, sides positive.
 double framing_fov_deg(int32_t width_px, int32_t height_px, double distance);
 
 }  // namespace lumi::host

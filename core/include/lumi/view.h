@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// A field on a display by three calls, all memory inside one object:
+//
+//     #include "product.h"                                     // `lumi embed` wrote it: product_view, product
+//     static product_view<Screen<240, 240, 16>> view;          // static: its size is the RAM of a frame
+//     view.open(product, product_size());                      // once
+//     view.look(Orbit{degrees(30), degrees(20), radii(3)});    // each frame
+//     view.draw({pixels, 0, y, 240, 16, 480});                 // each stripe
+//
+// Every call returns a ViewError (view_error.h) and checks what it is given. The pixels are those of the free functions
+// (render_surface.h, render_spans.h), which a view calls and which stay. Their rules hold: stripes in any order and of
+// any shape, as long as the part of them that lies in the image has no more pixels than the screen's stripe.
+#pragma once
+
+#include "lumi/background.h"
+#include "lumi/orbit.h"
+#include "lumi/pixel.h"
+#include "lumi/stripe.h"
+#include "lumi/view_error.h"
+
+namespace lumi
+{
+
+// An image of width × height pixels, drawn at most kRows rows at once. The default pixels are those of SPI panels.
+template <int32_t kWidth = 240, int32_t kHeight = 240, int32_t kRows = 16, class PixelFormat = PixelRgb565Swapped>
+struct Screen {
+    static_assert(kWidth >= 1 && kWidth <= kMaxImageSide && kHeight >= 1 && kHeight <= kMaxImageSide,
+                  "an image has 1 to 8192 pixels a side");
+    static_assert(kRows >= 1, "a stripe has rows");
+    using Pixel = PixelFormat;
+    static constexpr int32_t kWidthPx = kWidth;
+    static constexpr int32_t kHeightPx = kHeight;
+    static constexpr int32_t kRowsPx = kRows < kHeight ? kRows : kHeight;
+};
+
+namespace views
+{
+
+// What of a stripe lies in the image: nothing, or a rectangle with sides of 1 pixel or more.
+struct ImageSize {
+    int32_t width_px, height_px;
+};
+struct StripePart {
+    int32_t width_px, rows_px;
+};
+
+// Finds every fault of a stripe but its size, and fills `out`.
+ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pixel_bytes, StripePart& out);
+
+}  // namespace views
+
+// Drawing: SurfaceDrawing (surface_view.h) or ChordDrawing (chord_view.h). `lumi embed` names the one of a field.
+template <class Drawing, class ScreenOf = Screen<>>
+class View
+{
+public:
+    using Pixel = typename ScreenOf::Pixel;
+    using Mode = typename Drawing::Mode;
+    // Memory for samples that a stripe takes. The view has one; a second core brings its own.
+    using Samples = typename Drawing::template Samples<ScreenOf>;
+
+    constexpr View() = default;
+    View(const View&) = delete;  // parts of it point to each other
+    View& operator=(const View&) = delete;
+
+    // Reads nothing of the field into RAM; its bytes stay where they are as long as the view is used. Checks all that
+    // decides where bytes are read. After a failure the view has no field.
+    ViewError open(const uint8_t* bytes, size_t size)
+    {
+        bytes_ = nullptr;
+        has_look_ = false;
+        const ViewError error = bytes == nullptr ? ViewError::bad_argument : state_.open(bytes, size);
+        if (error != ViewError::none) return error;
+        bytes_ = bytes;
+        size_ = size;
+        return ViewError::none;
+    }
+
+    // Compares every byte with the checksums that were written with it: tells damaged flash from flash as it was
+    // written. Reads the whole field once.
+    ViewError verify() const { return bytes_ == nullptr ? ViewError::no_field : view_error(verify_field(bytes_, size_)); }
+
+    // The next frame's eye. A failure leaves the frame as it was.
+    ViewError look(const Orbit& orbit, Mode mode = Drawing::kDefaultMode)
+    {
+        return look(pose_of(orbit), image_of(orbit, ScreenOf::kWidthPx, ScreenOf::kHeightPx).fov_turns32, mode);
+    }
+    ViewError look(const Pose& pose, uint32_t fov_turns32, Mode mode = Drawing::kDefaultMode)
+    {
+        if (bytes_ == nullptr) return ViewError::no_field;
+        const ViewError error = state_.look(pose, {ScreenOf::kWidthPx, ScreenOf::kHeightPx, fov_turns32}, mode);
+        if (error == ViewError::none) has_look_ = true;
+        return error;
+    }
+
+    // Draws every pixel of the stripe over black, or over another background (background.h).
+    ViewError draw(const Stripe& stripe) { return draw(stripe, OverBlack{}); }
+    template <class Background>
+    ViewError draw(const Stripe& stripe, const Background& background)
+    {
+        return draw(stripe, background, samples_);
+    }
+    // The same from several cores at once, each with samples of its own.
+    template <class Background>
+    ViewError draw(const Stripe& stripe, const Background& background, Samples& samples) const
+    {
+        if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
+        views::StripePart part = {};
+        const ViewError error =
+            views::check_stripe(stripe, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, Pixel::kBytes, part);
+        return error == ViewError::none ? state_.draw(stripe, part, background, samples) : error;
+    }
+
+private:
+    typename Drawing::template State<ScreenOf> state_{};
+    Samples samples_{};
+    const uint8_t* bytes_ = nullptr;
+    size_t size_ = 0;
+    bool has_look_ = false;
+};
+
+}  // namespace lumi

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/view.h"
+
+#include <catch2/catch.hpp>
+#include <set>
+#include <string>
+
+#include "lumi/chord_view.h"
+#include "lumi/surface_view.h"
+#include "surface/surface_bytes.h"
+
+using namespace lumi;
+using test::Bytes;
+
+namespace
+{
+
+constexpr int32_t kWidth = 48, kHeight = 37, kRows = 8;
+constexpr Orbit kOrbit = {degrees(30), degrees(-20), radii(5) / 2};
+
+template <class Pixel>
+using TestScreen = Screen<kWidth, kHeight, kRows, Pixel>;
+
+template <class Pixel>
+using BallView = View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two>, TestScreen<Pixel>>;
+
+Bytes ball()
+{
+    return test::surface_file(test::bumpy_ball());
+}
+
+Bytes chord(format::TexelFormat texel)
+{
+    test::TestLayout layout;
+    layout.origins = layout.used_origins = 128;
+    layout.directions = 256;
+    layout.texel = texel;
+    return test::sample_field(layout);
+}
+
+// A frame by stripes of so many rows, with draw(stripe).
+template <class Pixel, class Draw>
+Bytes frame_by(int32_t rows, Draw draw)
+{
+    constexpr uint32_t kStride = kWidth * Pixel::kBytes;
+    Bytes pixels(kStride * kHeight, 0xA5);
+    for (int32_t y = 0; y < kHeight; y += rows) {
+        const int32_t height = kHeight - y < rows ? kHeight - y : rows;
+        draw(Stripe{pixels.data() + static_cast<uint32_t>(y) * kStride, 0, y, kWidth, height, kStride});
+    }
+    return pixels;
+}
+
+template <class Pixel, class AnyView>
+Bytes frame_of(AnyView& view, int32_t rows = kRows)
+{
+    return frame_by<Pixel>(rows, [&](const Stripe& stripe) { REQUIRE(view.draw(stripe) == ViewError::none); });
+}
+
+template <class Pixel>
+Bytes free_surface_frame(const Bytes& bytes, SurfaceMode mode)
+{
+    SurfaceField field;
+    REQUIRE(open_surface(bytes.data(), bytes.size(), field) == FieldError::none);
+    SurfaceCamera camera;
+    const Image image = {kWidth, kHeight, fit_sphere(kWidth, kHeight, kOrbit.distance_q20)};
+    REQUIRE(make_surface_camera(pose_of(kOrbit), image, camera) == CameraError::none);
+    std::vector<SurfaceVertex> vertices(field.vertex_count);
+    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kHeight, 3));
+    SurfaceFrame frame;
+    prepare_surface<Pixel>(field, camera, mode, {vertices.data(), links.data(), bands.data(), 3}, frame);
+    std::vector<uint32_t> samples(surface_stripe_bytes(kWidth, kRows, mode) / 4 + 1);
+    return frame_by<Pixel>(kRows, [&](const Stripe& stripe) {
+        render_surface<Pixel>(frame, OverBlack{}, stripe, samples.data());
+    });
+}
+
+template <class Pixel>
+void check_surface_frames(const Bytes& bytes)
+{
+    static BallView<Pixel> view;
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two}) {
+        REQUIRE(view.look(kOrbit, mode) == ViewError::none);
+        const Bytes expected = free_surface_frame<Pixel>(bytes, mode);
+        CHECK((frame_of<Pixel>(view) == expected));
+        CHECK((frame_of<Pixel>(view, 3) == expected));
+    }
+}
+
+template <class Texel, class Pixel>
+void check_chord_frames(const Bytes& bytes)
+{
+    static View<ChordDrawing<Texel>, TestScreen<Pixel>> spans;
+    static View<ExactChordDrawing<Texel>, TestScreen<Pixel>> exact;
+    REQUIRE(spans.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(exact.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(spans.look(kOrbit) == ViewError::none);
+    REQUIRE(exact.look(kOrbit) == ViewError::none);
+    Field field;
+    Camera camera;
+    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    REQUIRE(make_camera(pose_of(kOrbit), image_of(kOrbit, kWidth, kHeight), camera) == CameraError::none);
+    CHECK((frame_of<Pixel>(spans) == frame_by<Pixel>(kRows, [&](const Stripe& stripe) {
+               REQUIRE(render_spans<Linear, Texel, Pixel>(field, camera, OverBlack{}, stripe, 16) == RenderError::none);
+           })));
+    CHECK((frame_of<Pixel>(exact) == frame_by<Pixel>(kRows, [&](const Stripe& stripe) {
+               REQUIRE(render<Linear, Texel, Pixel>(field, camera, OverBlack{}, stripe) == RenderError::none);
+           })));
+}
+
+// What draw() says of a stripe that is right but for one change.
+template <class Change>
+ViewError drawn_with(Change change)
+{
+    static BallView<PixelRgb565> view;
+    static const Bytes bytes = ball();
+    alignas(4) static uint8_t pixels[kWidth * kHeight * 2 + 2];
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(view.look(kOrbit, SurfaceMode::two_by_two) == ViewError::none);
+    Stripe stripe = {pixels, 0, 8, kWidth, kRows, 2 * kWidth};
+    change(stripe);
+    return view.draw(stripe);
+}
+
+}  // namespace
+
+TEST_CASE("a view of a surface field draws what the free functions draw, bit for bit")
+{
+    check_surface_frames<PixelRgb565Swapped>(ball());
+    check_surface_frames<PixelRgb888>(ball());
+}
+
+TEST_CASE("a view of a chord field draws what the free functions draw, bit for bit")
+{
+    check_chord_frames<TexelPalette8, PixelRgb565>(chord(format::TexelFormat::palette8));
+    check_chord_frames<TexelRgb565, PixelGrey8>(chord(format::TexelFormat::rgb565));
+}
+
+TEST_CASE("a second core draws the same with samples of its own")
+{
+    using Own = BallView<PixelRgb565>;
+    static Own view;
+    static Own::Samples samples;
+    const Bytes bytes = ball();
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(view.look(kOrbit) == ViewError::none);
+    const Bytes expected = frame_of<PixelRgb565>(view);
+    const Own& shared = view;
+    CHECK((frame_by<PixelRgb565>(kRows, [&](const Stripe& stripe) {
+               REQUIRE(shared.draw(stripe, OverBlack{}, samples) == ViewError::none);
+           }) == expected));
+}
+
+TEST_CASE("a surface field at an odd address draws the same")
+{
+    static BallView<PixelRgb565> view;
+    const Bytes bytes = ball();
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(view.look(kOrbit) == ViewError::none);
+    const Bytes expected = frame_of<PixelRgb565>(view);
+    Bytes moved(1, 0);
+    moved.insert(moved.end(), bytes.begin(), bytes.end());
+    REQUIRE(view.open(moved.data() + 1, bytes.size()) == ViewError::none);
+    REQUIRE(view.look(kOrbit) == ViewError::none);
+    CHECK((frame_of<PixelRgb565>(view) == expected));
+}
+
+TEST_CASE("a view refuses what is no field, cut off, of another kind or too large, each by name")
+{
+    static BallView<PixelRgb565> view;
+    static View<ChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> chord_view;
+    static View<SurfaceDrawing<97, 128>> few_vertices;
+    static View<SurfaceDrawing<98, 90>> few_patches;
+    const Bytes bytes = ball();
+    const auto error_of = [](auto& any, const Bytes& b) { return any.open(b.data(), b.size()); };
+    CHECK(view.open(nullptr, 100) == ViewError::bad_argument);
+    CHECK(error_of(view, Bytes(5000, 0xFF)) == view_error(FieldError::bad_magic));
+    CHECK(error_of(view, Bytes(5000, 0)) == view_error(FieldError::bad_magic));
+    CHECK(view.open(bytes.data(), bytes.size() / 2) == view_error(FieldError::truncated));
+    CHECK(view.open(bytes.data() + 8, bytes.size() - 8) == view_error(FieldError::bad_magic));
+    CHECK(error_of(view, chord(format::TexelFormat::rgb565)) == ViewError::other_renderer);
+    CHECK(error_of(chord_view, bytes) == ViewError::other_renderer);
+    CHECK(error_of(chord_view, chord(format::TexelFormat::palette8)) == ViewError::other_renderer);
+    CHECK(error_of(few_vertices, bytes) == ViewError::field_too_large);
+    CHECK(error_of(few_patches, bytes) == ViewError::field_too_large);
+}
+
+TEST_CASE("flash that was written in part is found by open() or by verify()")
+{
+    static BallView<PixelRgb565> view;
+    const Bytes bytes = ball();
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    CHECK(view.verify() == ViewError::none);
+    uint32_t unseen = 0;
+    for (size_t written = bytes.size() - 1; written > 100; written -= written / 8 + 1) {
+        Bytes part = bytes;
+        std::fill(part.begin() + static_cast<long>(written), part.end(), uint8_t{0xFF});
+        if (view.open(part.data(), part.size()) != ViewError::none) continue;
+        if (view.verify() == ViewError::none && part != bytes) ++unseen;
+        REQUIRE(view.look(kOrbit) == ViewError::none);
+        frame_of<PixelRgb565>(view);  // wrong colours, no wild read
+    }
+    CHECK(unseen == 0);
+}
+
+TEST_CASE("a chord field at an odd address is refused by spans and drawn exactly")
+{
+    static View<ChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> spans;
+    static View<ExactChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> exact;
+    const Bytes bytes = chord(format::TexelFormat::rgb565);
+    Bytes moved(1, 0);
+    moved.insert(moved.end(), bytes.begin(), bytes.end());
+    CHECK(spans.open(moved.data() + 1, bytes.size()) == ViewError::unaligned_field);
+    CHECK(exact.open(moved.data() + 1, bytes.size()) == ViewError::none);
+}
+
+TEST_CASE("calls in the wrong order and views that no camera takes are errors")
+{
+    static BallView<PixelRgb565> view;
+    static View<SurfaceDrawing<98, 128>, TestScreen<PixelRgb565>> plain;
+    alignas(4) static uint8_t pixels[kWidth * kRows * 2];
+    const Stripe stripe = {pixels, 0, 0, kWidth, kRows, 2 * kWidth};
+    const Bytes bytes = ball();
+    CHECK(view.look(kOrbit) == ViewError::no_field);
+    CHECK(view.verify() == ViewError::no_field);
+    CHECK(view.draw(stripe) == ViewError::no_field);
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    CHECK(view.draw(stripe) == ViewError::no_look);
+    CHECK(view.look({0, 0, radii(1) / 2}) == view_error(CameraError::eye_inside_sphere));
+    CHECK(view.look({0, 0, INT32_MAX}) == view_error(CameraError::eye_too_far));
+    CHECK(view.look({0, 0, radii(3), degrees(130)}) == view_error(CameraError::field_of_view_range));
+    CHECK(view.draw(stripe) == ViewError::no_look);
+    CHECK(view.look({}) == ViewError::none);
+    CHECK(view.draw(stripe) == ViewError::none);
+    CHECK(view.open(bytes.data(), 10) != ViewError::none);
+    CHECK(view.draw(stripe) == ViewError::no_field);
+    REQUIRE(plain.open(bytes.data(), bytes.size()) == ViewError::none);
+    CHECK(plain.look(kOrbit, SurfaceMode::two_by_two) == ViewError::mode_too_fine);
+}
+
+TEST_CASE("a stripe that cannot be drawn is refused by name")
+{
+    CHECK(drawn_with([](Stripe&) {}) == ViewError::none);
+    CHECK(drawn_with([](Stripe& s) { s.y_px = 32; }) == ViewError::none);  // in part below the image
+    CHECK(drawn_with([](Stripe& s) { s.pixels = nullptr; }) == ViewError::no_pixels);
+    CHECK(drawn_with([](Stripe& s) { s.width_px = 0; }) == ViewError::no_pixels);
+    CHECK(drawn_with([](Stripe& s) { s.height_px = -1; }) == ViewError::no_pixels);
+    CHECK(drawn_with([](Stripe& s) { ++s.pixels; }) == ViewError::unaligned_pixels);
+    CHECK(drawn_with([](Stripe& s) { ++s.stride_bytes; }) == ViewError::unaligned_pixels);
+    CHECK(drawn_with([](Stripe& s) { s.stride_bytes -= 2; }) == ViewError::short_stride);
+    CHECK(drawn_with([](Stripe& s) { s.y_px = kHeight; }) == ViewError::stripe_outside);
+    CHECK(drawn_with([](Stripe& s) { s.x_px = -kWidth; }) == ViewError::stripe_outside);
+    CHECK(drawn_with([](Stripe& s) { s.x_px = INT32_MAX; }) == ViewError::stripe_outside);
+    CHECK(drawn_with([](Stripe& s) { s.height_px = kRows + 1; }) == ViewError::stripe_too_large);
+}
+
+TEST_CASE("every error has a text of its own")
+{
+    std::set<std::string> texts;
+    uint32_t count = 0;
+    const auto add = [&](ViewError error) {
+        texts.insert(error_text(error));
+        ++count;
+    };
+    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::section_crc); ++k) add(static_cast<ViewError>(k));
+    for (uint8_t k = 1; k <= static_cast<uint8_t>(CameraError::axes_not_orthonormal); ++k)
+        add(view_error(static_cast<CameraError>(k)));
+    for (uint8_t k = 160; k <= static_cast<uint8_t>(ViewError::bad_argument); ++k) add(static_cast<ViewError>(k));
+    CHECK(texts.size() == count);
+    CHECK(texts.count("unknown error") == 0);
+    CHECK(std::string(error_text(static_cast<ViewError>(255))) == "unknown error");
+}

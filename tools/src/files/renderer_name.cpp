@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "files/renderer_name.h"
+
+#include "lumi/render_spans.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+std::string texel_policy(format::TexelFormat format)
+{
+    switch (format) {
+        case format::TexelFormat::rgb888:
+            return "lumi::TexelRgb888";
+        case format::TexelFormat::rgb565:
+            return "lumi::TexelRgb565";
+        case format::TexelFormat::palette8:
+            return "lumi::TexelPalette8";
+        case format::TexelFormat::luma8:
+            return "lumi::TexelLuma8";
+    }
+    return "unknown";
+}
+
+}  // namespace
+
+RendererName renderer_of(const FieldFile& field)
+{
+    if (field.is_surface()) {
+        const SurfaceField& surface = field.surface();
+        const std::string counts = std::to_string(surface.vertex_count) + ", " + std::to_string(surface.patch_count);
+        return {"lumi/surface_view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
+                "lumi::View<lumi::SurfaceDrawing<" + counts + ", Finest>, Screen>"};
+    }
+    const std::string drawing = fits_spans(field.field()) ? "ChordDrawing" : "ExactChordDrawing";
+    return {"lumi/chord_view.h", "open_field", "class Reconstruction = lumi::Linear",
+            "lumi::View<lumi::" + drawing + "<" + texel_policy(field.field().texel_format) +
+                ", Reconstruction>, Screen>"};
+}
+
+}  // namespace lumi::tools

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What draws a field, in the words of core's headers.
+#pragma once
+
+#include <string>
+
+#include "files/field_file.h"
+
+namespace lumi::tools
+{
+
+// How a C++ program names the view of a field.
+struct RendererName {
+    std::string header;      // "lumi/surface_view.h"
+    std::string opener;      // "open_surface"
+    std::string parameters;  // of the template alias, before which a program writes the screen
+    std::string view;        // "lumi::View<lumi::SurfaceDrawing<2500, 2400, Finest>, Screen>"
+};
+
+RendererName renderer_of(const FieldFile& field);
+
+}  // namespace lumi::tools
