@@ -11,7 +11,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 build_packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtbb-dev         # ray queries
-  libtinyobjloader-dev libstb-dev  # OBJ and MTL; PNG, JPEG and HDR
+  libtinyobjloader-dev             # OBJ and MTL
+  libpng-dev libturbojpeg0-dev     # PNG and JPEG, read
+  libstb-dev                       # PNG, written
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # proxy meshes
   libfftw3-dev                     # CW-SSIM

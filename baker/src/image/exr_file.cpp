@@ -10,8 +10,7 @@
 
 #include <cstring>
 
-#include "lumi/baker/scene.h"
-#include "util/text_lines.h"
+#include "image/picture_bytes.h"
 
 namespace lumi::baker
 {
@@ -22,7 +21,7 @@ namespace
 class BytesStream : public Imf::IStream
 {
 public:
-    BytesStream(const std::string& name, const std::string& bytes) : Imf::IStream(name.c_str()), bytes_(bytes) {}
+    explicit BytesStream(const std::string& bytes) : Imf::IStream("picture"), bytes_(bytes) {}
 
     bool read(char out[], int count) override
     {
@@ -43,22 +42,13 @@ private:
     uint64_t position_ = 0;
 };
 
-void check_size(int64_t width, int64_t height)
-{
-    if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide ||
-        width * height > kMaxPicturePixels) {
-        throw std::runtime_error("its size of " + std::to_string(width) + " by " + std::to_string(height) +
-                                 " pixels is too large");
-    }
-}
-
 RadiancePicture read(BytesStream& stream)
 {
     Imf::InputFile input(stream, 1);
     const Imath::Box2i window = input.header().dataWindow();
     const int64_t width = int64_t{window.max.x} - window.min.x + 1;
     const int64_t height = int64_t{window.max.y} - window.min.y + 1;
-    check_size(width, height);
+    check_picture_size(width, height);
     const bool coloured = input.header().channels().findChannel("R") != nullptr;
     if (!coloured && !input.header().channels().findChannel("Y")) {
         throw std::runtime_error("it has neither R, G and B nor Y channels");
@@ -88,14 +78,18 @@ bool is_exr(const std::string& bytes)
     return bytes.compare(0, 4, kMagic) == 0;
 }
 
-RadiancePicture read_exr(const std::filesystem::path& file, const std::string& bytes)
+RadiancePicture decode_exr(const std::string& bytes)
 {
-    BytesStream stream(file.string(), bytes);
+    Imf::Header::setMaxImageSize(kMaxPictureSide, kMaxPictureSide);  // before tables for all lines are made
+    BytesStream stream(bytes);
     try {
         return read(stream);
+    } catch (const PictureError&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& e) {
-        throw SceneError(at({file.string()},
-                            std::string("the picture cannot be read (") + e.what() + "); save it again as OpenEXR"));
+        throw PictureError(std::string("it is damaged: ") + e.what());
     }
 }
 

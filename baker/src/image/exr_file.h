@@ -9,7 +9,7 @@ namespace lumi::baker
 
 bool is_exr(const std::string& bytes);
 
-// The channels R, G, B, or Y as grey, of the first part. Throws SceneError with the file's name.
-RadiancePicture read_exr(const std::filesystem::path& file, const std::string& bytes);
+// The channels R, G, B, or Y as grey, of the first part. Throws PictureError.
+RadiancePicture decode_exr(const std::string& bytes);
 
 }  // namespace lumi::baker

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Reads pictures (PNG, JPEG, TGA, BMP, ...) as textures.
+// Reads PNG and JPEG pictures as textures.
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
 
-#include "image/radiance_picture.h"
 #include "image/texture.h"
+#include "lumi/baker/picture_file.h"
 
 namespace lumi::baker
 {
@@ -16,10 +14,7 @@ namespace lumi::baker
 // has none).
 enum class PictureUse : uint8_t { colour, data, alpha };
 
-// Nothing, with the reason in `why`, if the file is no picture that can be read.
-std::optional<Texture> read_texture(const std::filesystem::path& file, PictureUse use, std::string& why);
-
-// A Radiance .hdr picture from the bytes of its file. Throws SceneError with the file's name.
-RadiancePicture read_hdr(const std::filesystem::path& file, const std::string& bytes);
+// Throws PictureError.
+Texture read_texture(const std::filesystem::path& file, PictureUse use);
 
 }  // namespace lumi::baker

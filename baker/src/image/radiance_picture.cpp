@@ -2,7 +2,9 @@
 #include "image/radiance_picture.h"
 
 #include "image/exr_file.h"
-#include "image/image_file.h"
+#include "image/hdr_file.h"
+#include "image/picture_bytes.h"
+#include "lumi/baker/scene.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -40,12 +42,30 @@ void repair(const std::filesystem::path& file, RadiancePicture& picture, std::ve
     }
 }
 
+RadiancePicture read(const std::filesystem::path& file)
+{
+    const std::string bytes = picture_bytes(file);
+    if (is_exr(bytes)) {
+        return decode_exr(bytes);
+    }
+    if (is_hdr(bytes)) {
+        return decode_hdr(bytes);
+    }
+    throw SceneError(
+        at({file.string()}, "this is neither a Radiance .hdr nor an OpenEXR picture; save it as one of them"));
+}
+
 }  // namespace
 
 RadiancePicture read_radiance_picture(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const std::string bytes = read_text(file);
-    RadiancePicture picture = is_exr(bytes) ? read_exr(file, bytes) : read_hdr(file, bytes);
+    RadiancePicture picture;
+    try {
+        picture = read(file);
+    } catch (const PictureError& e) {
+        throw SceneError(at({file.string()}, std::string("the picture cannot be read (") + e.what() +
+                                                 "); save it again as .hdr or .exr"));
+    }
     repair(file, picture, warnings);
     return picture;
 }

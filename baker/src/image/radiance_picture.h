@@ -21,9 +21,6 @@ struct RadiancePicture {
     }
 };
 
-inline constexpr int kMaxPictureSide = 32768;
-inline constexpr int64_t kMaxPicturePixels = int64_t{1} << 27;  // 1.6 GB of memory
-
 // Radiance .hdr or OpenEXR .exr, told apart by their first bytes. Negative numbers become 0; pixels that are no number
 // or infinite become black and are named in `warnings`. Throws SceneError, both with the file's name.
 RadiancePicture read_radiance_picture(const std::filesystem::path& file, std::vector<std::string>& warnings);

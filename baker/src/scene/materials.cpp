@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
+#include <unordered_map>
 
 #include "image/image_file.h"
 
@@ -47,8 +49,12 @@ public:
         if (!found.used() || !is_grey(textures_[static_cast<size_t>(found.texture)])) {
             return found;
         }
-        textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map.strength));
-        found.texture = static_cast<int32_t>(textures_.size() - 1);
+        const auto [entry, fresh] = normals_.try_emplace({found.texture, map.strength}, kNoTexture);
+        if (fresh) {
+            textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map.strength));
+            entry->second = static_cast<int32_t>(textures_.size() - 1);
+        }
+        found.texture = entry->second;
         return found;
     }
 
@@ -57,20 +63,20 @@ private:
 
     int32_t load(const Place& place, const std::filesystem::path& file, PictureUse use)
     {
-        std::string why;
-        std::optional<Texture> texture = read_texture(file, use, why);
-        if (!texture) {
-            warnings_.push_back(at(place, "the picture '" + file.string() + "' is not used (" + why +
-                                              "), the plain number is; save it as PNG or JPEG"));
+        try {
+            textures_.push_back(read_texture(file, use));
+        } catch (const PictureError& e) {
+            warnings_.push_back(at(place, "the picture '" + file.string() + "' is not used (" + e.what() +
+                                              "), the plain number is; convert it to PNG"));
             return kNoTexture;
         }
-        textures_.push_back(std::move(*texture));
         return static_cast<int32_t>(textures_.size() - 1);
     }
 
     std::vector<Texture>& textures_;
     std::vector<std::string>& warnings_;
     std::map<Key, int32_t> loaded_;
+    std::map<std::pair<int32_t, float>, int32_t> normals_;  // of a picture of heights and a strength
 };
 
 Material default_material(const std::string& name)
@@ -184,18 +190,21 @@ MaterialSet resolve_materials(const std::string& obj_file, const std::vector<Obj
 {
     MaterialSet set;
     TextureStore textures(set.textures, warnings);
+    std::unordered_map<std::string_view, const MtlMaterial*> by_name;
+    for (const MtlMaterial& m : known) {
+        by_name.try_emplace(m.name, &m);  // the first one counts
+    }
     for (const ObjText::Use& use : uses) {
-        const auto found =
-            std::find_if(known.begin(), known.end(), [&](const MtlMaterial& m) { return m.name == use.name; });
-        if (found == known.end()) {
+        const auto found = by_name.find(use.name);
+        if (found == by_name.end()) {
             warnings.push_back(
                 at({obj_file, use.line},
                    "the material '" + use.name + "' is not defined, it is drawn grey; export the MTL file too"));
             set.materials.push_back(default_material(use.name));
             continue;
         }
-        Material material = to_material(*found);
-        add_maps(*found, textures, material);
+        Material material = to_material(*found->second);
+        add_maps(*found->second, textures, material);
         material.finish();
         set.materials.push_back(std::move(material));
     }

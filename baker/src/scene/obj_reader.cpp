@@ -2,6 +2,7 @@
 #include "scene/obj_reader.h"
 
 #include <algorithm>
+#include <set>
 
 #include "geometry/polygon.h"
 #include "scene/mtl_text.h"
@@ -77,6 +78,25 @@ void append_library(const std::filesystem::path& file, std::vector<MtlMaterial>&
         name_lines(lines->second, material);
         known.push_back(std::move(material));
     }
+}
+
+// Of all libraries, each read once however often the OBJ names it.
+std::vector<MtlMaterial> materials_of(const std::filesystem::path& file, const ObjText& obj,
+                                      std::vector<std::string>& warnings)
+{
+    std::vector<MtlMaterial> known;
+    std::set<std::string> names, read;
+    for (const ObjText::Library& library : obj.libraries) {
+        if (!names.insert(library.name).second) {
+            continue;
+        }
+        for (const std::filesystem::path& mtl : libraries_of(file, library, warnings)) {
+            if (read.insert(std::filesystem::weakly_canonical(mtl).string()).second) {
+                append_library(mtl, known, warnings);
+            }
+        }
+    }
+    return known;
 }
 
 // Turns polygons into the triangles of a mesh.
@@ -184,12 +204,7 @@ Mesh build_mesh(const std::string& file, const ObjText& obj, const ObjContent& c
 SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
     const ObjText obj = prepare_obj(file.string(), read_text(file));
-    std::vector<MtlMaterial> known;
-    for (const ObjText::Library& library : obj.libraries) {
-        for (const std::filesystem::path& mtl : libraries_of(file, library, warnings)) {
-            append_library(mtl, known, warnings);
-        }
-    }
+    const std::vector<MtlMaterial> known = materials_of(file, obj, warnings);
     ObjContent content = parse_obj(file.string(), obj.text, obj.materials.size());
     if (content.faces.size() != obj.face_lines.size()) {
         throw SceneError(at({file.string()}, "the parser lost faces; export it again as triangles"));

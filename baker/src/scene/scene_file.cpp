@@ -2,6 +2,8 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
@@ -99,15 +101,16 @@ private:
             return;
         }
         JsonFields(name_, *value, "'materials'");
+        std::multimap<std::string_view, Material*> by_name;
+        for (Material& material : parts_.materials) {
+            by_name.emplace(material.name, &material);
+        }
         for (const auto& [material_name, changes] : value->members) {
-            bool found = false;
-            for (Material& material : parts_.materials) {
-                if (material.name == material_name) {
-                    apply_material_fields(name_, changes, material);
-                    found = true;
-                }
+            const auto [first, last] = by_name.equal_range(material_name);
+            for (auto found = first; found != last; ++found) {
+                apply_material_fields(name_, changes, *found->second);
             }
-            if (!found) {
+            if (first == last) {
                 scene_.fail(changes, "no object has a material '" + material_name + "'; choose among: " + names());
             }
         }

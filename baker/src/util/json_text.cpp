@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <unordered_set>
 
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
@@ -70,8 +71,7 @@ public:
 
     bool key(string_t& name) override
     {
-        const auto& members = open_.back().members;
-        if (std::any_of(members.begin(), members.end(), [&](const auto& m) { return m.first == name; })) {
+        if (!names_.back().insert(name).second) {
             throw SceneError(at({file_, line()}, "'" + name + "' is given twice; remove one"));
         }
         open_.back().members.emplace_back(name, JsonValue{});
@@ -137,6 +137,7 @@ private:
         v.kind = kind;
         v.line = line();
         open_.push_back(std::move(v));
+        names_.emplace_back();
         return true;
     }
 
@@ -144,6 +145,7 @@ private:
     {
         JsonValue v = std::move(open_.back());
         open_.pop_back();
+        names_.pop_back();
         return put(std::move(v));
     }
 
@@ -152,6 +154,7 @@ private:
     const char** furthest_;
     uint32_t line_ = 1;
     std::vector<JsonValue> open_;
+    std::vector<std::unordered_set<std::string>> names_;  // of the members of each
     JsonValue root_;
 };
 

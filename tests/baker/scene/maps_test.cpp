@@ -4,6 +4,7 @@
 
 #include "image/tone.h"
 #include "support/brute_force.h"
+#include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 
 namespace lumi::baker
@@ -19,17 +20,11 @@ constexpr char kSquare[] =
     "mtllib m.mtl\nusemtl x\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
     "f 1/1 2/2 3/3 4/4\n";
 
-// Two pixels side by side.
-std::string picture(const std::array<uint8_t, 6>& bytes)
-{
-    return "P6\n2 1\n255\n" + std::string(bytes.begin(), bytes.end());
-}
-
 Scene square(const std::string& mtl, const std::array<uint8_t, 6>& bytes, const Environment& environment)
 {
     const testing::ScratchFolder folder;
     folder.write("m.mtl", "newmtl x\n" + mtl);
-    folder.write("t.ppm", picture(bytes));
+    folder.write("t.png", testing::rgb_png(2, {bytes.begin(), bytes.end()}));  // side by side
     LoadOptions options;
     options.up = UpAxis::z;
     options.environment = environment;
@@ -69,7 +64,7 @@ double coverage(const Scene& scene, float x)
 
 TEST_CASE("maps: map_Ke shines where the picture does, and is found by aiming and by looking alike")
 {
-    const Scene scene = square("Kd 0 0 0\nKe 2 2 2\nmap_Ke t.ppm\n", {255, 255, 255, 0, 0, 0}, constant_environment(0));
+    const Scene scene = square("Kd 0 0 0\nKe 2 2 2\nmap_Ke t.png\n", {255, 255, 255, 0, 0, 0}, constant_environment(0));
     CHECK(static_cast<double>(surface_below(scene, -0.5f).emission.g) == Approx(2));
     CHECK(static_cast<double>(surface_below(scene, 0.5f).emission.g) == Approx(0).margin(1e-6));
     const Vec3 from = {0.1f, 0.05f, 0.3f};
@@ -90,7 +85,7 @@ TEST_CASE("maps: map_Ke shines where the picture does, and is found by aiming an
 
 TEST_CASE("maps: map_d cuts out, for the eye and for light")
 {
-    const Scene scene = square("Kd 1 1 1\nmap_d t.ppm\n", {255, 255, 255, 0, 0, 0}, constant_environment(1));
+    const Scene scene = square("Kd 1 1 1\nmap_d t.png\n", {255, 255, 255, 0, 0, 0}, constant_environment(1));
     CHECK(coverage(scene, -0.5f) > 0.99);
     CHECK(coverage(scene, 0.5f) < 0.01);
     CHECK(transmittance(scene.data(), down_at(scene, -0.5f)) < 1e-3f);
@@ -99,7 +94,7 @@ TEST_CASE("maps: map_d cuts out, for the eye and for light")
 
 TEST_CASE("maps: map_Pr and map_Pm multiply their numbers, read as plain bytes")
 {
-    const Scene scene = square("Kd 1 1 1\nPr 1\nPm 0.5\nmap_Pr t.ppm\nmap_Pm t.ppm\n", {255, 255, 255, 51, 51, 51},
+    const Scene scene = square("Kd 1 1 1\nPr 1\nPm 0.5\nmap_Pr t.png\nmap_Pm t.png\n", {255, 255, 255, 51, 51, 51},
                                studio_environment());
     CHECK(static_cast<double>(surface_below(scene, 0.5f).values.roughness) == Approx(0.2));
     CHECK(static_cast<double>(surface_below(scene, 0.5f).values.metalness) == Approx(0.1));
@@ -113,7 +108,7 @@ TEST_CASE("maps: map_Pr and map_Pm multiply their numbers, read as plain bytes")
 
 TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stands alone")
 {
-    const Scene scene = square("Kd 1 1 1\nPr 0.5\nPs 0.5\nmap_Ps t.ppm\naniso 0.6\nanisor 0.25\n",
+    const Scene scene = square("Kd 1 1 1\nPr 0.5\nPs 0.5\nmap_Ps t.png\naniso 0.6\nanisor 0.25\n",
                                {255, 255, 255, 51, 51, 51}, studio_environment());
     const Surface left = surface_below(scene, -0.5f), right = surface_below(scene, 0.5f);
     CHECK(left.material->anisotropy == 0.6f);
@@ -121,7 +116,7 @@ TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stan
     CHECK(left.material->brushed());
     CHECK(static_cast<double>(left.values.sheen) == Approx(0.5));
     CHECK(static_cast<double>(right.values.sheen) == Approx(0.1));
-    const Scene alone = square("Kd 0 0 0\nmap_Ps t.ppm\n", {255, 255, 255, 0, 0, 0}, studio_environment());
+    const Scene alone = square("Kd 0 0 0\nmap_Ps t.png\n", {255, 255, 255, 0, 0, 0}, studio_environment());
     CHECK(static_cast<double>(surface_below(alone, -0.5f).values.sheen) == Approx(1));
     const Surface bald = surface_below(alone, 0.5f);
     const float sent = bald.material->bsdf(bald.values, 0).eval({0, 0.6f, 0.8f}, {0, 0.8f, 0.6f}).g;
@@ -130,7 +125,7 @@ TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stan
 
 TEST_CASE("maps: a normal map bends towards u and v on either side, a flat one not at all")
 {
-    const Scene scene = square("Kd 1 1 1\nnorm t.ppm\n", {128, 128, 255, 218, 128, 218}, studio_environment());
+    const Scene scene = square("Kd 1 1 1\nnorm t.png\n", {128, 128, 255, 218, 128, 218}, studio_environment());
     CHECK(static_cast<double>(surface_below(scene, -0.5f).frame.normal.z) == Approx(1).epsilon(1e-3));
     const Vec3 bent = surface_below(scene, 0.5f).frame.normal;
     CHECK(static_cast<double>(bent.x) == Approx(std::sqrt(0.5)).epsilon(0.01));
@@ -159,7 +154,7 @@ TEST_CASE("maps: a grey bump map is a height map whose slopes face downhill")
 TEST_CASE("maps: MTL's scale and offset move a picture")
 {
     const Scene scene =
-        square("Kd 1 1 1\nmap_Kd -s 0.25 1 1 -o 0.5 0 0 t.ppm\n", {255, 0, 0, 0, 255, 0}, studio_environment());
+        square("Kd 1 1 1\nmap_Kd -s 0.25 1 1 -o 0.5 0 0 t.png\n", {255, 0, 0, 0, 255, 0}, studio_environment());
     // u runs from 0.5 to 0.75: the right pixel's left half.
     CHECK(surface_below(scene, 0.98f).values.base.g > 0.95f);
     CHECK(surface_below(scene, -0.98f).values.base.g == Approx(0.5).margin(0.05));

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 
 namespace lumi::baker
@@ -65,8 +66,7 @@ double area(const Mesh& mesh)
     return sum;
 }
 
-// A 1×1 PNG-like picture in the plainest format that the reader knows: binary PPM.
-const std::string kRedPixel = std::string("P6\n1 1\n255\n") + '\xFF' + std::string(2, '\0');
+const std::string kRedPixel = testing::rgb_png(1, {255, 0, 0});
 
 }  // namespace
 
@@ -175,8 +175,8 @@ TEST_CASE("obj: a missing material file and an undefined material are named, and
 TEST_CASE("obj: names with blanks, backslashes and Windows line ends")
 {
     const ScratchFolder folder;
-    folder.write("sub dir/my mat.mtl", "newmtl red paint\r\nKd 1 1 1\r\nmap_Kd tex dir\\a red.ppm\r\n");
-    folder.write("sub dir/tex dir/a red.ppm", kRedPixel);
+    folder.write("sub dir/my mat.mtl", "newmtl red paint\r\nKd 1 1 1\r\nmap_Kd tex dir\\a red.png\r\n");
+    folder.write("sub dir/tex dir/a red.png", kRedPixel);
     const Loaded l = load(folder.write(
         "my scene.obj", std::string("mtllib sub dir\\my mat.mtl\r\n") + kCorners + "usemtl red paint\r\nf 1 2 3\r\n"));
     CHECK(l.warnings.empty());
@@ -188,8 +188,8 @@ TEST_CASE("obj: names with blanks, backslashes and Windows line ends")
 TEST_CASE("obj: a picture named by another machine's path is found beside the MTL file")
 {
     const ScratchFolder folder;
-    folder.write("m.mtl", "newmtl x\nmap_Kd C:\\Users\\me\\red.ppm\n");
-    folder.write("red.ppm", kRedPixel);
+    folder.write("m.mtl", "newmtl x\nmap_Kd C:\\Users\\me\\red.png\n");
+    folder.write("red.png", kRedPixel);
     const Loaded l = load(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"));
     CHECK(l.warnings.empty());
     CHECK(l.parts.textures.size() == 1);
@@ -313,6 +313,59 @@ TEST_CASE("scene: the sphere holds what faces use, in scene axes, and nothing to
     // y up: sphere(x,y,z) = scene(z,x,y).
     CHECK(static_cast<double>(scene.data().mesh.positions[2].z) == Approx(1 / 1.01));
     CHECK(static_cast<double>(scene.data().mesh.positions[1].y) == Approx(1 / 1.01));
+}
+
+TEST_CASE("obj: a library is read once, however often and by whatever name it is named")
+{
+    const testing::ScratchFolder folder;
+    folder.write("m.mtl", "newmtl x\nKd 2 0 0\n");
+    std::filesystem::create_symlink("m.mtl", folder.at("link.mtl"));
+    std::string obj;
+    for (int k = 0; k < 2000; ++k) {
+        obj += "mtllib m.mtl\nmtllib ./m.mtl\nmtllib link.mtl\n";
+    }
+    std::vector<std::string> warnings;
+    read_obj(folder.write("s.obj", obj + kCorners + "usemtl x\nf 1 2 3\n"), warnings);
+    REQUIRE(warnings.size() == 1);  // one for each time that the library is read
+    CHECK_THAT(warnings[0], Catch::Contains("m.mtl:2") && Catch::Contains("out of range"));
+}
+
+TEST_CASE("obj: of many materials each face gets its own; of two with one name the first counts")
+{
+    constexpr uint32_t kCount = 20000;
+    const testing::ScratchFolder folder;
+    std::string obj = std::string("mtllib m.mtl\nmtllib n.mtl\n") + kCorners, mtl;
+    for (uint32_t k = 0; k < kCount; ++k) {
+        mtl += "newmtl m" + std::to_string(k) + "\nKd " + std::to_string(k % 100) + "e-2 0 0\n";
+        obj += "usemtl m" + std::to_string(kCount - 1 - k) + "\nf 1 2 3\n";
+    }
+    folder.write("m.mtl", mtl);
+    folder.write("n.mtl", "newmtl m0\nKd 1 1 1\n");
+    std::vector<std::string> warnings;
+    const SceneParts parts = read_obj(folder.write("s.obj", obj), warnings);
+    REQUIRE(parts.materials.size() == kCount);
+    for (uint32_t k = 0; k < kCount; ++k) {
+        const Material& material = parts.materials[parts.mesh.materials[k]];
+        REQUIRE(material.name == "m" + std::to_string(kCount - 1 - k));
+        REQUIRE(static_cast<double>(material.base.r) == Approx((kCount - 1 - k) % 100 * 0.01).margin(1e-6));
+    }
+}
+
+TEST_CASE("obj: materials that share a picture of heights share the normals made of it")
+{
+    const testing::ScratchFolder folder;
+    std::string obj = std::string("mtllib m.mtl\n") + kCorners, mtl;
+    for (int k = 0; k < 50; ++k) {
+        const std::string name = std::to_string(k);
+        mtl += "newmtl " + name + "\nbump -bm " + (k < 25 ? "1" : "2") + " h.png\n";
+        obj += "usemtl " + name + "\nf 1 2 3\n";
+    }
+    folder.write("h.png", testing::rgb_png(2, {9, 9, 9, 50, 50, 50}));
+    folder.write("m.mtl", mtl);
+    std::vector<std::string> warnings;
+    const SceneParts parts = read_obj(folder.write("s.obj", obj), warnings);
+    CHECK(warnings.empty());
+    CHECK(parts.textures.size() == 3);  // heights, and normals of two strengths
 }
 
 }  // namespace lumi::baker

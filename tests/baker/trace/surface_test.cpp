@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 #include "support/shapes.h"
 #include "support/statistics.h"
@@ -41,10 +42,9 @@ Scene load(const testing::ScratchFolder& folder, const std::string& obj)
 TEST_CASE("surface: a picture lies on the triangles as its coordinates say, and the radiance shows it")
 {
     const testing::ScratchFolder folder;
-    folder.write("m.mtl", "newmtl x\nmap_Kd t.ppm\n");
+    folder.write("m.mtl", "newmtl x\nmap_Kd t.png\n");
     // Red and green above, blue and white below.
-    const std::string pixels = {'\xFF', 0, 0, 0, '\xFF', 0, 0, 0, '\xFF', '\xFF', '\xFF', '\xFF'};
-    folder.write("t.ppm", "P6\n2 2\n255\n" + pixels);
+    folder.write("t.png", testing::rgb_png(2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}));
     const Scene scene = load(folder,
                              "mtllib m.mtl\nusemtl x\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
                              "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");

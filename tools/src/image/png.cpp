@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "image/png.h"
 
-#include <cstring>
-#include <limits>
-#include <memory>
 #include <stdexcept>
 
 #include "files/output_file.h"
-#include "lumi/baker/file_guard.h"
-#include "lumi/host/mapped_file.h"
+#include "lumi/baker/picture_file.h"
 #include "terminal/failure.h"
 
 #pragma GCC diagnostic push
@@ -16,11 +12,6 @@
 #pragma GCC diagnostic ignored "-Wextra"
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STB_IMAGE_IMPLEMENTATION
-#include <stb_image.h>
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -40,32 +31,18 @@ void append(void* context, void* data, int size)
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<size_t>(size));
 }
 
-host::MappedFile map(const std::string& path)
-{
-    baker::note_input(path);
-    host::MappedFile file;
-    if (const int error = file.open(path); error != 0)
-        throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
-    if (file.size() > static_cast<size_t>(std::numeric_limits<int>::max()))
-        throw Failure(path, "is larger than 2 GiB", "give a smaller picture");
-    return file;
-}
-
 }  // namespace
 
 Picture read_png(const std::string& path)
 {
-    const host::MappedFile file = map(path);
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(file.bytes(), static_cast<int>(file.size()), &width, &height, &channels, kChannels),
-        stbi_image_free);
-    if (!pixels)
-        throw Failure(path, std::string("is not a PNG file that can be read (") + stbi_failure_reason() + ")",
-                      "give a whole PNG file");
-    Picture picture(width, height);
-    std::memcpy(picture.rgb.data(), pixels.get(), picture.rgb.size());
-    return picture;
+    try {
+        baker::DecodedPicture decoded = baker::read_png(path);
+        Picture picture(decoded.width, decoded.height);
+        picture.rgb = std::move(decoded.rgb);
+        return picture;
+    } catch (const baker::PictureError& error) {
+        throw Failure(path, std::string("is not read (") + error.what() + ")", "give a whole PNG file");
+    }
 }
 
 std::string png_bytes(const Picture& picture)

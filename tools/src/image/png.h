@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG files. src/png.cpp is the only file that sees stb.
+// PNG files. png.cpp is the only file that sees stb, which writes them; the baker's reader reads them.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace lumi::tools
 {
 
-// Reads 8 bits a channel; grey becomes RGB, 16 bits are narrowed, alpha is ignored. Throws Failure.
+// Reads 8 bits a channel; grey becomes RGB, 16 bits are rounded to 8, alpha is ignored. Throws Failure.
 Picture read_png(const std::string& path);
 
 // The bytes of a PNG file. Throws std::length_error for a picture that no PNG can hold.

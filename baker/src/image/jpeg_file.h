@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Reads JPEG pictures.
+#pragma once
+
+#include <string>
+
+#include "lumi/baker/picture_file.h"
+
+namespace lumi::baker
+{
+
+bool is_jpeg(const std::string& bytes);
+
+// Grey or colour, sequential or progressive; not CMYK. What is damaged or cut short is refused. Throws PictureError.
+DecodedPicture decode_jpeg(const std::string& bytes);
+
+}  // namespace lumi::baker

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "image/picture_bytes.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "lumi/baker/file_guard.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct KnownFormat {
+    const char* name;
+    const char* first;      // bytes that such a file begins with, or null
+    const char* extension;  // or the end of its name, or null
+};
+
+constexpr KnownFormat kRefused[] = {
+    {"a BMP", "BM", nullptr},         {"a GIF", "GIF8", nullptr},  {"a Photoshop", "8BPS", nullptr},
+    {"a TIFF", "II*", nullptr},       {"a TIFF", "MM", nullptr},   {"a PNM", "P1", nullptr},
+    {"a PNM", "P2", nullptr},         {"a PNM", "P3", nullptr},    {"a PNM", "P4", nullptr},
+    {"a PNM", "P5", nullptr},         {"a PNM", "P6", nullptr},    {"a PNM", "P7", nullptr},
+    {"a DDS", "DDS ", nullptr},       {"a WebP", "RIFF", nullptr}, {"a Radiance", "#?R", nullptr},
+    {"an OpenEXR", "v/1\1", nullptr}, {"a TGA", nullptr, ".tga"},
+};
+
+bool matches(const KnownFormat& format, const fs::path& file, const std::string& bytes)
+{
+    if (format.first) {
+        return bytes.rfind(format.first, 0) == 0;
+    }
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == format.extension;
+}
+
+}  // namespace
+
+std::string picture_bytes(const fs::path& file)
+{
+    std::error_code failed;
+    if (!fs::is_regular_file(file, failed)) {
+        throw PictureError("it is no file that can be read");
+    }
+    const uintmax_t size = fs::file_size(file, failed);
+    if (failed || size > kMaxPictureFileBytes) {
+        throw PictureError("it has more than " + std::to_string(kMaxPictureFileBytes) + " bytes");
+    }
+    note_input(file);
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes(static_cast<size_t>(size), '\0');
+    if (!stream || !stream.read(bytes.data(), static_cast<std::streamsize>(size))) {
+        throw PictureError("it cannot be read");
+    }
+    return bytes;
+}
+
+void check_picture_size(int64_t width, int64_t height)
+{
+    const std::string size = std::to_string(width) + " by " + std::to_string(height) + " pixels";
+    if (width < 1 || height < 1) {
+        throw PictureError("it has no pixels: " + size);
+    }
+    if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMaxPicturePixels) {
+        throw PictureError("its size of " + size + " is too large; at most " + std::to_string(kMaxPictureSide) +
+                           " a side and " + std::to_string(kMaxPicturePixels) + " in all are read");
+    }
+}
+
+void check_picture_bytes(int64_t bytes, int64_t fewest)
+{
+    if (bytes < fewest) {
+        throw PictureError("it ends too early: its size needs more bytes");
+    }
+}
+
+void refuse_picture(const fs::path& file, const std::string& bytes)
+{
+    const auto* format = std::find_if(std::begin(kRefused), std::end(kRefused),
+                                      [&](const KnownFormat& known) { return matches(known, file, bytes); });
+    throw PictureError(format == std::end(kRefused) ? std::string("it is neither PNG nor JPEG")
+                                                    : std::string("it is ") + format->name + " picture");
+}
+
+}  // namespace lumi::baker
