@@ -22,11 +22,13 @@ set(LUMI_CORE_TEST_SOURCES
   lattice/polar_test.cpp
   math/math_test.cpp
   stepping/hits_test.cpp
+  surface/coverage_test.cpp
   surface/render_surface_test.cpp
   surface/surface_field_test.cpp
   surface/surface_quality_test.cpp
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp
+  view/pack_test.cpp
   view/view_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 # Helpers that tests share lie here; tests look into core, too.

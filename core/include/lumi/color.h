@@ -2,7 +2,7 @@
 // Colours: 8 bits a channel, sRGB-encoded, and the packings that texels and displays share.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {
@@ -56,6 +56,19 @@ constexpr Rgb8 unpack_rgb565(uint16_t v)
     const uint32_t b = v & 31u;
     return {static_cast<uint8_t>(r << 3 | r >> 2), static_cast<uint8_t>(g << 2 | g >> 4),
             static_cast<uint8_t>(b << 3 | b >> 2)};
+}
+
+// 5-5-5 packing, blue in the high bits: rounds to nearest as that of 5-6-5 does.
+constexpr uint16_t pack_bgr555(const Rgb8& c)
+{
+    const auto five = [](uint8_t v) { return (v * 249u + 1014u) >> 11; };
+    return static_cast<uint16_t>(five(c.b) << 10 | five(c.g) << 5 | five(c.r));
+}
+
+constexpr Rgb8 unpack_bgr555(uint16_t v)
+{
+    const auto eight = [](uint32_t five) { return static_cast<uint8_t>(five << 3 | five >> 2); };
+    return {eight(v & 31u), eight((v >> 5) & 31u), eight((v >> 10) & 31u)};
 }
 
 // pack_rgb565 of every grey, where one look-up beats a dozen instructions a pixel. Linked only if used: 512 bytes.

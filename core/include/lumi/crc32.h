@@ -2,8 +2,8 @@
 // CRC-32 (IEEE 802.3, reflected polynomial 0xEDB88320), as used by zip and PNG.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 namespace lumi
 {

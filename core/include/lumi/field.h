@@ -6,8 +6,8 @@
 // verify_field() reads every byte and tells whether they are the ones that were written.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 #include "lumi/field_format.h"
 #include "lumi/lattice.h"

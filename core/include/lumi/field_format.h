@@ -3,8 +3,8 @@
 // docs/field-format.md is this header in prose; the writer (baker) and the reader (field.h) both build on it.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 namespace lumi::format
 {

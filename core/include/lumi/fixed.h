@@ -6,7 +6,7 @@
 // Cost: one 32×32→64 multiply; on Cortex-M0+ that is a library call, keep it out of inner loops there.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

@@ -6,7 +6,7 @@
 // over the whole domain, checked in tests/core/math_test.cpp.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "lumi/fixed.h"
 

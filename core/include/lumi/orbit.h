@@ -36,9 +36,9 @@ struct Orbit {
 };
 
 // The field of view over the image's longer side in which the sphere, seen from so far, fills the shorter side but for
-// a margin of 6 %: what `lumi render` takes without --fov. Within what a camera takes: 1 to 120 degrees, the latter also
-// for an eye inside the sphere.
-// Precondition: sides from 1 to kMaxImageSide, a distance of at most kMaxEyeDistanceQ20.
+// a margin of 6 %: what `lumi render` takes without --fov. Within what a camera takes: 1 to 120 degrees, the latter
+// also for an eye inside the sphere. Precondition: sides from 1 to kMaxImageSide, a distance of at most
+// kMaxEyeDistanceQ20.
 uint32_t fit_sphere(int32_t width_px, int32_t height_px, int32_t distance_q20);
 
 // Pose and image of an orbit, for make_camera and make_surface_camera, which check them.

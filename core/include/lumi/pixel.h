@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Output formats of a display: policies with `kBytes`, `store(pointer, colour)`, `store_grey(pointer, value)` (the same
-// for equal channels) and `load(pointer)`. 16-bit pixels lie at even addresses.
+// for equal channels) and `load(pointer)`. Pixels of 16 and 32 bits lie at multiples of their size. Those that hold
+// coverage also have `store_covered(pointer, colour, coverage)`, see OverNothing. Packed greys: pack.h.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "lumi/color.h"
 
@@ -49,6 +50,21 @@ inline constexpr bool kPacks565<PixelRgb565> = true;
 template <>
 inline constexpr bool kPacks565<PixelRgb565Swapped> = true;
 
+// 16 bits, low byte first: red in the low bits, as the Game Boy Advance has it. The top bit is 0.
+struct PixelBgr555 {
+    static constexpr uint32_t kBytes = 2;
+    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_bgr555(c)); }
+    static void store_packed(uint8_t* p, uint16_t v) { store_even16(p, v); }
+    static void store_grey(uint8_t* p, uint8_t v) { store(p, {v, v, v}); }
+    static Rgb8 load(const uint8_t* p) { return unpack_bgr555(load_even16(p)); }
+};
+
+// Formats that also have store_packed(pointer, blue, green and red in 5 bits each).
+template <class Pixel>
+inline constexpr bool kPacks555 = false;
+template <>
+inline constexpr bool kPacks555<PixelBgr555> = true;
+
 // 3 bytes: red, green, blue.
 struct PixelRgb888 {
     static constexpr uint32_t kBytes = 3;
@@ -69,5 +85,37 @@ struct PixelGrey8 {
     static void store_grey(uint8_t* p, uint8_t v) { p[0] = v; }
     static Rgb8 load(const uint8_t* p) { return {p[0], p[0], p[0]}; }
 };
+
+// 4 bytes: blue, green, red, coverage. A 32-bit word, low byte first, has coverage on top. Colours are not
+// premultiplied.
+struct PixelArgb8888 {
+    static constexpr uint32_t kBytes = 4;
+    static void store(uint8_t* p, const Rgb8& c) { store_covered(p, c, 255); }
+    static void store_covered(uint8_t* p, const Rgb8& c, uint8_t coverage)
+    {
+        const uint32_t v = static_cast<uint32_t>(coverage) << 24 | static_cast<uint32_t>(c.r) << 16 |
+                           static_cast<uint32_t>(c.g) << 8 | c.b;
+        __builtin_memcpy(__builtin_assume_aligned(p, 4), &v, 4);
+    }
+    static void store_grey(uint8_t* p, uint8_t v) { store(p, {v, v, v}); }
+    static Rgb8 load(const uint8_t* p) { return {p[2], p[1], p[0]}; }
+};
+
+// 1 byte of coverage alone, without colour.
+struct PixelA8 {
+    static constexpr uint32_t kBytes = 1;
+    static void store(uint8_t* p, const Rgb8&) { p[0] = 255; }
+    static void store_covered(uint8_t* p, const Rgb8&, uint8_t coverage) { p[0] = coverage; }
+    static void store_grey(uint8_t* p, uint8_t) { p[0] = 255; }
+    static Rgb8 load(const uint8_t* p) { return {p[0], p[0], p[0]}; }
+};
+
+// Formats that have store_covered().
+template <class Pixel>
+inline constexpr bool kHoldsCoverage = false;
+template <>
+inline constexpr bool kHoldsCoverage<PixelArgb8888> = true;
+template <>
+inline constexpr bool kHoldsCoverage<PixelA8> = true;
 
 }  // namespace lumi

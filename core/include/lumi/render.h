@@ -48,9 +48,13 @@ void draw_exact(const Field& field, const Camera& camera, const Background& back
 template <class Pixel, class Background>
 void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
 {
-    const Rgb8 colour = background.template under<Pixel>(nullptr);
+    if constexpr (kKeepsCoverage<Background>) {
+        __builtin_memset(pixel, 0, static_cast<uint32_t>(count) * Pixel::kBytes);
+    } else {
+        const Rgb8 colour = background.template under<Pixel>(nullptr);
 #pragma GCC unroll 8
-    for (int32_t k = 0; k < count; ++k, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
+        for (int32_t k = 0; k < count; ++k, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
+    }
 }
 
 // Writes the background on both sides of a row's covered span, where the background is of the kind that fills: never

@@ -10,6 +10,8 @@
 #pragma once
 
 #include "lumi/background.h"
+#include "lumi/detail/hot.h"
+#include "lumi/detail/register_hints.h"
 #include "lumi/render.h"
 #include "lumi/surface_frame.h"
 
@@ -38,7 +40,7 @@ inline bool blends_outlines(const SurfaceFrame& frame)
 }
 
 // Clears the depths and draws every triangle that reaches the rectangle.
-void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* depths, PackedColour* colours);
+LUMI_HOT void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* depths, PackedColour* colours);
 
 // The samples of a pixel that some background shows through.
 template <class Pixel, class Background>
@@ -54,6 +56,25 @@ __attribute__((noinline)) void store_mixed(uint8_t* pixel, const Background& bac
         b += c.b;
     }
     Pixel::store(pixel, {static_cast<uint8_t>(r >> 2), static_cast<uint8_t>(g >> 2), static_cast<uint8_t>(b >> 2)});
+}
+
+// The same over nothing: the mean colour of the samples that are covered, and how many they are.
+template <class Pixel>
+__attribute__((noinline)) void store_covered_part(uint8_t* pixel, const uint16_t* const (&depths)[2],
+                                                  const PackedColour* const (&colours)[2])
+{
+    constexpr uint32_t kShareQ16[] = {0, 65536, 32768, 21846, 16384};
+    uint32_t r = 0, g = 0, b = 0, count = 0;
+    for (int k = 0; k < 4; ++k) {
+        if (depths[k >> 1][k & 1] == kEmptyDepth) continue;
+        const Rgb8 c = unpacked(colours[k >> 1][k & 1]);
+        r += c.r;
+        g += c.g;
+        b += c.b;
+        ++count;
+    }
+    const auto mean = [&](uint32_t sum) { return static_cast<uint8_t>((sum * kShareQ16[count] + 32768) >> 16); };
+    store_part<Pixel>(pixel, {mean(r), mean(g), mean(b)}, static_cast<uint8_t>((count * 255 + 2) >> 2));
 }
 
 // A pixel that an outline cuts is marked by the first guard bit of its colour, or where it is empty by a depth below
@@ -86,6 +107,24 @@ __attribute__((noinline)) void store_marked(uint8_t* pixel, const Background& ba
     Pixel::store(pixel, {channel(own.r, other.r), channel(own.g, other.g), channel(own.b, other.b)});
 }
 
+// The same over nothing: where one of the two is empty, the other's colour with its share.
+template <class Pixel>
+__attribute__((noinline)) void store_marked_part(uint8_t* pixel, const SampleRow& row, int32_t x)
+{
+    const uint32_t mark = row.depths[x], share = mark & 15;
+    const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
+    const int32_t other_x = x + steps[(mark >> 4) & 3];
+    const auto colour_at = [&](int32_t k) { return unpacked(row.colours[k] & ~kMarkedColour); };
+    const bool has_own = row.depths[x] >= kFarDepth, has_other = row.depths[other_x] >= kFarDepth;
+    const Rgb8 own = colour_at(has_own ? x : other_x), other = colour_at(has_other ? other_x : x);
+    const auto channel = [&](uint32_t a, uint32_t b) {
+        return static_cast<uint8_t>((a * (32 - share) + b * share + 16) >> 5);
+    };
+    const uint32_t covered = (has_own ? 32 - share : 0) + (has_other ? share : 0);
+    const Rgb8 colour = {channel(own.r, other.r), channel(own.g, other.g), channel(own.b, other.b)};
+    store_part<Pixel>(pixel, covered != 0 ? colour : Rgb8{0, 0, 0}, static_cast<uint8_t>((covered * 255 + 16) >> 5));
+}
+
 template <class Pixel, class Background>
 void resolve_row(const Background& background, uint8_t* pixel, int32_t count, const SampleRow& row)
 {
@@ -97,9 +136,14 @@ void resolve_row(const Background& background, uint8_t* pixel, int32_t count, co
         if (depth >= kFarDepth && (colour & kMarkedColour) == 0) {
             store_colour<Pixel>(pixel, colour);
         } else if (depth != kEmptyDepth) {
-            store_marked<Pixel>(pixel, background, row, static_cast<int32_t>(depth_at - row.depths));
+            const int32_t x = static_cast<int32_t>(depth_at - row.depths);
+            if constexpr (kKeepsCoverage<Background>) {
+                store_marked_part<Pixel>(pixel, row, x);
+            } else {
+                store_marked<Pixel>(pixel, background, row, x);
+            }
         } else if (Background::kFills) {
-            Pixel::store(pixel, background.template under<Pixel>(pixel));
+            store_background<Pixel>(pixel, background);
         }
         pixel += Pixel::kBytes;
     }
@@ -115,19 +159,21 @@ void resolve_two_by_two(const Background& background, uint8_t* pixel, int32_t co
         if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0) {
             store_colour<Pixel>(pixel, mean_of(mean_of(above[0], above[1]), mean_of(below[0], below[1])));
         } else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0) {
-            store_mixed<Pixel>(pixel, background, {upper, lower}, {above, below});
+            if constexpr (kKeepsCoverage<Background>) {
+                store_covered_part<Pixel>(pixel, {upper, lower}, {above, below});
+            } else {
+                store_mixed<Pixel>(pixel, background, {upper, lower}, {above, below});
+            }
         } else if (Background::kFills) {
-            Pixel::store(pixel, background.template under<Pixel>(pixel));
+            store_background<Pixel>(pixel, background);
         }
     }
 }
 
-}  // namespace surfaces
-
-// Draws every pixel of the stripe: over a constant colour all of them are written, over the stripe's own content only
-// those that the surface covers. `samples`: surface_stripe_bytes() of the stripe, at an address divisible by 4.
-template <class Pixel, class Background>
-void render_surface(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, void* samples)
+// Fills the samples of a stripe, unless they are there already, and makes pixels of them.
+template <class Pixel, bool kFillsSamples, class Background>
+LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background& background, const Stripe& stripe,
+                                    void* samples)
 {
     const auto clamped_to = [](int32_t v, const PixelRange& r) {
         return v < r.begin ? r.begin : v < r.end ? v : r.end;
@@ -135,16 +181,16 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
     const int32_t left = clamped_to(stripe.x_px, frame.columns), right = clamped_to(stripe.right_px(), frame.columns);
     const int32_t top = clamped_to(stripe.y_px, frame.rows), bottom = clamped_to(stripe.bottom_px(), frame.rows);
     const bool is_drawn = left < right && top < bottom;
-    const int32_t margin = surfaces::blends_outlines(frame) ? 1 : 0;
+    const int32_t margin = blends_outlines(frame) ? 1 : 0;
     const int32_t from_x = clamped_to(left - margin, frame.columns), from_y = clamped_to(top - margin, frame.rows);
-    const surfaces::SampleRect rect = {from_x, from_y, clamped_to(right + margin, frame.columns) - from_x,
-                                       clamped_to(bottom + margin, frame.rows) - from_y};
+    const SampleRect rect = {from_x, from_y, clamped_to(right + margin, frame.columns) - from_x,
+                             clamped_to(bottom + margin, frame.rows) - from_y};
     const uint32_t row_samples = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
     PackedColour* colours = static_cast<PackedColour*>(samples);
     uint16_t* depths = nullptr;
     if (is_drawn) {
         depths = reinterpret_cast<uint16_t*>(colours + row_samples * static_cast<uint32_t>(rect.height_px));
-        surfaces::rasterize(frame, rect, depths, colours);
+        if (kFillsSamples) rasterize(frame, rect, depths, colours);
         const uint32_t before =
             static_cast<uint32_t>(top - from_y) * row_samples + static_cast<uint32_t>(left - from_x);
         depths += before;
@@ -156,13 +202,30 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
         if (!has_row) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
         if (frame.samples_log2 == 0) {
-            surfaces::resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px});
+            resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px});
         } else {
-            surfaces::resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
+            resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
         }
         depths += row_samples;
         colours += row_samples;
     }
+}
+
+}  // namespace surfaces
+
+// Draws every pixel of the stripe: over a constant colour all of them are written, over the stripe's own content only
+// those that the surface covers. `samples`: surface_stripe_bytes() of the stripe, at an address divisible by 4.
+template <class Pixel, class Background>
+void render_surface(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, void* samples)
+{
+    surfaces::draw_stripe<Pixel, true>(frame, background, stripe, samples);
+}
+
+// The coverage of the stripe that render_surface drew last into these samples, a byte a pixel: `coverage` has that
+// stripe's place and size in the image. Colours over nothing and this are the planes of LVGL's RGB565A8.
+inline void render_coverage(const SurfaceFrame& frame, const Stripe& coverage, void* samples)
+{
+    surfaces::draw_stripe<PixelA8, false>(frame, OverNothing{}, coverage, samples);
 }
 
 }  // namespace lumi

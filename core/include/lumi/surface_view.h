@@ -8,8 +8,8 @@
 namespace lumi
 {
 
-// Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for modes up to kFinest: 2 × 2
-// takes four times as many samples as the others.
+// Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for modes up to kFinest: 2 ×
+// 2 takes four times as many samples as the others.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased>
 struct SurfaceDrawing {
     static_assert(kVertices <= format::kMaxSurfaceVertices && kPatches <= format::kMaxPatches, "more than a field has");
@@ -57,6 +57,15 @@ struct SurfaceDrawing {
                 return ViewError::stripe_too_large;
             }
             render_surface<typename ScreenOf::Pixel>(frame_, background, stripe, samples.words);
+            return ViewError::none;
+        }
+
+        ViewError draw_coverage(const Stripe& coverage, const views::StripePart& part, Samples<ScreenOf>& samples) const
+        {
+            if (surface_stripe_bytes(part.width_px, part.rows_px, frame_.mode) > Samples<ScreenOf>::kBytes) {
+                return ViewError::stripe_too_large;
+            }
+            render_coverage(frame_, coverage, samples.words);
             return ViewError::none;
         }
 

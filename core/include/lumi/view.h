@@ -78,7 +78,10 @@ public:
 
     // Compares every byte with the checksums that were written with it: tells damaged flash from flash as it was
     // written. Reads the whole field once.
-    ViewError verify() const { return bytes_ == nullptr ? ViewError::no_field : view_error(verify_field(bytes_, size_)); }
+    ViewError verify() const
+    {
+        return bytes_ == nullptr ? ViewError::no_field : view_error(verify_field(bytes_, size_));
+    }
 
     // The next frame's eye. A failure leaves the frame as it was.
     ViewError look(const Orbit& orbit, Mode mode = Drawing::kDefaultMode)
@@ -109,6 +112,16 @@ public:
         const ViewError error =
             views::check_stripe(stripe, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, Pixel::kBytes, part);
         return error == ViewError::none ? state_.draw(stripe, part, background, samples) : error;
+    }
+
+    // A surface field's coverage of the stripe that was drawn last over OverNothing, a byte a pixel: see
+    // render_coverage.
+    ViewError draw_coverage(const Stripe& coverage)
+    {
+        if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
+        views::StripePart part = {};
+        const ViewError error = views::check_stripe(coverage, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, 1, part);
+        return error == ViewError::none ? state_.draw_coverage(coverage, part, samples_) : error;
     }
 
 private:

@@ -30,8 +30,8 @@ uint32_t fit_sphere(int32_t width_px, int32_t height_px, int32_t distance_q20)
     // of the sides.
     const bool is_wide = width_px > height_px;
     const int64_t longer = is_wide ? width_px : height_px, shorter = is_wide ? height_px : width_px;
-    uint64_t across = static_cast<uint64_t>(longer * kMarginQ20) << 10;                        // Q30, below 2^44
-    uint64_t along = static_cast<uint64_t>(shorter) * tangent_length_q30(distance_q20);        // Q30, below 2^54
+    uint64_t across = static_cast<uint64_t>(longer * kMarginQ20) << 10;                  // Q30, below 2^44
+    uint64_t along = static_cast<uint64_t>(shorter) * tangent_length_q30(distance_q20);  // Q30, below 2^54
     while ((across | along) >= uint64_t{1} << 30) across >>= 1, along >>= 1;
     const uint32_t half = angle_turns32(static_cast<int32_t>(across), static_cast<int32_t>(along));
     if (half > kMaxFovTurns32 / 2) return kMaxFovTurns32;

@@ -6,7 +6,7 @@
 // triangles are therefore constants. tests/core/polar_test.cpp recomputes them by brute force.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "math/generate.h"
 

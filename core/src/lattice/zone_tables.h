@@ -5,7 +5,7 @@
 // and F_k+1 (Keinert et al. 2015, section 3). From Φ^(2k+1) on they form an obtuse angle.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

@@ -2,7 +2,7 @@
 // Reciprocals: a table and one Newton step, 32-bit products. Table: 768 bytes.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

@@ -108,7 +108,7 @@ struct Descent {
 };
 
 template <Filter kFilter>
-__attribute__((noinline)) void fill_rows(const Descent& d, const Texture& texture, const Target& target)
+LUMI_ALWAYS_INLINE void fill_rows(const Descent& d, const Texture& texture, const Target& target)
 {
     Planes at = d.planes;
     if (kFilter == Filter::two_taps) at.place.value -= kQuarter;
@@ -122,7 +122,8 @@ __attribute__((noinline)) void fill_rows(const Descent& d, const Texture& textur
             const uint32_t column = static_cast<uint32_t>(first);
             const auto at_first = [&](const Plane& p) { return p.value + column * p.right; };
             fill_samples<kFilter>(target.depths + row + first, target.depths + row + last, target.colours + row + first,
-                                  at_first(at.depth), at_first(at.place), at_first(at.colour), at, texture, target.palette, target.has_two_taps);
+                                  at_first(at.depth), at_first(at.place), at_first(at.colour), at, texture,
+                                  target.palette, target.has_two_taps);
         }
         left.x_q16 += left.step_q16;
         right.x_q16 += right.step_q16;
@@ -131,6 +132,21 @@ __attribute__((noinline)) void fill_rows(const Descent& d, const Texture& textur
         at.place.value += at.place.down;
         at.colour.value += at.colour.down;
     }
+}
+
+LUMI_HOT __attribute__((noinline)) void fill_nearest(const Descent& d, const Texture& texture, const Target& target)
+{
+    fill_rows<Filter::nearest>(d, texture, target);
+}
+
+LUMI_HOT __attribute__((noinline)) void fill_two_taps(const Descent& d, const Texture& texture, const Target& target)
+{
+    fill_rows<Filter::two_taps>(d, texture, target);
+}
+
+LUMI_HOT __attribute__((noinline)) void fill_bilinear(const Descent& d, const Texture& texture, const Target& target)
+{
+    fill_rows<Filter::bilinear>(d, texture, target);
 }
 
 // A triangle's corners from the upper one on, and the rows of samples where it begins, its short edges meet and it
@@ -178,8 +194,8 @@ LUMI_ALWAYS_INLINE void set_edges(Descent& d, const Outline& o, int32_t first_co
 
 }  // namespace
 
-void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
-                   const Target& target)
+LUMI_HOT void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
+                            const Target& target)
 {
     Facing f = {&a, &b, &c, between(a.point, b.point), between(a.point, c.point)};
     int32_t area = doubled_area(f.ab, f.ac);
@@ -199,11 +215,11 @@ void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_s
     d.planes = {maker.depth(), maker.place(), maker.colour()};
     set_edges(d, o, target.x);
     if (is_magnified(d.planes.place, target.magnified_q10)) {
-        fill_rows<Filter::bilinear>(d, texture, target);
+        fill_bilinear(d, texture, target);
     } else if (target.has_two_taps) {
-        fill_rows<Filter::two_taps>(d, texture, target);
+        fill_two_taps(d, texture, target);
     } else {
-        fill_rows<Filter::nearest>(d, texture, target);
+        fill_nearest(d, texture, target);
     }
 }
 

@@ -6,6 +6,7 @@
 // a sample nor leave one out.
 #pragma once
 
+#include "lumi/detail/hot.h"
 #include "surface/projection.h"
 
 namespace lumi::surfaces
@@ -50,7 +51,7 @@ inline int32_t blue_q2(uint32_t colour)
 
 // Fills a triangle at most kSmallQ6 wide and high whose corners are there and lie counter-clockwise on the screen, or
 // clockwise, too, where `two_sided`.
-void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
-                   const Target& target);
+LUMI_HOT void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
+                            const Target& target);
 
 }  // namespace lumi::surfaces

@@ -16,7 +16,7 @@ PackedColour clamped_field(PackedColour sum, uint32_t guard, uint32_t value_bits
 
 }  // namespace
 
-PackedColour clamped(PackedColour sum)
+LUMI_HOT PackedColour clamped(PackedColour sum)
 {
     sum = clamped_field(sum, 0x80000000, 0x7FE00000);
     sum = clamped_field(sum, 0x00100000, 0x000FFC00);

@@ -86,7 +86,7 @@ void each_between(const SurfaceFrame& frame, int32_t top, int32_t bottom, const 
 
 }  // namespace
 
-void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* depths, PackedColour* colours)
+LUMI_HOT void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint16_t* depths, PackedColour* colours)
 {
     const int32_t log2 = static_cast<int32_t>(frame.samples_log2);
     const Target target = {depths,

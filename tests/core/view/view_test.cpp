@@ -70,9 +70,8 @@ Bytes free_surface_frame(const Bytes& bytes, SurfaceMode mode)
     SurfaceFrame frame;
     prepare_surface<Pixel>(field, camera, mode, {vertices.data(), links.data(), bands.data(), 3}, frame);
     std::vector<uint32_t> samples(surface_stripe_bytes(kWidth, kRows, mode) / 4 + 1);
-    return frame_by<Pixel>(kRows, [&](const Stripe& stripe) {
-        render_surface<Pixel>(frame, OverBlack{}, stripe, samples.data());
-    });
+    return frame_by<Pixel>(
+        kRows, [&](const Stripe& stripe) { render_surface<Pixel>(frame, OverBlack{}, stripe, samples.data()); });
 }
 
 template <class Pixel>

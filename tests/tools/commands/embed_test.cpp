@@ -66,9 +66,10 @@ TEST_CASE("an array in C holds the field's very bytes, in C and in C++")
     const std::string bytes = test::field_bytes({}), program = folder / "main";
     test::write_content(folder / "a.lumi", bytes);
     REQUIRE(lumi({"embed", folder / "a.lumi", "-o", folder / "a.c", "--section", ".my_section"}).code == 0);
-    test::write_content(program + ".c",
-                        "#include <stdio.h>\n#include \"a.h\"\n"
-                        "int main(void) { return (uintptr_t)a % 8 != 0 || fwrite(a, 1, a_size(), stdout) != a_size(); }\n");
+    test::write_content(
+        program + ".c",
+        "#include <stdio.h>\n#include \"a.h\"\n"
+        "int main(void) { return (uintptr_t)a % 8 != 0 || fwrite(a, 1, a_size(), stdout) != a_size(); }\n");
     for (const char* language : {"c", "c++"}) {
         require_success({LUMI_C_COMPILER, "-pedantic", "-Wall", "-Wextra", "-Werror", "-I", LUMI_CORE_INCLUDE, "-x",
                          language, program + ".c", folder / "a.c", "-o", program});
@@ -104,7 +105,8 @@ TEST_CASE("header and inspect name the view of exactly this field")
     const auto check = [&](const std::string& name, const std::string& view) {
         CHECK_THAT(lumi({"inspect", folder / (name + ".lumi")}).out, Catch::Contains("drawn by      " + view + "\n"));
         REQUIRE(lumi({"embed", folder / (name + ".lumi"), "-o", folder / (name + ".bin")}).code == 0);
-        CHECK_THAT(test::content_of(folder / (name + ".h")), Catch::Contains("using " + name + "_view = " + view + ";"));
+        CHECK_THAT(test::content_of(folder / (name + ".h")),
+                   Catch::Contains("using " + name + "_view = " + view + ";"));
     };
     check("chord", "lumi::View<lumi::ChordDrawing<lumi::TexelLuma8, Reconstruction>, Screen>");
     check("few", "lumi::View<lumi::ExactChordDrawing<lumi::TexelRgb888, Reconstruction>, Screen>");

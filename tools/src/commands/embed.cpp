@@ -98,7 +98,8 @@ void add_embed(CLI::App& lumi)
         ->required();
     command->add_option("--symbol", options->symbol, "Name of the bytes in C [the output's name without .S]")
         ->type_name("NAME");
-    command->add_option("--section", options->section, "Section of the bytes, such as .flashdata.field or .qspi [.rodata]")
+    command
+        ->add_option("--section", options->section, "Section of the bytes, such as .flashdata.field or .qspi [.rodata]")
         ->type_name("NAME");
     command
         ->add_option("--incbin", options->incbin,

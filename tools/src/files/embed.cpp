@@ -53,14 +53,15 @@ std::string symbol_from(std::string_view text)
 bool is_section(std::string_view text)
 {
     const auto is_sign = [](char c) { return c == '.' || c == '$' || c == '-'; };
-    return !text.empty() && std::all_of(text.begin(), text.end(),
-                                        [&](char c) { return is_letter(c) || is_digit(c) || is_sign(c); });
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || is_digit(c) || is_sign(c); });
 }
 
 // %progbits, not @progbits: in ARM assembler @ begins a comment. The path goes in last: it may hold any text.
 std::string embed_assembler(const EmbedName& name, const std::string& path)
 {
-    const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. A relative path below is looked up in the compiler's
+    const std::string text =
+        R"(/* Written by `lumi embed`. Change the field, not this file. A relative path below is looked up in the compiler's
    folder and in those of -I: give it this file's. */
     .section @SECTION@, "a", %progbits
     .balign 8

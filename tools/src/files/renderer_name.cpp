@@ -35,9 +35,9 @@ RendererName renderer_of(const FieldFile& field)
                 "lumi::View<lumi::SurfaceDrawing<" + counts + ", Finest>, Screen>"};
     }
     const std::string drawing = fits_spans(field.field()) ? "ChordDrawing" : "ExactChordDrawing";
-    return {"lumi/chord_view.h", "open_field", "class Reconstruction = lumi::Linear",
-            "lumi::View<lumi::" + drawing + "<" + texel_policy(field.field().texel_format) +
-                ", Reconstruction>, Screen>"};
+    return {
+        "lumi/chord_view.h", "open_field", "class Reconstruction = lumi::Linear",
+        "lumi::View<lumi::" + drawing + "<" + texel_policy(field.field().texel_format) + ", Reconstruction>, Screen>"};
 }
 
 }  // namespace lumi::tools

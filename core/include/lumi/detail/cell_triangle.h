@@ -3,7 +3,7 @@
 // same triangles by the halves of words (chord/pair_steps.h) or by branches (src/chord/armv6m); tests compare them.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

@@ -3,7 +3,7 @@
 // tables with linear interpolation (src/math/coarse_math.cpp, 0.8 KB). math.h has the exact ones.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

@@ -6,7 +6,7 @@
 #include <arm_acle.h>
 #endif
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "lumi/detail/register_hints.h"
 

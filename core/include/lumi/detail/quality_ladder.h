@@ -3,7 +3,7 @@
 // surface_quality.h name the steps.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

@@ -8,7 +8,7 @@
 // both choices weigh the same corners.
 #pragma once
 
-#include <cstddef>
+#include <stddef.h>
 
 #include "lumi/detail/chord/pairs.h"
 #include "lumi/detail/chord/sums.h"

@@ -5,7 +5,7 @@
 // turns negative the line has crossed that edge and the triangle beyond takes over.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

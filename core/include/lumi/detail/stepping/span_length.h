@@ -2,7 +2,7 @@
 // How long spans are next to the sphere's rim, where hits turn fast, and where they lie between their ends.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace lumi
 {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lumi/color.h"
+#include "lumi/detail/hot.h"
 #include "lumi/pixel.h"
 
 namespace lumi
@@ -26,7 +27,7 @@ constexpr PackedColour packed_difference(int32_t r_q2, int32_t g_q2, int32_t b_q
 }
 
 // A sum with some guard bit set: that channel is below 0 (the next bit is set, too) or above the most there is.
-PackedColour clamped(PackedColour sum);
+LUMI_HOT PackedColour clamped(PackedColour sum);
 
 // Of two, each channel rounded down.
 constexpr PackedColour mean_of(PackedColour a, PackedColour b)
@@ -47,6 +48,9 @@ constexpr PackedColour palette_colour(const Rgb8& c)
         const auto five = [](uint32_t v) { return (v * 4 * 248 + 127) / 255 + 16; };
         const auto six = [](uint32_t v) { return (v * 4 * 252 + 127) / 255 + 8; };
         return packed_colour(five(c.r), six(c.g), five(c.b));
+    } else if constexpr (kPacks555<Pixel>) {
+        const auto five = [](uint32_t v) { return (v * 4 * 248 + 127) / 255 + 16; };
+        return packed_colour(five(c.r), five(c.g), five(c.b));
     } else {
         return packed_colour(4u * c.r + 2, 4u * c.g + 2, 4u * c.b + 2);
     }
@@ -57,6 +61,8 @@ inline void store_colour(uint8_t* pixel, PackedColour c)
 {
     if constexpr (kPacks565<Pixel>) {
         Pixel::store_packed(pixel, static_cast<uint16_t>((c >> 15 & 0xF800) | (c >> 9 & 0x07E0) | (c >> 4 & 0x1F)));
+    } else if constexpr (kPacks555<Pixel>) {
+        Pixel::store_packed(pixel, static_cast<uint16_t>((c >> 26 & 0x1F) | (c >> 10 & 0x03E0) | (c << 6 & 0x7C00)));
     } else {
         Pixel::store(pixel, unpacked(c));
     }

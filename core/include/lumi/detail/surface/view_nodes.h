@@ -8,7 +8,7 @@
 // no unit length. Weights are barycentric in that plane: continuous over all directions.
 #pragma once
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "lumi/surface_format.h"
 

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include "lumi/surface_view.h"
+#include "surface_bytes.h"
+
+using namespace lumi;
+using test::Bytes;
+
+namespace
+{
+
+constexpr int32_t kWidth = 60, kHeight = 44, kRows = 11;
+constexpr Orbit kOrbit = {degrees(35), degrees(25), radii(5) / 2};
+constexpr SurfaceMode kModes[] = {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two};
+
+template <class Pixel>
+using BallView = View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two>, Screen<kWidth, kHeight, kRows, Pixel>>;
+
+struct Drawn {
+    Bytes pixels, coverage;
+};
+
+template <class Pixel, class Background>
+Drawn drawn(SurfaceMode mode, const Background& background, int32_t rows = kRows)
+{
+    static BallView<Pixel> view;
+    static const Bytes file = test::surface_file(test::bumpy_ball());
+    REQUIRE(view.open(file.data(), file.size()) == ViewError::none);
+    REQUIRE(view.look(kOrbit, mode) == ViewError::none);
+    constexpr uint32_t kStride = kWidth * Pixel::kBytes;
+    Drawn result = {Bytes(kStride * kHeight, 0xA5), Bytes(kWidth * kHeight, 0xA5)};
+    for (int32_t y = 0; y < kHeight; y += rows) {
+        const uint32_t at = static_cast<uint32_t>(y);
+        REQUIRE(view.draw({result.pixels.data() + at * kStride, 0, y, kWidth, rows, kStride}, background) ==
+                ViewError::none);
+        REQUIRE(view.draw_coverage({result.coverage.data() + at * kWidth, 0, y, kWidth, rows, kWidth}) ==
+                ViewError::none);
+    }
+    return result;
+}
+
+int32_t blended(int32_t colour, int32_t coverage, int32_t under)
+{
+    return (colour * coverage + under * (255 - coverage) + 127) / 255;
+}
+
+// The largest difference between what was drawn over a colour, and what was drawn over nothing and laid over it.
+int32_t worst_difference(SurfaceMode mode, const Rgb8& under)
+{
+    const Bytes over = drawn<PixelRgb888>(mode, OverColour{under}).pixels;
+    const Bytes argb = drawn<PixelArgb8888>(mode, OverNothing{}).pixels;
+    int32_t worst = 0;
+    for (size_t k = 0; k < size_t{kWidth * kHeight}; ++k) {
+        const uint8_t* c = argb.data() + 4 * k;
+        const int32_t laid[] = {blended(c[2], c[3], under.r), blended(c[1], c[3], under.g),
+                                blended(c[0], c[3], under.b)};
+        for (size_t i = 0; i < 3; ++i) worst = std::max(worst, std::abs(laid[i] - over[3 * k + i]));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("what is drawn over nothing and laid over a colour is what is drawn over the colour")
+{
+    // Rounding of the coverage to 1/255 and of two blends: half a level each, and what is cut off of a mean of four.
+    for (const SurfaceMode mode : kModes) {
+        CHECK(worst_difference(mode, {0, 0, 0}) <= 2);
+        CHECK(worst_difference(mode, {255, 30, 130}) <= 2);
+    }
+}
+
+TEST_CASE("coverage is 0, 255 or between at outlines, and the same in each of its three forms")
+{
+    for (const SurfaceMode mode : kModes) {
+        const Drawn argb = drawn<PixelArgb8888>(mode, OverNothing{});
+        CHECK((drawn<PixelA8>(mode, OverNothing{}).pixels == argb.coverage));
+        CHECK((drawn<PixelRgb565>(mode, OverNothing{}).coverage == argb.coverage));
+        uint32_t wrong = 0, empty = 0, part = 0, full = 0;
+        for (size_t k = 0; k < argb.coverage.size(); ++k) {
+            const uint8_t a = argb.coverage[k];
+            wrong += argb.pixels[4 * k + 3] != a;
+            ++(a == 0 ? empty : a == 255 ? full : part);
+        }
+        CHECK(wrong == 0);
+        CHECK(empty > 100);
+        CHECK(full > 400);
+        CHECK((part > 20) == (mode != SurfaceMode::one_sample));
+    }
+}
+
+TEST_CASE("pixels with coverage are opaque over a colour")
+{
+    const Bytes argb = drawn<PixelArgb8888>(SurfaceMode::antialiased, OverColour{{9, 8, 7}}).pixels;
+    const Bytes rgb = drawn<PixelRgb888>(SurfaceMode::antialiased, OverColour{{9, 8, 7}}).pixels;
+    uint32_t wrong = 0;
+    for (size_t k = 0; k < size_t{kWidth * kHeight}; ++k) {
+        const uint8_t *a = argb.data() + 4 * k, *b = rgb.data() + 3 * k;
+        wrong += a[0] != b[2] || a[1] != b[1] || a[2] != b[0] || a[3] != 255;
+    }
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("coverage does not depend on stripes")
+{
+    for (const SurfaceMode mode : kModes) {
+        const Drawn whole = drawn<PixelArgb8888>(mode, OverNothing{}),
+                    cut = drawn<PixelArgb8888>(mode, OverNothing{}, 4);
+        CHECK((whole.pixels == cut.pixels));
+        CHECK((whole.coverage == cut.coverage));
+    }
+}
+
+TEST_CASE("5-5-5 pixels are those of 8 bits to the nearest step, with the top bit clear")
+{
+    for (const SurfaceMode mode : kModes) {
+        const Bytes packed = drawn<PixelBgr555>(mode, OverColour{{40, 250, 3}}).pixels;
+        const Bytes rgb = drawn<PixelRgb888>(mode, OverColour{{40, 250, 3}}).pixels;
+        int32_t worst = 0;
+        uint32_t top = 0;
+        for (size_t k = 0; k < size_t{kWidth * kHeight}; ++k) {
+            const Rgb8 c = PixelBgr555::load(packed.data() + 2 * k);
+            top |= packed[2 * k + 1] & 0x80u;
+            for (const int32_t d : {c.r - rgb[3 * k], c.g - rgb[3 * k + 1], c.b - rgb[3 * k + 2]})
+                worst = std::max(worst, std::abs(d));
+        }
+        CHECK(top == 0);
+        CHECK(worst <= 8);  // a step is 255/31
+    }
+}
