@@ -54,7 +54,8 @@ TEST_CASE("the sphere fits the image from every distance and in every shape, to 
 
 TEST_CASE("a field of view that fits lies within what a camera takes")
 {
-    for (const int32_t distance : {INT32_MIN, 0, kOneQ20, kOneQ20 + 1, radii(3), kMaxEyeDistanceQ20, INT32_MAX})
+    const int32_t distances[] = {INT32_MIN, 0, kOneQ20, kOneQ20 + 1, radii(3), kMaxEyeDistanceQ20, INT32_MAX};
+    for (const int32_t distance : distances)
         for (const auto& [width, height] :
              {std::make_pair(1, 1), std::make_pair(1, 8192), std::make_pair(8192, 8191)}) {
             const uint32_t fov = fit_sphere(width, height, distance);
