@@ -44,6 +44,9 @@ set(LUMI_PLAIN_FILES
   tools/planner/fit_test.cpp
   tools/planner/plan_search_test.cpp
   tools/planner/speed_test.cpp
+  tools/planner/surface_plan_test.cpp
+  tools/planner/surface_speed_test.cpp
+  tools/commands/bake_default_test.cpp
   tools/commands/fit_test.cpp
   tools/commands/report_test.cpp
   tools/commands/scale_test.cpp)
@@ -73,5 +76,20 @@ function(lumi_test_program target area)
   target_compile_definitions(${target} PRIVATE CATCH_CONFIG_FAST_COMPILE)
   target_link_libraries(${target} PRIVATE lumi_catch_main lumi_options Catch2::Catch2)
   target_precompile_headers(${target} PRIVATE <catch2/catch.hpp> ${LUMI_STD_HEADERS})
-  catch_discover_tests(${target} TEST_SPEC "${LUMI_TEST_SPEC}" TEST_PREFIX ${LUMI_TEST_PREFIX}${area}.)
+  if(LUMI_SANITIZE)
+    lumi_tests_by_file(${target} ${area} ${sources})
+  else()
+    catch_discover_tests(${target} TEST_PREFIX ${area}.)
+  endif()
+endfunction()
+
+# One process a file of tests, where a process is slow to start; what a file's tests share is made once.
+function(lumi_tests_by_file target area)
+  list(FILTER ARGN INCLUDE REGEX "_test\\.cpp$")
+  list(TRANSFORM ARGN REPLACE "^.*/|\\.cpp$" "")
+  list(REMOVE_DUPLICATES ARGN)
+  foreach(file IN LISTS ARGN)
+    add_test(NAME ${LUMI_TEST_PREFIX}${area}.${file}
+      COMMAND ${target} --filenames-as-tags --warn NoTests "[#${file}]${LUMI_TEST_SPEC}")
+  endforeach()
 endfunction()

@@ -3,8 +3,9 @@
 # tools/test.sh [--all]
 # Builds everything with warnings as errors and runs the tests: on the host, on the host under AddressSanitizer and
 # UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
-# --all adds what tests/scope.cmake leaves out: every test under sanitizers too (built without precompiled headers, which
-# shows missing includes), every policy, frame and unit test on every board, and clang-tidy. A missing tool is an error.
+# --all adds what tests/scope.cmake leaves out: every test under sanitizers too (built file by file, without precompiled
+# headers, which shows missing includes), every policy, frame and unit test on every board, and clang-tidy. A missing tool
+# is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -18,7 +19,7 @@ parse_arguments() {
     case $1 in
       --all)
         packages=all all=ON
-        sanitize_options=(-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+        sanitize_options=(-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DLUMI_UNITY=OFF)
         ;;
       --help) help "$0" && exit ;;
       *) wrong_call "unknown argument '$1'" ;;

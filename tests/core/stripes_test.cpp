@@ -15,10 +15,16 @@ namespace
 {
 
 constexpr int32_t kSide = 40;
-constexpr size_t kGuardBytes = 4096;
 constexpr uint8_t kGuard = 0xA5;
 constexpr uint8_t kBackground = 3;
 constexpr uint8_t kTexel = 200;
+#ifdef LUMI_TEST_LIGHT
+constexpr size_t kGuardBytes = 512;
+const std::vector<double> kFovs = {1.0, 120.0}, kDistances = {1.0, 3.0};
+#else
+constexpr size_t kGuardBytes = 4096;
+const std::vector<double> kFovs = {1.0, 40.0, 120.0}, kDistances = {1.0, 1.01, 3.0, 2000.0};
+#endif
 
 struct Place {
     int32_t x, y, width, height;
@@ -59,17 +65,19 @@ void check_stripe(const Place& place, Draw draw)
     INFO("stripe at " << place.x << ", " << place.y << ", " << place.width << " x " << place.height);
     REQUIRE(is_guard(bytes, 0, kGuardBytes));
     REQUIRE(is_guard(bytes, kGuardBytes + size, bytes.size()));
+    size_t wrong = 0;
     for (int32_t row = 0; row < place.height; ++row) {
         const uint8_t* const at = pixels + static_cast<uint32_t>(row) * stride;
-        for (uint32_t k = static_cast<uint32_t>(place.width); k < stride; ++k) REQUIRE(at[k] == kGuard);
+        for (uint32_t k = static_cast<uint32_t>(place.width); k < stride; ++k) wrong += at[k] == kGuard ? 0 : 1;
         for (int32_t k = 0; k < place.width; ++k) {
             const int64_t x = static_cast<int64_t>(place.x) + k;
             const int64_t y = static_cast<int64_t>(place.y) + row;
             if (y > INT_MAX - 1 || x > INT_MAX - 1) continue;  // beyond the last row or column that there is
             const bool is_inside = x >= 0 && x < kSide && y >= 0 && y < kSide;
-            REQUIRE((at[k] == kBackground || (is_inside && at[k] != kGuard)));
+            wrong += at[k] == kBackground || (is_inside && at[k] != kGuard) ? 0 : 1;
         }
     }
+    REQUIRE(wrong == 0);
 }
 
 template <class Reconstruction>
@@ -121,8 +129,8 @@ TEST_CASE("images of one row or one column are drawn", "[render][span]")
     REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
     const int32_t sizes[][2] = {{1, 1}, {1, 40}, {40, 1}, {1, kMaxImageSide}, {kMaxImageSide, 1}, {2, 1}};
     for (const auto& size : sizes) {
-        for (const double fov : {1.0, 40.0, 120.0}) {
-            for (const double distance : {1.0, 1.01, 3.0, 2000.0}) {
+        for (const double fov : kFovs) {
+            for (const double distance : kDistances) {
                 Camera camera;
                 REQUIRE(make_camera(look_at({distance, 0, 0}, {0, 0, 0}, 0), {size[0], size[1], degrees(fov)},
                                     camera) == CameraError::none);

@@ -12,13 +12,12 @@ namespace lumi::tools
 {
 
 using test::Arguments;
+using test::kScene;
 using test::lumi;
 using test::Outcome;
 
 namespace
 {
-
-const std::string kScene = LUMI_TEST_SCENE;
 
 Arguments fit(const std::string& output, const Arguments& more)
 {

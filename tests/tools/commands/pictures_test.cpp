@@ -13,15 +13,14 @@ namespace lumi::tools
 {
 
 using nlohmann::json;
+using test::kScene;
 using test::lumi;
 using test::Outcome;
 
 namespace
 {
 
-const std::string kScene = LUMI_TEST_SCENE;
-
-void bake(const std::string& output, test::Arguments more)
+void bake_picture_field(const std::string& output, test::Arguments more)
 {
     more.insert(more.begin(), {"bake", kScene, "-o", output});
     const Outcome outcome = lumi(more);
@@ -66,7 +65,8 @@ TEST_CASE("a baked field of every texel format renders in every mode")
 {
     const test::TemporaryFolder folder;
     for (const std::string texel : {"rgb888", "rgb565", "palette8", "luma8"}) {
-        bake(folder / "f.lumi", {"--origins", "48", "--directions", "64", "--spp", "1", "--texel", texel});
+        bake_picture_field(folder / "f.lumi",
+                           {"--origins", "48", "--directions", "64", "--spp", "1", "--texel", texel});
         CHECK(json::parse(lumi({"inspect", folder / "f.lumi", "--json", "--verify"}).out)["texel_format"] == texel);
         for (const std::string mode : {"nearest", "voronoi", "dither", "linear", "paper"}) {
             INFO(texel << " " << mode);
@@ -88,7 +88,7 @@ TEST_CASE("render and reference show the same view, from wherever the eye is and
     // A coarse field is blurred, but a mirrored, tilted or turned view would be much worse than that: by 2 dB at least.
     const test::TemporaryFolder folder;
     for (const std::string up : {"y", "z"}) {
-        bake(folder / "f.lumi", {"--origins", "600", "--directions", "1200", "--spp", "2", "--up", up});
+        bake_picture_field(folder / "f.lumi", {"--origins", "600", "--directions", "1200", "--spp", "2", "--up", up});
         for (const std::string orbit : {"20,25,3", "130,-30,2", "250,60,6"}) {
             draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--orbit", orbit, "--size", "64x64"});
             draw({"reference", kScene, "-o", folder / "b.png", "--orbit", orbit, "--size", "64x64", "--spp", "4",
@@ -106,8 +106,8 @@ TEST_CASE("a field is the same for any number of threads and differs by the seed
 {
     const test::TemporaryFolder folder;
     const auto bytes = [&](const std::string& threads, const std::string& seed) {
-        bake(folder / "f.lumi",
-             {"--origins", "30", "--directions", "40", "--spp", "2", "--threads", threads, "--seed", seed});
+        bake_picture_field(folder / "f.lumi", {"--origins", "30", "--directions", "40", "--spp", "2", "--threads",
+                                               threads, "--seed", seed});
         return test::content_of(folder / "f.lumi");
     };
     const std::string one = bytes("1", "1");
@@ -119,7 +119,7 @@ TEST_CASE("a cap keeps as many rows as asked")
 {
     const test::TemporaryFolder folder;
     for (const auto& [cap, rows] : {std::make_pair("50%", 20), std::make_pair("0.25", 10), std::make_pair("7", 7)}) {
-        bake(folder / "f.lumi", {"--origins", "40", "--directions", "40", "--spp", "1", "--cap", cap});
+        bake_picture_field(folder / "f.lumi", {"--origins", "40", "--directions", "40", "--spp", "1", "--cap", cap});
         CHECK(json::parse(lumi({"inspect", folder / "f.lumi", "--json"}).out)["used_origins"] == rows);
     }
 }
@@ -127,7 +127,7 @@ TEST_CASE("a cap keeps as many rows as asked")
 TEST_CASE("turntables of render and reference are named alike")
 {
     const test::TemporaryFolder folder;
-    bake(folder / "f.lumi", {"--origins", "30", "--directions", "40", "--spp", "1"});
+    bake_picture_field(folder / "f.lumi", {"--origins", "30", "--directions", "40", "--spp", "1"});
     draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--turntable", "3", "--size", "16x16", "--stereo",
           "0.1"});
     draw({"reference", kScene, "-o", folder / "b.png", "--turntable", "3", "--size", "16x16", "--spp", "1"});

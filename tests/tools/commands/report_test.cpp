@@ -21,11 +21,11 @@ TEST_CASE("report measures a field beside its baselines and writes page and JSON
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK_THAT(outcome.out, Catch::Contains("chord field") && Catch::Contains("one exact ray"));
-    const auto json = nlohmann::json::parse(test::content_of(folder / "r.json"));
-    CHECK(json["fields"][0]["layout"] == "chord");
-    CHECK(json["fields"][0]["psnr_db"].get<double>() > 5);
-    CHECK(json["one_ray"]["psnr_db"].get<double>() > json["fields"][0]["psnr_db"].get<double>());
-    CHECK(json["baselines"].size() == 1);  // no room for a sprite
+    const auto report = nlohmann::json::parse(test::content_of(folder / "r.json"));
+    CHECK(report["fields"][0]["layout"] == "chord");
+    CHECK(report["fields"][0]["psnr_db"].get<double>() > 5);
+    CHECK(report["one_ray"]["psnr_db"].get<double>() > report["fields"][0]["psnr_db"].get<double>());
+    CHECK(report["baselines"].size() == 1);  // no room for a sprite
     CHECK_THAT(test::content_of(folder / "r.html"), Catch::StartsWith("<!DOCTYPE html>"));
 }
 

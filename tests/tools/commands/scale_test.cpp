@@ -15,13 +15,13 @@ namespace lumi::tools
 
 using test::Arguments;
 using test::content_of;
+using test::kScene;
 using test::lumi;
 using test::Outcome;
 
 namespace
 {
 
-const std::string kScene = LUMI_TEST_SCENE;
 constexpr int kKilled = 128 + 9;
 
 Arguments bake(const std::string& output, const Arguments& more = {})

@@ -18,7 +18,7 @@ SurfacePlan planned(const SurfaceTask& task)
     return plan_surface(tools::test::cube_scene(), task, {});
 }
 
-SurfaceTask task_of(uint64_t bytes)
+SurfaceTask surface_task_of(uint64_t bytes)
 {
     SurfaceTask task;
     task.budget_bytes = bytes;
@@ -32,7 +32,7 @@ TEST_CASE("a surface plan fills its size, and a larger one has more of everythin
     uint32_t triangles = 0;
     float density = 0;
     for (const uint64_t bytes : {12'000u, 30'000u, 60'000u}) {
-        const SurfacePlan plan = planned(task_of(bytes));
+        const SurfacePlan plan = planned(surface_task_of(bytes));
         INFO(bytes << " bytes: " << options_of(plan));
         CHECK(plan.most_bytes <= bytes);
         CHECK(plan.most_bytes > bytes * 9 / 10);
@@ -45,7 +45,7 @@ TEST_CASE("a surface plan fills its size, and a larger one has more of everythin
 
 TEST_CASE("what is set by hand stays in a surface plan")
 {
-    SurfaceTask task = task_of(30'000);
+    SurfaceTask task = surface_task_of(30'000);
     task.settings.triangles = 60;
     task.settings.longest_edge = 0.8f;
     task.triangles_by_hand = task.edge_by_hand = true;
@@ -64,7 +64,7 @@ TEST_CASE("what is set by hand stays in a surface plan")
 TEST_CASE("a size that no surface field fits into ends with the smallest that works")
 {
     try {
-        planned(task_of(3'000));
+        planned(surface_task_of(3'000));
         FAIL("3 kB hold no surface field");
     } catch (const NoPlan& none) {
         const std::string text = none.what(), before = "the smallest that works takes ";
@@ -72,7 +72,7 @@ TEST_CASE("a size that no surface field fits into ends with the smallest that wo
         REQUIRE(at != std::string::npos);
         const uint64_t least = std::stoul(text.substr(at + before.size()));
         CHECK(least > 3'000);
-        CHECK(planned(task_of(least)).most_bytes <= least);
+        CHECK(planned(surface_task_of(least)).most_bytes <= least);
     }
 }
 

@@ -16,6 +16,9 @@ struct Outcome {
 
 using Arguments = std::vector<std::string>;
 
+// A small scene that the command line can bake.
+inline const std::string kScene = LUMI_TEST_SCENE;
+
 // `arguments[0]` is the program, found along PATH. No shell sees the arguments.
 Outcome run_program(const Arguments& arguments);
 

@@ -12,7 +12,7 @@ namespace lumi::tools
 namespace
 {
 
-baker::Progress at(uint64_t done, double elapsed_seconds, double eta_seconds = 9.5)
+baker::Progress report_at(uint64_t done, double elapsed_seconds, double eta_seconds = 9.5)
 {
     return {done, 1000, 124, eta_seconds, elapsed_seconds, done / 4};
 }
@@ -36,7 +36,7 @@ std::vector<nlohmann::json> printed(std::initializer_list<baker::Progress> repor
 
 TEST_CASE("a line of JSON says what is done, the pace and the time left, null while unknown")
 {
-    const auto line = nlohmann::json::parse(progress_json(at(437, 3)));
+    const auto line = nlohmann::json::parse(progress_json(report_at(437, 3)));
     CHECK(line == nlohmann::json{{"state", "baking"},
                                  {"rays_done", 437},
                                  {"rays_total", 1000},
@@ -44,13 +44,13 @@ TEST_CASE("a line of JSON says what is done, the pace and the time left, null wh
                                  {"rays_per_second", 124.0},
                                  {"eta_seconds", 9.5},
                                  {"elapsed_seconds", 3.0}});
-    CHECK(nlohmann::json::parse(progress_json(at(0, 0, -1))).at("eta_seconds").is_null());
+    CHECK(nlohmann::json::parse(progress_json(report_at(0, 0, -1))).at("eta_seconds").is_null());
 }
 
 TEST_CASE("JSON lines come at the beginning, once a second, and once at the end")
 {
-    const auto lines =
-        printed({at(0, 0), at(10, 0.5), at(20, 0.99), at(30, 1), at(40, 1.9), at(50, 2.1), at(1000, 2.2), at(1000, 9)});
+    const auto lines = printed({report_at(0, 0), report_at(10, 0.5), report_at(20, 0.99), report_at(30, 1),
+                                report_at(40, 1.9), report_at(50, 2.1), report_at(1000, 2.2), report_at(1000, 9)});
     REQUIRE(lines.size() == 4);
     CHECK(lines[1].at("rays_done") == 30);
     CHECK(lines[2].at("rays_done") == 50);

@@ -7,8 +7,6 @@ namespace lumi::bench
 namespace
 {
 
-const std::string kNotMeasured = "–";
-
 // Modes and kinds of pixels of which there is a row, in order.
 template <class Visit>
 void for_each_renderer(const SurfaceResults& results, const Visit& visit)

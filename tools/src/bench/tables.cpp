@@ -11,7 +11,6 @@ namespace lumi::bench
 namespace
 {
 
-const std::string kNotMeasured = "–";
 constexpr int kFastSpan = 16;
 
 std::string per_pixel(const Row* row)

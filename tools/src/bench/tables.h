@@ -17,6 +17,8 @@ std::string table_rule(size_t columns);
 // "12.3"; "–" for null, "∞" for infinity.
 std::string decimal_text(double value, int digits = 1);
 
+inline const std::string kNotMeasured = "–";
+
 // The renderers that a reader looks for first: cost and accuracy.
 std::string glance_table(const Rows& rows);
 // Instructions per covered pixel, generic view: mode and texel against core and span.

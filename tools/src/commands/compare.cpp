@@ -59,7 +59,7 @@ nlohmann::ordered_json json_db(double psnr_db)
     return std::isinf(psnr_db) ? nlohmann::ordered_json() : nlohmann::ordered_json(psnr_db);
 }
 
-void print_json(const Likeness& likeness, const std::optional<MaskedLikeness>& masked)
+void print_likeness(const Likeness& likeness, const std::optional<MaskedLikeness>& masked)
 {
     nlohmann::ordered_json report;
     report["psnr_db"] = json_db(likeness.psnr_db);
@@ -111,7 +111,7 @@ void run(const CompareOptions& options)
     const Likeness likeness = {psnr_db(a, b), ssim(a, b), cw_ssim(a, b), flip(b, a, options.pixels_per_degree)};
     const std::optional<MaskedLikeness> masked = masked_likeness(options, a, b);
     if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
-    (options.json ? print_json : print_text)(likeness, masked);
+    (options.json ? print_likeness : print_text)(likeness, masked);
 }
 
 }  // namespace
