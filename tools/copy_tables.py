@@ -6,6 +6,8 @@
 # the rows that match a regular expression.
 #     <!-- copied: docs/log/tradeoff.md; HEADING; ROWS; COLUMN | COLUMN -->
 #     <!-- copied: end -->
+# A number within a line is the first group that a regular expression finds in a file:
+#     <!-- value: FILE; EXPRESSION -->1,024<!-- end -->
 # With --check it writes nothing and fails if a page differs from the tables.
 import pathlib
 import re
@@ -13,6 +15,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r'(<!-- copied: (?!end)(.*?) -->\n).*?(<!-- copied: end -->)', re.DOTALL)
+
+VALUE = re.compile(r'(<!-- value: ([^;]*); (.*?) -->)[^<]*(<!-- end -->)')
 
 
 def cells(line):
@@ -45,11 +49,17 @@ def copied(order):
     return row(table[0]) + row(table[1], gap='') + ''.join(row(line) for line in table[2:] if re.search(rows, line))
 
 
+def value(file, expression):
+    """A whole number as a page writes it."""
+    return f'{int(re.search(expression, (ROOT / file).read_text(encoding="utf-8"))[1]):,}'
+
+
 def main(check):
     stale = []
     for page in [ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md'))]:
         text = page.read_text(encoding='utf-8')
         new = BLOCK.sub(lambda found: found[1] + copied(found[2]) + found[3], text)
+        new = VALUE.sub(lambda found: found[1] + value(found[2], found[3]) + found[4], new)
         if new != text:
             stale.append(page.name)
             if not check:

@@ -13,15 +13,9 @@ namespace lumi::tools
 {
 
 using test::Arguments;
+using test::kScene;
 using test::lumi;
 using test::Outcome;
-
-namespace
-{
-
-const std::string kScene = LUMI_TEST_SCENE;
-
-}  // namespace
 
 TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes nothing")
 {
@@ -77,7 +71,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {bake("--threads", "many"), "--threads takes a number, not \"many\""},
         {bake("--threads", "99999999999"), "--threads takes a smaller number, not \"99999999999\""},
         {bake("--seed", "x"), "--seed takes a number, not \"x\""},
-        {{"embed", field, "-o", folder / "field.c"}, "ends in .S"},
+        {{"embed", field, "-o", folder / "field.txt"}, "ends in .S"},
         {{"embed", field, "-o", folder / "field.S", "--symbol", "a-b"}, "--symbol"},
         {{"embed", field, "-o", folder / "int.S"}, "\"int\" has a meaning of its own in C or C++; "},
         {{"embed", field, "-o", folder / "field.S", "--symbol", "concept"}, "with --symbol concept_field"},
@@ -126,7 +120,7 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
         {{"reference", folder / "none.obj", "-o", out}, "none.obj"},
         {{"compare", folder / "small.png", folder / "large.png", "--error-picture", out}, "large.png: is 30x20 but "},
         {{"compare", folder / "tiny.png", folder / "tiny.png"}, "tiny.png: is 5x5"},
-        {{"compare", folder / "small.png", folder / "short.lumi"}, "short.lumi: is not a PNG"},
+        {{"compare", folder / "small.png", folder / "short.lumi"}, "it is no PNG picture"},
         {{"inspect", folder / "short.lumi"}, "short.lumi: "},
         {{"inspect", folder / "damaged.lumi", "--verify"}, "damaged.lumi: the texel section"},
         {{"embed", folder / "damaged.lumi", "-o", asm_out}, "damaged.lumi: the texel section"},
