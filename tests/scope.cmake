@@ -14,6 +14,7 @@ set(LUMI_POLICIES_cortex-m0plus pairs)
 set(LUMI_POLICIES_cortex-m4 pairs)
 set(LUMI_POLICIES_cortex-m3 each)
 set(LUMI_POLICIES_cortex-m7 each)
+set(LUMI_POLICIES_cortex-m33 each)
 
 # Files that are not built under sanitizers. Statistics and pictures against a reference read no file and index no
 # memory that other tests do not; plans, reports and benches come from code that bakes and draws nothing itself.

@@ -3,16 +3,18 @@
 #
 # Code for Cortex-M0+ runs on the Cortex-M3 board: QEMU's one ARMv6-M board (micro:bit) has 16 KB of RAM, and every
 # ARMv6-M instruction is an ARMv7-M instruction. The start-up code makes unaligned accesses fault, as an M0+ does.
-set(LUMI_MPS2_CPUS cortex-m0plus cortex-m3 cortex-m4 cortex-m7)
+set(LUMI_MPS2_CPUS cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33)
 set(LUMI_MPS2_BOARD_cortex-m0plus an385)
 set(LUMI_MPS2_BOARD_cortex-m3 an385)
 set(LUMI_MPS2_BOARD_cortex-m4 an386)
 set(LUMI_MPS2_BOARD_cortex-m7 an500)
+set(LUMI_MPS2_BOARD_cortex-m33 an505)
 
 # Where -device loader puts a large field: loaded_field_memory() of the board.
 set(LUMI_MPS2_PSRAM_an385 0x21000000)
 set(LUMI_MPS2_PSRAM_an386 0x21000000)
 set(LUMI_MPS2_PSRAM_an500 0x60000000)
+set(LUMI_MPS2_PSRAM_an505 0x80000000)
 
 # lumi_mps2_command(OUT CPU cpu KERNEL file [ARGUMENTS a...] [FIELDS file...] [COUNT_INSTRUCTIONS])
 # The command, as a list, that runs a program. Its semihosting output goes to standard output through a channel of its

@@ -13,7 +13,7 @@ namespace
 
 using namespace lumi::mps2;
 
-constexpr uint32_t kLoops = 400'000'000;
+constexpr uint32_t kLoops = 10'000'000 * kInstructionsPerTick;
 constexpr uint64_t kInstructionsPerLoop = 2;
 constexpr uint64_t kSlack = 10 * kInstructionsPerTick;  // two readings and a wrap's interrupt
 static_assert(kLoops * kInstructionsPerLoop > uint64_t{1 << 24} * kInstructionsPerTick, "the counter must wrap");

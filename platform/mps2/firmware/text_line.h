@@ -2,8 +2,8 @@
 // A line of text built without printf, which would bring in heap and floating point. Text beyond kCapacity is cut off.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 namespace lumi::firmware
 {
