@@ -22,9 +22,13 @@ test_packages=(
   catch2
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib  # code for Cortex-M
   qemu-system-arm                                                           # boards to run it on
+  gcc-riscv64-unknown-elf qemu-system-misc                                  # the same for RISC-V
+  libmgba-dev                                                               # a Game Boy Advance
+  libsdl2-dev                                                               # the simulator's window
   slurm-wlm munge procps                                                    # a job array on this machine
   python3)                                                                  # the generator of the scenes, includes
 all_packages=(clang-tidy clang)
+npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
@@ -65,7 +69,21 @@ install_missing() {
     </dev/null
 }
 
+# Without them one test is skipped; `tools/test.sh --all` then fails.
+install_npm_packages() {
+  local package folder=$root/build/npm
+  for package in "$@"; do
+    [[ ! -d $folder/node_modules/${package%@*} ]] || continue
+    if ! command -v npm >/dev/null; then
+      echo "npm is missing (Debian: nodejs npm): $package is not installed"
+    elif ! npm install --prefix "$folder" --no-audit --no-fund "$package" </dev/null; then
+      echo "npm could not install $package"
+    fi
+  done
+}
+
 main() {
+  local packages=()
   case ${1:-} in
     build) packages=("${build_packages[@]}") ;;
     tests) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
@@ -75,10 +93,15 @@ main() {
   esac
   if [[ ${2:-} == --print ]]; then
     printf '%s\n' "${packages[@]}"
+    return
   elif command -v dpkg-query >/dev/null; then
     install_missing "${packages[@]}"
   else
     echo "This is not Debian: install the counterparts of these yourself: ${packages[*]}"
+  fi
+  if [[ $1 != build ]]; then
+    mkdir -p "$root/build/npm"
+    install_npm_packages "${npm_packages[@]}"
   fi
 }
 

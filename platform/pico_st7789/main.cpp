@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Draws the desk clock from flash, stripe by stripe. While DMA sends a stripe, the CPU draws the next one.
+#include <lumi/view.h>
+
+#include "board.h"
+#include "desk_clock.h"  // written by lumi_add_field
+
+using namespace lumi;
+
+static desk_clock_view<Screen<240, 240, 16>> view;
+alignas(4) static uint8_t stripes[2][240 * 16 * 2];
+
+int main()
+{
+    Orbit orbit;
+    if (view.open(desk_clock, desk_clock_size()) != ViewError::none) return 1;
+    while (board::next_view(orbit)) {
+        if (view.look(orbit) != ViewError::none) return 1;
+        for (int32_t y = 0; y < 240; y += 16) {
+            uint8_t* const stripe = stripes[y / 16 % 2];
+            if (view.draw({stripe, 0, y, 240, 16, 480}) != ViewError::none) return 1;
+            board::send(stripe, sizeof(stripes[0]));
+        }
+    }
+    return 0;
+}

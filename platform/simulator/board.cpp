@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// This machine as a board: the display is a window, files, or both.
+#include "board.h"
+
+#include <lumi/pixel.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "png_file.h"
+#include "simulator.h"
+#include "window.h"
+
+namespace
+{
+
+using lumi::PixelRgb565Swapped;
+using simulator::kSidePx;
+using simulator::options;
+
+constexpr uint32_t kDisplayBytes = kSidePx * kSidePx * PixelRgb565Swapped::kBytes;
+alignas(4) uint8_t display[kDisplayBytes];
+uint32_t sent, frame_begin_ms;
+int frame = -1;
+lumi::Orbit current;
+
+[[noreturn]] void fail(const std::string& what)
+{
+    std::fprintf(stderr, "lumi_simulator: %s\n", what.c_str());
+    std::exit(1);
+}
+
+void write_frame()
+{
+    static uint8_t rgb[kSidePx * kSidePx * 3];
+    for (int k = 0; k < kSidePx * kSidePx; ++k) {
+        lumi::PixelRgb888::store(rgb + 3 * k, PixelRgb565Swapped::load(display + 2 * k));
+    }
+    const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".png";
+    if (!simulator::write_png(path, kSidePx, rgb)) fail(path + " cannot be written");
+}
+
+void show_frame()
+{
+    static uint16_t native[kSidePx * kSidePx];
+    for (int k = 0; k < kSidePx * kSidePx; ++k) {
+        native[k] = static_cast<uint16_t>(display[2 * k] << 8 | display[2 * k + 1]);
+    }
+    const uint32_t wanted = options.rate > 0 ? static_cast<uint32_t>(1000 / options.rate) : 0;
+    const uint32_t spent = simulator::milliseconds() - frame_begin_ms;
+    if (spent < wanted) simulator::wait_milliseconds(wanted - spent);
+    simulator::show(native);
+}
+
+// The next view; false: that was the last.
+bool turn()
+{
+    const bool is_test = options.drag_x != 0 || options.drag_y != 0;
+    if (!options.window) {
+        if (frame + 1 == board::kFrames) return false;
+        current = board::view_of_frame(frame + 1);
+        return true;
+    }
+    if (is_test && frame > 0) return false;
+    if (is_test) simulator::drag(options.drag_x, options.drag_y);
+    return simulator::wait_for_turn(current);
+}
+
+bool end_frame()
+{
+    if (sent != kDisplayBytes) fail("a frame has " + std::to_string(sent) + " bytes");
+    if (!options.folder.empty()) write_frame();
+    if (options.window) show_frame();
+    return turn();
+}
+
+void begin()
+{
+    if (options.window) simulator::open_window();
+    current = board::view_of_frame(0);
+}
+
+}  // namespace
+
+bool board::next_view(lumi::Orbit& orbit)
+{
+    if (frame < 0) {
+        begin();
+    } else if (!end_frame()) {
+        return false;
+    }
+    ++frame;
+    sent = 0;
+    if (options.window) frame_begin_ms = simulator::milliseconds();
+    orbit = current;
+    return true;
+}
+
+void board::send(const uint8_t* pixels, uint32_t bytes)
+{
+    if (bytes > kDisplayBytes - sent) fail("a frame has more bytes than the display");
+    std::memcpy(display + sent, pixels, bytes);
+    sent += bytes;
+}

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# The examples of platform/ on emulated devices: tools/devices.sh builds each, runs it and compares its pictures, bit by
+# bit. Without an emulator its test is skipped; `tools/test.sh --all` fails instead.
+add_executable(lumi_device_picture device_picture.cpp)
+target_link_libraries(lumi_device_picture PRIVATE lumi::core lumi::host lumi_options)
+
+set(lumi_devices ${PROJECT_SOURCE_DIR}/tools/devices.sh --built)
+if(NOT LUMI_TEST_ALL)
+  list(APPEND lumi_devices --may-skip)
+endif()
+add_test(NAME devices.field COMMAND ${lumi_devices} --only field)
+set_tests_properties(devices.field PROPERTIES FIXTURES_SETUP lumi_device_field COST 300)
+foreach(example riscv lm3s_oled gba pico_st7789 simulator)
+  add_test(NAME devices.${example} COMMAND ${lumi_devices} --only ${example})
+  set_tests_properties(devices.${example} PROPERTIES FIXTURES_REQUIRED lumi_device_field SKIP_RETURN_CODE 77
+    COST 200 TIMEOUT 600)
+endforeach()

@@ -1,0 +1,270 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/devices.sh [--docs] [--only EXAMPLE] [--built] [--may-skip]
+# Builds the examples of platform/, runs each on its emulator and compares what the emulated display shows, bit by bit,
+# with what `lumi render` or the host's library draws. Ends with 0 only if all agree and nothing was left out.
+#   --docs          writes the table and the pictures of docs/boards.md
+#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, table (of
+#                   what was run last)
+#   --built         `lumi` and the tests' programs are built already, in build/release
+#   --may-skip      ends with 77 where an emulator is missing
+# Results, and a PNG of every display, lie in build/devices.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+devices=$root/build/devices
+lumi=$root/build/release/tools/lumi
+field=$devices/desk_clock.lumi
+examples=(riscv lm3s_oled gba pico_st7789 simulator)
+only='' built='' may_skip='' docs=''
+frames=2
+npm_folder=$root/build/npm
+
+parse_arguments() {
+  while (($# > 0)); do
+    case $1 in
+      --docs) docs=yes ;;
+      --only) only=${2:?--only takes the name of an example} && shift ;;
+      --built) built=yes ;;
+      --may-skip) may_skip=yes ;;
+      --help) help "$0" && exit ;;
+      *) wrong_call "unknown argument '$1'" ;;
+    esac
+    shift
+  done
+  if [[ -n $only && " field table ${examples[*]} " != *" $only "* ]]; then
+    wrong_call "no example is called '$only'"
+  fi
+}
+
+# require EXAMPLE PROGRAM...: ends the script where a program is missing.
+require() {
+  local example=$1 program
+  shift
+  for program in "$@"; do
+    command -v "$program" >/dev/null && continue
+    echo "SKIPPED $example: $program is missing; tools/install_packages.sh tests installs it" >&2
+    [[ -z $may_skip ]] || exit 77
+    exit 1
+  done
+}
+
+# What every example draws: a desk clock in some 90 kB, the same bytes on every machine.
+bake_field() {
+  mkdir -p "$devices"
+  "$lumi" bake "$root/baker/scenes/product.obj" -o "$field" --triangles 1200 --longest-edge 0.5 --texel-density 44 --paths 20 \
+    --restart
+}
+
+# build EXAMPLE TOOLCHAIN: a project of its own, as a user would have it.
+build() {
+  local folder=$devices/$1/build options=(-DLUMI_TOOL="$lumi" -DLUMI_EXAMPLE_FIELD="$field")
+  [[ $2 == host ]] || options+=(--toolchain "$root/toolchains/$2.cmake")
+  cmake -S "$root/platform/$1" -B "$folder" -G Ninja "${options[@]}" >"$devices/$1/configure.log" ||
+    die "platform/$1 cannot be configured: $devices/$1/configure.log"
+  cmake --build "$folder" --parallel 1
+}
+
+# check EXAMPLE FORMAT SIZE FRAME [EXPECTED EXPECTED_FORMAT]: a display's picture as PNG, and that it is the expected one,
+# by default what `lumi render` draws.
+check() {
+  local folder=$devices/$1 format=$2 size=$3 frame=$4 expected=${5:-} expected_format=${6:-png}
+  local pixels=$folder/frame-$frame.raw
+  if [[ -z $expected ]]; then
+    expected=$folder/expected-$frame.png
+    "$lumi" render "$field" -o "$expected" --size "$size" --orbit $((30 + 300 * frame)),$((20 + 15 * frame)),3 \
+      --mode antialiased --pixel rgb565 >/dev/null
+  fi
+  [[ $format != png ]] || pixels=$folder/frame-$frame.png
+  python3 -B "$root/tools/devices/picture.py" "$format" "$size" "$pixels" -o "$folder/frame-$frame.png" \
+    --same-as "$expected" "$expected_format"
+}
+
+# value NAME FILE: the number after a word, the greatest of all lines.
+value() {
+  awk -v name="$1" '{ for (i = 1; i < NF; ++i) if ($i == name && $(i + 1) > most) most = $(i + 1) } END { print most + 0 }' "$2"
+}
+
+# bytes_of SIZE_PROGRAM ELF SECTION...
+bytes_of() {
+  local size=$1 elf=$2
+  shift 2
+  "$size" -A "$elf" | awk -v wanted=" $* " 'index(wanted, " " $1 " ") { sum += $2 } END { print sum + 0 }'
+}
+
+thousands() {
+  awk -v n="$1" 'BEGIN { printf "%.1f kB", n / 1000 }'
+}
+
+# A program's own lines: no comment, nothing empty.
+glue_lines() {
+  grep --count --invert-match --extended-regexp '^[[:space:]]*(//.*)?$' "$root/platform/$1/main.cpp"
+}
+
+# write_row EXAMPLE SIZE_PROGRAM RATE RATE_WITH_MISSES COUNTED
+write_row() {
+  local example=$1 elf=$devices/$1/build/lumi_$1.elf flash ram
+  flash=$(($(bytes_of "$2" "$elf" .boot .vectors .hot .text .ARM.exidx .data) - $(wc -c <"$field")))
+  ram=$(bytes_of "$2" "$elf" .hot .data .bss .fast)
+  # shellcheck disable=SC2016
+  printf '| `%s` | %s | %s | %s | %s B | %s | %s | %s | yes |\n' "$example" "$(glue_lines "$example")" \
+    "$(thousands "$flash")" "$(thousands "$ram")" "$(value stack "$devices/$example/log")" "$3" "$4" "$5" \
+    >"$devices/$example/row"
+}
+
+# rate HZ CLOCKS
+rate() {
+  awk -v hz="$1" -v clocks="$2" 'BEGIN { printf "%.1f", hz / clocks }'
+}
+
+# Clocks an instruction that are assumed where an emulator counts instructions alone, in tenths.
+tenths_an_instruction=13
+
+run_riscv() {
+  require riscv riscv64-unknown-elf-g++ qemu-system-riscv32
+  build riscv rv32imc
+  local folder=$devices/riscv frame
+  (
+    cd "$folder" || exit
+    qemu-system-riscv32 -M virt -cpu lowrisc-ibex -m 64M -bios none -display none -serial none -monitor none \
+      -chardev stdio,id=console -semihosting-config enable=on,target=native,chardev=console -icount shift=0 \
+      -kernel build/lumi_riscv.elf
+  ) | tee "$folder/log"
+  for ((frame = 0; frame < frames; ++frame)); do check riscv rgb565-swapped 240x240 "$frame"; done
+  local clocks=$(($(value instructions "$folder/log") * tenths_an_instruction / 10))
+  write_row riscv riscv64-unknown-elf-size "$(rate 160000000 "$clocks")" – "instructions × 1.3 at 160 MHz"
+}
+
+run_lm3s_oled() {
+  require lm3s_oled arm-none-eabi-g++ qemu-system-arm python3
+  build lm3s_oled cortex-m3
+  local folder=$devices/lm3s_oled frame
+  python3 -B "$root/tools/devices/run_oled.py" "$folder/build/lumi_lm3s_oled.elf" "$folder" | tee "$folder/log"
+  for ((frame = 0; frame < frames; ++frame)); do
+    draw_expected lm3s_oled grey4 128 64 16 "$frame" "$(turns $((30 + 300 * frame)))" "$(turns $((20 + 15 * frame)))"
+    check lm3s_oled grey4 128x64 "$frame" "$folder/expected-$frame.raw" grey4
+  done
+  local clocks=$(($(value instructions "$folder/log") * tenths_an_instruction / 10))
+  write_row lm3s_oled arm-none-eabi-size "$(rate 50000000 "$clocks")" – "instructions × 1.3 at 50 MHz"
+}
+
+# Degrees in 2^-32 turns.
+turns() {
+  awk -v degrees="$1" 'BEGIN { printf "%.0f", degrees * 4294967296 / 360 }'
+}
+
+# draw_expected EXAMPLE FORMAT WIDTH HEIGHT STRIPE_ROWS FRAME AZIMUTH ELEVATION
+draw_expected() {
+  "$root/build/release/tests/platform/lumi_device_picture" "$field" "$2" "$3" "$4" "$5" "$7" "$8" \
+    "$devices/$1/expected-$6.raw"
+}
+
+run_gba() {
+  require gba arm-none-eabi-g++ cc python3
+  build gba arm7tdmi
+  local folder=$devices/gba word frame azimuth elevation
+  if ! cc -O1 -Wall "$root/tools/devices/run_gba.c" -o "$folder/run_gba" -lmgba 2>"$folder/run_gba.log"; then
+    cat "$folder/run_gba.log" >&2
+    require gba "libmgba (libmgba-dev)"
+  fi
+  "$folder/run_gba" "$folder/build/lumi_gba.gba" "$folder" 3 | tee "$folder/log"
+  while read -r word frame _ _ _ _ _ _ _ azimuth _ elevation; do
+    [[ $word == frame ]] || die "gba: not the report of a frame: $word"
+    draw_expected gba bgr555 240 160 8 "$frame" "$azimuth" "$elevation"
+    check gba rgb888 240x160 "$frame" "$folder/expected-$frame.raw" bgr555
+  done <"$folder/log"
+  write_row gba arm-none-eabi-size "$(rate 16777216 "$(value cycles "$folder/log")")" – "mGBA's clocks at 16.8 MHz, with wait states"
+}
+
+run_pico_st7789() {
+  require pico_st7789 arm-none-eabi-g++ node python3
+  [[ -d $npm_folder/node_modules/rp2040js ]] || require pico_st7789 "rp2040js (of npm)"
+  build pico_st7789 cortex-m0plus
+  local folder=$devices/pico_st7789 frame option
+  export NODE_PATH=$npm_folder/node_modules
+  for option in --flash-misses ''; do
+    # shellcheck disable=SC2086
+    node "$root/tools/devices/run_pico.cjs" "$folder/build/lumi_pico_st7789.bin" "$folder" $option | tee "$folder/log$option"
+    for ((frame = 0; frame < frames; ++frame)); do check pico_st7789 rgb565-swapped 240x240 "$frame"; done
+  done
+  write_row pico_st7789 arm-none-eabi-size "$(rate 1000000 "$(value microseconds "$folder/log")")" \
+    "$(rate 1000000 "$(value microseconds "$folder/log--flash-misses")")" "rp2040js's clocks at 125 MHz, one core"
+}
+
+run_simulator() {
+  local package
+  require simulator c++ pkg-config
+  for package in sdl2 libpng; do
+    pkg-config --exists "$package" || require simulator "$package"
+  done
+  build simulator host
+  local folder=$devices/simulator frame
+  mkdir -p "$folder/dragged"
+  "$folder/build/lumi_simulator" --frames "$folder"
+  for ((frame = 0; frame < frames; ++frame)); do check simulator png 240x240 "$frame"; done
+  SDL_VIDEODRIVER=dummy "$folder/build/lumi_simulator" --frames "$folder/dragged" --drag 20,-10
+  "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
+  python3 -B "$root/tools/devices/picture.py" png 240x240 "$folder/dragged/frame-1.png" \
+    --same-as "$folder/expected-dragged.png" png
+}
+
+run_example() {
+  mkdir -p "$devices/$1"
+  rm -f "$devices/$1"/{log*,row,*.raw,*.png}
+  "run_$1"
+  echo "$1: every bit the same"
+}
+
+print_table() {
+  local example
+  # shellcheck disable=SC2016
+  echo '| `platform/` | glue lines | flash | RAM | stack | frames a second | with flash misses | counted by | same bits |'
+  echo '|---|---:|---:|---:|---:|---:|---:|---|---|'
+  for example in "${examples[@]}"; do
+    [[ ! -f $devices/$example/row ]] || cat "$devices/$example/row"
+  done
+}
+
+write_docs() {
+  local page=$root/docs/boards.md begin='<!-- devices table: begin (tools/devices.sh --docs) -->' end='<!-- devices table: end -->'
+  grep --quiet --fixed-strings "$begin" "$page" || die "$page has no line \"$begin\""
+  awk -v begin="$begin" -v end="$end" -v table="$devices/table" '
+    $0 == end { inside = 0 }
+    !inside { print }
+    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$page" >"$devices/page"
+  cp "$devices/page" "$page"
+  for example in gba lm3s_oled pico_st7789; do
+    cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
+  done
+}
+
+publish() {
+  print_table | tee "$devices/table"
+  [[ -z $docs ]] || write_docs
+  echo "SKIPPED lvgl: there is no such example yet"
+}
+
+main() {
+  parse_arguments "$@"
+  if [[ -z $built ]]; then
+    run_step "Packages" "$root/tools/install_packages.sh" tests
+    (
+      cd "$root" || exit
+      cmake --preset host
+      cmake --build --preset host --parallel "$jobs" --target lumi lumi_device_picture
+    )
+  fi
+  case $only in
+    '')
+      bake_field
+      for example in "${examples[@]}"; do run_step "$example" run_example "$example"; done
+      publish
+      ;;
+    field) bake_field ;;
+    table) publish ;;
+    *) run_example "$only" ;;
+  esac
+}
+
+main "$@"
