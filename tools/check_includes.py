@@ -49,6 +49,7 @@ platform/reference
 platform/mps2
 platform/bench
 platform/bare
+platform/overlay
 platform/riscv
 platform/lm3s_oled
 platform/gba

@@ -4,8 +4,8 @@
 # Builds the examples of platform/, runs each on its emulator and compares what the emulated display shows, bit by bit,
 # with what `lumi render` or the host's library draws. Ends with 0 only if all agree and nothing was left out.
 #   --docs          writes the table and the pictures of docs/boards.md
-#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, table (of
-#                   what was run last)
+#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay,
+#                   table (of what was run last)
 #   --built         `lumi` and the tests' programs are built already, in build/release
 #   --may-skip      ends with 77 where an emulator is missing
 # Results, and a PNG of every display, lie in build/devices.
@@ -16,7 +16,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 devices=$root/build/devices
 lumi=$root/build/release/tools/lumi
 field=$devices/desk_clock.lumi
-examples=(riscv lm3s_oled gba pico_st7789 simulator)
+examples=(riscv lm3s_oled gba pico_st7789 simulator overlay)
 only='' built='' may_skip='' docs=''
 frames=2
 npm_folder=$root/build/npm
@@ -121,16 +121,20 @@ rate() {
 # Clocks an instruction that are assumed where an emulator counts instructions alone, in tenths.
 tenths_an_instruction=13
 
+# emulate_riscv FOLDER PROGRAM: the frames go to the folder.
+emulate_riscv() {
+  (
+    cd "$1" || exit
+    qemu-system-riscv32 -M virt -cpu lowrisc-ibex -m 64M -bios none -display none -serial none -monitor none \
+      -chardev stdio,id=console -semihosting-config enable=on,target=native,chardev=console -icount shift=0 -kernel "$2"
+  )
+}
+
 run_riscv() {
   require riscv riscv64-unknown-elf-g++ qemu-system-riscv32
   build riscv rv32imc
   local folder=$devices/riscv frame
-  (
-    cd "$folder" || exit
-    qemu-system-riscv32 -M virt -cpu lowrisc-ibex -m 64M -bios none -display none -serial none -monitor none \
-      -chardev stdio,id=console -semihosting-config enable=on,target=native,chardev=console -icount shift=0 \
-      -kernel build/lumi_riscv.elf
-  ) | tee "$folder/log"
+  emulate_riscv "$folder" "$folder/build/lumi_riscv.elf" | tee "$folder/log"
   for ((frame = 0; frame < frames; ++frame)); do check riscv rgb565-swapped 240x240 "$frame"; done
   local clocks=$(($(value instructions "$folder/log") * tenths_an_instruction / 10))
   write_row riscv riscv64-unknown-elf-size "$(rate 160000000 "$clocks")" – "instructions × 1.3 at 160 MHz"
@@ -192,12 +196,17 @@ run_pico_st7789() {
     "$(rate 1000000 "$(value microseconds "$folder/log--flash-misses")")" "rp2040js's clocks at 125 MHz, one core"
 }
 
-run_simulator() {
+# require_simulator EXAMPLE
+require_simulator() {
   local package
-  require simulator c++ pkg-config
+  require "$1" c++ pkg-config
   for package in sdl2 libpng; do
-    pkg-config --exists "$package" || require simulator "$package"
+    pkg-config --exists "$package" || require "$1" "$package"
   done
+}
+
+run_simulator() {
+  require_simulator simulator
   build simulator host
   local folder=$devices/simulator frame
   mkdir -p "$folder/dragged"
@@ -207,6 +216,21 @@ run_simulator() {
   "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
   python3 -B "$root/tools/devices/picture.py" png 240x240 "$folder/dragged/frame-1.png" \
     --same-as "$folder/expected-dragged.png" png
+}
+
+# What is drawn over a baked face, on an emulated device and on the host.
+run_overlay() {
+  require overlay riscv64-unknown-elf-g++ qemu-system-riscv32
+  require_simulator overlay
+  mkdir -p "$devices"/{riscv,simulator} "$devices/overlay/host"
+  build riscv rv32imc
+  build simulator host
+  local folder=$devices/overlay frame
+  emulate_riscv "$folder" "$devices/riscv/build/lumi_riscv_overlay.elf"
+  "$devices/simulator/build/lumi_simulator_overlay" --frames "$folder/host"
+  for ((frame = 0; frame < frames; ++frame)); do
+    check overlay rgb565-swapped 240x240 "$frame" "$folder/host/frame-$frame.png" png
+  done
 }
 
 run_example() {
@@ -234,7 +258,7 @@ write_docs() {
     !inside { print }
     $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$page" >"$devices/page"
   cp "$devices/page" "$page"
-  for example in gba lm3s_oled pico_st7789; do
+  for example in gba lm3s_oled overlay pico_st7789; do
     cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
   done
 }
