@@ -97,20 +97,18 @@ thousands() {
   awk -v n="$1" 'BEGIN { printf "%.1f kB", n / 1000 }'
 }
 
-# A program's own lines: no comment, nothing empty.
-glue_lines() {
-  grep --count --invert-match --extended-regexp '^[[:space:]]*(//.*)?$' "$root/platform/$1/main.cpp"
-}
-
-# write_row EXAMPLE SIZE_PROGRAM RATE RATE_WITH_MISSES COUNTED
+# write_row EXAMPLE MAIN SIZE_PROGRAM STACK RATE RATE_WITH_MISSES COUNTED: a row of the table, of the program of MAIN.cpp.
+# Its own lines are those without comments.
 write_row() {
-  local example=$1 elf=$devices/$1/build/lumi_$1.elf flash ram
-  flash=$(($(bytes_of "$2" "$elf" .boot .vectors .hot .text .ARM.exidx .data) - $(wc -c <"$field")))
-  ram=$(bytes_of "$2" "$elf" .hot .data .bss .fast)
+  local name=lumi_$1 flash ram lines
+  [[ $2 == main ]] || name=lumi_${1%%_*}_$2
+  local elf=$devices/$1/build/$name.elf
+  flash=$(($(bytes_of "$3" "$elf" .boot .vectors .hot .text .ARM.exidx .data) - $(wc -c <"$field")))
+  ram=$(bytes_of "$3" "$elf" .hot .data .bss .fast)
+  lines=$(grep --count --invert-match --extended-regexp '^[[:space:]]*(//.*)?$' "$root/platform/$1/$2.cpp")
   # shellcheck disable=SC2016
-  printf '| `%s` | %s | %s | %s | %s B | %s | %s | %s | yes |\n' "$example" "$(glue_lines "$example")" \
-    "$(thousands "$flash")" "$(thousands "$ram")" "$(value stack "$devices/$example/log")" "$3" "$4" "$5" \
-    >"$devices/$example/row"
+  printf '| `%s/%s.cpp` | %s | %s | %s | %s B | %s | %s | %s | yes |\n' "$1" "$2" "$lines" "$(thousands "$flash")" \
+    "$(thousands "$ram")" "$4" "$5" "$6" "$7" >>"$devices/$1/row"
 }
 
 # rate HZ CLOCKS
@@ -137,7 +135,7 @@ run_riscv() {
   emulate_riscv "$folder" "$folder/build/lumi_riscv.elf" | tee "$folder/log"
   for ((frame = 0; frame < frames; ++frame)); do check riscv rgb565-swapped 240x240 "$frame"; done
   local clocks=$(($(value instructions "$folder/log") * tenths_an_instruction / 10))
-  write_row riscv riscv64-unknown-elf-size "$(rate 160000000 "$clocks")" – "instructions × 1.3 at 160 MHz"
+  write_row riscv main riscv64-unknown-elf-size "$(value stack "$folder/log")" "$(rate 160000000 "$clocks")" – "instructions × 1.3, 160 MHz"
 }
 
 run_lm3s_oled() {
@@ -150,7 +148,7 @@ run_lm3s_oled() {
     check lm3s_oled grey4 128x64 "$frame" "$folder/expected-$frame.raw" grey4
   done
   local clocks=$(($(value instructions "$folder/log") * tenths_an_instruction / 10))
-  write_row lm3s_oled arm-none-eabi-size "$(rate 50000000 "$clocks")" – "instructions × 1.3 at 50 MHz"
+  write_row lm3s_oled main arm-none-eabi-size "$(value stack "$folder/log")" "$(rate 50000000 "$clocks")" – "instructions × 1.3, 50 MHz"
 }
 
 # Degrees in 2^-32 turns.
@@ -178,7 +176,8 @@ run_gba() {
     draw_expected gba bgr555 240 160 8 "$frame" "$azimuth" "$elevation"
     check gba rgb888 240x160 "$frame" "$folder/expected-$frame.raw" bgr555
   done <"$folder/log"
-  write_row gba arm-none-eabi-size "$(rate 16777216 "$(value cycles "$folder/log")")" – "mGBA's clocks at 16.8 MHz, with wait states"
+  write_row gba main arm-none-eabi-size "$(value stack "$folder/log")" \
+    "$(rate 16777216 "$(value cycles "$folder/log")")" – "mGBA's clocks, 16.8 MHz"
 }
 
 run_pico_st7789() {
@@ -192,8 +191,23 @@ run_pico_st7789() {
     node "$root/tools/devices/run_pico.cjs" "$folder/build/lumi_pico_st7789.bin" "$folder" $option | tee "$folder/log$option"
     for ((frame = 0; frame < frames; ++frame)); do check pico_st7789 rgb565-swapped 240x240 "$frame"; done
   done
-  write_row pico_st7789 arm-none-eabi-size "$(rate 1000000 "$(value microseconds "$folder/log")")" \
-    "$(rate 1000000 "$(value microseconds "$folder/log--flash-misses")")" "rp2040js's clocks at 125 MHz, one core"
+  write_row pico_st7789 main arm-none-eabi-size "$(value stack "$folder/log")" \
+    "$(rate 1000000 "$(value microseconds "$folder/log")")" \
+    "$(rate 1000000 "$(value microseconds "$folder/log--flash-misses")")" "rp2040js's clocks, 125 MHz"
+  run_two_cores
+}
+
+# The emulator has one core. It draws both shares, and the rate of two is modelled from the time of each.
+run_two_cores() {
+  local folder=$devices/pico_st7789 frame longest
+  local log=$folder/log-two-cores
+  rm -f "$folder"/*.raw
+  node "$root/tools/devices/run_pico.cjs" "$folder/build/lumi_pico_two_cores.bin" "$folder" --flash-misses | tee "$log"
+  for ((frame = 0; frame < frames; ++frame)); do check pico_st7789 rgb565-swapped 240x240 "$frame"; done
+  longest=$(awk '{ for (i = 1; i < NF; ++i) v[$i] = $(i + 1); t = v["microseconds"] - v["saves"]; if (t > most) most = t }
+    END { print most }' "$log")
+  write_row pico_st7789 two_cores arm-none-eabi-size "$(value stack "$log") + $(value core1-stack "$log")" – \
+    "$(rate 1000000 "$longest")" "both cores, modelled"
 }
 
 # require_simulator EXAMPLE
@@ -216,6 +230,12 @@ run_simulator() {
   "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
   python3 -B "$root/tools/devices/picture.py" png 240x240 "$folder/dragged/frame-1.png" \
     --same-as "$folder/expected-dragged.png" png
+  mkdir -p "$folder/threads"
+  "$folder/build/lumi_simulator_two_cores" --frames "$folder/threads"
+  for ((frame = 0; frame < frames; ++frame)); do
+    python3 -B "$root/tools/devices/picture.py" png 240x240 "$folder/threads/frame-$frame.png" \
+      --same-as "$folder/frame-$frame.png" png
+  done
 }
 
 # What is drawn over a baked face, on an emulated device and on the host.

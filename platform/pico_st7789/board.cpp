@@ -2,6 +2,7 @@
 // Raspberry Pi Pico. After a frame a line goes to UART0.
 #include "board.h"
 
+#include "report.h"
 #include "rp2040.h"
 #include "st7789.h"
 #include "start.h"
@@ -19,10 +20,14 @@ void end_frame()
     const uint32_t spent = rp2040::microseconds() - begin;
     lumi::firmware::TextLine line;
     line.text("frame ").decimal(static_cast<uint32_t>(frame)).text(" microseconds ").decimal(spent);
-    rp2040::write(line.text(" stack ").decimal(used_stack_bytes()).text("\n").c_str());
+    line.text(" stack ").decimal(used_stack_bytes());
+    add_report(line);
+    rp2040::write(line.text("\n").c_str());
 }
 
 }  // namespace
+
+__attribute__((weak)) void add_report(lumi::firmware::TextLine&) {}
 
 bool board::next_view(lumi::Orbit& orbit)
 {

@@ -107,6 +107,14 @@ function watchFlash(chip, cache) {
   }
 }
 
+// The emulator has one core: there is room for words to the other one, and it never answers.
+function silenceCore1(chip) {
+  const kStatus = 0x50, kWrite = 0x54, kHasRoom = 2;
+  const { sio } = chip, read = sio.readUint32.bind(sio), write = sio.writeUint32.bind(sio);
+  sio.readUint32 = (offset) => (offset === kStatus ? kHasRoom : read(offset));
+  sio.writeUint32 = (offset, value) => void (offset === kWrite || write(offset, value));
+}
+
 function boot(chip, program) {
   if (program.length < kBootBytes || crc32(program.subarray(0, 252)) !== program.readUInt32LE(252)) {
     console.error('run_pico.cjs: the boot ROM would not start this program: the CRC of its first 256 bytes is wrong');
@@ -126,8 +134,14 @@ function main() {
   }
   const chip = new RP2040(), clock = chip.clock, cache = new FlashCache();
   chip.logger = { debug() {}, info() {}, warn() {}, error(name, text) { console.error(`${name}: ${text}`); } };
+  if (!fs.existsSync(file)) {
+    console.error(`run_pico.cjs: ${file}: no such file`);
+    process.exit(2);
+  }
   boot(chip, fs.readFileSync(file));
   if (option) watchFlash(chip, cache);
+
+  silenceCore1(chip);
 
   const panel = new St7789(() => chip.gpio[20].outputValue);
   const spi = chip.spi[0];

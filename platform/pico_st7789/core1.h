@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The second core, for one job at a time.
+#pragma once
+
+#include <stdint.h>
+
+namespace core1
+{
+
+void start();
+// Begins job(argument) on core 1. Its stack takes what docs/boards.md says.
+void run(void (*job)(int32_t), int32_t argument);
+// Until that job has ended.
+void wait();
+
+}  // namespace core1

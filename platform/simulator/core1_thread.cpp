@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A thread as the second core.
+#include <thread>
+
+#include "core1.h"
+
+namespace core1
+{
+namespace
+{
+
+std::thread core;
+
+}  // namespace
+
+void start() {}
+
+void run(void (*job)(int32_t), int32_t argument)
+{
+    core = std::thread(job, argument);
+}
+
+void wait()
+{
+    core.join();
+}
+
+}  // namespace core1
