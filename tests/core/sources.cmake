@@ -28,8 +28,10 @@ set(LUMI_CORE_TEST_SOURCES
   surface/surface_quality_test.cpp
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp
+  view/c_api_test.cpp
   view/pack_test.cpp
-  view/view_test.cpp)
+  view/view_test.cpp
+  ../../core/src/c/lumi.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 # Helpers that tests share lie here; tests look into core, too.
 set(LUMI_CORE_TEST_INCLUDES ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/../../core/src)

@@ -8,6 +8,7 @@
 
 #include "lumi/render_spans_paper.h"
 #include "lumi/render_surface.h"
+#include "lumi/surface_view.h"
 
 namespace lumi::policies
 {
@@ -160,11 +161,36 @@ struct SurfacePixels {
     DrawSurface over_stripe = draw_surface<Pixel, OverStripe>;
 };
 
+// A view's calls, as a firmware makes them.
+using PolicyView = View<SurfaceDrawing<1000, 1000>, Screen<>>;
+
+ViewError draw_surface_view_open(PolicyView& view, const uint8_t* bytes, size_t size)
+{
+    return view.open(bytes, size);
+}
+
+ViewError draw_surface_view_look(PolicyView& view, const Orbit& orbit)
+{
+    return view.look(orbit);
+}
+
+ViewError draw_surface_view_draw(PolicyView& view, const Stripe& stripe)
+{
+    return view.draw(stripe);
+}
+
+ViewError draw_surface_view_over_nothing(PolicyView& view, const Stripe& stripe)
+{
+    return view.draw(stripe, OverNothing{});
+}
+
 struct EverySurface {
     SurfacePixels<PixelRgb565> rgb565;
     SurfacePixels<PixelRgb565Swapped> rgb565_swapped;
     SurfacePixels<PixelRgb888> rgb888;
     SurfacePixels<PixelGrey8> grey8;
+    SurfacePixels<PixelBgr555> bgr555;
+    SurfacePixels<PixelArgb8888> argb8888;
 };
 extern const EverySurface kEverySurface;
 const EverySurface kEverySurface = {};

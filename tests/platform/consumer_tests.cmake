@@ -23,3 +23,10 @@ add_test(NAME ${LUMI_TEST_PREFIX}platform.add_subdirectory
     --build-generator ${CMAKE_GENERATOR} --build-options ${lumi_consumer_options}
       -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR}
     --test-command consumer ${CMAKE_CURRENT_BINARY_DIR}/fields/rgb565.lumi)
+
+# What README.md and core/README.md print compiles and draws, in C++ and in C (C99, -pedantic), the same frame.
+add_test(NAME ${LUMI_TEST_PREFIX}platform.snippets
+  COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/snippets ${lumi_consumer_build}/snippets
+    --build-generator ${CMAKE_GENERATOR} --build-options ${lumi_consumer_options}
+      -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR} -DFIELD=${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi
+      -DLUMI_TOOL=$<TARGET_FILE:lumi>)

@@ -115,6 +115,12 @@ add_test(NAME platform.add_subdirectory_firmware
     --build-options -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR}
       -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/toolchains/cortex-m0plus.cmake)
 
+# Core's archives compile as each ecosystem compiles them.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME platform.packages
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/packages_test.py $<$<BOOL:${LUMI_TEST_ALL}>:--all>
+    ${CMAKE_CURRENT_BINARY_DIR}/packages COMMAND_EXPAND_LISTS)
+
 # The proof finds what is planted for it. These need the build of one CPU.
 set(lumi_planted ${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross)
 set(lumi_proof_tests)

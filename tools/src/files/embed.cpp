@@ -157,6 +157,9 @@ extern "C" {
 #endif
 
 @DECLARATION@
+/* What lumi.h sizes its memory by. */
+enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@ };
+
 #ifdef __cplusplus
 }
 
@@ -173,6 +176,9 @@ using @SYMBOL@_view = @VIEW@;
     std::string result = replaced(text, "@DECLARATION@", declaration_of(kind));
     result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
     result = replaced(result, "@OPENER@", renderer.opener);
+    const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
+    result = replaced(result, "@VERTICES@", std::to_string(counted.vertex_count));
+    result = replaced(result, "@PATCHES@", std::to_string(counted.patch_count));
     result = replaced(replaced(result, "@VIEW@", renderer.view), "@BYTES@", std::to_string(field.size()));
     return replaced(result, "@SYMBOL@", symbol);
 }

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+# Core's source files: the one list, for every build system that is written in CMake. src/c/lumi.cpp is not among them:
+# programs in C compile it with their own macros.
+set(LUMI_CORE_SOURCES
+  src/math/coarse_math.cpp
+  src/math/math.cpp
+  src/math/reciprocal.cpp
+  src/lattice/lattice.cpp
+  src/lattice/lattice_query.cpp
+  src/lattice/neighbours.cpp
+  src/lattice/polar.cpp
+  src/lattice/triangle.cpp
+  src/lattice/zone_tables.cpp
+  src/field/crc32.cpp
+  src/field/field.cpp
+  src/field/sections.cpp
+  src/camera/camera.cpp
+  src/camera/orbit.cpp
+  src/camera/quality.cpp
+  src/camera/quality_ladder.cpp
+  src/camera/sphere.cpp
+  src/stepping/zone_map.cpp
+  src/stepping/hits.cpp
+  src/stepping/outline.cpp
+  src/stepping/polar_line.cpp
+  src/stepping/walker.cpp
+  src/stepping/zones.cpp
+  src/chord/kernel/distances.cpp
+  src/chord/kernel/kernel.cpp
+  src/chord/armv6m/linear_luma8.S
+  src/chord/armv6m/linear_palette8.S
+  src/chord/armv6m/linear_rgb565.S
+  src/chord/armv6m/linear_rgb888.S
+  src/chord/stepper.cpp
+  src/chord/tile.cpp
+  src/surface/fill.cpp
+  src/surface/frame.cpp
+  src/surface/packed_colour.cpp
+  src/surface/planes.cpp
+  src/surface/projection.cpp
+  src/surface/rasterize.cpp
+  src/surface/silhouette.cpp
+  src/surface/split.cpp
+  src/surface/surface_camera.cpp
+  src/surface/surface_field.cpp
+  src/surface/view_nodes.cpp
+  src/view/check_stripe.cpp
+  src/view/pack.cpp
+  src/view/view_error.cpp)

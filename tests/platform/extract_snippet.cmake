@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+# cmake -D DOCUMENT=page.md -D LANGUAGE=cpp -D WITH=text -D OUT=file -P extract_snippet.cmake
+# Writes the page's first block of code in the language that holds the text: what readers copy is what tests compile.
+cmake_minimum_required(VERSION 3.16)
+file(READ ${DOCUMENT} rest)
+while(TRUE)
+  string(FIND "${rest}" "\n```${LANGUAGE}\n" begin)
+  if(begin EQUAL -1)
+    message(FATAL_ERROR "${DOCUMENT} has no block of ${LANGUAGE} with: ${WITH}")
+  endif()
+  string(SUBSTRING "${rest}" ${begin} -1 rest)
+  string(LENGTH "\n```${LANGUAGE}\n" length)
+  string(SUBSTRING "${rest}" ${length} -1 rest)
+  string(FIND "${rest}" "\n```" end)
+  string(SUBSTRING "${rest}" 0 ${end} block)
+  string(FIND "${block}" "${WITH}" found)
+  if(NOT found EQUAL -1)
+    file(WRITE ${OUT} "${block}\n")
+    return()
+  endif()
+endwhile()

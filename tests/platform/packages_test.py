@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""packages_test.py [--all] FOLDER
+
+Unpacks core's archives into empty folders and compiles them as each ecosystem would: its file globs, include paths and
+flags. The ecosystems' own tools (arduino-cli, idf.py, west, pio, the Pico SDK, packchk) are not used: their part is
+played by the functions that they call and by their flags. Without --all sources are checked, but no code is made.
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import xml.etree.ElementTree
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+CROSS = "arm-none-eabi-"
+M0 = ["-mcpu=cortex-m0plus", "-mthumb"]
+COMMON = ["-ffunction-sections", "-fdata-sections", "-fno-exceptions", "-fno-rtti"]
+# What stands for the functions of an SDK, as a project that includes core's files and builds what they ask for.
+ESP_IDF = """
+set(ESP_PLATFORM ON)
+macro(idf_component_register)
+  cmake_parse_arguments(arg "" "" "SRCS;INCLUDE_DIRS;PRIV_INCLUDE_DIRS" ${ARGN})
+  if(PROJECT_NAME STREQUAL "lumi")
+    message(FATAL_ERROR "registered after project()")
+  endif()
+  list(TRANSFORM arg_SRCS PREPEND ${core}/)
+  set(sources ${arg_SRCS})
+  set(includes ${core}/${arg_INCLUDE_DIRS} ${core}/${arg_PRIV_INCLUDE_DIRS})
+endmacro()
+macro(run)
+  include(${core}/CMakeLists.txt)
+endmacro()
+"""
+ZEPHYR = """
+set(CONFIG_LUMI y)
+set(CONFIG_LUMI_C y)
+macro(zephyr_include_directories)
+  list(APPEND includes ${ARGN})
+endmacro()
+macro(zephyr_library_include_directories)
+  list(APPEND includes ${ARGN})
+endmacro()
+macro(zephyr_library_named name)
+endmacro()
+macro(zephyr_library_sources)
+  list(APPEND sources ${ARGN})
+endmacro()
+macro(zephyr_library_sources_ifdef name)
+  if(${name})
+    list(APPEND sources ${ARGN})
+  endif()
+endmacro()
+macro(run)
+  include(${core}/zephyr/CMakeLists.txt)
+endmacro()
+"""
+PICO = """
+macro(run)
+  include(${core}/pico_lumi.cmake)
+  get_target_property(sources pico_lumi INTERFACE_SOURCES)
+  get_target_property(includes pico_lumi INTERFACE_INCLUDE_DIRECTORIES)
+  get_target_property(definitions pico_lumi INTERFACE_COMPILE_DEFINITIONS)
+endmacro()
+"""
+PROJECT = """
+cmake_minimum_required(VERSION 3.16)
+project(firmware LANGUAGES NONE)
+function(find)
+  {stub}
+  run()
+  foreach(line IN LISTS sources)
+    message("source ${{line}}")
+  endforeach()
+  foreach(line IN LISTS includes)
+    message("include ${{line}}")
+  endforeach()
+  foreach(line IN LISTS definitions)
+    message("define ${{line}}")
+  endforeach()
+endfunction()
+set(core {core})
+find()
+"""
+
+
+class Build:
+    def __init__(self, folder, makes_code):
+        self.folder, self.makes_code = folder, makes_code
+
+    def fresh(self, name):
+        path = self.folder / name
+        shutil.rmtree(path, ignore_errors=True)
+        path.mkdir(parents=True)
+        return path
+
+    def compile(self, name, sources, flags, cxx_flags, prefix=CROSS):
+        if not sources:
+            sys.exit(f"error: {name}: no source was found")
+        done = []
+        cxx = [s for s in sources if s.suffix == ".cpp"]
+        for source in cxx if self.makes_code else []:
+            self.run(name, [prefix + "g++", *flags, *cxx_flags, "-c", source, "-o", self.folder / "object.o"])
+        if not self.makes_code:
+            self.run(name, [prefix + "g++", *flags, *cxx_flags, "-fsyntax-only", *cxx])
+        for source in (s for s in sources if s.suffix in (".S", ".c")):
+            self.run(name, [prefix + "gcc", *flags, "-c", source, "-o", self.folder / "object.o"])
+        print(f"{name}: {len(sources)} sources")
+        return done
+
+    @staticmethod
+    def run(name, command):
+        result = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+        if result.returncode != 0:
+            sys.exit(f"error: {name}: {' '.join(map(str, command))}\n{result.stdout}{result.stderr}")
+        return result.stderr
+
+
+def listed(build, name, core, stub):
+    """What a build system written in CMake would compile: (sources, flags)."""
+    folder = build.fresh(name + "-project")
+    (folder / "CMakeLists.txt").write_text(PROJECT.format(stub=stub, core=core))
+    lines = build.run(name, ["cmake", "-S", folder, "-B", folder / "build"])
+    found = {kind: re.findall(rf"^{kind} (.*)$", lines, re.MULTILINE) for kind in ("source", "include", "define")}
+    flags = [f"-I{i}" for i in found["include"]] + [f"-D{d}" for d in found["define"]]
+    return [pathlib.Path(s) for s in found["source"]], flags
+
+
+def arduino(build, archives):
+    folder = build.fresh("arduino")
+    zipfile.ZipFile(next(archives.glob("lumi-arduino-*.zip"))).extractall(folder)
+    library = folder / "Lumi"
+    properties = dict(line.split("=", 1) for line in (library / "library.properties").read_text().splitlines())
+    if properties["version"] != (ROOT / "core/VERSION").read_text().strip():
+        sys.exit("error: arduino: library.properties has another version")
+    sources = [p for p in sorted((library / "src").rglob("*")) if p.suffix in (".c", ".cpp", ".S")]
+    flags = [*M0, "-Os", "-w", "-ffunction-sections", "-fdata-sections", "-DARDUINO=10819", f"-I{library / 'src'}"]
+    build.compile("arduino", sources, flags, ["-std=gnu++17", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics"])
+    # The sketch as the IDE makes it a program, beside what `lumi embed` writes.
+    sketch = library / "examples/OneFrame/OneFrame.ino"
+    stub = '#include <stdint.h>\nstruct { void begin(long); void println(const char*); } Serial;\n#line 1 "sketch"\n'
+    header = ("#include <stddef.h>\nextern \"C\" const uint8_t product[10];\nstatic inline size_t product_size() "
+              "{ return 10; }\ntemplate <class Screen = lumi::Screen<>, lumi::SurfaceMode Finest = "
+              "lumi::SurfaceMode::antialiased>\nusing product_view = lumi::View<lumi::SurfaceDrawing<20, 30, Finest>, "
+              "Screen>;\n")
+    (folder / "product.h").write_text(header)
+    (folder / "sketch.cpp").write_text(stub + sketch.read_text())
+    build.compile("arduino sketch", [folder / "sketch.cpp"], [*flags, f"-I{folder}"], ["-std=gnu++17"])
+
+
+def platformio(build, core):
+    sources = [p for p in sorted((core / "src").rglob("*")) if p.suffix in (".c", ".cpp", ".S")]
+    build.compile("platformio", sources, [*M0, "-Os", f"-I{core / 'include'}", f"-I{core / 'src'}", "-ffunction-sections"],
+                  ["-std=gnu++17", "-fno-exceptions"])
+
+
+def cmsis_pack(build, archives):
+    folder = build.fresh("cmsis")
+    zipfile.ZipFile(next(archives.glob("*.pack"))).extractall(folder)
+    files = xml.etree.ElementTree.parse(next(folder.glob("*.pdsc"))).iter("file")
+    named = [(f.get("category"), f.get("name")) for f in files]
+    sources = [folder / n for c, n in named if c == "source"]
+    includes = [f"-I{folder / n}" for c, n in named if c == "include"]
+    build.compile("cmsis-pack", sources, [*M0, "-O2", *includes, "-ffunction-sections"],
+                  ["-std=c++17", "-fno-exceptions", "-fno-rtti"])
+
+
+def main(arguments):
+    makes_code = "--all" in arguments
+    folder = pathlib.Path(arguments[-1]).resolve()
+    build = Build(folder, makes_code)
+    archives = build.fresh("archives")
+    build.run("release", [sys.executable, "-B", ROOT / "tools/release.py", archives])
+    unpacked = build.fresh("core")
+    tarfile.open(next(archives.glob("lumi-core-*.tar.xz"))).extractall(unpacked)
+    core = next(unpacked.iterdir())
+    arduino(build, archives)
+    platformio(build, core)
+    cmsis_pack(build, archives)
+    cxx = ["-std=gnu++2b", "-fno-exceptions", "-fno-rtti", "-Wall", "-Werror=all", "-Wno-error=unused-function"]
+    for name, stub, std in (("esp-idf", ESP_IDF, cxx), ("zephyr", ZEPHYR, ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"]),
+                            ("pico", PICO, ["-std=gnu++17", *COMMON[2:], "-Wall"])):
+        sources, flags = listed(build, name, core, stub)
+        build.compile(name, sources, [*M0, "-Os", *COMMON[:2], *flags], std)
+    print("not installed, so not run: arduino-cli, idf.py, west, pio, the Pico SDK, packchk")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

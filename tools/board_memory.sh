@@ -1,0 +1,52 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# tools/board_memory.sh FIELD.lumi
+# RAM and stack of README's firmware, compiled as it is printed for every core with FIELD: writes the table of
+# docs/boards.md. Stack is the deepest chain of calls in GCC's call graph (tests/platform/check_stack.cmake), from the
+# snippet's functions down; RAM its static data.
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+field=$(realpath "${1:?give a surface field: tools/board_memory.sh FIELD.lumi}")
+lumi=${LUMI_TOOL:-$root/build/release/tools/lumi}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$lumi" embed "$field" -o "$work/product.S" >"$work/log"
+cmake -D DOCUMENT="$root/README.md" -D LANGUAGE=cpp -D WITH=product_view -D OUT="$work/readme.cpp" \
+    -P "$root/tests/platform/extract_snippet.cmake"
+flags="-std=c++17 -O2 -DNDEBUG -mthumb -mfloat-abi=soft -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections"
+
+# stack ROOTS: bytes of the deepest chain from functions of that name.
+stack() {
+    cmake -D FOLDERS="$work/$cpu" -D ROOTS="$1" -D LIMIT=100000 -P "$root/tests/platform/check_stack.cmake" 2>&1 |
+        sed -n 's/.*chain takes \([0-9]*\) bytes.*/\1/p'
+}
+
+table="$work/table"
+{
+    echo "| core | RAM: view and stripe | stack of \`open\` | stack of \`look\` and \`draw\` |"
+    echo "|---|---:|---:|---:|"
+} >"$table"
+for cpu in cortex-m0plus cortex-m3 cortex-m4 cortex-m7; do
+    mkdir "$work/$cpu"
+    for source in $(sed -n 's/^  \(src[^)]*\).*/\1/p' "$root/core/sources.cmake") readme.cpp; do
+        path=$root/core/$source
+        [ "$source" = readme.cpp ] && path=$work/readme.cpp
+        object=$work/$cpu/$(echo "$source" | tr / _).o
+        case $source in
+        *.S) arm-none-eabi-gcc -mcpu=$cpu -mthumb -c "$path" -o "$object" ;;
+        *) arm-none-eabi-g++ $flags -mcpu=$cpu -fcallgraph-info=su -I "$root/core/include" -I "$root/core/src" \
+            -I "$work" -c "$path" -o "$object" ;;
+        esac
+        done
+    ram=$(arm-none-eabi-size "$work/$cpu/readme.cpp.o" | awk 'NR == 2 { print $2 + $3 }')
+    # The flush is a call through a pointer, which a chain cannot follow: measured without it.
+    sed -i '/__indirect_call/d' "$work/$cpu"/readme.cpp*.ci
+    echo "| $cpu | $ram | $(stack '^_Z5startv') | $(stack '^_Z10draw_frame') |" >>"$table"
+done
+cat "$table"
+document="$root/docs/boards.md"
+awk -v table="$table" '
+    /<!-- board memory: end/ { skip = 0 }
+    !skip { print }
+    /<!-- board memory: begin/ { while ((getline line < table) > 0) print line; skip = 1 }' "$document" >"$work/document"
+cp "$work/document" "$document"
