@@ -94,6 +94,7 @@ void put(ByteWriter& out, const PatchSums& sums)
             put_signed(out, texel.target[c]);
             put_signed(out, texel.predicted[c]);
         }
+        put_number(out, texel.scatter);
     }
     for (const uint32_t crossed : sums.crossed) {
         put_number(out, crossed);
@@ -121,6 +122,7 @@ void add(ByteReader& in, PatchSums& sums)
             texel.target[c] += get_signed(in);
             texel.predicted[c] += get_signed(in);
         }
+        texel.scatter += get_number(in);
     }
     for (uint32_t& crossed : sums.crossed) {
         crossed += static_cast<uint32_t>(get_number(in));
@@ -138,7 +140,7 @@ void add(ByteReader& in, PatchSums& sums)
     }
 }
 
-constexpr uint32_t kBasisTag = 0x42465253, kStateTag = 0x53465253;
+constexpr uint32_t kBasisTag = 0x42465253, kStateTag = 0x54465253;
 
 }  // namespace
 

@@ -2,7 +2,7 @@
 #include "surface/surface_solution.h"
 
 #include "surface/surface_solver.h"
-#include "surface/texel_fill.h"
+#include "surface/texel_noise.h"
 #include "surface/texel_palette.h"
 #include "surface/view_quantiser.h"
 
@@ -13,15 +13,31 @@ namespace
 
 constexpr int kIterations = 60;
 
+// Of a texel's mean, a channel. A texel's own scatter is known badly where it has few paths: its patch's helps out.
+std::vector<double> texel_variances(const PatchSums& sums)
+{
+    constexpr double kPatchPaths = 16;
+    TexelSums all;
+    for (const TexelSums& texel : sums.texels) {
+        all.count += texel.count;
+        all.scatter += texel.scatter;
+    }
+    std::vector<double> result;
+    for (const TexelSums& texel : sums.texels) {
+        const double scatter = texel.variance() * texel.count + all.variance() * kPatchPaths;
+        result.push_back(texel.count == 0 ? -1 : scatter / (texel.count + kPatchPaths) / texel.count);
+    }
+    return result;
+}
+
 // Takes the line back: the mean light that it stands for, encoded.
 void finish_texels(const SurfaceState& state, SurfaceModel& model)
 {
     for (uint32_t p = 0; p < state.shape.mesh.patches.size(); ++p) {
         const PatchRectangle& r = state.shape.layout.rectangles[p];
-        std::vector<uint32_t> counts;
+        const PatchSums& sums = state.sums.patches()[p];
         for (size_t t = 0; t < r.size(); ++t) {
-            const TexelSums& texel = state.sums.patches()[p].texels[t];
-            counts.push_back(texel.count);
+            const TexelSums& texel = sums.texels[t];
             const double unit = kLevelUnit / std::max(texel.count, 1u);
             LevelColour expected, target;
             for (size_t c = 0; c < 3; ++c) {
@@ -33,7 +49,7 @@ void finish_texels(const SurfaceState& state, SurfaceModel& model)
                 model.texels[r.begin + t][c] += shown[c] - target[c];
             }
         }
-        smooth_starved(&model.texels[r.begin], counts, r.n);
+        smooth_noise(&model.texels[r.begin], texel_variances(sums), r.n);
     }
 }
 

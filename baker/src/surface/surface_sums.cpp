@@ -110,6 +110,8 @@ void SurfaceSums::add(uint32_t patch, const SurfaceSample* begin, const SurfaceS
         for (size_t c = 0; c < 3; ++c) {
             texel.target[c] += target[c];
             texel.predicted[c] += p[c];
+            const int64_t off = (target[c] - p[c]) >> kScatterShift;
+            texel.scatter += static_cast<uint64_t>(off * off);
         }
         for (uint32_t i = 0; i < taps.count; ++i) {
             const SampleTaps::Tap& a = taps.taps[i];
