@@ -14,6 +14,7 @@ set(LUMI_CORE_SOURCES
   src/field/crc32.cpp
   src/field/field.cpp
   src/field/sections.cpp
+  src/camera/attitude.cpp
   src/camera/camera.cpp
   src/camera/orbit.cpp
   src/camera/quality.cpp
@@ -45,5 +46,6 @@ set(LUMI_CORE_SOURCES
   src/surface/surface_field.cpp
   src/surface/view_nodes.cpp
   src/view/check_stripe.cpp
+  src/view/gesture.cpp
   src/view/pack.cpp
   src/view/view_error.cpp)

@@ -3,6 +3,7 @@
 set(LUMI_CORE_TEST_SOURCES
   render_test.cpp
   stripes_test.cpp
+  camera/attitude_test.cpp
   camera/camera_test.cpp
   camera/orbit_test.cpp
   camera/quality_test.cpp
@@ -29,6 +30,7 @@ set(LUMI_CORE_TEST_SOURCES
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp
   view/c_api_test.cpp
+  view/gesture_test.cpp
   view/pack_test.cpp
   view/view_test.cpp
   ../../core/src/c/lumi.cpp)

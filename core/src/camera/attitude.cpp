@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/attitude.h"
+
+#include "lumi/math.h"
+
+namespace lumi
+{
+namespace
+{
+
+// The same turn with numbers of 29 or 30 bits.
+Quaternion enlarged(Quaternion q)
+{
+    const uint32_t bits = static_cast<uint32_t>(magnitude(q.w)) | static_cast<uint32_t>(magnitude(q.x)) |
+                          static_cast<uint32_t>(magnitude(q.y)) | static_cast<uint32_t>(magnitude(q.z));
+    if (bits == 0) return {kOneQ30, 0, 0, 0};
+    const int32_t factor = 1 << (__builtin_clz(bits) > 2 ? __builtin_clz(bits) - 2 : 0);
+    return {q.w * factor, q.x * factor, q.y * factor, q.z * factor};
+}
+
+// Of length 1, Q30.
+Quaternion normalised(const Quaternion& turn)
+{
+    const Quaternion q = enlarged(turn);
+    const auto square = [](int32_t c) { return static_cast<uint64_t>(wide_product(c, c)); };
+    const ReciprocalRoot root = reciprocal_root(square(q.w) + square(q.x) + square(q.y) + square(q.z));
+    const auto unit = [&](int32_t c) {
+        return static_cast<int32_t>((c * static_cast<int64_t>(root.mantissa)) >> (root.exponent - 30));
+    };
+    return {unit(q.w), unit(q.x), unit(q.y), unit(q.z)};
+}
+
+}  // namespace
+
+Pose held_pose(const Quaternion& turn, int32_t distance_q20)
+{
+    const Quaternion q = normalised(turn);
+    const auto twice_sum = [](int32_t a, int32_t b, int32_t c, int32_t d) {
+        return q60_to_q30(2 * (wide_product(a, b) + wide_product(c, d)));
+    };
+    const auto one_minus = [&](int32_t a, int32_t b) { return kOneQ30 - twice_sum(a, a, b, b); };
+    const Vec3q30 right = {one_minus(q.y, q.z), twice_sum(q.x, q.y, q.w, q.z), twice_sum(q.x, q.z, -q.w, q.y)};
+    const Vec3q30 up = {twice_sum(q.x, q.y, -q.w, q.z), one_minus(q.x, q.z), twice_sum(q.y, q.z, q.w, q.x)};
+    const Vec3q30 out = {twice_sum(q.x, q.z, q.w, q.y), twice_sum(q.y, q.z, -q.w, q.x), one_minus(q.x, q.y)};
+    const Vec3q20 eye = {mul_q30(out.x, distance_q20), mul_q30(out.y, distance_q20), mul_q30(out.z, distance_q20)};
+    return {eye, right, up, {-out.x, -out.y, -out.z}};
+}
+
+}  // namespace lumi
