@@ -6,6 +6,7 @@
 
 #include "chord/row_file.h"
 #include "lumi/crc32.h"
+#include "lumi/texel.h"
 #include "store/shard_rows.h"
 #include "support/bake_scenes.h"
 #include "support/merge_problems.h"
@@ -93,8 +94,7 @@ TEST_CASE("shards: a shard looks from all around, also where their number is one
 TEST_CASE("merge: the field is that of one machine, bit for bit, in every texel format, in any order", "[repeated]")
 {
     const Scene scene = tiny_scene();
-    for (const TexelFormat texel :
-         {TexelFormat::rgb888, TexelFormat::rgb565, TexelFormat::palette8, TexelFormat::luma8}) {
+    for (const TexelFormat texel : AllTexels::kFormats) {
         for (const uint32_t count : {1u, 2u, 5u, 9u, 11u}) {  // with 11, two hold no row
             const ScratchFolder folder;
             bake_shards(folder, scene, tiny_settings(texel), count);

@@ -47,7 +47,9 @@ struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
 using Reconstructions =
     std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<kMaxNeighbours>, BySpans<Nearest>, BySpans<NearestVoronoi>,
                BySpans<Dither>, BySpans<Linear>, BySpans<Paper<kMaxNeighbours>>>;
-using Texels = std::tuple<TexelRgb888, TexelRgb565, TexelPalette8, TexelLuma8>;
+template <class... Texel>
+std::tuple<Texel...> tuple_of(TexelList<Texel...>);
+using Texels = decltype(tuple_of(AllTexels()));
 using Pixels = std::tuple<PixelRgb565, PixelRgb565Swapped, PixelRgb888, PixelGrey8>;
 using Backgrounds = std::tuple<OverBlack, OverColour, OverStripe>;
 

@@ -139,16 +139,7 @@ void draw_chord(const Field& field, const Scene& s)
     Camera camera;
     if (make_camera(s.pose, s.image, camera) != CameraError::none) return;
     if ((s.choice & 0x100) != 0) camera = interlaced_half(camera, static_cast<int32_t>(s.choice >> 9 & 1));
-    switch (field.texel_format) {
-        case format::TexelFormat::rgb888:
-            return draw_chord<TexelRgb888>(field, camera, s);
-        case format::TexelFormat::rgb565:
-            return draw_chord<TexelRgb565>(field, camera, s);
-        case format::TexelFormat::palette8:
-            return draw_chord<TexelPalette8>(field, camera, s);
-        case format::TexelFormat::luma8:
-            return draw_chord<TexelLuma8>(field, camera, s);
-    }
+    with_texel(field.texel_format, [&](auto texel) { draw_chord<decltype(texel)>(field, camera, s); });
 }
 
 void draw_surface(const SurfaceField& field, const Scene& s)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// lumi_make_test_fields FOLDER: writes one small field per texel format, FOLDER/{rgb888,rgb565,palette8,luma8}.lumi,
+// lumi_make_test_fields FOLDER: writes one small field per texel format, FOLDER/rgb888.lumi and so on,
 // and surface fields, FOLDER/surface.lumi and FOLDER/sheet.lumi.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -35,29 +36,13 @@ std::vector<Rgba8> trace()
 
 void put(TexelFormat texel, const baker::Palette& palette, const Rgba8& seen, uint8_t* at)
 {
-    const bool hit = seen.a != 0;
-    const Rgb8 colour = {seen.r, seen.g, seen.b};
-    switch (texel) {
-        case TexelFormat::rgb888: {
-            const Rgb8 v = hit ? TexelRgb888::encode(colour) : Rgb8{0, 0, 0};
-            at[0] = v.r;
-            at[1] = v.g;
-            at[2] = v.b;
-            return;
-        }
-        case TexelFormat::rgb565: {
-            const unsigned v = hit ? TexelRgb565::encode(colour) : 0u;
-            at[0] = static_cast<uint8_t>(v & 0xFF);
-            at[1] = static_cast<uint8_t>(v >> 8);
-            return;
-        }
-        case TexelFormat::palette8:
+    with_texel(texel, [&](auto policy) {
+        if constexpr (decltype(policy)::kIndexed) {
             *at = baker::nearest_entry(palette, seen);
-            return;
-        case TexelFormat::luma8:
-            *at = hit ? TexelLuma8::encode(colour) : uint8_t{0};
-            return;
-    }
+        } else if (seen.a != 0) {  // rows start out as zeros, which mean a miss
+            policy.store(at, {seen.r, seen.g, seen.b});
+        }
+    });
 }
 
 void write(TexelFormat texel, const std::vector<Rgba8>& seen, const std::filesystem::path& path)
@@ -65,6 +50,7 @@ void write(TexelFormat texel, const std::vector<Rgba8>& seen, const std::filesys
     const baker::FieldLayout layout = {kOrigins, kDirections, kUsedOrigins, texel, {0, 0, 0}, 1};
     const baker::Palette palette = baker::fit_palette(seen);
     const auto fill = [&](uint32_t i, std::vector<uint8_t>& row) {
+        std::fill(row.begin(), row.end(), uint8_t{0});
         for (uint32_t j = 0; j < kDirections; ++j) {
             put(texel, palette, seen[i * kDirections + j], row.data() + j * format::bytes_per_texel(texel));
         }
@@ -94,10 +80,8 @@ int main(int argc, char** argv)
         const std::filesystem::path folder = argv[1];
         std::filesystem::create_directories(folder);
         const std::vector<Rgba8> seen = trace();
-        write(TexelFormat::rgb888, seen, folder / "rgb888.lumi");
-        write(TexelFormat::rgb565, seen, folder / "rgb565.lumi");
-        write(TexelFormat::palette8, seen, folder / "palette8.lumi");
-        write(TexelFormat::luma8, seen, folder / "luma8.lumi");
+        for (const TexelFormat texel : AllTexels::kFormats)
+            write(texel, seen, folder / (std::string(texel_name(texel)) + ".lumi"));
         write_surface(test::bumpy_ball(), folder / "surface.lumi");
         write_surface(test::wavy_sheet(), folder / "sheet.lumi");
     } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <sstream>
 
+#include "lumi/texel.h"
 namespace lumi::baker
 {
 namespace
@@ -18,16 +19,6 @@ std::string number(float value)
     std::ostringstream text;
     text << value;
     return text.str();
-}
-
-std::string texel_name(format::TexelFormat texel)
-{
-    constexpr const char* kNames[] = {"rgb888", "rgb565", "palette8", "luma8", "unknown"};
-    static_assert(static_cast<int>(format::TexelFormat::rgb888) == 0 &&
-                      static_cast<int>(format::TexelFormat::luma8) == 3 &&
-                      std::size(kNames) == format::kTexelFormats + 1,
-                  "names in the order of the format's numbers");
-    return kNames[static_cast<size_t>(texel)];
 }
 
 std::string footprint_name(Footprint footprint)

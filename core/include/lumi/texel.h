@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Texel formats: how one stored ray becomes colour and coverage.
 //
-// A texel policy has `kFormat` and `load(field, row, j)`; row is Field::row(i), not null, and j < N.
-// RGB888, RGB565 and luma8 keep one value (all bits zero) for "the ray misses the scene"; encoders move true black to
-// the nearest other value, so a black object stays visible. A palette entry carries its coverage.
+// A texel policy has `kFormat`, `kName`, and `load(field, row, j)`; row is Field::row(i), not null, and j < N. Writers
+// call `store(texel, colour)`: the bytes of a ray that hits; with `kIndexed` a texel is an index into the palette
+// instead. A new format is a policy here, in AllTexels, and a number in field_format.h (docs/log/formats.md). RGB888,
+// RGB565 and luma8 keep one value (all bits zero) for "the ray misses the scene"; encoders move true black to the
+// nearest other value, so a black object stays visible. A palette entry carries its coverage.
 #pragma once
 
 #include "lumi/color.h"
@@ -14,6 +16,8 @@ namespace lumi
 
 struct TexelRgb888 {
     static constexpr format::TexelFormat kFormat = format::TexelFormat::rgb888;
+    static constexpr const char* kName = "rgb888";
+    static constexpr bool kIndexed = false;
     static constexpr Rgb8 kDarkest = {0, 0, 1};
 
     static Rgba8 load(const Field&, const uint8_t* row, uint32_t j)
@@ -23,10 +27,19 @@ struct TexelRgb888 {
         return {texel[0], texel[1], texel[2], static_cast<uint8_t>(hit ? 255 : 0)};
     }
     static constexpr Rgb8 encode(const Rgb8& c) { return (c.r | c.g | c.b) == 0 ? kDarkest : c; }
+    static void store(uint8_t* texel, const Rgb8& c)
+    {
+        const Rgb8 v = encode(c);
+        texel[0] = v.r;
+        texel[1] = v.g;
+        texel[2] = v.b;
+    }
 };
 
 struct TexelRgb565 {
     static constexpr format::TexelFormat kFormat = format::TexelFormat::rgb565;
+    static constexpr const char* kName = "rgb565";
+    static constexpr bool kIndexed = false;
     static constexpr uint16_t kDarkest = 1;
 
     static Rgba8 load(const Field&, const uint8_t* row, uint32_t j)
@@ -40,10 +53,18 @@ struct TexelRgb565 {
         const uint16_t v = pack_rgb565(c);
         return v == 0 ? kDarkest : v;
     }
+    static void store(uint8_t* texel, const Rgb8& c)
+    {
+        const uint16_t v = encode(c);
+        texel[0] = static_cast<uint8_t>(v & 0xFF);
+        texel[1] = static_cast<uint8_t>(v >> 8);
+    }
 };
 
 struct TexelPalette8 {
     static constexpr format::TexelFormat kFormat = format::TexelFormat::palette8;
+    static constexpr const char* kName = "palette8";
+    static constexpr bool kIndexed = true;
 
     static Rgba8 load(const Field& field, const uint8_t* row, uint32_t j)
     {
@@ -54,6 +75,8 @@ struct TexelPalette8 {
 
 struct TexelLuma8 {
     static constexpr format::TexelFormat kFormat = format::TexelFormat::luma8;
+    static constexpr const char* kName = "luma8";
+    static constexpr bool kIndexed = false;
     static constexpr uint8_t kDarkest = 1;
 
     static Rgba8 load(const Field&, const uint8_t* row, uint32_t j)
@@ -66,6 +89,48 @@ struct TexelLuma8 {
         const uint8_t v = luma(c);
         return v == 0 ? kDarkest : v;
     }
+    static void store(uint8_t* texel, const Rgb8& c) { *texel = encode(c); }
 };
+
+template <class... Texel>
+struct TexelList {
+    static constexpr format::TexelFormat kFormats[] = {Texel::kFormat...};
+    static constexpr const char* kNames[] = {Texel::kName...};
+};
+
+// All formats in the order of their numbers. The build reads this line, too (tools/texels.cmake).
+using AllTexels = TexelList<TexelRgb888, TexelRgb565, TexelPalette8, TexelLuma8>;
+
+// Calls use(policy) for a format, one that open_field lets pass. Links what `use` needs for every format.
+template <class Use, class First, class... Rest>
+auto with_texel(format::TexelFormat format, const Use& use, TexelList<First, Rest...>)
+{
+    if constexpr (sizeof...(Rest) > 0) {
+        if (format != First::kFormat) return with_texel(format, use, TexelList<Rest...>());
+    }
+    return use(First());
+}
+
+template <class Use>
+auto with_texel(format::TexelFormat format, const Use& use)
+{
+    return with_texel(format, use, AllTexels());
+}
+
+// "rgb888"; "unknown" for a number that is none.
+constexpr const char* texel_name(format::TexelFormat format)
+{
+    return static_cast<uint32_t>(format) < format::kTexelFormats ? AllTexels::kNames[static_cast<uint32_t>(format)]
+                                                                 : "unknown";
+}
+
+constexpr bool texels_are_in_order()
+{
+    uint32_t k = 0;
+    for (const format::TexelFormat format : AllTexels::kFormats)
+        if (static_cast<uint32_t>(format) != k++) return false;
+    return k == format::kTexelFormats;
+}
+static_assert(texels_are_in_order(), "AllTexels and TexelFormat have the same order");
 
 }  // namespace lumi

@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "texel_frames.h"
+#include "listed_frame.h"
+#include "views.h"
 
 namespace lumi::firmware
 {
 namespace
 {
-
-bool for_the_field(const Field& field, const View& view, const Camera& camera, WriteText write)
-{
-    switch (field.texel_format) {
-        case format::TexelFormat::rgb888:
-            return write_texel_frames<TexelRgb888>({view, camera, field, "rgb888", write});
-        case format::TexelFormat::rgb565:
-            return write_texel_frames<TexelRgb565>({view, camera, field, "rgb565", write});
-        case format::TexelFormat::palette8:
-            return write_texel_frames<TexelPalette8>({view, camera, field, "palette8", write});
-        case format::TexelFormat::luma8:
-            return write_texel_frames<TexelLuma8>({view, camera, field, "luma8", write});
-    }
-    return false;
-}
 
 bool for_each_view(const Field& field, WriteText write)
 {
@@ -29,7 +15,10 @@ bool for_each_view(const Field& field, WriteText write)
         if (error != CameraError::none) {
             return refuse(write, describe(error));
         }
-        if (!for_the_field(field, view, camera, write)) {
+        const auto write_frames = [&](auto texel) {
+            return write_texel_frames<decltype(texel)>({view, camera, field, texel.kName, write});
+        };
+        if (!with_texel(field.texel_format, write_frames)) {
             return false;
         }
     }

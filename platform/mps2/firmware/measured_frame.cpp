@@ -25,17 +25,7 @@ RenderError draw_stripe(const Field& field, const Camera& camera, const Stripe& 
 template <class Reconstruction>
 DrawStripe choose_texels(format::TexelFormat texels)
 {
-    switch (texels) {
-        case format::TexelFormat::rgb888:
-            return draw_stripe<Reconstruction, TexelRgb888>;
-        case format::TexelFormat::rgb565:
-            return draw_stripe<Reconstruction, TexelRgb565>;
-        case format::TexelFormat::palette8:
-            return draw_stripe<Reconstruction, TexelPalette8>;
-        case format::TexelFormat::luma8:
-            return draw_stripe<Reconstruction, TexelLuma8>;
-    }
-    return nullptr;
+    return with_texel(texels, [](auto texel) -> DrawStripe { return draw_stripe<Reconstruction, decltype(texel)>; });
 }
 
 uint32_t covered_pixels(const Camera& camera, const Stripe& stripe)

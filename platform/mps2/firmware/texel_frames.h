@@ -4,18 +4,14 @@
 
 #include <type_traits>
 
-#include "frame_list.h"
+#include "listed_frame.h"
 #include "lumi/crc32.h"
 #include "lumi/render.h"
 #include "lumi/render_spans_paper.h"
-#include "text_line.h"
-#include "views.h"
 
 namespace lumi::firmware
 {
 
-inline constexpr int32_t kWidth = 48;
-inline constexpr int32_t kHeight = 36;
 inline constexpr int32_t kStripeRows = 10;  // does not divide the height: the last stripe is shorter
 inline constexpr uint32_t kMaxPixelBytes = 3;
 inline constexpr int32_t kSpanPx = 8;
@@ -68,23 +64,7 @@ inline constexpr Named<PixelRgb565Swapped> kPixelRgb565Swapped = {"rgb565-swappe
 inline constexpr Named<PixelRgb888> kPixelRgb888 = {"rgb888"};
 inline constexpr Named<PixelGrey8> kPixelGrey8 = {"grey8"};
 
-// What one line of the list is about; passed down while the policies are chosen one after the other.
-struct Frame {
-    const View& view;
-    const Camera& camera;
-    const Field& field;
-    const char* texel;
-    WriteText write;
-};
-
 inline uint8_t stripe_pixels[kWidth * kStripeRows * kMaxPixelBytes];
-
-inline bool refuse(WriteText write, const char* why)
-{
-    TextLine line;
-    write(line.text("error: ").text(why).text("\n").c_str());
-    return false;
-}
 
 // Draws a stripe over the background, then over itself, then, as RGB565, over black, where cores have loops of their
 // own; extends the CRC after each.
@@ -164,11 +144,5 @@ bool write_texel_frames(const Frame& frame)
            for_one_pixel_format<Texel>(frame, kVoronoiSpans) && for_one_pixel_format<Texel>(frame, kDitherSpans) &&
            for_each_pixel_format<Texel>(frame, kLinearSpans) && for_one_pixel_format<Texel>(frame, kPaper5Spans);
 }
-
-// Each in a file of its own, so that compilers work side by side.
-extern template bool write_texel_frames<TexelRgb888>(const Frame&);
-extern template bool write_texel_frames<TexelRgb565>(const Frame&);
-extern template bool write_texel_frames<TexelPalette8>(const Frame&);
-extern template bool write_texel_frames<TexelLuma8>(const Frame&);
 
 }  // namespace lumi::firmware

@@ -15,17 +15,7 @@ Rgba8 load(const Field& field, uint32_t i, uint32_t j)
 {
     const uint8_t* row = field.row(i);
     if (row == nullptr) return {0, 0, 0, 0};
-    switch (field.texel_format) {
-        case format::TexelFormat::rgb888:
-            return TexelRgb888::load(field, row, j);
-        case format::TexelFormat::rgb565:
-            return TexelRgb565::load(field, row, j);
-        case format::TexelFormat::palette8:
-            return TexelPalette8::load(field, row, j);
-        case format::TexelFormat::luma8:
-            return TexelLuma8::load(field, row, j);
-    }
-    return {0, 0, 0, 0};
+    return with_texel(field.texel_format, [&](auto texel) { return decltype(texel)::load(field, row, j); });
 }
 
 }  // namespace

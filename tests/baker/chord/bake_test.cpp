@@ -18,9 +18,6 @@ using testing::baked;
 using testing::read_bytes;
 using testing::ScratchFolder;
 
-constexpr TexelFormat kFormats[] = {TexelFormat::rgb888, TexelFormat::rgb565, TexelFormat::palette8,
-                                    TexelFormat::luma8};
-
 Scene small_scene()
 {
     return testing::ball_over_floor(8, studio_environment());
@@ -43,17 +40,7 @@ const uint8_t* bytes_of(const std::string& bytes)
 Rgba8 load(const Field& field, uint32_t i, uint32_t j)
 {
     const uint8_t* row = field.row(i);
-    switch (field.texel_format) {
-        case TexelFormat::rgb888:
-            return TexelRgb888::load(field, row, j);
-        case TexelFormat::rgb565:
-            return TexelRgb565::load(field, row, j);
-        case TexelFormat::palette8:
-            return TexelPalette8::load(field, row, j);
-        case TexelFormat::luma8:
-            return TexelLuma8::load(field, row, j);
-    }
-    return {};
+    return with_texel(field.texel_format, [&](auto texel) { return decltype(texel)::load(field, row, j); });
 }
 
 }  // namespace
@@ -61,7 +48,7 @@ Rgba8 load(const Field& field, uint32_t i, uint32_t j)
 TEST_CASE("bake: core opens and verifies what is written, in every texel format and with a cap")
 {
     const Scene scene = small_scene();
-    for (const TexelFormat texel : kFormats) {
+    for (const TexelFormat texel : AllTexels::kFormats) {
         for (const uint32_t cap : {0u, 1u, 25u}) {
             BakeSettings settings = small_settings(texel);
             settings.used_origins = cap;

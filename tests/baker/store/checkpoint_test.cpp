@@ -5,6 +5,7 @@
 
 #include "chord/row_file.h"
 #include "image/radiance_picture.h"
+#include "lumi/texel.h"
 #include "scene/scene_fingerprint.h"
 #include "support/bake_scenes.h"
 
@@ -66,8 +67,7 @@ TEST_CASE("checkpoint: a bake goes on from any row and gives the bytes of an und
           "[repeated]")
 {
     const Scene scene = tiny_scene();
-    for (const TexelFormat texel :
-         {TexelFormat::rgb888, TexelFormat::rgb565, TexelFormat::palette8, TexelFormat::luma8}) {
+    for (const TexelFormat texel : AllTexels::kFormats) {
         const BakeSettings settings = tiny_settings(texel);
         const std::string whole = baked(scene, settings);
         for (uint32_t done = 0; done <= settings.origins; ++done) {

@@ -40,16 +40,7 @@ void draw_all_reconstructions(const Field& field)
 
 void draw_whatever_it_holds(const Field& field)
 {
-    switch (field.texel_format) {
-        case TexelFormat::rgb888:
-            return draw_all_reconstructions<TexelRgb888>(field);
-        case TexelFormat::rgb565:
-            return draw_all_reconstructions<TexelRgb565>(field);
-        case TexelFormat::palette8:
-            return draw_all_reconstructions<TexelPalette8>(field);
-        case TexelFormat::luma8:
-            return draw_all_reconstructions<TexelLuma8>(field);
-    }
+    with_texel(field.texel_format, [&](auto texel) { draw_all_reconstructions<decltype(texel)>(field); });
 }
 
 // Opens hostile bytes; whatever is accepted must be safe to verify and to draw.
@@ -73,7 +64,7 @@ Bytes with_layout(const TestLayout& layout)
 TEST_CASE("a well-formed field opens with every value in place", "[field]")
 {
     TestLayout layout;
-    layout.texel = GENERATE(TexelFormat::rgb888, TexelFormat::rgb565, TexelFormat::palette8, TexelFormat::luma8);
+    layout.texel = GENERATE(from_range(std::begin(AllTexels::kFormats), std::end(AllTexels::kFormats)));
     layout.used_origins = 4;
     const Bytes bytes = sample_field(layout);
     Field field;

@@ -16,8 +16,6 @@ namespace lumi::tools
 namespace
 {
 
-const format::TexelFormat kTexelFormats[] = {format::TexelFormat::rgb888, format::TexelFormat::rgb565,
-                                             format::TexelFormat::palette8, format::TexelFormat::luma8};
 const Rgb8 kBackground = {8, 16, 24};  // unchanged by RGB565
 
 Camera test_camera(int width, int height)
@@ -59,7 +57,7 @@ bool is(const uint8_t* pixel, const Rgb8& colour)
 TEST_CASE("every mode, neighbour count, texel and display format draws the sphere over the background")
 {
     const Camera camera = test_camera(33, 21);
-    for (const format::TexelFormat texel : kTexelFormats) {
+    for (const format::TexelFormat texel : AllTexels::kFormats) {
         const std::string bytes = test::field_bytes({40, 60, 40, texel});
         const Field field = opened(bytes);
         for (const Mode mode : {Mode::nearest, Mode::voronoi, Mode::dither, Mode::linear, Mode::paper})

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lumi/baker/scene.h"
+#include "lumi/texel.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
 
@@ -39,10 +40,8 @@ void bake(const FieldSettings& settings, const std::string& texel, const std::fi
 
 format::TexelFormat texel_format(const std::string& texel)
 {
-    if (texel == "rgb888") return format::TexelFormat::rgb888;
-    if (texel == "rgb565") return format::TexelFormat::rgb565;
-    if (texel == "palette8") return format::TexelFormat::palette8;
-    if (texel == "luma8") return format::TexelFormat::luma8;
+    for (const format::TexelFormat format : AllTexels::kFormats)
+        if (texel == texel_name(format)) return format;
     throw std::logic_error("no texel format is called " + texel);
 }
 

@@ -97,17 +97,8 @@ HostFrame draw_frame(const Job& job)
 template <class Reconstruction>
 HostFrame choose_texel(const Job& job)
 {
-    switch (job.field.texel_format) {
-        case format::TexelFormat::rgb888:
-            return draw_frame<Reconstruction, TexelRgb888>(job);
-        case format::TexelFormat::rgb565:
-            return draw_frame<Reconstruction, TexelRgb565>(job);
-        case format::TexelFormat::palette8:
-            return draw_frame<Reconstruction, TexelPalette8>(job);
-        case format::TexelFormat::luma8:
-            return draw_frame<Reconstruction, TexelLuma8>(job);
-    }
-    throw std::logic_error("a field has one of four texel formats");
+    return with_texel(job.field.texel_format,
+                      [&](auto texel) { return draw_frame<Reconstruction, decltype(texel)>(job); });
 }
 
 }  // namespace

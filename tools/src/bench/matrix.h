@@ -4,17 +4,19 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "bench/chips.h"
+#include "lumi/texel.h"
 
 namespace lumi::bench
 {
 
 inline const std::vector<std::string> kCores = {"m0plus", "m3", "m4", "m7"};
 inline const std::vector<std::string> kModes = {"nearest", "voronoi", "dither", "linear", "paper"};
-inline const std::vector<std::string> kTexels = {"rgb888", "rgb565", "palette8", "luma8"};
+inline const std::vector<std::string> kTexels(std::begin(AllTexels::kNames), std::end(AllTexels::kNames));
 inline const std::vector<std::string> kViewNames = {"generic", "pole", "close"};
 
 // Span 0: render() in place of render_spans(), every pixel exact; it has no dither, and voronoi is its nearest.

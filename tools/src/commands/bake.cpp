@@ -15,6 +15,7 @@
 #include "files/output_file.h"
 #include "lumi/baker/file_guard.h"
 #include "lumi/lattice.h"
+#include "lumi/texel.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
 #include "terminal/text.h"
@@ -46,10 +47,13 @@ struct BakeOptions {
     ProgressStyle progress = ProgressStyle::automatic;
 };
 
-const Choices<format::TexelFormat> kTexelChoices = {{"rgb888", format::TexelFormat::rgb888},
-                                                    {"rgb565", format::TexelFormat::rgb565},
-                                                    {"palette8", format::TexelFormat::palette8},
-                                                    {"luma8", format::TexelFormat::luma8}};
+Choices<format::TexelFormat> texel_choices()
+{
+    Choices<format::TexelFormat> choices;
+    for (const format::TexelFormat format : AllTexels::kFormats) choices.push_back({texel_name(format), format});
+    return choices;
+}
+const Choices<format::TexelFormat> kTexelChoices = texel_choices();
 
 baker::BakeSettings settings_of(const BakeOptions& options)
 {
@@ -207,7 +211,7 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
             "object is then not seen [all]")
         ->type_name("F");
     add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
-               "chord: what a ray is stored as: rgb888 (3 bytes), rgb565 (2), palette8 or luma8 (1) [palette8]");
+               "chord: what a ray is stored as: " + words_of(kTexelChoices) + " [palette8]");
     add_choice<baker::Footprint>(
         command, "--footprint", settings.footprint,
         {{"point", baker::Footprint::point}, {"origin", baker::Footprint::origin}, {"both", baker::Footprint::both}},

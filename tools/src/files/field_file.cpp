@@ -92,19 +92,4 @@ void FieldFile::require_intact() const
                           mend_of(FieldError::section_crc));
 }
 
-const char* name_of(format::TexelFormat format)
-{
-    switch (format) {
-        case format::TexelFormat::rgb888:
-            return "rgb888";
-        case format::TexelFormat::rgb565:
-            return "rgb565";
-        case format::TexelFormat::palette8:
-            return "palette8";
-        case format::TexelFormat::luma8:
-            return "luma8";
-    }
-    return "unknown";
-}
-
 }  // namespace lumi::tools

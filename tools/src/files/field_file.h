@@ -27,8 +27,8 @@ class FieldFile
 public:
     enum class Role { input, own_output };
 
-    // Maps and opens; checks no section's bytes. Throws Failure with the cause and its mend. An input may not be written
-    // by the same command (lumi/baker/file_guard.h); what the command has written itself may be.
+    // Maps and opens; checks no section's bytes. Throws Failure with the cause and its mend. An input may not be
+    // written by the same command (lumi/baker/file_guard.h); what the command has written itself may be.
     explicit FieldFile(const std::string& path, Role role = Role::input);
 
     const std::string& path() const { return path_; }
@@ -54,8 +54,5 @@ private:
     Field field_;
     SurfaceField surface_;
 };
-
-// "rgb888", "rgb565", "palette8" or "luma8".
-const char* name_of(format::TexelFormat format);
 
 }  // namespace lumi::tools

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/renderer_name.h"
+#include "lumi/texel.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -66,7 +67,7 @@ void describe_chord(const Field& field, FieldReport& report)
     report.used_origins = field.used_origins;
     report.row_bytes = field.directions.size() * format::bytes_per_texel(field.texel_format);
     report.row_stride_bytes = field.row_stride_bytes;
-    report.texel_format = name_of(field.texel_format);
+    report.texel_format = texel_name(field.texel_format);
     report.colour_space = colour_space_name(field.colour_space);
     report.centre = centre_of(field.centre_bits);
     report.radius = float_from_bits(field.radius_bits);

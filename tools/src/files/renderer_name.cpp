@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "files/renderer_name.h"
 
+#include <cctype>
+
 #include "lumi/render_spans.h"
 
 namespace lumi::tools
@@ -11,17 +13,9 @@ namespace
 
 std::string texel_policy(format::TexelFormat format)
 {
-    switch (format) {
-        case format::TexelFormat::rgb888:
-            return "lumi::TexelRgb888";
-        case format::TexelFormat::rgb565:
-            return "lumi::TexelRgb565";
-        case format::TexelFormat::palette8:
-            return "lumi::TexelPalette8";
-        case format::TexelFormat::luma8:
-            return "lumi::TexelLuma8";
-    }
-    return "unknown";
+    std::string name = texel_name(format);
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return "lumi::Texel" + name;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planner/plan.h"
 
-#include "files/field_file.h"
+#include "lumi/texel.h"
 
 namespace lumi::planner
 {
@@ -21,7 +21,7 @@ std::string text_of(const Plan& plan)
     const baker::BakeSettings& s = plan.chord;
     const std::string cap = has_cap(s) ? " (uppermost " + std::to_string(s.used_origins) + ")" : "";
     return "chord, " + std::to_string(s.origins) + " origins" + cap + ", " + std::to_string(s.directions) +
-           " directions, " + tools::name_of(s.texel);
+           " directions, " + texel_name(s.texel);
 }
 
 std::string options_of(const Plan& plan)
@@ -29,7 +29,7 @@ std::string options_of(const Plan& plan)
     const baker::BakeSettings& s = plan.chord;
     const std::string cap = has_cap(s) ? " --cap " + std::to_string(s.used_origins) : "";
     return "--layout chord --origins " + std::to_string(s.origins) + cap + " --directions " +
-           std::to_string(s.directions) + " --texel " + tools::name_of(s.texel);
+           std::to_string(s.directions) + " --texel " + texel_name(s.texel);
 }
 
 }  // namespace lumi::planner

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "files/field_file.h"
+#include "lumi/texel.h"
 
 namespace lumi::planner
 {
@@ -44,7 +44,7 @@ Coordinate shape_coordinate(const ByHand& set)
 
 Coordinate texel_coordinate(const ByHand& set)
 {
-    if (set.texel) return {kTexelName, {tools::name_of(*set.texel)}, 0, false};
+    if (set.texel) return {kTexelName, {texel_name(*set.texel)}, 0, false};
     return {kTexelName, {"palette8", "rgb565"}, 0, false};
 }
 
@@ -87,7 +87,7 @@ Plan plan_of(const Task& task, const std::vector<Family>& families, const Candid
     s.origins = set.origins.value_or(kUnsized);
     s.directions = set.directions.value_or(static_cast<uint32_t>(std::lround(kUnsized * ratio)));
     for (const format::TexelFormat texel : kTexels)
-        if (word_of(family, candidate, kTexelName) == tools::name_of(texel)) s.texel = texel;
+        if (word_of(family, candidate, kTexelName) == texel_name(texel)) s.texel = texel;
     s.used_origins = used_of(task, word_of(family, candidate, kCapName), s.origins);
     s.samples = task.samples;
     s.max_error_levels = task.max_error_levels;

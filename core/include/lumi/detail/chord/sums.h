@@ -191,8 +191,25 @@ struct LoadPalette8 {
     }
 };
 
+// Any format of whole bytes; one with a faster way has a SpanSum of its own below.
+template <class Texel>
+struct LoadAny {
+    static constexpr bool kGreenIsHigh = false;
+    static constexpr int kBefore = 0;
+    static constexpr bool kRowByRow = false;
+
+    template <bool kCoverage>
+    static SpanHalves halves(const Field& field, const uint8_t* texel)
+    {
+        const Rgba8 c = Texel::load(field, texel, 0);
+        const uint32_t r = c.r, g = c.g, b = c.b, a = c.a;
+        return {r | b << 16, kCoverage ? g | a << 16 : g};
+    }
+};
+
 template <class Texel, bool kCoverage>
-struct SpanSum;
+struct SpanSum : SpanSumHalves<LoadAny<Texel>, kCoverage> {
+};
 
 template <bool kCoverage>
 struct SpanSum<TexelRgb888, kCoverage> : SpanSumHalves<LoadRgb888, kCoverage> {

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "texel_frames.h"
-
-namespace lumi::firmware
-{
-
-template bool write_texel_frames<TexelRgb888>(const Frame&);
-
-}  // namespace lumi::firmware

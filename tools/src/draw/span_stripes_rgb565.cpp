@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "draw/span_stripes.h"
-
-namespace lumi::tools
-{
-
-template Picture draw_texels<TexelRgb565>(const Field&, const Camera&, const DrawSettings&);
-
-}  // namespace lumi::tools
