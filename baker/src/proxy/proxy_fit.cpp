@@ -187,19 +187,23 @@ Mesh fitted(const Mesh& proxy, const Mesh& upright, bool two_sided, const Survey
     const ProxyTracer tracer(proxy, two_sided);
     std::vector<std::vector<Equation>> parts(survey.origins());
     job.run(survey.origins(), [&](uint32_t i) { parts[i] = equations_of(survey.look(i, tracer), proxy); });
-    std::vector<Equation> equations;
-    for (const std::vector<Equation>& part : parts) {
-        equations.insert(equations.end(), part.begin(), part.end());
-    }
-    Field by = System(proxy, std::move(equations)).solve();
-    while (untangle_once(proxy, upright, by)) {
-    }
-    return moved(proxy, by);
+    Mesh result;
+    job.run(1, [&](uint32_t) {
+        std::vector<Equation> equations;
+        for (const std::vector<Equation>& part : parts) {
+            equations.insert(equations.end(), part.begin(), part.end());
+        }
+        Field by = System(proxy, std::move(equations)).solve();
+        while (untangle_once(proxy, upright, by)) {
+        }
+        result = moved(proxy, by);
+    });
+    return result;
 }
 
-Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job)
+Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job, const ViewCap& cap)
 {
-    const Survey survey = fitting_survey(scene, mesh);
+    const Survey survey = fitting_survey(scene, mesh, cap);
     const Mesh upright = mesh;
     for (int round = 0; round < kFittingRounds && mesh.triangle_count() != 0; ++round) {
         mesh = fitted(mesh, upright, two_sided, survey, job);

@@ -14,7 +14,7 @@ namespace lumi::baker
 Mesh fitted(const Mesh& proxy, const Mesh& upright, bool two_sided, const Survey& survey, Job& job);
 
 // As many rounds as it takes.
-Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job);
+Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job, const ViewCap& cap = {});
 
 // Of two depths that belong to the same surface, in radii.
 inline constexpr float kMaxDepthError = 0.05f;

@@ -13,9 +13,9 @@ constexpr uint64_t kLossSeed = 0x6C6F7373;
 
 }  // namespace
 
-ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job)
+ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job, const ViewCap& cap)
 {
-    const Survey survey(scene, kSurveyOrigins, kLossRays, kLossSeed);
+    const Survey survey(scene, kSurveyOrigins, kLossRays, kLossSeed, cap);
     struct Counts {
         uint32_t scene = 0, missed = 0, added = 0, displaced = 0;
     };

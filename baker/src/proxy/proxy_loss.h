@@ -8,6 +8,6 @@
 namespace lumi::baker
 {
 
-ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job);
+ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job, const ViewCap& cap = {});
 
 }  // namespace lumi::baker

@@ -33,8 +33,11 @@ struct Openness {
 class Surveyor
 {
 public:
-    // Borrows both.
-    Surveyor(const Mesh& mesh, const Accelerator& accelerator) : mesh_(mesh), accelerator_(accelerator) {}
+    // Borrows mesh and accelerator.
+    Surveyor(const Mesh& mesh, const Accelerator& accelerator, const ViewCap& cap)
+        : mesh_(mesh), accelerator_(accelerator), cap_(cap)
+    {
+    }
 
     Openness openness(uint32_t triangle) const
     {
@@ -72,13 +75,16 @@ private:
             // A Fibonacci set on the hemisphere, turned at random; the lowest heights stay clear of the triangle.
             const float z = (static_cast<float>(k) + 0.25f + 0.5f * turn.y) / kDirections;
             const Vec3 local = direction_at(z, static_cast<float>(k) * 0.618034f + turn.x);
-            open += accelerator_.blocked({start, frame.to_world(local * side)}) ? 0u : 1u;
+            const Vec3 outwards = frame.to_world(local * side);
+            const bool seen = cap_.sees({start, -outwards}) && !accelerator_.blocked({start, outwards});
+            open += seen ? 1u : 0u;
         }
         return static_cast<float>(open) / kDirections;
     }
 
     const Mesh& mesh_;
     const Accelerator& accelerator_;
+    const ViewCap cap_;
 };
 
 class Welder
@@ -121,10 +127,10 @@ Mesh welded(const Mesh& mesh)
     return result;
 }
 
-std::vector<Openness> survey(const Mesh& mesh, const Accelerator& accelerator, Job& job)
+std::vector<Openness> survey(const Mesh& mesh, const Accelerator& accelerator, const ViewCap& cap, Job& job)
 {
     const uint32_t triangles = static_cast<uint32_t>(mesh.triangle_count());
-    const Surveyor surveyor(mesh, accelerator);
+    const Surveyor surveyor(mesh, accelerator, cap);
     std::vector<Openness> all(triangles);
     job.run((triangles + kTrianglesATask - 1) / kTrianglesATask, [&](uint32_t task) {
         const uint32_t end = std::min(triangles, (task + 1) * kTrianglesATask);
@@ -227,23 +233,26 @@ private:
     std::vector<double> component_seen_;  // by component
 };
 
-Outside outside_of(const Mesh& mesh, const Accelerator& accelerator, Job& job)
+Outside outside_of(const Mesh& mesh, const Accelerator& accelerator, const ViewCap& cap, Job& job)
 {
-    const std::vector<Openness> open = survey(mesh, accelerator, job);
-    Outside result = {welded(mesh)};
-    Turner turner(result.mesh, open);
-    std::vector<Mesh::Corners> turned = turner.turned();
-    result.two_sided = turner.lost_share() > kMaxBothSides;
-    result.mesh.corners = std::move(turned);
+    const std::vector<Openness> open = survey(mesh, accelerator, cap, job);
+    Outside result;
+    job.run(1, [&](uint32_t) {
+        result.mesh = welded(mesh);
+        Turner turner(result.mesh, open);
+        std::vector<Mesh::Corners> turned = turner.turned();
+        result.two_sided = turner.lost_share() > kMaxBothSides;
+        result.mesh.corners = std::move(turned);
+    });
     return result;
 }
 
 }  // namespace
 
-Outside outside_of(const SceneData& scene, Job& job)
+Outside outside_of(const SceneData& scene, Job& job, const ViewCap& cap)
 {
     const std::optional<Mesh> cut = cut_out(scene);
-    return cut ? outside_of(*cut, Accelerator(*cut), job) : outside_of(scene.mesh, scene.accelerator, job);
+    return cut ? outside_of(*cut, Accelerator(*cut), cap, job) : outside_of(scene.mesh, scene.accelerator, cap, job);
 }
 
 }  // namespace lumi::baker

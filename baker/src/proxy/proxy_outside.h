@@ -2,6 +2,7 @@
 // What of a scene can be seen from outside: the part of it that a proxy has to follow.
 #pragma once
 
+#include "proxy/view_cap.h"
 #include "scene/scene_data.h"
 #include "util/job.h"
 
@@ -13,6 +14,6 @@ struct Outside {
     bool two_sided = false;  // too much is seen from both sides to cull back faces
 };
 
-Outside outside_of(const SceneData& scene, Job& job);
+Outside outside_of(const SceneData& scene, Job& job, const ViewCap& cap = {});
 
 }  // namespace lumi::baker

@@ -21,7 +21,7 @@ Vec3 place_on(const Mesh& mesh, uint32_t triangle, const Vec2& weights)
     return a + (mesh.position(triangle, 1) - a) * weights.x + (mesh.position(triangle, 2) - a) * weights.y;
 }
 
-bool is_seen(const ProxyTracer& proxy, uint32_t triangle)
+bool is_seen(const ProxyTracer& proxy, const ViewCap& cap, uint32_t triangle)
 {
     const Vec3 area = proxy.mesh().area_vector(triangle);
     if (!(length(area) > 0)) {
@@ -35,7 +35,8 @@ bool is_seen(const ProxyTracer& proxy, uint32_t triangle)
         const Vec2 square = sampler.next_2d();
         const float side = proxy.two_sided() && k % 2 != 0 ? -1.0f : 1.0f;
         const Vec3 outwards = frame.to_world(direction_at(square.x, square.y) * side);
-        const std::optional<Hit> hit = proxy.closest({place + outwards * kOutside, -outwards});
+        const Ray ray = {place + outwards * kOutside, -outwards};
+        const std::optional<Hit> hit = cap.sees(ray) ? proxy.closest(ray) : std::nullopt;
         if (hit && hit->triangle == triangle) {
             return true;
         }
@@ -45,14 +46,14 @@ bool is_seen(const ProxyTracer& proxy, uint32_t triangle)
 
 }  // namespace
 
-Mesh seen_part(const ProxyTracer& proxy, Job& job)
+Mesh seen_part(const ProxyTracer& proxy, Job& job, const ViewCap& cap)
 {
     const uint32_t triangles = static_cast<uint32_t>(proxy.mesh().triangle_count());
     std::vector<uint8_t> seen(triangles);
     job.run((triangles + kTrianglesATask - 1) / kTrianglesATask, [&](uint32_t task) {
         const uint32_t end = std::min(triangles, (task + 1) * kTrianglesATask);
         for (uint32_t k = task * kTrianglesATask; k < end && !job.stopping(); ++k) {
-            seen[k] = is_seen(proxy, k) ? 1 : 0;
+            seen[k] = is_seen(proxy, cap, k) ? 1 : 0;
         }
     });
     Mesh result;

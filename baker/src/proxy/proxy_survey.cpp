@@ -16,8 +16,8 @@ constexpr uint64_t kFitSeed = 0x70726F78;
 
 }  // namespace
 
-Survey::Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed)
-    : scene_(scene), origins_(origins), rays_(rays_per_origin), seed_(seed)
+Survey::Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed, const ViewCap& cap)
+    : scene_(scene), origins_(origins), rays_(rays_per_origin), seed_(seed), cap_(cap)
 {
 }
 
@@ -30,6 +30,9 @@ std::vector<SurveyRay> Survey::look(uint32_t origin, const ProxyTracer& proxy) c
     for (uint32_t k = 0; k < rays_; ++k) {
         sampler.start(k);
         const Ray ray = rays.ray(square_to_disc(sampler.next_2d()));
+        if (!cap_.sees(ray)) {
+            continue;
+        }
         const std::optional<Hit> hit = closest_opaque(scene_, ray, sampler);
         const float distance = hit ? hit->distance : std::numeric_limits<float>::infinity();
         result.push_back({ray, distance, proxy.closest(ray)});
@@ -37,10 +40,10 @@ std::vector<SurveyRay> Survey::look(uint32_t origin, const ProxyTracer& proxy) c
     return result;
 }
 
-Survey fitting_survey(const SceneData& scene, const Mesh& mesh)
+Survey fitting_survey(const SceneData& scene, const Mesh& mesh, const ViewCap& cap)
 {
     const uint32_t rays = static_cast<uint32_t>(mesh.triangle_count()) * kRaysPerTriangle / kSurveyOrigins + 1;
-    return Survey(scene, kSurveyOrigins, std::min(rays, kMaxRaysPerOrigin), kFitSeed);
+    return Survey(scene, kSurveyOrigins, std::min(rays, kMaxRaysPerOrigin), kFitSeed, cap);
 }
 
 }  // namespace lumi::baker

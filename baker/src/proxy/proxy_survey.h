@@ -3,6 +3,7 @@
 #pragma once
 
 #include "proxy/proxy_tracer.h"
+#include "proxy/view_cap.h"
 #include "scene/scene_data.h"
 #include "util/job.h"
 
@@ -19,7 +20,8 @@ struct SurveyRay {
 class Survey
 {
 public:
-    Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed);
+    // Of the rays, those along which eyes of the cap see.
+    Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed, const ViewCap& cap = {});
 
     uint32_t origins() const { return origins_; }
     // The same rays every time. Thread-safe.
@@ -29,12 +31,13 @@ private:
     const SceneData& scene_;
     uint32_t origins_, rays_;
     uint64_t seed_;
+    ViewCap cap_;
 };
 
 // As many origins as measures of whole proxies take.
 inline constexpr uint32_t kSurveyOrigins = 192;
 
 // Enough rays for each triangle of `mesh`.
-Survey fitting_survey(const SceneData& scene, const Mesh& mesh);
+Survey fitting_survey(const SceneData& scene, const Mesh& mesh, const ViewCap& cap = {});
 
 }  // namespace lumi::baker

@@ -59,11 +59,15 @@ private:
     std::vector<bool> pixels_;
 };
 
+float height_of(uint32_t direction)
+{
+    return (2 * static_cast<float>(direction) + 1) / kSilhouettes - 1;
+}
+
 template <class Covers>
 Mask silhouette(uint32_t direction, const Covers& covers)
 {
-    const float z = (2 * static_cast<float>(direction) + 1) / kSilhouettes - 1;
-    const Frame frame(direction_at(z, kGolden * static_cast<float>(direction)));
+    const Frame frame(direction_at(height_of(direction), kGolden * static_cast<float>(direction)));
     Mask mask;
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x) {
@@ -114,10 +118,14 @@ MissingPixels missing_from(uint32_t direction, const SceneData& scene, const Pro
 
 }  // namespace
 
-MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh, Job& job)
+MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh, Job& job, const ViewCap& cap)
 {
     std::vector<MissingPixels> parts(kSilhouettes);
-    job.run(kSilhouettes, [&](uint32_t d) { parts[d] = missing_from(d, scene, mesh); });
+    job.run(kSilhouettes, [&](uint32_t d) {
+        if (height_of(d) >= cap.lowest()) {
+            parts[d] = missing_from(d, scene, mesh);
+        }
+    });
     MissingPixels sum;
     for (const MissingPixels& part : parts) {
         sum = {sum.scene + part.scene, sum.missing + part.missing, std::max(sum.largest, part.largest),

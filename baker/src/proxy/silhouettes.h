@@ -3,6 +3,7 @@
 #pragma once
 
 #include "proxy/proxy_tracer.h"
+#include "proxy/view_cap.h"
 #include "scene/scene_data.h"
 #include "util/job.h"
 
@@ -22,7 +23,7 @@ struct MissingPixels {
 };
 
 // Outlines may be off by one pixel: a missing pixel either has the scene all around, or the mesh is nowhere beside it
-// and the scene is two pixels thick there.
-MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh, Job& job);
+// and the scene is two pixels thick there. Directions outside of the cap do not count.
+MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh, Job& job, const ViewCap& cap = {});
 
 }  // namespace lumi::baker

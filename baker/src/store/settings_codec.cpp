@@ -50,15 +50,15 @@ std::string difference(const BakeSettings& there, const BakeSettings& here)
 
 std::string difference(const SurfaceSettings& there, const SurfaceSettings& here)
 {
-    const auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, view_tables, seed, threads] = here;
+    const auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, seed, threads] = here;
     static_cast<void>(threads);
     const auto with = [](bool has) { return std::string(has ? "with" : "without"); };
-    return first_of({other("triangles", there.triangles, triangles),
-                     other("longest edge", number(there.longest_edge), number(longest_edge)),
-                     other("texel density", number(there.texels_per_radius), number(texels_per_radius)),
-                     other("paths", there.paths_per_texel, paths_per_texel),
-                     other("view tables", with(there.view_tables), with(view_tables)),
-                     other("seed", there.seed, seed)});
+    return first_of(
+        {other("triangles", there.triangles, triangles),
+         other("longest edge", number(there.longest_edge), number(longest_edge)),
+         other("texel density", number(there.texels_per_radius), number(texels_per_radius)),
+         other("paths", there.paths_per_texel, paths_per_texel), other("cap", number(there.cap), number(cap)),
+         other("view tables", with(there.view_tables), with(view_tables)), other("seed", there.seed, seed)});
 }
 
 std::string layout_name(const AnySettings& settings)
@@ -82,6 +82,7 @@ void put(ByteWriter& out, const SurfaceSettings& s)
     out.put_float(s.longest_edge);
     out.put_float(s.texels_per_radius);
     out.put32(s.paths_per_texel);
+    out.put_float(s.cap);
     out.put32(s.view_tables ? 1 : 0);
     out.put64(s.seed);
 }
@@ -114,6 +115,7 @@ SurfaceSettings get_surface(ByteReader& in)
     s.longest_edge = in.get_float();
     s.texels_per_radius = in.get_float();
     s.paths_per_texel = in.get32();
+    s.cap = in.get_float();
     s.view_tables = in.get32() != 0;
     s.seed = in.get64();
     return s;

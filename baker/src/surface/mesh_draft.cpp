@@ -34,23 +34,30 @@ PlaceMiddle onto(const SceneData& scene)
     };
 }
 
-size_t seen_triangles(const Mesh& mesh, bool two_sided, Job& job)
+size_t seen_triangles(const Mesh& mesh, bool two_sided, const ViewCap& cap, Job& job)
 {
-    return seen_part(ProxyTracer(mesh, two_sided), job).triangle_count();
+    return seen_part(ProxyTracer(mesh, two_sided), job, cap).triangle_count();
+}
+
+Simplified simplified_in(Job& job, const Mesh& mesh, size_t triangles)
+{
+    Simplified result;
+    job.run(1, [&](uint32_t) { result = simplified(mesh, triangles); });
+    return result;
 }
 
 // With so many triangles that can be seen, where the scene has them.
-Simplified simplified_as_seen(const Outside& outside, size_t triangles, Job& job)
+Simplified simplified_as_seen(const Outside& outside, size_t triangles, const ViewCap& cap, Job& job)
 {
-    Simplified result = simplified(outside.mesh, triangles);
+    Simplified result = simplified_in(job, outside.mesh, triangles);
     double asked = static_cast<double>(triangles);
     for (int k = 1; k < kAttempts && result.mesh.triangle_count() < outside.mesh.triangle_count(); ++k) {
-        const size_t seen = seen_triangles(result.mesh, outside.two_sided, job);
+        const size_t seen = seen_triangles(result.mesh, outside.two_sided, cap, job);
         if (seen == 0 || static_cast<double>(seen) >= kEnoughSeen * static_cast<double>(triangles)) {
             break;
         }
         asked *= static_cast<double>(triangles) / static_cast<double>(seen);
-        result = simplified(outside.mesh, std::min(kMaxTriangles, static_cast<size_t>(asked)));
+        result = simplified_in(job, outside.mesh, std::min(kMaxTriangles, static_cast<size_t>(asked)));
     }
     return result;
 }
@@ -59,11 +66,11 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, Job& job
 
 MeshDraft drafted(const SceneData& scene, const Outside& outside, const SurfaceMeshSettings& settings, Job& job)
 {
-    Simplified simple = simplified_as_seen(outside, settings.triangles, job);
+    Simplified simple = simplified_as_seen(outside, settings.triangles, settings.cap, job);
     MeshDraft draft = {with_short_edges(std::move(simple.mesh), kSplitEarly * settings.longest_edge, onto(scene)),
                        simple.rough, false};
     draft.fits = draft.mesh.triangle_count() <= kMaxTriangles &&
-                 seen_triangles(draft.mesh, outside.two_sided, job) <= 2 * format::kMaxPatches;
+                 seen_triangles(draft.mesh, outside.two_sided, settings.cap, job) <= 2 * format::kMaxPatches;
     return draft;
 }
 

@@ -40,18 +40,22 @@ public:
     }
     void keep_now_and_then(const SurfaceState& state)
     {
-        if (std::chrono::steady_clock::now() >= next_) {
+        const Clock::time_point start = Clock::now();
+        if (start >= next_) {
             keep(state);
-            next_ = std::chrono::steady_clock::now() + kInterval;
+            const Clock::time_point end = Clock::now();
+            next_ = end + std::max<Clock::duration>(kShortest, kBetween * (end - start));
         }
     }
 
 private:
-    static constexpr std::chrono::seconds kInterval{60};  // a state takes a second or two to write
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds kShortest{2};  // a bake that is killed every few seconds still gets on
+    static constexpr int kBetween = 12;                  // times as long as writing takes
 
     Checkpoint checkpoint_;
     SurfaceFileStore store_;
-    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + kInterval;
+    Clock::time_point next_ = Clock::now() + kShortest;
     uint32_t kept_ = UINT32_MAX;  // batches
 };
 
@@ -62,9 +66,8 @@ SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const S
     if (built.mesh.patches.empty()) {
         throw BakeError("the scene has no surface that could be seen; choose --layout chord");
     }
-    Job job(1, settings.threads, progress);
     return {built.mesh,
-            texel_densities(scene, built.mesh, settings, job),
+            texel_densities(scene, built.mesh, settings, progress),
             built.loss,
             scene.tone,
             {scene.centre, scene.radius}};
@@ -83,18 +86,15 @@ public:
           shape_(basis_.mesh, basis_.densities),
           tone_(basis_.tone),
           state_(shape_, tone_),
-          fit_(scene.data(), shape_, settings_, shard)
+          fit_(scene.data(), shape_, settings_, shard),
+          job_(fit_.work() + solution_work(shape_), settings_.threads, progress, earlier_work())
     {
     }
 
     void trace()
     {
-        std::vector<uint8_t> earlier;
-        if (keeper_ != nullptr && keeper_->store().read_state(earlier) && !add_encoded(earlier, state_)) {
-            throw BakeError("the checkpoint is damaged; discard it with --restart");
-        }
         try {
-            fit_.trace(state_, progress_, [this] {
+            fit_.trace(state_, job_, [this] {
                 if (keeper_ != nullptr) {
                     keeper_->keep_now_and_then(state_);
                 }
@@ -110,9 +110,7 @@ public:
     SurfaceBake field()
     {
         SurfaceBake bake;
-        const ProgressCallback quiet;
-        Job job(1, settings_.threads, quiet);
-        const SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, job);
+        const SurfaceParts parts = solution();
         bake.file = surface_file(shape_, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
         for (const ViewCode& view : parts.views) {
@@ -131,6 +129,26 @@ public:
     const SurfaceState& state() const { return state_; }
 
 private:
+    // Reads what the checkpoint has.
+    uint64_t earlier_work()
+    {
+        std::vector<uint8_t> earlier;
+        if (keeper_ != nullptr && keeper_->store().read_state(earlier) && !add_encoded(earlier, state_)) {
+            throw BakeError("the checkpoint is damaged; discard it with --restart");
+        }
+        return fit_.work_in(state_);
+    }
+
+    SurfaceParts solution()
+    {
+        if (keeper_ != nullptr) {
+            keeper_->keep(state_);
+        }
+        SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, job_);
+        job_.finish();
+        return parts;
+    }
+
     SurfaceBasis basis_for(const Scene& scene, const SurfaceDraft* draft) const
     {
         if (std::optional<SurfaceBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt) {
@@ -153,6 +171,7 @@ private:
     const EncodedTone tone_;
     SurfaceState state_;
     SurfaceFit fit_;
+    Job job_;
 };
 
 void require_possible(const Scene& scene, const SurfaceSettings& settings)

@@ -31,9 +31,12 @@ uint64_t file_bytes(const SurfaceMesh& mesh, uint64_t texels)
 SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress)
 {
     require_partial_coverage(scene.data(), false);
-    Job job(1, settings.threads, progress);
-    contents_ = std::make_unique<Contents>(
-        Contents{build_surface_mesh(scene.data(), {settings.triangles, settings.longest_edge}, job)});
+    SurfaceMeshSettings mesh;
+    mesh.triangles = settings.triangles;
+    mesh.longest_edge = settings.longest_edge;
+    mesh.cap = ViewCap(settings.cap);
+    Job job(mesh_work(scene.data(), mesh), settings.threads, progress);
+    contents_ = std::make_unique<Contents>(Contents{build_surface_mesh(scene.data(), mesh, job)});
 }
 
 SurfaceDraft::~SurfaceDraft() = default;

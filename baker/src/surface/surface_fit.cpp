@@ -14,6 +14,9 @@ constexpr double kPilotPaths = 65;        // a texel; more gain nothing
 constexpr double kMaxPilotPaths = 1.6e7;  // of all texels together: they are kept in memory
 constexpr int kPilotRounds = 4;           // each linear around the one before
 constexpr int kPilotIterations = 12;
+// Of a round of the pilot, in light paths a texel that take as long: sums of 65 paths, and iterations.
+constexpr double kRoundWork = 25;
+constexpr uint32_t kRoundRuns = kPilotIterations + 4;
 constexpr uint32_t kMostAtOnce = 512, kRounds = 16;  // batches between two calls of `keep`, and calls at least
 
 // The levels of each texel's mean light; of those with few paths nearly their patch's.
@@ -43,7 +46,7 @@ void start_from_means(const SurfaceShape& shape, const SortedSamples& samples, c
 
 SurfaceFit::SurfaceFit(const SceneData& scene, const SurfaceShape& shape, const SurfaceSettings& settings,
                        const Shard& shard)
-    : shape_(shape), settings_(settings), shard_(shard), tracer_(scene, shape)
+    : shape_(shape), settings_(settings), shard_(shard), tracer_(scene, shape, ViewCap(settings.cap))
 {
     uint32_t lines = 0;
     for (uint32_t k = 0; k < kShareBatches; ++k) {
@@ -97,6 +100,7 @@ void SurfaceFit::pilot(SurfaceState& state, Job& job) const
     const ViewSmoothness smoothness(shape_);
     start_from_means(shape_, samples, state.tone, state.expected);
     for (int round = 0; round < kPilotRounds; ++round) {
+        const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
         SurfaceSums sums(shape_, state.tone, state.expected, White::goes_on);
         for_patches(shape_, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
         SurfaceModel next = state.expected;
@@ -106,18 +110,32 @@ void SurfaceFit::pilot(SurfaceState& state, Job& job) const
     state.has_pilot = true;
 }
 
-void SurfaceFit::trace(SurfaceState& state, const ProgressCallback& progress, const std::function<void()>& keep)
+uint64_t SurfaceFit::pilot_work() const
 {
-    const uint32_t batches = shard_batches(), first = pilot_batches();
+    return static_cast<uint64_t>(kPilotRounds * kRoundWork * shape_.layout.texels);
+}
+
+uint64_t SurfaceFit::work() const
+{
+    return uint64_t{SurfaceTracer::kLines} * (uint64_t{pilot_batches()} + shard_batches()) + pilot_work();
+}
+
+uint64_t SurfaceFit::work_in(const SurfaceState& state) const
+{
+    const uint64_t pilot = uint64_t{SurfaceTracer::kLines} * pilot_batches() + pilot_work();
+    return state.has_pilot ? pilot + uint64_t{SurfaceTracer::kLines} * state.batches : 0;
+}
+
+void SurfaceFit::trace(SurfaceState& state, Job& job, const std::function<void()>& keep)
+{
+    const uint32_t batches = shard_batches();
     state.wanted = batches;
     const uint32_t at_once = std::clamp(batches / kRounds, 1u, kMostAtOnce);
-    const uint64_t found = state.has_pilot ? uint64_t{first} + state.batches : 0;
-    Job job(uint64_t{SurfaceTracer::kLines} * (uint64_t{first} + batches), settings_.threads, progress,
-            SurfaceTracer::kLines * found);
-    const ProgressCallback quiet;
     if (!state.has_pilot) {
         pilot(state, job);
+        keep();
     }
+    const ProgressCallback quiet;
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
         const SortedSamples samples = traced(settings_.seed, next_batches(state.batches, count), job);

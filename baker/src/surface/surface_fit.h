@@ -20,14 +20,20 @@ public:
     // Borrows all.
     SurfaceFit(const SceneData& scene, const SurfaceShape& shape, const SurfaceSettings& settings, const Shard& shard);
 
+    // All work up to the solution, in light paths that take as long.
+    uint64_t work() const;
+    // Of it, what is in a state.
+    uint64_t work_in(const SurfaceState& state) const;
+
     // Goes on from `state` until all paths of the shard are in it; `keep` is called when some more are. Throws
     // Cancelled, with what is whole in the state.
-    void trace(SurfaceState& state, const ProgressCallback& progress, const std::function<void()>& keep);
+    void trace(SurfaceState& state, Job& job, const std::function<void()>& keep);
 
 private:
     uint32_t batches_for(double paths) const;
     uint32_t pilot_batches() const;
     uint32_t shard_batches() const;
+    uint64_t pilot_work() const;
     void pilot(SurfaceState& state, Job& job) const;
     SortedSamples traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const;
     std::vector<uint32_t> next_batches(uint32_t first, uint32_t count) const;

@@ -21,11 +21,26 @@ namespace
 constexpr float kFewerTriangles = 0.8f;
 constexpr float kLongerEdges = 1.1f;
 
+// Work of the stages, in light paths that take as long: of a triangle of the scene, of one that is asked for, and of
+// the pictures and rays that judge the result. Measured on scenes of 10^4 and 10^6 triangles.
+constexpr double kLookWork = 6, kSimplifyWork = 3, kShapeWork = 60, kCheckWork = 2e5;
+constexpr uint32_t kLookRuns = 2, kSimplifyRuns = 3, kShapeRuns = 9, kCheckRuns = 2;
+
+struct MeshWork {
+    double look, simplify, shape, check;
+};
+
+MeshWork work_of(const SceneData& scene, const SurfaceMeshSettings& s)
+{
+    const auto triangles = static_cast<double>(scene.mesh.triangle_count());
+    return {kLookWork * triangles, kSimplifyWork * triangles, kShapeWork * s.triangles, kCheckWork};
+}
+
 // Near the scene, in steps of the format.
 Mesh shaped(const SceneData& scene, Mesh draft, bool two_sided, const SurfaceMeshSettings& s, Job& job)
 {
-    const Mesh fit = fitted_in_rounds(scene, std::move(draft), two_sided, job);
-    const Mesh mesh = seen_part(ProxyTracer(fit, two_sided), job);
+    const Mesh fit = fitted_in_rounds(scene, std::move(draft), two_sided, job, s.cap);
+    const Mesh mesh = seen_part(ProxyTracer(fit, two_sided), job, s.cap);
     return rounded(
         with_short_edges(mesh, s.longest_edge, [](const Vec3& middle, const Vec3&, float) { return middle; }));
 }
@@ -62,10 +77,10 @@ SurfaceMeshSettings smaller(SurfaceMeshSettings s)
     return s;
 }
 
-ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& shape, bool rough, Job& job)
+ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& shape, const ViewCap& cap, bool rough, Job& job)
 {
-    ProxyLoss loss = loss_of(scene, shape, job);
-    const MissingPixels pixels = missing_pixels(scene, shape, job);
+    ProxyLoss loss = loss_of(scene, shape, job, cap);
+    const MissingPixels pixels = missing_pixels(scene, shape, job, cap);
     loss.rough = rough;
     loss.holes = pixels.regions;
     loss.largest_hole = pixels.largest;
@@ -76,25 +91,44 @@ ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& shape, bool rough, 
 
 BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, Job& job)
 {
-    const Outside outside = outside_of(scene, job);
+    const MeshWork work = work_of(scene, settings);
+    const double later = work.simplify + work.shape + work.check;
+    const Outside outside = [&] {
+        const JobStage stage(job, Stage::mesh, job.part_of_rest(work.look / (work.look + later)), kLookRuns);
+        return outside_of(scene, job, settings.cap);
+    }();
     BuiltSurface result;
     SurfaceMeshSettings s = settings;
     s.triangles = std::min(s.triangles, 2 * format::kMaxPatches);
     for (;; s = smaller(s)) {
-        MeshDraft draft = drafted(scene, outside, s, job);
+        MeshDraft draft = [&] {
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(work.simplify / later), kSimplifyRuns);
+            return drafted(scene, outside, s, job);
+        }();
         if (!draft.fits) {
             continue;
         }
-        const Mesh shape = shaped(scene, std::move(draft.mesh), outside.two_sided, s, job);
+        const Mesh shape = [&] {
+            const double share = work.shape / (work.shape + work.check);
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);
+            return shaped(scene, std::move(draft.mesh), outside.two_sided, s, job);
+        }();
         result.mesh = assembled(shape, settings.crease_cosine);
         if (fits(result.mesh)) {
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
             result.mesh.two_sided = outside.two_sided;
-            result.loss = loss_of(scene, ProxyTracer(shape, outside.two_sided), draft.rough, job);
+            result.loss = loss_of(scene, ProxyTracer(shape, outside.two_sided), s.cap, draft.rough, job);
             result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
                                             shape.triangle_count());
             return result;
         }
     }
+}
+
+uint64_t mesh_work(const SceneData& scene, const SurfaceMeshSettings& settings)
+{
+    const MeshWork work = work_of(scene, settings);
+    return static_cast<uint64_t>(work.look + work.simplify + work.shape + work.check);
 }
 
 }  // namespace lumi::baker

@@ -9,6 +9,7 @@
 
 #include "lumi/baker/proxy.h"
 #include "math/vec3.h"
+#include "proxy/view_cap.h"
 #include "scene/scene_data.h"
 #include "util/job.h"
 
@@ -40,9 +41,14 @@ struct SurfaceMeshSettings {
     uint32_t triangles = 4000;   // about so many before edges are split
     float longest_edge = 0.2f;   // edges longer than this are split, in radii
     float crease_cosine = 0.7f;  // faces that turn more than this at a vertex get vertices of their own
+    ViewCap cap = {};            // what cannot be seen from there is left out
 };
 
+// About as much work as tracing so many light paths.
+uint64_t mesh_work(const SceneData& scene, const SurfaceMeshSettings& settings);
+
 // At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface_format.h); none where nothing can be seen.
+// Takes all of the job's work.
 BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, Job& job);
 
 }  // namespace lumi::baker

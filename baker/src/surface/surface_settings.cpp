@@ -25,6 +25,7 @@ void require_possible_surface(const SurfaceSettings& s)
     require(s.longest_edge >= kShortest && s.longest_edge <= kLongest, "the longest edge must lie in 0.02 to 2 radii");
     require(s.texels_per_radius >= 1 && s.texels_per_radius <= kDensest,
             "the density of texels must lie in 1 to 4096 a radius");
+    require(s.cap > 0 && s.cap <= 1, "the cap must be more than 0 and at most 1");
     require(s.paths_per_texel >= 1, "the number of light paths a texel must be at least 1");
 }
 

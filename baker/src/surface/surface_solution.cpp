@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr int kIterations = 60;
+constexpr double kSolveWork = 60;  // light paths a texel that take as long
 
 // Of a texel's mean, a channel. A texel's own scatter is known badly where it has few paths: its patch's helps out.
 std::vector<double> texel_variances(const PatchSums& sums)
@@ -78,21 +79,31 @@ private:
 
 }  // namespace
 
+uint64_t solution_work(const SurfaceShape& shape)
+{
+    return static_cast<uint64_t>(kSolveWork * shape.layout.texels);
+}
+
 SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, Job& job)
 {
+    const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kIterations);
     for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
     const Solution solution(state, job);
     std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
     SurfaceModel model = state.expected;
     if (view_tables) {
         solution.solve(model, {});
-        viewed = viewed_vertices(state.sums, model);
+        job.run(1, [&](uint32_t) { viewed = viewed_vertices(state.sums, model); });
     }
     solution.solve(model, viewed);
-    QuantisedViews views = quantised(state.sums, model, viewed);
+    QuantisedViews views;
+    job.run(1, [&](uint32_t) { views = quantised(state.sums, model, viewed); });
     model.nodes = decoded(views);
-    solution.refit_texels(model);
-    PalettedTexels texels = paletted(model.texels);
+    PalettedTexels texels;
+    job.run(1, [&](uint32_t) {
+        solution.refit_texels(model);
+        texels = paletted(model.texels);
+    });
     return {sphere.centre, sphere.radius,         texels.palette, std::move(texels.texels),
             views.colours, std::move(views.views)};
 }

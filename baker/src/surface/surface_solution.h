@@ -14,7 +14,10 @@ struct SurfaceSphere {
     double radius;
 };
 
-// The colours that fit best, in the format's bits. Leaves the sums in order.
+// About as much work as tracing so many light paths.
+uint64_t solution_work(const SurfaceShape& shape);
+
+// The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work.
 SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, Job& job);
 
 }  // namespace lumi::baker

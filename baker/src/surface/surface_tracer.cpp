@@ -44,8 +44,12 @@ int16_t q12(float v)
 
 }  // namespace
 
-SurfaceTracer::SurfaceTracer(const SceneData& scene, const SurfaceShape& shape)
-    : scene_(scene), shape_(shape), proxy_(triangles_of(shape.mesh, numbers_), shape.mesh.two_sided), tracer_(scene)
+SurfaceTracer::SurfaceTracer(const SceneData& scene, const SurfaceShape& shape, const ViewCap& cap)
+    : scene_(scene),
+      shape_(shape),
+      cap_(cap),
+      proxy_(triangles_of(shape.mesh, numbers_), shape.mesh.two_sided),
+      tracer_(scene)
 {
 }
 
@@ -56,7 +60,7 @@ std::optional<SurfaceTracer::Line> SurfaceTracer::line(Sampler& sampler) const
     const Frame frame(direction);
     const float inwards = std::sqrt(std::max(0.0f, 1 - place.x * place.x - place.y * place.y));
     const Ray ray = {frame.to_world({place.x, place.y, -inwards}), direction};
-    const std::optional<Hit> hit = proxy_.closest(ray);
+    const std::optional<Hit> hit = cap_.sees(ray) ? proxy_.closest(ray) : std::nullopt;
     return hit ? std::optional<Line>({ray, *hit}) : std::nullopt;
 }
 

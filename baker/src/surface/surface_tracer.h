@@ -3,6 +3,7 @@
 #pragma once
 
 #include "proxy/proxy_tracer.h"
+#include "proxy/view_cap.h"
 #include "surface/surface_shape.h"
 #include "trace/path_tracer.h"
 
@@ -21,10 +22,10 @@ struct SurfaceSample {
 class SurfaceTracer
 {
 public:
-    // Borrows both.
-    SurfaceTracer(const SceneData& scene, const SurfaceShape& shape);
+    // Borrows scene and shape.
+    SurfaceTracer(const SceneData& scene, const SurfaceShape& shape, const ViewCap& cap = {});
 
-    // The lines of a batch: uniform over all lines through the unit sphere.
+    // The lines of a batch: uniform over all lines through the unit sphere, those outside of the cap left out.
     static constexpr uint32_t kLines = 4096;
     // The light along those of a batch that meet the mesh where the scene is.
     std::vector<SurfaceSample> samples(uint64_t seed, uint32_t batch) const;
@@ -46,6 +47,7 @@ private:
 
     const SceneData& scene_;
     const SurfaceShape& shape_;
+    const ViewCap cap_;
     std::vector<uint32_t> numbers_;  // of the accelerator's triangles
     ProxyTracer proxy_;
     PathTracer tracer_;

@@ -115,14 +115,16 @@ SortedSamples traced(const SurfaceTracer& tracer, uint64_t seed, double paths, u
 }  // namespace
 
 std::vector<float> texel_densities(const SceneData& scene, const SurfaceMesh& mesh, const SurfaceSettings& settings,
-                                   Job& job)
+                                   const ProgressCallback& progress)
 {
     const std::vector<float> even(mesh.patches.size(), settings.texels_per_radius);
     const SurfaceShape shape(mesh, even);
-    const SurfaceTracer tracer(scene, shape);
+    const SurfaceTracer tracer(scene, shape, ViewCap(settings.cap));
     const EncodedTone tone(scene.tone);
     const auto patches = static_cast<uint32_t>(mesh.patches.size());
     const double paths = std::min(kPaths * shape.layout.texels, kMaxPaths);
+    Job job(static_cast<uint64_t>(paths), settings.threads, progress);
+    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 1);
     const SortedSamples samples = traced(tracer, settings.seed + kSeedOffset, paths, patches, job);
     const float usual = static_cast<float>(samples.samples.size()) / static_cast<float>(shape.layout.texels);
     std::vector<float> importance;

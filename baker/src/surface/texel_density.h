@@ -11,6 +11,6 @@ namespace lumi::baker
 // Texels a radius, by patch: the more the colours of neighbouring texels differ and the more often a patch is seen, the
 // denser; no more texels in all than with settings.texels_per_radius everywhere. Traces some light paths a texel.
 std::vector<float> texel_densities(const SceneData& scene, const SurfaceMesh& mesh, const SurfaceSettings& settings,
-                                   Job& job);
+                                   const ProgressCallback& progress);
 
 }  // namespace lumi::baker

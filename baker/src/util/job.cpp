@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "util/job.h"
 
+#include <cmath>
 #include <thread>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kReportInterval(100);
+constexpr double kUsualPace = 3e5;  // rays a second
 
 unsigned thread_count(unsigned wanted)
 {
@@ -48,12 +50,51 @@ Job::Job(uint64_t rays_total, unsigned threads, const ProgressCallback& progress
 void Job::report()
 {
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-    const uint64_t done = rays_done_;
+    const uint64_t done = this->done();
     meter_.add(elapsed, done);
+    const double pace = stage_ == Stage::light ? meter_.per_second() : 0;
     if (progress_ &&
-        !progress_({done, rays_total_, meter_.per_second(), meter_.eta_seconds(rays_total_), elapsed, rays_saved_})) {
+        !progress_({done, rays_total_, pace, meter_.eta_seconds(rays_total_), elapsed, rays_saved_, stage_})) {
         throw Cancelled();
     }
+}
+
+uint64_t Job::part_of_rest(double share) const
+{
+    const uint64_t done = std::min<uint64_t>(rays_done_, rays_total_);
+    return done + static_cast<uint64_t>(share * static_cast<double>(rays_total_ - done));
+}
+
+uint64_t Job::done() const
+{
+    if (run_.rays == 0) {
+        return rays_done_;
+    }
+    double share = static_cast<double>(finished_tasks_) / run_.tasks;
+    if (run_.tasks == 1) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - run_.start).count();
+        share = 1 - std::exp(-seconds * kUsualPace / static_cast<double>(run_.rays));
+    }
+    return run_.from + static_cast<uint64_t>(share * static_cast<double>(run_.rays));
+}
+
+void Job::begin_run(uint32_t count)
+{
+    next_task_ = 0;
+    finished_ = 0;
+    finished_tasks_ = 0;
+    if (!is_staged_ || count == 0 || stage_end_ <= rays_done_) {
+        return;
+    }
+    const uint64_t left = stage_end_ - rays_done_;
+    run_ = {rays_done_, left / std::max(runs_left_, 1u), count, Clock::now()};
+    runs_left_ = runs_left_ > 2 ? runs_left_ - 1 : 2;  // there may be more runs than expected
+}
+
+void Job::end_run()
+{
+    rays_done_ += run_.rays;
+    run_ = {};
 }
 
 void Job::work(uint32_t count, const std::function<void(uint32_t)>& task)
@@ -61,6 +102,7 @@ void Job::work(uint32_t count, const std::function<void(uint32_t)>& task)
     try {
         for (uint32_t k = next_task_++; k < count && !stop_; k = next_task_++) {
             task(k);
+            ++finished_tasks_;
         }
     } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -84,8 +126,7 @@ void Job::watch(unsigned workers)
 
 void Job::run(uint32_t count, const std::function<void(uint32_t)>& task)
 {
-    next_task_ = 0;
-    finished_ = 0;
+    begin_run(count);
     const unsigned workers = std::min(threads_, std::max(count, 1u));
     {
         Threads threads;
@@ -102,11 +143,28 @@ void Job::run(uint32_t count, const std::function<void(uint32_t)>& task)
     if (failure_) {
         std::rethrow_exception(failure_);
     }
+    end_run();
 }
 
 void Job::finish()
 {
     report();
+}
+
+JobStage::JobStage(Job& job, Stage stage, uint64_t until, uint32_t runs) : job_(job)
+{
+    job.stage_ = stage;
+    job.is_staged_ = true;
+    job.stage_end_ = until;
+    job.runs_left_ = std::max(runs, 1u);
+}
+
+JobStage::~JobStage()
+{
+    job_.rays_done_ = std::max<uint64_t>(job_.rays_done_, job_.stage_end_);
+    job_.stage_ = Stage::light;
+    job_.is_staged_ = false;
+    job_.run_ = {};
 }
 
 }  // namespace lumi::baker

@@ -36,10 +36,24 @@ public:
     }
     bool stopping() const { return stop_; }
 
+    // Where a part of the work that is left ends, in rays.
+    uint64_t part_of_rest(double share) const;
+
 private:
+    friend class JobStage;
     using Clock = std::chrono::steady_clock;
 
+    // What reports of a run are made of that takes its place in a stage.
+    struct Run {
+        uint64_t from = 0, rays = 0;
+        uint32_t tasks = 0;
+        Clock::time_point start{};
+    };
+
     void report();
+    uint64_t done() const;
+    void begin_run(uint32_t count);
+    void end_run();
     void work(uint32_t count, const std::function<void(uint32_t)>& task);
     void watch(unsigned workers);
 
@@ -51,12 +65,34 @@ private:
 
     std::atomic<uint64_t> rays_done_;
     std::atomic<uint64_t> rays_saved_{0};
-    std::atomic<uint32_t> next_task_{0};
+    std::atomic<uint32_t> next_task_{0}, finished_tasks_{0};
     std::atomic<bool> stop_{false};
     std::mutex mutex_;  // guards what follows
     std::condition_variable finished_one_;
     unsigned finished_ = 0;
     std::exception_ptr failure_;
+
+    // Of the calling thread:
+    Stage stage_ = Stage::light;
+    bool is_staged_ = false;
+    uint64_t stage_end_ = 0;
+    uint32_t runs_left_ = 0;
+    Run run_;
+};
+
+// While it lives, what the job runs is one stage of it: tasks need not count rays, and the stage ends when `until` rays
+// are done. Of about so many runs each takes its share; a run of one task, which cannot tell how far it is, moves on
+// with time.
+class JobStage
+{
+public:
+    JobStage(Job& job, Stage stage, uint64_t until, uint32_t runs);
+    ~JobStage();
+    JobStage(const JobStage&) = delete;
+    JobStage& operator=(const JobStage&) = delete;
+
+private:
+    Job& job_;
 };
 
 }  // namespace lumi::baker

@@ -49,9 +49,8 @@ TEST_CASE("texels lie densest where colours change, and are no more in all")
     SurfaceSettings settings = tiny_surface();
     settings.texels_per_radius = 20;
     const ProgressCallback quiet;
-    Job job(1, 1, quiet);
     const SurfaceMesh mesh = two_squares();
-    const std::vector<float> densities = texel_densities(scene.data(), mesh, settings, job);
+    const std::vector<float> densities = texel_densities(scene.data(), mesh, settings, quiet);
     REQUIRE(densities.size() == 2);
     CHECK(densities[0] < 15);
     CHECK(densities[1] > 24);

@@ -2,6 +2,7 @@
 #include "util/job.h"
 
 #include <catch2/catch.hpp>
+#include <thread>
 #include <vector>
 
 namespace lumi::baker
@@ -65,6 +66,49 @@ TEST_CASE("job: a callback that returns false while tasks run cancels them")
                                 }
                             }),
                     Cancelled);
+}
+
+TEST_CASE("job: a stage moves on with its runs and ends where it was told, and never goes back")
+{
+    std::vector<Progress> reports;
+    const ProgressCallback note = [&](const Progress& p) {
+        reports.push_back(p);
+        return true;
+    };
+    Job job(1000, 1, note, 100);
+    {
+        const JobStage stage(job, Stage::mesh, job.part_of_rest(0.5), 2);
+        for (int runs = 0; runs < 5; ++runs) {  // more than were expected
+            job.run(4, [](uint32_t) {});
+            job.finish();
+            CHECK(reports.back().stage == Stage::mesh);
+            CHECK(reports.back().rays_done > 100);
+            CHECK(reports.back().rays_done < 550);
+        }
+    }
+    job.finish();
+    CHECK(reports.back().rays_done == 550);
+    CHECK(reports.back().stage == Stage::light);
+    CHECK(std::is_sorted(reports.begin(), reports.end(),
+                         [](const Progress& a, const Progress& b) { return a.rays_done < b.rays_done; }));
+}
+
+TEST_CASE("job: a run of one long task in a stage moves on while it runs")
+{
+    std::atomic<uint64_t> seen{0};
+    const ProgressCallback note = [&](const Progress& p) {
+        seen = p.rays_done;
+        return true;
+    };
+    Job job(1000000, 1, note);
+    const JobStage stage(job, Stage::solving, 1000000, 1);
+    job.run(1, [&](uint32_t) {
+        while (seen == 0) {  // until a report says more
+            std::this_thread::yield();
+        }
+    });
+    job.finish();
+    CHECK(seen == 1000000);
 }
 
 }  // namespace lumi::baker

@@ -38,6 +38,7 @@ TEST_CASE("a line of JSON says what is done, the pace and the time left, null wh
 {
     const auto line = nlohmann::json::parse(progress_json(report_at(437, 3)));
     CHECK(line == nlohmann::json{{"state", "baking"},
+                                 {"stage", "light"},
                                  {"rays_done", 437},
                                  {"rays_total", 1000},
                                  {"rays_saved", 109},

@@ -111,6 +111,7 @@ planner::SurfaceTask surface_task(const BakeOptions& options, const CLI::App& co
     task.settings = options.surface;
     task.settings.seed = options.settings.seed;
     task.settings.threads = options.scene.threads;
+    if (const auto share = parse_cap_share(options.cap)) task.settings.cap = static_cast<float>(*share);
     const bool is_planned = options.fit.wanted() || (!given("--triangles") && !given("--texel-density"));
     if (options.fit.wanted()) task.budget_bytes = options.fit.budget_bytes();
     if (!is_planned) task.budget_bytes = UINT32_MAX;
@@ -207,8 +208,8 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
     command
         .add_option(
             "--cap", options.cap,
-            "chord: bake the uppermost origins only: a number of them, or a share such as 50% or 0.5; from below the "
-            "object is then not seen [all]")
+            "Bake what eyes in the uppermost part of the sphere see: a share such as 50% or 0.5, or of chord fields a "
+            "number of origins; from below, the object is then not or only partly seen [all]")
         ->type_name("F");
     add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
                "chord: what a ray is stored as: " + words_of(kTexelChoices) + " [palette8]");

@@ -32,6 +32,13 @@ void print_json(const nlohmann::json& line)
     std::fflush(stdout);
 }
 
+double cap_of(const BakeJob& job)
+{
+    if (job.surface) return static_cast<double>(job.surface->cap);
+    const uint32_t all = job.settings.origins, used = job.settings.used_origins;
+    return used == 0 ? 1 : static_cast<double>(used) / all;
+}
+
 // What the field shows; nothing where it is not to be judged.
 std::optional<double> checked_db(const BakeSummary& summary)
 {
@@ -39,7 +46,7 @@ std::optional<double> checked_db(const BakeSummary& summary)
     const unsigned threads = summary.job.surface ? summary.job.surface->threads : summary.job.settings.threads;
     try {
         const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-        return quality::quick_psnr_db(summary.scene, field, threads, watch_interrupt());
+        return quality::quick_psnr_db(summary.scene, field, cap_of(summary.job), threads, watch_interrupt());
     } catch (const baker::Cancelled&) {
         return std::nullopt;  // the field is there, and that is what counts
     }

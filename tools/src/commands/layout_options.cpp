@@ -5,6 +5,7 @@
 
 #include "commands/choice.h"
 #include "terminal/failure.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -14,7 +15,7 @@ namespace
 
 const Choices<Layout> kLayouts = {{"auto", Layout::automatic}, {"surface", Layout::surface}, {"chord", Layout::chord}};
 
-constexpr std::array kChordOnly = {"--origins",  "--directions", "--cap",   "--texel",  "--footprint", "--spp",
+constexpr std::array kChordOnly = {"--origins",  "--directions", "--texel",  "--footprint", "--spp",
                                    "--adaptive", "--views",      "--count", "--trials", "--cache"};
 constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--paths"};
 
@@ -25,6 +26,12 @@ const char* first_given(const CLI::App& command, const Names& names)
     for (const char* name : names)
         if (command.count(name) != 0) return name;
     return nullptr;
+}
+
+// A number of origins; a share suits both layouts.
+bool is_chord_cap(const CLI::App& command)
+{
+    return command.count("--cap") != 0 && !parse_cap_share(command.get_option("--cap")->as<std::string>());
 }
 
 void refuse(const char* option, const std::string& layout)
@@ -43,7 +50,7 @@ void add_layout_option(CLI::App& command, Layout& layout)
 
 Layout resolved_layout(const CLI::App& command, Layout layout)
 {
-    const char* chord = first_given(command, kChordOnly);
+    const char* chord = is_chord_cap(command) ? "--cap with a number of origins" : first_given(command, kChordOnly);
     const char* surface = first_given(command, kSurfaceOnly);
     if (layout == Layout::chord) refuse(surface, "chord");
     if (layout == Layout::surface) refuse(chord, "surface");

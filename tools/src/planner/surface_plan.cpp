@@ -108,11 +108,16 @@ SurfacePlan plan_surface(const baker::Scene& scene, const SurfaceTask& task, con
 
 std::string options_of(const SurfacePlan& plan)
 {
-    char text[160];
+    char text[200];
     std::snprintf(text, sizeof text, "--layout surface --triangles %u --longest-edge %.6g --texel-density %.6g",
                   plan.settings.triangles, static_cast<double>(plan.settings.longest_edge),
                   static_cast<double>(plan.settings.texels_per_radius));
-    return text;
+    std::string options = text;
+    if (plan.settings.cap < 1) {
+        std::snprintf(text, sizeof text, " --cap %.6g%%", 100 * static_cast<double>(plan.settings.cap));
+        options += text;
+    }
+    return options;
 }
 
 }  // namespace lumi::planner

@@ -26,12 +26,12 @@ double degrees(double radians)
     return radians * kDegrees / (2 * reference::kPi);
 }
 
-double elevation_deg(ViewSet set, int k, int count)
+double elevation_deg(ViewSet set, int k, int count, double cap)
 {
     constexpr double kRingLow = 15, kRingHeight = 10;
     const double share = (k + 0.5) / count;
     if (set == ViewSet::ring) return kRingLow + kRingHeight * fraction(5 * share);
-    return degrees(std::asin(set == ViewSet::upper ? 1 - share : 1 - 2 * share));
+    return degrees(std::asin(set == ViewSet::upper ? 1 - share : 1 - 2 * cap * share));
 }
 
 HeldOutView view_at(double azimuth, double elevation, double distance, int side_px)
@@ -61,14 +61,14 @@ const char* name_of(ViewSet set)
     return "unknown";
 }
 
-std::vector<HeldOutView> held_out_views(ViewSet set, int count, int side_px)
+std::vector<HeldOutView> held_out_views(ViewSet set, int count, int side_px, double cap)
 {
     std::vector<HeldOutView> views;
     for (int k = 0; k < count; ++k) {
         const double azimuth =
             set == ViewSet::ring ? kDegrees * k / count : kDegrees * fraction(k / reference::kGolden);
         const double distance = kNearest + (kFarthest - kNearest) * fraction((k + 0.5) * 5 / 12);
-        views.push_back(view_at(azimuth + kTurnDeg, elevation_deg(set, k, count), distance, side_px));
+        views.push_back(view_at(azimuth + kTurnDeg, elevation_deg(set, k, count, cap), distance, side_px));
     }
     return views;
 }

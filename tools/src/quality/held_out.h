@@ -24,8 +24,10 @@ struct HeldOutView {
 
 // `count` views of side_px × side_px pixels from 2.5 to 4 radii, the sphere filling the frame:
 // all: a Spherical Fibonacci set over the whole sphere, turned by kTurnDeg so that it is no field's set of origins;
-// upper: the same over the upper half; ring: around the clock, 15 to 25 degrees high.
-std::vector<HeldOutView> held_out_views(ViewSet set, int count = kHeldOutViews, int side_px = bench::kSidePx);
+// upper: the same over the upper half; ring: around the clock, 15 to 25 degrees high. `cap`: of all, that uppermost
+// share of the sphere.
+std::vector<HeldOutView> held_out_views(ViewSet set, int count = kHeldOutViews, int side_px = bench::kSidePx,
+                                        double cap = 1);
 
 // "azimuth 123, elevation -45, distance 3.1".
 std::string text_of(const HeldOutView& view);

@@ -32,10 +32,10 @@ double decibels(double squared_error)
 
 }  // namespace
 
-double quick_psnr_db(const baker::Scene& scene, const tools::FieldFile& field, unsigned threads,
+double quick_psnr_db(const baker::Scene& scene, const tools::FieldFile& field, double cap, unsigned threads,
                      const baker::ProgressCallback& progress)
 {
-    const auto views = held_out_views(ViewSet::all, kQuickViews, kSidePx);
+    const auto views = held_out_views(ViewSet::all, kQuickViews, kSidePx, cap);
     const auto a = truths_of(scene, views, {kSamples, 1, threads, false}, {}, progress);
     const auto b = truths_of(scene, views, {kSamples, 2, threads, false}, {}, progress);
     double sum = 0;

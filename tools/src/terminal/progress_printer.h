@@ -10,7 +10,7 @@
 namespace lumi::tools
 {
 
-// "43 %  1.24 M rays/s  1:12 left"; without what is not known yet.
+// "43 %  1.24 M rays/s  1:12 left", "mesh 43 %  0:05 left"; without what is not known yet.
 std::string progress_text(const baker::Progress& progress);
 
 // A bar that redraws itself on a terminal, else a plain line at the beginning and every few seconds.

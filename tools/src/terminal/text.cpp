@@ -96,14 +96,18 @@ std::optional<Rgb8> parse_colour(std::string_view text)
     return Rgb8{static_cast<uint8_t>(value >> 16), static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value)};
 }
 
+std::optional<double> parse_cap_share(std::string_view text)
+{
+    if (text.find_first_of(".%") == std::string_view::npos) return std::nullopt;
+    const auto share = parse_share(text);
+    return share && *share > 0 && *share <= 1 ? share : std::nullopt;
+}
+
 std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins)
 {
-    const bool is_share = text.find_first_of(".%") != std::string_view::npos;
-    std::optional<uint32_t> used;
-    if (!is_share)
-        used = parse_number<uint32_t>(text);
-    else if (const auto share = parse_share(text); share && *share > 0 && *share <= 1)
-        used = static_cast<uint32_t>(std::ceil(*share * origins));
+    const auto share = parse_cap_share(text);
+    const std::optional<uint32_t> used =
+        share ? static_cast<uint32_t>(std::ceil(*share * origins)) : parse_number<uint32_t>(text);
     return used && *used >= 1 && *used <= origins ? used : std::nullopt;
 }
 

@@ -31,6 +31,9 @@ std::optional<Rgb8> parse_colour(std::string_view text);
 // Nothing unless the result is 1 .. origins.
 std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins);
 
+// The share that a cap's text is: "50%", "0.5", "1.0". Nothing for whole numbers, and unless 0 < share <= 1.
+std::optional<double> parse_cap_share(std::string_view text);
+
 // "3/16": two whole numbers, 1 <= part <= count.
 struct PartOf {
     uint32_t part, count;

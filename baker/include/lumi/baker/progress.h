@@ -10,6 +10,13 @@
 namespace lumi::baker
 {
 
+// What a bake does at the moment.
+enum class Stage : uint8_t {
+    light,    // rays are traced
+    mesh,     // of a surface field; rays stand for work that takes as long
+    solving,  // the same
+};
+
 struct Progress {
     // Camera rays, i.e. whole light paths; also those of the checkpoint that a bake goes on from, and those that
     // adaptive sampling saved.
@@ -19,6 +26,7 @@ struct Progress {
     double eta_seconds = -1;     // negative while unknown
     double elapsed_seconds = 0;
     uint64_t rays_saved = 0;  // of those that this call has done: left out because their texels were settled
+    Stage stage = Stage::light;
 };
 
 // Called from the thread that started the work: once before the first ray, about ten times a second, once at the end.

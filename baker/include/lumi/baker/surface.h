@@ -23,6 +23,9 @@ struct SurfaceSettings {
     float longest_edge = 0.2f;       // edges longer than this are split, in radii
     float texels_per_radius = 100;   // texels along a line of one radius
     uint32_t paths_per_texel = 300;  // light paths, in the mean
+    // Share of the sphere around the scene, its uppermost part, from which eyes at any distance look. What none of them
+    // sees is left out; from elsewhere, what is there is drawn, and the rest is absent.
+    float cap = 1;
     bool view_tables = true;         // false: colours do not depend on the direction of view
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
@@ -40,7 +43,7 @@ struct SurfaceBake {
 class SurfaceDraft
 {
 public:
-    // Of the settings, triangles, longest edge and threads count. Throws BakeError for a scene that no surface field
+    // Of the settings, triangles, longest edge, cap and threads count. Throws BakeError for a scene that no surface field
     // can hold, Cancelled.
     SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {});
     ~SurfaceDraft();
@@ -67,9 +70,9 @@ SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, c
                           const SurfaceDraft* draft = nullptr);
 
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
-// checkpoint keeps the mesh and the sums of what is traced, written every minute and when a bake is cancelled: a killed
-// process loses a minute. Disk: about three times the sums, which take some hundred bytes a texel. Throws BakeError,
-// Cancelled; either way the checkpoint stays.
+// checkpoint keeps the mesh and the sums of what is traced, written every few seconds and when a bake is cancelled.
+// Disk: about three times the sums, which take some hundred bytes a texel. Throws BakeError, Cancelled; either way the
+// checkpoint stays.
 SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
                          const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume,
                          const SurfaceDraft* draft = nullptr);
