@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/surface_solution.h"
 
+#include "surface/starved_patches.h"
 #include "surface/surface_solver.h"
 #include "surface/texel_noise.h"
 #include "surface/texel_palette.h"
@@ -34,11 +35,13 @@ std::vector<double> texel_variances(const PatchSums& sums)
 // Takes the line back: the mean light that it stands for, encoded.
 void finish_texels(const SurfaceState& state, SurfaceModel& model)
 {
+    std::vector<uint32_t> counts(model.texels.size(), 0);
     for (uint32_t p = 0; p < state.shape.mesh.patches.size(); ++p) {
         const PatchRectangle& r = state.shape.layout.rectangles[p];
         const PatchSums& sums = state.sums.patches()[p];
         for (size_t t = 0; t < r.size(); ++t) {
             const TexelSums& texel = sums.texels[t];
+            counts[r.begin + t] = texel.count;
             const double unit = kLevelUnit / std::max(texel.count, 1u);
             LevelColour expected, target;
             for (size_t c = 0; c < 3; ++c) {
@@ -52,6 +55,7 @@ void finish_texels(const SurfaceState& state, SurfaceModel& model)
         }
         smooth_noise(&model.texels[r.begin], texel_variances(sums), r.n);
     }
+    fill_starved_patches(state.shape, counts, model.texels);
 }
 
 class Solution

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 #include "support/surfaces.h"
 
@@ -21,20 +22,20 @@ constexpr char kLeaf[] =
 // Opaque up to the radius, in halves of the picture, with a soft rim.
 std::string disc(float radius)
 {
-    std::string text = "P5\n" + std::to_string(kPixels) + " " + std::to_string(kPixels) + "\n255\n";
+    std::vector<uint8_t> rgb;
     for (int k = 0; k < kPixels * kPixels; ++k) {
         const auto place = [](int at) { return (2 * static_cast<float>(at) + 1) / kPixels - 1; };
         const float inside = (radius - std::hypot(place(k % kPixels), place(k / kPixels))) * kPixels / 4 + 0.5f;
-        text += static_cast<char>(std::lround(255 * std::clamp(inside, 0.0f, 1.0f)));
+        rgb.insert(rgb.end(), 3, static_cast<uint8_t>(std::lround(255 * std::clamp(inside, 0.0f, 1.0f))));
     }
-    return text;
+    return rgb_png(kPixels, rgb);
 }
 
 Scene leaf(float radius)
 {
     const ScratchFolder folder;
-    folder.write("m.mtl", "newmtl leaf\nKd .1 .5 .1\nmap_d t.pgm\nnewmtl stem\nKd .3 .2 .1\n");
-    folder.write("t.pgm", disc(radius));
+    folder.write("m.mtl", "newmtl leaf\nKd .1 .5 .1\nmap_d t.png\nnewmtl stem\nKd .3 .2 .1\n");
+    folder.write("t.png", disc(radius));
     LoadOptions options;
     options.up = UpAxis::z;
     std::vector<std::string> warnings;
