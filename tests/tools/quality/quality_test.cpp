@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "bench/sprites.h"
 #include "image/png.h"
 #include "lumi/baker/bake.h"
 #include "lumi/lattice.h"
@@ -13,6 +14,7 @@
 #include "quality/html.h"
 #include "quality/mode_costs.h"
 #include "quality/page.h"
+#include "quality/report_data.h"
 #include "support/temporary_folder.h"
 #include "terminal/failure.h"
 
@@ -39,10 +41,15 @@ size_t count_of(const std::string& text, const std::string& part)
 
 Measured some_field(const std::string& name, uint64_t bytes, const std::vector<Truth>& truths)
 {
-    Measured m = {name, "surface", bytes, {{"SURF", true, 64, 32, 0}, {"SPAT", true, 96, 400, 0}}, {}, {}, {}};
+    Measured m;
+    m.name = name;
+    m.layout = "surface";
+    m.flash_bytes = bytes;
+    m.sections = {{"SURF", true, 64, 32, 0}, {"SPAT", true, 96, 400, 0}};
     for (const Truth& truth : truths) {
         m.pictures.push_back(truth.picture);
         m.figures.push_back(figures_of(truth.picture, truth));
+        m.worst.push_back(tools::worst_block(truth.picture, truth.picture));
     }
     m.mean = mean_of(m.figures);
     return m;
@@ -124,6 +131,7 @@ TEST_CASE("the chord baseline is the largest that fits")
         const auto size = [](uint32_t side) {
             baker::BakeSettings settings;
             settings.origins = settings.directions = side;
+            settings.texel = format::TexelFormat::palette8;
             return baker::field_file_bytes(settings);
         };
         const uint32_t side = chord_side(bytes);
@@ -136,17 +144,39 @@ TEST_CASE("the chord baseline is the largest that fits")
 TEST_CASE("sprites need room for one")
 {
     const baker::Scene scene = test_scene();
-    CHECK_FALSE(measured_sprites(scene, 2 * 80 * 80 - 1, {}, {}, {}).has_value());
+    CHECK(measured_sprites(scene, 5699, {}, {}, {}).empty());
     const auto views = held_out_views(ViewSet::all, 1);
     const auto truths = truths_of(scene, views, {1, 1, 0}, {});
     BaselineSettings settings;
     settings.sprite_samples = 1;
-    constexpr uint64_t kRoom = 2 * 120 * 120;  // for one of 120 pixels a side, or two of 80
-    const auto sheet = measured_sprites(scene, kRoom, settings, views, truths);
-    REQUIRE(sheet.has_value());
-    CHECK(sheet->flash_bytes <= kRoom);
-    CHECK(sheet->flash_bytes >= 2 * 2 * 80 * 80);
-    CHECK(sheet->pictures.size() == 1);
+    constexpr uint64_t kRoom = 2 * 120 * 120;  // for one of 120 pixels a side, two of 80, or five of JPEG
+    const auto sheets = measured_sprites(scene, kRoom, settings, views, truths);
+    REQUIRE(sheets.size() == 2);
+    CHECK(sheets[0].flash_bytes <= kRoom);
+    CHECK(sheets[0].flash_bytes >= 2 * 2 * 80 * 80);
+    CHECK(sheets[0].pictures.size() == 1);
+    CHECK(sheets[1].layout == "JPEG sprites");
+    CHECK(sheets[1].flash_bytes == 5 * 5700);
+}
+
+TEST_CASE("sprites of a ring lie nearer to views of that ring than those of a sphere")
+{
+    const bench::SpriteSheet ring = {48, 1, bench::kSidePx, true, 0}, sphere = {48, 1, bench::kSidePx, false, 0};
+    for (const HeldOutView& view : held_out_views(ViewSet::ring)) {
+        const double turns = view.azimuth_deg / 360 - std::floor(view.azimuth_deg / 360);
+        const double away = std::fabs(std::remainder(nearest_sprite(ring, view.view) / 48.0 - turns, 1));
+        CHECK(away <= 0.5 / 48 + 1e-6);
+        CHECK(nearest_sprite(sphere, view.view) < 48);
+    }
+}
+
+TEST_CASE("the worst view and the worst block are named from 1 on, with their places")
+{
+    Measured m;
+    for (const double db : {33.0, 30.25, 31.0}) m.figures.push_back({db, 0, 0, 0, 0, 0});
+    m.worst = {{16, 32, 20}, {0, 0, 19}, {48, 64, 12.5}};
+    CHECK(worst_view_text(m) == "30.2 (2)");
+    CHECK(worst_block_text(m) == "12.5 (3: 48, 64)");
 }
 
 TEST_CASE("base64 is that of RFC 4648, section 10")

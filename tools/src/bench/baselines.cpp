@@ -82,7 +82,7 @@ void compare_pictures(const Settings& settings, const tools::FieldFile& file, Ba
     if (count == 0) return;  // the field is smaller than a single sprite
     out.pictures.push_back(
         likeness(std::to_string(count) + " sprites, nearest", count * kSpriteBytes, truths,
-                 [&](const View& view) { return sprite_picture(scene, count, view, kTruthSamples); }));
+                 [&](const View& view) { return sprite_picture(scene, {count, kTruthSamples}, view); }));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bench/sprites.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "image/jpeg.h"
 #include "lumi/baker/reference.h"
 #include "lumi/lattice.h"
 #include "lumi/reference/geometry.h"
@@ -24,12 +26,33 @@ Pose pose_of(const View& view)
     return orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
 }
 
-Pose sprite_pose(uint32_t count, uint32_t index)
+int32_t signed_turns32(double radians)
 {
-    const Lattice lattice(count);
-    const double z = reference::from_q30(lattice.height_q30(index));
-    const auto elevation = static_cast<int32_t>(std::lround(std::asin(z) / (2 * kPi) * kTurn));
-    return orbit(longitude_turns32(index), elevation, kFarQ20);
+    return static_cast<int32_t>(std::lround(radians / (2 * kPi) * kTurn));
+}
+
+Pose sprite_pose(const SpriteSheet& sheet, uint32_t index)
+{
+    if (sheet.is_ring) {
+        const auto azimuth = static_cast<uint32_t>((uint64_t{index} << 32) / sheet.count);
+        return orbit(azimuth, signed_turns32(kRingElevationDeg * kPi / 180), kFarQ20);
+    }
+    const double z = reference::from_q30(Lattice(sheet.count).height_q30(index));
+    return orbit(longitude_turns32(index), signed_turns32(std::asin(z)), kFarQ20);
+}
+
+// As the device holds it.
+tools::Picture stored(const SpriteSheet& sheet, const tools::Picture& traced)
+{
+    if (sheet.jpeg_bytes != 0) return tools::through_jpeg(traced, sheet.jpeg_bytes);
+    tools::Picture shown = traced;
+    for (size_t i = 0; i < shown.rgb.size(); i += 3) {
+        const Rgb8 colour = unpack_rgb565(pack_rgb565({traced.rgb[i], traced.rgb[i + 1], traced.rgb[i + 2]}));
+        shown.rgb[i] = colour.r;
+        shown.rgb[i + 1] = colour.g;
+        shown.rgb[i + 2] = colour.b;
+    }
+    return shown;
 }
 
 // Pixels from the middle of the picture to the sphere's outline.
@@ -66,13 +89,13 @@ tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Im
     return picture;
 }
 
-uint32_t nearest_sprite(uint32_t count, const View& view)
+uint32_t nearest_sprite(const SpriteSheet& sheet, const View& view)
 {
     const Vec3q20 eye = pose_of(view).eye;
     uint32_t best = 0;
     double best_cosine = -1e9;
-    for (uint32_t i = 0; i < count; ++i) {
-        const double cosine = dot(decoded(sprite_pose(count, i).eye), decoded(eye));
+    for (uint32_t i = 0; i < sheet.count; ++i) {
+        const double cosine = dot(decoded(sprite_pose(sheet, i).eye), decoded(eye));
         if (cosine <= best_cosine) continue;
         best_cosine = cosine;
         best = i;
@@ -80,11 +103,12 @@ uint32_t nearest_sprite(uint32_t count, const View& view)
     return best;
 }
 
-tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const View& view, uint32_t samples,
-                              int32_t side_px)
+tools::Picture sprite_picture(const baker::Scene& scene, const SpriteSheet& sheet, const View& view)
 {
-    const Pose pose = sprite_pose(count, nearest_sprite(count, view));
-    const tools::Picture sprite = traced_view(scene, pose, {side_px, side_px, kFillingFov}, samples);
+    const Pose pose = sprite_pose(sheet, nearest_sprite(sheet, view));
+    const int32_t side_px = sheet.side_px;
+    const tools::Picture sprite =
+        stored(sheet, traced_view(scene, pose, {side_px, side_px, kFillingFov}, sheet.samples));
     const Turn turn(pose_of(view), pose);
     const double scale =
         disc_radius_px(kFillingFov, kFarQ20) / disc_radius_px(view.fov_turns32, view.distance_q20) * side_px / kSidePx;
@@ -97,12 +121,7 @@ tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const V
             const long u = std::lround(sprite_middle + right * turn.cosine - up * turn.sine);
             const long v = std::lround(sprite_middle - right * turn.sine - up * turn.cosine);
             if (u < 0 || v < 0 || u >= side_px || v >= side_px) continue;
-            const uint8_t* from = sprite.pixel(static_cast<int>(u), static_cast<int>(v));
-            const Rgb8 shown = unpack_rgb565(pack_rgb565({from[0], from[1], from[2]}));
-            uint8_t* to = picture.pixel(x, y);
-            to[0] = shown.r;
-            to[1] = shown.g;
-            to[2] = shown.b;
+            std::copy_n(sprite.pixel(static_cast<int>(u), static_cast<int>(v)), 3, picture.pixel(x, y));
         }
     }
     return picture;

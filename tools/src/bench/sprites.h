@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one would do without a field: a sheet of path-traced RGB565 sprites, the one nearest to the view turned and
-// scaled onto the screen.
+// What one would do without a field: a sheet of path-traced sprites, RGB565 or JPEG, the one nearest to the view turned
+// and scaled onto the screen.
 #pragma once
 
 #include <filesystem>
@@ -17,11 +17,19 @@ namespace lumi::bench
 // The path-traced truth of a view over kBackgroundColour.
 tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Image& image, uint32_t samples);
 
-// Which of `count` sprites, seen from a Spherical Fibonacci set of directions at kFarQ20, lies nearest to the view.
-uint32_t nearest_sprite(uint32_t count, const View& view);
+struct SpriteSheet {
+    uint32_t count = 1;
+    uint32_t samples = 16;      // light paths a pixel; what remains of noise is far below the error of a wrong view
+    int32_t side_px = kSidePx;  // of a sprite
+    bool is_ring = false;       // around the clock, kRingElevationDeg high; else a Spherical Fibonacci set all around
+    uint32_t jpeg_bytes = 0;    // of a sprite at most, in the best quality that fits; 0: RGB565
+};
+inline constexpr double kRingElevationDeg = 20;
 
-// That sprite, of side_px × side_px pixels, as the view's picture.
-tools::Picture sprite_picture(const baker::Scene& scene, uint32_t count, const View& view, uint32_t samples,
-                              int32_t side_px = kSidePx);
+// Which sprite, seen from kFarQ20, lies nearest to the view.
+uint32_t nearest_sprite(const SpriteSheet& sheet, const View& view);
+
+// That sprite as the view's picture.
+tools::Picture sprite_picture(const baker::Scene& scene, const SpriteSheet& sheet, const View& view);
 
 }  // namespace lumi::bench

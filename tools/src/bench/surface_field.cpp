@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/surface_field.h"
 
+#include "files/field_report.h"
 #include "files/sha256.h"
 #include "lumi/baker/scene.h"
 #include "lumi/baker/surface.h"
@@ -51,14 +52,11 @@ tools::FieldFile require_surface_field(const Settings& settings)
 SurfaceFacts facts_of(const tools::FieldFile& file)
 {
     const SurfaceField& field = file.surface();
-    uint32_t triangles = field.patch_count;
-    for (uint32_t k = 0; k < field.patch_count; ++k)
-        if (surface_patch(field, k).corner[3] != format::kNoVertex) ++triangles;
     return {std::filesystem::path(file.path()).filename().string(),
             static_cast<uint32_t>(file.size()),
             field.vertex_count,
             field.patch_count,
-            triangles,
+            tools::triangles_of(field),
             tools::sha256(file.bytes(), file.size())};
 }
 

@@ -17,7 +17,7 @@ const Choices<Layout> kLayouts = {{"auto", Layout::automatic}, {"surface", Layou
 
 constexpr std::array kChordOnly = {"--origins",  "--directions", "--texel",  "--footprint", "--spp",
                                    "--adaptive", "--views",      "--count", "--trials", "--cache"};
-constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--paths"};
+constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables", "--paths"};
 
 // The first of them that was given; null if none was.
 template <class Names>

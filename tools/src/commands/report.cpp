@@ -65,15 +65,17 @@ void measure_baselines(const ReportOptions& options, const baker::Scene& scene, 
     Steps step;
     quality::BaselineSettings settings;
     settings.threads = options.truth.threads;
+    settings.views = options.set;
     for (const uint64_t size : sizes_of(report.fields)) {
         if (quality::chord_side(size) > 0)
             report.baselines.push_back(step("chord field of the same size", [&](const auto& progress) {
                 return quality::measured_chord(scene, size, settings, options.cache, report.views, report.truths,
                                                progress);
             }));
-        if (auto sheet = quality::measured_sprites(scene, size, settings, report.views, report.truths))
-            report.baselines.push_back(*sheet);
+        for (auto& sheet : quality::measured_sprites(scene, size, settings, report.views, report.truths))
+            report.baselines.push_back(std::move(sheet));
     }
+    if (options.set == quality::ViewSet::ring) return;  // as all around
     const auto one_ray = step("one exact ray a pixel", [&](const auto& progress) {
         return quality::one_ray_pictures(scene, report.views, options.truth, options.cache, progress);
     });
@@ -106,8 +108,11 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     report.truths = Steps()("references", [&](const auto& progress) {
         return quality::truths_of(scene, report.views, options.truth, options.cache, progress);
     });
-    for (const auto& field : fields)
+    for (const auto& field : fields) {
         report.fields.push_back(quality::measured_field(*field, report.views, report.truths));
+        for (auto& variant : quality::measured_variants(*field, report.views, report.truths))
+            report.variants.push_back(std::move(variant));
+    }
     if (options.baselines) measure_baselines(options, scene, report);
     return report;
 }

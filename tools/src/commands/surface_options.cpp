@@ -22,6 +22,9 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
         ->type_name("D")
         ->check(CLI::Range(1.0f, 4096.0f))
         ->capture_default_str();
+    command.add_flag_callback(
+        "--no-view-tables", [&s] { s.view_tables = false; },
+        "surface: colours that do not depend on the direction of view: fewer bytes, no gloss");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
         ->type_name("P")
         ->check(CLI::PositiveNumber)

@@ -83,14 +83,6 @@ void describe_surface(const SurfaceField& field, FieldReport& report)
     report.radius = float_from_bits(field.radius_bits);
 }
 
-uint32_t triangles_of(const SurfaceField& field)
-{
-    uint32_t triangles = field.patch_count;
-    for (uint32_t k = 0; k < field.patch_count; ++k)
-        triangles += surface_patch(field, k).corner[3] != format::kNoVertex ? 1u : 0u;
-    return triangles;
-}
-
 double longest_edge_of(const SurfaceField& field)
 {
     constexpr double kOneQ6 = 64;
@@ -137,6 +129,14 @@ nlohmann::ordered_json chord_json(const FieldReport& report)
 }
 
 }  // namespace
+
+uint32_t triangles_of(const SurfaceField& field)
+{
+    uint32_t triangles = field.patch_count;
+    for (uint32_t k = 0; k < field.patch_count; ++k)
+        triangles += surface_patch(field, k).corner[3] != format::kNoVertex ? 1u : 0u;
+    return triangles;
+}
 
 FieldReport describe_field(const FieldFile& file, bool verify)
 {

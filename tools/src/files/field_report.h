@@ -32,6 +32,8 @@ struct FieldReport {
     uint64_t other_bytes = 0;  // header, table and alignment
 };
 
+uint32_t triangles_of(const SurfaceField& field);
+
 // Reads every section's bytes if `verify`.
 FieldReport describe_field(const FieldFile& file, bool verify);
 

@@ -117,6 +117,7 @@ std::string options_of(const SurfacePlan& plan)
         std::snprintf(text, sizeof text, " --cap %.6g%%", 100 * static_cast<double>(plan.settings.cap));
         options += text;
     }
+    if (!plan.settings.view_tables) options += " --no-view-tables";
     return options;
 }
 

@@ -14,6 +14,7 @@ baker::BakeSettings chord_settings(uint32_t side, const BaselineSettings& settin
 {
     baker::BakeSettings bake;
     bake.origins = bake.directions = side;
+    bake.texel = format::TexelFormat::palette8;
     bake.samples = settings.chord_samples;
     bake.threads = settings.threads;
     return bake;
@@ -38,7 +39,7 @@ Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const Baselin
                         const std::vector<Truth>& truths, const baker::ProgressCallback& progress)
 {
     const uint32_t side = chord_side(bytes);
-    const std::string name = "chord-" + std::to_string(side) + "-spp" + std::to_string(settings.chord_samples);
+    const std::string name = "chord8-" + std::to_string(side) + "-spp" + std::to_string(settings.chord_samples);
     const std::filesystem::path file = cache / cache_key(scene) / (name + ".lumi");
     if (!std::filesystem::exists(file)) baker::bake_field(scene, chord_settings(side, settings), file, progress);
     Measured result = measured_field(tools::FieldFile(file.string()), views, truths);
@@ -46,22 +47,53 @@ Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const Baselin
     return result;
 }
 
-std::optional<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
-                                         const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+namespace
 {
+
+std::string title_of(const bench::SpriteSheet& sheet)
+{
+    return std::to_string(sheet.count) + (sheet.jpeg_bytes != 0 ? " JPEG sprites, " : " sprites, ") +
+           std::to_string(sheet.side_px) + " px" + (sheet.is_ring ? ", in a ring" : "");
+}
+
+uint64_t bytes_of(const bench::SpriteSheet& sheet)
+{
+    const uint64_t rgb565 = uint64_t{2} * static_cast<uint64_t>(sheet.side_px * sheet.side_px);
+    return sheet.jpeg_bytes != 0 ? sheet.jpeg_bytes : rgb565;
+}
+
+// Nothing where not one fits.
+std::optional<Measured> measured_sheet(const baker::Scene& scene, bench::SpriteSheet sheet, uint64_t bytes,
+                                       const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+{
+    sheet.count = static_cast<uint32_t>(bytes / bytes_of(sheet));
+    if (sheet.count == 0) return std::nullopt;
+    const auto draw = [&](const HeldOutView& view) { return bench::sprite_picture(scene, sheet, view.view); };
+    return measured(title_of(sheet), sheet.jpeg_bytes != 0 ? "JPEG sprites" : "sprites", sheet.count * bytes_of(sheet),
+                    draw, views, truths);
+}
+
+}  // namespace
+
+std::vector<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
+                                       const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+{
+    constexpr uint32_t kJpegBytes = 5700;
+    bench::SpriteSheet sheet;
+    sheet.samples = settings.sprite_samples;
+    sheet.is_ring = settings.views == ViewSet::ring;
     std::optional<Measured> best;
     for (const int side : {bench::kSidePx, bench::kSidePx / 2, bench::kSidePx / 3}) {
-        const uint64_t sprite_bytes = uint64_t{2} * static_cast<uint64_t>(side * side);
-        const auto count = static_cast<uint32_t>(bytes / sprite_bytes);
-        if (count == 0) continue;
-        const auto draw = [&](const HeldOutView& view) {
-            return bench::sprite_picture(scene, count, view.view, settings.sprite_samples, side);
-        };
-        const std::string name = std::to_string(count) + " sprites, " + std::to_string(side) + " px";
-        Measured sheet = measured(name, "sprites", count * sprite_bytes, draw, views, truths);
-        if (!best || sheet.mean.psnr_db > best->mean.psnr_db) best = std::move(sheet);
+        sheet.side_px = side;
+        auto tried = measured_sheet(scene, sheet, bytes, views, truths);
+        if (tried && (!best || tried->mean.psnr_db > best->mean.psnr_db)) best = std::move(tried);
     }
-    return best;
+    sheet.side_px = bench::kSidePx;
+    sheet.jpeg_bytes = kJpegBytes;
+    std::vector<Measured> all;
+    if (best) all.push_back(std::move(*best));
+    if (auto jpegs = measured_sheet(scene, sheet, bytes, views, truths)) all.push_back(std::move(*jpegs));
+    return all;
 }
 
 }  // namespace lumi::quality

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "quality/measured.h"
 
+#include <algorithm>
+
 #include "draw/draw.h"
 #include "draw/draw_surface.h"
+#include "files/field_report.h"
 
 namespace lumi::quality
 {
@@ -10,13 +13,29 @@ namespace lumi::quality
 Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
                   const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
 {
-    Measured result = {name, layout, flash_bytes, {}, {}, {}, {}};
+    Measured result;
+    result.name = name;
+    result.layout = layout;
+    result.flash_bytes = flash_bytes;
     for (size_t v = 0; v < views.size(); ++v) {
         result.pictures.push_back(draw(views[v]));
         result.figures.push_back(figures_of(result.pictures.back(), truths[v]));
+        result.worst.push_back(tools::worst_block(result.pictures.back(), truths[v].picture));
     }
     result.mean = mean_of(result.figures);
     return result;
+}
+
+size_t worst_view(const Measured& m)
+{
+    const auto less = [](const Figures& a, const Figures& b) { return a.psnr_db < b.psnr_db; };
+    return static_cast<size_t>(std::min_element(m.figures.begin(), m.figures.end(), less) - m.figures.begin());
+}
+
+size_t worst_block_view(const Measured& m)
+{
+    const auto less = [](const tools::Block& a, const tools::Block& b) { return a.psnr_db < b.psnr_db; };
+    return static_cast<size_t>(std::min_element(m.worst.begin(), m.worst.end(), less) - m.worst.begin());
 }
 
 tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view)
@@ -25,13 +44,36 @@ tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view)
                              : tools::draw(file.field(), view.eye.camera, {});
 }
 
+const char* layout_of(const tools::FieldFile& file)
+{
+    if (!file.is_surface()) return "chord";
+    return file.surface().viewed_count == 0 ? "mean alone" : "surface";
+}
+
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
                         const std::vector<Truth>& truths)
 {
     const auto draw = [&](const HeldOutView& view) { return drawn(file, view); };
-    Measured result = measured(file.path(), file.is_surface() ? "surface" : "chord", file.size(), draw, views, truths);
+    Measured result = measured(file.path(), layout_of(file), file.size(), draw, views, truths);
     result.sections = file.sections();
+    if (file.is_surface()) result.triangles = tools::triangles_of(file.surface());
     return result;
+}
+
+std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
+                                        const std::vector<Truth>& truths)
+{
+    std::vector<Measured> variants;
+    if (!file.is_surface()) return variants;
+    for (const auto& [mode, name] :
+         {std::pair(SurfaceMode::antialiased, "antialiased"), {SurfaceMode::one_sample, "one sample"}}) {
+        const auto draw = [&, mode = mode](const HeldOutView& view) {
+            return tools::draw_surface(file.surface(), view.eye, {mode});
+        };
+        variants.push_back(measured(file.path(), name, file.size(), draw, views, truths));
+        variants.back().triangles = tools::triangles_of(file.surface());
+    }
+    return variants;
 }
 
 }  // namespace lumi::quality

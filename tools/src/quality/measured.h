@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/field_file.h"
+#include "metrics/worst_block.h"
 #include "quality/figures.h"
 #include "quality/truths.h"
 
@@ -16,13 +17,19 @@ namespace lumi::quality
 // A kind of picture, drawn for every view.
 struct Measured {
     std::string name;    // of the file, or what the baseline is
-    std::string layout;  // "chord", "surface", "sprites", "one ray"
+    std::string layout;  // "chord", "surface", "mean alone", "sprites", "JPEG sprites", "one ray", ...
     uint64_t flash_bytes = 0;
     std::vector<tools::Section> sections;
     std::vector<tools::Picture> pictures;
     std::vector<Figures> figures;  // of each view
     Figures mean;
+    uint32_t triangles = 0;           // of a surface field
+    std::vector<tools::Block> worst;  // block of each view
 };
+
+// The view of least PSNR, and the one that holds the worst block. Precondition: at least one view.
+size_t worst_view(const Measured& m);
+size_t worst_block_view(const Measured& m);
 
 using DrawView = std::function<tools::Picture(const HeldOutView&)>;
 
@@ -32,7 +39,13 @@ Measured measured(const std::string& name, const std::string& layout, uint64_t f
 
 // A field by the best that it offers.
 tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view);
+// "chord", "surface", or "mean alone": a surface field whose colours do not depend on the direction of view.
+const char* layout_of(const tools::FieldFile& file);
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
                         const std::vector<Truth>& truths);
+
+// The cheaper modes of a surface field; nothing of a chord field.
+std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
+                                        const std::vector<Truth>& truths);
 
 }  // namespace lumi::quality

@@ -16,11 +16,12 @@ using Json = nlohmann::ordered_json;
 
 std::string row_text(const Measured& m)
 {
-    char text[256];
+    char text[320];
     const std::string flash = m.flash_bytes != 0 ? tools::byte_text(m.flash_bytes) : "-";
     const Figures& f = m.mean;
-    std::snprintf(text, sizeof text, "%-28s %-8s %9s %7.2f %7.4f %8.4f %7.4f %10.2f %10.4f\n", m.name.c_str(),
-                  m.layout.c_str(), flash.c_str(), f.psnr_db, f.ssim, f.cw_ssim, f.flip, f.mask_psnr_db, f.mask_ssim);
+    std::snprintf(text, sizeof text, "%-28s %-12s %9s %7.2f %7.4f %8.4f %7.4f %10.2f %10.4f %11s %s\n", m.name.c_str(),
+                  m.layout.c_str(), flash.c_str(), f.psnr_db, f.ssim, f.cw_ssim, f.flip, f.mask_psnr_db, f.mask_ssim,
+                  worst_view_text(m).c_str(), worst_block_text(m).c_str());
     return text;
 }
 
@@ -43,6 +44,13 @@ Json json_of(const Measured& m)
     Json json = {{"name", m.name}, {"layout", m.layout}, {"flash_bytes", m.flash_bytes}};
     json.update(json_of(m.mean));
     for (const tools::Section& section : m.sections) json["sections"][section.type] = section.bytes;
+    if (m.triangles != 0) json["triangles"] = m.triangles;
+    if (!m.figures.empty()) {
+        const size_t v = worst_view(m), b = worst_block_view(m);
+        json["worst_view"] = {{"view", v}, {"psnr_db", rounded(m.figures[v].psnr_db)}};
+        json["worst_block"] = {
+            {"view", b}, {"x", m.worst[b].x}, {"y", m.worst[b].y}, {"psnr_db", rounded(m.worst[b].psnr_db)}};
+    }
     json["views"] = Json::array();
     for (const Figures& figures : m.figures) json["views"].push_back(json_of(figures));
     return json;
@@ -76,14 +84,34 @@ Json json_of(const ModeCost& cost)
 
 }  // namespace
 
+std::string worst_view_text(const Measured& m)
+{
+    if (m.figures.empty()) return "";
+    const size_t v = worst_view(m);
+    char text[40];
+    std::snprintf(text, sizeof text, "%.1f (%zu)", m.figures[v].psnr_db, v + 1);
+    return text;
+}
+
+std::string worst_block_text(const Measured& m)
+{
+    if (m.worst.empty()) return "";
+    const size_t v = worst_block_view(m);
+    char text[60];
+    std::snprintf(text, sizeof text, "%.1f (%zu: %d, %d)", m.worst[v].psnr_db, v + 1, m.worst[v].x, m.worst[v].y);
+    return text;
+}
+
 std::string text_of(const ReportData& report)
 {
-    std::string text = report.scene + ": means over " + std::to_string(report.views.size()) + " views (" +
-                       name_of(report.set) + ") against " + std::to_string(report.truth_samples) +
-                       " samples a pixel\n"
-                       "field                        layout       flash  PSNR dB   SSIM  CW-SSIM    FLIP  mask PSNR  "
-                       "mask SSIM\n";
+    std::string text =
+        report.scene + ": means over " + std::to_string(report.views.size()) + " views (" + name_of(report.set) +
+        ") against " + std::to_string(report.truth_samples) +
+        " samples a pixel\n"
+        "field                        layout           flash  PSNR dB   SSIM  CW-SSIM    FLIP  mask PSNR  "
+        "mask SSIM  worst view worst block\n";
     for (const Measured& field : report.fields) text += row_text(field);
+    for (const Measured& variant : report.variants) text += row_text(variant);
     for (const Measured& baseline : report.baselines) text += row_text(baseline);
     if (report.one_ray) text += row_text(*report.one_ray);
     return text;
@@ -97,6 +125,7 @@ std::string json_of(const ReportData& report)
                  {"views", Json::array()}};
     for (const HeldOutView& view : report.views) json["views"].push_back(json_of(view));
     json["fields"] = json_of(report.fields);
+    json["variants"] = json_of(report.variants);
     json["baselines"] = json_of(report.baselines);
     if (report.one_ray) json["one_ray"] = json_of(*report.one_ray);
     json["costs"] = Json::array();

@@ -19,10 +19,16 @@ struct ReportData {
     std::vector<HeldOutView> views;
     std::vector<Truth> truths;
     std::vector<Measured> fields;     // as given
+    std::vector<Measured> variants;   // cheaper modes of these
     std::vector<Measured> baselines;  // chord fields and sprites of the fields' sizes
     std::optional<Measured> one_ray;
     std::vector<ModeCost> costs;
 };
+
+// "31.2 (7)": of the view of least PSNR, and which it is, from 1 on.
+std::string worst_view_text(const Measured& m);
+// "14.3 (7: 112, 64)": of the worst block, its view and the place of its top left pixel.
+std::string worst_block_text(const Measured& m);
 
 std::string text_of(const ReportData& report);
 std::string json_of(const ReportData& report);
