@@ -42,8 +42,7 @@ set(LUMI_PLAIN_FILES
   tools/bench/surface_reads_test.cpp
   tools/draw/draw_surface_test.cpp
   tools/quality/quality_test.cpp
-  tools/planner/fit_test.cpp
-  tools/planner/plan_search_test.cpp
+  tools/planner/chord_plan_test.cpp
   tools/planner/speed_test.cpp
   tools/planner/surface_plan_test.cpp
   tools/planner/surface_speed_test.cpp

@@ -22,7 +22,7 @@ lumi=$root/build/release/tools/lumi
 parse_arguments() {
   while (($# > 0)); do
     case $1 in
-      --quick) surface=(--fit 125kB --paths 70) chord=(--layout chord --fit 500kB --trials 1) reference_spp=32 ;;
+      --quick) surface=(--fit 125kB --paths 70) chord=(--layout chord --fit 500kB) reference_spp=32 ;;
       --help) help "$0" && exit ;;
       -*) wrong_call "unknown option '$1'" ;;
       *)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which modes a part can draw at a pace.
+// How fast parts draw chord fields.
 #include "planner/speed.h"
 
 #include <catch2/catch.hpp>
@@ -10,9 +10,9 @@ namespace lumi::planner
 namespace
 {
 
-size_t modes_at(const std::string& pace)
+double rate_at(const char* part, const DrawMode& mode)
 {
-    return affordable_modes(parse_pace(pace)).size();
+    return modelled_rate(*parse_pace(std::string(part) + "@1fps")->chip, mode);
 }
 
 }  // namespace
@@ -28,21 +28,16 @@ TEST_CASE("a pace is a part and a rate")
         CHECK_FALSE(parse_pace(text));
 }
 
-TEST_CASE("without a pace a plan is drawn in the mode of lumi render")
+TEST_CASE("cheaper modes are faster, on every part, and no mode is faster than the display")
 {
-    CHECK(std::string(affordable_modes({}).at(0).name) == "linear");
-    CHECK(affordable_modes({}).size() == 1);
-}
-
-TEST_CASE("a faster pace leaves fewer modes, and in the end none")
-{
-    CHECK(modes_at("stm32h7@1fps") == chord_modes().size());
-    size_t before = chord_modes().size();
-    for (const char* pace : {"rp2040@1fps", "rp2040@5fps", "rp2040@10fps", "rp2040@20fps", "rp2040@60fps"}) {
-        CHECK(modes_at(pace) <= before);
-        before = modes_at(pace);
+    for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3"}) {
+        double before = 0.5;
+        for (const DrawMode& mode : chord_modes()) {
+            CHECK(rate_at(part, mode) >= before);
+            CHECK(rate_at(part, mode) < 67.9);
+            before = rate_at(part, mode);
+        }
     }
-    CHECK(modes_at("stm32h7@100fps") == 0);  // the display ends at 67.8
 }
 
 TEST_CASE("modes are listed dearest first")

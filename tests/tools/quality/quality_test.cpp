@@ -15,6 +15,7 @@
 #include "quality/mode_costs.h"
 #include "quality/page.h"
 #include "quality/report_data.h"
+#include "support/small_surface.h"
 #include "support/temporary_folder.h"
 #include "terminal/failure.h"
 
@@ -177,6 +178,21 @@ TEST_CASE("the worst view and the worst block are named from 1 on, with their pl
     m.worst = {{16, 32, 20}, {0, 0, 19}, {48, 64, 12.5}};
     CHECK(worst_view_text(m) == "30.2 (2)");
     CHECK(worst_block_text(m) == "12.5 (3: 48, 64)");
+}
+
+TEST_CASE("in a zoom one sample a pixel flickers more than four, and a drawing of 64 is the measure of both")
+{
+    SurfaceField field;
+    const auto& file = tools::test::small_surface().file;
+    REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
+    const std::vector<Flicker> all = zoom_flicker(field, 12, 48);
+    REQUIRE(all.size() == 3);
+    CHECK(all[0].mode == SurfaceMode::one_sample);
+    CHECK(all[0].ratio > 1.2);
+    CHECK(all[1].ratio < all[0].ratio);
+    CHECK(all[2].ratio == 1);
+    CHECK(all[2].rms_levels > 0);
+    CHECK(all[2].rms_levels < 20);
 }
 
 TEST_CASE("base64 is that of RFC 4648, section 10")

@@ -131,7 +131,7 @@ public:
           chord_(settings_of(options)),
           context_{command, chord_, options.cap, json_}
     {
-        check_fit(options.fit, context_, options.layout);
+        check_fit(options.fit, context_);
     }
 
     void run()
@@ -143,7 +143,7 @@ public:
         const BakeSummary::Clock::time_point start = BakeSummary::Clock::now();
         size_t warnings = 0;
         const baker::Scene scene = load_scene(options_.scene, warnings);
-        if (options_.layout == Layout::chord || !takes_surface(scene, job)) plan_chord(scene, job);
+        if (options_.layout == Layout::chord || !takes_surface(scene, job)) plan_chord(job);
         if (options_.fit.plan_only) return;
         const BakeSummary summary = {
             scene, job, warnings, start, options_.fit.wanted_pace(), options_.layout != Layout::chord};
@@ -167,10 +167,9 @@ private:
         return true;
     }
 
-    void plan_chord(const baker::Scene& scene, BakeJob& job) const
+    void plan_chord(BakeJob& job) const
     {
-        job.settings = chord_;
-        if (options_.fit.wanted()) job.settings = fitted_plan(options_.fit, context_, scene).chord;
+        job.settings = options_.fit.wanted() ? fitted_chord(options_.fit, context_) : chord_;
     }
 
     const BakeOptions& options_;

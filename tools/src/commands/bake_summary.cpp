@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands/bake_summary.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -88,20 +89,39 @@ std::string speed_lines(const FieldFile& field)
     return text;
 }
 
-// The best mode that the part draws at that pace in the mean of all poses.
-std::string pace_line(const FieldFile& field, const planner::Pace& pace)
+struct RatedMode {
+    const char* name;
+    double rate;  // frames a second, in the mean of all poses
+};
+
+// Best and dearest first.
+std::vector<RatedMode> rated_modes(const BakeSummary& summary, const bench::Chip& chip)
 {
-    char text[160] = "";
-    for (const SurfaceMode mode : {SurfaceMode::two_by_two, SurfaceMode::antialiased, SurfaceMode::one_sample}) {
-        for (const planner::PartRate& rate : planner::surface_rates(field.surface(), mode)) {
-            if (rate.chip != pace.chip) continue;
-            const bool reached = rate.mean >= pace.frames_per_second;
-            std::snprintf(text, sizeof text, "%s at %.1f frames a second: %s%s (%.1f)%s\n", rate.chip->title,
-                          pace.frames_per_second, reached ? "by mode " : "in no mode, by ", name_of(mode), rate.mean,
-                          reached ? "" : "; give fewer --triangles");
-            if (reached) return text;
-        }
+    std::vector<RatedMode> modes;
+    if (!summary.job.surface) {
+        for (const planner::DrawMode& mode : planner::chord_modes())
+            modes.push_back({mode.name, planner::modelled_rate(chip, mode)});
+        return modes;
     }
+    const FieldFile field(summary.job.target, FieldFile::Role::own_output);
+    for (const SurfaceMode mode : {SurfaceMode::two_by_two, SurfaceMode::antialiased, SurfaceMode::one_sample})
+        for (const planner::PartRate& rate : planner::surface_rates(field.surface(), mode))
+            if (rate.chip == &chip) modes.push_back({name_of(mode), rate.mean});
+    return modes;
+}
+
+// The best mode that the part draws at that pace.
+std::string pace_line(const BakeSummary& summary, const planner::Pace& pace)
+{
+    const std::vector<RatedMode> modes = rated_modes(summary, *pace.chip);
+    const auto found = std::find_if(modes.begin(), modes.end(),
+                                    [&](const RatedMode& mode) { return mode.rate >= pace.frames_per_second; });
+    const bool reached = found != modes.end();
+    const RatedMode& mode = reached ? *found : modes.back();
+    char text[160];
+    std::snprintf(text, sizeof text, "%s at %.1f frames a second: %s%s (%.1f)%s\n", pace.chip->title,
+                  pace.frames_per_second, reached ? "by mode " : "in no mode, by ", mode.name, mode.rate,
+                  reached || !summary.job.surface ? "" : "; give fewer --triangles");
     return text;
 }
 
@@ -147,8 +167,8 @@ void bake_for_people(const BakeSummary& summary)
     if (outcome.surface) {
         const FieldFile field(summary.job.target, FieldFile::Role::own_output);
         text += speed_lines(field);
-        if (summary.pace) text += pace_line(field, *summary.pace);
     }
+    if (summary.pace) text += pace_line(summary, *summary.pace);
     if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
     std::fputs(text.c_str(), stdout);
 }

@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include <optional>
+
 #include "../planner/speed.h"
 #include "commands/bake_job.h"
 #include "commands/surface_choice.h"
@@ -18,7 +20,7 @@ struct BakeSummary {
     const BakeJob& job;
     size_t warnings;
     Clock::time_point start;
-    std::optional<planner::Pace> pace;  // that a surface field should be drawn at
+    std::optional<planner::Pace> pace;  // that the field should be drawn at
     bool checks;                        // whether the field is judged by a few path-traced views
 };
 

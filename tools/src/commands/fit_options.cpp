@@ -4,11 +4,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "../planner/plan_report.h"
-#include "commands/choice.h"
+#include "../planner/no_plan.h"
 #include "files/output_file.h"
 #include "terminal/failure.h"
-#include "terminal/interrupt.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -17,60 +15,29 @@ namespace lumi::tools
 namespace
 {
 
-using planner::ByHand;
-
-std::function<uint32_t(uint32_t)> cap_by_hand(const std::string& cap)
+planner::ChordTask task_of(const FitOptions& options, const FitContext& context)
 {
-    if (cap.empty()) return {};
-    return [cap](uint32_t origins) {
+    planner::ChordTask task;
+    task.budget_bytes = options.budget_bytes();
+    task.settings = context.common;
+    task.origins_by_hand = context.command.count("--origins") > 0;
+    task.directions_by_hand = context.command.count("--directions") > 0;
+    if (context.cap.empty()) return task;
+    task.cap = [cap = context.cap](uint32_t origins) {
         const auto used = parse_cap(cap, origins);
         if (!used) throw baker::BakeError("--cap " + cap + " is no part of " + std::to_string(origins) + " origins");
         return *used;
     };
-}
-
-ByHand by_hand(const FitContext& context)
-{
-    ByHand set;
-    const auto take = [&](const char* option, auto& value, const auto& given) {
-        if (context.command.count(option) > 0) value = given;
-    };
-    take("--origins", set.origins, context.common.origins);
-    take("--directions", set.directions, context.common.directions);
-    take("--texel", set.texel, context.common.texel);
-    set.cap = cap_by_hand(context.cap);
-    return set;
-}
-
-planner::Task task_of(const FitOptions& options, const FitContext& context)
-{
-    planner::Task task;
-    task.budget_bytes = options.budget_bytes();
-    task.views = options.views;
-    task.by_hand = by_hand(context);
-    task.samples = context.common.samples;
-    task.max_error_levels = context.common.max_error_levels;
-    task.seed = context.common.seed;
-    task.threads = context.common.threads;
     return task;
 }
 
-planner::PlanSettings settings_of(const FitOptions& options)
+baker::BakeSettings planned(const FitOptions& options, const FitContext& context)
 {
-    planner::PlanSettings settings;
-    settings.measure.samples = planner::trial_samples(options.budget_bytes());
-    settings.measure.views = options.view_count;
-    settings.measure.cache = options.cache;
-    settings.search.max_trials = options.max_trials;
-    settings.outlook = options.max_trials > 1;  // who asks for one trial asks what one plan is worth
-    settings.measure.pace = options.wanted_pace();
-    return settings;
-}
-
-void print_line(std::FILE* stream, const std::string& line)
-{
-    std::fprintf(stream, "%s\n", line.c_str());
-    std::fflush(stream);
+    try {
+        return planner::plan_chord(task_of(options, context));
+    } catch (const planner::NoPlan& none) {
+        throw Failure("--fit " + options.budget, none.what(), "give more flash, or set less by hand");
+    }
 }
 
 }  // namespace
@@ -100,36 +67,21 @@ void add_fit_options(CLI::App& command, FitOptions& options)
         ->type_name("SIZE");
     command.add_option("--for", options.pace, "fit: draw on this part at this rate: " + planner::chip_names())
         ->type_name("PART@RATEfps");
-    add_choice<quality::ViewSet>(
-        command, "--views", options.views,
-        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}}, "SET",
-        "fit, chord: the views that must be good: all around, upper half, or ring [all]");
-    command.add_option("--count", options.view_count, "fit, chord: number of views to measure from")
-        ->type_name("COUNT")
-        ->check(CLI::Range(1u, 100u))
-        ->capture_default_str();
-    command.add_option("--trials", options.max_trials, "fit, chord: trial bakes at most")
-        ->type_name("COUNT")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
     command.add_flag("--plan-only", options.plan_only, "fit: end with the plan, without a bake");
-    command.add_option("--plan", options.json, "fit: write the plan, and all that was measured, here as JSON")
-        ->type_name("FILE");
-    command.add_option("--cache", options.cache, "fit, chord: folder that keeps references, as of lumi report [none]")
-        ->type_name("DIR");
+    command.add_option("--plan", options.json, "fit: write the plan here as JSON")->type_name("FILE");
 }
 
-void check_fit(const FitOptions& options, const FitContext& context, Layout layout)
+void check_fit(const FitOptions& options, const FitContext& context)
 {
     if (!options.wanted()) {
-        for (const char* name : {"--for", "--views", "--count", "--trials", "--plan-only", "--plan", "--cache"})
+        for (const char* name : {"--for", "--plan-only", "--plan"})
             if (context.command.count(name) > 0) throw UsageError(std::string(name) + " belongs to --fit");
         return;
     }
     if (context.command.count("--shard") > 0)
         throw UsageError("--shard does not go with --fit; shard the plan it finds");
-    settings_of(options);
-    if (layout == Layout::chord) task_of(options, context);
+    options.budget_bytes();
+    options.wanted_pace();
     announce_outputs({options.json});
 }
 
@@ -144,28 +96,24 @@ void write_plan(const FitOptions& options, const planner::SurfaceTask& task, con
     write_output(options.json, json.dump(2) + "\n");
 }
 
-planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene)
+baker::BakeSettings fitted_chord(const FitOptions& options, const FitContext& context)
 {
-    const planner::Task task = task_of(options, context);
-    const baker::ProgressCallback interrupted = [](const baker::Progress&) {
-        return !interrupt_flag().load(std::memory_order_relaxed);
-    };
-    const auto report = [&](const planner::PlanProgress& at) {
-        context.json_progress ? print_line(stdout, json_of(at)) : print_line(stderr, text_of(at));
-    };
-    try {
-        if (!context.json_progress) print_line(stderr, "tracing references to measure against");
-        planner::Result result = planner::plan_field(scene, task, settings_of(options), interrupted, report);
-        result.best.plan = planner::final_plan(result);
-        if (!options.json.empty()) write_output(options.json, json_of(result));
-        if (!context.json_progress) std::fputs(text_of(result).c_str(), stdout);
-        std::fflush(stdout);
-        return result.best.plan;
-    } catch (const planner::NoPlan& none) {
-        throw Failure("--fit " + options.budget, none.what(), "give more flash, or set less by hand");
-    } catch (const baker::Cancelled&) {
-        throw Interrupted();
+    const baker::BakeSettings plan = planned(options, context);
+    nlohmann::json json = {{"layout", "chord"}, {"options", planner::options_of(plan)}};
+    if (context.json_progress) {
+        json["state"] = "planned";
+        std::printf("%s\n", json.dump().c_str());
+    } else {
+        std::printf("layout chord: %s\n  by hand: %s\n", planner::text_of(plan).c_str(),
+                    planner::options_of(plan).c_str());
     }
+    std::fflush(stdout);
+    if (options.json.empty()) return plan;
+    json.erase("state");
+    json["budget_bytes"] = options.budget_bytes();
+    json["bytes"] = baker::field_file_bytes(plan);
+    write_output(options.json, json.dump(2) + "\n");
+    return plan;
 }
 
 }  // namespace lumi::tools

@@ -3,19 +3,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
-#include "../planner/planner.h"
+#include "../planner/chord_plan.h"
+#include "../planner/speed.h"
 #include "../planner/surface_plan.h"
-#include "commands/layout_options.h"
 
 namespace lumi::tools
 {
 
 struct FitOptions {
-    std::string budget, pace, json, cache;
-    quality::ViewSet views = quality::ViewSet::all;
-    uint32_t view_count = planner::MeasureSettings().views;
-    size_t max_trials = planner::SearchSettings().max_trials;
+    std::string budget, pace, json;
     bool plan_only = false;
 
     bool wanted() const { return !budget.empty(); }
@@ -37,13 +35,12 @@ struct FitContext {
 };
 
 // Throws UsageError for options that cannot be meant: before the scene is loaded.
-void check_fit(const FitOptions& options, const FitContext& context, Layout layout);
+void check_fit(const FitOptions& options, const FitContext& context);
 
 // Writes the plan of a surface field where the options ask for it.
 void write_plan(const FitOptions& options, const planner::SurfaceTask& task, const planner::SurfacePlan& plan);
 
-// Plans a chord field, and prints what was found; the plan has its final size. Throws Failure where nothing fits,
-// Interrupted.
-planner::Plan fitted_plan(const FitOptions& options, const FitContext& context, const baker::Scene& scene);
+// Plans a chord field and tells what was found. Throws Failure where nothing fits.
+baker::BakeSettings fitted_chord(const FitOptions& options, const FitContext& context);
 
 }  // namespace lumi::tools

@@ -15,8 +15,7 @@ namespace
 
 const Choices<Layout> kLayouts = {{"auto", Layout::automatic}, {"surface", Layout::surface}, {"chord", Layout::chord}};
 
-constexpr std::array kChordOnly = {"--origins",  "--directions", "--texel",  "--footprint", "--spp",
-                                   "--adaptive", "--views",      "--count", "--trials", "--cache"};
+constexpr std::array kChordOnly = {"--origins", "--directions", "--texel", "--footprint", "--spp", "--adaptive"};
 constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables", "--paths"};
 
 // The first of them that was given; null if none was.

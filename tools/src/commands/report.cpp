@@ -27,7 +27,7 @@ struct ReportOptions {
     quality::ViewSet set = quality::ViewSet::all;
     int views = quality::kHeldOutViews;
     baker::ReferenceSettings truth = {256, 1, 0, false};
-    bool baselines = true;
+    bool baselines = true, zoom = false;
 };
 
 // One progress bar for each thing that is traced.
@@ -110,6 +110,7 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     });
     for (const auto& field : fields) {
         report.fields.push_back(quality::measured_field(*field, report.views, report.truths));
+        if (options.zoom && field->is_surface()) report.fields.back().flicker = quality::zoom_flicker(field->surface());
         for (auto& variant : quality::measured_variants(*field, report.views, report.truths))
             report.variants.push_back(std::move(variant));
     }
@@ -166,6 +167,8 @@ void add_report(CLI::App& lumi)
     command->add_flag_callback(
         "--no-baselines", [&baselines = options->baselines] { baselines = false; },
         "Leave out chord fields, sprites and the exact ray");
+    command->add_flag("--zoom", options->zoom,
+                      "Also measure how much surface fields flicker while the eye moves away slowly");
     command->footer("Example:\n  lumi report product.obj small.lumi large.lumi -o report.html --json report.json");
     command->callback([options] { run(*options); });
 }

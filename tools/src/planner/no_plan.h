@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The failure of every planner.
+// The failure of both planners.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 namespace lumi::planner
 {
 
-// No plan fits, or none is fast enough; what() says which would.
+// No plan fits; what() says what would.
 struct NoPlan : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

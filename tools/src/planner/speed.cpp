@@ -78,14 +78,4 @@ double modelled_rate(const bench::Chip& chip, const DrawMode& mode)
     return bench::frames_per_second(chip, static_cast<uint64_t>(cost.instructions), static_cast<uint64_t>(cost.misses));
 }
 
-std::vector<DrawMode> affordable_modes(const std::optional<Pace>& pace)
-{
-    constexpr size_t kDefault = 1;  // what `lumi render` draws without --mode
-    if (!pace) return {kModes[kDefault]};
-    std::vector<DrawMode> affordable;
-    for (const DrawMode& mode : kModes)
-        if (modelled_rate(*pace->chip, mode) >= pace->frames_per_second) affordable.push_back(mode);
-    return affordable;
-}
-
 }  // namespace lumi::planner

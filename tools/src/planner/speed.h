@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fast a part draws a chord field in each mode: a model, of counted instructions, that decides which modes a plan
-// may count on.
+// How fast a part draws a chord field in each mode: a model, of counted instructions.
 #pragma once
 
 #include <optional>
@@ -43,8 +42,5 @@ FrameCost frame_cost(const std::string& core, const DrawMode& mode);
 
 // Frames per second by the model of `lumi bench`.
 double modelled_rate(const bench::Chip& chip, const DrawMode& mode);
-
-// The modes that a part draws at that pace, best first; without a pace what `lumi render` draws.
-std::vector<DrawMode> affordable_modes(const std::optional<Pace>& pace);
 
 }  // namespace lumi::planner

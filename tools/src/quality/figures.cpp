@@ -21,17 +21,11 @@ bool is_empty(const tools::Mask& mask)
 
 }  // namespace
 
-Figures quick_figures_of(const tools::Picture& picture, const Truth& truth)
+Figures figures_of(const tools::Picture& picture, const Truth& truth)
 {
     Figures figures;
     figures.psnr_db = std::min(kIdenticalDb, tools::psnr_db(picture, truth.picture));
     figures.ssim = tools::ssim(picture, truth.picture);
-    return figures;
-}
-
-Figures figures_of(const tools::Picture& picture, const Truth& truth)
-{
-    Figures figures = quick_figures_of(picture, truth);
     figures.cw_ssim = tools::cw_ssim(picture, truth.picture);
     figures.flip = tools::flip(truth.picture, picture);
     const bool whole = is_empty(truth.mask);

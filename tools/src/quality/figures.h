@@ -26,9 +26,6 @@ struct Figures {
 // Precondition: same_size(picture, truth.picture).
 Figures figures_of(const tools::Picture& picture, const Truth& truth);
 
-// PSNR and SSIM alone, the rest 0: what a search needs.
-Figures quick_figures_of(const tools::Picture& picture, const Truth& truth);
-
 // The mean of each. Precondition: at least one.
 Figures mean_of(const std::vector<Figures>& all);
 

@@ -9,6 +9,7 @@
 #include "files/field_file.h"
 #include "metrics/worst_block.h"
 #include "quality/figures.h"
+#include "quality/flicker.h"
 #include "quality/truths.h"
 
 namespace lumi::quality
@@ -24,6 +25,7 @@ struct Measured {
     std::vector<Figures> figures;  // of each view
     Figures mean;
     uint32_t triangles = 0;           // of a surface field
+    std::vector<Flicker> flicker;     // likewise, where it was asked for
     std::vector<tools::Block> worst;  // block of each view
 };
 

@@ -25,6 +25,20 @@ std::string row_text(const Measured& m)
     return text;
 }
 
+std::string zoom_text(const Measured& m)
+{
+    if (m.flicker.empty()) return "";
+    char words[120];
+    std::snprintf(words, sizeof words, ": flicker of a zoom from %.2f to %.0f radii, levels of 255 (times 2x2's):",
+                  kZoomNearest, kZoomFarthest);
+    std::string text = m.name + words;
+    for (const Flicker& f : m.flicker) {
+        std::snprintf(words, sizeof words, " %s %.2f (%.2f)", tools::name_of(f.mode), f.rms_levels, f.ratio);
+        text += words;
+    }
+    return text + "\n";
+}
+
 // Four digits after the point are more than any figure's noise.
 double rounded(double value)
 {
@@ -45,6 +59,8 @@ Json json_of(const Measured& m)
     json.update(json_of(m.mean));
     for (const tools::Section& section : m.sections) json["sections"][section.type] = section.bytes;
     if (m.triangles != 0) json["triangles"] = m.triangles;
+    for (const Flicker& f : m.flicker)
+        json["zoom"][tools::name_of(f.mode)] = {{"rms_levels", rounded(f.rms_levels)}, {"ratio", rounded(f.ratio)}};
     if (!m.figures.empty()) {
         const size_t v = worst_view(m), b = worst_block_view(m);
         json["worst_view"] = {{"view", v}, {"psnr_db", rounded(m.figures[v].psnr_db)}};
@@ -114,6 +130,7 @@ std::string text_of(const ReportData& report)
     for (const Measured& variant : report.variants) text += row_text(variant);
     for (const Measured& baseline : report.baselines) text += row_text(baseline);
     if (report.one_ray) text += row_text(*report.one_ray);
+    for (const Measured& field : report.fields) text += zoom_text(field);
     return text;
 }
 
