@@ -52,7 +52,7 @@ function markdown(rows) {
   const low = rows.filter(r => r.layout in MODES && r.worst_view.psnr_db < r.psnr_db - MOST_BELOW_MEAN_DB);
   const named = r => `${r.scene}, ${r.layout}, ${flashText(r.flash_bytes)} (${(r.worst_view.psnr_db - r.psnr_db).toFixed(1)} dB)`;
   return [
-    '| scene | what | flash | triangles | PSNR dB | SSIM | CW-SSIM | FLIP | mask PSNR | worst view | worst block | instructions a pixel, M4 · M0+ |',
+    '| scene | layout | flash | triangles | PSNR dB | SSIM | CW-SSIM | FLIP | mask PSNR | worst view | worst block | instructions a pixel, M4 · M0+ |',
     '|---|---|---|---|---|---|---|---|---|---|---|---|',
     ...rows.map(line), '',
     `Means over 12 views of 240×240; references with ${samples('all')} light paths a pixel, on the turntable ` +
