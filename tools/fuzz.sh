@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/fuzz.sh [--minutes N] [TARGET...]
-# Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, N minutes a target (1 if not said), and says executions
-# and coverage. A finding stops it; the input that shows it lies in build/fuzz/findings. What it learns stays in
-# build/fuzz/corpus, so the next run goes on from there. Needs clang. Targets: field.
+# tools/fuzz.sh [--minutes N | --hours N] [TARGET...]
+# Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, so long a target (a minute if not said), and says
+# executions and coverage. A finding stops it; the input that shows it lies in build/fuzz/findings. What it learns stays
+# in build/fuzz/corpus, so the next run goes on from there. Needs clang. Targets: field, picture, obj, scene, shard; all
+# if none is named.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -17,27 +18,27 @@ parse_arguments() {
     case $1 in
       --minutes) minutes=${2:?"--minutes needs a number"} && shift ;;
       --help) help "$0" && exit ;;
-      field) targets+=("$1") ;;
+      --hours) minutes=$((60 * ${2:?"--hours needs a number"})) && shift ;;
+      field | picture | obj | scene | shard) targets+=("$1") ;;
       *) wrong_call "unknown argument '$1'" ;;
     esac
     shift
   done
-  if ((${#targets[@]} == 0)); then targets=(field); fi
+  if ((${#targets[@]} == 0)); then targets=(field picture obj scene shard); fi
 }
 
 build_targets() {
   cmake --preset fuzz
   local programs=("${targets[@]/#/lumi_}")
-  cmake --build "$work" --parallel "$jobs" --target lumi_make_fuzz_corpus "${programs[@]/%/_fuzz}"
+  cmake --build "$work" --parallel "$jobs" --target lumi_make_fuzz_corpus lumi_make_baker_corpus "${programs[@]/%/_fuzz}"
 }
 
 # fuzz TARGET: leaves the fuzzer's words in build/fuzz/TARGET.log.
 fuzz() {
   local corpus=$work/corpus/$1 seeds=$work/seeds/$1
   mkdir -p "$corpus" "$work/findings"
-  "$work/tests/fuzz/lumi_make_fuzz_corpus" "$seeds"
   "$work/tests/fuzz/lumi_$1_fuzz" "$corpus" "$seeds" -max_total_time=$((60 * minutes)) -print_final_stats=1 \
-    -artifact_prefix="$work/findings/" -timeout=20 -rss_limit_mb=2048 2>&1 | tee "$work/$1.log" |
+    -artifact_prefix="$work/findings/" -timeout=20 -rss_limit_mb=4096 2>&1 | tee "$work/$1.log" |
     grep --line-buffered -E 'ERROR|SUMMARY|pulse|DONE|stat::number_of_executed_units'
 }
 
@@ -45,6 +46,8 @@ main() {
   parse_arguments "$@"
   command -v clang++ >/dev/null || die "clang++ is missing: apt-get install clang"
   build_targets
+  "$work/tests/fuzz/lumi_make_fuzz_corpus" "$work/seeds/field"
+  "$work/tests/fuzz/lumi_make_baker_corpus" "$work/seeds"
   local target
   for target in "${targets[@]}"; do
     run_step "Fuzz $target, $minutes minutes" fuzz "$target"

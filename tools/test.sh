@@ -4,8 +4,8 @@
 # Builds everything with warnings as errors and runs the tests: on the host, on the host under AddressSanitizer and
 # UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test under sanitizers too (built file by file, without precompiled
-# headers, which shows missing includes), every policy, frame and unit test on every board, and clang-tidy. A missing tool
-# is an error.
+# headers, which shows missing includes), every policy, frame and unit test on every board, every failure on purpose,
+# clang-tidy, and a minute of fuzzing a target. A missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -82,6 +82,7 @@ main() {
   run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all" "${sanitize_options[@]}"
   if [[ $all == ON ]]; then
     run_step "clang-tidy" check_with_clang_tidy
+    run_step "Fuzz, a minute a target" "$root/tools/fuzz.sh"
   fi
   join_trees
   run_tests

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The `lumi` command line: subcommands in commands/, exit codes in terminal/failure.h.
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <system_error>
 
 #include "commands/commands.h"
 #include "commands/help_formatter.h"
@@ -26,6 +29,22 @@ std::string help_call(const CLI::App& lumi)
 {
     const auto chosen = lumi.get_subcommands();
     return chosen.empty() ? "lumi --help" : "lumi " + chosen.front()->get_name() + " --help";
+}
+
+constexpr char kOutOfMemory[] = "out of memory; choose a smaller scene, field or picture, or raise `ulimit -v`";
+
+// CLI11 allocates in functions that promise not to throw: where memory ends there, the run-time library calls this.
+[[noreturn]] void on_terminate()
+{
+    try {
+        if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        report(kOutOfMemory, kExitFailed);
+        std::_Exit(kExitFailed);
+    } catch (...) {
+        // a defect: what follows says so
+    }
+    std::abort();
 }
 
 int report_parse_error(const CLI::App& lumi, const CLI::ParseError& error)
@@ -67,7 +86,12 @@ int run(int argc, char** argv)
     } catch (const Interrupted& error) {
         return report(error.what(), kExitInterrupted);
     } catch (const std::bad_alloc&) {
-        return report("out of memory; choose a smaller field or picture", kExitFailed);
+        throw;
+    } catch (const std::system_error& error) {
+        if (error.code() != std::errc::resource_unavailable_try_again) return report(error.what(), kExitFailed);
+        return report(
+            "the system gives no further thread; choose fewer --threads, or raise `ulimit -v` and `ulimit -u`",
+            kExitFailed);
     } catch (const std::exception& error) {
         return report(error.what(), kExitFailed);
     }
@@ -78,14 +102,18 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    std::set_terminate(on_terminate);
     occupy_standard_streams();
     catch_interrupts();
-    const int code = run(argc, argv);
+    int code = kExitFailed;
     try {
+        code = run(argc, argv);
         finish_standard_output();
     } catch (const Failure& error) {
         report(error.what(), kExitFailed);
         return code == kExitOk ? kExitFailed : code;
+    } catch (const std::bad_alloc&) {
+        return report(kOutOfMemory, kExitFailed);
     }
     return code;
 }

@@ -33,6 +33,7 @@ public:
         position_ += size;
         return position_ < bytes_.size();
     }
+    int64_t size() const { return static_cast<int64_t>(bytes_.size()); }
     uint64_t tellg() override { return position_; }
     void seekg(uint64_t position) override { position_ = position; }
     void clear() override {}
@@ -42,6 +43,9 @@ private:
     uint64_t position_ = 0;
 };
 
+// Far above what a picture of the world packs into: a few bytes must not claim gigabytes.
+constexpr int64_t kMostPixelsAByte = 2048;
+
 RadiancePicture read(BytesStream& stream)
 {
     Imf::InputFile input(stream, 1);
@@ -49,6 +53,7 @@ RadiancePicture read(BytesStream& stream)
     const int64_t width = int64_t{window.max.x} - window.min.x + 1;
     const int64_t height = int64_t{window.max.y} - window.min.y + 1;
     check_picture_size(width, height);
+    check_picture_bytes(stream.size(), width * height / kMostPixelsAByte);
     const bool coloured = input.header().channels().findChannel("R") != nullptr;
     if (!coloured && !input.header().channels().findChannel("Y")) {
         throw std::runtime_error("it has neither R, G and B nor Y channels");

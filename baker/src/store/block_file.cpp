@@ -72,8 +72,9 @@ uint32_t BlockFile::seal(uint32_t number, const std::vector<uint8_t>& bytes) con
 
 bool BlockFile::read(const Block& block, std::vector<uint8_t>& bytes) const
 {
-    if (block.end() > file_->size()) {
-        return false;  // before memory is taken for it
+    const uint64_t all = file_->size();
+    if (block.size > all || block.offset > all || block.end() > all) {
+        return false;  // before memory is taken for it; sums of hostile sizes may wrap
     }
     bytes.resize(block.size);
     uint8_t stored[kSealBytes];

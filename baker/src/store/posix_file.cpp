@@ -43,11 +43,11 @@ int open_flags(PosixFile::Mode mode)
 {
     switch (mode) {
         case PosixFile::Mode::read:
-            return O_RDONLY | O_CLOEXEC;
+            return O_RDONLY | O_NONBLOCK | O_CLOEXEC;  // nobody waits for a pipe
         case PosixFile::Mode::update:
-            return O_RDWR | O_CLOEXEC;
+            return O_RDWR | O_NONBLOCK | O_CLOEXEC;
         case PosixFile::Mode::create:
-            return O_RDWR | O_CREAT | O_CLOEXEC;
+            return O_RDWR | O_NONBLOCK | O_CREAT | O_CLOEXEC;
     }
     return O_RDONLY;
 }

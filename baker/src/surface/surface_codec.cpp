@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "surface/surface_codec.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "lumi/baker/bake.h"
 #include "util/byte_stream.h"
 
 namespace lumi::baker
@@ -113,14 +117,22 @@ void put(ByteWriter& out, const PatchSums& sums)
     });
 }
 
+// What a shard holds may be anything: only its seal was checked.
+void add_to(int64_t& sum, int64_t more)
+{
+    if (__builtin_add_overflow(sum, more, &sum)) {
+        throw BakeError("the sums of a shard or checkpoint are beyond all bounds; bake it again");
+    }
+}
+
 void add(ByteReader& in, PatchSums& sums)
 {
     for (TexelSums& texel : sums.texels) {
         texel.count += static_cast<uint32_t>(get_number(in));
         require_few_enough(texel.count);
         for (size_t c = 0; c < 3; ++c) {
-            texel.target[c] += get_signed(in);
-            texel.predicted[c] += get_signed(in);
+            add_to(texel.target[c], get_signed(in));
+            add_to(texel.predicted[c], get_signed(in));
         }
         texel.scatter += get_number(in);
     }
@@ -129,7 +141,7 @@ void add(ByteReader& in, PatchSums& sums)
     }
     for (std::array<int64_t, 3>& target : sums.targets) {
         for (int64_t& channel : target) {
-            channel += get_signed(in);
+            add_to(channel, get_signed(in));
         }
     }
     const uint64_t pairs = std::min<uint64_t>(get_number(in), uint64_t{kPatchNodes} * kPatchNodes);
@@ -138,6 +150,28 @@ void add(ByteReader& in, PatchSums& sums)
         sums.pairs.add(static_cast<uint16_t>(key / kPatchNodes), static_cast<uint16_t>(key % kPatchNodes),
                        get_signed(in));
     }
+}
+
+bool is_within(float v, float most)
+{
+    return std::abs(v) <= most;  // false for what is no number
+}
+bool is_within(const Vec3& v, float most)
+{
+    return is_within(v.x, most) && is_within(v.y, most) && is_within(v.z, most);
+}
+
+// What the code behind counts on; the mesh lies in the unit sphere.
+bool is_sound(const SurfaceBasis& basis)
+{
+    constexpr float kReach = 1.9f, kMostDensity = 1e6f;
+    const SurfaceMesh& mesh = basis.mesh;
+    return is_within(mesh.longest_edge, 1e6f) && basis.tone <= ToneCurve::aces &&
+           std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                       [](const Vec3& p) { return is_within(p, kReach); }) &&
+           std::all_of(mesh.normals.begin(), mesh.normals.end(), [](const Vec3& n) { return is_within(n, kReach); }) &&
+           std::all_of(basis.densities.begin(), basis.densities.end(),
+                       [](float d) { return d >= 0 && is_within(d, kMostDensity); });
 }
 
 constexpr uint32_t kBasisTag = 0x42465253, kStateTag = 0x54465253;
@@ -203,6 +237,9 @@ std::optional<SurfaceBasis> decode_basis(const std::vector<uint8_t>& bytes)
     }
     for (uint32_t p = 0; p < patches; ++p) {
         basis.densities.push_back(in.get_float());
+    }
+    if (!is_sound(basis)) {
+        return std::nullopt;
     }
     return basis;
 }

@@ -31,7 +31,12 @@ class NodePairs
 public:
     NodePairs() : keys_(kFirstSize, kEmpty), sums_(kFirstSize, 0) {}
 
-    void add(uint16_t a, uint16_t b, int64_t product) { sum(a < b ? a : b, a < b ? b : a) += product; }
+    // Wraps, as sums of a damaged shard may.
+    void add(uint16_t a, uint16_t b, int64_t product)
+    {
+        int64_t& s = sum(a < b ? a : b, a < b ? b : a);
+        s = static_cast<int64_t>(static_cast<uint64_t>(s) + static_cast<uint64_t>(product));
+    }
 
     // f(a, b, sum) with a <= b, in no particular order.
     template <class Function>

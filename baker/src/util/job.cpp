@@ -2,8 +2,11 @@
 #include "util/job.h"
 
 #include <cmath>
+#include <system_error>
 #include <thread>
 #include <vector>
+
+#include "lumi/baker/bake.h"
 
 namespace lumi::baker
 {
@@ -29,10 +32,16 @@ public:
             t.join();
         }
     }
+    // False where the system gives no further thread: those that there are do the work.
     template <class Function>
-    void start(Function function)
+    bool start(Function function)
     {
-        threads_.emplace_back(std::move(function));
+        try {
+            threads_.emplace_back(std::move(function));
+            return true;
+        } catch (const std::system_error&) {
+            return false;
+        }
     }
 
 private:
@@ -131,10 +140,14 @@ void Job::run(uint32_t count, const std::function<void(uint32_t)>& task)
     {
         Threads threads;
         try {
-            for (unsigned t = 0; t < workers; ++t) {
-                threads.start([&] { work(count, task); });
+            unsigned started = 0;
+            while (started < workers && threads.start([&] { work(count, task); })) {
+                ++started;
             }
-            watch(workers);
+            if (started == 0) {
+                throw BakeError("the system gives no thread; raise `ulimit -v` and `ulimit -u`");
+            }
+            watch(started);
         } catch (...) {
             stop_ = true;
             throw;

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 #include "lumi/baker/file_guard.h"
 #include "lumi/baker/scene.h"
@@ -63,6 +62,11 @@ bool parse_whole(std::string_view word, T& value)
     return r.ec == std::errc() && r.ptr == word.data() + word.size();
 }
 
+bool is_utf16(std::string_view text)
+{
+    return text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF";
+}
+
 }  // namespace
 
 std::string at(const Place& place, const std::string& text)
@@ -79,8 +83,8 @@ std::string read_text(const std::filesystem::path& file)
     if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
         throw SceneError(at({file.string()}, "this is a device or a pipe; name a file"));
     }
-    const uintmax_t size = std::filesystem::file_size(file, ignored);
-    if (!ignored && size > kMaxFileBytes) {
+    const uintmax_t size = std::filesystem::exists(file, ignored) ? std::filesystem::file_size(file, ignored) : 0;
+    if (size > kMaxFileBytes) {
         throw SceneError(at({file.string()}, "the file has " + std::to_string(size) + " bytes, at most " +
                                                  std::to_string(kMaxFileBytes) + " are read; split or simplify it"));
     }
@@ -89,9 +93,14 @@ std::string read_text(const std::filesystem::path& file)
     if (!stream) {
         throw SceneError(at({file.string()}, "the file cannot be opened; check its name and permissions"));
     }
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::string text(static_cast<size_t>(size), '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(size));
     if (stream.bad()) {
         throw SceneError(at({file.string()}, "reading the file failed; check the disk"));
+    }
+    text.resize(static_cast<size_t>(stream.gcount()));  // somebody may have cut it meanwhile
+    if (is_utf16(text)) {
+        throw SceneError(at({file.string()}, "this text is in UTF-16; save it in UTF-8"));
     }
     return text;
 }

@@ -47,7 +47,8 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept
 int MappedFile::open(const std::string& path)
 {
     close();
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor =
+        ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // a pipe is refused, not waited for
     if (descriptor < 0) return errno;
     const int error = map(descriptor, bytes_, size_);
     ::close(descriptor);  // the mapping outlives the descriptor

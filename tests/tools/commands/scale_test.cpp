@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Bakes that are killed, go on, are cut into shards and merged, as users do it.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -22,7 +23,7 @@ using test::Outcome;
 namespace
 {
 
-constexpr int kKilled = 128 + 9;
+[[maybe_unused]] constexpr int kKilled = 128 + 9;
 
 Arguments bake(const std::string& output, const Arguments& more = {})
 {
@@ -32,11 +33,11 @@ Arguments bake(const std::string& output, const Arguments& more = {})
     return all;
 }
 
-// Enough work to be killed in ten times.
-Arguments long_bake(const std::string& output)
+// Enough writes to be killed in ten times.
+[[maybe_unused]] Arguments long_bake(const std::string& output)
 {
-    return {"bake", kScene,  "-o",  output,    "--origins", "200",       "--directions",
-            "100",  "--spp", "128", "--texel", "rgb565",    "--threads", "2"};
+    return {"bake", kScene,  "-o", output,    "--origins", "200",       "--directions",
+            "100",  "--spp", "16", "--texel", "rgb565",    "--threads", "2"};
 }
 
 std::vector<nlohmann::json> json_lines(const std::string& text)
@@ -49,20 +50,43 @@ std::vector<nlohmann::json> json_lines(const std::string& text)
 
 }  // namespace
 
-TEST_CASE("a bake that was killed ten times at random moments is bit-identical to an undisturbed one")
+#ifdef LUMI_FAULT_SHIM
+namespace
+{
+
+Outcome lumi_with(const std::string& fault, const Arguments& arguments)
+{
+    Arguments all = {"env", "LD_PRELOAD=" LUMI_FAULT_SHIM, fault, LUMI_PROGRAM};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return test::run_program(all);
+}
+
+// Of the program's own, to files.
+int writes_of(const Arguments& arguments)
+{
+    const test::TemporaryFolder folder;
+    REQUIRE(lumi_with("LUMI_FAULT_COUNT=" + (folder / "counts"), arguments).code == 0);
+    std::istringstream counts(content_of(folder / "counts"));
+    std::string kind;
+    int count = 0;
+    while (counts >> kind >> count && kind != "write") continue;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("a bake that was killed ten times before random writes is bit-identical to an undisturbed one")
 {
     const test::TemporaryFolder folder;
     const std::string whole = folder / "whole.lumi", killed = folder / "killed.lumi";
-    const auto start = std::chrono::steady_clock::now();
-    REQUIRE(lumi(long_bake(whole)).code == 0);
-    const std::chrono::duration<double, std::milli> undisturbed = std::chrono::steady_clock::now() - start;
+    const int writes = writes_of(long_bake(whole));
+    REQUIRE(writes > 160);
     test::write_content(killed, "earlier");
     std::mt19937 random(5);
+    std::uniform_int_distribution<int> moment(3, writes / 16);  // all ten together are fewer than the bake's
     for (int k = 0; k < 10; ++k) {
-        // From the first ray on. All ten together are shorter than the bake: none comes too late.
-        std::uniform_real_distribution<double> moment(0, undisturbed.count() / 16);
-        const auto after = std::chrono::milliseconds(static_cast<int>(moment(random)));
-        REQUIRE(test::lumi_killed(long_bake(killed), after).code == kKilled);
+        const std::string fault = "LUMI_FAULT=write:" + std::to_string(moment(random)) + ":kill";
+        REQUIRE(lumi_with(fault, long_bake(killed)).code == kKilled);
         CHECK(content_of(killed) == "earlier");
     }
     Arguments again = long_bake(killed);
@@ -76,6 +100,7 @@ TEST_CASE("a bake that was killed ten times at random moments is bit-identical t
     REQUIRE(lines.size() >= 2);
     CHECK(lines.front().at("rays_done") > 0);  // it went on from what the killed ones had done
 }
+#endif
 
 TEST_CASE("shards baked by separate calls merge to the bytes of one bake; --restart bakes anew")
 {
@@ -151,6 +176,27 @@ TEST_CASE("a bake says how many rays adaptive sampling saved; --adaptive 0 saves
                                   "60",   "--directions", "80", "--spp",           "64"};
     CHECK_THAT(lumi(for_people).out, Catch::Contains(" k of them saved)"));
     CHECK(lumi(bake(folder / "f.lumi", {"--adaptive", "-1"})).code == 2);
+}
+
+TEST_CASE("numbers below 0, texts in UTF-16 and pipes are refused by name")
+{
+    const test::TemporaryFolder folder;
+    const Outcome seed = lumi(bake(folder / "f.lumi", {"--seed", "-1"}));
+    CHECK(seed.code == 2);
+    CHECK_THAT(seed.err, Catch::Contains("--seed") && Catch::Contains("takes a whole number from 0 on, not \"-1\""));
+    test::write_content(folder / "wide.obj", std::string("\xFF\xFEv\0 \0", 6));
+    const Outcome wide = lumi({"bake", folder / "wide.obj", "-o", folder / "f.lumi"});
+    CHECK(wide.code == 1);
+    CHECK_THAT(wide.err, Catch::Contains("wide.obj: this text is in UTF-16; save it in UTF-8"));
+    std::filesystem::create_directories(folder / "d");
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);  // nobody writes into it
+    for (const char* command : {"inspect", "merge"}) {
+        Arguments call = {command, folder / "pipe"};
+        if (command == std::string("merge")) call.insert(call.end(), {"-o", folder / "f.lumi"});
+        const Outcome outcome = lumi(call);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains("pipe: ") && Catch::Contains("; "));
+    }
 }
 
 }  // namespace lumi::tools

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <functional>
 #include <stdexcept>
 #include <thread>
@@ -75,15 +76,6 @@ Outcome lumi_interrupted(Arguments arguments)
     return run(with_program(std::move(arguments)), [](pid_t child, const std::string& err) {
         wait_for_text(err);
         kill(child, SIGINT);
-    });
-}
-
-Outcome lumi_killed(Arguments arguments, std::chrono::milliseconds after)
-{
-    return run(with_program(std::move(arguments)), [&](pid_t child, const std::string& err) {
-        wait_for_text(err);
-        std::this_thread::sleep_for(after);
-        kill(child, SIGKILL);
     });
 }
 

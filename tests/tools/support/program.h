@@ -2,7 +2,6 @@
 // Runs programs as a shell would, and keeps what they say.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,5 @@ Outcome lumi(Arguments arguments);
 
 // Starts `lumi`, sends SIGINT once it has written to stderr, waits for its end.
 Outcome lumi_interrupted(Arguments arguments);
-
-// Starts `lumi`, waits until it has written to stderr and then this time, and kills it (SIGKILL), if it still runs.
-Outcome lumi_killed(Arguments arguments, std::chrono::milliseconds after);
 
 }  // namespace lumi::tools::test

@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "commands/fit_options.h"
 #include "commands/layout_options.h"
+#include "commands/parse_problem.h"
 #include "commands/scene_options.h"
 #include "commands/surface_choice.h"
 #include "commands/surface_options.h"
@@ -250,6 +251,7 @@ void add_bake(CLI::App& lumi)
         ->capture_default_str();
     command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
         ->type_name("K")
+        ->check(whole_number)
         ->capture_default_str();
     add_fit_options(*command, options->fit);
     add_scale_options(*command, *options);

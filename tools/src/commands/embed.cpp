@@ -76,8 +76,9 @@ void run(const EmbedOptions& options)
     announce_outputs({options.output, header});
     const FieldFile field(options.field);
     field.require_intact();
-    write_output(options.output, source_of(options, kind, name, field));
-    write_output(header, embed_header(name.symbol, kind, field));
+    const std::string source = source_of(options, kind, name, field);
+    const std::string declarations = embed_header(name.symbol, kind, field);
+    write_outputs({{options.output, source}, {header, declarations}});
     std::printf("%s, %s: symbol %s, %zu bytes\n", options.output.c_str(), header.c_str(), name.symbol.c_str(),
                 field.size());
 }

@@ -31,4 +31,9 @@ std::string parse_problem(const CLI::ParseError& error)
     return option + " " + takes(value) + ", not \"" + value + "\"";
 }
 
+std::string whole_number(const std::string& word)
+{
+    return word.empty() || word[0] != '-' ? "" : "takes a whole number from 0 on, not \"" + word + "\"";
+}
+
 }  // namespace lumi::tools

@@ -5,6 +5,7 @@
 
 #include "commands/camera_options.h"
 #include "commands/commands.h"
+#include "commands/parse_problem.h"
 #include "commands/scene_options.h"
 #include "lumi/baker/reference.h"
 #include "terminal/failure.h"
@@ -83,6 +84,7 @@ void add_reference(CLI::App& lumi)
         ->capture_default_str();
     command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
         ->type_name("K")
+        ->check(whole_number)
         ->capture_default_str();
     command->footer(
         "The bounding sphere is fitted as in lumi bake, so equal camera options show the same view.\n"

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "commands/choice.h"
+#include "terminal/interrupt.h"
 
 namespace lumi::tools
 {
@@ -70,6 +71,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     baker::LoadOptions load;
     load.up = options.up;
     load.environment = options.environment;
+    const LeaveAtOnce loading;
     baker::Scene scene = baker::load_scene(options.path, load, lines);
     for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", line.c_str());
     warnings = lines.size();

@@ -55,6 +55,7 @@ FieldFile::FieldFile(const std::string& path, Role role) : path_(path)
     if (role == Role::input) baker::note_input(path);
     if (const int error = file_.open(path); error != 0)
         throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
+    watch_ = std::make_unique<CutShortWatch>(path, file_.bytes(), file_.size());
     FieldError error = open_field(file_.bytes(), file_.size(), field_);
     is_surface_ = error == FieldError::surface_field;
     if (is_surface_) error = open_surface(file_.bytes(), file_.size(), surface_);

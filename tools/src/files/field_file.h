@@ -2,9 +2,11 @@
 // A field of either kind in a memory-mapped file, opened by the very readers that firmware links.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "files/cut_short.h"
 #include "lumi/field.h"
 #include "lumi/host/mapped_file.h"
 #include "lumi/surface_field.h"
@@ -50,6 +52,7 @@ public:
 private:
     std::string path_;
     host::MappedFile file_;
+    std::unique_ptr<CutShortWatch> watch_;
     bool is_surface_ = false;
     Field field_;
     SurfaceField surface_;

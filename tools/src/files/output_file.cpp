@@ -82,22 +82,73 @@ std::string create_beside(const fs::path& target, int& descriptor)
     return name;
 }
 
+// A file that waits beside its target, under a name of its own, until all others of a command are whole.
+class Pending
+{
+public:
+    explicit Pending(const Output& output) : path_(output.path), target_(resolved(output.path))
+    {
+        int descriptor = -1;
+        temporary_ = create_beside(target_, descriptor);
+        int error = write_all(descriptor, output.bytes);
+        if (close(descriptor) != 0 && error == 0) error = errno;
+        if (error == 0) return;
+        unlink(temporary_.c_str());
+        fail(path_, error);
+    }
+    Pending(Pending&& other) noexcept = default;
+    ~Pending()
+    {
+        if (!temporary_.empty()) unlink(temporary_.c_str());
+        if (!earlier_.empty()) unlink(earlier_.c_str());
+    }
+
+    // Takes the target's place. The earlier file stays within reach where the file system knows hard links.
+    void take_place()
+    {
+        const std::string earlier = temporary_ + "~";
+        if (link(target_.c_str(), earlier.c_str()) == 0) earlier_ = earlier;
+        if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+        temporary_.clear();
+    }
+    void give_back()
+    {
+        if (!temporary_.empty()) return;
+        if (earlier_.empty()) {
+            unlink(target_.c_str());
+        } else if (rename(earlier_.c_str(), target_.c_str()) == 0) {
+            earlier_.clear();
+        }
+    }
+
+private:
+    std::string path_;
+    fs::path target_;
+    std::string temporary_, earlier_;
+};
+
 }  // namespace
+
+void write_outputs(const std::vector<Output>& outputs)
+{
+    std::vector<Pending> pending;
+    for (const Output& output : outputs) {
+        baker::require_no_input(output.path);
+        if (holds_earlier_output(resolved(output.path))) pending.emplace_back(output);
+    }
+    for (const Output& output : outputs)
+        if (!holds_earlier_output(resolved(output.path))) write_straight(output.path, output.bytes);
+    try {
+        for (Pending& file : pending) file.take_place();
+    } catch (...) {
+        for (Pending& file : pending) file.give_back();
+        throw;
+    }
+}
 
 void write_output(const std::string& path, std::string_view bytes)
 {
-    baker::require_no_input(path);
-    const fs::path target = resolved(path);
-    if (!holds_earlier_output(target)) return write_straight(path, bytes);
-    int descriptor = -1;
-    const std::string temporary = create_beside(target, descriptor);
-    int error = write_all(descriptor, bytes);
-    if (close(descriptor) != 0 && error == 0) error = errno;
-    if (error == 0 && rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-    if (error != 0) {
-        unlink(temporary.c_str());
-        fail(path, error);
-    }
+    write_outputs({{path, bytes}});
 }
 
 std::string regular_target(const std::string& path)

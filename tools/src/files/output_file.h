@@ -10,6 +10,14 @@
 namespace lumi::tools
 {
 
+struct Output {
+    std::string path;
+    std::string_view bytes;
+};
+
+// All or none, as far as a file system can: each is whole on the disk before the first gets its name.
+void write_outputs(const std::vector<Output>& outputs);
+
 // Replaces `path` by `bytes`, or throws and leaves what stood there: Failure, or FileClash where `path` is a file that
 // the command has read (lumi/baker/file_guard.h). A symbolic link is followed; devices and
 // pipes are written straight to, since they hold no earlier output. Readers never see half a file.

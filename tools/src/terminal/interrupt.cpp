@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "terminal/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
 
 #include "terminal/failure.h"
@@ -14,9 +16,15 @@ namespace
 std::atomic<bool> flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
+std::atomic<int> leaving_at_once{0};
+
 void on_signal(int)
 {
     flag.store(true, std::memory_order_relaxed);
+    if (leaving_at_once.load() == 0) return;
+    constexpr char kText[] = "lumi: interrupted; earlier output is untouched\n";
+    static_cast<void>(!write(STDERR_FILENO, kText, sizeof kText - 1));
+    _exit(kExitInterrupted);
 }
 
 }  // namespace
@@ -38,6 +46,19 @@ const std::atomic<bool>& interrupt_flag()
 void leave_if_interrupted()
 {
     if (flag.load(std::memory_order_relaxed)) throw Interrupted();
+}
+
+LeaveAtOnce::LeaveAtOnce()
+{
+    ++leaving_at_once;  // before the flag is read: a signal in between is not lost
+    if (!flag.load()) return;
+    --leaving_at_once;
+    throw Interrupted();
+}
+
+LeaveAtOnce::~LeaveAtOnce()
+{
+    --leaving_at_once;
 }
 
 }  // namespace lumi::tools

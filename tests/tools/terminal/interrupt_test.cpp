@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "terminal/interrupt.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <functional>
+
+#include "files/cut_short.h"
+#include "lumi/host/mapped_file.h"
+#include "support/temporary_folder.h"
+#include "terminal/failure.h"
+
+namespace lumi::tools
+{
+namespace
+{
+
+struct Ended {
+    int code;  // exit code, or 128 + the signal
+    std::string err;
+};
+
+// What becomes of a process that does this.
+Ended in_child(const std::function<void()>& work)
+{
+    int ends[2] = {};
+    REQUIRE(pipe(ends) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(ends[1], STDERR_FILENO);
+        for (const int number : {SIGINT, SIGBUS}) signal(number, SIG_DFL);  // Catch's own handlers go
+        work();
+        _exit(0);
+    }
+    close(ends[1]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    std::string text(200, '\0');
+    text.resize(static_cast<size_t>(std::max<ssize_t>(read(ends[0], text.data(), text.size()), 0)));
+    close(ends[0]);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
+}
+
+}  // namespace
+
+TEST_CASE("an interrupt ends work that leaves nothing behind at once, and is a request to all other work")
+{
+    const Ended asked = in_child([] {
+        catch_interrupts();
+        raise(SIGINT);
+        _exit(interrupt_flag() ? 7 : 8);
+    });
+    CHECK(asked.code == 7);
+    const Ended at_once = in_child([] {
+        catch_interrupts();
+        const LeaveAtOnce loading;
+        raise(SIGTERM);
+    });
+    CHECK(at_once.code == kExitInterrupted);
+    CHECK(at_once.err == "lumi: interrupted; earlier output is untouched\n");
+    const Ended before = in_child([] {
+        catch_interrupts();
+        raise(SIGINT);
+        try {
+            const LeaveAtOnce loading;
+        } catch (const Interrupted&) {
+            _exit(9);
+        }
+    });
+    CHECK(before.code == 9);
+    const Ended afterwards = in_child([] {
+        catch_interrupts();
+        {
+            const LeaveAtOnce loading;
+        }
+        raise(SIGINT);
+        _exit(7);
+    });
+    CHECK(afterwards.code == 7);
+}
+
+TEST_CASE("a mapped file that is cut short is named in place of a death by SIGBUS")
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "f.lumi";
+    test::write_content(path, std::string(100000, 'x'));
+    const auto read_after_cut = [&](bool watched) {
+        host::MappedFile file;
+        if (file.open(path) != 0) _exit(3);
+        std::optional<CutShortWatch> watch;
+        if (watched) watch.emplace(path, file.bytes(), file.size());
+        std::filesystem::resize_file(path, 10);
+        volatile uint8_t last = file.bytes()[90000];
+        static_cast<void>(last);
+    };
+    CHECK(in_child([&] { read_after_cut(false); }).code == 128 + SIGBUS);
+    test::write_content(path, std::string(100000, 'x'));
+    const Ended named = in_child([&] { read_after_cut(true); });
+    CHECK(named.code == kExitFailed);
+    CHECK_THAT(named.err, Catch::Contains("f.lumi: was cut short while it was read; wait"));
+}
+
+}  // namespace lumi::tools
