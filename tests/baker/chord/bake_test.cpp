@@ -75,7 +75,7 @@ TEST_CASE("bake: the formats agree on coverage and colour")
     std::string bytes[4];
     Field fields[4];
     for (size_t k = 0; k < 4; ++k) {
-        bytes[k] = baked(scene, small_settings(kFormats[k]));
+        bytes[k] = baked(scene, small_settings(AllTexels::kFormats[k]));
         REQUIRE(open_field(bytes_of(bytes[k]), bytes[k].size(), fields[k]) == FieldError::none);
     }
     uint32_t covered = 0;
