@@ -22,7 +22,7 @@ constexpr float kFewerTriangles = 0.8f;
 constexpr float kLongerEdges = 1.1f;
 
 // Work of the stages, in light paths that take as long: of a triangle of the scene, of one that is asked for, and of
-// the pictures and rays that judge the result. Measured on scenes of 10^4 and 10^6 triangles.
+// the pictures and rays that judge the result. Estimates: they decide how evenly progress moves.
 constexpr double kLookWork = 6, kSimplifyWork = 3, kShapeWork = 60, kCheckWork = 2e5;
 constexpr uint32_t kLookRuns = 2, kSimplifyRuns = 3, kShapeRuns = 9, kCheckRuns = 2;
 
