@@ -11,6 +11,20 @@ namespace lumi
 namespace views
 {
 
+// Opens a field for render_spans() with texels of this format. `out` stays as it was on failure.
+inline ViewError open_for_spans(const uint8_t* bytes, size_t size, format::TexelFormat texels, Field& out)
+{
+    Field opened;
+    if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none) return view_error(error);
+    if (opened.texel_format != texels) return ViewError::other_renderer;
+    if (!fits_spans(opened)) {
+        const bool is_aligned = reinterpret_cast<uintptr_t>(bytes) % 4 == 0;
+        return is_aligned ? ViewError::other_renderer : ViewError::unaligned_field;
+    }
+    out = opened;
+    return ViewError::none;
+}
+
 // Field and camera, which every renderer of chord fields takes.
 template <class Texel>
 struct ChordState {
@@ -49,10 +63,7 @@ struct ChordDrawing {
     public:
         ViewError open(const uint8_t* bytes, size_t size)
         {
-            const ViewError error = state_.open(bytes, size);
-            if (error != ViewError::none || fits_spans(state_.field)) return error;
-            const bool is_aligned = reinterpret_cast<uintptr_t>(bytes) % 4 == 0;
-            return is_aligned ? ViewError::other_renderer : ViewError::unaligned_field;
+            return views::open_for_spans(bytes, size, Texel::kFormat, state_.field);
         }
 
         ViewError look(const Pose& pose, const Image& image, Mode span_px)

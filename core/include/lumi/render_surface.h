@@ -90,6 +90,27 @@ struct SampleRow {
     int32_t pitch;  // to the next row
 };
 
+// What the mark of a pixel says: which one shows in it, and how much of that, 1/32.
+struct Mark {
+    int32_t other;
+    uint32_t share;
+
+    Mark(const SampleRow& row, int32_t x)
+    {
+        const uint32_t bits = row.depths[x];
+        const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
+        other = x + steps[(bits >> 4) & 3];
+        share = bits & 15;
+    }
+    Rgb8 mixed(const Rgb8& a, const Rgb8& b) const
+    {
+        const auto channel = [&](uint32_t p, uint32_t q) {
+            return static_cast<uint8_t>((p * (32 - share) + q * share + 16) >> 5);
+        };
+        return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+    }
+};
+
 template <class Pixel, class Background>
 __attribute__((noinline)) void store_marked(uint8_t* pixel, const Background& background, const SampleRow& row,
                                             int32_t x)
@@ -98,30 +119,19 @@ __attribute__((noinline)) void store_marked(uint8_t* pixel, const Background& ba
     const auto colour_at = [&](int32_t k) {
         return row.depths[k] < kFarDepth ? under : unpacked(row.colours[k] & ~kMarkedColour);
     };
-    const uint32_t mark = row.depths[x], share = mark & 15;
-    const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
-    const Rgb8 own = colour_at(x), other = colour_at(x + steps[(mark >> 4) & 3]);
-    const auto channel = [&](uint32_t a, uint32_t b) {
-        return static_cast<uint8_t>((a * (32 - share) + b * share + 16) >> 5);
-    };
-    Pixel::store(pixel, {channel(own.r, other.r), channel(own.g, other.g), channel(own.b, other.b)});
+    const Mark mark(row, x);
+    Pixel::store(pixel, mark.mixed(colour_at(x), colour_at(mark.other)));
 }
 
 // The same over nothing: where one of the two is empty, the other's colour with its share.
 template <class Pixel>
 __attribute__((noinline)) void store_marked_part(uint8_t* pixel, const SampleRow& row, int32_t x)
 {
-    const uint32_t mark = row.depths[x], share = mark & 15;
-    const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
-    const int32_t other_x = x + steps[(mark >> 4) & 3];
+    const Mark mark(row, x);
     const auto colour_at = [&](int32_t k) { return unpacked(row.colours[k] & ~kMarkedColour); };
-    const bool has_own = row.depths[x] >= kFarDepth, has_other = row.depths[other_x] >= kFarDepth;
-    const Rgb8 own = colour_at(has_own ? x : other_x), other = colour_at(has_other ? other_x : x);
-    const auto channel = [&](uint32_t a, uint32_t b) {
-        return static_cast<uint8_t>((a * (32 - share) + b * share + 16) >> 5);
-    };
-    const uint32_t covered = (has_own ? 32 - share : 0) + (has_other ? share : 0);
-    const Rgb8 colour = {channel(own.r, other.r), channel(own.g, other.g), channel(own.b, other.b)};
+    const bool has_own = row.depths[x] >= kFarDepth, has_other = row.depths[mark.other] >= kFarDepth;
+    const uint32_t covered = (has_own ? 32 - mark.share : 0) + (has_other ? mark.share : 0);
+    const Rgb8 colour = mark.mixed(colour_at(has_own ? x : mark.other), colour_at(has_other ? mark.other : x));
     store_part<Pixel>(pixel, covered != 0 ? colour : Rgb8{0, 0, 0}, static_cast<uint8_t>((covered * 255 + 16) >> 5));
 }
 

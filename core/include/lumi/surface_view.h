@@ -8,6 +8,30 @@
 namespace lumi
 {
 
+namespace views
+{
+
+template <class Pixel>
+ViewError look_at_surface(const SurfaceField& field, const Pose& pose, const Image& image, SurfaceMode mode,
+                          const SurfaceMemory& memory, SurfaceFrame& out)
+{
+    SurfaceCamera camera;
+    if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none) {
+        return view_error(error);
+    }
+    prepare_surface<Pixel>(field, camera, mode, memory, out);
+    return ViewError::none;
+}
+
+// Whether a buffer holds the samples of a stripe.
+inline ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint32_t bytes)
+{
+    const bool fits = surface_stripe_bytes(part.width_px, part.rows_px, frame.mode) <= bytes;
+    return fits ? ViewError::none : ViewError::stripe_too_large;
+}
+
+}  // namespace views
+
 // Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for modes up to kFinest: 2 ×
 // 2 takes four times as many samples as the others.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased>
@@ -40,33 +64,26 @@ struct SurfaceDrawing {
         ViewError look(const Pose& pose, const Image& image, Mode mode)
         {
             if (mode > kFinest) return ViewError::mode_too_fine;
-            SurfaceCamera camera;
-            if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none) {
-                return view_error(error);
-            }
-            prepare_surface<typename ScreenOf::Pixel>(field_, camera, mode, {vertices_, links_, bands_, kBandLog2},
-                                                      frame_);
-            return ViewError::none;
+            return views::look_at_surface<typename ScreenOf::Pixel>(field_, pose, image, mode,
+                                                                    {vertices_, links_, bands_, kBandLog2}, frame_);
         }
 
         template <class Background>
         ViewError draw(const Stripe& stripe, const views::StripePart& part, const Background& background,
                        Samples<ScreenOf>& samples) const
         {
-            if (surface_stripe_bytes(part.width_px, part.rows_px, frame_.mode) > Samples<ScreenOf>::kBytes) {
-                return ViewError::stripe_too_large;
+            const ViewError error = views::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
+            if (error == ViewError::none) {
+                render_surface<typename ScreenOf::Pixel>(frame_, background, stripe, samples.words);
             }
-            render_surface<typename ScreenOf::Pixel>(frame_, background, stripe, samples.words);
-            return ViewError::none;
+            return error;
         }
 
         ViewError draw_coverage(const Stripe& coverage, const views::StripePart& part, Samples<ScreenOf>& samples) const
         {
-            if (surface_stripe_bytes(part.width_px, part.rows_px, frame_.mode) > Samples<ScreenOf>::kBytes) {
-                return ViewError::stripe_too_large;
-            }
-            render_coverage(frame_, coverage, samples.words);
-            return ViewError::none;
+            const ViewError error = views::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
+            if (error == ViewError::none) render_coverage(frame_, coverage, samples.words);
+            return error;
         }
 
     private:

@@ -2,11 +2,10 @@
 // lumi.h for the one renderer that the build names; compiled with the program that uses it.
 #include "lumi/lumi.h"
 
-#include "lumi/view.h"
 #ifdef LUMI_C_TEXEL
-#include "lumi/render_spans.h"
+#include "lumi/chord_view.h"
 #else
-#include "lumi/render_surface.h"
+#include "lumi/surface_view.h"
 #endif
 
 #ifndef LUMI_C_PIXEL
@@ -63,10 +62,7 @@ bool is_in_range(const lumi_screen& s)
 
 ViewError open_any(const uint8_t* bytes, size_t size, const lumi_screen&, Field& field)
 {
-    if (const FieldError error = open_field(bytes, size, field); error != FieldError::none) return view_error(error);
-    if (field.texel_format != LUMI_C_TEXEL::kFormat) return ViewError::other_renderer;
-    if (fits_spans(field)) return ViewError::none;
-    return reinterpret_cast<uintptr_t>(bytes) % 4 == 0 ? ViewError::other_renderer : ViewError::unaligned_field;
+    return views::open_for_spans(bytes, size, LUMI_C_TEXEL::kFormat, field);
 }
 
 size_t size_of(const Field&, const lumi_screen&)
@@ -135,21 +131,15 @@ void set_memory(lumi_view& view)
 
 ViewError look_at(lumi_view& view, const Pose& pose, const Image& image)
 {
-    SurfaceCamera camera;
-    if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none) {
-        return view_error(error);
-    }
-    prepare_surface<Pixel>(view.field, camera, static_cast<SurfaceMode>(view.screen.mode), view.memory, view.frame);
-    return ViewError::none;
+    return views::look_at_surface<Pixel>(view.field, pose, image, static_cast<SurfaceMode>(view.screen.mode),
+                                         view.memory, view.frame);
 }
 
 ViewError draw_part(const lumi_view& view, const Stripe& stripe, const views::StripePart& part)
 {
-    if (surface_stripe_bytes(part.width_px, part.rows_px, view.frame.mode) > view.samples_bytes) {
-        return ViewError::stripe_too_large;
-    }
-    render_surface<Pixel>(view.frame, LUMI_C_BACKGROUND, stripe, view.samples);
-    return ViewError::none;
+    const ViewError error = views::check_samples(view.frame, part, view.samples_bytes);
+    if (error == ViewError::none) render_surface<Pixel>(view.frame, LUMI_C_BACKGROUND, stripe, view.samples);
+    return error;
 }
 
 #endif
