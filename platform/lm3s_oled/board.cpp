@@ -141,23 +141,3 @@ extern "C" void board_stop(int code)
     for (;;) {
     }
 }
-
-extern "C" void board_fault()
-{
-    board_stop(70);
-}
-
-extern "C" void lumi_reset()
-{
-    lumi_start();
-}
-
-extern "C" uint32_t lumi_stack_top[];
-
-using Handler = void (*)();
-struct VectorTable {
-    uint32_t* stack_top;
-    Handler reset, faults[5];
-};
-__attribute__((section(".lumi_vectors"), used)) extern const VectorTable vector_table = {
-    lumi_stack_top, lumi_reset, {board_fault, board_fault, board_fault, board_fault, board_fault}};
