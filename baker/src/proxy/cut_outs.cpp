@@ -144,10 +144,9 @@ float longest_side(const Mesh& mesh, uint32_t k)
 
 // Cells along each side, 0 for triangles without a picture. Triangles beside each other get the same number, so that
 // their pieces meet.
-std::vector<uint32_t> cells_of(const SceneData& scene)
+std::vector<uint32_t> cells_of(const SceneData& scene, const Sheets& sheets)
 {
     const auto triangles = static_cast<uint32_t>(scene.mesh.triangle_count());
-    const Sheets sheets(scene.mesh);
     std::vector<float> longest(triangles, 0);  // by sheet
     for (uint32_t k = 0; k < triangles; ++k) {
         float& side = longest[sheets.of(k).sheet];
@@ -178,7 +177,7 @@ std::optional<Mesh> cut_out(const SceneData& scene)
         return std::nullopt;
     }
     const Sheets sheets(scene.mesh);
-    const std::vector<uint32_t> cells = cells_of(scene);
+    const std::vector<uint32_t> cells = cells_of(scene, sheets);
     std::vector<uint8_t> is_cut(cells.size(), 0);  // by sheet
     Mesh result;
     result.positions = scene.mesh.positions;
