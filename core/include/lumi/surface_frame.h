@@ -96,7 +96,6 @@ struct SurfaceProjection {
     uint32_t depth_factor;  // 16 bits
     int32_t depth_shift;
     uint32_t depth_offset;  // a depth's number + this is proportional to 1/z
-    uint32_t one_surface;   // depths that differ by no more may belong to one surface: 1/32 R in the sphere's middle
     uint32_t curved_from;   // edges that come nearer than this depth may look bent along their texture
     VertexQ14 viewer;       // the eye in the vertices' format, shifted right
     int32_t viewer_shift;

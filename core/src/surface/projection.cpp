@@ -105,17 +105,6 @@ void set_depth_factor(SurfaceProjection& p)
     p.depth_offset = static_cast<uint32_t>(offset_q16 >> 16);
 }
 
-void set_one_surface(SurfaceProjection& p)
-{
-    // Of a depth's number in the middle of the range: far·offset/z² a unit of z.
-    const int64_t middle = (int64_t{p.near_z} + p.far_z) / 2;
-    const int64_t part = int64_t{1} << (p.depth_bits - 5);
-    const uint64_t rise = static_cast<uint64_t>(p.depth_offset) * static_cast<uint64_t>(part) /
-                          static_cast<uint64_t>(middle) * static_cast<uint64_t>(p.far_z) /
-                          static_cast<uint64_t>(middle);
-    p.one_surface = static_cast<uint32_t>(rise);
-}
-
 // The depth from which on no edge of the mesh can be curved: an edge e long at depth z is at most focal·e/z pixels long
 // and lies at most e/4z of that off, together a pixel where z = e·√focal/2.
 void set_curved_from(SurfaceProjection& p, const SurfaceCamera& camera, uint32_t longest_edge_q6)
@@ -161,7 +150,6 @@ bool set_projection(const SurfaceCamera& camera, SurfaceFrame& out)
     set_places(p, camera, out.samples_log2);
     set_depth_factor(p);
     set_curved_from(p, camera, out.field.longest_edge_q6);
-    set_one_surface(p);
     set_viewer(p, camera.position);
     return true;
 }

@@ -65,9 +65,7 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
     const SurfaceVertex* v = frame.memory.vertices;
     for (const Side& side : sides_of(frame.field, patch, k).side) {
         const SurfaceVertex &from = v[side.from], &to = v[side.to];
-        if (is_outline(frame, side) && is_there(from) && is_there(to)) {
-            mark_edge(from, to, frame.projection.one_surface, target);
-        }
+        if (is_outline(frame, side) && is_there(from) && is_there(to)) mark_edge(from, to, target);
     }
 }
 

@@ -45,7 +45,7 @@ struct Lines {
 
 // Marks the outlines where an edge crosses lines between the centres of two samples. The one that the edge cuts shows a
 // share of the other. `inward`: +1 where the inside has the larger places.
-void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint32_t one_surface, const Target& target)
+void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, const Target& target)
 {
     const bool is_row = lines.stride == 1;
     const uint32_t to_upper = static_cast<uint32_t>(is_row ? Neighbour::right : Neighbour::below) << 4;
@@ -58,9 +58,10 @@ void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint32
         if (lower < pairs) {
             uint16_t* const depth_at = target.depths + line_at + static_cast<int32_t>(lower) * lines.stride;
             const uint32_t inner = depth_at[to_inner] >> kMarkBits, outer = depth_at[to_outer] >> kMarkBits;
-            const uint32_t edge = (static_cast<uint32_t>(depth_q8 >> 8) + one_surface) >> kMarkBits;
-            // A surface in front of the edge hides it.
-            if (inner <= edge && outer < inner && inner >= kFarDepth >> kMarkBits) {
+            const uint32_t edge = static_cast<uint32_t>(depth_q8) >> (8 + kMarkBits);
+            // A surface in front of the edge hides it, and covers the outer sample too. The inner one may be much
+            // nearer than the edge: outlines lie where a surface is steepest.
+            if (outer <= edge && outer < inner) {
                 const bool cuts_lower = past_q8 < 128;
                 const uint32_t share = ((cuts_lower ? 128 - past_q8 : past_q8 - 128) + 4) >> 3;
                 if (share != 0) {
@@ -79,7 +80,7 @@ void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, uint32
 
 }  // namespace
 
-void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, uint32_t one_surface, const Target& target)
+void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target)
 {
     const SamplePoint a = unpacked(from), b = unpacked(to);
     const int32_t left_q6 = target.x * 64, top_q6 = target.y * 64, bottom_q6 = top_q6 + target.height * 64;
@@ -96,7 +97,7 @@ void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, uint32_t one_
                                   : crossing(end(b), end(a), 0, is_steep ? target.height : target.width);
     // Counter-clockwise on the screen, with y down: what goes down has its inside to the right, what goes right above.
     const int32_t inward = is_steep ? (dy > 0 ? 1 : -1) : (dx > 0 ? -1 : 1);
-    mark_crossing(c, inward, lines, one_surface, target);
+    mark_crossing(c, inward, lines, target);
 }
 
 }  // namespace lumi::surfaces

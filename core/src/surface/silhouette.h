@@ -11,6 +11,6 @@ namespace lumi::surfaces
 
 // Marks the pixels of an edge, after all triangles are filled; see kMarkedColour in render_surface.h. The edge lies on
 // a triangle that is counter-clockwise on the screen, in its order.
-void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, uint32_t one_surface, const Target& target);
+void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target);
 
 }  // namespace lumi::surfaces
