@@ -55,6 +55,7 @@ platform/lm3s_oled
 platform/gba
 platform/pico_st7789
 platform/simulator
+platform/lvgl
 
 baker/include/lumi/baker
 baker/src/math

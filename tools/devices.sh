@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/devices.sh [--docs] [--only EXAMPLE] [--built] [--may-skip]
+# tools/devices.sh [--docs] [--only EXAMPLE] [--lvgl PATH] [--built] [--may-skip]
 # Builds the examples of platform/, runs each on its emulator and compares what the emulated display shows, bit by bit,
 # with what `lumi render` or the host's library draws. Ends with 0 only if all agree and nothing was left out.
 #   --docs          writes the table and the pictures of docs/boards.md
-#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay,
+#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay, lvgl,
 #                   table (of what was run last)
+#   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out
 #   --built         `lumi` and the tests' programs are built already, in build/release
 #   --may-skip      ends with 77 where an emulator is missing
 # Results, and a PNG of every display, lie in build/devices.
@@ -17,7 +18,7 @@ devices=$root/build/devices
 lumi=$root/build/release/tools/lumi
 field=$devices/desk_clock.lumi
 examples=(riscv lm3s_oled gba pico_st7789 simulator overlay)
-only='' built='' may_skip='' docs=''
+lvgl='' only='' built='' may_skip='' docs=''
 frames=2
 npm_folder=$root/build/npm
 
@@ -26,6 +27,7 @@ parse_arguments() {
     case $1 in
       --docs) docs=yes ;;
       --only) only=${2:?--only takes the name of an example} && shift ;;
+      --lvgl) lvgl=${2:?--lvgl takes a folder} && shift ;;
       --built) built=yes ;;
       --may-skip) may_skip=yes ;;
       --help) help "$0" && exit ;;
@@ -33,7 +35,7 @@ parse_arguments() {
     esac
     shift
   done
-  if [[ -n $only && " field table ${examples[*]} " != *" $only "* ]]; then
+  if [[ -n $only && " field table lvgl ${examples[*]} " != *" $only "* ]]; then
     wrong_call "no example is called '$only'"
   fi
 }
@@ -57,9 +59,9 @@ bake_field() {
     --restart
 }
 
-# build EXAMPLE TOOLCHAIN: a project of its own, as a user would have it.
+# build EXAMPLE TOOLCHAIN [OPTION...]: a project of its own, as a user would have it.
 build() {
-  local folder=$devices/$1/build options=(-DLUMI_TOOL="$lumi" -DLUMI_EXAMPLE_FIELD="$field")
+  local folder=$devices/$1/build options=(-DLUMI_TOOL="$lumi" -DLUMI_EXAMPLE_FIELD="$field" "${@:3}")
   [[ $2 == host ]] || options+=(--toolchain "$root/toolchains/$2.cmake")
   cmake -S "$root/platform/$1" -B "$folder" -G Ninja "${options[@]}" >"$devices/$1/configure.log" ||
     die "platform/$1 cannot be configured: $devices/$1/configure.log"
@@ -253,6 +255,29 @@ run_overlay() {
   done
 }
 
+# Under labels and a slider: LVGL blends outlines itself, all else has our bits.
+run_lvgl() {
+  [[ -n $lvgl ]] || die "name a source tree of LVGL 9: --lvgl PATH"
+  local folder=$devices/lvgl frame side rows azimuth elevation format
+  build lvgl host -DLVGL_DIR="$lvgl"
+  "$folder/build/lumi_lvgl" "$folder" | tee "$folder/log"
+  while read -r _ frame _ _ _ _ side _ rows _ azimuth _ elevation _; do
+    for format in rgb565 coverage; do
+      draw_expected lvgl "$format" "$side" "$side" "$rows" "$frame" "$azimuth" "$elevation"
+      mv "$folder/expected-$frame.raw" "$folder/$format-$frame.expected"
+    done
+    python3 -B "$root/tools/devices/compare_lvgl.py" "$folder/log" "$frame" "$folder/frame-$frame.raw" \
+      "$folder/rgb565-$frame.expected" "$folder/coverage-$frame.expected"
+    python3 -B "$root/tools/devices/picture.py" rgb565 320x240 "$folder/frame-$frame.raw" -o "$folder/frame-$frame.png"
+  done < <(grep '^frame' "$folder/log")
+  # The first view has whole degrees: `lumi render` draws it.
+  side=$(value side "$folder/log")
+  "$lumi" render "$field" -o "$folder/rendered.png" --size "${side}x$side" --orbit 30,20,3 --mode antialiased \
+    --pixel rgb565 >/dev/null
+  python3 -B "$root/tools/devices/picture.py" rgb565 "${side}x$side" "$folder/rgb565-0.expected" \
+    --same-as "$folder/rendered.png" png
+}
+
 run_example() {
   mkdir -p "$devices/$1"
   rm -f "$devices/$1"/{log*,row,*.raw,*.png}
@@ -286,7 +311,7 @@ write_docs() {
 publish() {
   print_table | tee "$devices/table"
   [[ -z $docs ]] || write_docs
-  echo "SKIPPED lvgl: there is no such example yet"
+  [[ -n $lvgl ]] || echo "SKIPPED lvgl: it needs LVGL's source: --lvgl PATH"
 }
 
 main() {
@@ -302,6 +327,7 @@ main() {
   case $only in
     '')
       bake_field
+      [[ -z $lvgl ]] || examples+=(lvgl)
       for example in "${examples[@]}"; do run_step "$example" run_example "$example"; done
       publish
       ;;

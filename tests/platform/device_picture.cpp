@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // lumi_device_picture FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT
 // What a device of platform/ shows, drawn on the host by the free functions in one piece: the pixels of its display, in
-// FORMAT bgr555, grey4 (two pixels a byte) or rgb565-swapped. ROWS of the device's stripes decide the bands: where
-// triangles touch, their order shows. Angles in 2^-32 turns, 3 radii away. tools/devices.sh compares the emulated
-// displays with it.
+// FORMAT bgr555, grey4 (two pixels a byte), rgb565, rgb565-swapped, or coverage (a byte a pixel). ROWS of the device's
+// stripes decide the bands: where triangles touch, their order shows. Angles in 2^-32 turns, 3 radii away.
+// tools/devices.sh compares the emulated displays with it.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -30,7 +30,7 @@ struct Display {
     int32_t width_px, height_px, stripe_rows;
 };
 
-template <class Pixel>
+template <class Pixel, class Background = OverBlack>
 std::vector<uint8_t> drawn(const SurfaceField& field, const Display& display, const Orbit& orbit)
 {
     constexpr SurfaceMode kMode = SurfaceMode::antialiased;
@@ -47,7 +47,7 @@ std::vector<uint8_t> drawn(const SurfaceField& field, const Display& display, co
     std::vector<uint32_t> samples(surface_stripe_bytes(width, height, kMode) / sizeof(uint32_t) + 1);
     const uint32_t stride = static_cast<uint32_t>(width) * Pixel::kBytes;
     std::vector<uint8_t> pixels(stride * static_cast<uint32_t>(height));
-    render_surface<Pixel>(frame, OverBlack{}, {pixels.data(), 0, 0, width, height, stride}, samples.data());
+    render_surface<Pixel>(frame, Background{}, {pixels.data(), 0, 0, width, height, stride}, samples.data());
     return pixels;
 }
 
@@ -64,6 +64,8 @@ std::vector<uint8_t> picture(const std::string& format, const SurfaceField& fiel
 {
     if (format == "bgr555") return drawn<PixelBgr555>(field, display, orbit);
     if (format == "grey4") return packed(drawn<PixelGrey8>(field, display, orbit), display);
+    if (format == "rgb565") return drawn<PixelRgb565>(field, display, orbit);
+    if (format == "coverage") return drawn<PixelA8, OverNothing>(field, display, orbit);
     if (format == "rgb565-swapped") return drawn<PixelRgb565Swapped>(field, display, orbit);
     fail("no format is called " + format);
 }

@@ -84,6 +84,10 @@ lumi_error lumi_look(lumi_view* view, lumi_orbit orbit);
 /* Draws every pixel of the stripe. */
 lumi_error lumi_draw(lumi_view* view, lumi_stripe stripe);
 
+/* A surface field's coverage of the stripe that was drawn last, a byte a pixel: where LUMI_C_BACKGROUND is OverNothing()
+ * and pixels have no room for it (RGB565A8). Views of chord fields have none: other_renderer. */
+lumi_error lumi_draw_coverage(lumi_view* view, lumi_stripe coverage);
+
 /* One short English phrase. */
 const char* lumi_error_text(lumi_error error);
 

@@ -84,6 +84,11 @@ ViewError draw_part(const lumi_view& view, const Stripe& stripe, const views::St
     return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
 }
 
+ViewError draw_coverage_of_part(const lumi_view&, const Stripe&, const views::StripePart&)
+{
+    return ViewError::other_renderer;
+}
+
 #else
 
 // What lies behind the view in the caller's memory, in this order.
@@ -142,6 +147,13 @@ ViewError draw_part(const lumi_view& view, const Stripe& stripe, const views::St
     return error;
 }
 
+ViewError draw_coverage_of_part(const lumi_view& view, const Stripe& coverage, const views::StripePart& part)
+{
+    const ViewError error = views::check_samples(view.frame, part, view.samples_bytes);
+    if (error == ViewError::none) render_coverage(view.frame, coverage, view.samples);
+    return error;
+}
+
 #endif
 
 ViewError open_checked(const uint8_t* bytes, size_t size, const lumi_screen& screen, AnyField& field)
@@ -155,6 +167,19 @@ ViewError check_memory(const void* memory, size_t bytes)
     if (memory == nullptr) return ViewError::bad_argument;
     if (reinterpret_cast<uintptr_t>(memory) % 8 != 0) return ViewError::unaligned_memory;
     return bytes < sizeof(lumi_view) ? ViewError::memory_too_small : ViewError::none;
+}
+
+// A call of `draw` with a stripe that was checked.
+template <class Draw>
+lumi_error drawn(lumi_view* view, const lumi_stripe& s, uint32_t pixel_bytes, Draw draw)
+{
+    if (view == nullptr) return code(ViewError::no_field);
+    if (!view->has_look) return code(ViewError::no_look);
+    const Stripe stripe = {s.pixels, s.x_px, s.y_px, s.width_px, s.height_px, s.stride_bytes};
+    views::StripePart part = {};
+    const ViewError error =
+        views::check_stripe(stripe, {view->screen.width_px, view->screen.height_px}, pixel_bytes, part);
+    return code(error == ViewError::none ? draw(*view, stripe, part) : error);
 }
 
 }  // namespace
@@ -195,13 +220,12 @@ lumi_error lumi_look(lumi_view* view, lumi_orbit o)
 
 lumi_error lumi_draw(lumi_view* view, lumi_stripe s)
 {
-    if (view == nullptr) return code(ViewError::no_field);
-    if (!view->has_look) return code(ViewError::no_look);
-    const Stripe stripe = {s.pixels, s.x_px, s.y_px, s.width_px, s.height_px, s.stride_bytes};
-    views::StripePart part = {};
-    const ViewError error =
-        views::check_stripe(stripe, {view->screen.width_px, view->screen.height_px}, Pixel::kBytes, part);
-    return code(error == ViewError::none ? draw_part(*view, stripe, part) : error);
+    return drawn(view, s, Pixel::kBytes, draw_part);
+}
+
+lumi_error lumi_draw_coverage(lumi_view* view, lumi_stripe s)
+{
+    return drawn(view, s, 1, draw_coverage_of_part);
 }
 
 const char* lumi_error_text(lumi_error error)

@@ -127,6 +127,11 @@ TEST_CASE("wrong views and stripes are errors in C, too")
     CHECK(lumi_draw(view, {pixels, 0, kHeight, kWidth, kRows, kStride}) == code(ViewError::stripe_outside));
     CHECK(lumi_draw(view, {pixels, 0, 0, kWidth, kRows + 1, kStride}) == code(ViewError::stripe_too_large));
     CHECK(lumi_draw(view, stripe) == 0);
+    static uint8_t coverage[kWidth * kRows];
+    CHECK(lumi_draw_coverage(view, {coverage, 0, 0, kWidth, kRows, kWidth}) == 0);
+    CHECK(lumi_draw_coverage(view, {coverage, 0, 0, kWidth, kRows, kWidth - 1}) == code(ViewError::short_stride));
+    CHECK(lumi_draw_coverage(view, {nullptr, 0, 0, kWidth, kRows, kWidth}) == code(ViewError::no_pixels));
+    CHECK(lumi_draw_coverage(nullptr, {coverage, 0, 0, kWidth, kRows, kWidth}) == code(ViewError::no_field));
     CHECK(std::string(lumi_error_text(code(ViewError::no_look))) == error_text(ViewError::no_look));
 }
 
