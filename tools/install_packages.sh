@@ -16,7 +16,7 @@ build_packages=(
   libstb-dev                       # PNG, written
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # proxy meshes
-  libfftw3-dev                     # CW-SSIM
+  libkissfft-dev                   # CW-SSIM
   libcli11-dev nlohmann-json3-dev)
 test_packages=(
   catch2

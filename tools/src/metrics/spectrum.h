@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Discrete Fourier transforms of planes. src/spectrum.cpp is the only file that sees FFTW.
+// Discrete Fourier transforms of planes. spectrum.cpp is the only file that sees kissfft.
 #pragma once
 
 #include <complex>
