@@ -78,8 +78,8 @@ __attribute__((noinline)) void store_covered_part(uint8_t* pixel, const uint16_t
 }
 
 // A pixel that an outline cuts is marked by the first guard bit of its colour, or where it is empty by a depth below
-// kFarDepth. Its depth's low bits then name a pixel beside it and how much of it, in 1/32, that one's colour shows. The
-// colours of both stay, so the order of edges does not matter.
+// kFarDepth. Its depth's low bits then say how much of it, in 1/32, shows the colour of a pixel beside it, and below
+// that which one. The colours of both stay, and of several marks the largest, so the order of edges does not matter.
 inline constexpr PackedColour kMarkedColour = 0x80000000;
 inline constexpr uint32_t kMarkBits = 6;
 enum class Neighbour : uint8_t { right, left, below, above };
@@ -99,8 +99,8 @@ struct Mark {
     {
         const uint32_t bits = row.depths[x];
         const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
-        other = x + steps[(bits >> 4) & 3];
-        share = bits & 15;
+        other = x + steps[bits & 3];
+        share = (bits >> 2) & 15;
     }
     Rgb8 mixed(const Rgb8& a, const Rgb8& b) const
     {

@@ -43,13 +43,24 @@ struct Lines {
     int32_t pitch, stride;  // from line to line, from sample to sample
 };
 
+// Of several marks of a pixel the largest share stays, so the order of edges does not matter.
+LUMI_ALWAYS_INLINE void mark_pixel(uint16_t* depth, uint32_t mark, const Target& target)
+{
+    constexpr uint32_t kMask = (1u << kMarkBits) - 1;
+    PackedColour& colour = target.colours[depth - target.depths];
+    const bool is_first = *depth >= kFarDepth && (colour & kMarkedColour) == 0;
+    if (!is_first && (*depth & kMask) >= mark) return;
+    *depth = static_cast<uint16_t>((*depth & ~kMask) | mark);
+    colour |= kMarkedColour;
+}
+
 // Marks the outlines where an edge crosses lines between the centres of two samples. The one that the edge cuts shows a
 // share of the other. `inward`: +1 where the inside has the larger places.
 void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, const Target& target)
 {
     const bool is_row = lines.stride == 1;
-    const uint32_t to_upper = static_cast<uint32_t>(is_row ? Neighbour::right : Neighbour::below) << 4;
-    const uint32_t to_lower = static_cast<uint32_t>(is_row ? Neighbour::left : Neighbour::above) << 4;
+    const uint32_t to_upper = static_cast<uint32_t>(is_row ? Neighbour::right : Neighbour::below);
+    const uint32_t to_lower = static_cast<uint32_t>(is_row ? Neighbour::left : Neighbour::above);
     const int32_t to_inner = inward > 0 ? lines.stride : 0, to_outer = lines.stride - to_inner;
     const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1;
     int32_t line_at = c.first * lines.pitch, at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;
@@ -66,9 +77,7 @@ void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, const 
                 const uint32_t share = ((cuts_lower ? 128 - past_q8 : past_q8 - 128) + 4) >> 3;
                 if (share != 0) {
                     uint16_t* const cut = depth_at + (cuts_lower ? 0 : lines.stride);
-                    const uint32_t mark = (cuts_lower ? to_upper : to_lower) | (share > 15 ? 15 : share);
-                    *cut = static_cast<uint16_t>((*cut & ~((1u << kMarkBits) - 1)) | mark);
-                    target.colours[cut - target.depths] |= kMarkedColour;
+                    mark_pixel(cut, (share > 15 ? 15 : share) << 2 | (cuts_lower ? to_upper : to_lower), target);
                 }
             }
         }

@@ -4,6 +4,7 @@
 
 #include "lumi/surface_view.h"
 #include "surface_bytes.h"
+#include "surface_drawing.h"
 
 using namespace lumi;
 using test::Bytes;
@@ -102,6 +103,20 @@ TEST_CASE("outlines are blended by what they cover")
     const double one_sample = coverage_error(SurfaceMode::one_sample, exact);
     CHECK(coverage_error(SurfaceMode::antialiased, exact) < 0.4 * one_sample);
     CHECK(coverage_error(SurfaceMode::two_by_two, exact) < 0.5 * one_sample);
+}
+
+TEST_CASE("no picture depends on the height of bands")
+{
+    const test::OpenedSurface ball(test::surface_file(test::bumpy_ball()));
+    const Image image = {kWidth, kHeight, fit_sphere(kWidth, kHeight, kOrbit.distance_q20)};
+    for (const SurfaceMode mode : kModes) {
+        test::SurfaceScreen low(ball.field(), pose_of(kOrbit), image, mode, 0);
+        const Bytes expected = low.picture(kWidth, kHeight);
+        for (const uint32_t log2 : {3u, 5u, 8u}) {
+            test::SurfaceScreen high(ball.field(), pose_of(kOrbit), image, mode, log2);
+            CHECK((high.picture(kWidth, kHeight) == expected));
+        }
+    }
 }
 
 TEST_CASE("what is drawn over nothing and laid over a colour is what is drawn over the colour")
