@@ -87,7 +87,8 @@ enum class Neighbour : uint8_t { right, left, below, above };
 struct SampleRow {
     const uint16_t* depths;
     const PackedColour* colours;
-    int32_t pitch;  // to the next row
+    int32_t pitch;           // to the next row
+    uint32_t before, count;  // samples before this row, and of all rows
 };
 
 // What the mark of a pixel says: which one shows in it, and how much of that, 1/32.
@@ -101,6 +102,8 @@ struct Mark {
         const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
         other = x + steps[bits & 3];
         share = (bits >> 2) & 15;
+        // Depths of a hostile field may look like marks.
+        if (row.before + static_cast<uint32_t>(other) >= row.count) other = x;
     }
     Rgb8 mixed(const Rgb8& a, const Rgb8& b) const
     {
@@ -196,13 +199,14 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
     const SampleRect rect = {from_x, from_y, clamped_to(right + margin, frame.columns) - from_x,
                              clamped_to(bottom + margin, frame.rows) - from_y};
     const uint32_t row_samples = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
+    const uint32_t count = row_samples * static_cast<uint32_t>(rect.height_px);
+    uint32_t before = 0;
     PackedColour* colours = static_cast<PackedColour*>(samples);
     uint16_t* depths = nullptr;
     if (is_drawn) {
-        depths = reinterpret_cast<uint16_t*>(colours + row_samples * static_cast<uint32_t>(rect.height_px));
+        depths = reinterpret_cast<uint16_t*>(colours + count);
         if (kFillsSamples) rasterize(frame, rect, depths, colours);
-        const uint32_t before =
-            static_cast<uint32_t>(top - from_y) * row_samples + static_cast<uint32_t>(left - from_x);
+        before = static_cast<uint32_t>(top - from_y) * row_samples + static_cast<uint32_t>(left - from_x);
         depths += before;
         colours += before;
     }
@@ -212,10 +216,11 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
         if (!has_row) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
         if (frame.samples_log2 == 0) {
-            resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px});
+            resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px, before, count});
         } else {
             resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
         }
+        before += row_samples;
         depths += row_samples;
         colours += row_samples;
     }
