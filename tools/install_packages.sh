@@ -23,11 +23,12 @@ test_packages=(
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib  # code for Cortex-M
   qemu-system-arm                                                           # boards to run it on
   gcc-riscv64-unknown-elf qemu-system-misc                                  # the same for RISC-V
+  g++-s390x-linux-gnu qemu-user                                             # a big-endian machine
   libmgba-dev                                                               # a Game Boy Advance
   libsdl2-dev                                                               # the simulator's window
   slurm-wlm munge procps                                                    # a job array on this machine
   python3)                                                                  # the generator of the scenes, includes
-all_packages=(clang-tidy clang)
+all_packages=(clang-tidy clang g++-i686-linux-gnu g++-riscv64-linux-gnu)
 npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
 
 is_installed() {

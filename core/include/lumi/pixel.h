@@ -7,39 +7,27 @@
 #include <stdint.h>
 
 #include "lumi/color.h"
+#include "lumi/detail/aligned_words.h"
 
 namespace lumi
 {
-
-// One 16-bit access, at an even address.
-inline void store_even16(uint8_t* p, uint16_t v)
-{
-    __builtin_memcpy(__builtin_assume_aligned(p, 2), &v, 2);
-}
-
-inline uint16_t load_even16(const uint8_t* p)
-{
-    uint16_t v = 0;
-    __builtin_memcpy(&v, __builtin_assume_aligned(p, 2), 2);
-    return v;
-}
 
 // 16 bits, low byte first: a Cortex-M's own order.
 struct PixelRgb565 {
     static constexpr uint32_t kBytes = 2;
     static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_rgb565(c)); }
-    static void store_packed(uint8_t* p, uint16_t v) { store_even16(p, v); }
-    static void store_grey(uint8_t* p, uint8_t v) { store_even16(p, kGreyTable.rgb565[v]); }
-    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(load_even16(p)); }
+    static void store_packed(uint8_t* p, uint16_t v) { store_aligned<uint16_t>(p, v); }
+    static void store_grey(uint8_t* p, uint8_t v) { store_aligned<uint16_t>(p, kGreyTable.rgb565[v]); }
+    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(load_aligned<uint16_t>(p)); }
 };
 
 // 16 bits, high byte first: the order in which SPI panels take them.
 struct PixelRgb565Swapped {
     static constexpr uint32_t kBytes = 2;
     static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_rgb565(c)); }
-    static void store_packed(uint8_t* p, uint16_t v) { store_even16(p, __builtin_bswap16(v)); }
+    static void store_packed(uint8_t* p, uint16_t v) { store_aligned<uint16_t>(p, __builtin_bswap16(v)); }
     static void store_grey(uint8_t* p, uint8_t v) { store_packed(p, kGreyTable.rgb565[v]); }
-    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(__builtin_bswap16(load_even16(p))); }
+    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(__builtin_bswap16(load_aligned<uint16_t>(p))); }
 };
 
 // Formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits).
@@ -54,9 +42,9 @@ inline constexpr bool kPacks565<PixelRgb565Swapped> = true;
 struct PixelBgr555 {
     static constexpr uint32_t kBytes = 2;
     static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_bgr555(c)); }
-    static void store_packed(uint8_t* p, uint16_t v) { store_even16(p, v); }
+    static void store_packed(uint8_t* p, uint16_t v) { store_aligned<uint16_t>(p, v); }
     static void store_grey(uint8_t* p, uint8_t v) { store(p, {v, v, v}); }
-    static Rgb8 load(const uint8_t* p) { return unpack_bgr555(load_even16(p)); }
+    static Rgb8 load(const uint8_t* p) { return unpack_bgr555(load_aligned<uint16_t>(p)); }
 };
 
 // Formats that also have store_packed(pointer, blue, green and red in 5 bits each).
@@ -95,7 +83,7 @@ struct PixelArgb8888 {
     {
         const uint32_t v = static_cast<uint32_t>(coverage) << 24 | static_cast<uint32_t>(c.r) << 16 |
                            static_cast<uint32_t>(c.g) << 8 | c.b;
-        __builtin_memcpy(__builtin_assume_aligned(p, 4), &v, 4);
+        store_aligned<uint32_t>(p, v);
     }
     static void store_grey(uint8_t* p, uint8_t v) { store(p, {v, v, v}); }
     static Rgb8 load(const uint8_t* p) { return {p[2], p[1], p[0]}; }

@@ -23,7 +23,7 @@ LUMI_ALWAYS_INLINE void store_single(const Field& field, const Background& backg
 {
     if constexpr (kSameBits<Texel, Pixel>) {
         const uint16_t v = load_aligned<uint16_t>(texel);
-        if (v != 0 || Background::kIsBlack) return store_even16(pixel, v);
+        if (v != 0 || Background::kIsBlack) return store_aligned<uint16_t>(pixel, v);
         if (Background::kFills) Pixel::store(pixel, background.template under<Pixel>(pixel));
         return;
     }

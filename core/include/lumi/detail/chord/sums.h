@@ -36,14 +36,6 @@ LUMI_ALWAYS_INLINE void add_plainly(Sum& sum, const Row& row, uint32_t weight)
     }
 }
 
-template <class T>
-T load_aligned(const uint8_t* p)
-{
-    T v = 0;
-    __builtin_memcpy(&v, __builtin_assume_aligned(p, sizeof(T)), sizeof(T));
-    return v;
-}
-
 // As pack_rgb565 does it, rounded once: of colours below 2^22, Q14. DSP's upper bits are not zero.
 #ifdef __ARM_FEATURE_DSP
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)

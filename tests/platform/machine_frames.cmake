@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+# cmake -D COMPILER=c++ -D EMULATOR=qemu -D SOURCE=folder -D GENERATED=folder -D PROGRAM=file -D HOST=lumi_frame_crcs
+#       -D FIELDS="f;f;f;f;f;f" -D EVERY_FRAME=ON -P machine_frames.cmake
+# Builds the host's program by another compiler and passes if it writes the very lines that the host's writes.
+cmake_minimum_required(VERSION 3.25)
+file(GLOB_RECURSE sources ${SOURCE}/core/src/*.cpp ${SOURCE}/platform/host/src/*.cpp ${GENERATED}/texel_frames_*.cpp)
+set(firmware ${SOURCE}/platform/mps2/firmware)
+set(options -std=c++17 -O1 -static)
+if(EVERY_FRAME)
+  list(APPEND options -DLUMI_EVERY_FRAME)
+endif()
+execute_process(
+  COMMAND ${COMPILER} ${options} -I${SOURCE}/core/include -I${SOURCE}/core/src -I${SOURCE}/platform/host/include
+    -I${firmware} ${sources} ${SOURCE}/tests/platform/frame_crcs.cpp ${firmware}/frame_list.cpp
+    ${firmware}/surface_frame_list.cpp ${firmware}/text_line.cpp -o ${PROGRAM}
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${HOST} ${FIELDS} OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${EMULATOR} ${PROGRAM} ${FIELDS} OUTPUT_VARIABLE found COMMAND_ERROR_IS_FATAL ANY)
+if(NOT found STREQUAL expected OR expected STREQUAL "")
+  message(FATAL_ERROR "the host draws\n${expected}\nand ${COMPILER}\n${found}")
+endif()
+string(REGEX MATCHALL "\n" lines "${expected}")
+list(LENGTH lines count)
+message("${count} frames, every bit the same on the host and by ${COMPILER}")

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# Frames that other compilers and machines draw from the same files: big-endian, of 32 bits, RISC-V, and Clang.
+
+# machine_test(NAME COMPILER [EMULATOR])
+function(machine_test name compiler)
+  foreach(program ${compiler} ${ARGN})
+    string(MAKE_C_IDENTIFIER "LUMI_FOUND_${program}" found)
+    find_program(${found} ${program})
+    if(NOT ${found})
+      message(FATAL_ERROR "The test machines.${name} needs ${program}: tools/install_packages.sh installs it.\n"
+        "Or configure with -DLUMI_CROSS_TESTS=OFF to test on the host alone.")
+    endif()
+  endforeach()
+  add_test(NAME machines.${name}
+    COMMAND ${CMAKE_COMMAND} -D COMPILER=${compiler} -D "EMULATOR=${ARGN}" -D SOURCE=${PROJECT_SOURCE_DIR}
+      -D GENERATED=${CMAKE_CURRENT_BINARY_DIR} -D PROGRAM=${CMAKE_CURRENT_BINARY_DIR}/frame_crcs_${name}
+      -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D "FIELDS=${lumi_test_fields}" -D EVERY_FRAME=${LUMI_TEST_ALL}
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/machine_frames.cmake)
+endfunction()
+
+machine_test(s390x s390x-linux-gnu-g++ qemu-s390x)
+if(LUMI_TEST_ALL)
+  machine_test(i686 i686-linux-gnu-g++ qemu-i386)
+  machine_test(riscv64 riscv64-linux-gnu-g++ qemu-riscv64)
+  machine_test(clang clang++)
+endif()
