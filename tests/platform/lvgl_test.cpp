@@ -57,7 +57,8 @@ lv_result_t draw_part(const lv_lumi_image_t& image, const lv_area_t& part, Plane
         const uint8_t* const alpha = session.decoded->data + header.stride * header.h;
         for (int32_t y = done.y1; y <= done.y2; ++y) {
             for (int32_t x = done.x1; x <= done.x2; ++x) {
-                const size_t from = static_cast<size_t>(y - done.y1) * header.stride + 2 * static_cast<size_t>(x - done.x1);
+                const size_t from =
+                    static_cast<size_t>(y - done.y1) * header.stride + 2 * static_cast<size_t>(x - done.x1);
                 const size_t to = static_cast<size_t>(y * kSide + x);
                 std::copy_n(session.decoded->data + from, 2, out.colours.begin() + static_cast<long>(2 * to));
                 out.coverage[to] = alpha[from / 2];

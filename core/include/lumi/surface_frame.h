@@ -54,7 +54,8 @@ struct SurfaceMemory {
     SurfaceVertex* vertices;  // of every vertex
     uint16_t* links;          // surface_links(): of every triangle, then a bit for each that has an outline
     uint16_t* bands;          // surface_bands()
-    // Rows of pixels a band: best those of a stripe, 2^0 .. 2^8. Of triangles at one depth another may show with others.
+    // Rows of pixels a band: best those of a stripe, 2^0 .. 2^8. Of triangles at one depth another may show with
+    // others.
     uint32_t band_log2;
 };
 
