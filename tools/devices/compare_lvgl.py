@@ -4,7 +4,7 @@
 
 Compares an object on the screen of platform/lvgl with what the host draws: SCREEN (320 x 240) and EXPECTED are RGB565,
 COVERAGE a byte a pixel. LOG says where the object is and what lies over it. There every pixel that the object covers, or
-does not cover, has the same bits; outlines, which LVGL blends itself, in 1/32, are within one step of that.
+does not cover, has the same bits; outlines, which LVGL blends itself, in 1/32, are within two steps of 31.
 """
 import re
 import struct

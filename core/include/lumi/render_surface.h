@@ -81,14 +81,20 @@ __attribute__((noinline)) void store_covered_part(uint8_t* pixel, const uint16_t
 // kFarDepth. Its depth's low bits then say how much of it, in 1/32, shows the colour of a pixel beside it, and below
 // that which one. The colours of both stay, and of several marks the largest, so the order of edges does not matter.
 inline constexpr PackedColour kMarkedColour = 0x80000000;
-inline constexpr uint32_t kMarkBits = 6;
+inline constexpr uint32_t kMarkBits = 6, kMostShare = 15;
 enum class Neighbour : uint8_t { right, left, below, above };
+
+constexpr uint32_t mark_bits(uint32_t share, Neighbour other)
+{
+    return (share > kMostShare ? kMostShare : share) << 2 | static_cast<uint32_t>(other);
+}
 
 struct SampleRow {
     const uint16_t* depths;
     const PackedColour* colours;
-    int32_t pitch;           // to the next row
-    uint32_t before, count;  // samples before this row, and of all rows
+    int32_t pitch;          // to the next row
+    const uint16_t* first;  // of all rows
+    uint32_t count;         // of all rows
 };
 
 // What the mark of a pixel says: which one shows in it, and how much of that, 1/32.
@@ -101,9 +107,9 @@ struct Mark {
         const uint32_t bits = row.depths[x];
         const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
         other = x + steps[bits & 3];
-        share = (bits >> 2) & 15;
+        share = (bits >> 2) & kMostShare;
         // Depths of a hostile field may look like marks.
-        if (row.before + static_cast<uint32_t>(other) >= row.count) other = x;
+        if (static_cast<uint32_t>(row.depths - row.first + other) >= row.count) other = x;
     }
     Rgb8 mixed(const Rgb8& a, const Rgb8& b) const
     {
@@ -200,13 +206,13 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
                              clamped_to(bottom + margin, frame.rows) - from_y};
     const uint32_t row_samples = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
     const uint32_t count = row_samples * static_cast<uint32_t>(rect.height_px);
-    uint32_t before = 0;
     PackedColour* colours = static_cast<PackedColour*>(samples);
-    uint16_t* depths = nullptr;
+    uint16_t *depths = nullptr, *first = nullptr;
     if (is_drawn) {
-        depths = reinterpret_cast<uint16_t*>(colours + count);
+        depths = first = reinterpret_cast<uint16_t*>(colours + count);
         if (kFillsSamples) rasterize(frame, rect, depths, colours);
-        before = static_cast<uint32_t>(top - from_y) * row_samples + static_cast<uint32_t>(left - from_x);
+        const uint32_t before =
+            static_cast<uint32_t>(top - from_y) * row_samples + static_cast<uint32_t>(left - from_x);
         depths += before;
         colours += before;
     }
@@ -216,11 +222,10 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
         if (!has_row) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
         if (frame.samples_log2 == 0) {
-            resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px, before, count});
+            resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px, first, count});
         } else {
             resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
         }
-        before += row_samples;
         depths += row_samples;
         colours += row_samples;
     }

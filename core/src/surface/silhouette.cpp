@@ -59,8 +59,8 @@ LUMI_ALWAYS_INLINE void mark_pixel(uint16_t* depth, uint32_t mark, const Target&
 void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, const Target& target)
 {
     const bool is_row = lines.stride == 1;
-    const uint32_t to_upper = static_cast<uint32_t>(is_row ? Neighbour::right : Neighbour::below);
-    const uint32_t to_lower = static_cast<uint32_t>(is_row ? Neighbour::left : Neighbour::above);
+    const Neighbour to_upper = is_row ? Neighbour::right : Neighbour::below;
+    const Neighbour to_lower = is_row ? Neighbour::left : Neighbour::above;
     const int32_t to_inner = inward > 0 ? lines.stride : 0, to_outer = lines.stride - to_inner;
     const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1;
     int32_t line_at = c.first * lines.pitch, at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;
@@ -77,7 +77,7 @@ void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, const 
                 const uint32_t share = ((cuts_lower ? 128 - past_q8 : past_q8 - 128) + 4) >> 3;
                 if (share != 0) {
                     uint16_t* const cut = depth_at + (cuts_lower ? 0 : lines.stride);
-                    mark_pixel(cut, (share > 15 ? 15 : share) << 2 | (cuts_lower ? to_upper : to_lower), target);
+                    mark_pixel(cut, mark_bits(share, cuts_lower ? to_upper : to_lower), target);
                 }
             }
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers of 16 and 32 bits in memory, low byte first on every machine, at addresses divisible by their size: one
-// access.
+// Numbers of 16 and 32 bits in memory: low byte first on every machine, in one access. Addresses are divisible by their
+// size.
 #pragma once
 
 #include <stdint.h>
