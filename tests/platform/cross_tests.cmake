@@ -42,6 +42,24 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
     set_tests_properties(${cpu}.core_tests PROPERTIES COST 900)  # the longest of all, in one thread
     list(APPEND lumi_cpu_tests ${cpu}.core_tests)
   endif()
+  if(cpu IN_LIST LUMI_UNIT_TEST_CPUS)
+    set(chord ${CMAKE_CURRENT_BINARY_DIR}/fields/rgb565.lumi)
+    set(surface ${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi)
+    foreach(pair "surface;chord" "chord;surface")
+      list(GET pair 0 kind)
+      list(GET pair 1 other)
+      add_test(NAME ${cpu}.bad_input_${kind}
+        COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_bad_${kind}.elf
+          -D "FIELDS=${${kind}};${${other}}" -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+      list(APPEND lumi_cpu_tests ${cpu}.bad_input_${kind})
+    endforeach()
+    # A read behind the guarded memory faults.
+    add_test(NAME ${cpu}.wild_read_faults
+      COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D ARGUMENTS=wild -D KERNEL=${lumi_cross}/tests/cross/lumi_bad_chord.elf
+        -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
+    set_tests_properties(${cpu}.wild_read_faults PROPERTIES PASS_REGULAR_EXPRESSION "fault: .*ended with 70")
+    list(APPEND lumi_cpu_tests ${cpu}.wild_read_faults)
+  endif()
   add_test(NAME ${cpu}.board
     COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_board_test.elf
       -D COUNT_INSTRUCTIONS=ON -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
