@@ -31,6 +31,8 @@ set(LUMI_PLAIN_FILES
   baker/trace/catcher_test.cpp
   baker/trace/error_gauge_test.cpp
   baker/trace/path_tracer_test.cpp
+  baker/trace/volume_test.cpp
+  baker/volume/flight_test.cpp
   baker/chord/field_rays_test.cpp
   tools/metrics/cw_ssim_test.cpp
   tools/metrics/flip_test.cpp

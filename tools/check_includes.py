@@ -64,6 +64,7 @@ baker/src/image
 baker/src/geometry
 baker/src/material
 baker/src/light
+baker/src/volume
 baker/src/scene
 baker/src/trace
 baker/src/store

@@ -8,8 +8,8 @@ TexelTracer::TexelTracer(const SceneData& scene, const BakeSettings& settings)
     : tone_(scene.tone),
       seed_(settings.seed),
       samples_(settings.samples),
-      // Texels that end where no path has met a faint shadow yet would lose it.
-      max_error_levels_(scene.catcher ? 0 : settings.max_error_levels),
+      // Texels that end where no path has met a faint shadow or thin smoke yet would lose it.
+      max_error_levels_(scene.catcher || scene.medium ? 0 : settings.max_error_levels),
       footprint_(settings.footprint),
       rays_(settings.origins, settings.directions),
       tracer_(scene)

@@ -27,22 +27,33 @@ void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
     }
 }
 
-// Only what triangles use: a stray vertex must not enlarge the sphere.
-BoundingSphere fit_sphere(const Mesh& mesh, const std::optional<Disc>& catcher, UpAxis up)
+// What the sphere has to hold besides triangles: the catcher's rim, the parts of a volume that are not empty.
+std::vector<Vec3> other_points(const SceneParts& parts, UpAxis up)
 {
+    std::vector<Vec3> points;
+    if (parts.volume) {
+        points = corners_of(*parts.volume);
+    }
+    if (parts.catcher) {
+        add_rim(*parts.catcher, up, points);
+    }
+    return points;
+}
+
+// Only what triangles use: a stray vertex must not enlarge the sphere.
+BoundingSphere fit_sphere(const SceneParts& parts, UpAxis up)
+{
+    const Mesh& mesh = parts.mesh;
     std::vector<bool> used(mesh.positions.size(), false);
     for (const Mesh::Corners& c : mesh.corners) {
         used[c[0]] = used[c[1]] = used[c[2]] = true;
     }
-    std::vector<Vec3> points;
-    points.reserve(mesh.positions.size());
+    std::vector<Vec3> points = other_points(parts, up);
+    points.reserve(points.size() + mesh.positions.size());
     for (size_t i = 0; i < used.size(); ++i) {
         if (used[i]) {
             points.push_back(mesh.positions[i]);
         }
-    }
-    if (catcher) {
-        add_rim(*catcher, up, points);
     }
     return smallest_sphere(points);
 }
@@ -74,13 +85,10 @@ std::optional<Disc> moved_into_sphere(const std::optional<Disc>& disc, const Bou
     return Disc{moved_into_sphere(disc->centre, sphere, up), static_cast<float>(disc->radius / sphere.radius)};
 }
 
-// How far triangles and catcher reach from the sphere's centre.
+// How far the scene reaches from the sphere's centre.
 double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up)
 {
-    std::vector<Vec3> rim;
-    if (parts.catcher) {
-        add_rim(*parts.catcher, up, rim);
-    }
+    const std::vector<Vec3> others = other_points(parts, up);
     double farthest = 0;
     const auto take = [&](const Vec3& p) {
         farthest = std::max(farthest, std::hypot(static_cast<double>(p.x) - sphere.centre[0],
@@ -92,7 +100,7 @@ double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up
             take(parts.mesh.positions[c]);
         }
     }
-    std::for_each(rim.begin(), rim.end(), take);
+    std::for_each(others.begin(), others.end(), take);
     return farthest;
 }
 
@@ -100,7 +108,7 @@ double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up
 BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
 {
     if (!parts.sphere) {
-        BoundingSphere sphere = fit_sphere(parts.mesh, parts.catcher, up);
+        BoundingSphere sphere = fit_sphere(parts, up);
         sphere.radius *= 1 + margin;
         return sphere;
     }
@@ -111,6 +119,22 @@ BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
                          "; give a larger radius, or leave out 'sphere'");
     }
     return *parts.sphere;
+}
+
+// From the frame of the unit sphere to scene units and axes: what moved_into_sphere undoes.
+Affine out_of_sphere(const std::array<double, 3>& centre, double radius, UpAxis up)
+{
+    Affine m{};
+    for (size_t r = 0; r < 3; ++r) {
+        m[r][up == UpAxis::y ? (r + 1) % 3 : r] = radius;
+        m[r][3] = centre[r];
+    }
+    return m;
+}
+
+std::optional<Medium> medium_of(std::optional<Volume> volume, const Affine& to_world, double radius)
+{
+    return volume ? std::optional<Medium>(std::in_place, std::move(*volume), to_world, radius) : std::nullopt;
 }
 
 std::vector<Material> scaled(std::vector<Material> materials, double radius, float exposure)
@@ -176,6 +200,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       tone(parts.tone),
       has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
       catcher(moved_into_sphere(parts.catcher, {centre, radius}, up)),
+      medium(medium_of(std::move(parts.volume), out_of_sphere(centre, radius, up), radius)),
       accelerator(mesh),
       lights(mesh, materials, textures, environment_of(parts, options),
              moved_into_sphere(parts.fixtures, centre, radius, up, parts.exposure))
@@ -184,7 +209,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
 
 Scene build_scene(SceneParts parts, const LoadOptions& options)
 {
-    if (parts.mesh.corners.empty()) {
+    if (parts.mesh.corners.empty() && !parts.volume) {
         throw SceneError("the scene holds no triangles; export at least one face");
     }
     return Scene(std::make_unique<SceneData>(std::move(parts), options));

@@ -15,6 +15,7 @@
 #include "light/light_set.h"
 #include "lumi/baker/scene.h"
 #include "material/material.h"
+#include "volume/medium.h"
 
 namespace lumi::baker
 {
@@ -27,7 +28,8 @@ struct SceneParts {
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;
     std::optional<Disc> catcher;  // of shadows, see catcher.h
-    float exposure = 1;           // factor on all light
+    std::optional<Volume> volume;
+    float exposure = 1;  // factor on all light
     ToneCurve tone = ToneCurve::srgb;
     // In place of the defaults, where LoadOptions leave them open:
     std::optional<UpAxis> up;
@@ -50,11 +52,12 @@ struct SceneData {
     ToneCurve tone;
     bool has_transparency;  // some material may let light pass
     std::optional<Disc> catcher;
+    std::optional<Medium> medium;
     Accelerator accelerator;
     LightSet lights;
 };
 
-// Throws SceneError if the parts hold no triangle, or one (or a catcher) that a given sphere does not hold.
+// Throws SceneError if the parts hold neither a triangle nor a volume, or what a given sphere does not hold.
 Scene build_scene(SceneParts parts, const LoadOptions& options);
 
 }  // namespace lumi::baker

@@ -71,8 +71,8 @@ void add(Digest& digest, const Texture& texture)
 
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
-    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, catcher, accelerator, lights] =
-        scene;
+    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, catcher, medium, accelerator,
+                 lights] = scene;
     static_cast<void>(has_transparency);
     static_cast<void>(accelerator);
     Digest digest;
@@ -83,6 +83,9 @@ Digest::Value scene_fingerprint(const SceneData& scene)
     if (catcher) {
         digest.add(catcher->centre);
         digest.add(catcher->radius);
+    }
+    if (medium) {
+        medium->add_to(digest);
     }
     add(digest, mesh);
     for (const Material& material : materials) {

@@ -111,7 +111,7 @@ float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
     }
     const LightSample& light = candidates.draw(u);
     const Surface floor = {{}, position, kUp, Frame(kUp), nullptr, {}, {}};
-    return 1 - transmittance(scene, floor.ray_to_light(light.direction, light.distance));
+    return 1 - transmittance(scene, floor.ray_to_light(light.direction, light.distance), sampler);
 }
 
 void require_partial_coverage(const SceneData& scene, bool texels_have_it)

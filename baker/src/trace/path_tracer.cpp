@@ -11,7 +11,7 @@ namespace
 
 constexpr int kRouletteAfter = 2;      // bounces that every path makes
 constexpr float kOnCatcher = 1e-5f;    // radii; far above the rounding error of a hit
-constexpr float kMaxSurvival = 0.95f;  // even a white path ends some time
+constexpr float kMaxSurvival = 0.95f;  // even a white path ends some time; out of a medium it finds by itself
 
 // Veach's power heuristic with exponent 2.
 float power_weight(float own_pdf, float other_pdf)
@@ -26,8 +26,9 @@ struct Walk {
     Rgb throughput = grey(1);
     float pdf = 0;  // solid angle, of the last scattering; unused at the eye
     bool at_eye = true;
-    const Material* medium = nullptr;  // the glass that the ray runs through
-    float index2 = 1;                  // of that glass, squared: radiance there is larger by as much
+    const Material* glass = nullptr;  // that the ray runs through
+    float index2 = 1;                 // of that glass, squared: radiance there is larger by as much
+    int scatterings = 0;              // in the medium
 };
 
 Rgb emitted(const SceneData& scene, const Walk& walk, const Surface& surface)
@@ -81,7 +82,7 @@ Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsd
     if (is_black(scattered)) {
         return {};
     }
-    const float through = transmittance(scene, surface.ray_to_light(light.direction, light.distance));
+    const float through = transmittance(scene, surface.ray_to_light(light.direction, light.distance), sampler);
     const float weight = light.dirac ? 1 : power_weight(light.pdf, bsdf.pdf(wo, wi));
     return scattered * (through * weight / light.pdf);
 }
@@ -90,7 +91,7 @@ Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsd
 void cross(Walk& walk, const Surface& surface)
 {
     const bool enters = surface.values.outside;
-    walk.medium = enters ? surface.material : nullptr;
+    walk.glass = enters ? surface.material : nullptr;
     walk.index2 = enters ? surface.material->index * surface.material->index : 1;
 }
 
@@ -134,14 +135,57 @@ bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& w
 }
 
 // Russian roulette: ends dim paths early and makes the survivors carry their share.
-bool survives(Walk& walk, Sampler& sampler)
+bool survives(Walk& walk, float most, Sampler& sampler)
 {
-    const float survival = std::min(max_component(walk.throughput) * walk.index2, kMaxSurvival);
+    const float survival = std::min(max_component(walk.throughput) * walk.index2, most);
     if (sampler.next_1d() >= survival) {
         return false;
     }
     walk.throughput = walk.throughput * (1 / survival);
     return true;
+}
+
+// Light that arrives at a point of the medium straight from a light and is scattered back along `way`.
+Rgb light_in_medium(const SceneData& scene, const Vec3& position, const Vec3& way, Sampler& sampler)
+{
+    if (scene.lights.empty()) {
+        return {};
+    }
+    const Vec2 choice = sampler.next_2d();
+    const LightSample light = scene.lights.sample(position, choice.x, choice.y, sampler.next_2d());
+    if (!(light.pdf > 0) || is_black(light.radiance)) {
+        return {};
+    }
+    const float scattered = scene.medium->phase().density(dot(way, light.direction));
+    const float through = transmittance(scene, ray_to_light(position, light.direction, light.distance), sampler);
+    const float weight = light.dirac ? 1 : power_weight(light.pdf, scattered);
+    return light.radiance * (scattered * through * weight / light.pdf);
+}
+
+// Adds the light that the medium scatters at this distance, and turns the walk there; false where it ends.
+bool scatter_in_medium(const SceneData& scene, Walk& walk, float distance, Rgb& radiance, Sampler& sampler)
+{
+    const Vec3 position = walk.ray.origin + walk.ray.direction * distance;
+    walk.throughput = walk.throughput * scene.medium->colour(position);
+    if (walk.glass) {
+        walk.throughput = walk.throughput * walk.glass->absorbed(distance);
+    }
+    if (is_black(walk.throughput)) {
+        return false;
+    }
+    radiance = radiance + walk.throughput * light_in_medium(scene, position, walk.ray.direction, sampler);
+    const Phase& phase = scene.medium->phase();
+    const Vec3 way = normalized(phase.sample(walk.ray.direction, sampler.next_2d()));
+    walk.pdf = phase.density(dot(walk.ray.direction, way));
+    walk.ray = {position, way};
+    walk.at_eye = false;
+    return ++walk.scatterings < kMaxScatterings && (walk.scatterings <= kRouletteAfter || survives(walk, 1, sampler));
+}
+
+// How far the ray gets in the medium, at most to `end`.
+float free_way(const Medium& medium, const Ray& ray, float end, Sampler& sampler)
+{
+    return medium.collision({ray.origin, ray.direction, end}, sampler).value_or(end);
 }
 
 }  // namespace
@@ -169,18 +213,27 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
 {
     PathResult result;
     Walk walk{ray};
-    for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
+    for (int bounce = 0; bounce < kMaxBounces;) {
         const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler);
+        const float end = hit ? hit->distance : walk.ray.end;
+        const float way = scene_.medium ? free_way(*scene_.medium, walk.ray, end, sampler) : end;
         if (!walk.at_eye) {
-            result.radiance = result.radiance + from_fixtures(scene_, walk, hit ? hit->distance : walk.ray.end);
+            result.radiance = result.radiance + from_fixtures(scene_, walk, way);
+        }
+        if (way < end) {
+            result.covered = true;
+            if (!scatter_in_medium(scene_, walk, way, result.radiance, sampler)) {
+                break;
+            }
+            continue;
         }
         if (!hit) {
             result.radiance = walk.at_eye ? Rgb{} : result.radiance + from_sky(scene_, walk);
             break;
         }
         result.covered = true;
-        if (walk.medium) {
-            walk.throughput = walk.throughput * walk.medium->absorbed(hit->distance);
+        if (walk.glass) {
+            walk.throughput = walk.throughput * walk.glass->absorbed(way);
         }
         const Surface surface = surface_at(scene_, walk.ray, *hit);
         result.radiance = result.radiance + emitted(scene_, walk, surface);
@@ -194,7 +247,7 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         if (!scatter(walk, surface, bsdf, wo, sampler)) {
             break;
         }
-        if (bounce >= kRouletteAfter && !survives(walk, sampler)) {
+        if (bounce++ >= kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) {
             break;
         }
     }

@@ -3,9 +3,11 @@
 // of finding them by the power heuristic (Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, ch.
 // 9).
 //
+// A volume scatters by its medium's flights, and aims at lights in the same way.
+//
 // Deliberate limits: paths end after kMaxBounces (with Russian roulette their share is below 1e-6 of the light in
-// any scene whose albedo is below 0.8); light that would leave on the far side of a smooth-shaded face is lost; lights
-// without a size send none through glass, whose shadow for them is black.
+// any scene whose albedo is below 0.8), or after kMaxScatterings in a volume; light that would leave on the far side of
+// a smooth-shaded face is lost; lights without a size send none through glass, whose shadow for them is black.
 #pragma once
 
 #include "math/sampler.h"
@@ -15,9 +17,10 @@ namespace lumi::baker
 {
 
 inline constexpr int kMaxBounces = 64;
+inline constexpr int kMaxScatterings = 1 << 16;  // far above the mean of any cloud: 4/3 of its optical radius
 
 struct PathResult {
-    bool covered = false;  // the ray meets the scene, or a shadow on its catcher
+    bool covered = false;  // the ray meets the scene, its volume by chance, or a shadow on its catcher
     Rgb radiance;          // of what it meets; 0 if not covered
 };
 

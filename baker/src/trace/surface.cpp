@@ -13,6 +13,7 @@ namespace
 constexpr float kOffset = 1e-5f;
 // Surfaces that one ray may pass before it counts as stopped: bounds the work in a pathological stack of panes.
 constexpr int kMaxPasses = 256;
+constexpr float kShort = 1 - 1e-4f;  // of the way to a light: stop before the light itself
 
 // The interpolated normal on the viewer's side; the geometric one where that is missing or faces away.
 Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Vec3& geometric, const Vec3& view)
@@ -140,7 +141,6 @@ Ray Surface::ray_towards(const Vec3& direction) const
 
 Ray Surface::ray_to_light(const Vec3& direction, float distance) const
 {
-    constexpr float kShort = 1 - 1e-4f;  // stop before the light itself
     Ray ray = ray_towards(direction);
     if (std::isfinite(distance)) {
         const Vec3 towards = position + direction * distance - ray.origin;
@@ -186,6 +186,17 @@ float transmittance(const SceneData& scene, const Ray& ray)
         rest = beyond(scene, rest, *hit);
     }
     return 0;
+}
+
+float transmittance(const SceneData& scene, const Ray& ray, Sampler& sampler)
+{
+    const float share = transmittance(scene, ray);
+    return scene.medium && share > 0 ? share * scene.medium->transmittance(ray, sampler) : share;
+}
+
+Ray ray_to_light(const Vec3& position, const Vec3& direction, float distance)
+{
+    return {position, direction, distance * kShort};
 }
 
 }  // namespace lumi::baker

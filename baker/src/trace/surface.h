@@ -33,7 +33,12 @@ Surface surface_at(const SceneData& scene, const Ray& ray, const Hit& hit);
 // opacity.
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler);
 
-// The share of light that gets through, between 0 and 1.
+// The share of light that surfaces let through, between 0 and 1.
 float transmittance(const SceneData& scene, const Ray& ray);
+// An estimate of what surfaces and the volume together let through.
+float transmittance(const SceneData& scene, const Ray& ray, Sampler& sampler);
+
+// From a point that lies on no surface to just before a light.
+Ray ray_to_light(const Vec3& position, const Vec3& direction, float distance);
 
 }  // namespace lumi::baker

@@ -25,10 +25,21 @@ public:
         const Material* medium = nullptr;
         for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
             const std::optional<Hit> hit = closest_opaque(scene_, ray, sampler);
+            const float free = hit ? hit->distance : ray.end;
+            const float stop =
+                !scene_.medium ? free
+                               : scene_.medium->collision({ray.origin, ray.direction, free}, sampler).value_or(free);
             if (result.covered) {
-                scene_.lights.for_each_seen(
-                    {ray.origin, ray.direction, hit ? hit->distance : ray.end},
-                    [&](const Rgb& light, float) { result.radiance = result.radiance + throughput * light; });
+                scene_.lights.for_each_seen({ray.origin, ray.direction, stop}, [&](const Rgb& light, float) {
+                    result.radiance = result.radiance + throughput * light;
+                });
+            }
+            if (stop < free) {
+                result.covered = true;
+                const Vec3 position = ray.origin + ray.direction * stop;
+                throughput = throughput * scene_.medium->colour(position);
+                ray = {position, scene_.medium->phase().sample(ray.direction, sampler.next_2d())};
+                continue;
             }
             if (!hit) {
                 if (result.covered) {

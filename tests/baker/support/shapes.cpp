@@ -71,6 +71,11 @@ void SceneMaker::catch_shadows(const Disc& disc)
     parts_.catcher = disc;
 }
 
+void SceneMaker::fill(const Volume& volume)
+{
+    parts_.volume = volume;
+}
+
 void SceneMaker::expose(float factor)
 {
     parts_.exposure = factor;

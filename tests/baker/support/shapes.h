@@ -21,6 +21,7 @@ public:
     uint32_t add(const Material& material);
     void add(const Fixture& fixture);  // in the scene's units
     void catch_shadows(const Disc& disc);
+    void fill(const Volume& volume);
     void expose(float factor);
     // Corners in order around the edge.
     void quad(uint32_t material, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);

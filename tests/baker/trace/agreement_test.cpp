@@ -4,6 +4,7 @@
 
 #include "image/radiance_picture.h"
 #include "support/brute_force.h"
+#include "support/volumes.h"
 
 namespace lumi::baker
 {
@@ -86,6 +87,19 @@ TEST_CASE("agreement: the path tracer agrees with brute force through clear, tin
         maker.ball(maker.add(paint), {0, 0.3f, -0.35f}, 0.15f, 8);
         check_integrators_agree(maker.make(studio_environment()), 3000);
     }
+}
+
+TEST_CASE("agreement: the path tracer agrees with brute force in smoke around a ball, a lamp and a pane")
+{
+    SceneMaker maker;
+    add_room(maker);
+    Material pane = testing::diffuse({0.3f, 0.5f, 0.3f});
+    pane.opacity = 0.4f;
+    maker.quad(maker.add(pane), {-0.4f, -0.3f, -0.4f}, {0.4f, -0.3f, -0.4f}, {0.4f, -0.3f, 0.4f}, {-0.4f, -0.3f, 0.4f});
+    maker.ball(maker.add(testing::metal({0.9f, 0.7f, 0.3f}, 0.2f)), {0, 0, -0.2f}, 0.25f, 8);
+    maker.add(SphereLight{{0.1f, -0.1f, 0.3f}, 0.1f, {8, 6, 4}});
+    maker.fill(testing::smoke());
+    check_integrators_agree(maker.make(studio_environment()), 3000);
 }
 
 TEST_CASE("agreement: the path tracer agrees with brute force on brushed metal and paint and on cloth")

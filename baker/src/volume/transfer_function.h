@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What a scalar of a volume looks like: how much of light it stops along a unit of length, and the colour of what it
+// scatters. Linear between its points; before the first and behind the last it stays as it is there.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace lumi::baker
+{
+
+struct TransferPoint {
+    float value;
+    Rgb colour;     // albedo of a scattering, 0 to 1
+    float density;  // extinction, 1 / length, at least 0
+};
+
+class TransferFunction
+{
+public:
+    // At least one point, with strictly increasing values.
+    explicit TransferFunction(std::vector<TransferPoint> points);
+
+    float density(float value) const;
+    Rgb colour(float value) const;
+    // The largest density of all scalars from `low` to `high`.
+    float most_density(float low, float high) const;
+
+    const std::vector<TransferPoint>& points() const { return points_; }
+
+private:
+    // The two points around a scalar and how far it lies from the first to the second; twice the same outside.
+    struct Place {
+        const TransferPoint &from, &to;
+        float share;
+    };
+    Place place(float value) const;
+
+    std::vector<TransferPoint> points_;
+};
+
+}  // namespace lumi::baker
