@@ -16,6 +16,7 @@ build_packages=(
   libstb-dev                       # PNG, written
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # proxy meshes
+  libnifti2-dev zlib1g-dev         # volumes
   libkissfft-dev                   # CW-SSIM
   libcli11-dev nlohmann-json3-dev)
 test_packages=(

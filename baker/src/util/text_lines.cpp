@@ -74,7 +74,7 @@ std::string at(const Place& place, const std::string& text)
     return place.file + (place.line ? ":" + std::to_string(place.line) : "") + ": " + text;
 }
 
-std::string read_text(const std::filesystem::path& file)
+std::string read_file(const std::filesystem::path& file)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) {
@@ -99,6 +99,12 @@ std::string read_text(const std::filesystem::path& file)
         throw SceneError(at({file.string()}, "reading the file failed; check the disk"));
     }
     text.resize(static_cast<size_t>(stream.gcount()));  // somebody may have cut it meanwhile
+    return text;
+}
+
+std::string read_text(const std::filesystem::path& file)
+{
+    std::string text = read_file(file);
     if (is_utf16(text)) {
         throw SceneError(at({file.string()}, "this text is in UTF-16; save it in UTF-8"));
     }

@@ -20,7 +20,9 @@ struct Place {
 // "file:line: text".
 std::string at(const Place& place, const std::string& text);
 
-// The whole file. Throws SceneError if it cannot be read.
+// The whole file, noted as an input (file_guard.h). Throws SceneError if it cannot be read.
+std::string read_file(const std::filesystem::path& file);
+// The same, of a text. Refuses UTF-16.
 std::string read_text(const std::filesystem::path& file);
 
 // One logical line: continuation lines (ending in a backslash) joined, comment and surrounding blanks cut off.
