@@ -1,13 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tools/board_memory.sh FIELD.lumi
-# RAM and stack of README's firmware, compiled as it is printed for every core with FIELD: writes the table of
-# docs/boards.md. Stack is the deepest chain of calls in GCC's call graph (tests/platform/check_stack.cmake), from the
-# snippet's functions down; RAM its static data.
+# tools/board_memory.sh [FIELD.lumi]
+# RAM and stack of README's firmware, compiled as it is printed for every core: writes the table of docs/boards.md. Without
+# FIELD it takes the one that tools/devices.sh bakes, the same bytes on every machine. Stack is the deepest chain of calls
+# in GCC's call graph (tests/platform/check_stack.cmake), from the snippet's functions down; RAM its static data.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
-field=$(realpath "${1:?give a surface field: tools/board_memory.sh FIELD.lumi}")
 lumi=${LUMI_TOOL:-$root/build/release/tools/lumi}
+if [ -z "${1:-}" ]; then
+    [ -f "$root/build/devices/desk_clock.lumi" ] || "$root/tools/devices.sh" --built --only field
+fi
+field=$(realpath "${1:-$root/build/devices/desk_clock.lumi}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$lumi" embed "$field" -o "$work/product.S" >"$work/log"
@@ -23,10 +26,14 @@ stack() {
 
 table="$work/table"
 {
+    "$lumi" inspect "$field" | awk '
+        $1 == "vertices" { vertices = $2 + 0 }
+        $1 == "mesh" { for (k = 2; k < NF; ++k) if ($(k + 1) ~ /^patches/) patches = $k }
+        END { printf "A field of %d vertices and %d patches:\n\n", vertices, patches }'
     echo "| core | RAM: view and stripe | stack of \`open\` | stack of \`look\` and \`draw\` |"
     echo "|---|---:|---:|---:|"
 } >"$table"
-for cpu in cortex-m0plus cortex-m3 cortex-m4 cortex-m7; do
+for cpu in cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33; do
     mkdir "$work/$cpu"
     for source in $(sed -n 's/^  \(src[^)]*\).*/\1/p' "$root/core/sources.cmake") readme.cpp; do
         path=$root/core/$source
@@ -37,7 +44,7 @@ for cpu in cortex-m0plus cortex-m3 cortex-m4 cortex-m7; do
         *) arm-none-eabi-g++ $flags -mcpu=$cpu -fcallgraph-info=su -I "$root/core/include" -I "$root/core/src" \
             -I "$work" -c "$path" -o "$object" ;;
         esac
-        done
+    done
     ram=$(arm-none-eabi-size "$work/$cpu/readme.cpp.o" | awk 'NR == 2 { print $2 + $3 }')
     # The flush is a call through a pointer, which a chain cannot follow: measured without it.
     sed -i '/__indirect_call/d' "$work/$cpu"/readme.cpp*.ci

@@ -1,24 +1,28 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/devices.sh [--docs] [--only EXAMPLE] [--lvgl PATH] [--built] [--may-skip]
+# tools/devices.sh [--docs] [--only EXAMPLE] [--lvgl PATH] [--pico-sdk PATH] [--built] [--may-skip]
 # Builds the examples of platform/, runs each on its emulator and compares what the emulated display shows, bit by bit,
 # with what `lumi render` or the host's library draws. Ends with 0 only if all agree and nothing was left out.
 #   --docs          writes the table and the pictures of docs/boards.md
 #   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay, lvgl,
-#                   table (of what was run last)
+#                   pico_sdk, table (of what was run last)
 #   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out
+#   --pico-sdk PATH the Pico SDK: platform/pico_st7789 is built against it, too, and run
 #   --built         `lumi` and the tests' programs are built already, in build/release
 #   --may-skip      ends with 77 where an emulator is missing
 # Results, and a PNG of every display, lie in build/devices.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+# shellcheck source-path=SCRIPTDIR source=devices/table.sh
+source "$root/tools/devices/table.sh"
 
 devices=$root/build/devices
 lumi=$root/build/release/tools/lumi
 field=$devices/desk_clock.lumi
+declare -A sources_of=([pico_sdk]=pico_st7789)  # where the folder has another name
 examples=(riscv lm3s_oled gba pico_st7789 simulator overlay)
-lvgl='' only='' built='' may_skip='' docs=''
+lvgl='' pico_sdk='' only='' built='' may_skip='' docs=''
 frames=2
 npm_folder=$root/build/npm
 
@@ -28,6 +32,7 @@ parse_arguments() {
       --docs) docs=yes ;;
       --only) only=${2:?--only takes the name of an example} && shift ;;
       --lvgl) lvgl=${2:?--lvgl takes a folder} && shift ;;
+      --pico-sdk) pico_sdk=$(realpath "${2:?--pico-sdk takes a folder}") && shift ;;
       --built) built=yes ;;
       --may-skip) may_skip=yes ;;
       --help) help "$0" && exit ;;
@@ -35,7 +40,7 @@ parse_arguments() {
     esac
     shift
   done
-  if [[ -n $only && " field table lvgl ${examples[*]} " != *" $only "* ]]; then
+  if [[ -n $only && " field table lvgl pico_sdk ${examples[*]} " != *" $only "* ]]; then
     wrong_call "no example is called '$only'"
   fi
 }
@@ -63,7 +68,7 @@ bake_field() {
 build() {
   local folder=$devices/$1/build options=(-DLUMI_TOOL="$lumi" -DLUMI_EXAMPLE_FIELD="$field" "${@:3}")
   [[ $2 == host ]] || options+=(--toolchain "$root/toolchains/$2.cmake")
-  cmake -S "$root/platform/$1" -B "$folder" -G Ninja "${options[@]}" >"$devices/$1/configure.log" ||
+  cmake -S "$root/platform/${sources_of[$1]:-$1}" -B "$folder" -G Ninja "${options[@]}" >"$devices/$1/configure.log" ||
     die "platform/$1 cannot be configured: $devices/$1/configure.log"
   cmake --build "$folder" --parallel 1
 }
@@ -81,41 +86,6 @@ check() {
   [[ $format != png ]] || pixels=$folder/frame-$frame.png
   python3 -B "$root/tools/devices/picture.py" "$format" "$size" "$pixels" -o "$folder/frame-$frame.png" \
     --same-as "$expected" "$expected_format"
-}
-
-# value NAME FILE: the number after a word, the greatest of all lines.
-value() {
-  awk -v name="$1" '{ for (i = 1; i < NF; ++i) if ($i == name && $(i + 1) > most) most = $(i + 1) } END { print most + 0 }' "$2"
-}
-
-# bytes_of SIZE_PROGRAM ELF SECTION...
-bytes_of() {
-  local size=$1 elf=$2
-  shift 2
-  "$size" -A "$elf" | awk -v wanted=" $* " 'index(wanted, " " $1 " ") { sum += $2 } END { print sum + 0 }'
-}
-
-thousands() {
-  awk -v n="$1" 'BEGIN { printf "%.1f kB", n / 1000 }'
-}
-
-# write_row EXAMPLE MAIN SIZE_PROGRAM STACK RATE RATE_WITH_MISSES COUNTED: a row of the table, of the program of MAIN.cpp.
-# Its own lines are those without comments.
-write_row() {
-  local name=lumi_$1 flash ram lines
-  [[ $2 == main ]] || name=lumi_${1%%_*}_$2
-  local elf=$devices/$1/build/$name.elf
-  flash=$(($(bytes_of "$3" "$elf" .boot .vectors .hot .text .ARM.exidx .data) - $(wc -c <"$field")))
-  ram=$(bytes_of "$3" "$elf" .hot .data .bss .fast)
-  lines=$(grep --count --invert-match --extended-regexp '^[[:space:]]*(//.*)?$' "$root/platform/$1/$2.cpp")
-  # shellcheck disable=SC2016
-  printf '| `%s/%s.cpp` | %s | %s | %s | %s B | %s | %s | %s | yes |\n' "$1" "$2" "$lines" "$(thousands "$flash")" \
-    "$(thousands "$ram")" "$4" "$5" "$6" "$7" >>"$devices/$1/row"
-}
-
-# rate HZ CLOCKS
-rate() {
-  awk -v hz="$1" -v clocks="$2" 'BEGIN { printf "%.1f", hz / clocks }'
 }
 
 # Clocks an instruction that are assumed where an emulator counts instructions alone, in tenths.
@@ -182,34 +152,46 @@ run_gba() {
     "$(rate 16777216 "$(value cycles "$folder/log")")" – "mGBA's clocks, 16.8 MHz"
 }
 
-run_pico_st7789() {
-  require pico_st7789 arm-none-eabi-g++ node python3
-  [[ -d $npm_folder/node_modules/rp2040js ]] || require pico_st7789 "rp2040js (of npm)"
-  build pico_st7789 cortex-m0plus
-  local folder=$devices/pico_st7789 frame option
-  export NODE_PATH=$npm_folder/node_modules
+# run_pico EXAMPLE NAME COUNTED: a program of one or two cores, with and without modelled flash misses, and its row.
+run_pico() {
+  local folder=$devices/$1 frame option stack
   for option in --flash-misses ''; do
     # shellcheck disable=SC2086
-    node "$root/tools/devices/run_pico.cjs" "$folder/build/lumi_pico_st7789.bin" "$folder" $option | tee "$folder/log$option"
-    for ((frame = 0; frame < frames; ++frame)); do check pico_st7789 rgb565-swapped 240x240 "$frame"; done
+    NODE_PATH=$npm_folder/node_modules node "$root/tools/devices/pico/run.cjs" "$folder/build/lumi_pico_$2.bin" "$folder" \
+      $option | tee "$folder/log-$2$option"
+    for ((frame = 0; frame < frames; ++frame)); do check "$1" rgb565-swapped 240x240 "$frame"; done
+    rm "$folder"/*.raw
   done
-  write_row pico_st7789 main arm-none-eabi-size "$(value stack "$folder/log")" \
-    "$(rate 1000000 "$(value microseconds "$folder/log")")" \
-    "$(rate 1000000 "$(value microseconds "$folder/log--flash-misses")")" "rp2040js's clocks, 125 MHz"
-  run_two_cores
+  stack=$(value stack "$folder/log-$2")
+  [[ $2 == st7789 ]] || stack="$stack + $(value core1-stack "$folder/log-$2")"
+  write_row "$1" "$3" arm-none-eabi-size "$stack" "$(rate 1000000 "$(value microseconds "$folder/log-$2")")" \
+    "$(rate 1000000 "$(value microseconds "$folder/log-$2--flash-misses")")" "$4"
 }
 
-# The emulator has one core. It draws both shares, and the rate of two is modelled from the time of each.
-run_two_cores() {
-  local folder=$devices/pico_st7789 frame longest
-  local log=$folder/log-two-cores
-  rm -f "$folder"/*.raw
-  node "$root/tools/devices/run_pico.cjs" "$folder/build/lumi_pico_two_cores.bin" "$folder" --flash-misses | tee "$log"
-  for ((frame = 0; frame < frames; ++frame)); do check pico_st7789 rgb565-swapped 240x240 "$frame"; done
-  longest=$(awk '{ for (i = 1; i < NF; ++i) v[$i] = $(i + 1); t = v["microseconds"] - v["saves"]; if (t > most) most = t }
-    END { print most }' "$log")
-  write_row pico_st7789 two_cores arm-none-eabi-size "$(value stack "$log") + $(value core1-stack "$log")" – \
-    "$(rate 1000000 "$longest")" "both cores, modelled"
+require_rp2040js() {
+  require "$1" arm-none-eabi-g++ node python3
+  [[ -d $npm_folder/node_modules/rp2040js ]] || require "$1" "rp2040js (of npm)"
+}
+
+run_pico_st7789() {
+  require_rp2040js pico_st7789
+  build pico_st7789 cortex-m0plus -DPICO_SDK_PATH=
+  run_pico pico_st7789 st7789 main "rp2040js's clocks, 125 MHz"
+  run_pico pico_st7789 two_cores two_cores "rp2040js's clocks, both cores"
+}
+
+# The same programs behind the SDK's start-up, with the SDK's drivers and its launch of core 1.
+run_pico_sdk() {
+  [[ -n $pico_sdk ]] || die "name the Pico SDK: --pico-sdk PATH"
+  require_rp2040js pico_sdk
+  build pico_sdk host -DPICO_SDK_PATH="$pico_sdk"
+  run_pico pico_sdk st7789 main "the same; Pico SDK $(pico_sdk_version)"
+  run_pico pico_sdk two_cores two_cores "the same; Pico SDK $(pico_sdk_version)"
+}
+
+pico_sdk_version() {
+  sed --quiet 's/^ *set(PICO_SDK_VERSION_\(MAJOR\|MINOR\|REVISION\) \([0-9]*\))/\2/p' "$pico_sdk/pico_sdk_version.cmake" |
+    paste --serial --delimiters=.
 }
 
 # require_simulator EXAMPLE
@@ -276,6 +258,14 @@ run_lvgl() {
     --pixel rgb565 >/dev/null
   python3 -B "$root/tools/devices/picture.py" rgb565 "${side}x$side" "$folder/rgb565-0.expected" \
     --same-as "$folder/rendered.png" png
+  # shellcheck disable=SC2016
+  printf '| `lvgl/main.c` | %s | – | – | – | – | – | on the host, LVGL %s | but for outlines, which LVGL blends |\n' \
+    "$(lines_of lvgl/main.c)" "$(lvgl_version)" >"$folder/row"
+}
+
+lvgl_version() {
+  awk '$2 ~ /^LVGL_VERSION_(MAJOR|MINOR|PATCH)$/ { version = version separator $3; separator = "." } END { print version }' \
+    "$lvgl/lv_version.h"
 }
 
 run_example() {
@@ -285,32 +275,10 @@ run_example() {
   echo "$1: every bit the same"
 }
 
-print_table() {
-  local example
-  # shellcheck disable=SC2016
-  echo '| `platform/` | glue lines | flash | RAM | stack | frames a second | with flash misses | counted by | same bits |'
-  echo '|---|---:|---:|---:|---:|---:|---:|---|---|'
-  for example in "${examples[@]}"; do
-    [[ ! -f $devices/$example/row ]] || cat "$devices/$example/row"
-  done
-}
-
-write_docs() {
-  local page=$root/docs/boards.md begin='<!-- devices table: begin (tools/devices.sh --docs) -->' end='<!-- devices table: end -->'
-  grep --quiet --fixed-strings "$begin" "$page" || die "$page has no line \"$begin\""
-  awk -v begin="$begin" -v end="$end" -v table="$devices/table" '
-    $0 == end { inside = 0 }
-    !inside { print }
-    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$page" >"$devices/page"
-  cp "$devices/page" "$page"
-  for example in gba lm3s_oled overlay pico_st7789; do
-    cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
-  done
-}
-
 publish() {
   print_table | tee "$devices/table"
   [[ -z $docs ]] || write_docs
+  [[ -n $pico_sdk ]] || echo "pico_sdk was not run: it needs the SDK: --pico-sdk PATH"
   [[ -n $lvgl ]] || echo "SKIPPED lvgl: it needs LVGL's source: --lvgl PATH"
 }
 
@@ -327,7 +295,9 @@ main() {
   case $only in
     '')
       bake_field
+      rm -f "$devices"/{lvgl,pico_sdk}/row
       [[ -z $lvgl ]] || examples+=(lvgl)
+      [[ -z $pico_sdk ]] || examples+=(pico_sdk)
       for example in "${examples[@]}"; do run_step "$example" run_example "$example"; done
       publish
       ;;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "st7789.h"
 
+#include "bus.h"
 #include "rp2040.h"
 
 namespace st7789
@@ -8,36 +9,13 @@ namespace st7789
 namespace
 {
 
-using namespace rp2040;
-
-constexpr uint32_t kChipSelect = 1u << 17, kData = 1u << 20, kNoReset = 1u << 21;
-constexpr uint32_t kSpiData = kSpi0 + 0x08, kSpiStatus = kSpi0 + 0x0C;
-constexpr uint32_t kDmaControl = kDma + 0x0C, kBusy = 1u << 24;
-
-void set_pins(uint32_t pins)
-{
-    at(kSio + 0x14) = pins;
-}
-void clear_pins(uint32_t pins)
-{
-    at(kSio + 0x18) = pins;
-}
-
-void put(uint8_t byte)
-{
-    constexpr uint32_t kRoom = 1u << 1;
-    while ((at(kSpiStatus) & kRoom) == 0) {
-    }
-    at(kSpiData) = byte;
-}
-
 void command(uint8_t code)
 {
-    wait();
-    clear_pins(kData);
-    put(code);
-    wait();
-    set_pins(kData);
+    bus::wait();
+    bus::take_command();
+    bus::put(code);
+    bus::wait();
+    bus::take_data();
 }
 
 enum Command : uint8_t {
@@ -55,30 +33,14 @@ enum Command : uint8_t {
 void command(Command code, uint8_t value)
 {
     command(code);
-    put(value);
+    bus::put(value);
 }
 
 void set_range(Command code, uint8_t last)
 {
     const uint8_t bytes[] = {0, 0, 0, last};
     command(code);
-    for (const uint8_t byte : bytes) put(byte);
-}
-
-void start_spi()
-{
-    at(kSpi0 + 0x10) = 2;  // 125 MHz / 2
-    at(kSpi0) = 7;         // 8 bits, mode 0
-    at(kSpi0 + 0x24) = 2;  // asks DMA for more
-    at(kSpi0 + 0x04) = 2;  // on
-    set_function(18, kSpiFunction);
-    set_function(19, kSpiFunction);
-    set_function(17, kSioFunction);
-    set_function(20, kSioFunction);
-    set_function(21, kSioFunction);
-    at(kSio + 0x24) = kChipSelect | kData | kNoReset;  // outputs
-    clear_pins(kChipSelect);
-    set_pins(kNoReset | kData);
+    for (const uint8_t byte : bytes) bus::put(byte);
 }
 
 }  // namespace
@@ -86,12 +48,12 @@ void start_spi()
 void start()
 {
     constexpr uint32_t kAfterReset = 120000, kAfterSleep = 5000;  // microseconds, of the controller's datasheet
-    start_spi();
+    bus::start();
     command(kSoftwareReset);
-    wait();
-    wait_microseconds(kAfterReset);
+    bus::wait();
+    rp2040::wait_microseconds(kAfterReset);
     command(kSleepOut);
-    wait_microseconds(kAfterSleep);
+    rp2040::wait_microseconds(kAfterSleep);
     command(kPixelFormat, 0x55);  // 16 bits
     command(kScanOrder, 0);
     command(kInvert);
@@ -107,22 +69,12 @@ void begin_picture()
 
 void send(const uint8_t* bytes, uint32_t count)
 {
-    constexpr uint32_t kOn = 1u, kStepThroughMemory = 1u << 4, kAskedBySpi0 = 16u << 15;
-    while ((at(kDmaControl) & kBusy) != 0) {
-    }
-    at(kDma) = reinterpret_cast<uint32_t>(bytes);
-    at(kDma + 0x04) = kSpiData;
-    at(kDma + 0x08) = count;
-    at(kDmaControl) = kOn | kStepThroughMemory | kAskedBySpi0;
+    bus::send(bytes, count);
 }
 
 void wait()
 {
-    constexpr uint32_t kSending = 1u << 4;
-    while ((at(kDmaControl) & kBusy) != 0) {
-    }
-    while ((at(kSpiStatus) & kSending) != 0) {
-    }
+    bus::wait();
 }
 
 }  // namespace st7789
