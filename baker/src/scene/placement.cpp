@@ -70,6 +70,19 @@ void place(const Placement& placement, Mesh& mesh)
     }
 }
 
+Affine affine_of(const Placement& placement)
+{
+    const Vec3 s = placement.scale, t = placement.translation;
+    const Vec3 x = turned({s.x, 0, 0}, placement.rotation_degrees);
+    const Vec3 y = turned({0, s.y, 0}, placement.rotation_degrees);
+    const Vec3 z = turned({0, 0, s.z}, placement.rotation_degrees);
+    const auto row = [](float a, float b, float c, float d) {
+        return std::array<double, 4>{static_cast<double>(a), static_cast<double>(b), static_cast<double>(c),
+                                     static_cast<double>(d)};
+    };
+    return {row(x.x, y.x, z.x, t.x), row(x.y, y.y, z.y, t.y), row(x.z, y.z, z.z, t.z)};
+}
+
 void append(SceneParts& parts, SceneParts&& other)
 {
     Mesh& mesh = other.mesh;

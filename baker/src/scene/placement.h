@@ -4,6 +4,7 @@
 
 #include "geometry/disc.h"
 #include "scene/scene_data.h"
+#include "volume/affine.h"
 
 namespace lumi::baker
 {
@@ -18,6 +19,8 @@ struct Placement {
 
 // Mirrored triangles turn their winding, so that outsides stay outsides.
 void place(const Placement& placement, Mesh& mesh);
+// The same for points.
+Affine affine_of(const Placement& placement);
 
 // Adds the second to the first: its mesh, materials and textures.
 void append(SceneParts& parts, SceneParts&& other);

@@ -9,7 +9,8 @@
 #include "scene/material_fields.h"
 #include "scene/materials.h"
 #include "scene/obj_reader.h"
-#include "scene/placement.h"
+#include "scene/placement_fields.h"
+#include "scene/volume_fields.h"
 #include "util/json_fields.h"
 
 namespace lumi::baker
@@ -18,7 +19,6 @@ namespace
 {
 
 constexpr NumberRange kPlace = {-1e15, 1e15};
-constexpr NumberRange kAngle = {-360, 360};
 constexpr NumberRange kLength = {1e-9, 1e15};
 
 class SceneFileReader
@@ -33,8 +33,11 @@ public:
     {
         up_ = scene_.choice("up", {"y", "z"}, 0) == 0 ? UpAxis::y : UpAxis::z;
         up_ = up.value_or(up_);
-        for (const JsonValue& object : list_of(scene_.require("objects"), "objects")) {
-            read_object(object);
+        read_volume();
+        if (!parts_.volume || scene_.find("objects")) {
+            for (const JsonValue& object : list_of(scene_.require("objects"), "objects")) {
+                read_object(object);
+            }
         }
         read_materials();
         read_ground();
@@ -64,33 +67,17 @@ private:
         if (path.empty()) {
             fields.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
         }
-        Placement placement;
-        fields.vector("translate", kPlace, placement.translation);
-        fields.vector("rotate", kAngle, placement.rotation_degrees);
-        read_scale(fields, placement.scale);
+        const Placement placement = read_placement(fields);
         fields.finish();
         SceneParts parts = read_obj(path, warnings_);
         place(placement, parts.mesh);
         append(parts_, std::move(parts));
     }
 
-    // One number for all axes, or three.
-    static void read_scale(JsonFields& fields, Vec3& scale)
+    void read_volume()
     {
-        constexpr NumberRange kScale = {-1e9, 1e9};
-        const JsonValue* value = fields.find("scale");
-        if (!value) {
-            return;
-        }
-        if (value->kind == JsonValue::Kind::number) {
-            const float all = static_cast<float>(fields.number_of(*value, "scale", kScale));
-            scale = {all, all, all};
-        } else {
-            scale = fields.vector_of(*value, "scale", kScale);
-        }
-        constexpr float kLeast = 1e-9f;
-        if (std::min({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)}) < kLeast) {
-            fields.fail(*value, "'scale' flattens the object; choose numbers other than 0");
+        if (const JsonValue* value = scene_.find("volume")) {
+            parts_.volume = baker::read_volume(file_, *value);
         }
     }
 
@@ -157,7 +144,7 @@ private:
         fields.finish();
     }
 
-    // Under the lowest point of the objects, unless told otherwise.
+    // Under the lowest point of objects and volume, unless told otherwise.
     Disc read_disc(JsonFields& fields) const
     {
         Disc disc = {};
@@ -168,6 +155,9 @@ private:
                 const Vec3& p = parts_.mesh.positions[c];
                 height = std::min(height, up_ == UpAxis::y ? p.y : p.z);
             }
+        }
+        for (const Vec3& p : parts_.volume ? corners_of(*parts_.volume) : std::vector<Vec3>()) {
+            height = std::min(height, up_ == UpAxis::y ? p.y : p.z);
         }
         fields.number("height", kPlace, height);
         disc.radius = static_cast<float>(fields.number_of(fields.require("radius"), "radius", kLength));

@@ -116,10 +116,18 @@ float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
 
 void require_partial_coverage(const SceneData& scene, bool texels_have_it)
 {
-    if (scene.catcher && !texels_have_it) {
+    if (texels_have_it) {
+        return;
+    }
+    if (scene.catcher) {
         throw BakeError(
             "the scene's 'catcher' needs texels that are partly covered; bake with --layout chord --texel "
             "palette8, or take a 'ground' in its place");
+    }
+    if (scene.medium) {
+        throw BakeError(
+            "the scene's 'volume' is half transparent and needs texels that are partly covered; bake with --layout "
+            "chord --texel palette8");
     }
 }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "scene/volume_fields.h"
+
+#include <algorithm>
+
+#include "scene/materials.h"
+#include "scene/placement_fields.h"
+#include "volume/nifti_file.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr NumberRange kShare = {0, 1};
+constexpr NumberRange kDensity = {0, 1e9};
+constexpr NumberRange kScalar = {-1e30, 1e30};
+constexpr NumberRange kMeanCosine = {-0.95, 0.95};
+
+TransferPoint read_point(const std::string& file, const JsonValue& value)
+{
+    JsonFields fields(file, value, "a point of 'transfer'");
+    TransferPoint point = {0, grey(1), 0};
+    point.value = static_cast<float>(fields.number_of(fields.require("value"), "value", kScalar));
+    point.density = static_cast<float>(fields.number_of(fields.require("density"), "density", kDensity));
+    fields.colour("colour", kShare, point.colour);
+    fields.finish();
+    return point;
+}
+
+TransferFunction read_transfer(const std::string& file, JsonFields& volume)
+{
+    const JsonValue& list = volume.require("transfer");
+    if (list.kind != JsonValue::Kind::list || list.items.empty()) {
+        volume.fail(list, "'transfer' must be a list of points; write [ { \"value\": 1, \"density\": 2 } ]");
+    }
+    std::vector<TransferPoint> points;
+    for (const JsonValue& item : list.items) {
+        points.push_back(read_point(file, item));
+        if (points.size() > 1 && !(points.back().value > points[points.size() - 2].value)) {
+            volume.fail(item,
+                        "'value' must grow from point to point of 'transfer'; sort the points, and move apart "
+                        "those with the same value");
+        }
+    }
+    return TransferFunction(std::move(points));
+}
+
+std::string range_of(const Grid& grid)
+{
+    const auto [least, most] = std::minmax_element(grid.values.begin(), grid.values.end());
+    return std::to_string(*least) + " to " + std::to_string(*most);
+}
+
+}  // namespace
+
+Volume read_volume(const std::filesystem::path& scene_file, const JsonValue& value)
+{
+    const std::string name = scene_file.string();
+    JsonFields fields(name, value, "the volume");
+    const JsonValue& grid = fields.require("file");
+    const std::filesystem::path path = find_beside(scene_file, fields.text_of(grid, "file"));
+    if (path.empty()) {
+        fields.fail(grid, "the volume '" + grid.text + "' is missing; put it beside " + scene_file.filename().string());
+    }
+    const TransferFunction transfer = read_transfer(name, fields);
+    float anisotropy = 0;
+    fields.number("anisotropy", kMeanCosine, anisotropy);
+    const Placement placement = read_placement(fields);
+    fields.finish();
+    Volume volume = {read_nifti(path), transfer, anisotropy};
+    volume.grid.voxel_to_world = combined(affine_of(placement), volume.grid.voxel_to_world);
+    if (corners_of(volume).empty()) {
+        fields.fail(fields.require("transfer"), "'transfer' gives density 0 to all values of '" + grid.text + "', " +
+                                                    range_of(volume.grid) + "; give some of them more");
+    }
+    return volume;
+}
+
+}  // namespace lumi::baker
