@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """release.py [--check | --set-version X.Y.Z] [OUT]
 
-Writes core's archives for firmware ecosystems, and SHA256SUMS, into OUT (out/release): the same bytes from the same
-sources. core/VERSION is the version; --set-version writes it wherever a tool wants to read it, --check finds where it
+Writes core's archives for firmware ecosystems, bills of materials (SPDX 2.3) and SHA256SUMS into OUT (out/release): the
+same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. core/VERSION is the version; --set-version writes it wherever a tool wants to read it, --check finds where it
 differs. Archives: core for CMake, ESP-IDF, Zephyr, the Pico SDK and PlatformIO; the Arduino library; the CMSIS-Pack.
 """
 import hashlib
@@ -11,12 +11,16 @@ import io
 import json
 import pathlib
 import re
+import subprocess
 import sys
 import tarfile
 import zipfile
 
+import spdx
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORE = ROOT / "core"
+HOME = "https://example.invalid/lumi"  # where the project lives
 EPOCH = (2020, 1, 1, 0, 0, 0)
 # Files that hold the version, each with a pattern whose group it is.
 COPIES = {
@@ -31,7 +35,7 @@ maintainer=The LumiPath developers
 sentence=Path-traced objects, drawn from flash by integers.
 paragraph=Draws fields that the lumi tool baked, on displays of any size, without floating point or heap.
 category=Display
-url=https://example.invalid/lumi
+url={home}
 architectures=*
 includes=lumi/view.h
 """
@@ -93,7 +97,7 @@ def core_files():
 def arduino_files():
     """Arduino compiles all of src and has src alone in its include path: headers and sources lie there together."""
     files = {"LICENSE": (ROOT / "LICENSE").read_bytes(),
-             "library.properties": ARDUINO_PROPERTIES.format(version=version()).encode(),
+             "library.properties": ARDUINO_PROPERTIES.format(version=version(), home=HOME).encode(),
              "examples/OneFrame/OneFrame.ino": ARDUINO_SKETCH.encode()}
     for name, content in core_files().items():
         for folder in ("include/", "src/"):
@@ -110,7 +114,7 @@ def pack_description(names):
   <vendor>Lumi</vendor>
   <name>lumi</name>
   <description>Path-traced objects, drawn from flash by integers</description>
-  <url>https://example.invalid/lumi/</url>
+  <url>{HOME}/</url>
   <license>LICENSE</license>
   <releases>
     <release version="{version()}">See CHANGELOG.md of the project.</release>
@@ -152,6 +156,17 @@ def write_tar(path, files, top):
             archive.addfile(entry, io.BytesIO(files[name]))
 
 
+def write_bills(out, core):
+    (out / f"lumi-core-{version()}.spdx.json").write_bytes(spdx.of_core(core, version(), HOME))
+    listed = subprocess.run([ROOT / "tools/install_packages.sh", "build", "--print"], capture_output=True, text=True)
+    try:
+        bill = spdx.of_tool(sorted(listed.stdout.split()), version(), HOME)
+    except FileNotFoundError as error:  # not Debian, or a package is missing
+        print(f"SKIPPED lumi-{version()}.spdx.json: {error}", file=sys.stderr)
+    else:
+        (out / f"lumi-{version()}.spdx.json").write_bytes(bill)
+
+
 def write_archives(out):
     out.mkdir(parents=True, exist_ok=True)
     core = core_files()
@@ -161,6 +176,7 @@ def write_archives(out):
     pack = dict(core)
     pack["Lumi.lumi.pdsc"] = pack_description(sorted(core)).encode()
     write_zip(out / f"Lumi.lumi.{version()}.pack", pack)
+    write_bills(out, core)
     names = sorted(p.name for p in out.iterdir() if p.name != "SHA256SUMS")
     sums = "".join(f"{hashlib.sha256((out / n).read_bytes()).hexdigest()}  {n}\n" for n in names)
     (out / "SHA256SUMS").write_text(sums)

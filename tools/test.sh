@@ -5,7 +5,7 @@
 # UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test under sanitizers too (built file by file, without precompiled
 # headers, which shows missing includes), every policy, frame and unit test on every board, every failure on purpose,
-# clang-tidy, and a minute of fuzzing a target. A missing tool is an error.
+# clang-tidy, a minute of fuzzing a target, and the commands of the examples' pages. A missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -83,6 +83,7 @@ main() {
   if [[ $all == ON ]]; then
     run_step "clang-tidy" check_with_clang_tidy
     run_step "Fuzz, a minute a target" "$root/tools/fuzz.sh"
+    run_step "The pages' commands in an empty folder" "$root/tools/newcomer.sh"
   fi
   join_trees
   run_tests

@@ -6,6 +6,8 @@ Unpacks core's archives into empty folders and compiles them as each ecosystem w
 flags. The ecosystems' own tools (arduino-cli, idf.py, west, pio, the Pico SDK, packchk) are not used: their part is
 played by the functions that they call and by their flags. Without --all sources are checked, but no code is made.
 """
+import hashlib
+import json
 import pathlib
 import re
 import shutil
@@ -18,6 +20,7 @@ import zipfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CROSS = "arm-none-eabi-"
 M0 = ["-mcpu=cortex-m0plus", "-mthumb"]
+ESP32_C3 = ["-march=rv32imc", "-mabi=ilp32", "-ffreestanding"]  # by Debian's compiler, which has no C library
 COMMON = ["-ffunction-sections", "-fdata-sections", "-fno-exceptions", "-fno-rtti"]
 # What stands for the functions of an SDK, as a project that includes core's files and builds what they ask for.
 ESP_IDF = """
@@ -129,13 +132,47 @@ def listed(build, name, core, stub):
     return [pathlib.Path(s) for s in found["source"]], flags
 
 
+def check_version(name, version):
+    if version != (ROOT / "core/VERSION").read_text().strip():
+        sys.exit(f"error: {name}: its version is {version}, not that of core/VERSION")
+
+
+def manifests(core):
+    """What idf.py and west read before CMake."""
+    component = dict(re.findall(r"^(\w+): *(.*)$", (core / "idf_component.yml").read_text(), re.MULTILINE))
+    check_version("esp-idf", component["version"].strip('"'))
+    module = dict(re.findall(r"^ +(cmake|kconfig): *(.*)$", (core / "zephyr/module.yml").read_text(), re.MULTILINE))
+    if not (core / module["cmake"] / "CMakeLists.txt").is_file() or not (core / module["kconfig"]).is_file():
+        sys.exit("error: zephyr: module.yml names files that are not there")
+    options = set(re.findall(r"^config (\w+)$", (core / module["kconfig"]).read_text(), re.MULTILINE))
+    used = set(re.findall(r"CONFIG_(\w+)", (core / module["cmake"] / "CMakeLists.txt").read_text()))
+    if used != options:
+        sys.exit(f"error: zephyr: CMakeLists.txt uses {used}, Kconfig has {options}")
+
+
+def bills(archives):
+    """The bills of materials: every file of core's archive with its checksum, every relation between known elements."""
+    with tarfile.open(next(archives.glob("lumi-core-*.tar.xz"))) as archive:
+        held = {"./" + m.name.split("/", 1)[1]: hashlib.sha256(archive.extractfile(m).read()).hexdigest()
+                for m in archive.getmembers()}
+    for path in sorted(archives.glob("*.spdx.json")):
+        bill = json.loads(path.read_text())
+        listed = {f["fileName"]: f["checksums"][1]["checksumValue"] for f in bill["files"]}
+        elements = [e["SPDXID"] for e in [bill, *bill["packages"], *bill["files"]]]
+        ends = {r[k] for r in bill["relationships"] for k in ("spdxElementId", "relatedSpdxElement")}
+        if bill["spdxVersion"] != "SPDX-2.3" or len(set(elements)) != len(elements) or ends != set(elements):
+            sys.exit(f"error: {path.name}: identifiers do not fit")
+        if not all(p["versionInfo"] for p in bill["packages"]) or (listed and listed != held):
+            sys.exit(f"error: {path.name}: a version is missing, or files are not those of the archive")
+        print(f"{path.name}: {len(bill['packages'])} packages, {len(listed)} files")
+
+
 def arduino(build, archives):
     folder = build.fresh("arduino")
     zipfile.ZipFile(next(archives.glob("lumi-arduino-*.zip"))).extractall(folder)
     library = folder / "Lumi"
     properties = dict(line.split("=", 1) for line in (library / "library.properties").read_text().splitlines())
-    if properties["version"] != (ROOT / "core/VERSION").read_text().strip():
-        sys.exit("error: arduino: library.properties has another version")
+    check_version("arduino", properties["version"])
     sources = [p for p in sorted((library / "src").rglob("*")) if p.suffix in (".c", ".cpp", ".S")]
     flags = [*M0, "-Os", "-w", "-ffunction-sections", "-fdata-sections", "-DARDUINO=10819", f"-I{library / 'src'}"]
     build.compile("arduino", sources, flags, ["-std=gnu++17", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics"])
@@ -152,16 +189,26 @@ def arduino(build, archives):
 
 
 def platformio(build, core):
+    """library.json has no srcFilter and no includeDir: all of src, with include and src as include paths."""
+    manifest = json.loads((core / "library.json").read_text())
+    check_version("platformio", manifest["version"])
+    for header in manifest["headers"]:
+        if not (core / "include" / header).is_file():
+            sys.exit(f"error: platformio: library.json names {header}, which is not there")
     sources = [p for p in sorted((core / "src").rglob("*")) if p.suffix in (".c", ".cpp", ".S")]
     build.compile("platformio", sources, [*M0, "-Os", f"-I{core / 'include'}", f"-I{core / 'src'}", "-ffunction-sections"],
-                  ["-std=gnu++17", "-fno-exceptions"])
+                  [*manifest["build"]["flags"], "-fno-exceptions"])
 
 
 def cmsis_pack(build, archives):
     folder = build.fresh("cmsis")
     zipfile.ZipFile(next(archives.glob("*.pack"))).extractall(folder)
-    files = xml.etree.ElementTree.parse(next(folder.glob("*.pdsc"))).iter("file")
-    named = [(f.get("category"), f.get("name")) for f in files]
+    description = xml.etree.ElementTree.parse(next(folder.glob("*.pdsc"))).getroot()
+    check_version("cmsis-pack", description.find("releases/release").get("version"))
+    named = [(f.get("category"), f.get("name")) for f in description.iter("file")]
+    for name in [description.find("license").text, *(n for _, n in named)]:
+        if not (folder / name).exists():
+            sys.exit(f"error: cmsis-pack: the description names {name}, which is not in the pack")
     sources = [folder / n for c, n in named if c == "source"]
     includes = [f"-I{folder / n}" for c, n in named if c == "include"]
     build.compile("cmsis-pack", sources, [*M0, "-O2", *includes, "-ffunction-sections"],
@@ -177,14 +224,18 @@ def main(arguments):
     unpacked = build.fresh("core")
     tarfile.open(next(archives.glob("lumi-core-*.tar.xz"))).extractall(unpacked)
     core = next(unpacked.iterdir())
+    manifests(core)
+    bills(archives)
     arduino(build, archives)
     platformio(build, core)
     cmsis_pack(build, archives)
     cxx = ["-std=gnu++2b", "-fno-exceptions", "-fno-rtti", "-Wall", "-Werror=all", "-Wno-error=unused-function"]
-    for name, stub, std in (("esp-idf", ESP_IDF, cxx), ("zephyr", ZEPHYR, ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"]),
-                            ("pico", PICO, ["-std=gnu++17", *COMMON[2:], "-Wall"])):
+    for name, stub, prefix, cpu, std in (
+            ("esp-idf", ESP_IDF, "riscv64-unknown-elf-", ESP32_C3, cxx),
+            ("zephyr", ZEPHYR, CROSS, M0, ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"]),
+            ("pico", PICO, CROSS, M0, ["-std=gnu++17", *COMMON[2:], "-Wall"])):
         sources, flags = listed(build, name, core, stub)
-        build.compile(name, sources, [*M0, "-Os", *COMMON[:2], *flags], std)
+        build.compile(name, sources, [*cpu, "-Os", *COMMON[:2], *flags], std, prefix)
     print("not installed, so not run: arduino-cli, idf.py, west, pio, the Pico SDK, packchk")
 
 

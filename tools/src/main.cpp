@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "commands/help_formatter.h"
+#include "commands/pages.h"
 #include "commands/parse_problem.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
@@ -76,6 +77,7 @@ int run(int argc, char** argv)
     for (const auto add :
          {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed, add_bench})
         add(lumi);
+    add_pages(lumi);
     const lumi::baker::FileGuard guard;
     try {
         lumi.parse(argc, argv);
