@@ -81,6 +81,7 @@ tools/src/metrics
 tools/src/draw
 tools/src/bench
 tools/src/quality
+tools/src/filter
 tools/src/planner
 tools/src/commands
 tools/src

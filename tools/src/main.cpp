@@ -75,7 +75,7 @@ int run(int argc, char** argv)
     CLI::App lumi("Bakes path-traced scenes into fields for microcontrollers, and draws, measures and embeds them.");
     describe_program(lumi);
     for (const auto add :
-         {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed, add_bench})
+         {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed, add_filter, add_bench})
         add(lumi);
     add_pages(lumi);
     const lumi::baker::FileGuard guard;

@@ -24,14 +24,6 @@ struct ReferenceOptions {
     std::string output;
 };
 
-// c + (255 - a)·b/255, rounded: the blend of docs/architecture.md, in encoded values.
-uint8_t over(uint8_t premultiplied, uint8_t coverage, uint8_t background)
-{
-    constexpr int kOpaque = 255;
-    const int value = premultiplied + ((kOpaque - coverage) * background + kOpaque / 2) / kOpaque;
-    return static_cast<uint8_t>(value > kOpaque ? kOpaque : value);
-}
-
 Picture over_background(const baker::RgbaImage& image, const Rgb8& background)
 {
     Picture picture(image.width, image.height);

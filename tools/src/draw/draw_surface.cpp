@@ -78,4 +78,16 @@ Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDra
     return with_pixel(settings.display, [&](auto pixel) { return draw_as<decltype(pixel)>(field, eye, settings); });
 }
 
+Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye)
+{
+    const int32_t width = eye.image.width_px, height = eye.image.height_px;
+    FrameMemory memory(field, height);
+    SurfaceFrame frame;
+    prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, memory.borrowed(), frame);
+    Plane<uint16_t> depths(width, height);
+    std::vector<PackedColour> colours(depths.values.size());
+    surfaces::rasterize(frame, {0, 0, width, height}, depths.values.data(), colours.data());
+    return depths;
+}
+
 }  // namespace lumi::tools

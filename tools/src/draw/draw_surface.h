@@ -4,6 +4,7 @@
 
 #include "draw/draw.h"
 #include "draw/views.h"
+#include "image/plane.h"
 #include "lumi/surface_frame.h"
 
 namespace lumi::tools
@@ -21,5 +22,8 @@ const char* name_of(SurfaceMode mode);
 // The whole image, as a display of that format would show it. Leaves by Interrupted between stripes. Throws UsageError
 // for an eye that core refuses.
 Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings = {});
+
+// The depths of the pixels' centres, as the renderer has them (surface_frame.h). Throws UsageError likewise.
+Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye);
 
 }  // namespace lumi::tools

@@ -33,6 +33,14 @@ inline bool same_size(const Picture& a, const Picture& b)
     return a.width_px == b.width_px && a.height_px == b.height_px;
 }
 
+// c + (255 - a)·b/255, rounded, of one channel: the blend of docs/architecture.md, in encoded values.
+constexpr uint8_t over(uint8_t premultiplied, uint8_t coverage, uint8_t background)
+{
+    constexpr int kOpaque = 255;
+    const int value = premultiplied + ((kOpaque - coverage) * background + kOpaque / 2) / kOpaque;
+    return static_cast<uint8_t>(value > kOpaque ? kOpaque : value);
+}
+
 // Copies `source` into `target` with its top left corner at (x, y). Precondition: it fits.
 void paste(const Picture& source, int x, int y, Picture& target);
 

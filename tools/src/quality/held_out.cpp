@@ -34,18 +34,6 @@ double elevation_deg(ViewSet set, int k, int count, double cap)
     return degrees(std::asin(set == ViewSet::upper ? 1 - share : 1 - 2 * cap * share));
 }
 
-HeldOutView view_at(double azimuth, double elevation, double distance, int side_px)
-{
-    HeldOutView v = {azimuth, elevation, distance, {}, {}};
-    v.eye.pose = host::make_pose({azimuth, elevation, distance});
-    v.eye.image = host::make_image(side_px, side_px, host::framing_fov_deg(side_px, side_px, distance));
-    v.view = {"held-out", host::turns32_from_degrees(azimuth), host::signed_turns32_from_degrees(elevation),
-              host::q20_from_radii(distance), v.eye.image.fov_turns32};
-    if (const CameraError error = make_camera(v.eye.pose, v.eye.image, v.eye.camera); error != CameraError::none)
-        throw tools::UsageError(std::string("a view cannot be drawn: ") + describe(error) + "; change --size");
-    return v;
-}
-
 }  // namespace
 
 const char* name_of(ViewSet set)
@@ -59,6 +47,18 @@ const char* name_of(ViewSet set)
             return "ring";
     }
     return "unknown";
+}
+
+HeldOutView view_at(double azimuth_deg, double elevation_deg, double distance, int side_px)
+{
+    HeldOutView v = {azimuth_deg, elevation_deg, distance, {}, {}};
+    v.eye.pose = host::make_pose({azimuth_deg, elevation_deg, distance});
+    v.eye.image = host::make_image(side_px, side_px, host::framing_fov_deg(side_px, side_px, distance));
+    v.view = {"held-out", host::turns32_from_degrees(azimuth_deg), host::signed_turns32_from_degrees(elevation_deg),
+              host::q20_from_radii(distance), v.eye.image.fov_turns32};
+    if (const CameraError error = make_camera(v.eye.pose, v.eye.image, v.eye.camera); error != CameraError::none)
+        throw tools::UsageError(std::string("a view cannot be drawn: ") + describe(error) + "; change --size");
+    return v;
 }
 
 std::vector<HeldOutView> held_out_views(ViewSet set, int count, int side_px, double cap)

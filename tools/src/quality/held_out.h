@@ -29,6 +29,9 @@ struct HeldOutView {
 std::vector<HeldOutView> held_out_views(ViewSet set, int count = kHeldOutViews, int side_px = bench::kSidePx,
                                         double cap = 1);
 
+// The view of one orbit, the sphere filling the frame. Throws UsageError where it cannot be drawn.
+HeldOutView view_at(double azimuth_deg, double elevation_deg, double distance, int side_px);
+
 // "azimuth 123, elevation -45, distance 3.1".
 std::string text_of(const HeldOutView& view);
 

@@ -17,7 +17,7 @@ constexpr double kSecondsBetweenLines = 1;
 
 std::string progress_json(const baker::Progress& progress)
 {
-    constexpr const char* kStages[] = {"light", "mesh", "solving"};
+    constexpr const char* kStages[] = {"light", "mesh", "solving", "training"};
     nlohmann::json line = {{"state", "baking"},
                            {"stage", kStages[static_cast<size_t>(progress.stage)]},
                            {"rays_done", progress.rays_done},

@@ -28,7 +28,7 @@ double share_done(const baker::Progress& progress)
 
 std::string progress_text(const baker::Progress& progress)
 {
-    constexpr const char* kStages[] = {"", "mesh ", "solving "};
+    constexpr const char* kStages[] = {"", "mesh ", "solving ", "training "};
     std::string text = kStages[static_cast<size_t>(progress.stage)];
     text += std::to_string(static_cast<int>(std::floor(100 * share_done(progress)))) + " %";
     if (progress.rays_per_second > 0) text += "  " + count_text(progress.rays_per_second) + " rays/s";

@@ -10,11 +10,12 @@
 namespace lumi::baker
 {
 
-// What a bake does at the moment.
+// What a long computation does at the moment.
 enum class Stage : uint8_t {
     light,    // rays are traced
     mesh,     // of a surface field; rays stand for work that takes as long
     solving,  // the same
+    training  // of a filter; rays stand for views seen
 };
 
 struct Progress {

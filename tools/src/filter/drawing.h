@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What a filter is given of a view, and what becomes of what it returns.
+#pragma once
+
+#include "draw/views.h"
+#include "files/field_file.h"
+#include "filter/network.h"
+#include "quality/figures.h"
+
+namespace lumi::filter
+{
+
+// kPicturePlanes or kSurfacePlanes, as the field's kind has.
+uint32_t input_planes(const tools::FieldFile& field);
+
+// The view as the best mode draws it, over nothing, and of a surface field what else its renderer knows. Cost: two
+// drawings of the picture, and of a surface field two cheap ones more. Leaves by Interrupted between stripes.
+Planes drawn_planes(const tools::FieldFile& field, const tools::Eye& eye);
+
+// The same of a path-traced truth over black.
+Planes truth_planes(const quality::Truth& truth);
+
+// The first kPicturePlanes over a background, black unless told otherwise.
+tools::Picture over(const Planes& planes, const Rgb8& background = {0, 0, 0});
+
+}  // namespace lumi::filter

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "filter/lessons.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "lumi/reference/geometry.h"
+
+namespace lumi::filter
+{
+
+namespace
+{
+
+using quality::HeldOutView;
+using quality::Truth;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kPaperTraining = 2220, kPaperValidation = 204, kPaperTest = 195;
+constexpr int kPaperAll = kPaperTraining + kPaperValidation + kPaperTest;
+
+int share_of(int views, int part)
+{
+    return std::max(1, (views * part + kPaperAll / 2) / kPaperAll);
+}
+
+// [0, 1), the same on every machine.
+double uniform(std::mt19937_64& random)
+{
+    return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+void deal_out(std::vector<HeldOutView>& views, std::mt19937_64& random)
+{
+    for (size_t i = views.size(); i > 1; --i) std::swap(views[i - 1], views[random() % i]);
+}
+
+// The rays of one view after the other as those of one job.
+class Course
+{
+public:
+    Course(uint64_t rays, const baker::ProgressCallback& report) : rays_(rays), report_(report) {}
+
+    baker::ProgressCallback part()
+    {
+        return [this](const baker::Progress& view) { return tell(view.rays_done); };
+    }
+    void end_part(uint64_t rays) { before_ += rays; }
+
+private:
+    bool tell(uint64_t rays_done)
+    {
+        baker::Progress all;
+        all.rays_done = before_ + rays_done;
+        all.rays_total = rays_;
+        all.elapsed_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        meter_.add(all.elapsed_seconds, all.rays_done);
+        all.rays_per_second = meter_.per_second();
+        all.eta_seconds = meter_.eta_seconds(rays_);
+        return report_(all);
+    }
+
+    const uint64_t rays_;
+    const baker::ProgressCallback& report_;
+    const Clock::time_point start_ = Clock::now();
+    uint64_t before_ = 0;
+    baker::RateMeter meter_;
+};
+
+// Draws and traces, view by view.
+class Maker
+{
+public:
+    Maker(const tools::FieldFile& field, const baker::Scene& scene, const LessonSettings& settings, uint64_t rays,
+          const baker::ProgressCallback& progress)
+        : field_(field), scene_(scene), settings_(settings), course_(rays, progress)
+    {
+    }
+
+    Truth truth(const HeldOutView& view, uint32_t samples)
+    {
+        const baker::ReferenceSettings reference = {samples, settings_.seed, settings_.threads, false};
+        Truth truth = std::move(
+            quality::truths_of(scene_, {view}, reference, settings_.cache, course_.part()).front());
+        course_.end_part(truth.mask.values.size() * samples);
+        return truth;
+    }
+
+    std::vector<Pair> pairs(const std::vector<HeldOutView>& views, uint32_t samples,
+                            std::vector<Truth>* truths = nullptr)
+    {
+        std::vector<Pair> pairs;
+        for (const HeldOutView& view : views) {
+            Truth known = truth(view, samples);
+            pairs.push_back({drawn_planes(field_, view.eye), truth_planes(known)});
+            if (truths != nullptr) truths->push_back(std::move(known));
+        }
+        return pairs;
+    }
+
+private:
+    const tools::FieldFile& field_;
+    const baker::Scene& scene_;
+    const LessonSettings& settings_;
+    Course course_;
+};
+
+}  // namespace
+
+Views lesson_views(const LessonSettings& settings, double cap)
+{
+    constexpr double kNearest = 2.5, kFarthest = 4, kDegrees = 360;
+    std::mt19937_64 random(settings.seed);
+    std::vector<HeldOutView> all;
+    for (int k = 0; k < settings.views; ++k) {
+        const double z = 1 - 2 * cap * (k + 0.5) / settings.views;
+        const double elevation = std::asin(z) * kDegrees / (2 * reference::kPi);
+        const double azimuth = kDegrees * (k / reference::kGolden - std::floor(k / reference::kGolden));
+        const double distance = kNearest + (kFarthest - kNearest) * uniform(random);
+        all.push_back(quality::view_at(azimuth, elevation, distance, settings.side_px));
+    }
+    deal_out(all, random);
+    const auto validation = all.begin() + share_of(settings.views, kPaperValidation);
+    const auto test = validation + share_of(settings.views, kPaperTest);
+    return {{test, all.end()}, {all.begin(), validation}, {validation, test}};
+}
+
+double cap_of(const tools::FieldFile& field)
+{
+    if (field.is_surface()) return 1;
+    return static_cast<double>(field.field().used_origins) / field.field().origins.size();
+}
+
+Lessons lessons_of(const tools::FieldFile& field, const baker::Scene& scene, const LessonSettings& settings,
+                   const baker::ProgressCallback& progress)
+{
+    const Views views = lesson_views(settings, cap_of(field));
+    const uint32_t judging = settings.samples * kJudgesSamples;
+    const uint64_t pixels = static_cast<uint64_t>(settings.side_px) * static_cast<uint64_t>(settings.side_px);
+    const uint64_t paths =
+        views.training.size() * settings.samples + (views.validation.size() + views.test.size()) * judging;
+    Maker maker(field, scene, settings, pixels * paths, progress);
+    Lessons lessons;
+    lessons.test_views = views.test;
+    lessons.training = maker.pairs(views.training, settings.samples);
+    lessons.validation = maker.pairs(views.validation, judging);
+    lessons.test = maker.pairs(views.test, judging, &lessons.test_truths);
+    return lessons;
+}
+
+}  // namespace lumi::filter

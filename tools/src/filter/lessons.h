@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The views that a filter learns from, those that tell when to stop, and those that it is judged by.
+#pragma once
+
+#include "filter/drawing.h"
+#include "lumi/baker/scene.h"
+#include "quality/truths.h"
+
+namespace lumi::filter
+{
+
+struct LessonSettings {
+    int views = 300, side_px = 240;
+    uint32_t samples = 16;  // light paths a pixel of the truths to learn from; noise averages out in learning
+    uint64_t seed = 1;
+    unsigned threads = 0;
+    std::string cache;  // folder of truths
+};
+
+// Those that judge have so many times the light paths.
+inline constexpr uint32_t kJudgesSamples = 4;
+
+struct Views {
+    std::vector<quality::HeldOutView> training, validation, test;
+};
+
+// In the proportions of the LumiPath paper, 2220 : 204 : 195. Directions are a Spherical Fibonacci set over the
+// uppermost `cap` of the sphere, dealt out at random; distances are uniform from 2.5 to 4 radii, the sphere filling the
+// frame. Precondition: at least 3 views.
+Views lesson_views(const LessonSettings& settings, double cap);
+
+// The share of the sphere that the field shows.
+double cap_of(const tools::FieldFile& field);
+
+struct Lessons {
+    std::vector<Pair> training, validation, test;
+    std::vector<quality::HeldOutView> test_views;
+    std::vector<quality::Truth> test_truths;
+};
+
+// Traces the truths that the cache does not hold, and draws their views. Throws Cancelled; truths traced so far stay.
+Lessons lessons_of(const tools::FieldFile& field, const baker::Scene& scene, const LessonSettings& settings,
+                   const baker::ProgressCallback& progress);
+
+}  // namespace lumi::filter

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What a filter does to views that it has not learned from, in every measure.
+#pragma once
+
+#include <string>
+
+#include "filter/lessons.h"
+
+namespace lumi::filter
+{
+
+struct Verdict {
+    quality::Figures drawn, filtered;  // means over the views
+    int views = 0;
+    // Where filtering lowers a measure: PSNR, SSIM or CW-SSIM falls, or FLIP rises.
+    int worse_psnr = 0, worse_ssim = 0, worse_cw_ssim = 0, worse_flip = 0;
+    double milliseconds = 0;  // a view, the fastest; not of a view that stays as it is drawn
+};
+
+// `network`: null where pictures stay as they are drawn.
+Verdict verdict_on(Network* network, const Lessons& lessons);
+
+std::string text_of(const Verdict& verdict);
+std::string json_of(const Verdict& verdict);
+
+}  // namespace lumi::filter
