@@ -44,6 +44,8 @@ set(LUMI_PLAIN_FILES
   tools/bench/surface_reads_test.cpp
   tools/draw/draw_surface_test.cpp
   tools/quality/quality_test.cpp
+  tools/filter/lessons_test.cpp
+  tools/filter/training_test.cpp
   tools/planner/chord_plan_test.cpp
   tools/planner/speed_test.cpp
   tools/planner/surface_plan_test.cpp

@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "../filter/drawing.h"
+#include "../filter/module.h"
+#include "../filter/weights_file.h"
 #include "../quality/twin.h"
 #include "commands/camera_options.h"
 #include "commands/choice.h"
@@ -24,6 +27,8 @@ struct RenderOptions {
     std::string mode = "best";
     DrawSettings drawing;  // its mode is that of a chord field
     bool twin = false;
+    std::string filter;  // its weights
+    bool force_filter = false;
 };
 
 const Choices<Mode> kChordModes = {{"nearest", Mode::nearest},
@@ -72,11 +77,40 @@ Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
     return [&file, drawing](const Eye& eye) { return draw(file.field(), eye.camera, drawing); };
 }
 
+// A filter has learned from pictures of the best mode, as they are before a display takes them.
+void require_filterable(const RenderOptions& options, const FieldFile& file)
+{
+    constexpr int kMostSide = 2048;  // the network needs some hundred bytes a pixel
+    const std::string best = file.is_surface() ? name_of(SurfaceMode::two_by_two) : "linear";
+    if (options.mode != "best" && options.mode != best)
+        throw UsageError("--filter takes --mode best, not " + options.mode);
+    if (options.twin || options.drawing.span_px > 1 || options.drawing.display != DisplayFormat::rgb888)
+        throw UsageError("--filter goes with none of --span, --pixel and --twin");
+    if (options.views.width_px > kMostSide || options.views.height_px > kMostSide)
+        throw UsageError("--filter takes a --size of at most " + std::to_string(kMostSide) + "x" +
+                         std::to_string(kMostSide));
+}
+
+// `drawer`, or what a filter makes of its pictures.
+Drawer filtered_drawer(const RenderOptions& options, const FieldFile& file, Drawer drawer)
+{
+    require_filterable(options, file);
+    const filter::Weights weights = filter::read_weights(options.filter);
+    filter::require_fitting(weights, options.filter, file, options.force_filter);
+    if (!weights.gains) return drawer;
+    const std::shared_ptr<filter::Network> network =
+        filter::load_module().network(weights.input_planes, weights.numbers);
+    return [&file, network, background = options.views.background](const Eye& eye) {
+        return filter::over(network->filtered(filter::drawn_planes(file, eye)), background);
+    };
+}
+
 void run(const RenderOptions& options)
 {
     const FieldFile file(options.field);
     file.require_intact();
-    const Drawer drawer = file.is_surface() ? surface_drawer(options, file) : chord_drawer(options, file);
+    Drawer drawer = file.is_surface() ? surface_drawer(options, file) : chord_drawer(options, file);
+    if (!options.filter.empty()) drawer = filtered_drawer(options, file, drawer);
     for (const std::string& path : write_views(options.views, options.output, drawer))
         std::printf("%s\n", path.c_str());
 }
@@ -119,6 +153,11 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         "FORMAT", "Display to preview: rgb888, rgb565 or grey8 [rgb888]");
     command.add_flag("--twin", options.twin,
                      "Surface fields, for checking: the same picture in double precision, by other means");
+    command
+        .add_option("--filter", options.filter,
+                    "Weights that lumi filter train wrote for this field: what they make of the picture")
+        ->type_name("WEIGHTS");
+    command.add_flag("--force-filter", options.force_filter, "Use them for another field too, though they harm it");
 }
 
 }  // namespace

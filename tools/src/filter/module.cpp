@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr char kFileName[] = "lumi_filter.so";
 constexpr char kTorchMend[] =
-    "the learned filter needs libtorch: install Debian's package libtorch-dev, then configure and build lumi again";
+    "install libtorch (Debian: libtorch-dev), then configure and build lumi again";
 
 fs::path folder_of_program()
 {

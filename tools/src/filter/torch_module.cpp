@@ -130,10 +130,23 @@ void set_numbers_of(const UNet& net, const std::vector<float>& numbers)
     }
 }
 
+// libtorch's own errors as people can read them.
+template <class Work>
+auto without_backtrace(const Work& work)
+{
+    try {
+        return work();
+    } catch (const c10::Error& error) {
+        throw std::runtime_error(std::string("libtorch: ") + error.what_without_backtrace());
+    }
+}
+
 Planes filtered_by(const UNet& net, const Planes& inputs)
 {
-    const torch::NoGradGuard no_grad;
-    return planes_of(net.filtered(tensor_of(inputs)));
+    return without_backtrace([&] {
+        const torch::NoGradGuard no_grad;
+        return planes_of(net.filtered(tensor_of(inputs)));
+    });
 }
 
 class TorchNetwork : public Network
@@ -240,6 +253,12 @@ public:
 
     double step(const std::vector<Pair>& batch, Lesson lesson, double rate) override
     {
+        return without_backtrace([&] { return learned(batch, lesson, rate); });
+    }
+
+private:
+    double learned(const std::vector<Pair>& batch, Lesson lesson, double rate)
+    {
         const Examples examples = examples_of(batch);
         const Tensor picture = net_.filtered(examples.inputs);
         Tensor loss = likeness_loss(examples, picture);
@@ -248,7 +267,6 @@ public:
         return loss.item<double>();
     }
 
-private:
     static Tensor likeness_loss(const Examples& examples, const Tensor& picture)
     {
         constexpr double kErrorScale = 100, kUnlikenessScale = 0.5;  // both losses begin between 0.01 and 1

@@ -8,6 +8,7 @@
 
 #include "field/sections.h"
 #include "lumi/baker/file_guard.h"
+#include "lumi/crc32.h"
 #include "store/section_writer.h"
 #include "terminal/failure.h"
 #include "util/byte_stream.h"
@@ -92,7 +93,8 @@ private:
             !container::find_section(bytes_, kNumbersSection, found.numbers))
             fail("holds no weights of a filter");
         require(container::check_sections(bytes_, {kTypes, 2}));
-        require(verify_field(bytes_, size_));
+        for (const container::Section& section : {found.settings, found.numbers})
+            if (crc32(0, bytes_ + section.offset, section.size) != section.crc) require(FieldError::section_crc);
         return found;
     }
 
