@@ -114,6 +114,19 @@ void write_shards(Seeds seeds)
     seeds.add(bytes + std::string(head.begin(), head.end()) + std::string(sums.begin(), sums.end()));
 }
 
+// One input for each kind of network, and settings that say that there is none.
+void write_weights(Seeds seeds)
+{
+    for (const char planes : {'\4', '\x0A'}) {
+        std::string settings(64, '\0');
+        settings[0] = 1;
+        settings[4] = planes;
+        seeds.add('\1' + settings);
+        settings[8] = 1;
+        seeds.add('\1' + settings + std::string(100, '\0'));
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -127,5 +140,6 @@ int main(int argc, char** argv)
     Seeds(folder / "obj").add(std::string(kObj) + '\xFF' + kMtl);
     Seeds(folder / "scene").add(kJson);
     write_shards(Seeds(folder / "shard"));
+    write_weights(Seeds(folder / "weights"));
     return 0;
 }

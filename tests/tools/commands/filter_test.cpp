@@ -122,9 +122,9 @@ TEST_CASE("a filter takes pictures of the best mode only")
 TEST_CASE("training makes pictures of unseen views more alike, the same bytes each time; another scene is refused")
 {
     const FilterShop shop;
-    const Arguments call = {"filter",   "train", shop.field, shop.scene, "--views", "40",      "--side",
-                            "48",       "--spp", "32",       "--epochs", "30",      "--cache", shop.folder / "cache",
-                            "--gan",    "1"};
+    const Arguments call = {"filter", "train", shop.field, shop.scene, "--views", "40",      "--side",
+                            "48",     "--spp", "32",       "--epochs", "30",      "--cache", shop.folder / "cache",
+                            "--gan",  "1"};
     const auto trained = [&](const std::string& name) {
         Arguments all = call;
         all.insert(all.end(), {"-o", shop.folder / name, "--json", shop.folder / "v.json"});

@@ -124,7 +124,7 @@ TEST_CASE("truths are traced once and kept")
     CHECK(traced == 0);
     REQUIRE(first.training.size() == 2);
     CHECK((first.training[1].truth.values == again.training[1].truth.values));
-    CHECK((first.test[0].inputs.values == again.test[0].inputs.values));
+    CHECK((first.test.drawn[0].values == again.test.drawn[0].values));
 }
 
 }  // namespace lumi::filter

@@ -95,8 +95,7 @@ filter::TrainingResult trained(const FilterOptions& options, filter::Trainer& tr
 
 void print_result(const FilterOptions& options, const filter::TrainingResult& result, const filter::Verdict& verdict)
 {
-    if (!result.gains)
-        std::printf("%s keeps the drawn pictures: no epoch made them better\n", options.output.c_str());
+    if (!result.gains) std::printf("%s keeps the drawn pictures: no epoch made them better\n", options.output.c_str());
     std::printf("%d epochs; on views that it did not learn from:\n%s", result.epochs, text_of(verdict).c_str());
 }
 
@@ -118,7 +117,7 @@ void run(FilterOptions& options)
     const auto trainer = module.trainer(weights.input_planes, options.lessons.seed);
     filter::TrainingResult result = trained(options, *trainer, lessons);
     trainer->set_numbers(result.numbers);
-    const filter::Verdict verdict = filter::verdict_on(result.gains ? trainer.get() : nullptr, lessons);
+    const filter::Verdict verdict = filter::verdict_on(result.gains ? trainer.get() : nullptr, lessons.test);
     weights.gains = result.gains;
     weights.numbers = result.numbers;
     write_output(options.output, filter::encode(weights));
@@ -130,8 +129,9 @@ void add_lesson_options(CLI::App& command, FilterOptions& options)
 {
     constexpr int kLeastViews = 3, kMostViews = 10000, kLeastSide = 32, kMostSide = 1024, kMostEpochs = 10000;
     command
-        .add_option("--views", options.lessons.views,
-                    "Views: 85 % to learn from, 8 % to tell when to stop, 7 % to be judged by, as in the LumiPath paper")
+        .add_option(
+            "--views", options.lessons.views,
+            "Views: 85 % to learn from, 8 % to tell when to stop, 7 % to be judged by, as in the LumiPath paper")
         ->check(CLI::Range(kLeastViews, kMostViews))
         ->type_name("COUNT")
         ->capture_default_str();
@@ -186,6 +186,73 @@ void add_train(CLI::App& filter)
     });
 }
 
+struct JudgeOptions {
+    SceneOptions scene;
+    std::string weights, field, json, cache = "lumi-report";
+    int views = quality::kHeldOutViews;
+    uint32_t samples = 256;
+    bool force = false;
+};
+
+filter::Trial trial_of(const JudgeOptions& options, const FieldFile& field, const baker::Scene& scene)
+{
+    const auto views = quality::held_out_views(quality::ViewSet::all, options.views);
+    std::fprintf(stderr, "truths of %d views, kept in %s\n", options.views, options.cache.c_str());
+    ProgressPrinter printer(stderr, stderr_is_terminal());
+    filter::Trial trial;
+    trial.truths = quality::truths_of(scene, views, {options.samples, 1, options.scene.threads, false}, options.cache,
+                                      watch(printer));
+    for (const quality::HeldOutView& view : views) trial.drawn.push_back(filter::drawn_planes(field, view.eye));
+    return trial;
+}
+
+void judge(const JudgeOptions& options)
+{
+    announce_outputs({options.json});
+    const FieldFile field(options.field);
+    field.require_intact();
+    const filter::Weights weights = filter::read_weights(options.weights);
+    filter::require_fitting(weights, options.weights, field, options.force);
+    std::unique_ptr<filter::Network> network;
+    if (weights.gains) network = filter::load_module().network(weights.input_planes, weights.numbers);
+    size_t warnings = 0;
+    const baker::Scene scene = load_scene(options.scene, warnings);
+    require_of_scene(field, scene, options.scene.path);
+    const filter::Verdict verdict = filter::verdict_on(network.get(), trial_of(options, field, scene));
+    if (!options.json.empty()) write_output(options.json, filter::json_of(verdict));
+    std::fputs(text_of(verdict).c_str(), stdout);
+}
+
+void add_judge(CLI::App& filter)
+{
+    auto options = std::make_shared<JudgeOptions>();
+    CLI::App* command = filter.add_subcommand("judge", "Measure what a filter does to the views of lumi report");
+    command->add_option("WEIGHTS", options->weights, "Weights that lumi filter train wrote")->required();
+    command->add_option("FIELD", options->field, "The field that they are for")->required();
+    add_scene_options(*command, options->scene);
+    constexpr int kMaxViews = 100;
+    command->add_option("--count", options->views, "Number of views")
+        ->check(CLI::Range(1, kMaxViews))
+        ->type_name("COUNT")
+        ->capture_default_str();
+    command->add_option("--spp", options->samples, "Light paths per pixel of the truths")
+        ->check(CLI::Range(1u, 1u << 16))
+        ->type_name("S")
+        ->capture_default_str();
+    command->add_option("--cache", options->cache, "Folder of truths, that of lumi report")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command->add_option("--json", options->json, "Also write the figures as JSON")->type_name("FILE");
+    command->add_flag("--force-filter", options->force, "Judge the weights on another field, too");
+    command->callback([options] {
+        try {
+            judge(*options);
+        } catch (const baker::Cancelled&) {
+            throw Interrupted(kKept);
+        }
+    });
+}
+
 }  // namespace
 
 void add_filter(CLI::App& lumi)
@@ -193,6 +260,7 @@ void add_filter(CLI::App& lumi)
     CLI::App* filter = lumi.add_subcommand("filter", "Learned filters: pictures of one field, closer to the truth");
     filter->require_subcommand(1);
     add_train(*filter);
+    add_judge(*filter);
 }
 
 }  // namespace lumi::tools

@@ -83,22 +83,27 @@ public:
     Truth truth(const HeldOutView& view, uint32_t samples)
     {
         const baker::ReferenceSettings reference = {samples, settings_.seed, settings_.threads, false};
-        Truth truth = std::move(
-            quality::truths_of(scene_, {view}, reference, settings_.cache, course_.part()).front());
+        Truth truth = std::move(quality::truths_of(scene_, {view}, reference, settings_.cache, course_.part()).front());
         course_.end_part(truth.mask.values.size() * samples);
         return truth;
     }
 
-    std::vector<Pair> pairs(const std::vector<HeldOutView>& views, uint32_t samples,
-                            std::vector<Truth>* truths = nullptr)
+    std::vector<Pair> pairs(const std::vector<HeldOutView>& views, uint32_t samples)
     {
         std::vector<Pair> pairs;
-        for (const HeldOutView& view : views) {
-            Truth known = truth(view, samples);
-            pairs.push_back({drawn_planes(field_, view.eye), truth_planes(known)});
-            if (truths != nullptr) truths->push_back(std::move(known));
-        }
+        for (const HeldOutView& view : views)
+            pairs.push_back({drawn_planes(field_, view.eye), truth_planes(truth(view, samples))});
         return pairs;
+    }
+
+    Trial trial(const std::vector<HeldOutView>& views, uint32_t samples)
+    {
+        Trial trial;
+        for (const HeldOutView& view : views) {
+            trial.drawn.push_back(drawn_planes(field_, view.eye));
+            trial.truths.push_back(truth(view, samples));
+        }
+        return trial;
     }
 
 private:
@@ -144,10 +149,9 @@ Lessons lessons_of(const tools::FieldFile& field, const baker::Scene& scene, con
         views.training.size() * settings.samples + (views.validation.size() + views.test.size()) * judging;
     Maker maker(field, scene, settings, pixels * paths, progress);
     Lessons lessons;
-    lessons.test_views = views.test;
     lessons.training = maker.pairs(views.training, settings.samples);
     lessons.validation = maker.pairs(views.validation, judging);
-    lessons.test = maker.pairs(views.test, judging, &lessons.test_truths);
+    lessons.test = maker.trial(views.test, judging);
     return lessons;
 }
 

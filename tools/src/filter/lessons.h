@@ -32,10 +32,15 @@ Views lesson_views(const LessonSettings& settings, double cap);
 // The share of the sphere that the field shows.
 double cap_of(const tools::FieldFile& field);
 
+// Views to be judged by: what is drawn of each, and its truth.
+struct Trial {
+    std::vector<Planes> drawn;
+    std::vector<quality::Truth> truths;
+};
+
 struct Lessons {
-    std::vector<Pair> training, validation, test;
-    std::vector<quality::HeldOutView> test_views;
-    std::vector<quality::Truth> test_truths;
+    std::vector<Pair> training, validation;
+    Trial test;
 };
 
 // Traces the truths that the cache does not hold, and draws their views. Throws Cancelled; truths traced so far stay.

@@ -16,8 +16,7 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr char kFileName[] = "lumi_filter.so";
-constexpr char kTorchMend[] =
-    "install libtorch (Debian: libtorch-dev), then configure and build lumi again";
+constexpr char kTorchMend[] = "install libtorch (Debian: libtorch-dev), then configure and build lumi again";
 
 fs::path folder_of_program()
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The learned filter as the tools see it: planes of bytes in and out, and a list of numbers that it has learned. What
-// computes it is a module of its own, made with libtorch and loaded when it is asked for (module.h), so that nothing
-// else depends on libtorch, nor waits for it to start.
+// computes it is a module of its own (torch), made with libtorch and loaded when it is asked for (module.h), so that
+// nothing else depends on libtorch, nor waits for it to start.
 //
 // A small U-Net: three times half the size on the way down, nearest upsampling on the way up, each level added to what
 // the way down left there. Every layer is a 3×3 convolution with a bias. What comes out is added to the drawn picture,
@@ -23,7 +23,8 @@ struct Planes {
     std::vector<uint8_t> values;
 
     Planes() = default;
-    Planes(int planes, int width, int height) : count(planes), width_px(width), height_px(height), values(static_cast<size_t>(planes) * size())
+    Planes(int planes, int width, int height)
+        : count(planes), width_px(width), height_px(height), values(static_cast<size_t>(planes) * size())
     {
     }
     size_t size() const { return static_cast<size_t>(width_px) * static_cast<size_t>(height_px); }  // of a plane

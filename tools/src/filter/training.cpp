@@ -38,7 +38,7 @@ class Training
 {
 public:
     Training(Trainer& trainer, const std::vector<Pair>& training, const std::vector<Pair>& validation,
-           const TrainingSettings& settings, const TrainingWatch& watch)
+             const TrainingSettings& settings, const TrainingWatch& watch)
         : trainer_(trainer),
           training_(training),
           validation_(validation),
@@ -100,8 +100,8 @@ private:
     // Returns the validation pairs' PSNR after it.
     double epoch(Lesson lesson, double time)
     {
-        const double rate = settings_.last_rate +
-                            (settings_.first_rate - settings_.last_rate) * (1 + std::cos(kPi * time)) / 2;
+        const double rate =
+            settings_.last_rate + (settings_.first_rate - settings_.last_rate) * (1 + std::cos(kPi * time)) / 2;
         std::vector<size_t> order(training_.size());
         for (size_t i = 0; i < order.size(); ++i) order[i] = i;
         for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random_() % i]);

@@ -13,7 +13,6 @@ namespace lumi::filter
 namespace
 {
 
-
 Planes filtered(Network& network, const Planes& inputs, double& fastest_ms)
 {
     const auto begin = std::chrono::steady_clock::now();
@@ -41,24 +40,27 @@ std::string row(const char* name, const quality::Figures& f)
 
 nlohmann::ordered_json json_of(const quality::Figures& f)
 {
-    return {{"psnr_db", f.psnr_db}, {"mask_psnr_db", f.mask_psnr_db}, {"ssim", f.ssim}, {"cw_ssim", f.cw_ssim},
+    return {{"psnr_db", f.psnr_db},
+            {"mask_psnr_db", f.mask_psnr_db},
+            {"ssim", f.ssim},
+            {"cw_ssim", f.cw_ssim},
             {"flip", f.flip}};
 }
 
 }  // namespace
 
-Verdict verdict_on(Network* network, const Lessons& lessons)
+Verdict verdict_on(Network* network, const Trial& trial)
 {
     Verdict verdict;
-    verdict.views = static_cast<int>(lessons.test.size());
+    verdict.views = static_cast<int>(trial.drawn.size());
     double fastest_ms = std::numeric_limits<double>::infinity();
     std::vector<quality::Figures> drawn, after;
-    for (size_t k = 0; k < lessons.test.size(); ++k) {
-        const Planes& inputs = lessons.test[k].inputs;
-        drawn.push_back(quality::figures_of(over(inputs), lessons.test_truths[k]));
+    for (size_t k = 0; k < trial.drawn.size(); ++k) {
+        const Planes& inputs = trial.drawn[k];
+        drawn.push_back(quality::figures_of(over(inputs), trial.truths[k]));
         after.push_back(drawn.back());
         if (network != nullptr)
-            after.back() = quality::figures_of(over(filtered(*network, inputs, fastest_ms)), lessons.test_truths[k]);
+            after.back() = quality::figures_of(over(filtered(*network, inputs, fastest_ms)), trial.truths[k]);
         count_worse(drawn.back(), after.back(), verdict);
     }
     verdict.drawn = quality::mean_of(drawn);
@@ -80,16 +82,15 @@ std::string text_of(const Verdict& verdict)
 
 std::string json_of(const Verdict& verdict)
 {
-    const nlohmann::ordered_json json = {
-        {"views", verdict.views},
-        {"drawn", json_of(verdict.drawn)},
-        {"filtered", json_of(verdict.filtered)},
-        {"worse",
-         {{"psnr", verdict.worse_psnr},
-          {"ssim", verdict.worse_ssim},
-          {"cw_ssim", verdict.worse_cw_ssim},
-          {"flip", verdict.worse_flip}}},
-        {"milliseconds", verdict.milliseconds}};
+    const nlohmann::ordered_json json = {{"views", verdict.views},
+                                         {"drawn", json_of(verdict.drawn)},
+                                         {"filtered", json_of(verdict.filtered)},
+                                         {"worse",
+                                          {{"psnr", verdict.worse_psnr},
+                                           {"ssim", verdict.worse_ssim},
+                                           {"cw_ssim", verdict.worse_cw_ssim},
+                                           {"flip", verdict.worse_flip}}},
+                                         {"milliseconds", verdict.milliseconds}};
     return json.dump(2) + "\n";
 }
 

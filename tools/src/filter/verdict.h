@@ -18,7 +18,7 @@ struct Verdict {
 };
 
 // `network`: null where pictures stay as they are drawn.
-Verdict verdict_on(Network* network, const Lessons& lessons);
+Verdict verdict_on(Network* network, const Trial& trial);
 
 std::string text_of(const Verdict& verdict);
 std::string json_of(const Verdict& verdict);

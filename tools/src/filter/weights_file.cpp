@@ -142,9 +142,8 @@ Subject subject_of(const tools::FieldFile& field)
 std::string encode(const Weights& weights)
 {
     const std::vector<uint8_t> settings = settings_bytes(weights), numbers = number_bytes(weights);
-    const std::vector<uint8_t> head =
-        baker::file_head({{kSettingsSection, settings.size(), baker::crc_of(settings)},
-                          {kNumbersSection, numbers.size(), baker::crc_of(numbers)}});
+    const std::vector<uint8_t> head = baker::file_head({{kSettingsSection, settings.size(), baker::crc_of(settings)},
+                                                        {kNumbersSection, numbers.size(), baker::crc_of(numbers)}});
     std::string file(head.begin(), head.end());
     append(file, settings);
     append(file, numbers);
@@ -160,7 +159,8 @@ Weights read_weights(const std::string& path)
 {
     baker::note_input(path);
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw tools::Failure(path, std::string("cannot be read (") + std::strerror(errno) + ")", "check the path");
+    if (!file)
+        throw tools::Failure(path, std::string("cannot be read (") + std::strerror(errno) + ")", "check the path");
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     return decode(bytes, path);
 }

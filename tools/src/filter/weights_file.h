@@ -25,8 +25,8 @@ inline constexpr uint32_t kNetworkVersion = 1;
 
 // What a filter was trained for. It improves pictures of that alone.
 struct Subject {
-    std::array<uint64_t, 2> scene = {};  // its fingerprint
-    std::array<uint64_t, 2> field = {};  // a digest of the file
+    std::array<uint64_t, 2> scene = {};   // its fingerprint
+    std::array<uint64_t, 2> field = {};   // a digest of the file
     std::array<uint32_t, 4> sphere = {};  // bits of centre and radius
 
     bool operator==(const Subject& other) const;

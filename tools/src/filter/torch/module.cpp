@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The only file that sees libtorch: the networks, how they learn, and the module's entry.
+#include <stdexcept>
+#include <string>
+
+#include "filter/torch/losses.h"
+#include "filter/torch/unet.h"
+
+namespace
+{
+
+using namespace lumi::filter;
+
+// The same additions in the same order every time.
+void use_one_thread()
+{
+    at::set_num_threads(1);
+    at::globalContext().setDeterministicAlgorithms(true, true);
+}
+
+std::vector<float> numbers_of(const UNet& net)
+{
+    std::vector<float> numbers;
+    for (const Tensor& parameter : net.parameters()) {
+        const Tensor flat = parameter.detach().contiguous();
+        numbers.insert(numbers.end(), flat.data_ptr<float>(), flat.data_ptr<float>() + flat.numel());
+    }
+    return numbers;
+}
+
+void set_numbers_of(const UNet& net, const std::vector<float>& numbers)
+{
+    const torch::NoGradGuard no_grad;
+    size_t at = 0;
+    for (Tensor parameter : net.parameters()) {
+        const auto values = torch::from_blob(const_cast<float*>(numbers.data() + at), parameter.sizes());
+        parameter.copy_(values);
+        at += static_cast<size_t>(parameter.numel());
+    }
+}
+
+// libtorch's own errors as people can read them.
+template <class Work>
+auto without_backtrace(const Work& work)
+{
+    try {
+        return work();
+    } catch (const c10::Error& error) {
+        throw std::runtime_error(std::string("libtorch: ") + error.what_without_backtrace());
+    }
+}
+
+Planes filtered_by(const UNet& net, const Planes& inputs)
+{
+    return without_backtrace([&] {
+        const torch::NoGradGuard no_grad;
+        return planes_of(net.filtered(tensor_of(inputs)));
+    });
+}
+
+class TorchNetwork : public Network
+{
+public:
+    TorchNetwork(uint32_t input_planes, const std::vector<float>& numbers) : net_(input_planes, false)
+    {
+        set_numbers_of(net_, numbers);
+    }
+    Planes filtered(const Planes& inputs) override { return filtered_by(net_, inputs); }
+
+private:
+    UNet net_;
+};
+
+struct Examples {
+    Tensor inputs, truth, where;
+};
+
+Examples examples_of(const std::vector<Pair>& batch)
+{
+    std::vector<Tensor> inputs, truths;
+    for (const Pair& pair : batch) {
+        inputs.push_back(tensor_of(pair.inputs));
+        truths.push_back(tensor_of(pair.truth));
+    }
+    const auto joined = [](const std::vector<Tensor>& all) {
+        return torch::cat(all).contiguous(at::MemoryFormat::ChannelsLast);
+    };
+    Examples examples = {joined(inputs), joined(truths), {}};
+    examples.where = reach(examples.inputs);
+    return examples;
+}
+
+class TorchTrainer : public Trainer
+{
+public:
+    explicit TorchTrainer(uint32_t input_planes)
+        : net_(input_planes, true),
+          adam_(net_.parameters(), torch::optim::AdamOptions(1e-3)),
+          judge_adam_(judge_->parameters(), torch::optim::AdamOptions(1e-3).betas({0.5, 0.999}))
+    {
+    }
+
+    Planes filtered(const Planes& inputs) override { return filtered_by(net_, inputs); }
+    std::vector<float> numbers() const override { return numbers_of(net_); }
+    void set_numbers(const std::vector<float>& numbers) override { set_numbers_of(net_, numbers); }
+
+    double step(const std::vector<Pair>& batch, Lesson lesson, double rate) override
+    {
+        return without_backtrace([&] { return learned(batch, lesson, rate); });
+    }
+
+private:
+    double learned(const std::vector<Pair>& batch, Lesson lesson, double rate)
+    {
+        const Examples examples = examples_of(batch);
+        const Tensor picture = net_.filtered(examples.inputs);
+        Tensor loss = likeness_loss(examples, picture);
+        if (lesson == Lesson::adversarial) loss = loss + adversarial_loss(examples, picture, rate);
+        advance(adam_, net_.parameters(), loss, rate);
+        return loss.item<double>();
+    }
+
+    static Tensor likeness_loss(const Examples& examples, const Tensor& picture)
+    {
+        constexpr double kErrorScale = 100, kUnlikenessScale = 0.5;  // both losses begin between 0.01 and 1
+        const auto colours = [](const Tensor& t) { return t.slice(1, 0, 3); };
+        return kErrorScale * squared_error(picture, examples.truth, examples.where) +
+               kUnlikenessScale * unlikeness(colours(picture), colours(examples.truth), examples.where);
+    }
+
+    // The judge learns first; then what it says of the picture.
+    Tensor adversarial_loss(const Examples& examples, const Tensor& picture, double rate)
+    {
+        constexpr double kScale = 0.01;
+        const Tensor drawn = picture_of(examples.inputs);
+        const Tensor judged =
+            relativistic(judge_->forward(drawn, examples.truth), judge_->forward(drawn, picture.detach()));
+        advance(judge_adam_, judge_->parameters(), judged, rate);
+        return kScale * relativistic(judge_->forward(drawn, picture), judge_->forward(drawn, examples.truth).detach());
+    }
+
+    static void advance(torch::optim::Adam& adam, const std::vector<Tensor>& parameters, const Tensor& loss,
+                        double rate)
+    {
+        constexpr double kLongestGradient = 1;
+        adam.zero_grad();
+        loss.backward();
+        torch::nn::utils::clip_grad_norm_(parameters, kLongestGradient);
+        static_cast<torch::optim::AdamOptions&>(adam.param_groups().front().options()).lr(rate);
+        adam.step();
+    }
+
+    UNet net_;
+    Discriminator judge_;
+    torch::optim::Adam adam_, judge_adam_;
+};
+
+class TorchModule : public Module
+{
+public:
+    std::unique_ptr<Network> network(uint32_t input_planes, const std::vector<float>& numbers) override
+    {
+        use_one_thread();
+        return std::make_unique<TorchNetwork>(input_planes, numbers);
+    }
+    std::unique_ptr<Trainer> trainer(uint32_t input_planes, uint64_t seed) override
+    {
+        use_one_thread();
+        torch::manual_seed(seed);
+        return std::make_unique<TorchTrainer>(input_planes);
+    }
+};
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) lumi::filter::Module* lumi_filter_module();
+lumi::filter::Module* lumi_filter_module()
+{
+    static TorchModule module;
+    return &module;
+}
