@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands/pages.h"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 
@@ -31,7 +32,7 @@ std::string troff(const std::string& text)
 std::string full_name(const CLI::App& app, const char* between)
 {
     const CLI::App* const parent = app.get_parent();
-    return parent == nullptr ? app.get_name() : parent->get_name() + between + app.get_name();
+    return parent == nullptr ? app.get_name() : full_name(*parent, between) + between + app.get_name();
 }
 
 std::string item(const std::string& name, const std::string& rest, const std::string& description)
@@ -103,24 +104,46 @@ std::vector<std::string> flags_of(const CLI::Option& option)
     return flags;
 }
 
-std::string flags_of(const CLI::App& app)
+void add_flags(const CLI::App& app, std::vector<std::string>& flags)
+{
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& flag : flags_of(*option)) {
+            if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
+        }
+    }
+}
+
+std::string flags_of(const CLI::App& program)
 {
     std::vector<std::string> flags;
-    for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& flag : flags_of(*option)) flags.push_back(flag);
-    }
+    add_flags(program, flags);
     return CLI::detail::join(flags, " ");
 }
 
-// Cases of what follows an option: one of its words, nothing for a number; files where no case says otherwise.
-std::string value_cases(const CLI::App& command)
+// Of a command and of those that it has, each once.
+std::string flags_of_command(const CLI::App& command)
 {
-    std::string text;
+    std::vector<std::string> flags;
+    add_flags(command, flags);
+    for (const CLI::App* below : commands_of(command)) add_flags(*below, flags);
+    return CLI::detail::join(flags, " ");
+}
+
+// Cases of what follows an option: one of its words, nothing for a number; files where no case says otherwise. After a
+// command that has commands of its own, those.
+std::string value_cases(const CLI::App& command, const std::string& name)
+{
+    std::string text, names;
+    for (const CLI::App* below : commands_of(command)) {
+        names += below->get_name() + " ";
+        text += value_cases(*below, name);
+    }
+    if (!names.empty()) text += "    " + name + "," + name + ") words=\"" + names + flags_of_command(command) + "\" ;;\n";
     for (const CLI::Option* option : command.get_options()) {
         const std::vector<std::string> words = choices_of(const_cast<CLI::Option&>(*option));
         if (words.empty() && !is_number(*option)) continue;
         std::vector<std::string> patterns;
-        for (const std::string& flag : flags_of(*option)) patterns.push_back(command.get_name() + "," + flag);
+        for (const std::string& flag : flags_of(*option)) patterns.push_back(name + "," + flag);
         if (patterns.empty()) continue;
         text += "    " + CLI::detail::join(patterns, "|") + ") words=\"" + CLI::detail::join(words, " ") +
                 "\" only=yes ;;\n";
@@ -153,9 +176,13 @@ void write_pages(const CLI::App& lumi, const std::filesystem::path& share)
     std::vector<std::pair<std::filesystem::path, std::string>> files = {
         {share / "bash-completion" / "completions" / "lumi", bash_completion(lumi)},
         {share / "man" / "man1" / "lumi.1", man_page(lumi)}};
-    for (const CLI::App* command : commands_of(lumi)) {
-        files.emplace_back(share / "man" / "man1" / (full_name(*command, "-") + ".1"), man_page(*command));
-    }
+    const auto add = [&](const CLI::App& app, const auto& add_below) -> void {
+        for (const CLI::App* command : commands_of(app)) {
+            files.emplace_back(share / "man" / "man1" / (full_name(*command, "-") + ".1"), man_page(*command));
+            add_below(*command, add_below);
+        }
+    };
+    add(lumi, add);
     std::vector<Output> outputs;
     for (const auto& [path, text] : files) {
         std::error_code error;
@@ -185,8 +212,8 @@ std::string bash_completion(const CLI::App& lumi)
     std::string names, cases, flags;
     for (const CLI::App* command : commands_of(lumi)) {
         names += command->get_name() + " ";
-        cases += value_cases(*command);
-        flags += "    " + command->get_name() + ") flags=\"" + flags_of(*command) + "\" ;;\n";
+        cases += value_cases(*command, command->get_name());
+        flags += "    " + command->get_name() + ") flags=\"" + flags_of_command(*command) + "\" ;;\n";
     }
     return std::string(kCompletionBegin) + "  ((COMP_CWORD > 1)) || words=\"" + names + flags_of(lumi) + "\"\n" +
            "  case ${COMP_WORDS[1]},$before in\n" + cases + "  esac\n  case ${COMP_WORDS[1]} in\n" + flags +
