@@ -65,7 +65,7 @@ write_docs() {
     !inside { print }
     $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$page" >"$devices/page"
   cp "$devices/page" "$page"
-  for example in gba lm3s_oled overlay pico_st7789; do
-    cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
+  for example in gba lm3s_oled overlay pico_st7789 lvgl; do
+    [[ ! -f $devices/$example/frame-0.png ]] || cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
   done
 }
