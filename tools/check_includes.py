@@ -95,7 +95,7 @@ ALLOWED_BACK_UP = {"core": 8}
 
 SOURCES = (".h", ".cpp", ".c", ".S", ".inc")
 # By lumi_add_field, in a build's own folder.
-WRITTEN_BY_BUILDS = ["desk_clock.h"]
+WRITTEN_BY_BUILDS = ["desk_clock.h", "rates.inc"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 

@@ -210,7 +210,7 @@ run_simulator() {
   mkdir -p "$folder/dragged"
   "$folder/build/lumi_simulator" --frames "$folder"
   for ((frame = 0; frame < frames; ++frame)); do check simulator png 240x240 "$frame"; done
-  SDL_VIDEODRIVER=dummy "$folder/build/lumi_simulator" --frames "$folder/dragged" --drag 20,-10
+  SDL_VIDEODRIVER=dummy "$folder/build/lumi_simulator" --frames "$folder/dragged" --drag 20,-10 --chip rp2040
   "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
   python3 -B "$root/tools/devices/picture.py" png 240x240 "$folder/dragged/frame-1.png" \
     --same-as "$folder/expected-dragged.png" png

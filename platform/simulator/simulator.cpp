@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS]
+// lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip NAME]
 // Runs the Pico's program on this machine. The mouse turns the object, its wheel comes nearer, Escape ends.
 //   --frames FOLDER  writes what the display shows, FOLDER/frame-0.png and on; without --drag it opens no window
 //   --drag X,Y       drags the mouse by so many pixels after the first frame, draws, and ends
-//   --rate FPS       waits as long between frames as a chip of that rate would draw; docs/boards.md has the rates
+//   --rate FPS       waits as long between frames as a chip of that rate would draw
+//   --chip NAME      the same at the rate that `lumi inspect --rates` models for the field: rp2040, rp2350, stm32f4,
+//   ...
 #include "simulator.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+#include "rates.h"
 
 int firmware_main();  // main() of platform/pico_st7789
 
@@ -31,8 +35,10 @@ bool parse(const char* name, const char* value)
         options.window = true;
         return std::sscanf(value, "%d,%d", &options.drag_x, &options.drag_y) == 2;
     }
-    options.rate = std::atof(value);
-    return std::strcmp(name, "--rate") == 0 && options.rate > 0;
+    const bool is_chip = std::strcmp(name, "--chip") == 0;
+    if (!is_chip && std::strcmp(name, "--rate") != 0) return false;
+    options.rate = is_chip ? rate_of(value) : std::atof(value);
+    return options.rate > 0;
 }
 
 }  // namespace
@@ -42,7 +48,8 @@ int main(int count, char** arguments)
 {
     for (int k = 1; k < count; k += 2) {
         if (k + 1 < count && simulator::parse(arguments[k], arguments[k + 1])) continue;
-        std::fprintf(stderr, "lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS]; not \"%s\"\n", arguments[k]);
+        std::fprintf(stderr, "lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip %s]; not \"%s %s\"\n",
+                     simulator::chip_names().c_str(), arguments[k], k + 1 < count ? arguments[k + 1] : "");
         return 2;
     }
     return firmware_main();

@@ -163,4 +163,23 @@ TEST_CASE("report measures a surface field and shows what its modes cost")
     CHECK_THAT(test::content_of(folder / "r.html"), Catch::Contains("<td>surface<") || Catch::Contains("<td>surface"));
 }
 
+TEST_CASE("inspect --rates: every named part draws finer modes slower, of both kinds of fields")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "c.lumi", test::field_bytes({}));
+    const auto rates_of = [](const std::string& path) {
+        return nlohmann::json::parse(lumi({"inspect", path, "--rates", "--json"}).out)["frames_per_second"];
+    };
+    const auto surface = rates_of(write_surface(folder)), chord = rates_of(folder / "c.lumi");
+    for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3"}) {
+        CHECK(surface["one-sample"][part] >= surface["antialiased"][part]);
+        CHECK(surface["antialiased"][part] >= surface["2x2"][part]);
+        CHECK(surface["2x2"][part] > 0.0);
+        CHECK(chord["nearest"][part] >= chord["linear"][part]);
+        CHECK(chord["linear"][part] > chord["paper"][part]);
+    }
+    const std::string text = lumi({"inspect", folder / "s.lumi", "--rates"}).out;
+    CHECK_THAT(text, Catch::Contains("one core, mean (worst) of ") && Catch::Contains("  antialiased RP2040 "));
+}
+
 }  // namespace lumi::tools

@@ -8,6 +8,7 @@
 
 #include "../planner/surface_speed.h"
 #include "../quality/quick_check.h"
+#include "commands/rates.h"
 #include "commands/surface_options.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
@@ -67,25 +68,6 @@ std::string check_line(double psnr_db)
     char text[120];
     std::snprintf(text, sizeof text, "shows about %.1f dB in %d path-traced views, 240 x 240 pixels\n", psnr_db,
                   quality::kQuickViews);
-    return text;
-}
-
-// How fast parts draw the field, one core each.
-std::string speed_lines(const FieldFile& field)
-{
-    std::string text = "frames a second of 240 x 240 pixels, modelled, one core, mean (worst) of " +
-                       std::to_string(planner::kRatedPoses) + " poses:\n";
-    for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two}) {
-        char words[80];
-        std::snprintf(words, sizeof words, "  %-12s", name_of(mode));
-        text += words;
-        for (const planner::PartRate& rate : planner::surface_rates(field.surface(), mode)) {
-            std::snprintf(words, sizeof words, "%s%s %.0f (%.0f)", text.back() == ' ' ? "" : ", ", rate.chip->title,
-                          rate.mean, rate.worst);
-            text += words;
-        }
-        text += "\n";
-    }
     return text;
 }
 
@@ -166,7 +148,7 @@ void bake_for_people(const BakeSummary& summary)
     if (const auto psnr_db = checked_db(summary)) text += check_line(*psnr_db);
     if (outcome.surface) {
         const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-        text += speed_lines(field);
+        text += rates_text(field);
     }
     if (summary.pace) text += pace_line(summary, *summary.pace);
     if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);

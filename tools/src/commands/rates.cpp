@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "commands/rates.h"
+
+#include <cstdio>
+
+#include "../planner/speed.h"
+#include "draw/draw_surface.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+std::vector<planner::PartRate> chord_rates(const planner::DrawMode& mode)
+{
+    std::vector<planner::PartRate> rates;
+    for (const bench::Chip& chip : bench::kChipList) {
+        const double rate = planner::modelled_rate(chip, mode);
+        rates.push_back({&chip, rate, rate});
+    }
+    return rates;
+}
+
+std::string part_text(const planner::PartRate& rate, bool has_worst)
+{
+    char text[80];
+    std::snprintf(text, sizeof text, has_worst ? "%s %.0f (%.0f)" : "%s %.0f", rate.chip->title, rate.mean, rate.worst);
+    return text;
+}
+
+}  // namespace
+
+std::vector<ModeRates> rates_of(const FieldFile& file)
+{
+    std::vector<ModeRates> rates;
+    if (file.is_surface()) {
+        for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two})
+            rates.push_back({name_of(mode), planner::surface_rates(file.surface(), mode)});
+    } else {
+        for (const planner::DrawMode& mode : planner::chord_modes()) rates.push_back({mode.name, chord_rates(mode)});
+    }
+    return rates;
+}
+
+std::string rates_text(const FieldFile& file)
+{
+    std::string text = "frames a second of 240 x 240 pixels, modelled, one core";
+    if (file.is_surface()) text += ", mean (worst) of " + std::to_string(planner::kRatedPoses) + " poses";
+    text += ":\n";
+    for (const ModeRates& mode : rates_of(file)) {
+        char name[80];
+        std::snprintf(name, sizeof name, "  %-12s", mode.mode);
+        text += name;
+        for (const planner::PartRate& rate : mode.parts) {
+            text += (text.back() == ' ' ? "" : ", ") + part_text(rate, file.is_surface());
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace lumi::tools
