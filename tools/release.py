@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""release.py [--check | --set-version X.Y.Z] [OUT]
+"""release.py [--check | --set-version X.Y.Z | --tag] [OUT]
 
 Writes core's archives for firmware ecosystems, bills of materials (SPDX 2.3) and SHA256SUMS into OUT (out/release): the
-same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. core/VERSION is the version; --set-version writes it wherever a tool wants to read it, --check finds where it
-differs. Archives: core for CMake, ESP-IDF, Zephyr, the Pico SDK and PlatformIO; the Arduino library; the CMSIS-Pack.
+same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. core/VERSION is
+the version; --set-version writes it wherever a tool wants to read it, --check finds where it differs. --tag also tags
+the commit vX.Y.Z, of a tree without changes, before it writes. Archives: core for CMake, ESP-IDF, Zephyr, the Pico SDK
+and PlatformIO; the Arduino library; the CMSIS-Pack.
 """
 import hashlib
 import io
@@ -184,6 +186,20 @@ def write_archives(out):
     print(sums, end="")
 
 
+def git(*arguments):
+    result = subprocess.run(["git", "-C", ROOT, *arguments], capture_output=True, text=True)
+    if result.returncode != 0:
+        sys.exit(f"error: git {' '.join(arguments)}: {result.stderr.strip()}")
+    return result.stdout
+
+
+def tag_commit():
+    changes = git("status", "--porcelain")
+    if changes:
+        sys.exit(f"error: what is released is not committed; commit or remove\n{changes.rstrip()}")
+    git("tag", "--annotate", f"v{version()}", "--message", f"LumiPath {version()}")
+
+
 def main(arguments):
     if arguments[:1] == ["--set-version"] and len(arguments) == 2:
         set_version(arguments[1])
@@ -193,6 +209,11 @@ def main(arguments):
     json.loads((CORE / "library.json").read_text())
     if wrong:
         sys.exit("\n".join(wrong))
+    if arguments[:1] == ["--tag"]:
+        tag_commit()
+        arguments = arguments[1:]
+    elif arguments and arguments[0].startswith("-") and arguments[0] != "--check":
+        sys.exit(__doc__)
     if arguments[:1] != ["--check"]:
         write_archives(pathlib.Path(arguments[0]) if arguments else ROOT / "out" / "release")
 

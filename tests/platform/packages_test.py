@@ -167,6 +167,30 @@ def bills(archives):
         print(f"{path.name}: {len(bill['packages'])} packages, {len(listed)} files")
 
 
+def tagging(build):
+    """A release tags the commit that it packs, once, and refuses a tree with changes. In a repository of its own."""
+    if shutil.which("git") is None:
+        print("git is not installed, so tags were not tried")
+        return
+    folder = build.fresh("repository")
+    for name in ["core", "tools", "LICENSE", "CITATION.cff"]:
+        (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, folder / name)
+    git = ["git", "-C", folder, "-c", "user.name=test", "-c", "user.email=test@example.invalid"]
+    for command in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "all"]):
+        build.run("release", [*git, *command])
+    release = [sys.executable, "-B", folder / "tools/release.py", "--tag", build.folder / "tagged"]
+    for name in ("user.name", "user.email"):
+        build.run("release", [*git, "config", name, "test"])
+    build.run("release", release)
+    if subprocess.run(release, capture_output=True).returncode == 0:
+        sys.exit("error: release: a version was tagged twice")
+    build.run("release", [*git, "tag", "--delete", "v" + (ROOT / "core/VERSION").read_text().strip()])
+    (folder / "core/new.cpp").write_text("int changed;\n")
+    if b"not committed" not in subprocess.run(release, capture_output=True).stderr:
+        sys.exit("error: release: what was not committed was tagged")
+    print("release: tags what is committed, once")
+
+
 def arduino(build, archives):
     folder = build.fresh("arduino")
     zipfile.ZipFile(next(archives.glob("lumi-arduino-*.zip"))).extractall(folder)
@@ -226,6 +250,7 @@ def main(arguments):
     core = next(unpacked.iterdir())
     manifests(core)
     bills(archives)
+    tagging(build)
     arduino(build, archives)
     platformio(build, core)
     cmsis_pack(build, archives)
