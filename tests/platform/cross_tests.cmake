@@ -137,7 +137,8 @@ add_test(NAME platform.add_subdirectory_firmware
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME platform.packages
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/packages_test.py $<$<BOOL:${LUMI_TEST_ALL}>:--all>
-    ${CMAKE_CURRENT_BINARY_DIR}/packages COMMAND_EXPAND_LISTS)
+    $<TARGET_FILE:lumi> ${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi ${CMAKE_CURRENT_BINARY_DIR}/packages
+    COMMAND_EXPAND_LISTS)
 
 # The proof finds what is planted for it. These need the build of one CPU.
 set(lumi_planted ${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross)

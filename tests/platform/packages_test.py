@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""packages_test.py [--all] FOLDER
+"""packages_test.py [--all] LUMI FIELD FOLDER
 
 Unpacks core's archives into empty folders and compiles them as each ecosystem would: its file globs, include paths and
 flags. The ecosystems' own tools (arduino-cli, idf.py, west, pio, the Pico SDK, packchk) are not used: their part is
-played by the functions that they call and by their flags. Without --all sources are checked, but no code is made.
+played by the functions that they call and by their flags. LUMI embeds FIELD, a surface field, into Arduino's sketch.
+Without --all sources are checked, but no code is made.
 """
 import hashlib
 import json
@@ -91,8 +92,8 @@ find()
 
 
 class Build:
-    def __init__(self, folder, makes_code):
-        self.folder, self.makes_code = folder, makes_code
+    def __init__(self, folder, makes_code, lumi, field):
+        self.folder, self.makes_code, self.lumi, self.field = folder, makes_code, lumi, field
 
     def fresh(self, name):
         path = self.folder / name
@@ -202,14 +203,16 @@ def arduino(build, archives):
     build.compile("arduino", sources, flags, ["-std=gnu++17", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics"])
     # The sketch as the IDE makes it a program, beside what `lumi embed` writes.
     sketch = library / "examples/OneFrame/OneFrame.ino"
-    stub = '#include <stdint.h>\nstruct { void begin(long); void println(const char*); } Serial;\n#line 1 "sketch"\n'
-    header = ("#include <stddef.h>\nextern \"C\" const uint8_t product[10];\nstatic inline size_t product_size() "
-              "{ return 10; }\ntemplate <class Screen = lumi::Screen<>, lumi::SurfaceMode Finest = "
-              "lumi::SurfaceMode::antialiased>\nusing product_view = lumi::View<lumi::SurfaceDrawing<20, 30, Finest>, "
-              "Screen>;\n")
-    (folder / "product.h").write_text(header)
+    stub = ("#include <stdint.h>\nstruct { void begin(long) {} void println(const char*) {} } Serial;\n"
+            "void setup();\nvoid loop();\nint main() { setup(); for (;;) loop(); }\n#line 1 \"sketch\"\n")
+    build.run("arduino sketch", [build.lumi, "embed", build.field, "-o", folder / "product.c"])
     (folder / "sketch.cpp").write_text(stub + sketch.read_text())
-    build.compile("arduino sketch", [folder / "sketch.cpp"], [*flags, f"-I{folder}"], ["-std=gnu++17"])
+    own = [folder / "sketch.cpp", folder / "product.c"]
+    build.compile("arduino sketch", own, [*flags, f"-I{folder}"], ["-std=gnu++17"])
+    if build.makes_code:
+        build.run("arduino sketch", [CROSS + "g++", *flags, f"-I{folder}", "-std=gnu++17", "-fno-exceptions", *own, *sources,
+                                     "--specs=nosys.specs", "-Wl,--gc-sections", "-o", folder / "sketch.elf"])
+        print("arduino sketch: linked")
 
 
 def platformio(build, core):
@@ -241,8 +244,8 @@ def cmsis_pack(build, archives):
 
 def main(arguments):
     makes_code = "--all" in arguments
-    folder = pathlib.Path(arguments[-1]).resolve()
-    build = Build(folder, makes_code)
+    lumi, field, folder = (pathlib.Path(a).resolve() for a in arguments[-3:])
+    build = Build(folder, makes_code, lumi, field)
     archives = build.fresh("archives")
     build.run("release", [sys.executable, "-B", ROOT / "tools/release.py", archives])
     unpacked = build.fresh("core")
