@@ -3,8 +3,8 @@
 # tools/bench_baker.sh [--smoke] [speed] [adaptive] [footprint]
 # Measures the baker and writes the tables of docs/log/baker.md, each between two marker comments; without a name, all of
 # them. speed: against Embree alone, convergence, threads and memory; times are of this machine: leave it alone for the two
-# minutes. adaptive: what adaptive sampling leaves out. footprint: what the footprint filters show. The last two are the
-# same on every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
+# minutes. adaptive: what adaptive sampling leaves out. footprint: what footprints and beams show. The last two are the same
+# on every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -17,9 +17,9 @@ thread_rows=200
 triangles=500000
 adaptive_scenes=(cornell.obj product.obj gallery.json)
 adaptive_texels=2000
-footprint_scene=$root/baker/scenes/product.obj
+footprint_scenes=(product.obj testcard.obj)
 footprint_size=724  # origins and directions
-footprints=(point origin both)
+footprints=(point origin 'origin --beam parallel' both 'both --beam parallel')
 modes=(nearest linear)
 orbit=30,20,3
 views=4
@@ -82,18 +82,21 @@ figures() {
 }
 
 print_footprint() {
-  local footprint mode
-  draw reference "$lumi" reference "$footprint_scene" --spp "$reference_spp"
-  printf '| footprint | nearest | linear |\n|---|---|---|\n'
-  for footprint in "${footprints[@]}"; do
-    "$lumi" bake "$footprint_scene" -o "$work/$footprint.lumi" --origins "$footprint_size" --directions "$footprint_size" \
-      --spp 16 --footprint "$footprint" >/dev/null
-    printf '| %s |' "\`$footprint\`"
-    for mode in "${modes[@]}"; do
-      draw "$footprint-$mode" "$lumi" render "$work/$footprint.lumi" --mode "$mode"
-      figures "$footprint-$mode"
+  local scene footprint mode words
+  printf '| scene | footprint | nearest | linear |\n|---|---|---|---|\n'
+  for scene in "${footprint_scenes[@]}"; do
+    draw reference "$lumi" reference "$root/baker/scenes/$scene" --spp "$reference_spp"
+    for footprint in "${footprints[@]}"; do
+      read -ra words <<<"$footprint"
+      "$lumi" bake "$root/baker/scenes/$scene" -o "$work/field.lumi" --origins "$footprint_size" \
+        --directions "$footprint_size" --spp 16 --footprint "${words[@]}" >/dev/null
+      printf '| %s | %s |' "\`$scene\`" "\`$footprint\`"
+      for mode in "${modes[@]}"; do
+        draw "$mode" "$lumi" render "$work/field.lumi" --mode "$mode"
+        figures "$mode"
+      done
+      printf '\n'
     done
-    printf '\n'
   done
 }
 
@@ -122,7 +125,7 @@ for word; do
     --smoke)
       smoke=true share_rows=1 convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj) matt_scenes=(cornell.obj)
       adaptive_scenes=(cornell.obj) adaptive_texels=20
-      footprint_scene=$root/baker/scenes/cornell.obj footprint_size=64 picture=32x32 views=1 reference_spp=4
+      footprint_scenes=(cornell.obj) footprint_size=64 picture=32x32 views=1 reference_spp=4
       ;;
     --help) help "$0" && exit ;;
     *) wrong_call "unknown option '$word'" ;;

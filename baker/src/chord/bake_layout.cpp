@@ -35,6 +35,7 @@ FieldLayout checked_layout(const BakeSettings& s)
             "the error at which a texel is settled must lie in 0 to 255 levels");
     require(static_cast<uint32_t>(s.texel) < format::kTexelFormats, "there is no such texel format");
     require(s.footprint <= Footprint::both, "there is no such footprint");
+    require(s.beam <= Beam::parallel, "there is no such beam");
     const FieldLayout layout = {s.origins, s.directions, s.used_origins ? s.used_origins : s.origins, s.texel, {}, 1};
     require(file_bytes(layout) <= UINT32_MAX, "the field would have " + std::to_string(file_bytes(layout)) +
                                                   " bytes, and a field file holds less than 4 GiB; choose fewer "

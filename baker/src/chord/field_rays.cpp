@@ -49,4 +49,13 @@ std::optional<Ray> FieldRays::ray(const Vec3& start, const Vec3& target)
     return Ray{start, towards / distance, distance};
 }
 
+std::optional<Ray> FieldRays::parallel_ray(const Vec3& start, const Vec3& from, const Vec3& to)
+{
+    const std::optional<Ray> axis = ray(from, to);
+    if (!axis) {
+        return std::nullopt;
+    }
+    return Ray{start, axis->direction};
+}
+
 }  // namespace lumi::baker

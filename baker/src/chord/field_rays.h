@@ -33,6 +33,9 @@ public:
     // The ray from `start` to `target`, where it ends: a start beside the sphere may see the target on the sphere's
     // near side, and what lies behind the target then belongs to another ray. Nothing if they coincide.
     static std::optional<Ray> ray(const Vec3& start, const Vec3& target);
+    // The ray from `start` in the direction from `from` to `to`, without an end: what it meets lies on its own chord.
+    // Nothing if they coincide.
+    static std::optional<Ray> parallel_ray(const Vec3& start, const Vec3& from, const Vec3& to);
 
 private:
     Lattice origins_, directions_;

@@ -11,6 +11,7 @@ TexelTracer::TexelTracer(const SceneData& scene, const BakeSettings& settings)
       // Texels that end where no path has met a faint shadow or thin smoke yet would lose it.
       max_error_levels_(scene.catcher || scene.medium ? 0 : settings.max_error_levels),
       footprint_(settings.footprint),
+      beam_(settings.beam),
       rays_(settings.origins, settings.directions),
       tracer_(scene)
 {
@@ -20,7 +21,8 @@ std::optional<Ray> TexelTracer::ray(const OriginDisc& start, const OriginDisc& t
 {
     const Vec2 u = sampler.next_2d();
     const Vec3 from = footprint_ == Footprint::point ? start.frame.normal : start.at(u);
-    return FieldRays::ray(from, footprint_ == Footprint::both ? target.at(sampler.next_2d()) : target.frame.normal);
+    const Vec3 to = footprint_ == Footprint::both ? target.at(sampler.next_2d()) : target.frame.normal;
+    return beam_ == Beam::parallel ? FieldRays::parallel_ray(from, start.frame.normal, to) : FieldRays::ray(from, to);
 }
 
 Estimate TexelTracer::estimate(const OriginDisc& disc, uint32_t i, uint32_t j) const

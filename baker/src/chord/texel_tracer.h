@@ -32,6 +32,7 @@ private:
     uint32_t samples_;
     float max_error_levels_;
     Footprint footprint_;
+    Beam beam_;
     FieldRays rays_;
     PathTracer tracer_;
 };

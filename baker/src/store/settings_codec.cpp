@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kFootprints = 3;
+constexpr uint32_t kFootprints = 3, kBeams = 2;
 
 // "0.5", not "0.500000".
 std::string number(float value)
@@ -28,6 +28,11 @@ std::string footprint_name(Footprint footprint)
     return kNames[static_cast<size_t>(footprint)];
 }
 
+std::string beam_name(Beam beam)
+{
+    return beam == Beam::converging ? "converging" : beam == Beam::parallel ? "parallel" : "unknown";
+}
+
 std::string first_of(std::initializer_list<std::string> texts)
 {
     const auto found = std::find_if(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
@@ -37,13 +42,14 @@ std::string first_of(std::initializer_list<std::string> texts)
 std::string difference(const BakeSettings& there, const BakeSettings& here)
 {
     // All members, so that a new one is not forgotten here and in put().
-    const auto& [origins, directions, used_origins, texel, samples, max_error_levels, seed, threads, footprint] = here;
+    const auto& [origins, directions, used_origins, texel, samples, max_error_levels, seed, threads, footprint, beam] =
+        here;
     static_cast<void>(threads);
     return first_of({other("origins", there.origins, origins), other("directions", there.directions, directions),
                      other("cap", there.used_origins, used_origins),
                      other("texels", texel_name(there.texel), texel_name(texel)),
                      other("footprint", footprint_name(there.footprint), footprint_name(footprint)),
-                     other("samples", there.samples, samples),
+                     other("beam", beam_name(there.beam), beam_name(beam)), other("samples", there.samples, samples),
                      other("greatest error", number(there.max_error_levels), number(max_error_levels)),
                      other("seed", there.seed, seed)});
 }
@@ -74,6 +80,7 @@ void put(ByteWriter& out, const BakeSettings& s)
     }
     out.put_float(s.max_error_levels);
     out.put64(s.seed);
+    out.put32(static_cast<uint32_t>(s.beam));  // last: zero in the padding of earlier checkpoints
 }
 
 void put(ByteWriter& out, const SurfaceSettings& s)
@@ -104,6 +111,7 @@ BakeSettings get_chord(ByteReader& in)
     s.footprint = get_enum<Footprint>(in, kFootprints);
     s.max_error_levels = in.get_float();
     s.seed = in.get64();
+    s.beam = get_enum<Beam>(in, kBeams);
     s.threads = 0;
     return s;
 }

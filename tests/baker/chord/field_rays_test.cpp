@@ -2,6 +2,9 @@
 #include "chord/field_rays.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "chord/texel_tracer.h"
 #include "support/bake_scenes.h"
@@ -107,6 +110,46 @@ TEST_CASE("field rays: origins and directions are the points of core's lattice, 
     REQUIRE(ray);
     CHECK(static_cast<double>(length(ray->origin + ray->direction * ray->end - target)) < 1e-6);
     CHECK_FALSE(FieldRays::ray(start, start));
+}
+
+TEST_CASE("field rays: a parallel beam has one direction, from point to point, and no end")
+{
+    const FieldRays rays(10, 20);
+    for (uint32_t i = 0; i < 10; ++i) {
+        const OriginDisc disc = rays.disc(i);
+        for (const Vec2& u : {Vec2{0.1f, 0.2f}, Vec2{0.9f, 0.7f}}) {
+            const Vec3 start = disc.at(u), target = rays.direction_point(3);
+            const std::optional<Ray> ray = FieldRays::parallel_ray(start, disc.frame.normal, target);
+            REQUIRE(ray);
+            CHECK(static_cast<double>(length(ray->origin - start)) == 0);
+            CHECK(static_cast<double>(length(ray->direction - normalized(target - disc.frame.normal))) < 1e-6);
+            CHECK(std::isinf(ray->end));
+        }
+    }
+    CHECK_FALSE(FieldRays::parallel_ray({1, 0, 0}, {0, 0, 1}, {0, 0, 1}));
+}
+
+TEST_CASE("field rays: both beams see the same share of the scene, in other texels")
+{
+    // Over all origins and directions either beam covers the rays through the sphere about evenly.
+    const Scene scene = testing::tiny_scene();
+    const auto texels = [&](Beam beam) {
+        BakeSettings settings;
+        settings.origins = settings.directions = 64;
+        settings.samples = 16;
+        settings.beam = beam;
+        const TexelTracer tracer(scene.data(), settings);
+        std::vector<int> alphas;
+        for (uint32_t i = 0; i < 64; ++i)
+            for (uint32_t j = 0; j < 64; ++j)
+                alphas.push_back(tracer.estimate(tracer.disc(i), i, j).covered_colour().a);
+        return alphas;
+    };
+    const std::vector<int> converging = texels(Beam::converging), parallel = texels(Beam::parallel);
+    CHECK(converging != parallel);
+    const double a = std::accumulate(converging.begin(), converging.end(), 0.0),
+                 b = std::accumulate(parallel.begin(), parallel.end(), 0.0);
+    CHECK(b == Approx(a).epsilon(0.1));
 }
 
 TEST_CASE("field rays: a footprint of a point is one ray, of the origin a disc at one end, of both a disc at each")

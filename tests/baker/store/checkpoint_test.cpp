@@ -172,6 +172,8 @@ TEST_CASE("checkpoint: that of other settings or another scene is refused by nam
     CHECK_THAT(changed(&BakeSettings::used_origins, 3u), Catch::Contains("other cap: 3 there, 9 here"));
     CHECK_THAT(changed(&BakeSettings::footprint, Footprint::both),
                Catch::Contains("other footprint: both there, origin here"));
+    CHECK_THAT(changed(&BakeSettings::beam, Beam::parallel),
+               Catch::Contains("other beam: parallel there, converging here"));
     CHECK_THAT(changed(&BakeSettings::max_error_levels, 0.5f),
                Catch::Contains("other greatest error: 0.5 there, 1 here"));
     CHECK_THAT(changed(&BakeSettings::seed, uint64_t{9}), Catch::Contains("other seed"));

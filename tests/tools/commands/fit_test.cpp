@@ -81,6 +81,18 @@ TEST_CASE("a budget that nothing fits into ends with the smallest size that work
     CHECK(std::to_string(std::filesystem::file_size(folder / "o.lumi")) == size);
 }
 
+TEST_CASE("where neither layout fits, one smallest size is named")
+{
+    const test::TemporaryFolder folder;
+    const Outcome outcome = lumi({"bake", kScene, "-o", folder / "o.lumi", "--fit", "900"});
+    CHECK(outcome.code == 1);
+    const std::string text = outcome.out + outcome.err, words = "the smallest that works takes ";
+    const size_t first = text.find(words);
+    REQUIRE(first != std::string::npos);
+    CHECK(text.find(words, first + 1) == std::string::npos);
+    CHECK(folder.entries() == 0);
+}
+
 TEST_CASE("a plan fits its budget, keeps what is set by hand, and its options bake the same file")
 {
     const test::TemporaryFolder folder;

@@ -111,4 +111,25 @@ TEST_CASE("footprint: --footprint says what a texel is the mean of")
     CHECK_THAT(outcome.err, Catch::Contains("point") && Catch::Contains("origin") && Catch::Contains("both"));
 }
 
+TEST_CASE("beam: --beam says how a texel's rays lie, and is refused where there is one ray")
+{
+    const test::TemporaryFolder folder;
+    const auto bake = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--origins", "40",
+                                         "--directions", "40", "--spp", "4"});
+        return lumi(options);
+    };
+    const auto baked = [&](const std::string& beam) {
+        REQUIRE(bake({"--beam", beam}).code == 0);
+        return test::content_of(folder / "f.lumi");
+    };
+    const std::string converging = baked("converging");
+    CHECK(baked("parallel") != converging);
+    REQUIRE(bake({}).code == 0);
+    CHECK(test::content_of(folder / "f.lumi") == converging);
+    const Outcome one_ray = bake({"--beam", "parallel", "--footprint", "point"});
+    CHECK(one_ray.code == 2);
+    CHECK_THAT(one_ray.err, Catch::Contains("--footprint point") && Catch::Contains("one ray"));
+}
+
 }  // namespace lumi::tools

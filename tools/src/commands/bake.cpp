@@ -60,6 +60,8 @@ baker::BakeSettings settings_of(const BakeOptions& options)
 {
     baker::BakeSettings settings = options.settings;
     settings.threads = options.scene.threads;
+    if (settings.footprint == baker::Footprint::point && settings.beam == baker::Beam::parallel)
+        throw UsageError("--beam parallel needs --footprint origin or both: --footprint point is one ray");
     if (options.cap.empty()) return settings;
     const auto used = parse_cap(options.cap, settings.origins);
     if (!used)
@@ -160,6 +162,8 @@ private:
         const SurfaceChoice choice = surface_choice(scene, task, json_ ? watch_interrupt() : watch(printer));
         if (!choice.plan.draft && options_.layout == Layout::surface) throw baker::BakeError(choice.against);
         const bool takes = choice.against.empty() || options_.layout == Layout::surface;
+        // Where neither layout fits, the smaller of both sizes is the one to name.
+        if (!takes && options_.fit.wanted()) require_chord_fit(options_.fit, context_);
         tell_choice(choice, takes, json_);
         if (!takes) return false;
         write_plan(options_.fit, task, choice.plan);
@@ -219,6 +223,11 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
         "point|origin|both",
         "chord: what a texel is the mean of: one ray, rays from all over the origin's cell, or also to "
         "all over the direction's [origin]");
+    add_choice<baker::Beam>(command, "--beam", settings.beam,
+                            {{"converging", baker::Beam::converging}, {"parallel", baker::Beam::parallel}},
+                            "converging|parallel",
+                            "chord: how a texel's rays lie: all meet in the direction's point, or all have the "
+                            "direction from point to point, as the LumiPath paper's [converging]");
 }
 
 }  // namespace

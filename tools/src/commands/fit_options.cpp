@@ -96,6 +96,11 @@ void write_plan(const FitOptions& options, const planner::SurfaceTask& task, con
     write_output(options.json, json.dump(2) + "\n");
 }
 
+void require_chord_fit(const FitOptions& options, const FitContext& context)
+{
+    planned(options, context);
+}
+
 baker::BakeSettings fitted_chord(const FitOptions& options, const FitContext& context)
 {
     const baker::BakeSettings plan = planned(options, context);

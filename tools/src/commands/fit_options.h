@@ -40,6 +40,9 @@ void check_fit(const FitOptions& options, const FitContext& context);
 // Writes the plan of a surface field where the options ask for it.
 void write_plan(const FitOptions& options, const planner::SurfaceTask& task, const planner::SurfacePlan& plan);
 
+// Throws Failure where no chord field fits.
+void require_chord_fit(const FitOptions& options, const FitContext& context);
+
 // Plans a chord field and tells what was found. Throws Failure where nothing fits.
 baker::BakeSettings fitted_chord(const FitOptions& options, const FitContext& context);
 

@@ -15,7 +15,8 @@ namespace
 
 const Choices<Layout> kLayouts = {{"auto", Layout::automatic}, {"surface", Layout::surface}, {"chord", Layout::chord}};
 
-constexpr std::array kChordOnly = {"--origins", "--directions", "--texel", "--footprint", "--spp", "--adaptive"};
+constexpr std::array kChordOnly = {"--origins", "--directions", "--texel",   "--footprint",
+                                   "--beam",    "--spp",        "--adaptive"};
 constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables", "--paths"};
 
 // The first of them that was given; null if none was.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Bakes a scene into a field file: L(i,j) for every used origin i and every direction j.
 //
-// Ray (i,j) starts on the tangent disc of area 4πR²/M at origin point i, at a position that every sample draws anew,
-// and aims at direction point j (Fink et al., "LumiPath", MICCAI 2019, section 2.1); other footprints can be chosen.
+// Ray (i,j) starts on the tangent disc of area 4πR²/M at origin point i, at a position that every sample draws anew
+// (Fink et al., "LumiPath", MICCAI 2019, section 2.1), and aims at direction point j; other footprints and a parallel
+// beam can be chosen.
 //
 // A bake keeps its finished rows in a checkpoint, the output's name + ".part". However it ends, the same call goes on
 // from there, and the bytes of the field are those of a bake that was never stopped.
@@ -22,8 +23,14 @@ namespace lumi::baker
 // What a texel is the mean of. Its lattice cells are taken as discs of their points' share of the sphere's area.
 enum class Footprint : uint8_t {
     point,   // the one ray from origin point to direction point: sharp and aliased
-    origin,  // rays from all over the origin's cell to the direction point: the paper's
-    both,    // rays from all over the origin's cell to all over the direction's
+    origin,  // rays from all over the origin's cell: the paper's
+    both,    // the same, and their directions spread over the direction's cell
+};
+
+// How the rays of a texel lie to each other. Without a meaning for Footprint::point, which is one ray.
+enum class Beam : uint8_t {
+    converging,  // all meet in the direction point
+    parallel,    // all have the direction from origin point to direction point: the paper's d(i,j), as we read it
 };
 
 struct BakeSettings {
@@ -38,6 +45,7 @@ struct BakeSettings {
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
     Footprint footprint = Footprint::origin;
+    Beam beam = Beam::converging;
 };
 
 // One of `count` parts that bake independently, 1 <= index <= count. Of every `count` origins in a row each shard bakes
