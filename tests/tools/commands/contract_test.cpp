@@ -39,6 +39,11 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {{"bake", kScene, "-o", baked, "--layout", "chord", "--paths", "4"}, "--paths does not go with --layout chord"},
         {{"compare", png}, "lumi compare --help"},
         {render("--frob", "1"), "--frob"},
+        {{"render", field, "-o", folder / "o.tga"}, "o.png, not \""},
+        {{"reference", kScene, "-o", folder / "o.tga"}, "o.png, not \""},
+        {{"compare", png, png, "--error-picture", folder / "o"}, "o.png, not \""},
+        {{"render", field, "-o", png, "--over", png, "--pixel", "rgb565"}, "--pixel rgb888 only"},
+        {{"render", field, "-o", png, "--pose", "p.txt", "--orbit", "1,2,3"}, "--orbit"},
         {render("--size", "240"), "WIDTHxHEIGHT"},
         {render("--size", "9000x10"), "8192"},
         {render("--orbit", "1,2"), "AZIMUTH,ELEVATION,DISTANCE"},
@@ -167,17 +172,17 @@ TEST_CASE("an output in a folder that does not exist is refused before the work 
 TEST_CASE("Ctrl-C ends a bake or a reference with 130 and leaves earlier output untouched")
 {
     const test::TemporaryFolder folder;
-    test::write_content(folder / "o", "earlier");
+    test::write_content(folder / "o.png", "earlier");
     for (const char* command : {"bake", "reference"}) {
-        const Outcome outcome = test::lumi_interrupted({command, kScene, "-o", folder / "o", "--spp", "1000000"});
+        const Outcome outcome = test::lumi_interrupted({command, kScene, "-o", folder / "o.png", "--spp", "1000000"});
         INFO(command << ": " << outcome.err);
         CHECK(outcome.code == 130);
         CHECK_THAT(outcome.err, Catch::Contains("interrupted"));
-        CHECK(test::content_of(folder / "o") == "earlier");
+        CHECK(test::content_of(folder / "o.png") == "earlier");
         const bool bakes = std::string(command) == "bake";
         CHECK_THAT(outcome.err,
-                   Catch::Contains(bakes ? "o.part keeps the finished rows" : "earlier output is untouched"));
-        std::filesystem::remove(folder / "o.part");
+                   Catch::Contains(bakes ? "o.png.part keeps the finished rows" : "earlier output is untouched"));
+        std::filesystem::remove(folder / "o.png.part");
         CHECK(folder.entries() == 1);
     }
 }

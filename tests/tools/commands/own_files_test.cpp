@@ -77,8 +77,11 @@ private:
     using Links = std::vector<std::pair<std::string, std::string>>;
     const Links kLinks = {{"link.obj", "s.obj"},      {"link.mtl", "s.mtl"},   {"link.png", "t.png"},
                           {"link.lumi", "f.lumi"},    {"link-a.png", "a.png"}, {"two.h", "two.S"},
-                          {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},     {"deep", "."}};
-    const Links kHardLinks = {{"hard.mtl", "s.mtl"}, {"hard.lumi", "f.lumi"}};
+                          {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},     {"deep", "."},
+                          {"obj.png", "s.obj"},       {"mtl.png", "s.mtl"},    {"sky.png", "sky.hdr"},
+                          {"field.png", "f.lumi"}};
+    const Links kHardLinks = {
+        {"hard.mtl", "s.mtl"}, {"hard.lumi", "f.lumi"}, {"hard-mtl.png", "s.mtl"}, {"hard-field.png", "f.lumi"}};
 };
 
 // What `lumi CALL` in a workshop does: it fails, names `file` and the mend, and leaves every file as it was.
@@ -141,7 +144,7 @@ TEST_CASE("own files: a clash ends a bake before its work begins")
     check_input_kept("bake s.obj -o t.png --fit 100kB" + endless, "t.png");
     check_input_kept("bake s.obj -o x.lumi --fit 100kB --plan s.mtl" + endless, "s.mtl");
     check_twins_refused("bake s.obj -o x.lumi --fit 100kB --plan x.lumi" + endless, "x.lumi");
-    check_input_kept("reference s.obj -o link.mtl --size 16x16" + endless, "link.mtl");
+    check_input_kept("reference s.obj -o mtl.png --size 16x16" + endless, "mtl.png");
     check_input_kept("report s.obj f.lumi -o t.png" + endless, "t.png");
 }
 
@@ -171,7 +174,7 @@ TEST_CASE("own files: merge keeps its shards")
 
 TEST_CASE("own files: render keeps its field, also from views and the sheet of a turntable")
 {
-    for (const char* name : {"f.lumi", "link.lumi", "hard.lumi"})
+    for (const char* name : {"field.png", "hard-field.png"})
         check_input_kept("render f.lumi --size 16x16 -o " + std::string(name), name);
     check_input_kept("render v-000.png --size 16x16 --turntable 2 -o v.png", "v-000.png");
     check_input_kept("render v-sheet.png --size 16x16 --turntable 2 -o v.png", "v-sheet.png");
@@ -180,9 +183,9 @@ TEST_CASE("own files: render keeps its field, also from views and the sheet of a
 
 TEST_CASE("own files: reference keeps every file of its scene, also from a turntable")
 {
-    for (const char* name : {"s.obj", "s.mtl", "t.png", "link.mtl", "hard.mtl"})
+    for (const char* name : {"obj.png", "mtl.png", "t.png", "hard-mtl.png"})
         check_input_kept("reference s.obj" + kTinyPicture + " -o " + name, name);
-    check_input_kept("reference s.json" + kTinyPicture + " -o sky.hdr", "sky.hdr");
+    check_input_kept("reference s.json" + kTinyPicture + " -o sky.png", "sky.png");
     check_input_kept("reference r-001.png" + kTinyPicture + " --turntable 2 -o r.png", "r-001.png");
     check_input_kept("reference r-sheet.png" + kTinyPicture + " --turntable 2 -o r.png", "r-sheet.png");
 }

@@ -19,7 +19,7 @@ struct CountingDrawer {
     uint8_t calls = 0;
     std::vector<Camera> cameras;
 
-    Picture operator()(const Eye& eye)
+    Picture operator()(const Eye& eye, const Rgb8&)
     {
         cameras.push_back(eye.camera);
         ++calls;

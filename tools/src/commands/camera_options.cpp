@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands/camera_options.h"
 
+#include "image/png.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -77,6 +78,27 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
         ->type_name("COUNT")
         ->check(CLI::Range(1, kMaxTurntable));
     add(command, "--background", set_background, options, "RRGGBB", "Colour where the scene does not cover [000000]");
+    command
+        .add_option("--pose", options.pose,
+                    "Where the eye is, by a text file in place of --orbit: a rigid 4x4 matrix row by row, from the "
+                    "camera's axes (it looks along -z, y up, as in OpenGL) to those of the sphere (radius 1, z up)")
+        ->type_name("POSE.txt")
+        ->excludes("--orbit")
+        ->excludes("--turntable");
+    command.add_option("--over", options.photo, "Draw over this photograph, in its size")
+        ->type_name("PHOTO.png")
+        ->excludes("--size")
+        ->excludes("--stereo")
+        ->excludes("--turntable")
+        ->excludes("--background");
+}
+
+void add_picture_output(CLI::App& command, std::string& output)
+{
+    command.add_option("-o,--output", output, "Picture to write")
+        ->type_name("OUT.png")
+        ->check(wrong_png_name)
+        ->required();
 }
 
 }  // namespace lumi::tools

@@ -9,8 +9,11 @@
 namespace lumi::tools
 {
 
-// Adds --size, --orbit, --fov, --stereo, --turntable and --background; parsed values go to `options`, which must
-// outlive the parse.
+// Adds --size, --orbit, --pose, --fov, --stereo, --turntable, --background and --over; parsed values go to `options`,
+// which must outlive the parse.
 void add_camera_options(CLI::App& command, ViewOptions& options);
+
+// Adds -o, which takes names of PNG files.
+void add_picture_output(CLI::App& command, std::string& output);
 
 }  // namespace lumi::tools

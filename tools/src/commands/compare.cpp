@@ -129,7 +129,8 @@ void add_compare(CLI::App& lumi)
     command
         ->add_option("--error-picture", options->error_picture,
                      "Also write a picture of the differences, four times as bright as they are")
-        ->type_name("OUT.png");
+        ->type_name("OUT.png")
+        ->check(wrong_png_name);
     command->add_option("--mask", options->mask, "Also compare only where this picture is not black")
         ->type_name("MASK.png");
     constexpr double kMaxPixelsPerDegree = 1000;

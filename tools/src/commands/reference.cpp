@@ -42,9 +42,12 @@ std::vector<std::string> write_references(const ReferenceOptions& options, const
     baker::ReferenceSettings settings = options.settings;
     settings.threads = options.scene.threads;
     ProgressPrinter printer(stderr, stderr_is_terminal());
-    const auto draw = [&](const Eye& eye) {
-        const baker::RgbaImage image = baker::render_reference(scene, eye.camera, settings, watch(printer));
-        return over_background(image, options.views.background);
+    baker::RgbaImage image;
+    const Eye* traced = nullptr;  // what `image` shows: over another colour it need not be traced again
+    const auto draw = [&](const Eye& eye, const Rgb8& background) {
+        if (traced != &eye) image = baker::render_reference(scene, eye.camera, settings, watch(printer));
+        traced = &eye;
+        return over_background(image, background);
     };
     try {
         return write_views(options.views, options.output, draw);
@@ -68,7 +71,7 @@ void add_reference(CLI::App& lumi)
     CLI::App* command =
         lumi.add_subcommand("reference", "Path-trace views of a scene: the truth that fields approximate");
     add_scene_options(*command, options->scene);
-    command->add_option("-o,--output", options->output, "Picture to write")->type_name("OUT.png")->required();
+    add_picture_output(*command, options->output);
     add_camera_options(*command, options->views);
     command->add_option("--spp", options->settings.samples, "Light paths per pixel")
         ->type_name("S")

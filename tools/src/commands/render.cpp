@@ -61,11 +61,13 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
     if (options.drawing.span_px > 1) refuse(options, "--span", "chord");
     const SurfaceMode mode = mode_of(options, kSurfaceModes, SurfaceMode::two_by_two, "surface");
     if (options.twin)
-        return [&file, &options, mode](const Eye& eye) {
-            return quality::draw_twin(file.bytes(), eye, mode, options.views.background);
+        return [&file, mode](const Eye& eye, const Rgb8& background) {
+            return quality::draw_twin(file.bytes(), eye, mode, background);
         };
-    const SurfaceDrawSettings settings = {mode, options.drawing.display, options.views.background};
-    return [&file, settings](const Eye& eye) { return draw_surface(file.surface(), eye, settings); };
+    const DisplayFormat display = options.drawing.display;
+    return [&file, mode, display](const Eye& eye, const Rgb8& background) {
+        return draw_surface(file.surface(), eye, {mode, display, background});
+    };
 }
 
 Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
@@ -73,8 +75,10 @@ Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
     if (options.twin) refuse(options, "--twin", "surface");
     DrawSettings drawing = options.drawing;
     drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
-    drawing.background = options.views.background;
-    return [&file, drawing](const Eye& eye) { return draw(file.field(), eye.camera, drawing); };
+    return [&file, drawing](const Eye& eye, const Rgb8& background) mutable {
+        drawing.background = background;
+        return draw(file.field(), eye.camera, drawing);
+    };
 }
 
 // A filter has learned from pictures of the best mode, as they are before a display takes them.
@@ -84,8 +88,9 @@ void require_filterable(const RenderOptions& options, const FieldFile& file)
     const std::string best = file.is_surface() ? name_of(SurfaceMode::two_by_two) : "linear";
     if (options.mode != "best" && options.mode != best)
         throw UsageError("--filter takes --mode best, not " + options.mode);
-    if (options.twin || options.drawing.span_px > 1 || options.drawing.display != DisplayFormat::rgb888)
-        throw UsageError("--filter goes with none of --span, --pixel and --twin");
+    const bool twin_or_photo = options.twin || !options.views.photo.empty();
+    if (twin_or_photo || options.drawing.span_px > 1 || options.drawing.display != DisplayFormat::rgb888)
+        throw UsageError("--filter goes with none of --span, --pixel, --over and --twin");
     if (options.views.width_px > kMostSide || options.views.height_px > kMostSide)
         throw UsageError("--filter takes a --size of at most " + std::to_string(kMostSide) + "x" +
                          std::to_string(kMostSide));
@@ -100,7 +105,7 @@ Drawer filtered_drawer(const RenderOptions& options, const FieldFile& file, Draw
     if (!weights.gains) return drawer;
     const std::shared_ptr<filter::Network> network =
         filter::load_module().network(weights.input_planes, weights.numbers);
-    return [&file, network, background = options.views.background](const Eye& eye) {
+    return [&file, network](const Eye& eye, const Rgb8& background) {
         return filter::over(network->filtered(filter::drawn_planes(file, eye)), background);
     };
 }
@@ -168,7 +173,7 @@ void add_render(CLI::App& lumi)
     CLI::App* command =
         lumi.add_subcommand("render", "Draw views of a field, pixel for pixel as a microcontroller does");
     command->add_option("FIELD", options->field, "A field file")->required();
-    command->add_option("-o,--output", options->output, "Picture to write")->type_name("OUT.png")->required();
+    add_picture_output(*command, options->output);
     add_camera_options(*command, options->views);
     add_drawing_options(*command, *options);
     command->footer("Example:\n  lumi render product.lumi -o product.png --turntable 24 --background 202428");
@@ -177,6 +182,8 @@ void add_render(CLI::App& lumi)
             throw UsageError("--neighbours belongs to --mode paper");
         if (options->mode == "dither" && options->drawing.span_px < 2)
             throw UsageError("--mode dither needs --span 2 or more: exact drawing does not dither");
+        if (command->count("--over") > 0 && options->drawing.display != DisplayFormat::rgb888)
+            throw UsageError("--over draws with --pixel rgb888 only: a photograph has more colours than the display");
         run(*options);
     });
 }

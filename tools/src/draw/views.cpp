@@ -2,9 +2,12 @@
 #include "draw/views.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
+#include "draw/over_photo.h"
+#include "draw/pose_file.h"
 #include "files/output_file.h"
 #include "image/png.h"
 #include "image/sheet.h"
@@ -41,7 +44,7 @@ Eye eye_at(const Pose& pose, const Image& image)
     Eye eye = {pose, image, {}};
     if (const CameraError error = make_camera(pose, image, eye.camera); error != CameraError::none)
         throw UsageError(std::string("the camera cannot be used: ") + describe(error) +
-                         "; change --orbit, --fov, --size or --stereo");
+                         "; change --orbit, --pose, --fov, --size or --stereo");
     return eye;
 }
 
@@ -52,13 +55,28 @@ std::vector<Eye> eyes_of(const Pose& pose, const Image& image, double eye_distan
     return {eye_at(moved_right(pose, -half_q20), image), eye_at(moved_right(pose, half_q20), image)};
 }
 
+Image image_of(const ViewOptions& options, double distance)
+{
+    const double fov_deg =
+        options.fov_deg > 0 ? options.fov_deg : host::framing_fov_deg(options.width_px, options.height_px, distance);
+    return host::make_image(options.width_px, options.height_px, fov_deg);
+}
+
+std::vector<View> posed_view(const ViewOptions& options, const std::string& output)
+{
+    const Matrix4 matrix = read_matrix(options.pose);
+    const double distance = std::hypot(matrix[3], matrix[7], matrix[11]);
+    const Pose pose = pose_of(matrix, options.pose);
+    if (!(distance > 1))
+        throw Failure(options.pose, "the eye lies in the sphere", "give its place in radii of the sphere, above 1");
+    return {{output, eyes_of(pose, image_of(options, distance), options.eye_distance)}};
+}
+
 std::vector<View> all_views(const ViewOptions& options, const std::string& output)
 {
+    if (!options.pose.empty()) return posed_view(options, output);
     if (!(options.orbit.distance > 1)) throw UsageError("--orbit: the distance must be above 1, outside the sphere");
-    const double fov_deg = options.fov_deg > 0
-                               ? options.fov_deg
-                               : host::framing_fov_deg(options.width_px, options.height_px, options.orbit.distance);
-    const Image image = host::make_image(options.width_px, options.height_px, fov_deg);
+    const Image image = image_of(options, options.orbit.distance);
     const int count = std::max(1, options.turntable);
     std::vector<View> views;
     for (int i = 0; i < count; ++i) {
@@ -77,16 +95,37 @@ std::vector<std::string> paths_of(const std::vector<View>& views, const std::str
     return paths;
 }
 
-Picture drawn(const View& view, const Drawer& draw)
+Picture drawn(const View& view, const Drawer& draw, const Rgb8& background)
 {
-    Picture first = draw(view.eyes.front());
-    return view.eyes.size() == 1 ? first : side_by_side(first, draw(view.eyes.back()));
+    Picture first = draw(view.eyes.front(), background);
+    return view.eyes.size() == 1 ? first : side_by_side(first, draw(view.eyes.back(), background));
+}
+
+Picture shown(const View& view, const Drawer& draw, const Rgb8& background, const std::optional<Picture>& photo)
+{
+    if (!photo) return drawn(view, draw, background);
+    constexpr Rgb8 kBlack = {0, 0, 0}, kWhite = {255, 255, 255};
+    return over_photo(drawn(view, draw, kBlack), drawn(view, draw, kWhite), *photo);
+}
+
+// The photograph, whose size the views take.
+std::optional<Picture> photo_of(ViewOptions& options)
+{
+    if (options.photo.empty()) return std::nullopt;
+    Picture photo = read_png(options.photo);
+    if (std::max(photo.width_px, photo.height_px) > kMaxImageSide)
+        throw Failure(options.photo, "has a side of more than " + std::to_string(kMaxImageSide) + " pixels",
+                      "make it smaller");
+    options.width_px = photo.width_px;
+    options.height_px = photo.height_px;
+    return photo;
 }
 
 }  // namespace
 
-std::vector<std::string> write_views(const ViewOptions& options, const std::string& output, const Drawer& draw)
+std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw)
 {
+    const std::optional<Picture> photo = photo_of(options);
     const std::vector<View> views = all_views(options, output);
     const std::string sheet_path = tagged(output, "sheet");
     announce_outputs(paths_of(views, options.turntable > 0 ? sheet_path : ""));
@@ -94,7 +133,7 @@ std::vector<std::string> write_views(const ViewOptions& options, const std::stri
     ContactSheet sheet(static_cast<int>(views.size()), eyes * options.width_px, options.height_px, options.background);
     std::vector<std::string> written;
     for (const View& view : views) {
-        const Picture picture = drawn(view, draw);
+        const Picture picture = shown(view, draw, options.background, photo);
         write_png(view.path, picture);
         written.push_back(view.path);
         sheet.add(picture);

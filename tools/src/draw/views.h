@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "image/picture.h"
@@ -21,6 +22,8 @@ struct ViewOptions {
     double eye_distance = 0;  // in radii; above 0 = a stereo pair, left eye left
     int turntable = 0;        // views around the vertical axis; 0 = one view
     Rgb8 background = {0, 0, 0};
+    std::string pose;   // a file with a 4×4 matrix, in place of the orbit; may be empty
+    std::string photo;  // a PNG to draw over, which decides the size; may be empty
 };
 
 // One camera: as people set it, and as core's chord renderer wants it.
@@ -30,12 +33,12 @@ struct Eye {
     Camera camera;
 };
 
-// Draws what one camera sees, width_px × height_px pixels.
-using Drawer = std::function<Picture(const Eye&)>;
+// Draws what one camera sees over that colour, width_px × height_px pixels.
+using Drawer = std::function<Picture(const Eye&, const Rgb8& background)>;
 
 // Draws and writes all views; returns the written paths in order. One view goes to `output`; a turntable OUT.png writes
 // OUT-000.png, OUT-001.png, … from orbit.azimuth_deg on, counted eastwards, then OUT-sheet.png with all of them. Throws
-// UsageError for a camera that core refuses, before anything is drawn; Failure where writing fails.
-std::vector<std::string> write_views(const ViewOptions& options, const std::string& output, const Drawer& draw);
+// UsageError for a camera that core refuses, before anything is drawn; Failure where a file cannot be read or written.
+std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw);
 
 }  // namespace lumi::tools

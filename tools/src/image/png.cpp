@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "image/png.h"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <stdexcept>
 
 #include "files/output_file.h"
@@ -32,6 +35,19 @@ void append(void* context, void* data, int size)
 }
 
 }  // namespace
+
+std::string wrong_png_name(const std::string& path)
+{
+    namespace fs = std::filesystem;
+    const fs::path name(path);
+    std::string ending = name.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::error_code ignored;
+    const fs::file_status status = fs::status(name, ignored);
+    if (ending == ".png" || fs::is_character_file(status) || fs::is_fifo(status)) return "";
+    return "pictures are PNG files; name it " + fs::path(name).replace_extension(".png").string() + ", not \"" + path +
+           "\"";
+}
 
 Picture read_png(const std::string& path)
 {

@@ -9,6 +9,9 @@
 namespace lumi::tools
 {
 
+// What is wrong with it as the name of a picture to write; nothing if it ends in ".png", or is a device or a pipe.
+std::string wrong_png_name(const std::string& path);
+
 // Reads 8 bits a channel; grey becomes RGB, 16 bits are rounded to 8, alpha is ignored. Throws Failure.
 Picture read_png(const std::string& path);
 
