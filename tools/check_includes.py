@@ -84,6 +84,7 @@ tools/src/quality
 tools/src/filter
 tools/src/planner
 tools/src/commands
+tools/bench
 tools/src
 tools/devices
 

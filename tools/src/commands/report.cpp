@@ -27,6 +27,8 @@ struct ReportOptions {
     quality::ViewSet set = quality::ViewSet::all;
     int views = quality::kHeldOutViews;
     baker::ReferenceSettings truth = {256, 1, 0, false};
+    std::vector<quality::DrawMode> modes;
+    int size_px = bench::kSidePx;
     bool baselines = true, zoom = false;
 };
 
@@ -104,14 +106,14 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     report.scene = options.scene.path;
     report.set = options.set;
     report.truth_samples = options.truth.samples;
-    report.views = quality::held_out_views(options.set, options.views);
+    report.views = quality::held_out_views(options.set, options.views, options.size_px);
     report.truths = Steps()("references", [&](const auto& progress) {
         return quality::truths_of(scene, report.views, options.truth, options.cache, progress);
     });
     for (const auto& field : fields) {
         report.fields.push_back(quality::measured_field(*field, report.views, report.truths));
         if (options.zoom && field->is_surface()) report.fields.back().flicker = quality::zoom_flicker(field->surface());
-        for (auto& variant : quality::measured_variants(*field, report.views, report.truths))
+        for (auto& variant : quality::measured_variants(*field, options.modes, report.views, report.truths))
             report.variants.push_back(std::move(variant));
     }
     if (options.baselines) measure_baselines(options, scene, report);
@@ -132,6 +134,25 @@ void run(ReportOptions& options)
     std::fputs(text_of(report).c_str(), stdout);
     if (!options.json.empty()) write_output(options.json, json_of(report));
     if (!options.output.empty()) write_output(options.output, page_of(report));
+}
+
+void add_modes(CLI::App& command, std::vector<quality::DrawMode>& modes)
+{
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--mode",
+            [&modes](const std::vector<std::string>& words) {
+                for (const std::string& word : words) {
+                    const auto mode = quality::parse_draw_mode(word);
+                    if (!mode)
+                        throw CLI::ValidationError(
+                            "--mode", std::string("takes ") + quality::kDrawModeWords + "; not \"" + word + "\"");
+                    modes.push_back(*mode);
+                }
+            },
+            std::string("Also draw chord fields by these modes: ") + quality::kDrawModeWords)
+        ->delimiter(',')
+        ->type_name("LIST");
 }
 
 }  // namespace
@@ -163,6 +184,12 @@ void add_report(CLI::App& lumi)
         ->capture_default_str();
     command->add_option("--cache", options->cache, "Folder for references and chord fields, kept for the next report")
         ->type_name("DIR")
+        ->capture_default_str();
+    add_modes(*command, options->modes);
+    constexpr int kLeastSide = 16, kMostSide = 2048;
+    command->add_option("--size", options->size_px, "Pixels of a side of the square views")
+        ->check(CLI::Range(kLeastSide, kMostSide))
+        ->type_name("PX")
         ->capture_default_str();
     command->add_flag_callback(
         "--no-baselines", [&baselines = options->baselines] { baselines = false; },

@@ -2,6 +2,7 @@
 #include "quality/measured.h"
 
 #include <algorithm>
+#include <ctime>
 
 #include "draw/draw.h"
 #include "draw/draw_surface.h"
@@ -9,6 +10,19 @@
 
 namespace lumi::quality
 {
+
+namespace
+{
+
+// Of this thread: other programs do not count.
+double processor_ms()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
+
+}  // namespace
 
 Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
                   const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
@@ -18,7 +32,9 @@ Measured measured(const std::string& name, const std::string& layout, uint64_t f
     result.layout = layout;
     result.flash_bytes = flash_bytes;
     for (size_t v = 0; v < views.size(); ++v) {
+        const double begin = processor_ms();
         result.pictures.push_back(draw(views[v]));
+        result.draw_ms += (processor_ms() - begin) / static_cast<double>(views.size());
         result.figures.push_back(figures_of(result.pictures.back(), truths[v]));
         result.worst.push_back(tools::worst_block(result.pictures.back(), truths[v].picture));
     }
@@ -60,11 +76,29 @@ Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutV
     return result;
 }
 
-std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                                        const std::vector<Truth>& truths)
+namespace
 {
+
+std::vector<Measured> measured_modes(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
+                                     const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+{
+    std::vector<Measured> all;
+    for (const DrawMode& mode : modes) {
+        const auto draw = [&](const HeldOutView& view) {
+            return tools::draw(file.field(), view.eye.camera, mode.settings);
+        };
+        all.push_back(measured(file.path(), mode.name, file.size(), draw, views, truths));
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
+                                        const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+{
+    if (!file.is_surface()) return measured_modes(file, modes, views, truths);
     std::vector<Measured> variants;
-    if (!file.is_surface()) return variants;
     for (const auto& [mode, name] :
          {std::pair(SurfaceMode::antialiased, "antialiased"), {SurfaceMode::one_sample, "one sample"}}) {
         const auto draw = [&, mode = mode](const HeldOutView& view) {

@@ -8,6 +8,7 @@
 
 #include "files/field_file.h"
 #include "metrics/worst_block.h"
+#include "quality/draw_modes.h"
 #include "quality/figures.h"
 #include "quality/flicker.h"
 #include "quality/truths.h"
@@ -27,6 +28,7 @@ struct Measured {
     uint32_t triangles = 0;           // of a surface field
     std::vector<Flicker> flicker;     // likewise, where it was asked for
     std::vector<tools::Block> worst;  // block of each view
+    double draw_ms = 0;               // processor time of one view on this machine, the mean
 };
 
 // The view of least PSNR, and the one that holds the worst block. Precondition: at least one view.
@@ -46,8 +48,8 @@ const char* layout_of(const tools::FieldFile& file);
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
                         const std::vector<Truth>& truths);
 
-// The cheaper modes of a surface field; nothing of a chord field.
-std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                                        const std::vector<Truth>& truths);
+// The cheaper modes of a surface field; a chord field by the modes that are given.
+std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
+                                        const std::vector<HeldOutView>& views, const std::vector<Truth>& truths);
 
 }  // namespace lumi::quality

@@ -29,8 +29,9 @@ std::string zoom_text(const Measured& m)
 {
     if (m.flicker.empty()) return "";
     char words[120];
-    std::snprintf(words, sizeof words, ": flicker of a zoom from %.2f to %.0f radii, levels of 255 (times 2x2's):",
-                  kZoomNearest, kZoomFarthest);
+    std::snprintf(words, sizeof words,
+                  ": flicker of a zoom from %.2f to %.0f radii, levels of 255 (times 2x2's):", kZoomNearest,
+                  kZoomFarthest);
     std::string text = m.name + words;
     for (const Flicker& f : m.flicker) {
         std::snprintf(words, sizeof words, " %s %.2f (%.2f)", tools::name_of(f.mode), f.rms_levels, f.ratio);
@@ -58,6 +59,7 @@ Json json_of(const Measured& m)
     Json json = {{"name", m.name}, {"layout", m.layout}, {"flash_bytes", m.flash_bytes}};
     json.update(json_of(m.mean));
     for (const tools::Section& section : m.sections) json["sections"][section.type] = section.bytes;
+    json["draw_ms"] = rounded(m.draw_ms);
     if (m.triangles != 0) json["triangles"] = m.triangles;
     for (const Flicker& f : m.flicker)
         json["zoom"][tools::name_of(f.mode)] = {{"rms_levels", rounded(f.rms_levels)}, {"ratio", rounded(f.ratio)}};
