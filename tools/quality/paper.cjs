@@ -81,22 +81,23 @@ function networkEstimate() {
 }
 
 const network = networkEstimate();
-const bakes = data.map(d => `${d.scene}: ${d.bake.spp} light path${d.bake.spp === 1 ? '' : 's'} a ray, ${d.bake.seconds} s by the clock`);
+const bakes = data.map(d => `${d.scene}: ${d.bake.spp} light path${d.bake.spp === 1 ? '' : 's'} a ray, ${d.bake.seconds} s`);
 const first = data[0];
 process.stdout.write(`# The paper's evaluation, at its size
 
-\`tools/paper.sh --docs\` measures everything anew and writes this page. What it was called with: \`--minutes ${first.bake.minutes}\`.
+\`tools/paper.sh --docs\` measures everything anew and writes this page. Called for each scene with
+\`--minutes ${first.bake.minutes}\`.
 
 **Configuration.** The paper counts 0.5 · 12288 · 23576 · 4 bytes: M = 12,288 origins, of which the upper half is kept. With
 N = 23,576 that is 552.6 MiB, with N = 24,576 exactly the 576 MiB that it states, so 23,576 is probably a slip. Baked as
 \`--origins 12288 --cap 50% --directions 24576 --texel rgb565 --beam ${first.bake.beam}\`: two bytes a texel where the paper has four.
-On a machine that others used, too: ${bakes.join('; ')}.
+By the clock, whatever else the machine did: ${bakes.join('; ')}. One path is the least, whatever the minutes.
 
 ## Likeness
 
 ${first.report.views.length} held-out views of the upper half, 240 × 240 pixels, references of ${first.report.reference_samples} light paths a pixel; 8-bit RGB. The upper
 half of the origins shows an object whole only to eyes whose rays all enter there, from the elevation acos(1/distance) up; to
-others its lower part is missing. So: the mean of the ${countWithin(first.report)} such view${countWithin(first.report) === 1 ? '' : 's'} / of all.
+others its lower part is missing. So: the mean where that holds (views: ${countWithin(first.report)}) / of all.
 
 ${table(['scene', 'drawn', 'flash', 'PSNR dB', 'SSIM', 'CW-SSIM', 'FLIP'], [
   ['the paper, its scenes, as printed', '5×5', '576 MB', '–', '0.975', '0.998', '–'],
@@ -116,7 +117,7 @@ ${table(['scene', 'drawn', `reference of ${first.report.reference_samples} paths
 
 1268 × 720 pixels an eye, the sphere filling the height, one core of this machine, no GPU. The paper: 5.2 to 9.1 frames a
 second for both eyes on a HoloLens, 33 % of the time in texture reads. Texel reads: what a frame gains if every texel is made
-of its address in place of read.
+of its address in place of read; a few per cent either way are noise.
 
 ${table(['scene', 'drawn', 'frames/s, one eye', 'frames/s, two eyes', 'texel reads'], data.flatMap(eyeRows))}
 
@@ -127,7 +128,7 @@ ${table(['drawn', 'computing, ms', 'waiting for flash, ms', 'share'], m4Rows())}
 
 ## Where ours and theirs differ
 
-- **Light paths.** The time allowed for those above. Few paths are noise, which PSNR and SSIM count and 5×5 averages.
+- **Light paths.** The time allowed for those above. Few paths a ray leave noise, which PSNR and SSIM count in full.
 - **Scenes and views.** Ours are the project's. SSIM depends on how much of a picture is background, and on its size.
 - **CW-SSIM.** 16 orientations and up to 6 levels, as many as a picture has room for; the paper has 8 levels. K and windows
   are those of Sampat et al.

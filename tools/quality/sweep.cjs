@@ -91,6 +91,16 @@ function kernelTable() {
   return table(['K', 'dB', 'SSIM', ...names.map(n => n + ', dB / SSIM'), 'ms a picture, host'], rows);
 }
 
+// What the table of K says in words.
+function kernelVerdict() {
+  const reports = filesLike(/\.kernel\.json$/).map(readJson);
+  if (!reports.length) return '';
+  const db = reports[0].variants.map((_, k) => mean(reports.map(r => r.variants[k].psnr_db)));
+  const enough = db.findIndex(v => db[db.length - 1] - v < 0.05) + 1;
+  return `"Five suffice" is the paper's claim: from K = ${enough} on nothing gains 0.05 dB; from 1 to ${enough} ` +
+    `it is ${(db[enough - 1] - db[0]).toFixed(2)} dB.`;
+}
+
 function costTable() {
   const rows = filesLike(/\.cost\.json$/).map(file => {
     const [m, n] = file.split('.')[0].split('x').map(Number), found = readJson(file);
@@ -122,11 +132,11 @@ ${tradeTable(rows)}
 
 ${kernelTable()}
 
-Weights (1 − d²/r²)² over the paper's radius, r² = 4π/n, which holds five points at most. Exact renderer, RGB888, processor time of one core.
+${kernelVerdict()} Weights (1 − d²/r²)² over the paper's radius, r² = 4π/n, which holds five points at most. Exact renderer, RGB888, processor time of one core.
 
 ## Cost over M and N
 
-Instructions a covered pixel on a Cortex-M4, generic view, palette8.
+Instructions a covered pixel on a Cortex-M4, generic view, palette8. Constant is the paper's claim.
 
 ${costTable()}
 `;
@@ -142,9 +152,8 @@ function plot(rows) {
     series(`linear ${texel}, M = N`, r => square(r) && r.texel === texel && r.mode === 'linear'));
   const shapes = [['N = 4 M', (m, n) => n === 4 * m], ['M = 4 N', (m, n) => m === 4 * n]].map(([name, is]) =>
     series(`linear palette8, ${name}`, r => r.kind === 'chord' && r.mode === 'linear' && is(...r.lattice.split('x').map(Number))));
-  const best = [];  // bytes against dB alone
-  for (const r of rows.filter(row => row.kind === 'chord'))
-    if (!best.length || r.psnr_db > best[best.length - 1].psnr_db) best.push(r);
+  const all = rows.filter(r => r.kind === 'chord');
+  const best = all.filter(r => !all.some(o => o.bytes <= r.bytes && o.psnr_db > r.psnr_db));  // whatever they cost to draw
   const front = {name: 'front of chord fields', points: best.map(r => [r.bytes / 1e3, r.psnr_db, ''])};
   const surface = ['2x2', 'antialiased', 'one sample'].map(mode =>
     series(`surface, ${mode}`, r => r.kind === 'surface' && r.mode === mode));
