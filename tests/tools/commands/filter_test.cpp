@@ -38,9 +38,9 @@ struct FilterShop {
         if (gains) w.numbers.assign(filter::number_count(w.input_planes), 0);
         test::write_content(weights, filter::encode(w));
     }
-    Outcome render(Arguments more, const std::string& output = "o.png") const
+    Outcome render(Arguments more, const std::string& output = "o.png", const std::string& size = "40x40") const
     {
-        more.insert(more.begin(), {"render", field, "-o", folder / output, "--size", "40x40"});
+        more.insert(more.begin(), {"render", field, "-o", folder / output, "--size", size});
         return lumi(more);
     }
 };
@@ -123,7 +123,7 @@ TEST_CASE("training makes pictures of unseen views more alike, the same bytes ea
 {
     const FilterShop shop;
     const Arguments call = {"filter", "train", shop.field, shop.scene, "--views", "40",      "--side",
-                            "48",     "--spp", "32",       "--epochs", "30",      "--cache", shop.folder / "cache",
+                            "48",     "--spp", "32",       "--epochs", "20",      "--cache", shop.folder / "cache",
                             "--gan",  "1"};
     const auto trained = [&](const std::string& name) {
         Arguments all = call;
@@ -149,8 +149,8 @@ TEST_CASE("a network of zeros returns what it is given, at every size")
     const FilterShop shop;
     shop.write_weights(true);
     for (const char* size : {"33x47", "8x8"}) {
-        REQUIRE(shop.render({"--size", size}).code == 0);
-        REQUIRE(shop.render({"--size", size, "--filter", shop.weights}, "f.png").code == 0);
+        REQUIRE(shop.render({}, "o.png", size).code == 0);
+        REQUIRE(shop.render({"--filter", shop.weights}, "f.png", size).code == 0);
         CHECK(read_png(shop.folder / "f.png").rgb == read_png(shop.folder / "o.png").rgb);
     }
 }

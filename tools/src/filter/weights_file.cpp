@@ -174,8 +174,8 @@ void require_fitting(const Weights& weights, const std::string& path, const tool
     if (forced || own.field == weights.subject.field) return;
     const bool same_sphere = own.sphere == weights.subject.sphere;
     throw tools::Failure(path,
-                         "was trained on another field" + std::string(same_sphere ? "" : ", of another scene,") +
-                             " than " + field.path() + ", and makes others worse",
+                         "was trained on another field than " + field.path() +
+                             (same_sphere ? "" : ", of another scene: it would make the picture worse"),
                          "train a filter for this field, or add --force-filter");
 }
 
