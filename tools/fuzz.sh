@@ -3,8 +3,8 @@
 # tools/fuzz.sh [--minutes N | --hours N] [TARGET...]
 # Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, so long a target (a minute if not said), and says
 # executions and coverage. A finding stops it; the input that shows it lies in build/fuzz/findings. What it learns stays
-# in build/fuzz/corpus, so the next run goes on from there. Needs clang. Targets: field, picture, obj, scene, shard,
-# weights; all if none is named.
+# in build/fuzz/corpus, so the next run goes on from there. Needs clang. Targets: field, picture, obj, scene, nifti,
+# shard, weights; all if none is named.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -19,12 +19,12 @@ parse_arguments() {
       --minutes) minutes=${2:?"--minutes needs a number"} && shift ;;
       --help) help "$0" && exit ;;
       --hours) minutes=$((60 * ${2:?"--hours needs a number"})) && shift ;;
-      field | picture | obj | scene | shard | weights) targets+=("$1") ;;
+      field | picture | obj | scene | nifti | shard | weights) targets+=("$1") ;;
       *) wrong_call "unknown argument '$1'" ;;
     esac
     shift
   done
-  if ((${#targets[@]} == 0)); then targets=(field picture obj scene shard weights); fi
+  if ((${#targets[@]} == 0)); then targets=(field picture obj scene nifti shard weights); fi
 }
 
 build_targets() {

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "support/bake_scenes.h"
+#include "support/nifti_bytes.h"
 #include "support/picture_bytes.h"
 #include "surface/surface_codec.h"
 
@@ -84,6 +85,24 @@ constexpr char kJson[] = R"({"objects": [{"obj": "o.obj", "scale": 2, "rotate": 
 "ground": {"radius": 3, "material": {"coat": 1}}, "exposure": 1.5, "tone": "aces",
 "sphere": {"centre": [0, 0, 0], "radius": 99}})";
 
+// Types of 1, 2, 4 and 8 bytes, integers and floats; packed by nothing, and by gzip's stored blocks.
+void write_volumes(Seeds seeds)
+{
+    for (const auto& [type, bytes] : {std::make_pair(2, 1), std::make_pair(4, 2), std::make_pair(16, 4),
+                                      std::make_pair(64, 8), std::make_pair(1280, 8)}) {
+        std::string file =
+            testing::nifti1_header({2, 3, 2}, static_cast<int16_t>(type), static_cast<int16_t>(8 * bytes));
+        testing::put(file, testing::nifti1::kSlope, 2.0f);
+        testing::put(file, type == 2 ? testing::nifti1::kQformCode : testing::nifti1::kSformCode, int16_t{1});
+        for (size_t k = 0; k < 3; ++k) testing::put(file, testing::nifti1::kSrow + 20 * k, 1.5f);
+        file.append(static_cast<size_t>(12 * bytes), 'x');
+        seeds.add(file);
+        const char length[] = {static_cast<char>(file.size()), static_cast<char>(file.size() >> 8),
+                               static_cast<char>(~file.size()), static_cast<char>(~file.size() >> 8)};
+        seeds.add(std::string("\x1F\x8B\x08\0\0\0\0\0\0\x03\x01", 11) + std::string(length, 4) + file);
+    }
+}
+
 void write_rows(Seeds& seeds, lumi::format::TexelFormat texel)
 {
     const testing::ScratchFolder folder;
@@ -139,6 +158,7 @@ int main(int argc, char** argv)
     write_pictures(Seeds(folder / "picture"));
     Seeds(folder / "obj").add(std::string(kObj) + '\xFF' + kMtl);
     Seeds(folder / "scene").add(kJson);
+    write_volumes(Seeds(folder / "nifti"));
     write_shards(Seeds(folder / "shard"));
     write_weights(Seeds(folder / "weights"));
     return 0;

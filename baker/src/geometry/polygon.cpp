@@ -102,4 +102,18 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<Vec3>& corner
     return triangles;
 }
 
+bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    constexpr double kThinnest = 1e-12;  // sine² of the angle between two edges; below binary32's grid
+    const double e[3] = {static_cast<double>(b.x) - static_cast<double>(a.x),
+                         static_cast<double>(b.y) - static_cast<double>(a.y),
+                         static_cast<double>(b.z) - static_cast<double>(a.z)};
+    const double f[3] = {static_cast<double>(c.x) - static_cast<double>(a.x),
+                         static_cast<double>(c.y) - static_cast<double>(a.y),
+                         static_cast<double>(c.z) - static_cast<double>(a.z)};
+    const double n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    const double product = (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) * (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    return !(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] > kThinnest * product);
+}
+
 }  // namespace lumi::baker

@@ -1,14 +1,43 @@
 // SPDX-License-Identifier: MIT
+#include "scene/iso_reader.h"
 #include "scene/obj_reader.h"
 #include "scene/scene_file.h"
+#include "util/text_lines.h"
 
 namespace lumi::baker
 {
+namespace
+{
+
+SceneParts read_volume_file(const std::filesystem::path& file, const std::optional<IsoSurface>& iso)
+{
+    if (!iso) {
+        throw SceneError(at({file.string()},
+                            "a volume becomes a scene by the surface of one value; say which with --iso, "
+                            "from " +
+                                range_of_volume(file)));
+    }
+    return read_iso_surface(file, *iso);
+}
+
+SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings)
+{
+    if (is_volume_file(file)) {
+        return read_volume_file(file, options.iso);
+    }
+    if (options.iso) {
+        throw SceneError(at({file.string()},
+                            "this is no volume, and only volumes have iso-surfaces; leave out --iso, or "
+                            "name a .nii or .nii.gz file"));
+    }
+    return file.extension() == ".json" ? read_scene_file(file, options.up, warnings) : read_obj(file, warnings);
+}
+
+}  // namespace
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings)
 {
-    return build_scene(
-        file.extension() == ".json" ? read_scene_file(file, options.up, warnings) : read_obj(file, warnings), options);
+    return build_scene(read_parts(file, options, warnings), options);
 }
 
 }  // namespace lumi::baker

@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "scene/iso_fields.h"
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
 #include "scene/materials.h"
@@ -62,16 +63,21 @@ private:
     void read_object(const JsonValue& value)
     {
         JsonFields fields(name_, value, "an object");
+        const Placement placement = read_placement(fields);
+        SceneParts parts = fields.find("volume") ? read_iso_object(file_, fields) : read_obj_object(fields);
+        fields.finish();
+        place(placement, parts.mesh);
+        append(parts_, std::move(parts));
+    }
+
+    SceneParts read_obj_object(JsonFields& fields)
+    {
         const JsonValue& obj = fields.require("obj");
         const std::filesystem::path path = find_beside(file_, fields.text_of(obj, "obj"));
         if (path.empty()) {
             fields.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
         }
-        const Placement placement = read_placement(fields);
-        fields.finish();
-        SceneParts parts = read_obj(path, warnings_);
-        place(placement, parts.mesh);
-        append(parts_, std::move(parts));
+        return read_obj(path, warnings_);
     }
 
     void read_volume()

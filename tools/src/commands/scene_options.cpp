@@ -48,12 +48,25 @@ baker::Environment environment_of(const std::string& word)
 void add_scene_options(CLI::App& command, SceneOptions& options)
 {
     command
-        .add_option("SCENE", options.path,
-                    "A scene file (.json), or an OBJ file; MTL files and pictures are found beside it")
+        .add_option(
+            "SCENE", options.path,
+            "A scene file (.json); an OBJ file, its MTL files and pictures beside it; or a volume (.nii, .nii.gz) "
+            "with --iso")
         ->required();
     add_choice<std::optional<baker::UpAxis>>(command, "--up", options.up,
                                              {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}}, "y|z",
-                                             "The scene's vertical axis [as the scene file says, or y]");
+                                             "The scene's vertical axis [as the scene file says, or y; z of volumes]");
+    command
+        .add_option("--iso", options.iso,
+                    "Of a volume: the value whose surface is the scene; in CT, 300 (HU) is bone. In millimetres, z up: "
+                    "azimuth 0 shows the patient's right side, 90 the face")
+        ->type_name("VALUE");
+    command
+        .add_option("--pieces", options.pieces,
+                    "Of --iso: leaves out pieces with less than this share of the largest one's area")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str()
+        ->type_name("SHARE");
     const auto set_environment = [&options](const std::string& word) { options.environment = environment_of(word); };
     command
         .add_option_function<std::string>(
@@ -71,6 +84,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     baker::LoadOptions load;
     load.up = options.up;
     load.environment = options.environment;
+    if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     const LeaveAtOnce loading;
     baker::Scene scene = baker::load_scene(options.path, load, lines);
     for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", line.c_str());

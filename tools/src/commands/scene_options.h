@@ -14,10 +14,13 @@ struct SceneOptions {
     std::string path;
     std::optional<baker::UpAxis> up;
     std::optional<baker::Environment> environment;
+    std::optional<float> iso;
+    double pieces = baker::IsoSurface{}.pieces;
     unsigned threads = 0;
 };
 
-// Adds SCENE, --up, --environment and --threads; parsed values go to `options`, which must outlive the parse.
+// Adds SCENE, --up, --environment, --iso, --pieces and --threads; parsed values go to `options`, which must outlive the
+// parse.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
 // Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.

@@ -44,6 +44,14 @@ Environment constant_environment(const std::array<float, 3>& radiance);
 // A bright, slightly cool sky over a dimmer, warm floor.
 Environment studio_environment();
 
+// The surface in a volume where its values cross a number.
+struct IsoSurface {
+    float value = 0;  // what is above is inside
+    // Pieces with less than this share of the largest one's area are left out, 0 to 1. In CT smaller ones are marrow
+    // and noise; what the patient lay on may be larger.
+    double pieces = 0.05;
+};
+
 // What is left open here is as the scene file says, or else the default.
 struct LoadOptions {
     std::optional<UpAxis> up = std::nullopt;  // y
@@ -53,6 +61,7 @@ struct LoadOptions {
     // The studio by default, also for scenes with emissive materials: a lamp on a product rarely lights it all. A room
     // with lamps of its own wants constant_environment(0).
     std::optional<Environment> environment = std::nullopt;
+    std::optional<IsoSurface> iso = std::nullopt;  // of a volume, and only there
 };
 
 struct SceneData;  // baker's own view, see baker/src
@@ -84,9 +93,9 @@ private:
     std::unique_ptr<const SceneData> data_;
 };
 
-// Reads a scene file (docs/scenes.md), by its name's end .json, or else an OBJ file with its MTL files and
-// textures. Throws SceneError. Appends one line per doubtful thing that could still be drawn, each in the form of
-// SceneError's text, to `warnings`.
+// Reads a scene file (docs/scenes.md), by its name's end .json, an iso-surface of a volume, by .nii or .nii.gz, or else
+// an OBJ file with its MTL files and textures. Throws SceneError. Appends one line per doubtful thing that could still
+// be drawn, each in the form of SceneError's text, to `warnings`.
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace lumi::baker

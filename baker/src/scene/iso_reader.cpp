@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "scene/iso_reader.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "util/text_lines.h"
+#include "volume/iso_surface.h"
+#include "volume/nifti_file.h"
+#include "volume/pieces.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+std::string text_of(float value)
+{
+    std::ostringstream stream;
+    stream << value;
+    return stream.str();
+}
+
+std::string range_of(const Grid& grid)
+{
+    const auto [least, most] = std::minmax_element(grid.values.begin(), grid.values.end());
+    return text_of(*least) + " to " + text_of(*most);
+}
+
+Material bone()
+{
+    Material material;
+    material.name = "iso";
+    material.base = {0.72f, 0.66f, 0.54f};
+    material.specular = true;
+    material.alpha = alpha_from_roughness(0.35f);
+    material.finish();
+    return material;
+}
+
+}  // namespace
+
+bool is_volume_file(const std::filesystem::path& file)
+{
+    const std::filesystem::path inner = file.extension() == ".gz" ? file.stem() : file;
+    return inner.extension() == ".nii";
+}
+
+SceneParts read_iso_surface(const std::filesystem::path& file, const IsoSurface& surface)
+{
+    const Grid grid = read_nifti(file);
+    SceneParts parts;
+    parts.mesh = iso_surface(grid, surface.value);
+    if (parts.mesh.corners.empty()) {
+        throw SceneError(at({file.string()}, "no surface has the value " + text_of(surface.value) +
+                                                 ": those of the volume reach from " + range_of(grid) +
+                                                 "; choose one between them"));
+    }
+    keep_large_pieces(parts.mesh, surface.pieces);
+    add_smooth_normals(parts.mesh);
+    parts.materials = {bone()};
+    parts.up = UpAxis::z;
+    return parts;
+}
+
+std::string range_of_volume(const std::filesystem::path& file)
+{
+    return range_of(read_nifti(file));
+}
+
+}  // namespace lumi::baker

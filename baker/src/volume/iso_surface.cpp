@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// The one file that sees OpenVDB.
+#include "volume/iso_surface.h"
+
+// Its headers are not written for our warnings.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <openvdb/Grid.h>
+#include <openvdb/tools/VolumeToMesh.h>
+#pragma GCC diagnostic pop
+
+#include "geometry/polygon.h"
+#include "volume/affine.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+// Outside the grid lies this: so far below any value that the cut at its border is flat.
+constexpr float kOutside = -1e30f;
+
+struct Polygons {
+    std::vector<openvdb::Vec3s> points;  // in voxels
+    std::vector<openvdb::Vec3I> triangles;
+    std::vector<openvdb::Vec4I> quads;
+};
+
+Polygons polygons_of(const Grid& grid, float value)
+{
+    openvdb::FloatGrid volume(kOutside);
+    openvdb::FloatGrid::Accessor voxels = volume.getAccessor();
+    const float* at = grid.values.data();
+    for (int z = 0; z < static_cast<int>(grid.nz); ++z) {
+        for (int y = 0; y < static_cast<int>(grid.ny); ++y) {
+            for (int x = 0; x < static_cast<int>(grid.nx); ++x) {
+                voxels.setValue({x, y, z}, *at++);
+            }
+        }
+    }
+    Polygons result;
+    openvdb::tools::volumeToMesh(volume, result.points, result.triangles, result.quads, static_cast<double>(value));
+    return result;
+}
+
+class MeshBuilder
+{
+public:
+    explicit MeshBuilder(bool turned) : turned_(turned) {}
+
+    void add_point(const std::array<double, 3>& p)
+    {
+        mesh_.positions.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+    }
+
+    // Leaves out what has no area.
+    void add_triangle(uint32_t a, uint32_t b, uint32_t c)
+    {
+        const std::vector<Vec3>& p = mesh_.positions;
+        if (has_no_area(p[a], p[b], p[c])) {
+            return;
+        }
+        constexpr Mesh::OptionalCorners kNone = {kNoIndex, kNoIndex, kNoIndex};
+        mesh_.corners.push_back(turned_ ? Mesh::Corners{a, c, b} : Mesh::Corners{a, b, c});
+        mesh_.shading.push_back(kNone);
+        mesh_.mapping.push_back(kNone);
+        mesh_.materials.push_back(0);
+    }
+
+    // Along the shorter diagonal.
+    void add_quad(const openvdb::Vec4I& q)
+    {
+        const std::vector<Vec3>& p = mesh_.positions;
+        const uint32_t first = length(p[q[2]] - p[q[0]]) <= length(p[q[3]] - p[q[1]]) ? 0 : 1;
+        add_triangle(q[first], q[first + 1], q[first + 2]);
+        add_triangle(q[first], q[first + 2], q[(first + 3) % 4]);
+    }
+
+    Mesh take() { return std::move(mesh_); }
+
+private:
+    bool turned_;
+    Mesh mesh_;
+};
+
+}  // namespace
+
+Mesh iso_surface(const Grid& grid, float value)
+{
+    const Polygons polygons = polygons_of(grid, value);
+    // OpenVDB's inside is below the value, and its polygons face away from that; ours face away from what is above. A
+    // mirrored grid turns them once more.
+    MeshBuilder builder(determinant(grid.voxel_to_world) > 0);
+    for (const openvdb::Vec3s& p : polygons.points) {
+        builder.add_point(point_of(grid.voxel_to_world, static_cast<double>(p.x()), static_cast<double>(p.y()),
+                                   static_cast<double>(p.z())));
+    }
+    for (const openvdb::Vec3I& t : polygons.triangles) {
+        builder.add_triangle(t[0], t[1], t[2]);
+    }
+    for (const openvdb::Vec4I& q : polygons.quads) {
+        builder.add_quad(q);
+    }
+    return builder.take();
+}
+
+void add_smooth_normals(Mesh& mesh)
+{
+    mesh.normals.assign(mesh.positions.size(), Vec3{});
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t corner = mesh.corners[t][k];
+            mesh.normals[corner] = mesh.normals[corner] + mesh.area_vector(t);
+            mesh.shading[t][k] = static_cast<int32_t>(corner);
+        }
+    }
+    for (Vec3& n : mesh.normals) {
+        const float size = length(n);
+        n = size > 0 ? n / size : Vec3{};
+    }
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The surface in a grid where its values cross a number.
+#pragma once
+
+#include "geometry/mesh.h"
+#include "volume/grid.h"
+
+namespace lumi::baker
+{
+
+// Dual contouring by OpenVDB: about two triangles for each voxel that the surface crosses. What is above `value` is
+// inside: triangles face away from it, and where it reaches the grid's border the surface is closed there by a flat
+// cut. Positions are in the grid's world; no normals; every triangle has an area, and material 0. Empty if no value
+// lies above, or none at or below. The same for any number of threads.
+// Memory: 8 bytes a voxel, and the mesh.
+Mesh iso_surface(const Grid& grid, float value);
+
+// Gives every vertex the mean normal of its triangles, weighted by area.
+void add_smooth_normals(Mesh& mesh);
+
+}  // namespace lumi::baker
