@@ -172,11 +172,12 @@ template <class Pixel, class Background>
 void resolve_two_by_two(const Background& background, uint8_t* pixel, int32_t count, const uint16_t* depths,
                         const PackedColour* colours)
 {
+    constexpr PackedColour kBlack = palette_colour<Pixel>({0, 0, 0});
     for (int32_t x = 0; x < count; ++x, pixel += Pixel::kBytes, depths += 2, colours += 2) {
         const uint16_t *upper = depths, *lower = depths + 2 * count;
         const PackedColour *above = colours, *below = colours + 2 * count;
         if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0) {
-            store_colour<Pixel>(pixel, mean_of(mean_of(above[0], above[1]), mean_of(below[0], below[1])));
+            store_colour<Pixel>(pixel, mean_of(above[0], above[1], below[0], below[1], kBlack));
         } else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0) {
             if constexpr (kKeepsCoverage<Background>) {
                 store_covered_part<Pixel>(pixel, {upper, lower}, {above, below});

@@ -80,7 +80,7 @@ public:
         find_hits();
     }
 
-    // Sum of the samples of a pixel, and how many of them are covered.
+    // The colour of the mean light of a pixel's covered samples, and how many they are. Light is about a level's square.
     Colour pixel(int32_t x, int32_t y, int& covered) const
     {
         Colour sum;
@@ -89,9 +89,11 @@ public:
             const Hit& hit = hits_[index_of(x, y, s)];
             if (hit.depth <= 0) continue;
             ++covered;
-            sum = sum + colour_at(hit);
+            const Colour c = colour_at(hit);
+            sum = sum + Colour{c.r * c.r, c.g * c.g, c.b * c.b};
         }
-        return sum;
+        if (covered == 0) return sum;
+        return {std::sqrt(sum.r / covered), std::sqrt(sum.g / covered), std::sqrt(sum.b / covered)};
     }
 
 private:
@@ -178,10 +180,10 @@ SurfacePicture draw_surface(const uint8_t* file, const Pose& pose, const Image& 
     for (int32_t y = 0; y < image.height_px; ++y)
         for (int32_t x = 0; x < image.width_px; ++x) {
             int covered = 0;
-            const Colour sum = drawer.pixel(x, y, covered);
+            const Colour mean = drawer.pixel(x, y, covered);
             const double share = covered / samples, rest = 1 - share;
-            picture.colours.push_back({sum.r / samples + rest * background.r, sum.g / samples + rest * background.g,
-                                       sum.b / samples + rest * background.b});
+            picture.colours.push_back({share * mean.r + rest * background.r, share * mean.g + rest * background.g,
+                                       share * mean.b + rest * background.b});
             picture.coverage.push_back(share);
         }
     return picture;

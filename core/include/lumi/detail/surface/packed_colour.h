@@ -35,6 +35,19 @@ constexpr PackedColour mean_of(PackedColour a, PackedColour b)
     return ((a + b) >> 1) & ~kGuardBits;
 }
 
+// The colour of the mean light of four, which is about their levels' squares; `black` is the palette's colour of it.
+LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour black);
+
+// Of the samples of a pixel. Where they are within 32 levels of the first one's, the mean of their levels stands for
+// that of their light.
+inline PackedColour mean_of(PackedColour a, PackedColour b, PackedColour c, PackedColour d, PackedColour black)
+{
+    constexpr PackedColour kApart = packed_colour(128, 128, 128), kBeyond = 0xE01C0380;  // 0 .. 255 leaves these bits 0
+    const PackedColour from = a + kApart;
+    if ((((from - b) | (from - c) | (from - d)) & kBeyond) != 0) return mean_light_of({a, b, c, d}, black);
+    return mean_of(mean_of(a, b), mean_of(c, d));
+}
+
 constexpr Rgb8 unpacked(PackedColour c)
 {
     return {static_cast<uint8_t>(c >> 23), static_cast<uint8_t>(c >> 12), static_cast<uint8_t>(c >> 1)};

@@ -15,8 +15,8 @@ struct SurfaceDrawing {
     int grid = 2;  // grid × grid samples a pixel, in the middles of its squares
 };
 
-// Row by row from the top; encoded values 0 .. 255 over the background, the mean of the samples' encoded values; and
-// the share of each pixel that is covered.
+// Row by row from the top; encoded values 0 .. 255 over the background, of the mean light of the samples; and the
+// share of each pixel that is covered.
 struct SurfacePicture {
     int32_t width_px = 0, height_px = 0;
     std::vector<Colour> colours;
