@@ -33,6 +33,7 @@ set(LUMI_PLAIN_FILES
   baker/trace/path_tracer_test.cpp
   baker/trace/volume_test.cpp
   baker/volume/flight_test.cpp
+  baker/volume/opacity_surface_test.cpp
   baker/chord/field_rays_test.cpp
   tools/metrics/cw_ssim_test.cpp
   tools/metrics/flip_test.cpp

@@ -24,10 +24,12 @@ ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job, co
         for (const SurveyRay& r : survey.look(i, proxy)) {
             const bool hit = std::isfinite(r.scene);
             counts[i].scene += hit ? 1u : 0u;
-            counts[i].missed += hit && !r.proxy ? 1u : 0u;
             counts[i].added += !hit && r.proxy ? 1u : 0u;
             const bool displaced = hit && r.proxy && std::abs(r.scene - r.proxy->distance) > kMaxDepthError;
-            counts[i].displaced += displaced ? 1u : 0u;
+            // A path that the volume stops far from the mesh misses it.
+            const bool lost = hit && (!r.proxy || (displaced && scene.medium));
+            counts[i].missed += lost ? 1u : 0u;
+            counts[i].displaced += displaced && !lost ? 1u : 0u;
         }
     });
     Counts sum;

@@ -33,8 +33,7 @@ std::vector<SurveyRay> Survey::look(uint32_t origin, const ProxyTracer& proxy) c
         if (!cap_.sees(ray)) {
             continue;
         }
-        const std::optional<Hit> hit = closest_opaque(scene_, ray, sampler);
-        const float distance = hit ? hit->distance : std::numeric_limits<float>::infinity();
+        const float distance = first_meeting(scene_, ray, sampler);
         result.push_back({ray, distance, proxy.closest(ray)});
     }
     return result;

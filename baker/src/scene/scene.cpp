@@ -4,6 +4,7 @@
 #include "geometry/bounding_sphere.h"
 #include "scene/scene_data.h"
 #include "scene/scene_fingerprint.h"
+#include "volume/opacity_surface.h"
 
 namespace lumi::baker
 {
@@ -46,7 +47,7 @@ BoundingSphere fit_sphere(const SceneParts& parts, UpAxis up)
     const Mesh& mesh = parts.mesh;
     std::vector<bool> used(mesh.positions.size(), false);
     for (const Mesh::Corners& c : mesh.corners) {
-        used[c[0]] = used[c[1]] = used[c[2]] = true;
+        used[c[0]] = used[c[1]] = used[c[2]] = !parts.mesh_is_shell;
     }
     std::vector<Vec3> points = other_points(parts, up);
     points.reserve(points.size() + mesh.positions.size());
@@ -166,6 +167,15 @@ std::vector<Fixture> moved_into_sphere(const std::vector<Fixture>& fixtures, con
     return result;
 }
 
+void add_shell(SceneParts& parts)
+{
+    parts.mesh = opacity_surface(*parts.volume);
+    parts.mesh_is_shell = !parts.mesh.corners.empty();
+    Material material;
+    material.finish();
+    parts.materials = {material};
+}
+
 }  // namespace
 
 Environment constant_environment(float radiance)
@@ -199,6 +209,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       textures(std::move(parts.textures)),
       tone(parts.tone),
       has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
+      mesh_is_shell(parts.mesh_is_shell),
       catcher(moved_into_sphere(parts.catcher, {centre, radius}, up)),
       medium(medium_of(std::move(parts.volume), out_of_sphere(centre, radius, up), radius)),
       accelerator(mesh),
@@ -209,6 +220,9 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
 
 Scene build_scene(SceneParts parts, const LoadOptions& options)
 {
+    if (options.solid_volume && parts.volume && parts.mesh.corners.empty()) {
+        add_shell(parts);
+    }
     if (parts.mesh.corners.empty() && !parts.volume) {
         throw SceneError("the scene holds no triangles; export at least one face");
     }

@@ -29,6 +29,7 @@ struct SceneParts {
     std::vector<Fixture> fixtures;
     std::optional<Disc> catcher;  // of shadows, see catcher.h
     std::optional<Volume> volume;
+    bool mesh_is_shell = false;  // see SceneData
     float exposure = 1;  // factor on all light
     ToneCurve tone = ToneCurve::srgb;
     // In place of the defaults, where LoadOptions leave them open:
@@ -51,12 +52,14 @@ struct SceneData {
     std::vector<Texture> textures;
     ToneCurve tone;
     bool has_transparency;  // some material may let light pass
+    bool mesh_is_shell;     // the mesh only tells where the volume looks solid: light passes it
     std::optional<Disc> catcher;
     std::optional<Medium> medium;
     Accelerator accelerator;
     LightSet lights;
 };
 
+// The parts of a volume without objects get their shell if the options ask for it, unless the volume is solid nowhere.
 // Throws SceneError if the parts hold neither a triangle nor a volume, or what a given sphere does not hold.
 Scene build_scene(SceneParts parts, const LoadOptions& options);
 

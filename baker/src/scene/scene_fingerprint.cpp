@@ -71,8 +71,8 @@ void add(Digest& digest, const Texture& texture)
 
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
-    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, catcher, medium, accelerator,
-                 lights] = scene;
+    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, mesh_is_shell, catcher, medium,
+                 accelerator, lights] = scene;
     static_cast<void>(has_transparency);
     static_cast<void>(accelerator);
     Digest digest;
@@ -87,8 +87,8 @@ Digest::Value scene_fingerprint(const SceneData& scene)
     if (medium) {
         medium->add_to(digest);
     }
-    add(digest, mesh);
-    for (const Material& material : materials) {
+    add(digest, mesh_is_shell ? Mesh() : mesh);  // a shell is made from the medium
+    for (const Material& material : mesh_is_shell ? std::vector<Material>() : materials) {
         add(digest, material);
     }
     for (const Texture& texture : textures) {

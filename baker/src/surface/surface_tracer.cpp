@@ -66,8 +66,7 @@ std::optional<SurfaceTracer::Line> SurfaceTracer::line(Sampler& sampler) const
 
 bool SurfaceTracer::scene_is_there(const Line& line, Sampler sampler) const
 {
-    const std::optional<Hit> hit = closest_opaque(scene_, line.ray, sampler);
-    return hit && std::abs(hit->distance - line.hit.distance) <= kMaxDepthError;
+    return std::abs(first_meeting(scene_, line.ray, sampler) - line.hit.distance) <= kMaxDepthError;
 }
 
 SurfaceSample SurfaceTracer::sample(const Line& line, const Rgb& radiance) const

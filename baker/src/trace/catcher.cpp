@@ -124,7 +124,7 @@ void require_partial_coverage(const SceneData& scene, bool texels_have_it)
             "the scene's 'catcher' needs texels that are partly covered; bake with --layout chord --texel "
             "palette8, or take a 'ground' in its place");
     }
-    if (scene.medium) {
+    if (scene.medium && !scene.mesh_is_shell) {
         throw BakeError(
             "the scene's 'volume' is half transparent and needs texels that are partly covered; bake with --layout "
             "chord --texel palette8");

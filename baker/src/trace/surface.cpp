@@ -152,6 +152,9 @@ Ray Surface::ray_to_light(const Vec3& direction, float distance) const
 
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler)
 {
+    if (scene.mesh_is_shell) {
+        return std::nullopt;
+    }
     Ray rest = ray;
     std::optional<Hit> hit = scene.accelerator.closest(rest);
     float travelled = 0;
@@ -170,8 +173,23 @@ std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sample
     return hit;
 }
 
+float first_meeting(const SceneData& scene, const Ray& ray, Sampler& sampler)
+{
+    constexpr float kNothing = std::numeric_limits<float>::infinity();
+    const std::optional<Hit> hit = closest_opaque(scene, ray, sampler);
+    if (!scene.medium) {
+        return hit ? hit->distance : kNothing;
+    }
+    const std::optional<float> stop =
+        scene.medium->collision({ray.origin, ray.direction, hit ? hit->distance : ray.end}, sampler);
+    return stop ? *stop : hit ? hit->distance : kNothing;
+}
+
 float transmittance(const SceneData& scene, const Ray& ray)
 {
+    if (scene.mesh_is_shell) {
+        return 1;
+    }
     if (!scene.has_transparency) {
         return scene.accelerator.blocked(ray) ? 0.0f : 1.0f;
     }

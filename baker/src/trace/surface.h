@@ -33,6 +33,10 @@ Surface surface_at(const SceneData& scene, const Ray& ray, const Hit& hit);
 // opacity.
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler);
 
+// How far the ray gets: to the nearest hit that does not let it pass, or to where the volume scatters or absorbs it.
+// Draws what a path draws there. Infinite if nothing stops it.
+float first_meeting(const SceneData& scene, const Ray& ray, Sampler& sampler);
+
 // The share of light that surfaces let through, between 0 and 1.
 float transmittance(const SceneData& scene, const Ray& ray);
 // An estimate of what surfaces and the volume together let through.

@@ -275,6 +275,7 @@ void add_bake(CLI::App& lumi)
         "  lumi bake product.obj -o product.lumi --layout chord --origins 512 --directions 1024 --spp 32");
     command->callback([options, command] {
         options->layout = resolved_layout(*command, options->layout);
+        options->scene.solid_volume = options->layout != Layout::chord;
         Bake(*options, *command).run();
     });
 }

@@ -85,6 +85,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     load.up = options.up;
     load.environment = options.environment;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
+    load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;
     baker::Scene scene = baker::load_scene(options.path, load, lines);
     for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", line.c_str());

@@ -16,6 +16,7 @@ struct SceneOptions {
     std::optional<baker::Environment> environment;
     std::optional<float> iso;
     double pieces = baker::IsoSurface{}.pieces;
+    bool solid_volume = false;  // for surface fields, see baker::LoadOptions
     unsigned threads = 0;
 };
 

@@ -62,6 +62,8 @@ struct LoadOptions {
     // with lamps of its own wants constant_environment(0).
     std::optional<Environment> environment = std::nullopt;
     std::optional<IsoSurface> iso = std::nullopt;  // of a volume, and only there
+    // Also makes the mesh that surface fields of a volume without objects start from.
+    bool solid_volume = false;
 };
 
 struct SceneData;  // baker's own view, see baker/src
