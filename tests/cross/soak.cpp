@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Draws random orbits, image sizes, stripes, pixel formats and modes of two fields that the emulator has loaded, a
+// surface field and a MiB later a chord field of RGB565 texels: `SEED FRAMES`. Every buffer is as large as the headers
+// ask and lies between guard zones. A frame drawn in random stripes must be the frame drawn whole. Writes a line of
+// counts; the first fault ends it with 1.
+#include <cstring>
+
+#include "lumi/mps2/loaded_field.h"
+#include "lumi/mps2/semihosting.h"
+#include "lumi/mps2/stack_meter.h"
+#include "lumi/orbit.h"
+#include "lumi/render_spans.h"
+#include "lumi/render_surface.h"
+#include "text_line.h"
+
+namespace
+{
+
+using namespace lumi;
+
+constexpr int32_t kMostSide = 48;
+constexpr uint32_t kChordOffset = 1024 * 1024;
+constexpr uint32_t kMostVertices = 2048, kMostPatches = 2048;  // of the surface field
+
+// xorshift of 32 bits (Marsaglia, 2003).
+uint32_t state;
+uint32_t random_word()
+{
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    return state;
+}
+int32_t random_of(int32_t count)
+{
+    return static_cast<int32_t>(random_word() % static_cast<uint32_t>(count));
+}
+
+uint32_t number(const char* digits)
+{
+    uint32_t value = 0;
+    while (*digits >= '0' && *digits <= '9') value = 10 * value + static_cast<uint32_t>(*digits++ - '0');
+    return value;
+}
+
+void write_number(const char* before, uint64_t value)
+{
+    mps2::write(firmware::TextLine().text(before).decimal(value).c_str());
+}
+
+uint32_t frame_number, refused, stripes;
+
+[[noreturn]] void fail(const char* what)
+{
+    write_number("FAILED: frame ", frame_number);
+    mps2::write(firmware::TextLine().text(": ").text(what).text("\n").c_str());
+    mps2::exit_with(1);
+}
+
+// Memory for up to kMost bytes between guard zones.
+template <uint32_t kMost>
+class Guarded
+{
+public:
+    // What it held is lost.
+    uint8_t* of(uint32_t bytes)
+    {
+        if (bytes > kMost) fail("the test's own memory is too small");
+        bytes_ = bytes;
+        std::memset(memory_, kPaint, kZone);
+        std::memset(memory_ + kZone + bytes, kPaint, kZone);
+        return memory_ + kZone;
+    }
+    void check(const char* what) const
+    {
+        for (uint32_t k = 0; k < kZone; ++k)
+            if (memory_[k] != kPaint || memory_[kZone + bytes_ + k] != kPaint) fail(what);
+    }
+
+private:
+    static constexpr uint32_t kZone = 256;
+    static constexpr uint8_t kPaint = 0xC5;
+    alignas(8) uint8_t memory_[kMost + 2 * kZone];
+    uint32_t bytes_ = 0;
+};
+
+constexpr uint32_t kMostPixels = kMostSide * kMostSide * PixelArgb8888::kBytes;
+Guarded<kMostPixels> whole_pixels, cut_pixels;
+Guarded<surface_stripe_bytes(kMostSide, kMostSide, SurfaceMode::two_by_two)> sample_memory;
+Guarded<kMostVertices * sizeof(SurfaceVertex)> vertex_memory;
+Guarded<2 * surface_links(kMostPatches)> link_memory;
+Guarded<2 * surface_bands(kMostSide, 0)> band_memory;
+
+SurfaceFrame frame;
+
+struct Size {
+    int32_t width, height;
+};
+
+Size random_size()
+{
+    const auto side = [] { return random_of(8) == 0 ? 1 : 1 + random_of(kMostSide); };
+    return {side(), side()};
+}
+
+Orbit random_orbit()
+{
+    Orbit o;
+    o.azimuth_turns32 = random_word();
+    o.elevation_turns32 = random_word() / 2 - (1u << 30);
+    const int32_t beyond = static_cast<int32_t>((random_word() >> 1) >> random_of(24));
+    o.distance_q20 = beyond < radii(2000) ? radii(1) + radii(1) / 64 + beyond : radii(2000);
+    if (random_of(2) == 0) o.fov_turns32 = degrees(1 + random_of(120));
+    return o;
+}
+
+// Calls draw(x, y, width, height) for rectangles that make up the image.
+template <class Draw>
+void cut(const Size& size, bool whole_rows, const Draw& draw)
+{
+    for (int32_t y = 0; y < size.height;) {
+        const int32_t rows = 1 + random_of(size.height - y);
+        for (int32_t x = 0; x < size.width;) {
+            const int32_t columns = whole_rows ? size.width : 1 + random_of(size.width - x);
+            draw(x, y, columns, rows);
+            ++stripes;
+            x += columns;
+        }
+        y += rows;
+    }
+}
+
+// Draws the frame whole and in stripes, and compares. draw_stripe(stripe) fills one.
+template <class Pixel, class Draw>
+void draw_twice(const Size& size, bool whole_rows, const Draw& draw_stripe)
+{
+    const uint32_t stride = static_cast<uint32_t>(size.width) * Pixel::kBytes;
+    const uint32_t bytes = stride * static_cast<uint32_t>(size.height);
+    uint8_t *const whole = whole_pixels.of(bytes), *const parts = cut_pixels.of(bytes);
+    std::memset(whole, 0x5A, bytes);
+    std::memset(parts, 0x5A, bytes);
+    draw_stripe(Stripe{whole, 0, 0, size.width, size.height, stride});
+    cut(size, whole_rows, [&](int32_t x, int32_t y, int32_t columns, int32_t rows) {
+        uint8_t* const at = parts + static_cast<uint32_t>(y) * stride + static_cast<uint32_t>(x) * Pixel::kBytes;
+        draw_stripe(Stripe{at, x, y, columns, rows, stride});
+    });
+    whole_pixels.check("a frame drawn whole wrote beside its pixels");
+    cut_pixels.check("a frame drawn in stripes wrote beside its pixels");
+    if (std::memcmp(whole, parts, bytes) != 0) fail("stripes show other bits than the whole frame");
+}
+
+template <class Pixel, class Background>
+void draw_surface(const SurfaceField& field, const Background& background)
+{
+    const Size size = random_size();
+    const Orbit orbit = random_orbit();
+    const SurfaceMode mode = static_cast<SurfaceMode>(random_of(3));
+    const uint32_t band_log2 = static_cast<uint32_t>(random_of(6));
+    SurfaceCamera camera;
+    if (make_surface_camera(pose_of(orbit), image_of(orbit, size.width, size.height), camera) != CameraError::none) {
+        ++refused;
+        return;
+    }
+    prepare_surface<Pixel>(
+        field, camera, mode,
+        {reinterpret_cast<SurfaceVertex*>(vertex_memory.of(field.vertex_count * uint32_t{sizeof(SurfaceVertex)})),
+         reinterpret_cast<uint16_t*>(link_memory.of(2 * surface_links(field.patch_count))),
+         reinterpret_cast<uint16_t*>(band_memory.of(2 * surface_bands(size.height, band_log2))), band_log2},
+        frame);
+    draw_twice<Pixel>(size, false, [&](const Stripe& stripe) {
+        const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, mode);
+        render_surface<Pixel>(frame, background, stripe, sample_memory.of(bytes));
+        sample_memory.check("written beside the samples");
+    });
+    vertex_memory.check("written beside the vertices");
+    link_memory.check("written beside the links");
+    band_memory.check("written beside the bands");
+}
+
+template <class Reconstruction, class Pixel, class Background>
+void draw_chord(const Field& field, const Background& background)
+{
+    const Size size = random_size();
+    const Orbit orbit = random_orbit();
+    Camera camera;
+    if (make_camera(pose_of(orbit), image_of(orbit, size.width, size.height), camera) != CameraError::none) {
+        ++refused;
+        return;
+    }
+    const int32_t span = 2 << random_of(4);
+    draw_twice<Pixel>(size, true, [&](const Stripe& stripe) {
+        if (render_spans<Reconstruction, TexelRgb565, Pixel>(field, camera, background, stripe, span) !=
+            RenderError::none)
+            fail("a field was refused that had been drawn");
+    });
+}
+
+void draw_frame(const SurfaceField& surface, const Field& chord)
+{
+    const uint32_t word = random_word();
+    const OverColour colour{
+        {static_cast<uint8_t>(word), static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word >> 16)}};
+    switch (random_of(10)) {
+        case 0:
+            return draw_surface<PixelRgb565>(surface, OverBlack{});
+        case 1:
+            return draw_surface<PixelRgb888>(surface, colour);
+        case 2:
+            return draw_surface<PixelArgb8888>(surface, OverNothing{});
+        case 3:
+            return draw_surface<PixelGrey8>(surface, colour);
+        case 4:
+            return draw_surface<PixelBgr555>(surface, OverStripe{});
+        case 5:
+            return draw_surface<PixelRgb565Swapped>(surface, OverStripe{});
+        case 6:
+            return draw_chord<Nearest, PixelRgb565>(chord, OverBlack{});
+        case 7:
+            return draw_chord<Linear, PixelRgb565>(chord, colour);
+        case 8:
+            return draw_chord<Linear, PixelRgb888>(chord, colour);
+        default:
+            return draw_chord<Nearest, PixelGrey8>(chord, OverStripe{});
+    }
+}
+
+__attribute__((noinline)) void draw_frames(const SurfaceField& surface, const Field& chord, uint32_t count)
+{
+    for (frame_number = 0; frame_number < count; ++frame_number) draw_frame(surface, chord);
+}
+
+}  // namespace
+
+int main(int count, char** arguments)
+{
+    if (count != 3) fail("say SEED FRAMES");
+    state = 2654435761u * number(arguments[1]) + 1;
+    const mps2::LoadedField of_surface = mps2::loaded_field(0), of_chord = mps2::loaded_field(kChordOffset);
+    SurfaceField surface;
+    Field chord;
+    if (open_surface(of_surface.bytes, of_surface.size, surface) != FieldError::none)
+        fail("no surface field is loaded");
+    if (open_field(of_chord.bytes, of_chord.size, chord) != FieldError::none) fail("no chord field is loaded");
+    mps2::StackMeter meter;
+    meter.paint();
+    draw_frames(surface, chord, number(arguments[2]));
+    const uint32_t stack = meter.high_water_bytes();
+    write_number("frames ", frame_number);
+    write_number(" refused ", refused);
+    write_number(" stripes ", stripes);
+    write_number(" stack ", stack);
+    mps2::write("\n");
+    return 0;
+}
