@@ -83,6 +83,7 @@ main() {
   if [[ $all == ON ]]; then
     run_step "clang-tidy" check_with_clang_tidy
     run_step "Fuzz, a minute a target" "$root/tools/fuzz.sh"
+    run_step "Soak, a minute" "$root/tools/soak.sh"
     run_step "The pages' commands in an empty folder" "$root/tools/newcomer.sh"
   fi
   join_trees
