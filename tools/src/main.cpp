@@ -14,10 +14,10 @@
 #include "terminal/interrupt.h"
 #include "terminal/standard_streams.h"
 
+namespace lumi::tools
+{
 namespace
 {
-
-using namespace lumi::tools;
 
 int report(const char* message, ExitCode code)
 {
@@ -74,11 +74,11 @@ int run(int argc, char** argv)
 {
     CLI::App lumi("Bakes path-traced scenes into fields for microcontrollers, and draws, measures and embeds them.");
     describe_program(lumi);
-    for (const auto add :
-         {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed, add_filter, add_bench})
+    for (const auto add : {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect,
+                           add_embed, add_filter, add_bench})
         add(lumi);
     add_pages(lumi);
-    const lumi::baker::FileGuard guard;
+    const baker::FileGuard guard;
     try {
         lumi.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -100,9 +100,7 @@ int run(int argc, char** argv)
     return kExitOk;
 }
 
-}  // namespace
-
-int main(int argc, char** argv)
+int run_guarded(int argc, char** argv)
 {
     std::set_terminate(on_terminate);
     occupy_standard_streams();
@@ -118,4 +116,12 @@ int main(int argc, char** argv)
         return report(kOutOfMemory, kExitFailed);
     }
     return code;
+}
+
+}  // namespace
+}  // namespace lumi::tools
+
+int main(int argc, char** argv)
+{
+    return lumi::tools::run_guarded(argc, argv);
 }

@@ -12,7 +12,6 @@
 namespace lumi::tools
 {
 
-using nlohmann::json;
 using test::kScene;
 using test::lumi;
 using test::Outcome;
@@ -67,7 +66,8 @@ TEST_CASE("a baked field of every texel format renders in every mode")
     for (const std::string texel : {"rgb888", "rgb565", "palette8", "luma8"}) {
         bake_picture_field(folder / "f.lumi",
                            {"--origins", "48", "--directions", "64", "--spp", "1", "--texel", texel});
-        CHECK(json::parse(lumi({"inspect", folder / "f.lumi", "--json", "--verify"}).out)["texel_format"] == texel);
+        CHECK(nlohmann::json::parse(lumi({"inspect", folder / "f.lumi", "--json", "--verify"}).out)["texel_format"] ==
+              texel);
         for (const std::string mode : {"nearest", "voronoi", "dither", "linear", "paper"}) {
             INFO(texel << " " << mode);
             draw({"render", folder / "f.lumi", "-o", folder / "o.png", "--mode", mode, "--size", "40x30", "--span", "4",
@@ -120,7 +120,7 @@ TEST_CASE("a cap keeps as many rows as asked")
     const test::TemporaryFolder folder;
     for (const auto& [cap, rows] : {std::make_pair("50%", 20), std::make_pair("0.25", 10), std::make_pair("7", 7)}) {
         bake_picture_field(folder / "f.lumi", {"--origins", "40", "--directions", "40", "--spp", "1", "--cap", cap});
-        CHECK(json::parse(lumi({"inspect", folder / "f.lumi", "--json"}).out)["used_origins"] == rows);
+        CHECK(nlohmann::json::parse(lumi({"inspect", folder / "f.lumi", "--json"}).out)["used_origins"] == rows);
     }
 }
 
@@ -144,14 +144,14 @@ TEST_CASE("compare prints the promised JSON keys")
     const test::TemporaryFolder folder;
     write_png(folder / "a.png", Picture(20, 20, {100, 100, 100}));
     write_png(folder / "b.png", Picture(20, 20, {110, 110, 110}));
-    const json differ = json::parse(
+    const auto differ = nlohmann::json::parse(
         lumi({"compare", folder / "a.png", folder / "b.png", "--json", "--error-picture", folder / "e.png"}).out);
     CHECK(differ["psnr_db"].get<double>() == Approx(28.1308).margin(1e-3));
     CHECK(differ["ssim"].get<double>() < 1);
     CHECK(differ["cw_ssim"].get<double>() == Approx(1));
     CHECK(differ["identical"] == false);
     CHECK(read_png(folder / "e.png").pixel(3, 3)[0] == 40);
-    const json same = json::parse(lumi({"compare", folder / "a.png", folder / "a.png", "--json"}).out);
+    const auto same = nlohmann::json::parse(lumi({"compare", folder / "a.png", folder / "a.png", "--json"}).out);
     CHECK(same["psnr_db"].is_null());
     CHECK(same["identical"] == true);
     CHECK_THAT(lumi({"compare", folder / "a.png", folder / "a.png"}).out, Catch::Contains("inf dB"));
@@ -174,7 +174,7 @@ TEST_CASE("compare looks inside a mask, and refuses one that fits nothing")
     const auto masked = [&](const std::string& name) {
         return lumi({"compare", folder / "a.png", folder / "b.png", "--json", "--mask", folder / name});
     };
-    const json likeness = json::parse(masked("mask.png").out);
+    const auto likeness = nlohmann::json::parse(masked("mask.png").out);
     // An error of 10 in one of six values inside, in one of sixty everywhere.
     CHECK(likeness["mask_psnr_db"].get<double>() == Approx(28.1308 + 10 * std::log10(6.0)).margin(1e-3));
     CHECK(likeness["psnr_db"].get<double>() == Approx(28.1308 + 10 * std::log10(60.0)).margin(1e-3));
