@@ -15,8 +15,8 @@ namespace lumi::baker
 // polygon that crosses itself gets triangles, but not the ones its author had in mind. Cost: quadratic to cubic in n.
 std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<Vec3>& corners);
 
-// Whether a triangle is so thin that binary32 cannot say which way it faces. Relative to its edges, so that neither tiny
-// nor huge scenes lose sound triangles.
+// Whether a triangle is so thin that binary32 cannot say which way it faces. Relative to its edges, so that neither
+// tiny nor huge scenes lose sound triangles.
 bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace lumi::baker

@@ -30,7 +30,7 @@ struct SceneParts {
     std::optional<Disc> catcher;  // of shadows, see catcher.h
     std::optional<Volume> volume;
     bool mesh_is_shell = false;  // see SceneData
-    float exposure = 1;  // factor on all light
+    float exposure = 1;          // factor on all light
     ToneCurve tone = ToneCurve::srgb;
     // In place of the defaults, where LoadOptions leave them open:
     std::optional<UpAxis> up;

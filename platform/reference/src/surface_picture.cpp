@@ -80,7 +80,8 @@ public:
         find_hits();
     }
 
-    // The colour of the mean light of a pixel's covered samples, and how many they are. Light is about a level's square.
+    // The colour of the mean light of a pixel's covered samples, and how many they are. Light is about a level's
+    // square.
     Colour pixel(int32_t x, int32_t y, int& covered) const
     {
         Colour sum;

@@ -138,7 +138,8 @@ std::string value_cases(const CLI::App& command, const std::string& name)
         names += below->get_name() + " ";
         text += value_cases(*below, name);
     }
-    if (!names.empty()) text += "    " + name + "," + name + ") words=\"" + names + flags_of_command(command) + "\" ;;\n";
+    if (!names.empty())
+        text += "    " + name + "," + name + ") words=\"" + names + flags_of_command(command) + "\" ;;\n";
     for (const CLI::Option* option : command.get_options()) {
         const std::vector<std::string> words = choices_of(const_cast<CLI::Option&>(*option));
         if (words.empty() && !is_number(*option)) continue;

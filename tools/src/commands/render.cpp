@@ -162,7 +162,8 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         .add_option("--filter", options.filter,
                     "Weights that lumi filter train wrote for this field: what they make of the picture")
         ->type_name("WEIGHTS");
-    command.add_flag("--force-filter", options.force_filter, "Use them for another field too, though they harm other scenes");
+    command.add_flag("--force-filter", options.force_filter,
+                     "Use them for another field too, though they harm other scenes");
 }
 
 }  // namespace

@@ -32,7 +32,9 @@ struct FrameMemory {
     std::vector<uint16_t> links, bands;
 
     FrameMemory(const SurfaceField& field, int32_t height_px)
-        : vertices(field.vertex_count), links(surface_links(field.patch_count)), bands(surface_bands(height_px, kBandLog2))
+        : vertices(field.vertex_count),
+          links(surface_links(field.patch_count)),
+          bands(surface_bands(height_px, kBandLog2))
     {
     }
     SurfaceMemory borrowed() { return {vertices.data(), links.data(), bands.data(), kBandLog2}; }
