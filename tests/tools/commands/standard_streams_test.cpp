@@ -20,13 +20,13 @@ using test::Outcome;
 const char* const kCalls[] = {
     "inspect %F",
     "inspect %F --json --verify",
-    "render %F -o %O --size 16x16",
+    "render %F -o %O.png --size 16x16",
     "embed %F -o %O.S",
     "compare %A %A",
     "compare %A %A --json",
     "bake " LUMI_TEST_SCENE " -o %O --origins 8 --directions 8 --spp 1",
     "bake " LUMI_TEST_SCENE " -o %O --origins 8 --directions 8 --spp 1 --progress json",
-    "reference " LUMI_TEST_SCENE " -o %O --size 16x16 --spp 1",
+    "reference " LUMI_TEST_SCENE " -o %O.png --size 16x16 --spp 1",
     "report " LUMI_TEST_SCENE " %F --spp 1 --count 1 --no-baselines --cache %O.cache",
     "--help",
     "bake --help",
@@ -72,8 +72,10 @@ TEST_CASE("a closed standard output is a failure too, and no file gets what was 
         INFO(call << "\n" << outcome.err);
         CHECK(outcome.code == 1);
         CHECK_THAT(outcome.err, Catch::Contains("lumi: standard output: cannot be written"));
-        if (std::filesystem::exists(open.folder / "O"))
-            CHECK((test::content_of(open.folder / "O") == test::content_of(closed.folder / "O")));
+        for (const char* output : {"O", "O.png"}) {
+            if (std::filesystem::exists(open.folder / output))
+                CHECK((test::content_of(open.folder / output) == test::content_of(closed.folder / output)));
+        }
     }
 }
 

@@ -85,7 +85,7 @@ TEST_CASE("a pose file that is no rigid matrix is refused with the line or the m
     CHECK_THROWS_WITH(read_matrix(folder / "none"), Catch::Contains("cannot be read"));
 }
 
-TEST_CASE("--pose draws what --orbit draws, and --over shows the photograph where nothing covers")
+TEST_CASE("a pose draws what its orbit draws, and --over shows the photograph where nothing covers")
 {
     const test::TemporaryFolder folder;
     test::write_content(folder / "f.lumi", test::field_bytes({}));
