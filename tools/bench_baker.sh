@@ -100,21 +100,11 @@ print_footprint() {
   done
 }
 
-# write_page NAME TABLE
-write_page() {
-  local new
-  new=$(awk -v begin="<!-- baker $1: begin (tools/bench_baker.sh $1) -->" -v end="<!-- baker $1: end -->" -v table="$2" '
-    $0 == end { inside = 0 }
-    !inside { print }
-    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$page")
-  printf '%s\n' "$new" >"$page"
-}
-
 # A part's measurement goes where the smoke test or the page wants it.
 measure() {
   "print_$1" >"$work/$1"
   cat "$work/$1"
-  "$smoke" || write_page "$1" "$work/$1"
+  "$smoke" || replace_between "$page" "<!-- baker $1: begin (tools/bench_baker.sh $1) -->" "<!-- baker $1: end -->" "$work/$1"
 }
 
 smoke=false

@@ -138,14 +138,6 @@ print_table() {
   printf '%d a pixel.\n' "$reference_spp"
 }
 
-write_docs() {
-  awk -v begin="$begin_marker" -v end="$end_marker" -v table="$work/table.md" '
-    $0 == end { inside = 0 }
-    !inside { print }
-    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$docs" >"$work/volumes.md"
-  cat "$work/volumes.md" >"$docs"
-}
-
 main() {
   local to_docs= chosen=()
   while (($#)); do
@@ -168,7 +160,7 @@ main() {
   print_table >"$work/table.md"
   printf '\n'
   cat "$work/table.md"
-  [[ -z $to_docs ]] || write_docs
+  [[ -z $to_docs ]] || replace_between "$docs" "$begin_marker" "$end_marker" "$work/table.md"
 }
 
 main "$@"

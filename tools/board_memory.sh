@@ -1,11 +1,12 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/board_memory.sh [FIELD.lumi]
 # RAM and stack of README's firmware, compiled as it is printed for every core: writes the table of docs/boards.md. Without
 # FIELD it takes the one that tools/devices.sh bakes, the same bytes on every machine. Stack is the deepest chain of calls
 # in GCC's call graph (tests/platform/check_stack.cmake), from the snippet's functions down; RAM its static data.
-set -eu
-root=$(cd "$(dirname "$0")/.." && pwd)
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 lumi=${LUMI_TOOL:-$root/build/release/tools/lumi}
 if [ -z "${1:-}" ]; then
     [ -f "$root/build/devices/desk_clock.lumi" ] || "$root/tools/devices.sh" --built --only field
@@ -51,9 +52,4 @@ for cpu in cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33; do
     echo "| $cpu | $ram | $(stack '^_Z5startv') | $(stack '^_Z10draw_frame') |" >>"$table"
 done
 cat "$table"
-document="$root/docs/boards.md"
-awk -v table="$table" '
-    /<!-- board memory: end/ { skip = 0 }
-    !skip { print }
-    /<!-- board memory: begin/ { while ((getline line < table) > 0) print line; skip = 1 }' "$document" >"$work/document"
-cp "$work/document" "$document"
+replace_between "$root/docs/boards.md" '<!-- board memory: begin (tools/board_memory.sh) -->' '<!-- board memory: end -->' "$table"

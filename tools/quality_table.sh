@@ -83,22 +83,13 @@ table_in_readme() {
     "$readme"
 }
 
-write_readme() {
-  awk -v begin="$begin_marker" -v end="$end_marker" -v table="$work/table.md" '
-    $0 == end { inside = 0 }
-    !inside { print }
-    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$readme" >"$work/README.md"
-  cat "$work/README.md" >"$readme"
-}
-
 main() {
   case ${1:-} in
     '' | --check) ;;
     --help) help "$0" && exit ;;
     *) wrong_call "unknown option '$1'" ;;
   esac
-  [[ $(grep -cxF -e "$begin_marker" -e "$end_marker" "$readme") == 2 ]] ||
-    die "README.md has lost the markers of the table: put back '$begin_marker' and '$end_marker'"
+  check_markers "$readme" "$begin_marker" "$end_marker"
   mkdir -p "$work"
   run_step "Packages" "$root/tools/install_packages.sh" build
   run_step "Build" build_lumi
@@ -111,7 +102,7 @@ main() {
   printf '\n'
   cat "$work/table.md"
   if [[ ${1:-} != --check ]]; then
-    write_readme
+    replace_between "$readme" "$begin_marker" "$end_marker" "$work/table.md"
     printf '\nREADME.md holds this table now.\n'
   elif diff -u <(table_in_readme) "$work/table.md"; then
     printf '\nThe table in README.md is current.\n'

@@ -45,7 +45,7 @@ write_page() {
     grep --invert-match ' left$' "$work/$size.txt" | sed "s|$work/||; 2,\$s/^/    /"
     printf '\n'
   done >"$work/figures.md"
-  sed -i -e '/^<!-- figures: begin/,/^<!-- figures: end/{/^<!--/!d}' -e "/^<!-- figures: begin/r $work/figures.md" "$page"
+  replace_between "$page" '<!-- figures: begin (tools/skull.sh) -->' '<!-- figures: end -->' "$work/figures.md"
 }
 
 main() {

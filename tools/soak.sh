@@ -75,7 +75,7 @@ write_table() {
   sum_up >"$work/table.md"
   cat "$work/table.md"
   if $write_docs; then
-    sed -i -e '/<!-- soak: begin/,/<!-- soak: end/{/<!-- soak: begin/r '"$work/table.md" -e '/<!-- soak: /!d}' "$document"
+    replace_between "$document" '<!-- soak: begin (tools/soak.sh --docs) -->' '<!-- soak: end -->' "$work/table.md"
   fi
 }
 

@@ -58,13 +58,8 @@ print_table() {
 }
 
 write_docs() {
-  local page=$root/docs/boards.md begin='<!-- devices table: begin (tools/devices.sh --docs) -->' end='<!-- devices table: end -->'
-  grep --quiet --fixed-strings "$begin" "$page" || die "$page has no line \"$begin\""
-  awk -v begin="$begin" -v end="$end" -v table="$devices/table" '
-    $0 == end { inside = 0 }
-    !inside { print }
-    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$page" >"$devices/page"
-  cp "$devices/page" "$page"
+  replace_between "$root/docs/boards.md" '<!-- devices table: begin (tools/devices.sh --docs) -->' \
+    '<!-- devices table: end -->' "$devices/table"
   for example in gba lm3s_oled overlay pico_st7789 lvgl; do
     [[ ! -f $devices/$example/frame-0.png ]] || cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
   done
