@@ -2,7 +2,6 @@
 #include "scene/iso_reader.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "util/text_lines.h"
 #include "volume/iso_surface.h"
@@ -14,17 +13,10 @@ namespace lumi::baker
 namespace
 {
 
-std::string text_of(float value)
-{
-    std::ostringstream stream;
-    stream << value;
-    return stream.str();
-}
-
 std::string range_of(const Grid& grid)
 {
     const auto [least, most] = std::minmax_element(grid.values.begin(), grid.values.end());
-    return text_of(*least) + " to " + text_of(*most);
+    return number_text(*least) + " to " + number_text(*most);
 }
 
 Material bone()
@@ -52,7 +44,7 @@ SceneParts read_iso_surface(const std::filesystem::path& file, const IsoSurface&
     SceneParts parts;
     parts.mesh = iso_surface(grid, surface.value);
     if (parts.mesh.corners.empty()) {
-        throw SceneError(at({file.string()}, "no surface has the value " + text_of(surface.value) +
+        throw SceneError(at({file.string()}, "no surface has the value " + number_text(surface.value) +
                                                  ": those of the volume reach from " + range_of(grid) +
                                                  "; choose one between them"));
     }

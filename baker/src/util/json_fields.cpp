@@ -2,23 +2,11 @@
 #include "util/json_fields.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "lumi/baker/scene.h"
 
 namespace lumi::baker
 {
-namespace
-{
-
-std::string number_text(double value)
-{
-    std::ostringstream out;
-    out << value;
-    return out.str();
-}
-
-}  // namespace
 
 JsonFields::JsonFields(const std::string& file, const JsonValue& object, std::string what)
     : file_(file), object_(object), what_(std::move(what))

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "lumi/baker/file_guard.h"
 #include "lumi/baker/scene.h"
@@ -157,6 +158,13 @@ std::string joined(const std::vector<std::string>& parts, const char* separator)
         text += (text.empty() ? "" : separator) + part;
     }
     return text;
+}
+
+std::string number_text(double value)
+{
+    std::ostringstream text;
+    text << value;
+    return text.str();
 }
 
 bool parse_finite(std::string_view word, double& value)

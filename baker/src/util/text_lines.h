@@ -41,6 +41,9 @@ std::vector<std::string_view> words(std::string_view argument);
 // All parts with the separator between them.
 std::string joined(const std::vector<std::string>& parts, const char* separator);
 
+// For messages: six digits at most, "0.25".
+std::string number_text(double value);
+
 // Reads a finite number; false for anything else, such as nan, inf, 1e999 or "1,5".
 bool parse_finite(std::string_view word, double& value);
 bool parse_integer(std::string_view word, int64_t& value);

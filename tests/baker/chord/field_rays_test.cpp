@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "chord/field_rays.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
@@ -39,6 +40,17 @@ std::vector<double> cells_of(const OriginDisc& disc, uint64_t seed, uint32_t ori
         ++counts[static_cast<size_t>(radius2 * kRings) * kSectors + static_cast<size_t>(turn * kSectors)];
     }
     return counts;
+}
+
+// Coverage of every texel, row after row.
+std::vector<int> coverages(const Scene& scene, const BakeSettings& settings)
+{
+    const TexelTracer tracer(scene.data(), settings);
+    std::vector<int> result;
+    for (uint32_t i = 0; i < settings.origins; ++i)
+        for (uint32_t j = 0; j < settings.directions; ++j)
+            result.push_back(tracer.estimate(tracer.disc(i), i, j).covered_colour().a);
+    return result;
 }
 
 }  // namespace
@@ -133,20 +145,14 @@ TEST_CASE("field rays: both beams see the same share of the scene, in other texe
 {
     // Over all origins and directions either beam covers the rays through the sphere about evenly.
     const Scene scene = testing::tiny_scene();
-    const auto texels = [&](Beam beam) {
-        BakeSettings settings;
-        settings.origins = settings.directions = 64;
-        settings.samples = 16;
-        settings.beam = beam;
-        const TexelTracer tracer(scene.data(), settings);
-        std::vector<int> alphas;
-        for (uint32_t i = 0; i < 64; ++i)
-            for (uint32_t j = 0; j < 64; ++j)
-                alphas.push_back(tracer.estimate(tracer.disc(i), i, j).covered_colour().a);
-        return alphas;
-    };
-    const std::vector<int> converging = texels(Beam::converging), parallel = texels(Beam::parallel);
-    CHECK(converging != parallel);
+    BakeSettings settings;
+    settings.origins = settings.directions = 64;
+    settings.samples = 16;
+    settings.beam = Beam::converging;
+    const std::vector<int> converging = coverages(scene, settings);
+    settings.beam = Beam::parallel;
+    const std::vector<int> parallel = coverages(scene, settings);
+    CHECK((converging != parallel));
     const double a = std::accumulate(converging.begin(), converging.end(), 0.0),
                  b = std::accumulate(parallel.begin(), parallel.end(), 0.0);
     CHECK(b == Approx(a).epsilon(0.1));
@@ -156,24 +162,16 @@ TEST_CASE("field rays: a footprint of a point is one ray, of the origin a disc a
 {
     // A texel is partly covered where its rays differ.
     const Scene scene = testing::tiny_scene();
-    const auto coverages = [&](Footprint footprint) {
+    const auto mixed = [&](Footprint footprint) {
         BakeSettings settings;
         settings.origins = settings.directions = 32;
         settings.samples = 64;
         settings.max_error_levels = 0;
         settings.footprint = footprint;
-        const TexelTracer tracer(scene.data(), settings);
-        size_t mixed = 0;
-        for (uint32_t i = 0; i < 32; ++i) {
-            for (uint32_t j = 0; j < 32; ++j) {
-                const uint8_t a = tracer.estimate(tracer.disc(i), i, j).covered_colour().a;
-                mixed += a > 0 && a < 255 ? 1u : 0u;
-            }
-        }
-        return mixed;
+        const std::vector<int> all = coverages(scene, settings);
+        return std::count_if(all.begin(), all.end(), [](int a) { return a > 0 && a < 255; });
     };
-    const size_t point = coverages(Footprint::point), origin = coverages(Footprint::origin),
-                 both = coverages(Footprint::both);
+    const auto point = mixed(Footprint::point), origin = mixed(Footprint::origin), both = mixed(Footprint::both);
     CHECK(point == 0);
     CHECK(origin > 100);
     CHECK(both > origin + origin / 10);
