@@ -49,16 +49,21 @@ fs::path checkpoint_of(const fs::path& output)
         throw BakeError(output.string() + ": this is a folder; name a file in it");
     }
     const fs::path part = with_suffix(output, ".part");
-    for (const fs::path& file : {output, part, unfinished(output), unfinished(part)}) {
+    for (const fs::path& file : {output, part, unfinished(output), unfinished(part), stages_of(output)}) {
         require_no_input(file);
     }
     return part;
 }
 
+fs::path stages_of(const fs::path& output)
+{
+    return with_suffix(output, ".stages");
+}
+
 std::vector<fs::path> working_files_of(const fs::path& output)
 {
     const fs::path part = checkpoint_of(output);
-    return {part, unfinished(output), unfinished(part)};
+    return {part, unfinished(output), unfinished(part), stages_of(output)};
 }
 
 bool is_finished_shard(const fs::path& output, const BakeIdentity& identity, bool (*has_all)(BlockFile& file))

@@ -16,6 +16,9 @@ std::filesystem::path unfinished(const std::filesystem::path& file);
 // a file that the bake makes beside it is an input.
 std::filesystem::path checkpoint_of(const std::filesystem::path& output);
 
+// Where the results of a surface bake's stages lie.
+std::filesystem::path stages_of(const std::filesystem::path& output);
+
 // Whether `output` is a shard of this very bake already, with all that has_all asks for. One that is damaged becomes
 // the checkpoint, unless there is one.
 bool is_finished_shard(const std::filesystem::path& output, const BakeIdentity& identity,

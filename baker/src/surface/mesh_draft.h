@@ -10,8 +10,8 @@ namespace lumi::baker
 
 struct MeshDraft {
     Mesh mesh;
-    bool rough;  // the shape's topology was given up
-    bool fits;   // what can be seen of it may fit the format (lumi/surface_format.h)
+    bool rough = false;  // the shape's topology was given up
+    bool fits = false;   // what can be seen of it may fit the format (lumi/surface_format.h)
 };
 
 // About as many triangles as `settings` ask for can be seen, before edges are split; hidden ones come on top.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/mesh_warnings.h"
 
+#include <cmath>
+
 namespace lumi::baker
 {
 namespace

@@ -7,6 +7,7 @@
 #include "store/checkpoint.h"
 #include "store/new_file.h"
 #include "store/output_names.h"
+#include "surface/bake_stages.h"
 #include "surface/surface_draft.h"
 #include "surface/surface_file_store.h"
 #include "surface/surface_fit.h"
@@ -76,13 +77,15 @@ SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const S
 class SurfaceBaker
 {
 public:
-    // `keeper` and `draft` may be null.
-    SurfaceBaker(const Scene& scene, const SurfaceSettings& settings, const Shard& shard, Keeper* keeper,
-                 const ProgressCallback& progress, const SurfaceDraft* draft)
+    // `keeper` and `draft` may be null; without a keeper `output` is empty.
+    SurfaceBaker(const Scene& scene, const SurfaceSettings& settings, const Shard& shard,
+                 const std::filesystem::path& output, Keeper* keeper, const ProgressCallback& progress,
+                 const SurfaceDraft* draft)
         : settings_(settings),
           progress_(progress),
           keeper_(keeper),
-          basis_(basis_for(scene, draft)),
+          basis_(basis_for(scene, output, draft)),
+          stages_(output.empty() ? output : stages_of(output), scene.fingerprint(), settings),
           shape_(basis_.mesh, basis_.densities),
           tone_(basis_.tone),
           state_(shape_, tone_),
@@ -94,7 +97,7 @@ public:
     void trace()
     {
         try {
-            fit_.trace(state_, job_, [this] {
+            fit_.trace(state_, stages_, job_, [this] {
                 if (keeper_ != nullptr) {
                     keeper_->keep_now_and_then(state_);
                 }
@@ -144,19 +147,20 @@ private:
         if (keeper_ != nullptr) {
             keeper_->keep(state_);
         }
-        SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, job_);
+        SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, stages_, job_);
         job_.finish();
         return parts;
     }
 
-    SurfaceBasis basis_for(const Scene& scene, const SurfaceDraft* draft) const
+    SurfaceBasis basis_for(const Scene& scene, const std::filesystem::path& output, const SurfaceDraft* draft) const
     {
         if (std::optional<SurfaceBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt) {
             return std::move(*kept);
         }
         SurfaceBasis basis =
-            draft != nullptr ? basis_of(scene.data(), *draft, settings_, progress_)
-                             : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_), settings_, progress_);
+            draft != nullptr
+                ? basis_of(scene.data(), *draft, settings_, progress_)
+                : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_, output), settings_, progress_);
         if (keeper_ != nullptr) {
             keeper_->store().write_basis(basis);
         }
@@ -167,6 +171,7 @@ private:
     const ProgressCallback& progress_;
     Keeper* const keeper_;
     const SurfaceBasis basis_;
+    BakeStages stages_;  // after the draft's, which has the same file
     const SurfaceShape shape_;
     const EncodedTone tone_;
     SurfaceState state_;
@@ -198,7 +203,7 @@ SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, c
                           const SurfaceDraft* draft)
 {
     require_possible(scene, settings);
-    SurfaceBaker baker(scene, settings, {}, nullptr, progress, draft);
+    SurfaceBaker baker(scene, settings, {}, {}, nullptr, progress, draft);
     baker.trace();
     return baker.field();
 }
@@ -208,13 +213,17 @@ SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, co
 {
     require_possible(scene, settings);
     Keeper keeper(checkpoint_of(output), identity(scene, settings, {}), earlier);
-    SurfaceBaker baker(scene, settings, {}, &keeper, progress, draft);
+    if (earlier == Earlier::discard) {
+        discard_stages(output);
+    }
+    SurfaceBaker baker(scene, settings, {}, output, &keeper, progress, draft);
     baker.trace();
     SurfaceBake bake = baker.field();
     NewFile file(output);
     file.append(bake.file);
     file.commit();
     keeper.checkpoint().remove();
+    discard_stages(output);
     return bake;
 }
 
@@ -227,10 +236,27 @@ void bake_surface_shard(const Scene& scene, const SurfaceSettings& settings, con
         return;
     }
     Keeper keeper(checkpoint_of(output), id, earlier);
-    SurfaceBaker baker(scene, settings, shard, &keeper, progress, nullptr);
+    if (earlier == Earlier::discard) {
+        discard_stages(output);
+    }
+    SurfaceBaker baker(scene, settings, shard, output, &keeper, progress, nullptr);
     baker.trace();
     keeper.keep(baker.state());
     keeper.checkpoint().rename_to(output);
+    discard_stages(output);
+}
+
+std::filesystem::path kept_stages(const std::filesystem::path& output)
+{
+    std::error_code ignored;
+    std::filesystem::path file = stages_of(output);
+    return !output.empty() && std::filesystem::exists(file, ignored) ? file : std::filesystem::path();
+}
+
+void discard_stages(const std::filesystem::path& output)
+{
+    std::error_code ignored;
+    std::filesystem::remove(kept_stages(output), ignored);
 }
 
 }  // namespace lumi::baker

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "lumi/baker/bake.h"
-#include "util/byte_stream.h"
 
 namespace lumi::baker
 {
@@ -40,32 +39,6 @@ int64_t get_signed(ByteReader& in)
 {
     const uint64_t v = get_number(in);
     return static_cast<int64_t>(v >> 1) ^ -static_cast<int64_t>(v & 1);
-}
-
-void put_double(ByteWriter& out, double v)
-{
-    uint64_t bits = 0;
-    std::memcpy(&bits, &v, sizeof bits);
-    out.put64(bits);
-}
-double get_double(ByteReader& in)
-{
-    const uint64_t bits = in.get64();
-    double v = 0;
-    std::memcpy(&v, &bits, sizeof v);
-    return v;
-}
-
-void put(ByteWriter& out, const Vec3& v)
-{
-    out.put_float(v.x);
-    out.put_float(v.y);
-    out.put_float(v.z);
-}
-Vec3 get_vector(ByteReader& in)
-{
-    const float x = in.get_float(), y = in.get_float();
-    return {x, y, in.get_float()};
 }
 
 void put(ByteWriter& out, const std::vector<LevelColour>& colours)
@@ -178,6 +151,18 @@ constexpr uint32_t kBasisTag = 0x42465253, kStateTag = 0x54465253;
 
 }  // namespace
 
+void put(ByteWriter& out, const Vec3& v)
+{
+    out.put_float(v.x);
+    out.put_float(v.y);
+    out.put_float(v.z);
+}
+Vec3 get_vector(ByteReader& in)
+{
+    const float x = in.get_float(), y = in.get_float();
+    return {x, y, in.get_float()};
+}
+
 std::vector<uint8_t> encode(const SurfaceBasis& basis)
 {
     ByteWriter out;
@@ -189,7 +174,7 @@ std::vector<uint8_t> encode(const SurfaceBasis& basis)
     out.put32(static_cast<uint32_t>(basis.tone));
     for (const double v : {basis.loss.missed, basis.loss.added, basis.loss.displaced, basis.sphere.centre[0],
                            basis.sphere.centre[1], basis.sphere.centre[2], basis.sphere.radius}) {
-        put_double(out, v);
+        out.put_double(v);
     }
     for (size_t v = 0; v < basis.mesh.positions.size(); ++v) {
         put(out, basis.mesh.positions[v]);
@@ -219,7 +204,7 @@ std::optional<SurfaceBasis> decode_basis(const std::vector<uint8_t>& bytes)
     basis.tone = static_cast<ToneCurve>(in.get32());
     for (double* v : {&basis.loss.missed, &basis.loss.added, &basis.loss.displaced, &basis.sphere.centre[0],
                       &basis.sphere.centre[1], &basis.sphere.centre[2], &basis.sphere.radius}) {
-        *v = get_double(in);
+        *v = in.get_double();
     }
     for (uint32_t v = 0; v < vertices; ++v) {
         basis.mesh.positions.push_back(get_vector(in));

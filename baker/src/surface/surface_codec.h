@@ -6,9 +6,13 @@
 
 #include "lumi/baker/surface.h"
 #include "surface/surface_solution.h"
+#include "util/byte_stream.h"
 
 namespace lumi::baker
 {
+
+void put(ByteWriter& out, const Vec3& v);
+Vec3 get_vector(ByteReader& in);
 
 // What all shards of a bake have in common, and a merge has no scene for.
 struct SurfaceBasis {

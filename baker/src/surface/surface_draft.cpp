@@ -2,7 +2,9 @@
 #include "surface/surface_draft.h"
 
 #include "lumi/surface_format.h"
+#include "store/output_names.h"
 #include "store/section_writer.h"
+#include "surface/bake_stages.h"
 #include "surface/surface_layout.h"
 #include "trace/catcher.h"
 
@@ -28,7 +30,8 @@ uint64_t file_bytes(const SurfaceMesh& mesh, uint64_t texels)
 
 }  // namespace
 
-SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress)
+SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress,
+                           const std::filesystem::path& output)
 {
     require_partial_coverage(scene.data(), false);
     SurfaceMeshSettings mesh;
@@ -36,7 +39,8 @@ SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, 
     mesh.longest_edge = settings.longest_edge;
     mesh.cap = ViewCap(settings.cap);
     Job job(mesh_work(scene.data(), mesh), settings.threads, progress);
-    contents_ = std::make_unique<Contents>(Contents{build_surface_mesh(scene.data(), mesh, job)});
+    BakeStages stages(output.empty() ? output : stages_of(output), scene.fingerprint());
+    contents_ = std::make_unique<Contents>(Contents{build_surface_mesh(scene.data(), mesh, stages, job)});
 }
 
 SurfaceDraft::~SurfaceDraft() = default;

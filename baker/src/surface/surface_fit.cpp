@@ -81,31 +81,55 @@ std::vector<uint32_t> SurfaceFit::next_batches(uint32_t first, uint32_t count) c
     return result;
 }
 
-SortedSamples SurfaceFit::traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const
+SampleBatches SurfaceFit::traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const
 {
-    std::vector<std::vector<SurfaceSample>> samples(batches.size());
+    SampleBatches samples(batches.size());
     job.run(static_cast<uint32_t>(batches.size()), [&](uint32_t k) {
         samples[k] = tracer_.samples(seed, batches[k]);
         job.add_rays(SurfaceTracer::kLines);
     });
-    return sorted(samples, static_cast<uint32_t>(shape_.mesh.patches.size()));
+    return samples;
+}
+
+SortedSamples SurfaceFit::by_patch(const SampleBatches& batches) const
+{
+    return sorted(batches, static_cast<uint32_t>(shape_.mesh.patches.size()));
 }
 
 // The same in all shards.
-void SurfaceFit::pilot(SurfaceState& state, Job& job) const
+SortedSamples SurfaceFit::pilot_samples(BakeStages& stages, Job& job) const
 {
-    std::vector<uint32_t> batches(pilot_batches());
-    std::iota(batches.begin(), batches.end(), 0u);
-    const SortedSamples samples = traced(settings_.seed + kPilotSeedOffset, batches, job);
+    SampleBatches all;
+    const uint32_t count = pilot_batches();
+    for (uint32_t first = 0; first < count; first += kMostAtOnce) {
+        std::vector<uint32_t> batches(std::min(kMostAtOnce, count - first));
+        std::iota(batches.begin(), batches.end(), first);
+        const uint64_t end = job.part_of_rest(0) + uint64_t{SurfaceTracer::kLines} * batches.size();
+        SampleBatches some = stages.get<SampleBatches>(
+            "pilot light", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, job); }, first);
+        job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
+        require_shape(some, shape_);
+        std::move(some.begin(), some.end(), std::back_inserter(all));
+    }
+    return by_patch(all);
+}
+
+void SurfaceFit::pilot(SurfaceState& state, BakeStages& stages, Job& job) const
+{
+    const SortedSamples samples = pilot_samples(stages, job);
     const ViewSmoothness smoothness(shape_);
     start_from_means(shape_, samples, state.tone, state.expected);
     for (int round = 0; round < kPilotRounds; ++round) {
         const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
-        SurfaceSums sums(shape_, state.tone, state.expected, White::goes_on);
-        for_patches(shape_, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
-        SurfaceModel next = state.expected;
-        SurfaceSolver(sums, smoothness, {}, job).solve(next, kPilotIterations);
-        state.expected = std::move(next);
+        const auto next = [&] {
+            SurfaceSums sums(shape_, state.tone, state.expected, White::goes_on);
+            for_patches(shape_, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
+            SurfaceModel model = state.expected;
+            SurfaceSolver(sums, smoothness, {}, job).solve(model, kPilotIterations);
+            return model;
+        };
+        state.expected = stages.get<SurfaceModel>("pilot round", next, round);
+        require_shape(state.expected, shape_);
     }
     state.has_pilot = true;
 }
@@ -126,19 +150,19 @@ uint64_t SurfaceFit::work_in(const SurfaceState& state) const
     return state.has_pilot ? pilot + uint64_t{SurfaceTracer::kLines} * state.batches : 0;
 }
 
-void SurfaceFit::trace(SurfaceState& state, Job& job, const std::function<void()>& keep)
+void SurfaceFit::trace(SurfaceState& state, BakeStages& stages, Job& job, const std::function<void()>& keep)
 {
     const uint32_t batches = shard_batches();
     state.wanted = batches;
     const uint32_t at_once = std::clamp(batches / kRounds, 1u, kMostAtOnce);
     if (!state.has_pilot) {
-        pilot(state, job);
+        pilot(state, stages, job);
         keep();
     }
     const ProgressCallback quiet;
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
-        const SortedSamples samples = traced(settings_.seed, next_batches(state.batches, count), job);
+        const SortedSamples samples = by_patch(traced(settings_.seed, next_batches(state.batches, count), job));
         Job whole(1, settings_.threads, quiet);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;

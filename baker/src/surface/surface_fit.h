@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "lumi/baker/surface.h"
+#include "surface/bake_stages.h"
 #include "surface/surface_solver.h"
 #include "surface/surface_state.h"
 
@@ -27,15 +28,17 @@ public:
 
     // Goes on from `state` until all paths of the shard are in it; `keep` is called when some more are. Throws
     // Cancelled, with what is whole in the state.
-    void trace(SurfaceState& state, Job& job, const std::function<void()>& keep);
+    void trace(SurfaceState& state, BakeStages& stages, Job& job, const std::function<void()>& keep);
 
 private:
     uint32_t batches_for(double paths) const;
     uint32_t pilot_batches() const;
     uint32_t shard_batches() const;
     uint64_t pilot_work() const;
-    void pilot(SurfaceState& state, Job& job) const;
-    SortedSamples traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const;
+    void pilot(SurfaceState& state, BakeStages& stages, Job& job) const;
+    SortedSamples pilot_samples(BakeStages& stages, Job& job) const;
+    SampleBatches traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const;
+    SortedSamples by_patch(const SampleBatches& batches) const;
     std::vector<uint32_t> next_batches(uint32_t first, uint32_t count) const;
 
     const SurfaceShape& shape_;

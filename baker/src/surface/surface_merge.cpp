@@ -2,6 +2,7 @@
 #include "surface/surface_merge.h"
 
 #include "store/new_file.h"
+#include "surface/bake_stages.h"
 #include "surface/surface_file_store.h"
 
 namespace lumi::baker
@@ -59,7 +60,9 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
         return true;
     };
     Job job(1, 0, go_on);
-    const std::vector<uint8_t> bytes = surface_file(shape, solved(state, settings.view_tables, basis->sphere, job));
+    BakeStages nothing_kept({}, {});
+    const std::vector<uint8_t> bytes =
+        surface_file(shape, solved(state, settings.view_tables, basis->sphere, nothing_kept, job));
     leave_if_cancelled();
     NewFile out(output);
     out.append(bytes);

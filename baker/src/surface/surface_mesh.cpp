@@ -6,6 +6,7 @@
 #include "proxy/proxy_loss.h"
 #include "proxy/proxy_seen.h"
 #include "proxy/silhouettes.h"
+#include "surface/bake_stages.h"
 #include "surface/edge_split.h"
 #include "surface/mesh_draft.h"
 #include "surface/mesh_warnings.h"
@@ -89,13 +90,15 @@ ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& shape, const ViewCa
 
 }  // namespace
 
-BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, Job& job)
+BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, BakeStages& stages,
+                                Job& job)
 {
     const MeshWork work = work_of(scene, settings);
     const double later = work.simplify + work.shape + work.check;
     const Outside outside = [&] {
         const JobStage stage(job, Stage::mesh, job.part_of_rest(work.look / (work.look + later)), kLookRuns);
-        return outside_of(scene, job, settings.cap);
+        return stages.get<Outside>(
+            "outside", [&] { return outside_of(scene, job, settings.cap); }, settings.cap.lowest());
     }();
     BuiltSurface result;
     SurfaceMeshSettings s = settings;
@@ -103,7 +106,8 @@ BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSetting
     for (;; s = smaller(s)) {
         MeshDraft draft = [&] {
             const JobStage stage(job, Stage::mesh, job.part_of_rest(work.simplify / later), kSimplifyRuns);
-            return drafted(scene, outside, s, job);
+            return stages.get<MeshDraft>(
+                "draft", [&] { return drafted(scene, outside, s, job); }, s.triangles, s.longest_edge, s.cap.lowest());
         }();
         if (!draft.fits) {
             continue;
@@ -111,13 +115,17 @@ BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSetting
         const Mesh shape = [&] {
             const double share = work.shape / (work.shape + work.check);
             const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);
-            return shaped(scene, std::move(draft.mesh), outside.two_sided, s, job);
+            return stages.get<Mesh>(
+                "shape", [&] { return shaped(scene, std::move(draft.mesh), outside.two_sided, s, job); }, s.triangles,
+                s.longest_edge, s.cap.lowest());
         }();
         result.mesh = assembled(shape, settings.crease_cosine);
         if (fits(result.mesh)) {
             const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
             result.mesh.two_sided = outside.two_sided;
-            result.loss = loss_of(scene, ProxyTracer(shape, outside.two_sided), s.cap, draft.rough, job);
+            result.loss = stages.get<ProxyLoss>(
+                "loss", [&] { return loss_of(scene, ProxyTracer(shape, outside.two_sided), s.cap, draft.rough, job); },
+                s.triangles, s.longest_edge, s.cap.lowest());
             result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
                                             shape.triangle_count());
             return result;

@@ -16,6 +16,8 @@
 namespace lumi::baker
 {
 
+class BakeStages;
+
 struct SurfaceMesh {
     static constexpr uint32_t kNone = UINT32_MAX;
 
@@ -48,7 +50,8 @@ struct SurfaceMeshSettings {
 uint64_t mesh_work(const SceneData& scene, const SurfaceMeshSettings& settings);
 
 // At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface_format.h); none where nothing can be seen.
-// Takes all of the job's work.
-BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, Job& job);
+// Takes all of the job's work, less what `stages` have of it.
+BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSettings& settings, BakeStages& stages,
+                                Job& job);
 
 }  // namespace lumi::baker

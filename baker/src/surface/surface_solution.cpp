@@ -12,7 +12,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kIterations = 60;
+constexpr int kIterations = 60, kIterationsAtOnce = 10;
 constexpr double kSolveWork = 60;  // light paths a texel that take as long
 
 // Of a texel's mean, a channel. A texel's own scatter is known badly where it has few paths: its patch's helps out.
@@ -61,12 +61,26 @@ void finish_texels(const SurfaceState& state, SurfaceModel& model)
 class Solution
 {
 public:
-    Solution(const SurfaceState& state, Job& job) : state_(state), smoothness_(state.shape), job_(job) {}
+    Solution(const SurfaceState& state, BakeStages& stages, Job& job)
+        : state_(state), smoothness_(state.shape), stages_(stages), job_(job)
+    {
+    }
 
     // From `model` on. Nodes of vertices that are not `viewed` are 0; empty: all are viewed.
-    void solve(SurfaceModel& model, const std::vector<uint8_t>& viewed) const
+    void solve(SurfaceModel& model, const std::vector<uint8_t>& viewed, const char* name) const
     {
-        SurfaceSolver(state_.sums, smoothness_, viewed, job_).solve(model, kIterations);
+        SurfaceSolver solver(state_.sums, smoothness_, viewed, job_);
+        Descent descent;
+        for (int done = 0; done < kIterations && !descent.done; done += kIterationsAtOnce) {
+            const auto next = [&] {
+                Descent d = done == 0 ? solver.begun(model) : std::move(descent);
+                solver.advance(d, kIterationsAtOnce);
+                return d;
+            };
+            descent = stages_.get<Descent>(name, next, done);
+            require_shape(descent, state_.shape);
+        }
+        solver.take(descent, model);
     }
     // The texels that go with these nodes.
     void refit_texels(SurfaceModel& model) const
@@ -78,6 +92,7 @@ public:
 private:
     const SurfaceState& state_;
     const ViewSmoothness smoothness_;
+    BakeStages& stages_;
     Job& job_;
 };
 
@@ -88,18 +103,18 @@ uint64_t solution_work(const SurfaceShape& shape)
     return static_cast<uint64_t>(kSolveWork * shape.layout.texels);
 }
 
-SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, Job& job)
+SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, BakeStages& stages, Job& job)
 {
     const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kIterations);
     for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
-    const Solution solution(state, job);
+    const Solution solution(state, stages, job);
     std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
     SurfaceModel model = state.expected;
     if (view_tables) {
-        solution.solve(model, {});
+        solution.solve(model, {}, "all tables");
         job.run(1, [&](uint32_t) { viewed = viewed_vertices(state.sums, model); });
     }
-    solution.solve(model, viewed);
+    solution.solve(model, viewed, "tables");
     QuantisedViews views;
     job.run(1, [&](uint32_t) { views = quantised(state.sums, model, viewed); });
     model.nodes = decoded(views);

@@ -2,6 +2,7 @@
 // From the sums of a surface bake to what its file holds.
 #pragma once
 
+#include "surface/bake_stages.h"
 #include "surface/surface_state.h"
 #include "surface/surface_writer.h"
 
@@ -17,7 +18,8 @@ struct SurfaceSphere {
 // About as much work as tracing so many light paths.
 uint64_t solution_work(const SurfaceShape& shape);
 
-// The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work.
-SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, Job& job);
+// The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work,
+// less what `stages` have of it.
+SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, BakeStages& stages, Job& job);
 
 }  // namespace lumi::baker

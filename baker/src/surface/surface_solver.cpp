@@ -172,62 +172,79 @@ void SurfaceSolver::apply(const Numbers& nodes, Numbers& result)
     mask(result);
 }
 
-void SurfaceSolver::solve(SurfaceModel& model, int iterations)
+SurfaceSolver::Numbers SurfaceSolver::preconditioned(const Numbers& residual)
 {
-    Numbers x;
+    if (scale_.empty()) {
+        scale_ = diagonal();
+    }
+    Numbers z(residual.size());
+    for (size_t k = 0; k < z.size(); ++k) {
+        z[k] = residual[k] / scale_[k];
+    }
+    return z;
+}
+
+Descent SurfaceSolver::begun(const SurfaceModel& model)
+{
+    Descent d;
     for (const LevelColour& node : model.nodes) {
         for (const float channel : node) {
-            x.push_back(static_cast<double>(channel));
+            d.x.push_back(static_cast<double>(channel));
         }
     }
-    mask(x);
-    const Numbers scale = diagonal();
-    Numbers product(x.size());
-    apply(x, product);
-    Numbers residual = right_side();
-    for (size_t k = 0; k < x.size(); ++k) {
-        residual[k] -= product[k];
+    mask(d.x);
+    Numbers product(d.x.size());
+    apply(d.x, product);
+    d.residual = right_side();
+    for (size_t k = 0; k < product.size(); ++k) {
+        d.residual[k] -= product[k];
     }
-    Numbers z(x.size());
-    const auto precondition = [&] {
-        for (size_t k = 0; k < z.size(); ++k) {
-            z[k] = residual[k] / scale[k];
-        }
-    };
-    precondition();
-    Numbers direction = z;
-    std::array<double, 3> size = dots(residual, z);
-    const std::array<double, 3> first = size;
-    for (int k = 0; k < iterations; ++k) {
-        apply(direction, product);
-        const std::array<double, 3> along = dots(direction, product);
+    d.direction = preconditioned(d.residual);
+    d.size = d.first = dots(d.residual, d.direction);
+    return d;
+}
+
+void SurfaceSolver::advance(Descent& d, int iterations)
+{
+    Numbers product(d.x.size());
+    for (int k = 0; k < iterations && !d.done; ++k) {
+        apply(d.direction, product);
+        const std::array<double, 3> along = dots(d.direction, product);
         std::array<double, 3> step{}, turn{};
         for (size_t c = 0; c < 3; ++c) {
-            step[c] = along[c] > 0 ? size[c] / along[c] : 0;
+            step[c] = along[c] > 0 ? d.size[c] / along[c] : 0;
         }
-        for (size_t i = 0; i < x.size(); ++i) {
-            x[i] += step[i % 3] * direction[i];
-            residual[i] -= step[i % 3] * product[i];
+        for (size_t i = 0; i < product.size(); ++i) {
+            d.x[i] += step[i % 3] * d.direction[i];
+            d.residual[i] -= step[i % 3] * product[i];
         }
-        precondition();
-        const std::array<double, 3> next = dots(residual, z);
-        bool done = true;
+        const Numbers z = preconditioned(d.residual);
+        const std::array<double, 3> next = dots(d.residual, z);
+        d.done = true;
         for (size_t c = 0; c < 3; ++c) {
-            turn[c] = size[c] > 0 ? next[c] / size[c] : 0;
-            done = done && next[c] <= kGoodEnough * kGoodEnough * first[c];
+            turn[c] = d.size[c] > 0 ? next[c] / d.size[c] : 0;
+            d.done = d.done && next[c] <= kGoodEnough * kGoodEnough * d.first[c];
         }
-        size = next;
-        if (done) {
-            break;
-        }
-        for (size_t i = 0; i < x.size(); ++i) {
-            direction[i] = z[i] + turn[i % 3] * direction[i];
+        d.size = next;
+        for (size_t i = 0; i < z.size(); ++i) {
+            d.direction[i] = z[i] + turn[i % 3] * d.direction[i];
         }
     }
-    for (size_t k = 0; k < x.size(); ++k) {
-        model.nodes[k / 3][k % 3] = static_cast<float>(x[k]);
+}
+
+void SurfaceSolver::take(const Descent& descent, SurfaceModel& model)
+{
+    for (size_t k = 0; k < descent.x.size(); ++k) {
+        model.nodes[k / 3][k % 3] = static_cast<float>(descent.x[k]);
     }
     fit_texels(model);
+}
+
+void SurfaceSolver::solve(SurfaceModel& model, int iterations)
+{
+    Descent descent = begun(model);
+    advance(descent, iterations);
+    take(descent, model);
 }
 
 void SurfaceSolver::fit_texels(SurfaceModel& model)

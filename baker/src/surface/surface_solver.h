@@ -12,14 +12,25 @@
 namespace lumi::baker
 {
 
+// Where conjugate gradients stand. Numbers: 3 a node; sums are of each channel.
+struct Descent {
+    std::vector<double> x, residual, direction;
+    std::array<double, 3> size{}, first{};  // of the residual, now and at the begin
+    bool done = false;                      // the residual is small enough
+};
+
 class SurfaceSolver
 {
 public:
     // Borrows the others. Nodes of vertices that are not `viewed` stay 0; empty: all are.
     SurfaceSolver(const SurfaceSums& sums, const ViewSmoothness& smoothness, std::vector<uint8_t> viewed, Job& job);
 
-    // Goes on from the nodes of `model`.
+    // From the nodes of `model`, so many iterations, to nodes and texels. In parts, for who keeps what is done: begun,
+    // advance, take.
     void solve(SurfaceModel& model, int iterations);
+    Descent begun(const SurfaceModel& model);
+    void advance(Descent& descent, int iterations);
+    void take(const Descent& descent, SurfaceModel& model);
     // The texels alone, for the nodes as they are.
     void fit_texels(SurfaceModel& model);
 
@@ -28,6 +39,7 @@ private:
 
     Numbers right_side();
     Numbers diagonal();
+    Numbers preconditioned(const Numbers& residual);
     void apply(const Numbers& nodes, Numbers& result);
     void mask(Numbers& numbers) const;
 
@@ -41,6 +53,7 @@ private:
     const std::vector<uint8_t> viewed_;
     Job& job_;
     std::vector<Numbers> parts_;  // by patch
+    Numbers scale_;               // the diagonal, once it is needed
 };
 
 }  // namespace lumi::baker

@@ -31,6 +31,13 @@ public:
         std::memcpy(&bits, &v, sizeof bits);
         put32(bits);
     }
+    void put_double(double v)
+    {
+        uint64_t bits = 0;
+        static_assert(sizeof bits == sizeof v, "files store IEEE binary64");
+        std::memcpy(&bits, &v, sizeof bits);
+        put64(bits);
+    }
     const std::vector<uint8_t>& bytes() const { return bytes_; }
 
 private:
@@ -42,6 +49,8 @@ class ByteReader
 {
 public:
     ByteReader(const uint8_t* bytes, size_t size) : bytes_(bytes), left_(size) {}
+
+    size_t left() const { return left_; }
 
     uint8_t get8() { return left_ == 0 ? uint8_t{0} : (--left_, *bytes_++); }
     uint32_t get32()
@@ -61,6 +70,14 @@ public:
     {
         const uint32_t bits = get32();
         float v = 0;
+        std::memcpy(&v, &bits, sizeof v);
+        return v;
+    }
+
+    double get_double()
+    {
+        const uint64_t bits = get64();
+        double v = 0;
         std::memcpy(&v, &bits, sizeof v);
         return v;
     }

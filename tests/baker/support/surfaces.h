@@ -2,6 +2,7 @@
 // Surface meshes of whole scenes.
 #pragma once
 
+#include "surface/bake_stages.h"
 #include "surface/surface_mesh.h"
 
 namespace lumi::baker::testing
@@ -11,7 +12,8 @@ inline BuiltSurface built_surface(const Scene& scene, const SurfaceMeshSettings&
 {
     const ProgressCallback silent;
     Job job(1, 2, silent);
-    return build_surface_mesh(scene.data(), settings, job);
+    BakeStages nothing_kept({}, {});
+    return build_surface_mesh(scene.data(), settings, nothing_kept, job);
 }
 
 // In the order that the field counts them, lone ones once.

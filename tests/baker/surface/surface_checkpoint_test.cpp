@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/baker/merge.h"
+#include "surface/bake_stages.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing
@@ -43,7 +44,7 @@ TEST_CASE("a surface bake goes on where it was stopped, to the same bytes", "[re
     for (const double share : {0.1, 0.95}) {
         const ScratchFolder folder;
         CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(share)), Cancelled);
-        CHECK(folder.file_count() == 1);
+        CHECK(folder.file_count() == 2);  // checkpoint and stages
         CHECK(file_of(scene, tiny_surface(), folder) == whole);
         CHECK(folder.file_count() == 1);
     }
@@ -63,6 +64,44 @@ TEST_CASE("what a stopped surface bake has traced is not traced again", "[repeat
     });
     CHECK_FALSE(traces);
     CHECK(first > 0u);
+}
+
+TEST_CASE("a stage is done once for a scene, a name and settings, and what it gave is found")
+{
+    const ScratchFolder folder;
+    SurfaceModel model;
+    model.texels = {{1, 2, 3}, {4.5f, -5, 6}};
+    model.nodes = {{7, 8, 9}};
+    int made = 0;
+    const auto got = [&](const Digest::Value& scene, const char* name, uint32_t setting) {
+        const auto make = [&] {
+            ++made;
+            return model;
+        };
+        const auto result = BakeStages(folder.at("f.stages"), scene).get<SurfaceModel>(name, make, setting);
+        CHECK((result.texels == model.texels && result.nodes == model.nodes));
+    };
+    for (int twice = 0; twice < 2; ++twice) {
+        got({1, 2}, "a", 3);
+        got({1, 2}, "a", 4);
+        got({1, 2}, "b", 3);
+        got({1, 3}, "a", 3);
+    }
+    CHECK(made == 4);
+}
+
+TEST_CASE("a file of stages that holds another mesh or another pilot is not used", "[repeated]")
+{
+    const Scene scene = tiny_scene(), other = tiny_scene(0.2f);
+    const std::string whole = baked(scene, tiny_surface());
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(bake_surface(other, tiny_surface(), folder.at("f.lumi"), stop_at(0.1)), Cancelled);
+    std::filesystem::remove(folder.at("f.lumi.part"));
+    SurfaceSettings seed = tiny_surface();
+    seed.seed = 7;
+    CHECK_THROWS_AS(bake_surface(scene, seed, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
+    std::filesystem::remove(folder.at("f.lumi.part"));
+    CHECK(file_of(scene, tiny_surface(), folder) == whole);
 }
 
 TEST_CASE("a damaged surface checkpoint is traced again, to the same bytes", "[repeated]")

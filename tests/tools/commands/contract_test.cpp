@@ -181,7 +181,7 @@ TEST_CASE("Ctrl-C ends a bake or a reference with 130 and leaves earlier output 
         CHECK(test::content_of(folder / "o.png") == "earlier");
         const bool bakes = std::string(command) == "bake";
         CHECK_THAT(outcome.err,
-                   Catch::Contains(bakes ? "o.png.part keeps the finished rows" : "earlier output is untouched"));
+                   Catch::Contains(bakes ? "o.png.part keeps what is done" : "earlier output is untouched"));
         std::filesystem::remove(folder / "o.png.part");
         CHECK(folder.entries() == 1);
     }

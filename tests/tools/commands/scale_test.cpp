@@ -100,6 +100,32 @@ TEST_CASE("a bake that was killed ten times before random writes is bit-identica
     REQUIRE(lines.size() >= 2);
     CHECK(lines.front().at("rays_done") > 0);  // it went on from what the killed ones had done
 }
+
+TEST_CASE(
+    "a surface bake of which each process is killed before its fifth write is finished all the same, bit-identical")
+{
+    const test::TemporaryFolder folder;
+    const std::string whole = folder / "whole.lumi", killed = folder / "killed.lumi";
+    const auto surface_bake = [](const std::string& output) -> Arguments {
+        return {"bake", kScene, "-o", output, "--fit", "40kB", "--paths", "30", "--threads", "2"};
+    };
+    REQUIRE(lumi(surface_bake(whole)).code == 0);
+    test::write_content(killed, "earlier");
+    constexpr int kMostLives = 60;
+    int lives = 1;
+    for (; lives < kMostLives; ++lives) {
+        const Outcome outcome = lumi_with("LUMI_FAULT=write:5:kill", surface_bake(killed));
+        if (outcome.code != kKilled) {
+            CHECK(outcome.code == 0);
+            break;
+        }
+        CHECK(content_of(killed) == "earlier");
+    }
+    CHECK(lives > 2);
+    CHECK(lives < kMostLives);
+    CHECK(content_of(killed) == content_of(whole));
+    CHECK(folder.entries() == 2);
+}
 #endif
 
 TEST_CASE("shards baked by separate calls merge to the bytes of one bake; --restart bakes anew")

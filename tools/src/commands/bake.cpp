@@ -107,10 +107,11 @@ BakeJob job_of(const BakeOptions& options)
 }
 
 // Without a size and with a mesh or texels by hand, what is left open has its default.
-planner::SurfaceTask surface_task(const BakeOptions& options, const CLI::App& command)
+planner::SurfaceTask surface_task(const BakeOptions& options, const CLI::App& command, const std::string& target)
 {
     const auto given = [&](const char* name) { return command.count(name) > 0; };
     planner::SurfaceTask task;
+    task.output = target;
     task.settings = options.surface;
     task.settings.seed = options.settings.seed;
     task.settings.threads = options.scene.threads;
@@ -157,11 +158,13 @@ private:
     // False where a chord field does the scene more justice and the user did not decide.
     bool takes_surface(const baker::Scene& scene, BakeJob& job)
     {
-        const planner::SurfaceTask task = surface_task(options_, command_);
+        const planner::SurfaceTask task = surface_task(options_, command_, job.target);
+        if (options_.restart) baker::discard_stages(job.target);
         ProgressPrinter printer(stderr, stderr_is_terminal());
         const SurfaceChoice choice = surface_choice(scene, task, json_ ? watch_interrupt() : watch(printer));
+        const bool takes = choice.plan.draft && (choice.against.empty() || options_.layout == Layout::surface);
+        if (!takes) baker::discard_stages(job.target);
         if (!choice.plan.draft && options_.layout == Layout::surface) throw baker::BakeError(choice.against);
-        const bool takes = choice.against.empty() || options_.layout == Layout::surface;
         // Where neither layout fits, the smaller of both sizes is the one to name.
         if (!takes && options_.fit.wanted()) require_chord_fit(options_.fit, context_);
         tell_choice(choice, takes, json_);

@@ -31,6 +31,15 @@ double chord_rays(const BakeJob& job)
 
 }  // namespace
 
+void throw_interrupted(const std::string& output)
+{
+    const std::filesystem::path part = output + ".part", stages = baker::kept_stages(output);
+    for (const std::filesystem::path& kept : {part, stages})
+        if (!output.empty() && std::filesystem::exists(kept))
+            throw Interrupted(kept.string() + " keeps what is done; the same command goes on from there");
+    throw Interrupted();
+}
+
 BakeOutcome run_job(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress)
 {
     BakeOutcome outcome;
@@ -41,8 +50,7 @@ BakeOutcome run_job(const baker::Scene& scene, const BakeJob& job, const baker::
     try {
         bake(scene, job, note, outcome);
     } catch (const baker::Cancelled&) {
-        if (!std::filesystem::exists(job.target + ".part")) throw Interrupted();
-        throw Interrupted(job.name + ".part keeps the finished rows; the same command goes on from there");
+        throw_interrupted(job.target);
     }
     outcome.rays = outcome.surface ? static_cast<double>(outcome.surface->paths)
                    : job.surface   ? static_cast<double>(outcome.last.rays_total)

@@ -28,7 +28,10 @@ struct BakeOutcome {
     double rays = 0;  // light paths that the field was made of
 };
 
-// Throws Interrupted, telling what is kept.
+// Throws Interrupted, telling what is kept of a bake of `output`.
+[[noreturn]] void throw_interrupted(const std::string& output);
+
+// Throws Interrupted.
 BakeOutcome run_job(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress);
 
 }  // namespace lumi::tools

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "../planner/no_plan.h"
+#include "commands/bake_job.h"
 #include "lumi/baker/bake.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
@@ -40,7 +41,7 @@ SurfaceChoice surface_choice(const baker::Scene& scene, const planner::SurfaceTa
     } catch (const baker::BakeError& error) {
         return {{}, error.what()};
     } catch (const baker::Cancelled&) {
-        throw Interrupted();
+        throw_interrupted(task.output.string());
     }
 }
 

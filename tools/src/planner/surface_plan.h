@@ -3,6 +3,7 @@
 // is traced: a mesh or two are drafted, which takes seconds to a minute.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -15,6 +16,7 @@ struct SurfaceTask {
     uint64_t budget_bytes = 500'000;
     baker::SurfaceSettings settings;  // what is set by hand, and what a plan leaves alone
     bool triangles_by_hand = false, edge_by_hand = false, density_by_hand = false;
+    std::filesystem::path output;  // the field to bake: what is done of meshes is kept beside it; empty: nothing is
 };
 
 struct SurfacePlan {

@@ -26,7 +26,7 @@ struct SurfaceSettings {
     // Share of the sphere around the scene, its uppermost part, from which eyes at any distance look. What none of them
     // sees is left out; from elsewhere, what is there is drawn, and the rest is absent.
     float cap = 1;
-    bool view_tables = true;         // false: colours do not depend on the direction of view
+    bool view_tables = true;  // false: colours do not depend on the direction of view
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
 };
@@ -43,9 +43,11 @@ struct SurfaceBake {
 class SurfaceDraft
 {
 public:
-    // Of the settings, triangles, longest edge, cap and threads count. Throws BakeError for a scene that no surface field
+    // Of the settings, triangles, longest edge, cap and threads count. With the name of the field that is to be baked,
+    // what is done of the mesh is kept beside it, and found there. Throws BakeError for a scene that no surface field
     // can hold, Cancelled.
-    SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {});
+    SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {},
+                 const std::filesystem::path& output = {});
     ~SurfaceDraft();
     SurfaceDraft(SurfaceDraft&&) noexcept;
     SurfaceDraft& operator=(SurfaceDraft&&) noexcept;
@@ -71,11 +73,16 @@ SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, c
 
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
 // checkpoint keeps the mesh and the sums of what is traced, written every few seconds and when a bake is cancelled.
-// Disk: about three times the sums, which take some hundred bytes a texel. Throws BakeError, Cancelled; either way the
-// checkpoint stays.
+// A file of stages beside it keeps the parts of mesh, pilot and solution that are done.
+// Disk: about three times the sums, which take some hundred bytes a texel; of the pilot 2 kB a texel, at most 480 MB.
+// Throws BakeError, Cancelled; either way both stay.
 SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
                          const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume,
                          const SurfaceDraft* draft = nullptr);
+
+// Where the stages of a bake of `output` are kept that was begun and is not done; empty if there are none.
+std::filesystem::path kept_stages(const std::filesystem::path& output);
+void discard_stages(const std::filesystem::path& output);
 
 // The same for one shard of the light paths, as bake_shard does. Each shard traces the pilot for itself, about 65 paths
 // a texel: that share of the work is not divided.
