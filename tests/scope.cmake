@@ -32,6 +32,7 @@ set(LUMI_PLAIN_FILES
   baker/trace/error_gauge_test.cpp
   baker/trace/path_tracer_test.cpp
   baker/trace/volume_test.cpp
+  baker/surface/holes_test.cpp
   baker/volume/flight_test.cpp
   baker/volume/opacity_surface_test.cpp
   baker/chord/field_rays_test.cpp
@@ -54,13 +55,16 @@ set(LUMI_PLAIN_FILES
   tools/commands/bake_default_test.cpp
   tools/commands/fit_test.cpp
   tools/commands/report_test.cpp
-  tools/commands/scale_test.cpp)
+  tools/commands/scale_test.cpp
+  tools/commands/own_files_test.cpp
+  tools/commands/standard_streams_test.cpp)
 
-# Tests with this tag bake one scene again and again (stopped, killed, in shards): not run under sanitizers either.
-set(LUMI_PLAIN_TAG "[repeated]")
+# Tests with these tags are not run under sanitizers either: they bake one scene again and again (stopped, killed, in
+# shards), or compare pictures and meshes of several bakes.
+set(LUMI_PLAIN_TAGS "~[repeated]~[statistics]")
 
 if(LUMI_SANITIZE AND NOT LUMI_TEST_ALL)
-  set(LUMI_TEST_SPEC "~${LUMI_PLAIN_TAG}")
+  set(LUMI_TEST_SPEC ${LUMI_PLAIN_TAGS})
 else()
   set(LUMI_TEST_SPEC)
   set(LUMI_PLAIN_FILES)

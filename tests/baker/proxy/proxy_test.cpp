@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "proxy/proxy_fit.h"
 #include "proxy/proxy_outside.h"

@@ -110,7 +110,7 @@ Scene ball(const Material& material, const Environment& environment)
 
 }  // namespace
 
-TEST_CASE("a glowing ball has its colour everywhere, from wherever it is seen")
+TEST_CASE("a glowing ball has its colour everywhere, from wherever it is seen", "[statistics]")
 {
     const Rgb radiance = {0.6f, 0.2f, 0.05f};
     const SurfaceBake bake = surface_field(ball(lamp(radiance), constant_environment(0)), tiny_surface());
@@ -118,7 +118,7 @@ TEST_CASE("a glowing ball has its colour everywhere, from wherever it is seen")
     CHECK(bake.viewed_vertices == 0);
 }
 
-TEST_CASE("noise does not darken: a matt ball below an even sky has the colour of its albedo")
+TEST_CASE("noise does not darken: a matt ball below an even sky has the colour of its albedo", "[statistics]")
 {
     const Rgb albedo = {0.5f, 0.25f, 0.1f};
     const SurfaceBake bake = surface_field(ball(diffuse(albedo), constant_environment(1)), tiny_surface());
@@ -129,7 +129,7 @@ TEST_CASE("noise does not darken: a matt ball below an even sky has the colour o
     CHECK(mean.b == Approx(truth.b).margin(0.7));
 }
 
-TEST_CASE("light above white shows as white")
+TEST_CASE("light above white shows as white", "[statistics]")
 {
     const SurfaceBake bake = surface_field(ball(lamp({40, 1.5f, 0.2f}), constant_environment(0)), tiny_surface());
     CHECK(worst_level(bake, {255, 255, srgb_encode(grey(0.2f)).b}) <= 1);
@@ -147,7 +147,7 @@ TEST_CASE("a surface file opens in core and says what the bake says")
     CHECK(field.two_sided == bake.two_sided);
 }
 
-TEST_CASE("view tables take most of the error that highlights on a metal box make")
+TEST_CASE("view tables take most of the error that highlights on a metal box make", "[statistics]")
 {
     SceneMaker maker;
     maker.box(maker.add(metal({0.8f, 0.5f, 0.3f}, 0.4f)), {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
@@ -167,7 +167,7 @@ TEST_CASE("view tables take most of the error that highlights on a metal box mak
     CHECK(error_with < error_without / 2);
 }
 
-TEST_CASE("any number of threads makes the same surface file")
+TEST_CASE("any number of threads makes the same surface file", "[repeated]")
 {
     const Scene scene = tiny_scene();
     SurfaceSettings one = tiny_surface(), three = one;
@@ -175,7 +175,7 @@ TEST_CASE("any number of threads makes the same surface file")
     CHECK(baked(scene, one) == baked(scene, three));
 }
 
-TEST_CASE("seeds of a surface bake make different files")
+TEST_CASE("seeds of a surface bake make different files", "[repeated]")
 {
     SurfaceSettings other = tiny_surface();
     other.seed = 2;

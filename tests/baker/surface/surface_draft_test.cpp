@@ -24,7 +24,7 @@ TEST_CASE("A draft tells at most how many bytes a bake takes, and how many exact
     CHECK(draft.most_bytes(2 * settings.texels_per_radius) > most);
 }
 
-TEST_CASE("A bake from a draft is the bake without it", "[surface]")
+TEST_CASE("A bake from a draft is the bake without it", "[surface][repeated]")
 {
     const Scene scene = tiny_scene();
     const SurfaceDraft draft(scene, tiny_surface());

@@ -38,7 +38,7 @@ TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[s
     CHECK_FALSE(surface.loss.rough);
 }
 
-TEST_CASE("Meshes that would be too large for the format are made smaller", "[surface]")
+TEST_CASE("Meshes that would be too large for the format are made smaller", "[surface][statistics]")
 {
     const SurfaceMesh mesh = built_surface(ball_over_floor(24, constant_environment(1)), {300, 0.05f, 0.7f}).mesh;
     CHECK(mesh.positions.size() <= format::kMaxSurfaceVertices);
@@ -46,7 +46,7 @@ TEST_CASE("Meshes that would be too large for the format are made smaller", "[su
     CHECK(mesh.patches.size() > format::kMaxPatches / 2);
 }
 
-TEST_CASE("Hidden triangles take nothing from those that can be seen", "[surface]")
+TEST_CASE("Hidden triangles take nothing from those that can be seen", "[surface][statistics]")
 {
     SceneMaker maker;
     const uint32_t matter = maker.add(diffuse(grey(0.5f)));

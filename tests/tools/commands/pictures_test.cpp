@@ -83,7 +83,7 @@ TEST_CASE("a baked field of every texel format renders in every mode")
     }
 }
 
-TEST_CASE("render and reference show the same view, from wherever the eye is and whichever axis is up")
+TEST_CASE("render and reference show the same view, from wherever the eye is and whichever axis is up", "[statistics]")
 {
     // A coarse field is blurred, but a mirrored, tilted or turned view would be much worse than that: by 2 dB at least.
     const test::TemporaryFolder folder;
