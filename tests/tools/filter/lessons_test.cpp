@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "draw/draw_surface.h"
 #include "image/png.h"
 #include "metrics/psnr.h"
 #include "support/small_surface.h"

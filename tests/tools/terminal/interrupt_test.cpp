@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <functional>
+#include <optional>
 
 #include "files/cut_short.h"
 #include "lumi/host/mapped_file.h"
