@@ -5,7 +5,8 @@
 # UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test under sanitizers too (built file by file, without precompiled
 # headers, which shows missing includes), every policy, frame and unit test on every board, every failure on purpose,
-# clang-tidy, a minute of fuzzing a target, and the commands of the examples' pages. A missing tool is an error.
+# clang-tidy, cppcheck, a minute of fuzzing a target, and the commands of the examples' pages. There a missing tool is
+# an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -40,6 +41,19 @@ check_with_clang_tidy() {
     cd "$root" || exit
     cmake --preset tidy
     run-clang-tidy -quiet -p build/tidy -j "$jobs" "$root/(core|baker|tools|platform|tests)/.*\.cpp$"
+  )
+}
+
+# Left out: members that the next call sets; shifts of negative numbers, which GCC and Clang define; constants that a
+# policy takes another value for; a sum of weights of which one is never 0.
+check_with_cppcheck() {
+  command -v cppcheck >/dev/null || die "cppcheck is missing"
+  (
+    cd "$root" || exit
+    cppcheck --quiet --error-exitcode=1 --enable=warning,portability --std=c++17 --language=c++ -j "$jobs" \
+      --suppress=missingIncludeSystem --suppress=uninitMemberVar --suppress=shiftTooManyBitsSigned \
+      --suppress=duplInheritedMember --suppress=zerodiv:core/src/lattice/neighbours.cpp \
+      -Icore/include -Icore/src -Ibaker/include -Ibaker/src -Itools/src -Iplatform/host/include core/src baker/src tools/src
   )
 }
 
@@ -81,6 +95,7 @@ main() {
   run_step "Build for the host" build_preset host -DLUMI_TEST_ALL="$all"
   run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all" "${sanitize_options[@]}"
   if [[ $all == ON ]]; then
+    run_step "cppcheck" check_with_cppcheck
     run_step "clang-tidy" check_with_clang_tidy
     run_step "Fuzz, a minute a target" "$root/tools/fuzz.sh"
     run_step "Soak, a minute" "$root/tools/soak.sh"

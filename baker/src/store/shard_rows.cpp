@@ -14,7 +14,7 @@ uint32_t turn(uint32_t round, uint32_t shards)
     uint32_t h = (round + 1) * 0x9E3779B9u;
     h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
     h ^= h >> 13;
-    return static_cast<uint32_t>(uint64_t{h} * shards >> 32);
+    return static_cast<uint32_t>(static_cast<uint64_t>(h) * shards >> 32);
 }
 
 }  // namespace
