@@ -14,7 +14,8 @@ namespace lumi::baker
 // How far the facets' slopes spread: alike in every direction, or along x and along y. The first costs what it would
 // cost without the second.
 struct Isotropic {
-    Isotropic(float a) : alpha(a) {}  // implicit: the width is the whole of it
+    // NOLINTNEXTLINE(google-explicit-constructor): the width is the whole of it
+    Isotropic(float a) : alpha(a) {}
 
     Vec3 stretched(const Vec3& v) const { return {alpha * v.x, alpha * v.y, v.z}; }
     float area() const { return alpha * alpha; }

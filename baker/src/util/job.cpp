@@ -15,6 +15,7 @@ namespace
 
 constexpr std::chrono::milliseconds kReportInterval(100);
 constexpr double kUsualPace = 3e5;  // rays a second
+constexpr double kFirstEta = 0.02;  // of the work: before that, work that is only estimated tells no pace
 
 unsigned thread_count(unsigned wanted)
 {
@@ -61,9 +62,10 @@ void Job::report()
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     const uint64_t done = this->done();
     meter_.add(elapsed, done);
-    const double pace = stage_ == Stage::light ? meter_.per_second() : 0;
-    if (progress_ &&
-        !progress_({done, rays_total_, pace, meter_.eta_seconds(rays_total_), elapsed, rays_saved_, stage_})) {
+    const bool traces = stage_ == Stage::light;
+    const bool tells_eta = traces || static_cast<double>(done) >= kFirstEta * static_cast<double>(rays_total_);
+    if (progress_ && !progress_({done, rays_total_, traces ? meter_.per_second() : 0,
+                                 tells_eta ? meter_.eta_seconds(rays_total_) : -1, elapsed, rays_saved_, stage_})) {
         throw Cancelled();
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/progress.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 namespace lumi::baker
@@ -47,6 +48,17 @@ TEST_CASE("rate meter: a standstill has no end in sight")
         meter.add(t, 5);
     }
     CHECK(meter.eta_seconds(10) < 0);
+}
+
+TEST_CASE("rate meter: work that stands still for a while is expected to go on at half its mean pace")
+{
+    RateMeter meter(10);
+    for (int t = 0; t <= 100; ++t) {
+        meter.add(t, 500 + 20 * static_cast<uint64_t>(std::min(t, 50)));
+    }
+    CHECK(meter.per_second() == 0);
+    CHECK(meter.eta_seconds(2000) == Approx(500 / (0.5 * 10)));
+    CHECK(meter.eta_seconds(1000) == Approx(0));  // there was more to do than expected
 }
 
 }  // namespace lumi::baker

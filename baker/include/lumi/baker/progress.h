@@ -47,7 +47,8 @@ public:
     void add(double now_seconds, uint64_t done);
     // Units per second between the oldest and the newest report of the window; 0 before there are two.
     double per_second() const;
-    // Seconds until `total` is reached at that pace; negative while the pace is 0.
+    // Seconds until `total` is reached at that pace, or at half the mean pace since the first report where that is
+    // more: work that is counted in steps stands still between them. Negative while nothing is done.
     double eta_seconds(uint64_t total) const;
 
 private:
@@ -55,7 +56,10 @@ private:
         double seconds;
         uint64_t done;
     };
+    static double pace(const Report& from, const Report& to);
+
     double window_seconds_;
+    Report first_ = {};
     std::deque<Report> reports_;
 };
 
