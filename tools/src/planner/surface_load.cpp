@@ -52,6 +52,23 @@ double winding(const Place& a, const Place& b, const Place& c)
     return (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
 }
 
+// Whether no coordinate of a texture, which has so many columns from a to b and rows from a to c, changes by more than
+// `most` texels from sample to sample.
+bool is_magnified(const Place& a, const Place& b, const Place& c, const SurfacePatch& patch, double most)
+{
+    const double area = std::fabs(winding(a, b, c));
+    const auto fits = [&](const Place& end, uint32_t texels) {
+        return texels * std::fabs(end.x - a.x) <= most * area && texels * std::fabs(end.y - a.y) <= most * area;
+    };
+    return fits(c, patch.columns) && fits(b, patch.rows);
+}
+
+// Texels a sample; core/src/surface/rasterize.cpp.
+double most_magnified(SurfaceMode mode)
+{
+    return mode == SurfaceMode::one_sample ? -1 : mode == SurfaceMode::antialiased ? 0.5 : 0.25;
+}
+
 }  // namespace
 
 SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMode mode)
@@ -64,23 +81,25 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
     load.patches = field.patch_count;
     load.image = 1.0 * eye.image.width_px * eye.image.height_px;
     std::vector<bool> is_lit(field.vertex_count);
-    double turned = 0;  // length of the sides of patches that have one triangle seen and one unseen
-    const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
+    const double most = most_magnified(mode);
+    double turned = 0;  // length of the sides of patches that have one triangle facing the eye and one not
+    const auto add = [&](uint32_t a, uint32_t b, uint32_t c, const SurfacePatch& patch) {
         const double area = winding(places[a], places[b], places[c]);
         if (area <= 0 && !field.two_sided) return false;
         const auto [low, high] = std::minmax({places[a].y, places[b].y, places[c].y});
         load.seen += 1;
         load.rows += high - low;
         load.samples += std::fabs(area) / 2;
+        if (is_magnified(places[a], places[b], places[c], patch, most)) load.magnified += std::fabs(area) / 2;
         for (const uint32_t v : {a, b, c}) is_lit[v] = true;
-        return true;
+        return area > 0;
     };
     for (uint32_t k = 0; k < field.patch_count; ++k) {
         const SurfacePatch patch = surface_patch(field, k);
         const uint32_t* v = patch.corner;
-        const bool first = add(v[0], v[1], v[2]);
+        const bool first = add(v[0], v[1], v[2], patch);
         if (v[3] == format::kNoVertex) continue;
-        if (add(v[3], v[2], v[1]) != first)
+        if (add(v[3], v[2], v[1], patch) != first)
             turned += std::hypot(places[v[1]].x - places[v[2]].x, places[v[1]].y - places[v[2]].y);
     }
     constexpr double kSidesAPatch = 5.0 / 2;  // four, each shared by two patches, and the one inside

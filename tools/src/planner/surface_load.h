@@ -10,12 +10,13 @@ namespace lumi::planner
 
 struct SurfaceLoad {
     double vertices = 0, patches = 0;
-    double seen = 0;     // triangles that face the eye
-    double lit = 0;      // vertices of these that have a view table
-    double rows = 0;     // of samples that they span, one by one
-    double samples = 0;  // that they fill, hidden ones too
-    double outline = 0;  // pixels along the edges between seen and unseen triangles
-    double image = 0;    // pixels of the image
+    double seen = 0;       // triangles that face the eye
+    double lit = 0;        // vertices of these that have a view table
+    double rows = 0;       // of samples that they span, one by one
+    double samples = 0;    // that they fill, hidden ones too
+    double magnified = 0;  // of these, those of textures that are read bilinearly
+    double outline = 0;    // pixels along the edges between seen and unseen triangles
+    double image = 0;      // pixels of the image
 };
 
 // Triangles in front of the eye are taken as planes seen in perspective; what a stripe or the image cuts is not known.
