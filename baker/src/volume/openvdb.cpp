@@ -299,7 +299,8 @@ Grid read_vdb(const std::filesystem::path& file)
     } catch (const SceneError&) {
         throw;
     } catch (const std::bad_alloc&) {
-        throw;
+        throw SceneError(
+            at({name}, "reading takes more memory than there is; free some, or copy a damaged file again"));
     } catch (const std::ios_base::failure&) {
         throw SceneError(at({name}, kEndsEarly));
     } catch (const std::exception& error) {  // openvdb::Exception, and what its parts of Boost throw
