@@ -17,7 +17,7 @@ build_packages=(
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # proxy meshes
   libnifti2-dev zlib1g-dev         # volumes
-  libopenvdb-dev                   # their iso-surfaces
+  libopenvdb-dev                   # more of them, and their iso-surfaces
   libkissfft-dev                   # CW-SSIM
   libcli11-dev nlohmann-json3-dev)
 test_packages=(

@@ -5,8 +5,8 @@
 
 #include "util/text_lines.h"
 #include "volume/iso_surface.h"
-#include "volume/nifti_file.h"
 #include "volume/pieces.h"
+#include "volume/volume_file.h"
 
 namespace lumi::baker
 {
@@ -32,15 +32,9 @@ Material bone()
 
 }  // namespace
 
-bool is_volume_file(const std::filesystem::path& file)
-{
-    const std::filesystem::path inner = file.extension() == ".gz" ? file.stem() : file;
-    return inner.extension() == ".nii";
-}
-
 SceneParts read_iso_surface(const std::filesystem::path& file, const IsoSurface& surface)
 {
-    const Grid grid = read_nifti(file);
+    const Grid grid = read_grid(file);
     SceneParts parts;
     parts.mesh = iso_surface(grid, surface.value);
     if (parts.mesh.corners.empty()) {
@@ -57,7 +51,7 @@ SceneParts read_iso_surface(const std::filesystem::path& file, const IsoSurface&
 
 std::string range_of_volume(const std::filesystem::path& file)
 {
-    return range_of(read_nifti(file));
+    return range_of(read_grid(file));
 }
 
 }  // namespace lumi::baker

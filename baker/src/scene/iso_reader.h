@@ -9,10 +9,8 @@
 namespace lumi::baker
 {
 
-bool is_volume_file(const std::filesystem::path& file);
-
-// In millimetres, z up, with smooth normals; one material, dull as bone, named "iso". Throws SceneError, also if the
-// surface is empty.
+// In the file's units, z up, with smooth normals; one material, dull as bone, named "iso". Throws SceneError, also if
+// the surface is empty.
 SceneParts read_iso_surface(const std::filesystem::path& file, const IsoSurface& surface);
 
 // The smallest and the largest value of the file: "-1024 to 3071". Throws SceneError.

@@ -3,6 +3,7 @@
 #include "scene/obj_reader.h"
 #include "scene/scene_file.h"
 #include "util/text_lines.h"
+#include "volume/volume_file.h"
 
 namespace lumi::baker
 {
@@ -28,7 +29,7 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
     if (options.iso) {
         throw SceneError(at({file.string()},
                             "this is no volume, and only volumes have iso-surfaces; leave out --iso, or "
-                            "name a .nii or .nii.gz file"));
+                            "name a .nii, .nii.gz or .vdb file"));
     }
     return file.extension() == ".json" ? read_scene_file(file, options.up, warnings) : read_obj(file, warnings);
 }

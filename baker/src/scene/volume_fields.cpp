@@ -5,7 +5,7 @@
 
 #include "scene/materials.h"
 #include "scene/placement_fields.h"
-#include "volume/nifti_file.h"
+#include "volume/volume_file.h"
 
 namespace lumi::baker
 {
@@ -68,7 +68,7 @@ Volume read_volume(const std::filesystem::path& scene_file, const JsonValue& val
     fields.number("anisotropy", kMeanCosine, anisotropy);
     const Placement placement = read_placement(fields);
     fields.finish();
-    Volume volume = {read_nifti(path), transfer, anisotropy};
+    Volume volume = {read_grid(path), transfer, anisotropy};
     volume.grid.voxel_to_world = combined(affine_of(placement), volume.grid.voxel_to_world);
     if (corners_of(volume).empty()) {
         fields.fail(fields.require("transfer"), "'transfer' gives density 0 to all values of '" + grid.text + "', " +

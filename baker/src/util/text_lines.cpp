@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "util/text_lines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -63,6 +64,14 @@ bool parse_whole(std::string_view word, T& value)
     return r.ec == std::errc() && r.ptr == word.data() + word.size();
 }
 
+// Bytes; 0 if it is not there.
+uintmax_t size_of(const std::filesystem::path& file)
+{
+    std::error_code failed;
+    const uintmax_t size = std::filesystem::file_size(file, failed);
+    return failed ? 0 : size;
+}
+
 bool is_utf16(std::string_view text)
 {
     return text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF";
@@ -75,7 +84,7 @@ std::string at(const Place& place, const std::string& text)
     return place.file + (place.line ? ":" + std::to_string(place.line) : "") + ": " + text;
 }
 
-std::string read_file(const std::filesystem::path& file)
+std::ifstream open_file(const std::filesystem::path& file)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) {
@@ -84,7 +93,7 @@ std::string read_file(const std::filesystem::path& file)
     if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
         throw SceneError(at({file.string()}, "this is a device or a pipe; name a file"));
     }
-    const uintmax_t size = std::filesystem::exists(file, ignored) ? std::filesystem::file_size(file, ignored) : 0;
+    const uintmax_t size = size_of(file);
     if (size > kMaxFileBytes) {
         throw SceneError(at({file.string()}, "the file has " + std::to_string(size) + " bytes, at most " +
                                                  std::to_string(kMaxFileBytes) + " are read; split or simplify it"));
@@ -94,6 +103,13 @@ std::string read_file(const std::filesystem::path& file)
     if (!stream) {
         throw SceneError(at({file.string()}, "the file cannot be opened; check its name and permissions"));
     }
+    return stream;
+}
+
+std::string read_file(const std::filesystem::path& file)
+{
+    std::ifstream stream = open_file(file);
+    const uintmax_t size = std::min<uintmax_t>(size_of(file), kMaxFileBytes);
     std::string text(static_cast<size_t>(size), '\0');
     stream.read(text.data(), static_cast<std::streamsize>(size));
     if (stream.bad()) {

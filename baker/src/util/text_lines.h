@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,10 @@ struct Place {
 // "file:line: text".
 std::string at(const Place& place, const std::string& text);
 
-// The whole file, noted as an input (file_guard.h). Throws SceneError if it cannot be read.
+// Opened to read its bytes, and noted as an input (file_guard.h). Throws SceneError if it is no file, larger than 4 GiB
+// or cannot be opened.
+std::ifstream open_file(const std::filesystem::path& file);
+// The same, read. Throws SceneError if it cannot be.
 std::string read_file(const std::filesystem::path& file);
 // The same, of a text. Refuses UTF-16.
 std::string read_text(const std::filesystem::path& file);

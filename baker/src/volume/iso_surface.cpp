@@ -1,49 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The one file that sees OpenVDB.
 #include "volume/iso_surface.h"
-
-// Its headers are not written for our warnings.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wshadow"
-#include <openvdb/Grid.h>
-#include <openvdb/tools/VolumeToMesh.h>
-#pragma GCC diagnostic pop
 
 #include "geometry/polygon.h"
 #include "volume/affine.h"
+#include "volume/openvdb.h"
 
 namespace lumi::baker
 {
 namespace
 {
-
-// Outside the grid lies this: so far below any value that the cut at its border is flat.
-constexpr float kOutside = -1e30f;
-
-struct Polygons {
-    std::vector<openvdb::Vec3s> points;  // in voxels
-    std::vector<openvdb::Vec3I> triangles;
-    std::vector<openvdb::Vec4I> quads;
-};
-
-Polygons polygons_of(const Grid& grid, float value)
-{
-    openvdb::FloatGrid volume(kOutside);
-    openvdb::FloatGrid::Accessor voxels = volume.getAccessor();
-    const float* at = grid.values.data();
-    for (int z = 0; z < static_cast<int>(grid.nz); ++z) {
-        for (int y = 0; y < static_cast<int>(grid.ny); ++y) {
-            for (int x = 0; x < static_cast<int>(grid.nx); ++x) {
-                voxels.setValue({x, y, z}, *at++);
-            }
-        }
-    }
-    Polygons result;
-    openvdb::tools::volumeToMesh(volume, result.points, result.triangles, result.quads, static_cast<double>(value));
-    return result;
-}
 
 class MeshBuilder
 {
@@ -70,7 +35,7 @@ public:
     }
 
     // Along the shorter diagonal.
-    void add_quad(const openvdb::Vec4I& q)
+    void add_quad(const std::array<uint32_t, 4>& q)
     {
         const std::vector<Vec3>& p = mesh_.positions;
         const uint32_t first = length(p[q[2]] - p[q[0]]) <= length(p[q[3]] - p[q[1]]) ? 0 : 1;
@@ -89,18 +54,18 @@ private:
 
 Mesh iso_surface(const Grid& grid, float value)
 {
-    const Polygons polygons = polygons_of(grid, value);
-    // OpenVDB's inside is below the value, and its polygons face away from that; ours face away from what is above. A
-    // mirrored grid turns them once more.
+    const Polygons polygons = dual_contour(grid, value);
+    // Its polygons face away from what is below the value; ours face away from what is above. A mirrored grid turns
+    // them once more.
     MeshBuilder builder(determinant(grid.voxel_to_world) > 0);
-    for (const openvdb::Vec3s& p : polygons.points) {
-        builder.add_point(point_of(grid.voxel_to_world, static_cast<double>(p.x()), static_cast<double>(p.y()),
-                                   static_cast<double>(p.z())));
+    for (const auto& [x, y, z] : polygons.points) {
+        builder.add_point(
+            point_of(grid.voxel_to_world, static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));
     }
-    for (const openvdb::Vec3I& t : polygons.triangles) {
-        builder.add_triangle(t[0], t[1], t[2]);
+    for (const auto& [a, b, c] : polygons.triangles) {
+        builder.add_triangle(a, b, c);
     }
-    for (const openvdb::Vec4I& q : polygons.quads) {
+    for (const std::array<uint32_t, 4>& q : polygons.quads) {
         builder.add_quad(q);
     }
     return builder.take();

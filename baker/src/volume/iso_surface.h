@@ -8,7 +8,7 @@
 namespace lumi::baker
 {
 
-// Dual contouring by OpenVDB: about two triangles for each voxel that the surface crosses. What is above `value` is
+// Dual contouring: about two triangles for each voxel that the surface crosses. What is above `value` is
 // inside: triangles face away from it, and where it reaches the grid's border the surface is closed there by a flat
 // cut. Positions are in the grid's world; no normals; every triangle has an area, and material 0. Empty if no value
 // lies above, or none at or below. The same for any number of threads.

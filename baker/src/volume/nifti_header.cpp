@@ -11,7 +11,7 @@
 
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
-#include "volume/affine.h"
+#include "volume/grid_limits.h"
 
 namespace lumi::baker
 {
@@ -73,19 +73,9 @@ private:
         if (h_.dim[0] < 3 || h_.dim[0] > 7) {
             fail("the header says " + std::to_string(h_.dim[0]) + " dimensions; a volume has 3");
         }
-        int64_t voxels = 1;
+        require_size(name_, {h_.dim[1], h_.dim[2], h_.dim[3]});
         for (size_t k = 0; k < 3; ++k) {
-            const int64_t side = h_.dim[k + 1];
-            if (side < 2 || side > kMaxVoxelsASide) {
-                fail(std::to_string(side) + " voxels along axis " + std::to_string(k + 1) + "; a volume has 2 to " +
-                     std::to_string(kMaxVoxelsASide));
-            }
-            result_.size[k] = static_cast<uint32_t>(side);
-            voxels *= side;
-        }
-        if (voxels > kMaxVoxels) {
-            fail(std::to_string(voxels) + " voxels; at most " + std::to_string(kMaxVoxels) +
-                 " are read: crop the volume, or resample it with larger voxels");
+            result_.size[k] = static_cast<uint32_t>(h_.dim[k + 1]);
         }
         for (int k = 4; k <= h_.dim[0]; ++k) {
             if (h_.dim[k] != 1) {
@@ -136,7 +126,7 @@ private:
             place_by_spacing();
         }
         scale_to_mm();
-        check_place();
+        require_place(name_, result_.voxel_to_mm, method());
     }
 
     void place_by_spacing()
@@ -168,22 +158,6 @@ private:
             for (double& entry : row) {
                 entry *= mm;
             }
-        }
-    }
-
-    void check_place() const
-    {
-        constexpr double kFarthest = 1e9, kSmallestVoxel = 1e-18;  // mm, mm³
-        for (const auto& row : result_.voxel_to_mm) {
-            for (const double entry : row) {
-                if (!(std::abs(entry) <= kFarthest)) {
-                    fail("the header does not say where voxels lie: its " + method() + " holds " +
-                         std::to_string(entry) + "; write the file anew with a true sform");
-                }
-            }
-        }
-        if (!(std::abs(determinant(result_.voxel_to_mm)) >= kSmallestVoxel)) {
-            fail("voxels have no volume by the header's " + method() + "; write the file anew with their size");
         }
     }
 

@@ -10,9 +10,7 @@
 namespace lumi::baker
 {
 
-inline constexpr size_t kNiftiHeaderBytes = 540;         // of NIfTI-2; a header of NIfTI-1 has 348
-inline constexpr int64_t kMaxVoxels = int64_t{1} << 28;  // 1 GB of memory; 512 x 512 x 1024
-inline constexpr int64_t kMaxVoxelsASide = 32767;        // NIfTI-1 cannot say more
+inline constexpr size_t kNiftiHeaderBytes = 540;  // of NIfTI-2; a header of NIfTI-1 has 348
 inline constexpr int64_t kMaxNiftiDataOffset = int64_t{1} << 24;
 
 enum class VoxelType : uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
@@ -20,7 +18,7 @@ enum class VoxelType : uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 
 size_t bytes_of(VoxelType type);
 
 struct NiftiHeader {
-    std::array<uint32_t, 3> size = {};  // 2 to kMaxVoxelsASide each; their product is at most kMaxVoxels
+    std::array<uint32_t, 3> size = {};  // within grid_limits.h
     VoxelType type = VoxelType::u8;
     bool swapped = false;                                   // the other byte order
     size_t data_offset = 0;                                 // bytes; at most kMaxNiftiDataOffset

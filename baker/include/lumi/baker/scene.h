@@ -95,9 +95,9 @@ private:
     std::unique_ptr<const SceneData> data_;
 };
 
-// Reads a scene file (docs/scenes.md), by its name's end .json, an iso-surface of a volume, by .nii or .nii.gz, or else
-// an OBJ file with its MTL files and textures. Throws SceneError. Appends one line per doubtful thing that could still
-// be drawn, each in the form of SceneError's text, to `warnings`.
+// Reads a scene file (docs/scenes.md), by its name's end .json, an iso-surface of a volume, by .nii, .nii.gz or .vdb,
+// or else an OBJ file with its MTL files and textures. Throws SceneError. Appends one line per doubtful thing that
+// could still be drawn, each in the form of SceneError's text, to `warnings`.
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace lumi::baker

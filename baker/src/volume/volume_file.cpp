@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "volume/volume_file.h"
+
+#include "volume/nifti_file.h"
+#include "volume/openvdb.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+bool is_vdb(const std::filesystem::path& file)
+{
+    return file.extension() == ".vdb";
+}
+
+}  // namespace
+
+bool is_volume_file(const std::filesystem::path& file)
+{
+    const std::filesystem::path inner = file.extension() == ".gz" ? file.stem() : file;
+    return is_vdb(file) || inner.extension() == ".nii";
+}
+
+Grid read_grid(const std::filesystem::path& file)
+{
+    return is_vdb(file) ? read_vdb(file) : read_nifti(file);
+}
+
+}  // namespace lumi::baker

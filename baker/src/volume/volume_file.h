@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Grids from files of every format that is read; the end of a name tells which.
+#pragma once
+
+#include <filesystem>
+
+#include "volume/grid.h"
+
+namespace lumi::baker
+{
+
+// .nii, .nii.gz or .vdb.
+bool is_volume_file(const std::filesystem::path& file);
+
+// By read_vdb() if the name ends so, else by read_nifti(). Throws SceneError.
+Grid read_grid(const std::filesystem::path& file);
+
+}  // namespace lumi::baker
