@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A chord field that lumi of commit 420e9fe baked (testcard.obj, 72 × 96 rays, palette8, 16 light paths) opens, and
+// `render` draws what it drew then. Spans draw other bits since tricks were weighed (docs/log/chord.md).
+#include <catch2/catch.hpp>
+
+#include "image/png.h"
+#include "lumi/crc32.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+
+namespace lumi::tools
+{
+
+TEST_CASE("a chord field of an earlier version draws the pictures that it drew then")
+{
+    const test::TemporaryFolder folder;
+    const std::string png = folder / "o.png";
+    const struct {
+        const char* mode;
+        uint32_t crc;
+    } pictures[] = {{"nearest", 0x3024D09D}, {"linear", 0x18C227EE}, {"paper", 0xF1CE2CD6}};
+    for (const auto& p : pictures) {
+        CAPTURE(p.mode);
+        const test::Outcome outcome = test::lumi({"render", LUMI_OLD_FIELD, "-o", png, "--size", "96x64", "--orbit",
+                                                  "37,23,3", "--fov", "40", "--mode", p.mode});
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        const Picture picture = read_png(png);
+        CHECK(crc32(0, picture.rgb.data(), picture.rgb.size()) == p.crc);
+    }
+}
+
+}  // namespace lumi::tools
