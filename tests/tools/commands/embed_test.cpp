@@ -93,6 +93,45 @@ TEST_CASE("a field to be flashed on its own is a copy, and its header tells the 
     CHECK_THAT(refused.err, Catch::Contains("flashed on its own"));
 }
 
+TEST_CASE("a UF2 file holds the field page by page from its address on, which the header says too")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = folder / "a.lumi", uf2 = folder / "a.uf2", bytes = test::field_bytes({});
+    test::write_content(field, bytes);
+    const Outcome outcome = lumi({"embed", field, "-o", uf2, "--address", "0x10100000", "--family", "rp2350"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const std::string file = test::content_of(uf2);
+    REQUIRE(file.size() % 512 == 0);
+    const auto word = [&](size_t at) {
+        uint32_t value = 0;
+        for (size_t k = 4; k-- > 0;) value = value << 8 | static_cast<uint8_t>(file[at + k]);
+        return value;
+    };
+    std::string flashed;
+    for (size_t at = 0; at < file.size(); at += 512) {
+        CHECK(file.compare(at, 8, "UF2\x0AWQ\x5D\x9E") == 0);
+        CHECK(word(at + 8) == 0x2000);
+        CHECK(word(at + 12) == 0x10100000 + flashed.size());
+        CHECK(word(at + 16) == 256);
+        CHECK(word(at + 20) == at / 512);
+        CHECK(word(at + 24) == file.size() / 512);
+        CHECK(word(at + 28) == 0xE48BFF57);
+        CHECK(word(at + 508) == 0x0AB16F30);
+        flashed += file.substr(at + 32, 256);
+    }
+    CHECK(flashed.size() - bytes.size() < 256);
+    CHECK((flashed.substr(0, bytes.size()) == bytes));
+    CHECK_THAT(test::content_of(folder / "a.h"), Catch::Contains("a = (const uint8_t*)269484032u;"));
+    CHECK_THAT(lumi({"embed", field, "-o", uf2}).err, Catch::Contains("needs --address"));
+    for (const char* address : {"0x10100100", "x", "-4096", "0x100000000", ""}) {
+        CAPTURE(address);
+        CHECK(lumi({"embed", field, "-o", uf2, "--address", address}).code == 2);
+    }
+    CHECK((test::content_of(uf2) == file));
+    CHECK(lumi({"embed", field, "-o", folder / "a.c", "--address", "0x10100000"}).code == 2);
+}
+
 TEST_CASE("header and inspect name the view of exactly this field")
 {
     const test::TemporaryFolder folder;

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 // lumi embed: a field as part of a program.
+#include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
+#include "commands/choice.h"
 #include "commands/commands.h"
 #include "files/embed.h"
 #include "files/field_file.h"
 #include "files/output_file.h"
 #include "files/symbol.h"
+#include "files/uf2.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -18,16 +23,22 @@ namespace
 {
 
 struct EmbedOptions {
-    std::string field, output, symbol, section, incbin;
+    std::string field, output, symbol, section, incbin, address;
+    Uf2Family family = Uf2Family::rp2040;
 };
+
+bool is_uf2(const EmbedOptions& options)
+{
+    return std::filesystem::path(options.output).extension() == ".uf2";
+}
 
 EmbedKind kind_of(const EmbedOptions& options)
 {
     const std::filesystem::path extension = std::filesystem::path(options.output).extension();
     if (extension == ".S" || extension == ".s") return EmbedKind::assembler;
     if (extension == ".c") return EmbedKind::array;
-    if (extension == ".bin") return EmbedKind::flashed;
-    throw UsageError("--output takes a name that ends in .S, .c or .bin, such as field.S");
+    if (extension == ".bin" || extension == ".uf2") return EmbedKind::flashed;
+    throw UsageError("--output takes a name that ends in .S, .c, .bin or .uf2, such as field.S");
 }
 
 std::string symbol_of(const EmbedOptions& options)
@@ -46,8 +57,28 @@ void check_options(const EmbedOptions& options, EmbedKind kind)
     if (!options.section.empty() && !is_section(options.section))
         throw UsageError("--section takes letters, digits and . _ $ -, not \"" + options.section + "\"");
     if (!options.section.empty() && kind == EmbedKind::flashed)
-        throw UsageError("a .bin has no --section: it is flashed on its own");
+        throw UsageError("a .bin or .uf2 has no --section: it is flashed on its own");
+    if (!options.address.empty() && kind != EmbedKind::flashed)
+        throw UsageError("--address is for a .bin or .uf2 alone");
+    if (options.address.empty() && is_uf2(options))
+        throw UsageError("a .uf2 needs --address, where its bytes are flashed, such as 0x10100000");
     if (!options.incbin.empty() && kind != EmbedKind::assembler) throw UsageError("--incbin is for a .S alone");
+}
+
+// Where the bytes are flashed; nothing if that is not said.
+std::optional<uint32_t> address_of(const EmbedOptions& options, size_t bytes)
+{
+    if (options.address.empty()) return std::nullopt;
+    char* end = nullptr;
+    errno = 0;
+    const unsigned long long address = std::strtoull(options.address.c_str(), &end, 0);
+    const unsigned alignment = is_uf2(options) ? kUf2SectorBytes : 8;
+    const bool fits = std::isdigit(static_cast<unsigned char>(options.address.front())) && *end == 0 && errno == 0 &&
+                      address <= UINT32_MAX && bytes <= UINT32_MAX - address;
+    if (!fits || address % alignment != 0)
+        throw UsageError("--address takes a number divisible by " + std::to_string(alignment) +
+                         ", with room for the field below 2^32, such as 0x10100000, not \"" + options.address + "\"");
+    return static_cast<uint32_t>(address);
 }
 
 // How the assembler file names the field: from its own folder, so that both can move together.
@@ -60,10 +91,12 @@ std::string incbin_of(const EmbedOptions& options)
     return (relative.empty() ? field : relative).generic_string();
 }
 
-std::string source_of(const EmbedOptions& options, EmbedKind kind, const EmbedName& name, const FieldFile& field)
+std::string source_of(const EmbedOptions& options, EmbedKind kind, const EmbedName& name, const FieldFile& field,
+                      std::optional<uint32_t> address)
 {
     if (kind == EmbedKind::assembler) return embed_assembler(name, incbin_of(options));
     if (kind == EmbedKind::array) return embed_array(name, field.bytes(), field.size());
+    if (is_uf2(options)) return uf2_of(field.bytes(), field.size(), *address, options.family);
     return {reinterpret_cast<const char*>(field.bytes()), field.size()};
 }
 
@@ -76,8 +109,9 @@ void run(const EmbedOptions& options)
     announce_outputs({options.output, header});
     const FieldFile field(options.field);
     field.require_intact();
-    const std::string source = source_of(options, kind, name, field);
-    const std::string declarations = embed_header(name.symbol, kind, field);
+    const std::optional<uint32_t> address = address_of(options, field.size());
+    const std::string source = source_of(options, kind, name, field, address);
+    const std::string declarations = embed_header(name.symbol, kind, field, address);
     write_outputs({{options.output, source}, {header, declarations}});
     std::printf("%s, %s: symbol %s, %zu bytes\n", options.output.c_str(), header.c_str(), name.symbol.c_str(),
                 field.size());
@@ -93,8 +127,8 @@ void add_embed(CLI::App& lumi)
     command->add_option("FIELD", options->field, "A field file")->required();
     command
         ->add_option("-o,--output", options->output,
-                     "File to write: .S for an assembler, .c for a compiler that has none (Arduino, MSVC), .bin to be "
-                     "flashed on its own; the header goes beside it as .h")
+                     "File to write: .S for an assembler, .c for a compiler that has none (Arduino, MSVC), .bin or "
+                     ".uf2 to be flashed on its own; the header goes beside it as .h")
         ->type_name("FIELD.S")
         ->required();
     command->add_option("--symbol", options->symbol, "Name of the bytes in C [the output's name without .S]")
@@ -107,6 +141,13 @@ void add_embed(CLI::App& lumi)
                      "Path of the field to write into the assembler file as it is; a relative one is looked up from "
                      "the compiler's working directory and its -I folders [from the output's folder]")
         ->type_name("PATH");
+    command
+        ->add_option("--address", options->address,
+                     "Where a .bin or .uf2 is flashed, as the processor sees it; the header then says it too")
+        ->type_name("ADDRESS");
+    add_choice<Uf2Family>(*command, "--family", options->family,
+                          {{"rp2040", Uf2Family::rp2040}, {"rp2350", Uf2Family::rp2350}}, "rp2040|rp2350",
+                          "The board of a .uf2 [rp2040]");
     command->footer(
         "Example:\n  lumi embed product.lumi -o product.S --symbol product_field\n"
         "  arm-none-eabi-gcc -mcpu=cortex-m4 -c product.S");

@@ -108,8 +108,17 @@ const uint8_t @SYMBOL@[@BYTES@] = {)";
 namespace
 {
 
-std::string declaration_of(EmbedKind kind)
+std::string declaration_of(EmbedKind kind, bool has_address)
 {
+    if (has_address)
+        return R"(/* The bytes of the field lie where they are flashed. */
+static const uint8_t* const @SYMBOL@ = (const uint8_t*)@ADDRESS@u;
+
+static inline size_t @SYMBOL@_size(void)
+{
+    return @BYTES@u;
+}
+)";
     switch (kind) {
         case EmbedKind::assembler:
             return R"(/* The bytes of the field, aligned to 8. */
@@ -143,7 +152,8 @@ static inline size_t @SYMBOL@_size(void)
 
 }  // namespace
 
-std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field)
+std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
+                         std::optional<uint32_t> address)
 {
     const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. */
 #ifndef LUMI_EMBEDDED_@SYMBOL@
@@ -173,7 +183,8 @@ using @SYMBOL@_view = @VIEW@;
 #endif
 )";
     const RendererName renderer = renderer_of(field);
-    std::string result = replaced(text, "@DECLARATION@", declaration_of(kind));
+    std::string result = replaced(text, "@DECLARATION@", declaration_of(kind, address.has_value()));
+    result = replaced(result, "@ADDRESS@", std::to_string(address.value_or(0)));
     result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
     result = replaced(result, "@OPENER@", renderer.opener);
     const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;

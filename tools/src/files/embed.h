@@ -2,6 +2,7 @@
 // A field as part of a program: its bytes as assembler, C or a file to be flashed, and a C and C++ header for them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,10 +34,12 @@ std::string embed_array(const EmbedName& name, const uint8_t* bytes, size_t size
 enum class EmbedKind {
     assembler,  // bytes from SYMBOL to SYMBOL_end
     array,      // SYMBOL, an array
-    flashed,    // nothing: the program says where the bytes lie
+    flashed,    // SYMBOL, a pointer, where the address is known; else nothing: the program says where the bytes lie
 };
 
-// What a build needs to know: the bytes, how many, and the view that draws them.
-std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field);
+// What a build needs to know: the bytes, how many, and the view that draws them. `address`: where flashed bytes lie, if
+// that is known.
+std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
+                         std::optional<uint32_t> address = {});
 
 }  // namespace lumi::tools

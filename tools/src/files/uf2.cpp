@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "files/uf2.h"
+
+#include <algorithm>
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+constexpr size_t kBlockBytes = 512, kHeaderBytes = 32, kPayloadBytes = 256;  // a page of flash a block
+constexpr uint32_t kFirstMagic = 0x0A324655, kSecondMagic = 0x9E5D5157, kLastMagic = 0x0AB16F30;
+constexpr uint32_t kHasFamily = 0x2000;
+
+void put(std::string& text, uint32_t word)
+{
+    for (int shift = 0; shift < 32; shift += 8) text += static_cast<char>(word >> shift & 0xFF);
+}
+
+}  // namespace
+
+std::string uf2_of(const uint8_t* bytes, size_t size, uint32_t address, Uf2Family family)
+{
+    const size_t blocks = (size + kPayloadBytes - 1) / kPayloadBytes;
+    std::string text;
+    for (size_t k = 0; k < blocks; ++k) {
+        const size_t from = k * kPayloadBytes, count = std::min(kPayloadBytes, size - from);
+        for (const uint32_t word : {kFirstMagic, kSecondMagic, kHasFamily, address + static_cast<uint32_t>(from),
+                                    static_cast<uint32_t>(kPayloadBytes), static_cast<uint32_t>(k),
+                                    static_cast<uint32_t>(blocks), static_cast<uint32_t>(family)})
+            put(text, word);
+        text.append(reinterpret_cast<const char*>(bytes) + from, count);
+        text.append(kBlockBytes - kHeaderBytes - count - sizeof kLastMagic, '\0');
+        put(text, kLastMagic);
+    }
+    return text;
+}
+
+}  // namespace lumi::tools
