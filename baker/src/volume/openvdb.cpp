@@ -292,7 +292,7 @@ Polygons dual_contour(const Grid& grid, float value)
 Grid read_vdb(const std::filesystem::path& file)
 {
     const std::string name = file.string();
-    std::ifstream stream = open_file(file);
+    auto stream = open_file(file);
     try {
         stream.exceptions(std::ios::failbit | std::ios::badbit);
         return VdbReader(name, stream).read();

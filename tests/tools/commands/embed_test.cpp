@@ -122,7 +122,7 @@ TEST_CASE("a UF2 file holds the field page by page from its address on, which th
     }
     CHECK(flashed.size() - bytes.size() < 256);
     CHECK((flashed.substr(0, bytes.size()) == bytes));
-    CHECK_THAT(test::content_of(folder / "a.h"), Catch::Contains("a = (const uint8_t*)269484032u;"));
+    CHECK_THAT(test::content_of(folder / "a.h"), Catch::Contains("a = (const uint8_t*)0x10100000u;"));
     CHECK_THAT(lumi({"embed", field, "-o", uf2}).err, Catch::Contains("needs --address"));
     for (const char* address : {"0x10100100", "x", "-4096", "0x100000000", ""}) {
         CAPTURE(address);

@@ -2,6 +2,7 @@
 #include "files/embed.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "files/renderer_name.h"
 
@@ -184,7 +185,9 @@ using @SYMBOL@_view = @VIEW@;
 )";
     const RendererName renderer = renderer_of(field);
     std::string result = replaced(text, "@DECLARATION@", declaration_of(kind, address.has_value()));
-    result = replaced(result, "@ADDRESS@", std::to_string(address.value_or(0)));
+    char hexadecimal[16];
+    std::snprintf(hexadecimal, sizeof hexadecimal, "0x%08X", static_cast<unsigned>(address.value_or(0)));
+    result = replaced(result, "@ADDRESS@", hexadecimal);
     result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
     result = replaced(result, "@OPENER@", renderer.opener);
     const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
