@@ -17,7 +17,8 @@ set(LUMI_POLICIES_cortex-m7 each)
 set(LUMI_POLICIES_cortex-m33 each)
 
 # Files that are not built under sanitizers. Statistics and pictures against a reference read no file and index no
-# memory that other tests do not; plans, reports and benches come from code that bakes and draws nothing itself.
+# memory that other tests do not; plans, reports and benches come from code that bakes and draws nothing itself; which
+# file a command spares, and what it says where stdout is full, is code that the other tests of commands run.
 set(LUMI_PLAIN_FILES
   baker/math/sampler_test.cpp
   baker/math/warp_test.cpp
