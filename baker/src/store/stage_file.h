@@ -25,6 +25,7 @@ public:
 
     // False if it is not there or damaged; the output is then unspecified.
     bool find(const Digest::Value& key, std::vector<uint8_t>& bytes) const;
+    const std::filesystem::path& path() const { return path_; }  // empty: nothing is kept
     void add(const Digest::Value& key, const std::vector<uint8_t>& bytes);
 
 private:

@@ -73,11 +73,6 @@ SurfaceSample get_sample(ByteReader& in)
     return s;
 }
 
-[[noreturn]] void throw_damaged()
-{
-    throw BakeError("the file of stages is damaged; discard it with --restart");
-}
-
 }  // namespace
 
 void put(ByteWriter& out, const Mesh& mesh)
@@ -183,7 +178,7 @@ bool get(ByteReader& in, SurfaceModel& model)
     return get(in, model.texels) && get(in, model.nodes);
 }
 
-void put(ByteWriter& out, const Descent& d)
+void put(ByteWriter& out, const ConjugateGradients& d)
 {
     for (const std::vector<double>* numbers : {&d.x, &d.residual, &d.direction}) {
         out.put64(numbers->size());
@@ -198,7 +193,7 @@ void put(ByteWriter& out, const Descent& d)
     out.put8(d.done ? 1 : 0);
 }
 
-bool get(ByteReader& in, Descent& d)
+bool get(ByteReader& in, ConjugateGradients& d)
 {
     for (std::vector<double>* numbers : {&d.x, &d.residual, &d.direction}) {
         uint64_t count = 0;
@@ -238,30 +233,36 @@ bool get(ByteReader& in, ProxyLoss& loss)
     return true;
 }
 
-void require_shape(const Descent& descent, const SurfaceShape& shape)
+void BakeStages::fail_as_damaged() const
+{
+    throw BakeError(file_.path().string() + ": is damaged; discard it with --restart");
+}
+
+void BakeStages::require_shape(const ConjugateGradients& gradients, const SurfaceShape& shape) const
 {
     const size_t numbers = 3 * empty_model(shape).nodes.size();
-    if (descent.x.size() != numbers || descent.residual.size() != numbers || descent.direction.size() != numbers) {
-        throw_damaged();
+    if (gradients.x.size() != numbers || gradients.residual.size() != numbers ||
+        gradients.direction.size() != numbers) {
+        fail_as_damaged();
     }
 }
 
-void require_shape(const SurfaceModel& model, const SurfaceShape& shape)
+void BakeStages::require_shape(const SurfaceModel& model, const SurfaceShape& shape) const
 {
     const SurfaceModel empty = empty_model(shape);
     if (model.texels.size() != empty.texels.size() || model.nodes.size() != empty.nodes.size()) {
-        throw_damaged();
+        fail_as_damaged();
     }
 }
 
-void require_shape(const SampleBatches& batches, const SurfaceShape& shape)
+void BakeStages::require_shape(const SampleBatches& batches, const SurfaceShape& shape) const
 {
     for (const std::vector<SurfaceSample>& batch : batches) {
         for (const SurfaceSample& s : batch) {
             const uint32_t patch = s.triangle / 2;
             if (patch >= shape.mesh.patches.size() ||
                 s.texel - shape.layout.rectangles[patch].begin >= shape.layout.rectangles[patch].size()) {
-                throw_damaged();
+                fail_as_damaged();
             }
         }
     }

@@ -26,15 +26,10 @@ void put(ByteWriter& out, const SampleBatches& batches);
 bool get(ByteReader& in, SampleBatches& batches);
 void put(ByteWriter& out, const SurfaceModel& model);
 bool get(ByteReader& in, SurfaceModel& model);
-void put(ByteWriter& out, const Descent& descent);
-bool get(ByteReader& in, Descent& descent);
+void put(ByteWriter& out, const ConjugateGradients& gradients);
+bool get(ByteReader& in, ConjugateGradients& gradients);
 void put(ByteWriter& out, const ProxyLoss& loss);
 bool get(ByteReader& in, ProxyLoss& loss);
-
-// Throws BakeError where what was kept is of another shape.
-void require_shape(const SurfaceModel& model, const SurfaceShape& shape);
-void require_shape(const Descent& descent, const SurfaceShape& shape);
-void require_shape(const SampleBatches& batches, const SurfaceShape& shape);
 
 class BakeStages
 {
@@ -66,7 +61,14 @@ public:
         return result;
     }
 
+    // Throws BakeError where what was kept is of another shape.
+    void require_shape(const SurfaceModel& model, const SurfaceShape& shape) const;
+    void require_shape(const ConjugateGradients& gradients, const SurfaceShape& shape) const;
+    void require_shape(const SampleBatches& batches, const SurfaceShape& shape) const;
+
 private:
+    [[noreturn]] void fail_as_damaged() const;
+
     StageFile file_;
     Digest scene_;
 };

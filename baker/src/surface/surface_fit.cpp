@@ -108,7 +108,7 @@ SortedSamples SurfaceFit::pilot_samples(BakeStages& stages, Job& job) const
         SampleBatches some = stages.get<SampleBatches>(
             "pilot light", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, job); }, first);
         job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
-        require_shape(some, shape_);
+        stages.require_shape(some, shape_);
         std::move(some.begin(), some.end(), std::back_inserter(all));
     }
     return by_patch(all);
@@ -129,7 +129,7 @@ void SurfaceFit::pilot(SurfaceState& state, BakeStages& stages, Job& job) const
             return model;
         };
         state.expected = stages.get<SurfaceModel>("pilot round", next, round);
-        require_shape(state.expected, shape_);
+        stages.require_shape(state.expected, shape_);
     }
     state.has_pilot = true;
 }

@@ -70,17 +70,17 @@ public:
     void solve(SurfaceModel& model, const std::vector<uint8_t>& viewed, const char* name) const
     {
         SurfaceSolver solver(state_.sums, smoothness_, viewed, job_);
-        Descent descent;
-        for (int done = 0; done < kIterations && !descent.done; done += kIterationsAtOnce) {
+        ConjugateGradients gradients;
+        for (int done = 0; done < kIterations && !gradients.done; done += kIterationsAtOnce) {
             const auto next = [&] {
-                Descent d = done == 0 ? solver.begun(model) : std::move(descent);
+                ConjugateGradients d = done == 0 ? solver.begun(model) : std::move(gradients);
                 solver.advance(d, kIterationsAtOnce);
                 return d;
             };
-            descent = stages_.get<Descent>(name, next, done);
-            require_shape(descent, state_.shape);
+            gradients = stages_.get<ConjugateGradients>(name, next, done);
+            stages_.require_shape(gradients, state_.shape);
         }
-        solver.take(descent, model);
+        solver.take(gradients, model);
     }
     // The texels that go with these nodes.
     void refit_texels(SurfaceModel& model) const

@@ -184,9 +184,9 @@ SurfaceSolver::Numbers SurfaceSolver::preconditioned(const Numbers& residual)
     return z;
 }
 
-Descent SurfaceSolver::begun(const SurfaceModel& model)
+ConjugateGradients SurfaceSolver::begun(const SurfaceModel& model)
 {
-    Descent d;
+    ConjugateGradients d;
     for (const LevelColour& node : model.nodes) {
         for (const float channel : node) {
             d.x.push_back(static_cast<double>(channel));
@@ -204,7 +204,7 @@ Descent SurfaceSolver::begun(const SurfaceModel& model)
     return d;
 }
 
-void SurfaceSolver::advance(Descent& d, int iterations)
+void SurfaceSolver::advance(ConjugateGradients& d, int iterations)
 {
     Numbers product(d.x.size());
     for (int k = 0; k < iterations && !d.done; ++k) {
@@ -232,19 +232,19 @@ void SurfaceSolver::advance(Descent& d, int iterations)
     }
 }
 
-void SurfaceSolver::take(const Descent& descent, SurfaceModel& model)
+void SurfaceSolver::take(const ConjugateGradients& gradients, SurfaceModel& model)
 {
-    for (size_t k = 0; k < descent.x.size(); ++k) {
-        model.nodes[k / 3][k % 3] = static_cast<float>(descent.x[k]);
+    for (size_t k = 0; k < gradients.x.size(); ++k) {
+        model.nodes[k / 3][k % 3] = static_cast<float>(gradients.x[k]);
     }
     fit_texels(model);
 }
 
 void SurfaceSolver::solve(SurfaceModel& model, int iterations)
 {
-    Descent descent = begun(model);
-    advance(descent, iterations);
-    take(descent, model);
+    ConjugateGradients gradients = begun(model);
+    advance(gradients, iterations);
+    take(gradients, model);
 }
 
 void SurfaceSolver::fit_texels(SurfaceModel& model)

@@ -13,7 +13,7 @@ namespace lumi::baker
 {
 
 // Where conjugate gradients stand. Numbers: 3 a node; sums are of each channel.
-struct Descent {
+struct ConjugateGradients {
     std::vector<double> x, residual, direction;
     std::array<double, 3> size{}, first{};  // of the residual, now and at the begin
     bool done = false;                      // the residual is small enough
@@ -28,9 +28,9 @@ public:
     // From the nodes of `model`, so many iterations, to nodes and texels. In parts, for who keeps what is done: begun,
     // advance, take.
     void solve(SurfaceModel& model, int iterations);
-    Descent begun(const SurfaceModel& model);
-    void advance(Descent& descent, int iterations);
-    void take(const Descent& descent, SurfaceModel& model);
+    ConjugateGradients begun(const SurfaceModel& model);
+    void advance(ConjugateGradients& gradients, int iterations);
+    void take(const ConjugateGradients& gradients, SurfaceModel& model);
     // The texels alone, for the nodes as they are.
     void fit_texels(SurfaceModel& model);
 
