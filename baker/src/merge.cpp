@@ -15,7 +15,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-void require_possible(const BakeIdentity& id)
+void require_possible_identity(const BakeIdentity& id)
 {
     if (const SurfaceSettings* surface = std::get_if<SurfaceSettings>(&id.settings)) {
         require_possible_surface(*surface);
@@ -36,7 +36,7 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
         }
     };
     const FileGuard guard;
-    ShardSet set(shards, require_possible);
+    ShardSet set(shards, require_possible_identity);
     return set.is_surface() ? merge_surface(set, output, leave_if_cancelled)
                             : merge_chord(set, output, leave_if_cancelled);
 }

@@ -27,7 +27,7 @@ std::string name_of(uint32_t k)
     return std::to_string(k) + ".shard";
 }
 
-void bake_shards(const ScratchFolder& folder, const Scene& scene, const BakeSettings& settings, uint32_t count = kCount)
+void bake_rows(const ScratchFolder& folder, const Scene& scene, const BakeSettings& settings, uint32_t count = kCount)
 {
     for (uint32_t k = 1; k <= count; ++k) {
         bake_shard(scene, settings, {k, count}, folder.at(name_of(k)));
@@ -97,7 +97,7 @@ TEST_CASE("merge: the field is that of one machine, bit for bit, in every texel 
     for (const TexelFormat texel : AllTexels::kFormats) {
         for (const uint32_t count : {1u, 2u, 5u, 9u, 11u}) {  // with 11, two hold no row
             const ScratchFolder folder;
-            bake_shards(folder, scene, tiny_settings(texel), count);
+            bake_rows(folder, scene, tiny_settings(texel), count);
             Paths shards;
             for (uint32_t k = count; k >= 1; --k) {
                 shards.push_back(folder.at(name_of(k)));
@@ -153,7 +153,7 @@ TEST_CASE("merge: missing, double, foreign, stale, damaged and unfinished shards
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
-    bake_shards(folder, scene, tiny_settings());
+    bake_rows(folder, scene, tiny_settings());
     const auto shard = [&](uint32_t k) { return folder.at(name_of(k)); };
 
     auto problems = problems_of(folder, {shard(2)});
@@ -214,7 +214,7 @@ TEST_CASE("merge: every truncation of a shard is refused by name")
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
-    bake_shards(folder, scene, tiny_settings(TexelFormat::luma8), 2);
+    bake_rows(folder, scene, tiny_settings(TexelFormat::luma8), 2);
     const std::string whole = read_bytes(folder.at(name_of(1)));
     for (size_t size = 0; size < whole.size(); ++size) {
         folder.write("cut", whole.substr(0, size));
@@ -228,7 +228,7 @@ TEST_CASE("merge: every truncation of a shard is refused by name")
 TEST_CASE("merge: stopping it leaves the earlier output")
 {
     const ScratchFolder folder;
-    bake_shards(folder, tiny_scene(), tiny_settings());
+    bake_rows(folder, tiny_scene(), tiny_settings());
     folder.write("f.lumi", "earlier");
     for (int after = 0; after < 12; ++after) {
         int calls = 0;

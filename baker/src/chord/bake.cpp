@@ -153,7 +153,7 @@ private:
     Job job_;
 };
 
-bool has_all(BlockFile& file)
+bool has_all_rows(BlockFile& file)
 {
     const RowFile rows(file);
     return missing_slots(rows).empty() && rows.has_intact_palette();
@@ -189,7 +189,7 @@ void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& s
 {
     require_partial_coverage(scene.data(), settings.texel == format::TexelFormat::palette8);
     const BakeIdentity identity = identity_of(scene, settings, shard);
-    if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all)) {
+    if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all_rows)) {
         return;
     }
     Checkpoint checkpoint(checkpoint_of(output), identity, earlier);

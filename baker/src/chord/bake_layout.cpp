@@ -3,19 +3,13 @@
 
 #include "chord/tracing_fingerprint.h"
 #include "lumi/lattice.h"
+#include "store/require.h"
 #include "store/shard_rows.h"
 
 namespace lumi::baker
 {
 namespace
 {
-
-void require(bool good, const std::string& message)
-{
-    if (!good) {
-        throw BakeError(message);
-    }
-}
 
 std::string lattice_range(const char* name)
 {

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "chord/field_rays.h"
 
+#include "math/unit_vector.h"
 #include "math/warp.h"
 
 namespace lumi::baker
 {
-namespace
-{
-
-Vec3 from_q30(const Vec3q30& p)
-{
-    constexpr double kUnit = 1.0 / kOneQ30;
-    return normalized(
-        {static_cast<float>(p.x * kUnit), static_cast<float>(p.y * kUnit), static_cast<float>(p.z * kUnit)});
-}
-
-}  // namespace
 
 Vec3 OriginDisc::at(const Vec2& u) const
 {
@@ -26,7 +16,7 @@ Vec3 OriginDisc::at(const Vec2& u) const
 OriginDisc FieldRays::disc(uint32_t i) const
 {
     // π·radius² = 4π/M
-    return {Frame(from_q30(point(origins_, i))), 2 / std::sqrt(static_cast<float>(origins_.size()))};
+    return {Frame(unit_vector(point(origins_, i))), 2 / std::sqrt(static_cast<float>(origins_.size()))};
 }
 
 OriginDisc FieldRays::direction_disc(uint32_t j) const
@@ -36,7 +26,7 @@ OriginDisc FieldRays::direction_disc(uint32_t j) const
 
 Vec3 FieldRays::direction_point(uint32_t j) const
 {
-    return from_q30(point(directions_, j));
+    return unit_vector(point(directions_, j));
 }
 
 std::optional<Ray> FieldRays::ray(const Vec3& start, const Vec3& target)

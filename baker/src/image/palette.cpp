@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint64_t kSeed = 0x70616C;
+constexpr uint64_t kPaletteSeed = 0x70616C;
 
 // Square roots of the shares that the channels have in seen differences of encoded values; coverage moves all of them.
 constexpr float kWeights[4] = {0.55f, 0.77f, 0.33f, 0.8f};
@@ -44,7 +44,7 @@ Palette fit_palette(const std::vector<Rgba8>& samples)
     if (points.empty()) {
         return palette;
     }
-    const std::vector<ColourPoint> centres = k_means(points, {ColourPoint{}}, format::kPaletteEntries, kSeed);
+    const std::vector<ColourPoint> centres = k_means(points, {ColourPoint{}}, format::kPaletteEntries, kPaletteSeed);
     for (size_t k = 1; k < centres.size(); ++k) {
         palette[k] = to_colour(centres[k]);
     }

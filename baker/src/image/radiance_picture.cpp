@@ -12,8 +12,6 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kMaxRadiance = 1e9f;  // sums of many stay finite in binary32
-
 // Sharpened pictures undershoot: a little below 0 is ordinary, and means 0.
 Rgb clamped(const Rgb& c)
 {

@@ -6,7 +6,6 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kMaxRadiance = 1e9f;     // sums of many stay finite in binary32
 constexpr float kMaxIndex = 4;           // of diamond 2.4, of germanium 4
 constexpr float kMinGlassIndex = 1.01f;  // closer to 1, facets and directions can no longer be told apart
 constexpr size_t kRoughnessSteps = 64;

@@ -13,10 +13,10 @@ constexpr float kCell = 1.0f / 120;       // radii: a pixel
 constexpr uint32_t kMaxCells = 64;        // along a side of a triangle
 constexpr double kMaxAllCells = 1 << 20;  // of all triangles together
 constexpr float kHalf = 0.5f;
-constexpr uint32_t kSteps = 16;  // that a cell's side is cut in: pieces of neighbouring triangles meet exactly
+constexpr uint32_t kCellSteps = 16;  // that a cell's side is cut in: pieces of neighbouring triangles meet exactly
 
-// A place on a triangle: shares of its corners, in steps of a cell; they sum to cells × kSteps.
-using Place = std::array<uint32_t, 3>;
+// A place on a triangle: shares of its corners, in steps of a cell; they sum to cells × kCellSteps.
+using CellPlace = std::array<uint32_t, 3>;
 
 // What one triangle's picture shows at the corners of cells.
 class OpacityGrid
@@ -68,7 +68,7 @@ private:
     // Sutherland and Hodgman's clipping, at the one line.
     void cut_cell(const std::array<Node, 3>& cell)
     {
-        std::array<Place, 4> kept;
+        std::array<CellPlace, 4> kept;
         size_t count = 0;
         for (size_t k = 0; k < 3; ++k) {
             const Node &a = cell[k], &b = cell[(k + 1) % 3];
@@ -86,20 +86,21 @@ private:
     }
 
     float value(const Node& n) const { return grid_.at(n[0], n[1]); }
-    Place between(const Node& a, const Node& b, uint32_t steps) const
+    CellPlace between(const Node& a, const Node& b, uint32_t steps) const
     {
-        const uint32_t second = a[0] * (kSteps - steps) + b[0] * steps, third = a[1] * (kSteps - steps) + b[1] * steps;
-        return {cells_ * kSteps - second - third, second, third};
+        const uint32_t second = a[0] * (kCellSteps - steps) + b[0] * steps,
+                       third = a[1] * (kCellSteps - steps) + b[1] * steps;
+        return {cells_ * kCellSteps - second - third, second, third};
     }
-    Place crossing(const Node& inside, const Node& outside) const
+    CellPlace crossing(const Node& inside, const Node& outside) const
     {
         const float share = (value(inside) - kHalf) / (value(inside) - value(outside));
-        const auto steps = static_cast<uint32_t>(share * kSteps + 0.5f);
-        return between(inside, outside, std::clamp(steps, 1u, kSteps - 1));
+        const auto steps = static_cast<uint32_t>(share * kCellSteps + 0.5f);
+        return between(inside, outside, std::clamp(steps, 1u, kCellSteps - 1));
     }
 
     // The same bits from both triangles beside an edge.
-    Vec3 position(const Place& place) const
+    Vec3 position(const CellPlace& place) const
     {
         std::array<std::pair<uint32_t, uint32_t>, 3> terms;  // vertex, share
         for (size_t k = 0; k < 3; ++k) {
@@ -108,16 +109,16 @@ private:
         std::sort(terms.begin(), terms.end());
         Vec3 sum;
         for (const auto& [vertex, share] : terms) {
-            sum =
-                sum + scene_.mesh.positions[vertex] * (static_cast<float>(share) / static_cast<float>(cells_ * kSteps));
+            sum = sum +
+                  scene_.mesh.positions[vertex] * (static_cast<float>(share) / static_cast<float>(cells_ * kCellSteps));
         }
         return sum;
     }
 
-    void add(const Place& a, const Place& b, const Place& c)
+    void add(const CellPlace& a, const CellPlace& b, const CellPlace& c)
     {
         const auto first = static_cast<uint32_t>(result_.positions.size());
-        for (const Place& place : {a, b, c}) {
+        for (const CellPlace& place : {a, b, c}) {
             result_.positions.push_back(position(place));
         }
         result_.corners.push_back({first, first + 1, first + 2});

@@ -2,22 +2,12 @@
 #include "proxy/inward_rays.h"
 
 #include "math/frame.h"
+#include "math/unit_vector.h"
 
 namespace lumi::baker
 {
-namespace
-{
 
-Vec3 from_q30(const Vec3q30& p)
-{
-    constexpr double kUnit = 1.0 / kOneQ30;
-    return normalized(
-        {static_cast<float>(p.x * kUnit), static_cast<float>(p.y * kUnit), static_cast<float>(p.z * kUnit)});
-}
-
-}  // namespace
-
-InwardRays::InwardRays(const Lattice& origins, uint32_t origin) : origin_(from_q30(point(origins, origin)))
+InwardRays::InwardRays(const Lattice& origins, uint32_t origin) : origin_(unit_vector(point(origins, origin)))
 {
     const Frame frame(origin_);
     tangent_ = frame.tangent;

@@ -23,7 +23,7 @@ constexpr uint32_t kTrianglesATask = 512;
 constexpr float kAbove = 1e-4f;         // the rays' starts, in radii: sheets closer together count as one
 constexpr double kMaxBothSides = 0.02;  // of what is seen, may be lost by culling
 constexpr float kWeldSteps = 1 << 17;   // vertices that round to the same 1/kWeldSteps radius are one
-constexpr uint64_t kSeed = 0x6F757473;
+constexpr uint64_t kOutsideSeed = 0x6F757473;
 
 // The shares of directions in which each side of a triangle is open to the outside.
 struct Openness {
@@ -46,7 +46,7 @@ public:
             return {};
         }
         const Frame frame(normalized(area));
-        Sampler sampler(kSeed, triangle, 0);
+        Sampler sampler(kOutsideSeed, triangle, 0);
         const uint32_t places = kPlaces + static_cast<uint32_t>(std::min(kMaxPlaces, 0.5f * length(area) / kPlaceArea));
         for (uint32_t k = 0; k < places; ++k) {
             sampler.start(k);

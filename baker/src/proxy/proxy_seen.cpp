@@ -11,9 +11,9 @@ namespace
 {
 
 constexpr uint32_t kRays = 2048;  // that a triangle gets before it counts as hidden
-constexpr uint32_t kTrianglesATask = 64;
-constexpr float kOutside = 2.5f;  // beyond the sphere from any place in it, in radii
-constexpr uint64_t kSeed = 0x7365656E;
+constexpr uint32_t kSeenTriangles = 64;
+constexpr float kBeyondSphere = 2.5f;  // beyond the sphere from any place in it, in radii
+constexpr uint64_t kSeenSeed = 0x7365656E;
 
 Vec3 place_on(const Mesh& mesh, uint32_t triangle, const Vec2& weights)
 {
@@ -28,14 +28,14 @@ bool is_seen(const ProxyTracer& proxy, const ViewCap& cap, uint32_t triangle)
         return false;
     }
     const Frame frame(normalized(area));
-    Sampler sampler(kSeed, triangle, 0);
+    Sampler sampler(kSeenSeed, triangle, 0);
     for (uint32_t k = 0; k < kRays; ++k) {
         sampler.start(k);
         const Vec3 place = place_on(proxy.mesh(), triangle, square_to_triangle(sampler.next_2d()));
         const Vec2 square = sampler.next_2d();
         const float side = proxy.two_sided() && k % 2 != 0 ? -1.0f : 1.0f;
         const Vec3 outwards = frame.to_world(direction_at(square.x, square.y) * side);
-        const Ray ray = {place + outwards * kOutside, -outwards};
+        const Ray ray = {place + outwards * kBeyondSphere, -outwards};
         const std::optional<Hit> hit = cap.sees(ray) ? proxy.closest(ray) : std::nullopt;
         if (hit && hit->triangle == triangle) {
             return true;
@@ -50,9 +50,9 @@ Mesh seen_part(const ProxyTracer& proxy, Job& job, const ViewCap& cap)
 {
     const uint32_t triangles = static_cast<uint32_t>(proxy.mesh().triangle_count());
     std::vector<uint8_t> seen(triangles);
-    job.run((triangles + kTrianglesATask - 1) / kTrianglesATask, [&](uint32_t task) {
-        const uint32_t end = std::min(triangles, (task + 1) * kTrianglesATask);
-        for (uint32_t k = task * kTrianglesATask; k < end && !job.stopping(); ++k) {
+    job.run((triangles + kSeenTriangles - 1) / kSeenTriangles, [&](uint32_t task) {
+        const uint32_t end = std::min(triangles, (task + 1) * kSeenTriangles);
+        for (uint32_t k = task * kSeenTriangles; k < end && !job.stopping(); ++k) {
             seen[k] = is_seen(proxy, cap, k) ? 1 : 0;
         }
     });

@@ -6,7 +6,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kStep = 2e-6f;  // past a back face; a few units in the last place at length 1
+constexpr float kPastFace = 2e-6f;  // past a back face; a few units in the last place at length 1
 constexpr int kMaxBackFaces = 256;
 
 }  // namespace
@@ -33,7 +33,7 @@ std::optional<Hit> ProxyTracer::closest(const Ray& ray) const
             hit->distance += passed;
             return hit;
         }
-        passed += hit->distance + kStep;
+        passed += hit->distance + kPastFace;
     }
     return std::nullopt;
 }

@@ -10,20 +10,20 @@ namespace
 {
 
 // An edge, the triangle that has it, and whether that runs from the lower vertex to the higher.
-struct Side {
+struct SheetSide {
     uint32_t low, high, triangle;
     bool upwards;
 };
 
-bool same_edge(const Side& a, const Side& b)
+bool same_edge(const SheetSide& a, const SheetSide& b)
 {
     return a.low == b.low && a.high == b.high;
 }
 
 // Sorted by edge.
-std::vector<Side> sides_of(const Mesh& mesh)
+std::vector<SheetSide> sheet_sides(const Mesh& mesh)
 {
-    std::vector<Side> sides;
+    std::vector<SheetSide> sides;
     sides.reserve(3 * mesh.triangle_count());
     for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
         const Mesh::Corners& c = mesh.corners[k];
@@ -35,7 +35,7 @@ std::vector<Side> sides_of(const Mesh& mesh)
             sides.push_back({std::min(a, b), std::max(a, b), k, a < b});
         }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    std::sort(sides.begin(), sides.end(), [](const SheetSide& a, const SheetSide& b) {
         return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
     });
     return sides;
@@ -47,7 +47,7 @@ Sheets::Sheets(const Mesh& mesh)
     : parent_(mesh.triangle_count()), size_(mesh.triangle_count(), 1), reversed_(mesh.triangle_count(), false)
 {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    const std::vector<Side> sides = sides_of(mesh);
+    const std::vector<SheetSide> sides = sheet_sides(mesh);
     for (size_t k = 0, end = 0; k < sides.size(); k = end) {
         while (end < sides.size() && same_edge(sides[k], sides[end])) {
             ++end;

@@ -10,16 +10,16 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kSize = static_cast<int>(kSilhouetteSize);
-constexpr float kGolden = 0.618034f;
-constexpr float kOutside = 2;  // where rays start, in radii
+constexpr int kSide = static_cast<int>(kSilhouetteSize);
+constexpr float kGoldenRatio = 0.618034f;
+constexpr float kRayStart = 2;  // where rays start, in radii
 
 class Mask
 {
 public:
     Mask() : pixels_(kSilhouetteSize * kSilhouetteSize, false) {}
 
-    bool at(int x, int y) const { return x >= 0 && y >= 0 && x < kSize && y < kSize && pixels_[index(x, y)]; }
+    bool at(int x, int y) const { return x >= 0 && y >= 0 && x < kSide && y < kSide && pixels_[index(x, y)]; }
     void set(int x, int y, bool value) { pixels_[index(x, y)] = value; }
     uint32_t count() const { return static_cast<uint32_t>(std::count(pixels_.begin(), pixels_.end(), true)); }
 
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    static size_t index(int x, int y) { return static_cast<size_t>(y * kSize + x); }
+    static size_t index(int x, int y) { return static_cast<size_t>(y * kSide + x); }
 
     std::vector<bool> pixels_;
 };
@@ -67,12 +67,12 @@ float height_of(uint32_t direction)
 template <class Covers>
 Mask silhouette(uint32_t direction, const Covers& covers)
 {
-    const Frame frame(direction_at(height_of(direction), kGolden * static_cast<float>(direction)));
+    const Frame frame(direction_at(height_of(direction), kGoldenRatio * static_cast<float>(direction)));
     Mask mask;
-    for (int y = 0; y < kSize; ++y) {
-        for (int x = 0; x < kSize; ++x) {
-            const auto place = [](int k) { return (2 * static_cast<float>(k) + 1) / kSize - 1; };
-            mask.set(x, y, covers(Ray{frame.to_world({place(x), place(y), kOutside}), -frame.normal}));
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            const auto place = [](int k) { return (2 * static_cast<float>(k) + 1) / kSide - 1; };
+            mask.set(x, y, covers(Ray{frame.to_world({place(x), place(y), kRayStart}), -frame.normal}));
         }
     }
     return mask;
@@ -87,8 +87,8 @@ bool is_two_thick(const Mask& mask, int x, int y)
 Mask missing_of(const Mask& scene, const Mask& mesh)
 {
     Mask result;
-    for (int y = 0; y < kSize; ++y) {
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
             const bool inside = scene.count(x - 1, y - 1, 3, 3) == 9;
             const bool gone = mesh.count(x - 1, y - 1, 3, 3) == 0 && is_two_thick(scene, x, y);
             result.set(x, y, scene.at(x, y) && !mesh.at(x, y) && (inside || gone));
@@ -108,8 +108,8 @@ MissingPixels missing_from(uint32_t direction, const SceneData& scene, const Pro
     const Mask drawn = silhouette(direction, [&](const Ray& ray) { return mesh.closest(ray).has_value(); });
     Mask missing = missing_of(truth, drawn);
     MissingPixels result = {truth.count(), missing.count()};
-    for (int k = 0; k < kSize * kSize; ++k) {
-        const uint32_t region = missing.clear_region(k % kSize, k / kSize);
+    for (int k = 0; k < kSide * kSide; ++k) {
+        const uint32_t region = missing.clear_region(k % kSide, k / kSide);
         result.largest = std::max(result.largest, region);
         result.regions += region > kMaxMissing ? 1u : 0u;
     }

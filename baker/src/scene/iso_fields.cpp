@@ -4,13 +4,13 @@
 #include "scene/iso_reader.h"
 #include "scene/material_fields.h"
 #include "scene/materials.h"
+#include "scene/number_ranges.h"
 
 namespace lumi::baker
 {
 
 SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonFields& fields)
 {
-    constexpr NumberRange kScalar = {-1e30, 1e30}, kShare = {0, 1};
     const JsonValue& volume = fields.require("volume");
     const std::filesystem::path path = find_beside(scene_file, fields.text_of(volume, "volume"));
     if (path.empty()) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/iso_reader.h"
 
-#include <algorithm>
-
 #include "util/text_lines.h"
 #include "volume/iso_surface.h"
 #include "volume/pieces.h"
@@ -12,12 +10,6 @@ namespace lumi::baker
 {
 namespace
 {
-
-std::string range_of(const Grid& grid)
-{
-    const auto [least, most] = std::minmax_element(grid.values.begin(), grid.values.end());
-    return number_text(*least) + " to " + number_text(*most);
-}
 
 Material bone()
 {

@@ -4,6 +4,7 @@
 #include "image/radiance_picture.h"
 #include "math/frame.h"
 #include "scene/materials.h"
+#include "scene/number_ranges.h"
 
 namespace lumi::baker
 {
@@ -11,9 +12,6 @@ namespace
 {
 
 constexpr NumberRange kRadiance = {0, 1e9};
-constexpr NumberRange kPlace = {-1e15, 1e15};
-constexpr NumberRange kSize = {1e-9, 1e15};
-constexpr NumberRange kAngle = {-360, 360};
 
 std::array<float, 3> to_array(const Rgb& c)
 {
@@ -87,8 +85,8 @@ Fixture read_rectangle(JsonFields& fields, UpAxis up)
     if (size.kind != JsonValue::Kind::list || size.items.size() != 2) {
         fields.fail(size, "'size' of a rectangle must be two numbers; write [width, height]");
     }
-    const float width = static_cast<float>(fields.number_of(size.items[0], "size", kSize));
-    const float height = static_cast<float>(fields.number_of(size.items[1], "size", kSize));
+    const float width = static_cast<float>(fields.number_of(size.items[0], "size", kLength));
+    const float height = static_cast<float>(fields.number_of(size.items[1], "size", kLength));
     // Width lies level; straight up and down any width does.
     const Vec3 vertical = up == UpAxis::y ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     const Vec3 level = cross(vertical, facing);
@@ -102,7 +100,7 @@ Fixture read_rectangle(JsonFields& fields, UpAxis up)
 Fixture read_sphere(JsonFields& fields)
 {
     const Vec3 position = required_vector(fields, "position");
-    const double radius = fields.number_of(fields.require("radius"), "radius", kSize);
+    const double radius = fields.number_of(fields.require("radius"), "radius", kLength);
     return SphereLight{position, static_cast<float>(radius), required_light(fields, "radiance")};
 }
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "scene/number_ranges.h"
+
 namespace lumi::baker
 {
 namespace
 {
-
-constexpr NumberRange kShare = {0, 1};
 
 struct Metal {
     const char* name;

@@ -34,10 +34,10 @@ bool is_one_of(const char* const (&list)[Size], const std::string& word)
     return std::find(std::begin(list), std::end(list), word) != std::end(list);
 }
 
-class Preparation
+class MtlPreparation
 {
 public:
-    Preparation(const std::string& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings) {}
+    MtlPreparation(const std::string& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings) {}
 
     void take(Line line)
     {
@@ -135,7 +135,7 @@ private:
 
 MtlText prepare_mtl(const std::string& file, std::string_view text, std::vector<std::string>& warnings)
 {
-    Preparation preparation(file, warnings);
+    MtlPreparation preparation(file, warnings);
     for (Line& line : split_lines(text)) {
         preparation.take(std::move(line));
     }

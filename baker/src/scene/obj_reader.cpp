@@ -100,10 +100,10 @@ std::vector<MtlMaterial> materials_of(const std::filesystem::path& file, const O
 }
 
 // Turns polygons into the triangles of a mesh.
-class MeshBuilder
+class ObjMeshBuilder
 {
 public:
-    MeshBuilder(const ObjContent& content, uint32_t default_material)
+    ObjMeshBuilder(const ObjContent& content, uint32_t default_material)
         : content_(content), default_material_(default_material)
     {
         mesh_.positions = content.positions;
@@ -164,7 +164,7 @@ private:
 Mesh build_mesh(const std::string& file, const ObjText& obj, const ObjContent& content,
                 std::vector<std::string>& warnings)
 {
-    MeshBuilder builder(content, static_cast<uint32_t>(obj.materials.size()));
+    ObjMeshBuilder builder(content, static_cast<uint32_t>(obj.materials.size()));
     size_t flat_faces = 0, first_flat = 0;
     for (size_t f = 0; f < content.faces.size(); ++f) {
         if (!builder.add(content.faces[f])) {

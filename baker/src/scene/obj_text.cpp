@@ -11,10 +11,10 @@ namespace
 constexpr double kMaxCoordinate = 1e15;  // squares and differences stay exact enough in binary64 and finite in binary32
 constexpr size_t kMaxCorners = 255;      // the parser counts a face's corners in 8 bits
 
-class Preparation
+class ObjPreparation
 {
 public:
-    explicit Preparation(const std::string& file) : file_(file) { out_.text = "mtllib all\n"; }
+    explicit ObjPreparation(const std::string& file) : file_(file) { out_.text = "mtllib all\n"; }
 
     void take(const Line& line)
     {
@@ -143,7 +143,7 @@ ObjText prepare_obj(const std::string& file, std::string_view text)
     if (text.find('\0') != std::string_view::npos) {
         throw SceneError(at({file}, "this is no text; name a Wavefront OBJ file"));
     }
-    Preparation preparation(file);
+    ObjPreparation preparation(file);
     for (const Line& line : split_lines(text)) {
         preparation.take(line);
     }

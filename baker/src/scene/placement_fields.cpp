@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
+#include "scene/number_ranges.h"
+
 namespace lumi::baker
 {
 namespace
 {
 
-constexpr NumberRange kPlace = {-1e15, 1e15};
-constexpr NumberRange kAngle = {-360, 360};
 constexpr NumberRange kScale = {-1e9, 1e9};
 
 // One number for all axes, or three.

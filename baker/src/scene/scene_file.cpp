@@ -9,6 +9,7 @@
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
 #include "scene/materials.h"
+#include "scene/number_ranges.h"
 #include "scene/obj_reader.h"
 #include "scene/placement_fields.h"
 #include "scene/volume_fields.h"
@@ -18,9 +19,6 @@ namespace lumi::baker
 {
 namespace
 {
-
-constexpr NumberRange kPlace = {-1e15, 1e15};
-constexpr NumberRange kLength = {1e-9, 1e15};
 
 class SceneFileReader
 {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/volume_fields.h"
 
-#include <algorithm>
-
 #include "scene/materials.h"
+#include "scene/number_ranges.h"
 #include "scene/placement_fields.h"
 #include "volume/volume_file.h"
 
@@ -12,9 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr NumberRange kShare = {0, 1};
 constexpr NumberRange kDensity = {0, 1e9};
-constexpr NumberRange kScalar = {-1e30, 1e30};
 constexpr NumberRange kMeanCosine = {-0.95, 0.95};
 
 TransferPoint read_point(const std::string& file, const JsonValue& value)
@@ -44,12 +41,6 @@ TransferFunction read_transfer(const std::string& file, JsonFields& volume)
         }
     }
     return TransferFunction(std::move(points));
-}
-
-std::string range_of(const Grid& grid)
-{
-    const auto [least, most] = std::minmax_element(grid.values.begin(), grid.values.end());
-    return std::to_string(*least) + " to " + std::to_string(*most);
 }
 
 }  // namespace

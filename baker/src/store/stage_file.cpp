@@ -28,7 +28,7 @@ uint32_t crc_of(const std::vector<uint8_t>& head, const std::vector<uint8_t>& by
     return crc32(crc32(0, head.data(), head.size()), bytes.data(), bytes.size());
 }
 
-bool is_there(const std::filesystem::path& path)
+bool is_file(const std::filesystem::path& path)
 {
     std::error_code ignored;
     return !path.empty() && std::filesystem::is_regular_file(path, ignored);
@@ -38,7 +38,7 @@ bool is_there(const std::filesystem::path& path)
 
 StageFile::StageFile(std::filesystem::path path) : path_(std::move(path))
 {
-    if (!is_there(path_)) {
+    if (!is_file(path_)) {
         return;
     }
     try {

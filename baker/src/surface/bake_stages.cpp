@@ -20,14 +20,14 @@ bool get_count(ByteReader& in, uint64_t entry_bytes, uint64_t& count)
     return count <= in.left() / entry_bytes;
 }
 
-void put(ByteWriter& out, const std::vector<LevelColour>& colours)
+void put_colours(ByteWriter& out, const std::vector<LevelColour>& colours)
 {
     out.put64(colours.size());
     for (const LevelColour& c : colours) {
         put(out, Vec3{c[0], c[1], c[2]});
     }
 }
-bool get(ByteReader& in, std::vector<LevelColour>& colours)
+bool get_colours(ByteReader& in, std::vector<LevelColour>& colours)
 {
     uint64_t count = 0;
     if (!get_count(in, kVectorBytes, count)) {

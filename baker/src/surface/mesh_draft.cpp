@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr float kSplitEarly = 0.95f;     // of the longest edge: fitting makes some a little longer
-constexpr float kReach = 0.1f;           // how far a new vertex may move onto the scene, of its edge's length
+constexpr float kMostMove = 0.1f;        // how far a new vertex may move onto the scene, of its edge's length
 constexpr float kMinFacing = 0.5f;       // cosine between the surface that it moves to and the triangles around
 constexpr double kEnoughSeen = 0.95;     // of the triangles asked for
 constexpr int kAttempts = 3;             // to have enough of them seen
@@ -22,7 +22,7 @@ constexpr size_t kMaxTriangles = 65536;  // that are fitted, hidden ones among t
 PlaceMiddle onto(const SceneData& scene)
 {
     return [&scene](const Vec3& middle, const Vec3& facing, float edge) {
-        const float reach = kReach * edge;
+        const float reach = kMostMove * edge;
         const Ray ray = {middle + facing * reach, -facing, 2 * reach};
         const std::optional<Hit> hit = scene.accelerator.closest(ray);
         if (!hit) {

@@ -21,11 +21,11 @@ Place place(const SurfaceMesh& mesh, uint32_t vertex)
 }
 
 // The sides of a patch that have neighbours of their own, and the triangles that they belong to.
-struct Side {
+struct PatchSide {
     uint32_t from, to, triangle;
 };
 
-std::vector<Side> sides_of(const SurfaceMesh::Patch& p, uint32_t number)
+std::vector<PatchSide> patch_sides(const SurfaceMesh::Patch& p, uint32_t number)
 {
     const uint32_t first = 2 * number, second = first + 1;
     if (p.d == SurfaceMesh::kNone) {
@@ -40,7 +40,7 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const SurfaceMesh& mesh)
 {
     std::map<Edge, std::vector<uint32_t>> triangles;
     for (uint32_t k = 0; k < mesh.patches.size(); ++k) {
-        for (const Side& side : sides_of(mesh.patches[k], k)) {
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) {
             triangles[{place(mesh, side.from), place(mesh, side.to)}].push_back(side.triangle);
         }
     }
@@ -49,7 +49,7 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const SurfaceMesh& mesh)
         std::array<uint16_t, 4> across;
         across.fill(static_cast<uint16_t>(format::kNoNeighbour));
         size_t at = 0;
-        for (const Side& side : sides_of(mesh.patches[k], k)) {
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) {
             const auto found = triangles.find({place(mesh, side.to), place(mesh, side.from)});
             if (found != triangles.end() && found->second.size() == 1) {
                 across[at] = static_cast<uint16_t>(found->second.front());

@@ -6,9 +6,9 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kFewPaths = 2;  // a texel, in the mean
-constexpr float kForce = 0.5f;  // of the patches around, in paths
-constexpr int kRounds = 8;      // patches that far from any light that was traced
+constexpr float kFewPaths = 2;    // a texel, in the mean
+constexpr float kForce = 0.5f;    // of the patches around, in paths
+constexpr int kMostDistance = 8;  // patches that far from any light that was traced
 
 struct Mean {
     LevelColour sum{};
@@ -42,7 +42,7 @@ public:
 
     void fill()
     {
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < kMostDistance; ++round) {
             const std::vector<Mean> around = vertex_means();
             for (uint32_t p = 0; p < means_.size(); ++p) {
                 if (means_[p].paths < enough(p)) {

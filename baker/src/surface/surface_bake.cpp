@@ -190,7 +190,7 @@ BakeIdentity identity(const Scene& scene, const SurfaceSettings& settings, const
     return identity_of(scene, settings, shard, tracing_fingerprint(scene.data()));
 }
 
-bool has_all(BlockFile& file)
+bool has_all_sums(BlockFile& file)
 {
     SurfaceFileStore store(file);
     std::vector<uint8_t> bytes;
@@ -232,7 +232,7 @@ void bake_surface_shard(const Scene& scene, const SurfaceSettings& settings, con
 {
     require_possible(scene, settings);
     const BakeIdentity id = identity(scene, settings, shard);
-    if (earlier == Earlier::resume && is_finished_shard(output, id, has_all)) {
+    if (earlier == Earlier::resume && is_finished_shard(output, id, has_all_sums)) {
         return;
     }
     Keeper keeper(checkpoint_of(output), id, earlier);

@@ -2,20 +2,10 @@
 #include "surface/surface_settings.h"
 
 #include "lumi/surface_format.h"
+#include "store/require.h"
 
 namespace lumi::baker
 {
-namespace
-{
-
-void require(bool good, const std::string& message)
-{
-    if (!good) {
-        throw BakeError(message);
-    }
-}
-
-}  // namespace
 
 void require_possible_surface(const SurfaceSettings& s)
 {

@@ -12,7 +12,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kIterations = 60, kIterationsAtOnce = 10;
+constexpr int kMostIterations = 60, kIterationsAtOnce = 10;
 constexpr double kSolveWork = 60;  // light paths a texel that take as long
 
 // Of a texel's mean, a channel. A texel's own scatter is known badly where it has few paths: its patch's helps out.
@@ -71,7 +71,7 @@ public:
     {
         SurfaceSolver solver(state_.sums, smoothness_, viewed, job_);
         ConjugateGradients gradients;
-        for (int done = 0; done < kIterations && !gradients.done; done += kIterationsAtOnce) {
+        for (int done = 0; done < kMostIterations && !gradients.done; done += kIterationsAtOnce) {
             const auto next = [&] {
                 ConjugateGradients d = done == 0 ? solver.begun(model) : std::move(gradients);
                 solver.advance(d, kIterationsAtOnce);
@@ -105,7 +105,7 @@ uint64_t solution_work(const SurfaceShape& shape)
 
 SurfaceParts solved(SurfaceState& state, bool view_tables, const SurfaceSphere& sphere, BakeStages& stages, Job& job)
 {
-    const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kIterations);
+    const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kMostIterations);
     for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
     const Solution solution(state, stages, job);
     std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);

@@ -9,7 +9,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kRounds = 30;
+constexpr int kDiffusionRounds = 30;
 constexpr int kReach = 2;                // of the window in which differences are compared with noise, edges
 constexpr double kLeastVariance = 1e-3;  // levels²
 constexpr double kLeastSpread = 0.5;  // of the picture's own differences, in parts of noise: so well it is told apart
@@ -34,7 +34,7 @@ public:
     void run()
     {
         known_ = trust_;
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < kDiffusionRounds; ++round) {
             for (int y = 0; y < height_; ++y) {
                 for (int x = 0; x < width_; ++x) relax(x, y);
             }

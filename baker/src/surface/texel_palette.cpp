@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint64_t kSeed = 0x73706C;
+constexpr uint64_t kTexelPaletteSeed = 0x73706C;
 constexpr size_t kMaxSamples = 32768;  // more change the palette's error by less than a hundredth
 
 ColourPoint point_of(const LevelColour& c)
@@ -27,7 +27,7 @@ std::vector<ColourPoint> centres_for(const std::vector<LevelColour>& texels)
     for (size_t k = 0; k < texels.size(); k += stride) {
         points.push_back(point_of(texels[k]));
     }
-    std::vector<ColourPoint> centres = k_means(points, {}, format::kPaletteEntries, kSeed);
+    std::vector<ColourPoint> centres = k_means(points, {}, format::kPaletteEntries, kTexelPaletteSeed);
     for (ColourPoint& c : centres) {
         for (float& v : c) {
             v = std::round(v);

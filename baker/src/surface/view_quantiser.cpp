@@ -15,8 +15,8 @@ using format::kNodeColours;
 using format::kViewNodes;
 
 constexpr double kLeastDifference = 0.7;  // levels, root mean square
-constexpr int kRounds = 12;
-constexpr uint64_t kSeed = 0x76696577;
+constexpr int kSharedRounds = 12;
+constexpr uint64_t kViewSeed = 0x76696577;
 constexpr float kGainUnit = 64;
 constexpr float kMost = 127;  // of a channel
 
@@ -116,7 +116,7 @@ public:
     {
         first_gains();
         seed_centres();
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < kSharedRounds; ++round) {
             assign();
             move_centres();
             fit_gains();
@@ -174,7 +174,7 @@ private:
             for (const Wanted& w : all) {
                 distances.push_back(error_of(w, centres_[k][0]));
             }
-            Sampler sampler(kSeed, static_cast<uint32_t>(k), 0);
+            Sampler sampler(kViewSeed, static_cast<uint32_t>(k), 0);
             for (size_t c = 1; c < kNodeColours; ++c) {
                 sampler.start(static_cast<uint32_t>(c));
                 const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
@@ -298,7 +298,7 @@ private:
 
     void move_centres_jointly(const NodeProducts& products)
     {
-        constexpr float kStep = 0.5f;  // vertices that share a colour pull at each other, too
+        constexpr float kPull = 0.5f;  // vertices that share a colour pull at each other, too
         for (size_t k = 0; k < kViewNodes; ++k) {
             std::array<LevelColour, kNodeColours> sums{};
             std::array<float, kNodeColours> weights{};
@@ -316,7 +316,7 @@ private:
             for (size_t code = 0; code < kNodeColours; ++code) {
                 for (size_t c = 0; c < 3 && weights[code] > 0; ++c) {
                     float& channel = centres_[k][code][c];
-                    channel = std::clamp(channel - kStep * sums[code][c] / weights[code], -kMost, kMost);
+                    channel = std::clamp(channel - kPull * sums[code][c] / weights[code], -kMost, kMost);
                 }
             }
         }

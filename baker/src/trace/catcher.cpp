@@ -18,7 +18,7 @@ constexpr Vec3 kUp = {0, 0, 1};
 // Steps of an additive recurrence in two dimensions, powers of 1/g with g^3 = g + 1: they keep points far apart, after
 // M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
 constexpr float kStep1 = 0.7548777f, kStep2 = 0.5698403f;
-constexpr float kGoldenStep = 0.6180340f;  // the same in one dimension
+constexpr float kGoldenFraction = 0.6180340f;  // the same in one dimension
 
 constexpr size_t kAimed = kCatcherCandidates / 2;        // drawn by the lights
 constexpr size_t kSpread = kCatcherCandidates - kAimed;  // drawn over the hemisphere, of the sky alone
@@ -54,7 +54,7 @@ public:
         for (size_t k = 0; k < kSpread; ++k) {
             const float step = static_cast<float>(k);
             const Vec3 towards = square_to_cosine_hemisphere(
-                {fraction(direction.x + step / kSpread), fraction(direction.y + step * kGoldenStep)});
+                {fraction(direction.x + step / kSpread), fraction(direction.y + step * kGoldenFraction)});
             add({towards, kEverywhere, lights.sky_radiance(towards), lights.outside_sky_pdf(towards)});
         }
     }

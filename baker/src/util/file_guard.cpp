@@ -64,7 +64,7 @@ std::vector<FileId> ids_of(const fs::path& file)
     return ids;
 }
 
-bool is_there(const fs::path& file)
+bool is_regular(const fs::path& file)
 {
     std::error_code ignored;
     return fs::is_regular_file(file, ignored);
@@ -154,7 +154,7 @@ void note_input(const fs::path& file)
 {
     Books& all = books();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    if (all.guards == 0 || !is_there(file)) {
+    if (all.guards == 0 || !is_regular(file)) {
         return;
     }
     const std::vector<FileId> ids = ids_of(file);

@@ -13,8 +13,8 @@ namespace lumi::baker
 namespace
 {
 
-constexpr size_t kStep =
-    size_t{1} << 22;  // bytes unpacked at a time: a short file that claims much takes little memory
+// Bytes unpacked at a time: a short file that claims much takes little memory.
+constexpr size_t kPiece = size_t{1} << 22;
 
 class Inflater
 {
@@ -44,7 +44,7 @@ public:
 private:
     void step()
     {
-        const size_t piece = std::min(kStep, in_.size() - at_);
+        const size_t piece = std::min(kPiece, in_.size() - at_);
         stream_.next_in = reinterpret_cast<const Bytef*>(in_.data() + at_);
         stream_.avail_in = static_cast<uInt>(piece);
         const int result = inflate(&stream_, Z_NO_FLUSH);
@@ -74,7 +74,7 @@ std::string unpack_gzip(const std::string& bytes, size_t most)
     Inflater inflater(bytes);
     std::string out;
     for (size_t size = 0, taken = 1; taken != 0 && size < most; size = out.size()) {
-        out.resize(std::min(most, size + kStep));
+        out.resize(std::min(most, size + kPiece));
         taken = inflater.read(&out[size], out.size() - size);
         out.resize(size + taken);
     }

@@ -10,10 +10,10 @@ namespace lumi::baker
 namespace
 {
 
-class MeshBuilder
+class IsoMeshBuilder
 {
 public:
-    explicit MeshBuilder(bool turned) : turned_(turned) {}
+    explicit IsoMeshBuilder(bool turned) : turned_(turned) {}
 
     void add_point(const std::array<double, 3>& p)
     {
@@ -57,7 +57,7 @@ Mesh iso_surface(const Grid& grid, float value)
     const Polygons polygons = dual_contour(grid, value);
     // Its polygons face away from what is below the value; ours face away from what is above. A mirrored grid turns
     // them once more.
-    MeshBuilder builder(determinant(grid.voxel_to_world) > 0);
+    IsoMeshBuilder builder(determinant(grid.voxel_to_world) > 0);
     for (const auto& [x, y, z] : polygons.points) {
         builder.add_point(
             point_of(grid.voxel_to_world, static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));

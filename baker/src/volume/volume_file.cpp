@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "volume/volume_file.h"
 
+#include <algorithm>
+
+#include "util/text_lines.h"
 #include "volume/nifti_file.h"
 #include "volume/openvdb.h"
 
@@ -25,6 +28,12 @@ bool is_volume_file(const std::filesystem::path& file)
 Grid read_grid(const std::filesystem::path& file)
 {
     return is_vdb(file) ? read_vdb(file) : read_nifti(file);
+}
+
+std::string range_of(const Grid& grid)
+{
+    const auto [least, most] = std::minmax_element(grid.values.begin(), grid.values.end());
+    return number_text(*least) + " to " + number_text(*most);
 }
 
 }  // namespace lumi::baker

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "volume/grid.h"
 
@@ -14,5 +15,8 @@ bool is_volume_file(const std::filesystem::path& file);
 
 // By read_vdb() if the name ends so, else by read_nifti(). Throws SceneError.
 Grid read_grid(const std::filesystem::path& file);
+
+// "-1024 to 3071": the least and the greatest value, for messages.
+std::string range_of(const Grid& grid);
 
 }  // namespace lumi::baker

@@ -37,7 +37,7 @@ const uint8_t* bytes_of(const std::string& bytes)
     return reinterpret_cast<const uint8_t*>(bytes.data());
 }
 
-Rgba8 load(const Field& field, uint32_t i, uint32_t j)
+Rgba8 texel_of(const Field& field, uint32_t i, uint32_t j)
 {
     const uint8_t* row = field.row(i);
     return with_texel(field.texel_format, [&](auto texel) { return decltype(texel)::load(field, row, j); });
@@ -81,12 +81,12 @@ TEST_CASE("bake: the formats agree on coverage and colour")
     uint32_t covered = 0;
     for (uint32_t i = 0; i < 40; ++i) {
         for (uint32_t j = 0; j < 70; ++j) {
-            const Rgba8 rgb = load(fields[0], i, j);
+            const Rgba8 rgb = texel_of(fields[0], i, j);
             covered += rgb.a ? 1 : 0;
-            REQUIRE(load(fields[1], i, j).a == rgb.a);
-            REQUIRE(load(fields[3], i, j).a == rgb.a);
-            REQUIRE(std::abs(load(fields[1], i, j).g - rgb.g) <= 2);
-            const Rgba8 palette = load(fields[2], i, j);
+            REQUIRE(texel_of(fields[1], i, j).a == rgb.a);
+            REQUIRE(texel_of(fields[3], i, j).a == rgb.a);
+            REQUIRE(std::abs(texel_of(fields[1], i, j).g - rgb.g) <= 2);
+            const Rgba8 palette = texel_of(fields[2], i, j);
             if (palette.a == 255 && rgb.a == 255) {
                 REQUIRE(std::abs(palette.g - rgb.g) < 40);
             }
@@ -132,7 +132,7 @@ TEST_CASE("bake: a texel tells what its ray sees: a ball in constant light is on
             const double cosine = static_cast<double>(dot_q30(a, b)) / kOneQ30;
             const double distance = std::sqrt((1 + cosine) / 2);
             const double slack = 2 / std::sqrt(4000.0) + 0.01;
-            const Rgba8 texel = load(field, i, j);
+            const Rgba8 texel = texel_of(field, i, j);
             if (distance < 0.5 - slack) {
                 REQUIRE(texel.a == 255);
                 REQUIRE(std::abs(texel.g - 188) <= 6);  // noise of 64 paths

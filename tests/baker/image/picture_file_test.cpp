@@ -15,7 +15,7 @@ namespace lumi::baker
 namespace
 {
 
-using Bytes = std::vector<uint8_t>;
+using PictureBytes = std::vector<uint8_t>;
 using testing::png;
 using testing::ScratchFolder;
 
@@ -73,10 +73,10 @@ std::string packed_hdr()
 
 TEST_CASE("picture file: every kind of PNG gives the same pixels")
 {
-    const Bytes rgb = {255, 0, 0, 0, 255, 0, 51, 102, 153, 0, 0, 0};
+    const PictureBytes rgb = {255, 0, 0, 0, 255, 0, 51, 102, 153, 0, 0, 0};
     CHECK((read(png({PNG_COLOR_TYPE_RGB}, 2, 2, rgb)).rgb == rgb));
     CHECK((read(png({PNG_COLOR_TYPE_RGB, 8, true}, 2, 2, rgb)).rgb == rgb));
-    Bytes wide, with_alpha, alpha;
+    PictureBytes wide, with_alpha, alpha;
     for (size_t k = 0; k < rgb.size(); ++k) {
         wide.insert(wide.end(), {rgb[k], rgb[k]});  // v · 257 in 16 bits
         with_alpha.push_back(rgb[k]);
@@ -94,10 +94,10 @@ TEST_CASE("picture file: every kind of PNG gives the same pixels")
     const testing::PngKind indexed = {PNG_COLOR_TYPE_PALETTE, 2, false, rgb, {7, 8}};
     CHECK((read(png(indexed, 4, 1, {0x1B})).rgb == rgb));
     CHECK((read(png(indexed, 4, 1, {0x1B}), PictureUse::alpha).rgb ==
-           Bytes{7, 7, 7, 8, 8, 8, 255, 255, 255, 255, 255, 255}));
-    CHECK((read(png({PNG_COLOR_TYPE_GRAY, 1}, 2, 1, {0x40})).rgb == Bytes{0, 0, 0, 255, 255, 255}));
-    CHECK((read(png({PNG_COLOR_TYPE_GRAY_ALPHA}, 1, 1, {9, 60}), PictureUse::alpha).rgb == Bytes{60, 60, 60}));
-    CHECK((read(png({PNG_COLOR_TYPE_GRAY}, 1, 1, {9}), PictureUse::alpha).rgb == Bytes{9, 9, 9}));
+           PictureBytes{7, 7, 7, 8, 8, 8, 255, 255, 255, 255, 255, 255}));
+    CHECK((read(png({PNG_COLOR_TYPE_GRAY, 1}, 2, 1, {0x40})).rgb == PictureBytes{0, 0, 0, 255, 255, 255}));
+    CHECK((read(png({PNG_COLOR_TYPE_GRAY_ALPHA}, 1, 1, {9, 60}), PictureUse::alpha).rgb == PictureBytes{60, 60, 60}));
+    CHECK((read(png({PNG_COLOR_TYPE_GRAY}, 1, 1, {9}), PictureUse::alpha).rgb == PictureBytes{9, 9, 9}));
 }
 
 TEST_CASE("picture file: JPEG, grey and coloured, sequential and progressive")
@@ -159,7 +159,7 @@ TEST_CASE("picture file: a sparse file of 6 GB is refused before it is read")
 
 TEST_CASE("picture file: every truncation of PNG, JPEG and HDR is refused")
 {
-    const std::string sound[] = {png({PNG_COLOR_TYPE_RGB}, 2, 2, Bytes(12, 7)), testing::jpeg(20, 12),
+    const std::string sound[] = {png({PNG_COLOR_TYPE_RGB}, 2, 2, PictureBytes(12, 7)), testing::jpeg(20, 12),
                                  testing::jpeg(20, 12, false, true)};
     for (const std::string& picture : sound) {
         CHECK(refusal("t", picture) == "it was read");

@@ -3,6 +3,7 @@
 
 #include "light/light_set.h"
 #include "math/sampler.h"
+#include "support/direction_bins.h"
 #include "support/shapes.h"
 #include "support/statistics.h"
 
@@ -15,13 +16,11 @@ using testing::chi2_score;
 using testing::kSigmas;
 using testing::Mean;
 
-constexpr int kHeights = 20, kTurns = 16;
+constexpr int kSkyHeights = 20, kSkyTurns = 16;
 
-size_t bin_of(const Vec3& d)
+size_t sky_bin(const Vec3& d)
 {
-    const float turn = std::min(std::atan2(d.y, d.x) / (2 * kPi) + 0.5f, 0.99999f);
-    const float height = std::min((d.z + 1) / 2, 0.99999f);
-    return static_cast<size_t>(height * kHeights) * kTurns + static_cast<size_t>(turn * kTurns);
+    return testing::direction_bin(d, kSkyHeights, kSkyTurns);
 }
 
 const Environment kSkies[] = {constant_environment(1),
@@ -37,15 +36,15 @@ TEST_CASE("sky: its pdf integrates to one and its samples follow it")
     constexpr int kFine = 16;
     for (const Environment& environment : kSkies) {
         const Sky sky(environment);
-        std::vector<double> expected(kHeights * kTurns), counts(kHeights * kTurns);
+        std::vector<double> expected(kSkyHeights * kSkyTurns), counts(kSkyHeights * kSkyTurns);
         double total = 0;
-        for (int h = 0; h < kHeights * kFine; ++h) {
-            const float z = -1 + (static_cast<float>(h) + 0.5f) * 2 / (kHeights * kFine);
-            for (int t = 0; t < kTurns; ++t) {
-                const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / kTurns);
+        for (int h = 0; h < kSkyHeights * kFine; ++h) {
+            const float z = -1 + (static_cast<float>(h) + 0.5f) * 2 / (kSkyHeights * kFine);
+            for (int t = 0; t < kSkyTurns; ++t) {
+                const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / kSkyTurns);
                 const double share =
-                    static_cast<double>(sky.pdf(d)) * 4 * static_cast<double>(kPi) / (kHeights * kFine * kTurns);
-                expected[bin_of(d)] += share * kSamples;
+                    static_cast<double>(sky.pdf(d)) * 4 * static_cast<double>(kPi) / (kSkyHeights * kFine * kSkyTurns);
+                expected[sky_bin(d)] += share * kSamples;
                 total += share;
             }
         }
@@ -55,7 +54,7 @@ TEST_CASE("sky: its pdf integrates to one and its samples follow it")
             const float u = sampler.next_1d();
             const LightSample s = sky.sample({}, u, sampler.next_2d());
             REQUIRE(s.pdf == sky.pdf(s.direction));
-            ++counts[bin_of(s.direction)];
+            ++counts[sky_bin(s.direction)];
         }
         CHECK(chi2_score(counts, expected) < kSigmas);
     }

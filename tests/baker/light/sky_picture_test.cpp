@@ -9,6 +9,7 @@
 #include "lumi/baker/scene.h"
 #include "math/sampler.h"
 #include "math/warp.h"
+#include "support/direction_bins.h"
 #include "support/scratch_folder.h"
 #include "support/statistics.h"
 
@@ -34,13 +35,11 @@ std::shared_ptr<RadiancePicture> sunny()
     return picture;
 }
 
-constexpr int kHeights = 24, kTurns = 32;
+constexpr int kPictureHeights = 24, kPictureTurns = 32;
 
-size_t bin_of(const Vec3& d)
+size_t picture_bin(const Vec3& d)
 {
-    const float turn = std::min(std::atan2(d.y, d.x) / (2 * kPi) + 0.5f, 0.99999f);
-    const float height = std::min((d.z + 1) / 2, 0.99999f);
-    return static_cast<size_t>(height * kHeights) * kTurns + static_cast<size_t>(turn * kTurns);
+    return testing::direction_bin(d, kPictureHeights, kPictureTurns);
 }
 
 }  // namespace
@@ -50,18 +49,18 @@ TEST_CASE("sky picture: the pdf integrates to one, samples follow it, and light 
     constexpr uint32_t kSamples = 100000;
     constexpr int kFine = 16;
     const SkyPicture sky(sunny(), 0.1f, 2);
-    std::vector<double> expected(kHeights * kTurns), counts(kHeights * kTurns);
+    std::vector<double> expected(kPictureHeights * kPictureTurns), counts(kPictureHeights * kPictureTurns);
     double total = 0, light = 0;
-    for (int h = 0; h < kHeights * kFine; ++h) {
-        for (int t = 0; t < kTurns * kFine; ++t) {
-            const float z = (static_cast<float>(h) + 0.5f) / (kHeights * kFine) * 2 - 1;
-            const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / (kTurns * kFine));
-            const double share =
-                static_cast<double>(sky.pdf(d)) * 4 * static_cast<double>(kPi) / (kHeights * kFine * kTurns * kFine);
-            expected[bin_of(d)] += share * kSamples;
+    for (int h = 0; h < kPictureHeights * kFine; ++h) {
+        for (int t = 0; t < kPictureTurns * kFine; ++t) {
+            const float z = (static_cast<float>(h) + 0.5f) / (kPictureHeights * kFine) * 2 - 1;
+            const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / (kPictureTurns * kFine));
+            const double share = static_cast<double>(sky.pdf(d)) * 4 * static_cast<double>(kPi) /
+                                 (kPictureHeights * kFine * kPictureTurns * kFine);
+            expected[picture_bin(d)] += share * kSamples;
             total += share;
             const Rgb radiance = sky.radiance(d);
-            light += static_cast<double>(radiance.r) / (kHeights * kFine * kTurns * kFine);
+            light += static_cast<double>(radiance.r) / (kPictureHeights * kFine * kPictureTurns * kFine);
             REQUIRE((is_black(radiance) || sky.pdf(d) > 0));
         }
     }
@@ -70,7 +69,7 @@ TEST_CASE("sky picture: the pdf integrates to one, samples follow it, and light 
     for (uint32_t k = 0; k < kSamples; ++k) {
         Sampler sampler(1, k, 0);
         const Vec3 d = sky.sample(sampler.next_2d());
-        ++counts[bin_of(d)];
+        ++counts[picture_bin(d)];
         estimate.add(static_cast<double>(sky.radiance(d).r / sky.pdf(d)) / (4 * static_cast<double>(kPi)));
     }
     // Bins at the picture's pixel edges hold the grid's error too.

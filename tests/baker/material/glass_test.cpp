@@ -7,6 +7,7 @@
 #include "material/fresnel.h"
 #include "math/sampler.h"
 #include "math/warp.h"
+#include "support/direction_bins.h"
 #include "support/shapes.h"
 #include "support/statistics.h"
 #include "trace/path_tracer.h"
@@ -23,7 +24,7 @@ using testing::SceneMaker;
 
 constexpr float kIndex = 1.5f;
 constexpr float kAlphas[] = {0.01f, 0.05f, 0.2f, 0.5f, 1.0f};
-constexpr float kHeights[] = {1.0f, 0.9f, 0.7f, 0.5f, 0.2f, 0.05f};
+constexpr float kCosines[] = {1.0f, 0.9f, 0.7f, 0.5f, 0.2f, 0.05f};
 
 RoughGlass frosted(float alpha, bool outside)
 {
@@ -55,13 +56,11 @@ Mean albedo(const Bsdf& bsdf, const Vec3& wo, float eta)
     return mean;
 }
 
-constexpr int kRings = 32, kTurns = 32;
+constexpr int kGlassHeights = 32, kGlassTurns = 32;
 
-size_t bin_of(const Vec3& d)
+size_t glass_bin(const Vec3& d)
 {
-    const float turn = std::min(std::atan2(d.y, d.x) / (2 * kPi) + 0.5f, 0.99999f);
-    const float height = std::min((d.z + 1) / 2, 0.99999f);
-    return static_cast<size_t>(height * kRings) * kTurns + static_cast<size_t>(turn * kTurns);
+    return testing::direction_bin(d, kGlassHeights, kGlassTurns);
 }
 
 // A slab of the given thickness between two large panes, seen straight on against a glowing wall.
@@ -91,7 +90,7 @@ TEST_CASE("glass: a frosted boundary passes on all light, from either side and a
     for (const float alpha : kAlphas) {
         for (const bool outside : {true, false}) {
             const float eta = outside ? kIndex : 1 / kIndex;
-            for (const float z : kHeights) {
+            for (const float z : kCosines) {
                 const Mean mean = albedo(Bsdf(frosted(alpha, outside)), direction_at(z, 0.13f), eta);
                 INFO("alpha " << alpha << (outside ? " outside " : " inside ") << z << ": " << mean.value() << " ± "
                               << mean.error());
@@ -104,7 +103,7 @@ TEST_CASE("glass: a frosted boundary passes on all light, from either side and a
 TEST_CASE("glass: a polished boundary passes on all light and obeys Snell and Fresnel")
 {
     for (const float eta : {kIndex, 1 / kIndex}) {
-        for (const float z : kHeights) {
+        for (const float z : kCosines) {
             const Vec3 wo = direction_at(z, 0.3f);
             const float reflectance = dielectric_reflectance(z, eta);
             const auto mirror = SmoothGlass(eta).sample(wo, reflectance * 0.5f, {});
@@ -153,15 +152,16 @@ TEST_CASE("glass: the pdf integrates to one minus the samples that are lost, and
                 const RoughGlass bsdf = frosted(alpha, outside);
                 const Vec3 wo = direction_at(z, 0.13f);
                 INFO("alpha " << alpha << (outside ? " outside " : " inside ") << z);
-                std::vector<double> expected(kRings * kTurns), counts(kRings * kTurns);
+                std::vector<double> expected(kGlassHeights * kGlassTurns), counts(kGlassHeights * kGlassTurns);
                 double total = 0;
-                for (int k = 0; k < kRings * kFine * kTurns * kFine; ++k) {
-                    const float h = (static_cast<float>(k / (kTurns * kFine)) + 0.5f) / (kRings * kFine) * 2 - 1;
+                for (int k = 0; k < kGlassHeights * kFine * kGlassTurns * kFine; ++k) {
+                    const float h =
+                        (static_cast<float>(k / (kGlassTurns * kFine)) + 0.5f) / (kGlassHeights * kFine) * 2 - 1;
                     const Vec3 wi =
-                        direction_at(h, (static_cast<float>(k % (kTurns * kFine)) + 0.5f) / (kTurns * kFine));
+                        direction_at(h, (static_cast<float>(k % (kGlassTurns * kFine)) + 0.5f) / (kGlassTurns * kFine));
                     const double share = static_cast<double>(bsdf.pdf(wo, wi)) * 4 * static_cast<double>(kPi) /
-                                         (kRings * kFine * kTurns * kFine);
-                    expected[bin_of(wi)] += share;
+                                         (kGlassHeights * kFine * kGlassTurns * kFine);
+                    expected[glass_bin(wi)] += share;
                     total += share;
                 }
                 double lost = 0;
@@ -171,7 +171,7 @@ TEST_CASE("glass: the pdf integrates to one minus the samples that are lost, and
                     const std::optional<BsdfSample> s = bsdf.sample(wo, u, sampler.next_2d());
                     lost += s ? 0 : 1;
                     if (s) {
-                        ++counts[bin_of(s->wi)];
+                        ++counts[glass_bin(s->wi)];
                     }
                 }
                 CHECK(total + lost / kSamples == Approx(1).margin(0.015));
@@ -191,7 +191,7 @@ TEST_CASE("coat: never gains, and loses at most its mean reflectance")
     for (const bool metal : {false, true}) {
         for (const float base : kAlphas) {
             for (const float coat : {0.01f, 0.2f, 1.0f}) {
-                for (const float z : kHeights) {
+                for (const float z : kCosines) {
                     const Mean mean = albedo(coated(base, coat, metal), direction_at(z, 0.13f), 1);
                     INFO((metal ? "metal " : "diffuse ")
                          << base << " coat " << coat << " at " << z << ": " << mean.value() << " ± " << mean.error());

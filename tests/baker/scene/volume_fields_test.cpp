@@ -15,7 +15,7 @@ using testing::ScratchFolder;
 
 constexpr char kPoints[] = R"("transfer": [{"value": 0, "density": 0}, {"value": 20, "density": 3, "colour": 0.5}])";
 
-SceneParts read(const std::string& json)
+SceneParts read_volume_scene(const std::string& json)
 {
     const ScratchFolder folder;
     folder.write("v.nii", testing::nifti_int16({4, 5, 6}, [](int x, int, int z) { return 10 * x + z; }));
@@ -23,25 +23,27 @@ SceneParts read(const std::string& json)
     return read_scene_file(folder.write("s.json", json), std::nullopt, warnings);
 }
 
-void check_refused(const std::string& volume, const std::string& what)
+void check_volume_refused(const std::string& volume, const std::string& what)
 {
     const std::string json = "{\"up\": \"z\",\n\"volume\": " + volume + "}";
     INFO(json);
-    CHECK_THROWS_WITH(read(json), Catch::Contains("s.json:2: ") && Catch::Contains(what) && Catch::Contains("; "));
+    CHECK_THROWS_WITH(read_volume_scene(json),
+                      Catch::Contains("s.json:2: ") && Catch::Contains(what) && Catch::Contains("; "));
 }
 
 void check_points_refused(const std::string& points, const std::string& what)
 {
-    check_refused(R"({"file": "v.nii", "transfer": )" + points + "}", what);
+    check_volume_refused(R"({"file": "v.nii", "transfer": )" + points + "}", what);
 }
 
 }  // namespace
 
 TEST_CASE("volume of a scene file: it is read, scaled, turned and moved, and needs no objects")
 {
-    const SceneParts parts = read(std::string(R"({"volume": {"file": "v.nii", "anisotropy": 0.25, "scale": 0.5,
+    const SceneParts parts =
+        read_volume_scene(std::string(R"({"volume": {"file": "v.nii", "anisotropy": 0.25, "scale": 0.5,
         "rotate": [0, 0, 90], "translate": [1, 2, 3], )") +
-                                  kPoints + "}}");
+                          kPoints + "}}");
     REQUIRE(parts.volume);
     CHECK(parts.mesh.triangle_count() == 0);
     const Volume& volume = *parts.volume;
@@ -61,13 +63,13 @@ TEST_CASE("volume of a scene file: it is read, scaled, turned and moved, and nee
 TEST_CASE("volume of a scene file: what cannot be is refused with its line")
 {
     const std::string points = kPoints;
-    check_refused("[]", "the volume must be an object");
-    check_refused("{" + points + "}", "no 'file'");
-    check_refused(R"({"file": "none.nii", )" + points + "}", "'none.nii' is missing");
-    check_refused(R"({"file": "v.nii"})", "no 'transfer'");
-    check_refused(R"({"file": "v.nii", "smoke": 1, )" + points + "}", "smoke");
-    check_refused(R"({"file": "v.nii", "anisotropy": 1, )" + points + "}", "-0.95 to 0.95");
-    check_refused(R"({"file": "v.nii", "scale": 0, )" + points + "}", "flattens");
+    check_volume_refused("[]", "the volume must be an object");
+    check_volume_refused("{" + points + "}", "no 'file'");
+    check_volume_refused(R"({"file": "none.nii", )" + points + "}", "'none.nii' is missing");
+    check_volume_refused(R"({"file": "v.nii"})", "no 'transfer'");
+    check_volume_refused(R"({"file": "v.nii", "smoke": 1, )" + points + "}", "smoke");
+    check_volume_refused(R"({"file": "v.nii", "anisotropy": 1, )" + points + "}", "-0.95 to 0.95");
+    check_volume_refused(R"({"file": "v.nii", "scale": 0, )" + points + "}", "flattens");
     check_points_refused("[]", "must be a list of points");
     check_points_refused("{}", "must be a list of points");
     check_points_refused("[1]", "must be an object");
@@ -85,8 +87,9 @@ TEST_CASE("volume of a scene file: what cannot be is refused with its line")
 
 TEST_CASE("volume of a scene file: a ground lies under its lowest part that is not empty")
 {
-    const SceneParts parts = read(std::string(R"({"up": "z", "volume": {"file": "v.nii", "translate": [0, 0, -7], )") +
-                                  kPoints + R"(}, "ground": {"radius": 9}})");
+    const SceneParts parts =
+        read_volume_scene(std::string(R"({"up": "z", "volume": {"file": "v.nii", "translate": [0, 0, -7], )") +
+                          kPoints + R"(}, "ground": {"radius": 9}})");
     CHECK(static_cast<double>(parts.mesh.positions[0].z) ==
           Approx(point_of(parts.volume->grid.voxel_to_world, 0, 0, 0)[2]));
 }

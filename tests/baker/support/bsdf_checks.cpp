@@ -14,26 +14,26 @@ namespace lumi::baker::testing
 namespace
 {
 
-constexpr int kHeights = 24, kTurns = 48;
+constexpr int kUpperHeights = 24, kUpperTurns = 48;
 
-size_t bin_of(const Vec3& wi)
+size_t upper_bin(const Vec3& wi)
 {
     const float turn = std::atan2(wi.y, wi.x) / (2 * kPi);
-    const int h = std::min(static_cast<int>(wi.z * kHeights), kHeights - 1);
-    const int t = std::min(static_cast<int>((turn < 0 ? turn + 1 : turn) * kTurns), kTurns - 1);
-    return static_cast<size_t>(h * kTurns + t);
+    const int h = std::min(static_cast<int>(wi.z * kUpperHeights), kUpperHeights - 1);
+    const int t = std::min(static_cast<int>((turn < 0 ? turn + 1 : turn) * kUpperTurns), kUpperTurns - 1);
+    return static_cast<size_t>(h * kUpperTurns + t);
 }
 
 // The integral of pdf over each bin of the upper hemisphere, by the midpoint rule on a fine grid.
 std::vector<double> expected_shares(const Bsdf& bsdf, const Vec3& wo, int steps)
 {
-    std::vector<double> shares(kHeights * kTurns);
-    const double cell = 2 * static_cast<double>(kPi) / (kHeights * steps) / (kTurns * steps);
-    for (int h = 0; h < kHeights * steps; ++h) {
-        for (int t = 0; t < kTurns * steps; ++t) {
-            const float z = (static_cast<float>(h) + 0.5f) / static_cast<float>(kHeights * steps);
-            const Vec3 wi = direction_at(z, (static_cast<float>(t) + 0.5f) / static_cast<float>(kTurns * steps));
-            shares[bin_of(wi)] += static_cast<double>(bsdf.pdf(wo, wi)) * cell;
+    std::vector<double> shares(kUpperHeights * kUpperTurns);
+    const double cell = 2 * static_cast<double>(kPi) / (kUpperHeights * steps) / (kUpperTurns * steps);
+    for (int h = 0; h < kUpperHeights * steps; ++h) {
+        for (int t = 0; t < kUpperTurns * steps; ++t) {
+            const float z = (static_cast<float>(h) + 0.5f) / static_cast<float>(kUpperHeights * steps);
+            const Vec3 wi = direction_at(z, (static_cast<float>(t) + 0.5f) / static_cast<float>(kUpperTurns * steps));
+            shares[upper_bin(wi)] += static_cast<double>(bsdf.pdf(wo, wi)) * cell;
         }
     }
     return shares;
@@ -80,7 +80,7 @@ void check_density(const Named& named, const std::vector<Vec3>& viewers, int ste
             const std::optional<BsdfSample> s = named.bsdf.sample(wo, u, sampler.next_2d());
             lost += s ? 0u : 1u;
             if (s) {
-                ++counts[bin_of(s->wi)];
+                ++counts[upper_bin(s->wi)];
             }
         }
         const double share_lost = static_cast<double>(lost) / kSamples;

@@ -10,7 +10,7 @@ namespace lumi::baker::testing
 namespace
 {
 
-constexpr uint32_t kSide = 24;
+constexpr uint32_t kWidth = 24;
 constexpr double kVariance = 16;
 
 // A dark and a bright half; every texel off by noise of kVariance.
@@ -20,9 +20,9 @@ struct Noisy {
     explicit Noisy(float step)
     {
         Sampler sampler(7, 0, 0);
-        for (uint32_t k = 0; k < kSide * kSide; ++k) {
+        for (uint32_t k = 0; k < kWidth * kWidth; ++k) {
             sampler.start(k);
-            const float level = k % kSide < kSide / 2 ? 100.0f : 100.0f + step;
+            const float level = k % kWidth < kWidth / 2 ? 100.0f : 100.0f + step;
             truth.push_back({level, level, level});
             LevelColour texel = truth.back();
             for (float& channel : texel) {
@@ -52,16 +52,16 @@ TEST_CASE("noise leaves what is smooth")
 {
     Noisy flat(0);
     CHECK(flat.error2() == Approx(kVariance).epsilon(0.1));
-    smooth_noise(flat.texels.data(), std::vector<double>(kSide * kSide, kVariance), kSide);
+    smooth_noise(flat.texels.data(), std::vector<double>(kWidth * kWidth, kVariance), kWidth);
     CHECK(flat.error2() < kVariance / 5);
 }
 
 TEST_CASE("edges that stand out from noise stay")
 {
     Noisy edge(60);
-    smooth_noise(edge.texels.data(), std::vector<double>(kSide * kSide, kVariance), kSide);
+    smooth_noise(edge.texels.data(), std::vector<double>(kWidth * kWidth, kVariance), kWidth);
     CHECK(edge.error2() < kVariance / 2);
-    const size_t middle = kSide * kSide / 2 + kSide / 2;
+    const size_t middle = kWidth * kWidth / 2 + kWidth / 2;
     CHECK(edge.texels[middle][0] - edge.texels[middle - 1][0] > 45);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("texels that are known exactly stay as they are")
 {
     Noisy known(60);
     const std::vector<LevelColour> before = known.texels;
-    smooth_noise(known.texels.data(), std::vector<double>(kSide * kSide, 0), kSide);
+    smooth_noise(known.texels.data(), std::vector<double>(kWidth * kWidth, 0), kWidth);
     for (size_t k = 0; k < before.size(); ++k) {
         CHECK(std::abs(known.texels[k][1] - before[k][1]) < 0.1f);
     }
@@ -77,15 +77,15 @@ TEST_CASE("texels that are known exactly stay as they are")
 
 TEST_CASE("texels that no path met are filled from around")
 {
-    std::vector<LevelColour> texels(kSide * kSide, LevelColour{80, 90, 100});
-    std::vector<double> variances(kSide * kSide, kVariance);
+    std::vector<LevelColour> texels(kWidth * kWidth, LevelColour{80, 90, 100});
+    std::vector<double> variances(kWidth * kWidth, kVariance);
     for (uint32_t k = 0; k < 5; ++k) {
-        texels[5 * kSide + k] = {0, 0, 0};
-        variances[5 * kSide + k] = -1;
+        texels[5 * kWidth + k] = {0, 0, 0};
+        variances[5 * kWidth + k] = -1;
     }
-    smooth_noise(texels.data(), variances, kSide);
+    smooth_noise(texels.data(), variances, kWidth);
     for (uint32_t k = 0; k < 5; ++k) {
-        CHECK(texels[5 * kSide + k][2] == Approx(100).margin(0.5));
+        CHECK(texels[5 * kWidth + k][2] == Approx(100).margin(0.5));
     }
 }
 

@@ -53,7 +53,7 @@ SceneMaker plate()
 constexpr Vec3 kBallCentre = {0, 0, -0.2f};
 constexpr float kBallRadius = 0.2f;
 
-SceneMaker ball()
+SceneMaker hovering_ball()
 {
     SceneMaker maker;
     maker.span_unit_sphere();
@@ -65,7 +65,7 @@ SceneMaker ball()
 // Under every kind of light, with something that is half transparent.
 Scene lit_room()
 {
-    SceneMaker maker = ball();
+    SceneMaker maker = hovering_ball();
     maker.add(SphereLight{{0.5f, 0.2f, 0.6f}, 0.15f, {8, 6, 4}});
     maker.add(RectangleLight{{-0.7f, -0.5f, 0.1f}, {0, 1, 0}, {0, 0, 0.4f}, grey(3)});
     const uint32_t lamp = maker.add(testing::lamp({9, 8, 7}));
@@ -175,7 +175,7 @@ TEST_CASE("catcher: under an even sky it shows the ambient occlusion of a ball")
 {
     // A ball that subtends the half angle a and lies wholly above the horizon hides cos(elevation from the zenith)·
     // sin²a of an even sky's irradiance.
-    const Scene scene = ball().make(constant_environment(0.8f));
+    const Scene scene = hovering_ball().make(constant_environment(0.8f));
     for (const float x : {0.0f, 0.1f, 0.25f, 0.45f}) {
         const double dx = static_cast<double>(x), dz = 0.3, d2 = dx * dx + dz * dz;
         const double expected = dz / std::sqrt(d2) * 0.04 / d2;
@@ -205,13 +205,13 @@ TEST_CASE("catcher: aiming at lights and rays into all directions agree on the s
 
 TEST_CASE("catcher: what objects emit throws no shadows, nor does it lighten any")
 {
-    SceneMaker glowing = ball();
+    SceneMaker glowing = hovering_ball();
     const uint32_t lamp = glowing.add(testing::lamp(grey(50)));
     glowing.quad(lamp, {-0.1f, -0.1f, 0.1f}, {0.1f, -0.1f, 0.1f}, {0.1f, 0.1f, 0.1f}, {-0.1f, 0.1f, 0.1f});
     const Vec3 at = {0.45f, 0, -0.5f};
     SceneMaker alone = glowing;
     CHECK(shadow(alone.make(constant_environment(0)), at, 100).value() == 0);
-    SceneMaker black = ball();
+    SceneMaker black = hovering_ball();
     const uint32_t unlit = black.add(testing::diffuse(grey(0)));
     black.quad(unlit, {-0.1f, -0.1f, 0.1f}, {0.1f, -0.1f, 0.1f}, {0.1f, 0.1f, 0.1f}, {-0.1f, 0.1f, 0.1f});
     const Mean lit = shadow(glowing.make(studio_environment()), at, 20000);
@@ -222,7 +222,7 @@ TEST_CASE("catcher: what objects emit throws no shadows, nor does it lighten any
 
 TEST_CASE("catcher: rays are covered by black as often as the share in shadow, else they see what lies behind")
 {
-    SceneMaker maker = ball();
+    SceneMaker maker = hovering_ball();
     const uint32_t lamp = maker.add(testing::lamp(grey(2)));
     maker.quad(lamp, {-0.4f, -0.1f, -0.8f}, {0.4f, -0.1f, -0.8f}, {0.4f, 0.1f, -0.8f}, {-0.4f, 0.1f, -0.8f});
     const Scene scene = maker.make(constant_environment(1));
@@ -304,7 +304,7 @@ TEST_CASE("catcher: what lies on it hides it, and no light at all throws no shad
         REQUIRE(path.radiance.r == 2);
     }
     Sampler sampler(2, 0, 0);
-    CHECK(shadow_at(ball().make(constant_environment(0)).data(), kFloor.centre, sampler) == 0);
+    CHECK(shadow_at(hovering_ball().make(constant_environment(0)).data(), kFloor.centre, sampler) == 0);
 }
 
 TEST_CASE("catcher: it widens the fitted sphere and must lie in a given one")
@@ -323,7 +323,7 @@ TEST_CASE("catcher: it widens the fitted sphere and must lie in a given one")
 
 TEST_CASE("catcher: its shadow reaches palette texels as partial coverage; other texels are refused by name")
 {
-    const Scene scene = ball().make(constant_environment(1));
+    const Scene scene = hovering_ball().make(constant_environment(1));
     BakeSettings settings = testing::tiny_settings(format::TexelFormat::palette8);
     settings.origins = settings.directions = 40;
     settings.samples = 16;

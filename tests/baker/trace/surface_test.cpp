@@ -26,7 +26,7 @@ Surface seen(const Scene& scene, const Ray& ray)
     return surface_at(scene.data(), ray, *hit);
 }
 
-Scene load(const testing::ScratchFolder& folder, const std::string& obj)
+Scene loaded_scene(const testing::ScratchFolder& folder, const std::string& obj)
 {
     std::vector<std::string> warnings;
     LoadOptions options;
@@ -45,9 +45,9 @@ TEST_CASE("surface: a picture lies on the triangles as its coordinates say, and 
     folder.write("m.mtl", "newmtl x\nmap_Kd t.png\n");
     // Red and green above, blue and white below.
     folder.write("t.png", testing::rgb_png(2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}));
-    const Scene scene = load(folder,
-                             "mtllib m.mtl\nusemtl x\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
-                             "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
+    const Scene scene = loaded_scene(folder,
+                                     "mtllib m.mtl\nusemtl x\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                                     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
     const float place = 0.5f / scene.radius();  // centres of the four pixels
     const auto colour = [&](float x, float y) {
         const Ray ray = ray_to({0.1f, 0.2f, 1}, {x, y, 0});
@@ -71,9 +71,9 @@ TEST_CASE("surface: a picture lies on the triangles as its coordinates say, and 
 TEST_CASE("surface: normals are interpolated and turned to the viewer, on both sides")
 {
     const testing::ScratchFolder folder;
-    const Scene scene = load(folder,
-                             "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn -1 0 1\nvn 1 0 1\nvn 0 0 1\n"
-                             "f 1//1 2//2 3//3\n");
+    const Scene scene = loaded_scene(folder,
+                                     "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn -1 0 1\nvn 1 0 1\nvn 0 0 1\n"
+                                     "f 1//1 2//2 3//3\n");
     const float y = scene.data().mesh.position(0, 0).y;
     const float x = scene.data().mesh.position(0, 1).x;
     const Surface middle = seen(scene, ray_to({0, y * 0.999f, 1}, {0, y * 0.999f, 0}));

@@ -16,16 +16,16 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kSide = 24;
+constexpr uint32_t kVoxels = 24;
 
 // Value f(x, y, z) at voxels; worlds as voxels.
 template <class Function>
 Grid grid_of(const Function& f)
 {
-    Grid grid = {kSide, kSide, kSide, {}, {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
-    for (uint32_t z = 0; z < kSide; ++z) {
-        for (uint32_t y = 0; y < kSide; ++y) {
-            for (uint32_t x = 0; x < kSide; ++x) {
+    Grid grid = {kVoxels, kVoxels, kVoxels, {}, {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
+    for (uint32_t z = 0; z < kVoxels; ++z) {
+        for (uint32_t y = 0; y < kVoxels; ++y) {
+            for (uint32_t x = 0; x < kVoxels; ++x) {
                 grid.values.push_back(f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
             }
         }
@@ -36,7 +36,7 @@ Grid grid_of(const Function& f)
 constexpr Vec3 kCentre = {11.3f, 12.1f, 11.7f};
 
 // Falls with the distance from the centre: the surface of -r is a sphere of radius r.
-Grid ball()
+Grid ball_grid()
 {
     return grid_of([](float x, float y, float z) { return -length(Vec3{x, y, z} - kCentre); });
 }
@@ -66,7 +66,7 @@ bool is_closed(const Mesh& mesh)
 TEST_CASE("the iso-surface of a distance is a closed sphere that faces outwards", "[iso]")
 {
     constexpr double kRadius = 8;
-    Mesh mesh = iso_surface(ball(), static_cast<float>(-kRadius));
+    Mesh mesh = iso_surface(ball_grid(), static_cast<float>(-kRadius));
     REQUIRE(mesh.triangle_count() > 1000);
     CHECK(is_closed(mesh));
     CHECK(volume_of(mesh) == Approx(4.0 / 3 * 3.14159265 * kRadius * kRadius * kRadius).epsilon(0.025));
@@ -83,7 +83,7 @@ TEST_CASE("the iso-surface of a distance is a closed sphere that faces outwards"
 
 TEST_CASE("a grid's matrix moves its surface, and mirrored grids face outwards too", "[iso]")
 {
-    Grid grid = ball();
+    Grid grid = ball_grid();
     const double before = volume_of(iso_surface(grid, -8));
     grid.voxel_to_world = {{{-2, 0, 0, 5}, {0, 0, 1, 0}, {0, 3, 0, 0}}};
     CHECK(volume_of(iso_surface(grid, -8)) == Approx(6 * before).epsilon(1e-3));
@@ -103,17 +103,17 @@ TEST_CASE("a surface that leaves the grid is closed by a flat cut at its border"
                                   }),
                                   -13.7f);
     CHECK(is_closed(mesh));
-    for (const Vec3& p : mesh.positions) CHECK((p.z > -0.01f && p.z < static_cast<float>(kSide) - 0.99f));
+    for (const Vec3& p : mesh.positions) CHECK((p.z > -0.01f && p.z < static_cast<float>(kVoxels) - 0.99f));
     // All of the grid, when everything lies above.
     const Mesh all = iso_surface(grid_of([](float, float, float) { return 1.0f; }), 0);
     CHECK(is_closed(all));
-    constexpr double kEdge = kSide - 1;
+    constexpr double kEdge = kVoxels - 1;
     CHECK(volume_of(all) == Approx(kEdge * kEdge * kEdge).epsilon(0.02));
 }
 
 TEST_CASE("a surface without values on both sides is empty", "[iso]")
 {
-    CHECK(iso_surface(ball(), 1).corners.empty());
+    CHECK(iso_surface(ball_grid(), 1).corners.empty());
 }
 
 // Two balls, of radius 6 and 2.
