@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint64_t kKeyBytes = 16, kCrcAt = kKeyBytes + 8, kHeadBytes = kCrcAt + 4;
+constexpr uint64_t kKeyBytes = 16, kCrcAt = kKeyBytes + 8, kEntryHeadBytes = kCrcAt + 4;
 
 // Of a record, up to its CRC.
 std::vector<uint8_t> head_of(const Digest::Value& key, uint64_t size)
@@ -63,14 +63,14 @@ void StageFile::open(PosixFile::Mode mode)
 void StageFile::read_places()
 {
     const uint64_t all = file_->size();
-    uint8_t head[kHeadBytes];
-    while (end_ + kHeadBytes <= all && file_->read_at(end_, head, kHeadBytes) == kHeadBytes) {
-        ByteReader in(head, kHeadBytes);
+    uint8_t head[kEntryHeadBytes];
+    while (end_ + kEntryHeadBytes <= all && file_->read_at(end_, head, kEntryHeadBytes) == kEntryHeadBytes) {
+        ByteReader in(head, kEntryHeadBytes);
         Digest::Value key;
         for (uint64_t& word : key) {
             word = in.get64();
         }
-        const Place place = {end_ + kHeadBytes, in.get64()};
+        const Place place = {end_ + kEntryHeadBytes, in.get64()};
         if (place.size > all - place.offset) {
             return;
         }
@@ -120,7 +120,7 @@ void StageFile::write(const Digest::Value& key, const std::vector<uint8_t>& byte
     record.insert(record.end(), crc.bytes().begin(), crc.bytes().end());
     record.insert(record.end(), bytes.begin(), bytes.end());
     file_->write_at(end_, record.data(), record.size());
-    places_[key] = {end_ + kHeadBytes, bytes.size()};
+    places_[key] = {end_ + kEntryHeadBytes, bytes.size()};
     end_ += record.size();
 }
 

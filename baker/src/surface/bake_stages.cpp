@@ -169,13 +169,13 @@ bool get(ByteReader& in, SampleBatches& batches)
 
 void put(ByteWriter& out, const SurfaceModel& model)
 {
-    put(out, model.texels);
-    put(out, model.nodes);
+    put_colours(out, model.texels);
+    put_colours(out, model.nodes);
 }
 
 bool get(ByteReader& in, SurfaceModel& model)
 {
-    return get(in, model.texels) && get(in, model.nodes);
+    return get_colours(in, model.texels) && get_colours(in, model.nodes);
 }
 
 void put(ByteWriter& out, const ConjugateGradients& d)

@@ -10,11 +10,11 @@ namespace
 {
 
 constexpr uint64_t kSeedOffset = 0x64657461;
-constexpr double kPaths = 24;              // a texel
-constexpr double kMaxPaths = 8e6;          // of all texels: they are kept in memory
-constexpr float kLeastDetail = 12;         // squared levels of all channels: two levels between neighbours
-constexpr float kPower = 0.25f;            // the error of smooth colours falls with the fourth power of the density
-constexpr float kLeast = 0.4f, kMost = 3;  // times the mean density
+constexpr double kPaths = 24;       // a texel
+constexpr double kMaxPaths = 8e6;   // of all texels: they are kept in memory
+constexpr float kLeastDetail = 12;  // squared levels of all channels: two levels between neighbours
+constexpr float kPower = 0.25f;     // the error of smooth colours falls with the fourth power of the density
+constexpr float kThinnest = 0.4f, kDensest = 3;  // times the mean density
 constexpr uint32_t kMostBatches = 1u << 20;
 
 // Texels by two halves of their paths, whose noise has nothing in common.
@@ -86,7 +86,7 @@ std::vector<float> scaled(const std::vector<float>& importance, float density, f
 {
     std::vector<float> densities;
     for (const float v : importance) {
-        densities.push_back(density * std::clamp(factor * v, kLeast, kMost));
+        densities.push_back(density * std::clamp(factor * v, kThinnest, kDensest));
     }
     return densities;
 }

@@ -18,7 +18,7 @@ constexpr double kLeastDifference = 0.7;  // levels, root mean square
 constexpr int kSharedRounds = 12;
 constexpr uint64_t kViewSeed = 0x76696577;
 constexpr float kGainUnit = 64;
-constexpr float kMost = 127;  // of a channel
+constexpr float kMostLevel = 127;  // of a channel
 
 // How much of all paths each node carries.
 std::vector<double> node_weights(const SurfaceSums& sums)
@@ -183,7 +183,7 @@ private:
                 }
                 for (size_t channel = 0; channel < 3; ++channel) {
                     centres_[k][c][channel] =
-                        std::clamp(all[*chosen].colour[channel] / all[*chosen].gain, -kMost, kMost);
+                        std::clamp(all[*chosen].colour[channel] / all[*chosen].gain, -kMostLevel, kMostLevel);
                 }
                 for (size_t i = 0; i < all.size(); ++i) {
                     distances[i] = std::min(distances[i], error_of(all[i], centres_[k][c]));
@@ -220,7 +220,7 @@ private:
             }
             for (size_t c = 0; c < kNodeColours; ++c) {
                 for (size_t channel = 0; channel < 3 && weights[c] > 0; ++channel) {
-                    centres_[k][c][channel] = std::clamp(sums[c][channel] / weights[c], -kMost, kMost);
+                    centres_[k][c][channel] = std::clamp(sums[c][channel] / weights[c], -kMostLevel, kMostLevel);
                 }
             }
         }
@@ -316,7 +316,7 @@ private:
             for (size_t code = 0; code < kNodeColours; ++code) {
                 for (size_t c = 0; c < 3 && weights[code] > 0; ++c) {
                     float& channel = centres_[k][code][c];
-                    channel = std::clamp(channel - kPull * sums[code][c] / weights[code], -kMost, kMost);
+                    channel = std::clamp(channel - kPull * sums[code][c] / weights[code], -kMostLevel, kMostLevel);
                 }
             }
         }

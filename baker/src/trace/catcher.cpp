@@ -13,7 +13,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr Vec3 kUp = {0, 0, 1};
+constexpr Vec3 kZAxis = {0, 0, 1};
 
 // Steps of an additive recurrence in two dimensions, powers of 1/g with g^3 = g + 1: they keep points far apart, after
 // M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
@@ -110,7 +110,7 @@ float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
         return 0;
     }
     const LightSample& light = candidates.draw(u);
-    const Surface floor = {{}, position, kUp, Frame(kUp), nullptr, {}, {}};
+    const Surface floor = {{}, position, kZAxis, Frame(kZAxis), nullptr, {}, {}};
     return 1 - transmittance(scene, floor.ray_to_light(light.direction, light.distance), sampler);
 }
 

@@ -13,14 +13,14 @@ namespace
 
 using testing::ScratchFolder;
 
-constexpr char kObj[] =
+constexpr char kObject[] =
     "mtllib m.mtl\nusemtl paint\nv 0 0 0\nv 1 0 0\nv 1 0 -1\nvn 0 1 0\nf 1//1 2//1 3//1\nusemtl pane\nf 1 2 3\n";
-constexpr char kMtl[] = "newmtl paint\nKd 0.5 0.5 0.5\nnewmtl pane\nKd 0.1 0.1 0.1\n";
+constexpr char kMaterials[] = "newmtl paint\nKd 0.5 0.5 0.5\nnewmtl pane\nKd 0.1 0.1 0.1\n";
 
 void write_object(const ScratchFolder& folder)
 {
-    folder.write("o.obj", kObj);
-    folder.write("m.mtl", kMtl);
+    folder.write("o.obj", kObject);
+    folder.write("m.mtl", kMaterials);
 }
 
 SceneParts read(const std::string& json, std::vector<std::string>* warnings = nullptr)
@@ -41,7 +41,7 @@ SceneParts with(const std::string& rest)
     return read("{\"objects\": [{\"obj\": \"o.obj\"}],\n" + rest + "}");
 }
 
-void check_refused(const std::string& json, const std::string& line, const std::string& what)
+void check_scene_refused(const std::string& json, const std::string& line, const std::string& what)
 {
     INFO(json);
     CHECK_THROWS_WITH(read(json),
@@ -50,7 +50,7 @@ void check_refused(const std::string& json, const std::string& line, const std::
 
 void check_member_refused(const std::string& rest, const std::string& what)
 {
-    check_refused("{\"objects\": [{\"obj\": \"o.obj\"}],\n" + rest + "}", "2", what);
+    check_scene_refused("{\"objects\": [{\"obj\": \"o.obj\"}],\n" + rest + "}", "2", what);
 }
 
 template <class Light>
@@ -218,16 +218,16 @@ TEST_CASE("scene file: a whole file loads, and the command line's wishes count m
 
 TEST_CASE("scene file: what is no JSON is refused with its line")
 {
-    check_refused("", "1", "this is no JSON");
-    check_refused("[", "1", "this is no JSON");
-    check_refused("{\n\"objects\": [}\n", "2", "this is no JSON");
-    check_refused("{\"objects\":\n[{\"obj\" \"o.obj\"}]}", "2", "this is no JSON");
-    check_refused("{\"objects\": []\n\n", "2", "this is no JSON");
-    check_refused("{\"exposure\":\n1e999}", "2", "this is no JSON");
-    check_refused("{\"exposure\": 1,\n\"exposure\": 1}", "2", "'exposure' is given twice");
-    check_refused(std::string(100, '['), "1", "nest too deeply");
-    check_refused("3", "1", "must be an object");
-    check_refused("{}", "1", "no 'objects'");
+    check_scene_refused("", "1", "this is no JSON");
+    check_scene_refused("[", "1", "this is no JSON");
+    check_scene_refused("{\n\"objects\": [}\n", "2", "this is no JSON");
+    check_scene_refused("{\"objects\":\n[{\"obj\" \"o.obj\"}]}", "2", "this is no JSON");
+    check_scene_refused("{\"objects\": []\n\n", "2", "this is no JSON");
+    check_scene_refused("{\"exposure\":\n1e999}", "2", "this is no JSON");
+    check_scene_refused("{\"exposure\": 1,\n\"exposure\": 1}", "2", "'exposure' is given twice");
+    check_scene_refused(std::string(100, '['), "1", "nest too deeply");
+    check_scene_refused("3", "1", "must be an object");
+    check_scene_refused("{}", "1", "no 'objects'");
 }
 
 TEST_CASE("scene file: members that cannot be are refused with their line")
@@ -259,9 +259,9 @@ TEST_CASE("scene file: members that cannot be are refused with their line")
     check_member_refused("\"materials\": {\"paint\": {\"sheen_colour\": [1, 2, 1]}}", "choose it from 0 to 1");
     check_member_refused("\"materials\": {\"paint\": {\"sheen_roughness\": 0.05}}", "choose it from 0.1 to 1");
     check_member_refused("\"lights\": {}", "'lights' must be a list");
-    check_refused("{\"objects\": [{\n\"obj\": \"no.obj\"}]}", "2", "the object 'no.obj' is missing");
-    check_refused("{\"objects\": [{\"obj\": \"o.obj\",\n\"scale\": 0}]}", "2", "'scale' flattens the object");
-    check_refused("{\"objects\": [{\"obj\": \"o.obj\",\n\"rotate\": [1, 2]}]}", "2", "must be three numbers");
+    check_scene_refused("{\"objects\": [{\n\"obj\": \"no.obj\"}]}", "2", "the object 'no.obj' is missing");
+    check_scene_refused("{\"objects\": [{\"obj\": \"o.obj\",\n\"scale\": 0}]}", "2", "'scale' flattens the object");
+    check_scene_refused("{\"objects\": [{\"obj\": \"o.obj\",\n\"rotate\": [1, 2]}]}", "2", "must be three numbers");
 }
 
 TEST_CASE("scene file: lights that cannot shine are refused with their line")

@@ -9,7 +9,7 @@ namespace lumi::tools
 namespace
 {
 
-constexpr size_t kBlockBytes = 512, kHeaderBytes = 32, kPayloadBytes = 256;  // a page of flash a block
+constexpr size_t kUf2BlockBytes = 512, kHeaderBytes = 32, kPayloadBytes = 256;  // a page of flash a block
 constexpr uint32_t kFirstMagic = 0x0A324655, kSecondMagic = 0x9E5D5157, kLastMagic = 0x0AB16F30;
 constexpr uint32_t kHasFamily = 0x2000;
 
@@ -31,7 +31,7 @@ std::string uf2_of(const uint8_t* bytes, size_t size, uint32_t address, Uf2Famil
                                     static_cast<uint32_t>(blocks), static_cast<uint32_t>(family)})
             put(text, word);
         text.append(reinterpret_cast<const char*>(bytes) + from, count);
-        text.append(kBlockBytes - kHeaderBytes - count - sizeof kLastMagic, '\0');
+        text.append(kUf2BlockBytes - kHeaderBytes - count - sizeof kLastMagic, '\0');
         put(text, kLastMagic);
     }
     return text;

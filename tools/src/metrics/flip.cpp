@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "metrics/pi.h"
+
 namespace lumi::tools
 {
 
@@ -15,8 +17,6 @@ namespace
 
 using Values = std::vector<double>;
 using Colour = std::array<double, 3>;
-
-const double kPi = std::acos(-1.0);
 
 // Colour spaces, section 3 and appendix A of the paper: linear RGB (Rec. 709, D65) over XYZ.
 

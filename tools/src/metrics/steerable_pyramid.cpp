@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "metrics/pi.h"
+
 namespace lumi::tools
 {
 
 namespace
 {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kNyquist = 0.5;  // cycles per pixel
 
 // Octaves of `frequency` below `cutoff`, clamped to 0 .. 1: a filter's transition from stop to pass is one octave wide.

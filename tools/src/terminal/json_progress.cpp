@@ -11,7 +11,7 @@ namespace lumi::tools
 namespace
 {
 
-constexpr double kSecondsBetweenLines = 1;
+constexpr double kSecondsBetweenObjects = 1;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void JsonProgress::print(const baker::Progress& progress)
     std::fprintf(stream_, "%s\n", progress_json(progress).c_str());
     std::fflush(stream_);
     said_all_ = all;
-    next_line_seconds_ = progress.elapsed_seconds + kSecondsBetweenLines;
+    next_line_seconds_ = progress.elapsed_seconds + kSecondsBetweenObjects;
 }
 
 baker::ProgressCallback watch(JsonProgress& printer)
