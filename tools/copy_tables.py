@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 # tools/copy_tables.py [--check]
-# Copies rows of measured tables (docs/log) into README.md and docs/*.md, so that no page holds a figure copied by hand.
+# Copies rows of measured tables (docs/log) into README.md, core/README.md and docs/*.md, so that no page holds a figure
+# copied by hand.
 # A page says what it wants in a comment: the first table below HEADING that has the columns (none named: all of them), and of it
 # the rows that match a regular expression.
 #     <!-- copied: docs/log/tradeoff.md; HEADING; ROWS; COLUMN | COLUMN -->
 #     <!-- copied: end -->
 # A number within a line is the first group that a regular expression finds in a file:
 #     <!-- value: FILE; EXPRESSION -->1,024<!-- end -->
+# A whole file, as a block of code:
+#     <!-- printed: FILE -->
+#     <!-- printed: end -->
 # With --check it writes nothing and fails if a page differs from the tables.
 import pathlib
 import re
@@ -15,6 +19,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r'(<!-- copied: (?!end)(.*?) -->\n).*?(<!-- copied: end -->)', re.DOTALL)
+PRINTED = re.compile(r'(<!-- printed: (?!end)(.*?) -->\n).*?(<!-- printed: end -->)', re.DOTALL)
 
 VALUE = re.compile(r'(<!-- value: ([^;]*); (.*?) -->)[^<]*(<!-- end -->)')
 
@@ -54,14 +59,21 @@ def value(file, expression):
     return f'{int(re.search(expression, (ROOT / file).read_text(encoding="utf-8"))[1]):,}'
 
 
+def printed(file):
+    path = ROOT / file
+    language = {'.h': 'c', '.cpp': 'cpp'}.get(path.suffix, path.suffix[1:])
+    return f'```{language}\n{path.read_text(encoding="utf-8")}```\n'
+
+
 def main(check):
     stale = []
-    for page in [ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md'))]:
+    for page in [ROOT / 'README.md', ROOT / 'core' / 'README.md', *sorted((ROOT / 'docs').glob('*.md'))]:
         text = page.read_text(encoding='utf-8')
         new = BLOCK.sub(lambda found: found[1] + copied(found[2]) + found[3], text)
         new = VALUE.sub(lambda found: found[1] + value(found[2], found[3]) + found[4], new)
+        new = PRINTED.sub(lambda found: found[1] + printed(found[2]) + found[3], new)
         if new != text:
-            stale.append(page.name)
+            stale.append(str(page.relative_to(ROOT)))
             if not check:
                 page.write_text(new, encoding='utf-8')
     if check and stale:
