@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "image/k_means.h"
+#include "surface/node_products.h"
 
 namespace lumi::baker
 {
@@ -19,53 +20,6 @@ constexpr int kSharedRounds = 12;
 constexpr uint64_t kViewSeed = 0x76696577;
 constexpr float kGainUnit = 64;
 constexpr float kMostLevel = 127;  // of a channel
-
-// How much of all paths each node carries.
-std::vector<double> node_weights(const SurfaceSums& sums)
-{
-    const SurfaceShape& shape = sums.shape();
-    std::vector<double> weights(kViewNodes * shape.mesh.positions.size());
-    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
-        sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
-            if (a == b) {
-                const uint32_t v = shape.vertex(p, a / kViewNodes);
-                weights[v * kViewNodes + a % kViewNodes] += kWeightUnit * kWeightUnit * static_cast<double>(sum);
-            }
-        });
-    }
-    return weights;
-}
-
-// The sums of products of nodes' weights, node by node: what an error at one node adds to the gradient at others.
-class NodeProducts
-{
-public:
-    explicit NodeProducts(const SurfaceSums& sums)
-    {
-        const SurfaceShape& shape = sums.shape();
-        rows_.resize(kViewNodes * shape.mesh.positions.size());
-        for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
-            sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
-                const uint32_t i = shape.vertex(p, a / kViewNodes) * kViewNodes + a % kViewNodes;
-                const uint32_t j = shape.vertex(p, b / kViewNodes) * kViewNodes + b % kViewNodes;
-                const auto product = static_cast<float>(kWeightUnit * kWeightUnit * static_cast<double>(sum));
-                if (i != j) {
-                    rows_[i].push_back({j, product});
-                    rows_[j].push_back({i, product});
-                }
-            });
-        }
-    }
-
-    struct Entry {
-        uint32_t node;
-        float product;
-    };
-    const std::vector<Entry>& row(size_t node) const { return rows_[node]; }
-
-private:
-    std::vector<std::vector<Entry>> rows_;
-};
 
 float dot(const LevelColour& a, const LevelColour& b)
 {
