@@ -1,22 +1,28 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/fuzz.sh [--minutes N | --hours N] [TARGET...]
-# Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, so long a target (a minute if not said), and says
-# executions and coverage. A finding stops it; the input that shows it lies in build/fuzz/findings. What it learns stays
-# in build/fuzz/corpus, so the next run goes on from there. Needs clang. Targets: field, picture, obj, scene, nifti,
-# shard, weights; all if none is named.
+# tools/fuzz.sh [--minutes N | --hours N] [--docs] [TARGET...]
+# Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, so long a target (a minute if not said), as many at once
+# as there are cores, and says executions and coverage; --docs adds them to the sums in docs/log/tests.md. A finding
+# ends its target; the input that shows it lies in build/fuzz/findings. What it learns stays in build/fuzz/corpus, so the
+# next run goes on from there. Needs clang. Targets: field, picture, obj, scene, nifti, shard, weights; all if none is
+# named.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 minutes=1
 targets=()
+write_docs=false
 work=$root/build/fuzz
+document=$root/docs/log/tests.md
+begin='<!-- fuzzing: begin (tools/fuzz.sh --docs) -->'
+end='<!-- fuzzing: end -->'
 
 parse_arguments() {
   while (($#)); do
     case $1 in
       --minutes) minutes=${2:?"--minutes needs a number"} && shift ;;
+      --docs) write_docs=true ;;
       --help) help "$0" && exit ;;
       --hours) minutes=$((60 * ${2:?"--hours needs a number"})) && shift ;;
       field | picture | obj | scene | nifti | shard | weights) targets+=("$1") ;;
@@ -45,15 +51,44 @@ fuzz() {
   } 2>"$work/$1.cpu" || die "a finding: see $work/$1.log and $work/findings"
 }
 
-# A line a target: executions, CPU seconds, and the edges of code that were reached.
-sum_up() {
-  local target
-  printf '\n%-10s %14s %12s %8s\n' target executions 'CPU seconds' edges
+fuzz_all() {
+  local target pids=() pid status=0
   for target in "${targets[@]}"; do
-    printf '%-10s %14s %12s %8s\n' "$target" \
-      "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$work/$target.log")" "$(cat "$work/$target.cpu")" \
-      "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$work/$target.log" | tail -n 1)"
+    while (($(jobs -rp | wc -l) >= jobs)); do sleep 1; done
+    fuzz "$target" & pids+=($!)
   done
+  for pid in "${pids[@]}"; do wait "$pid" || status=1; done
+  return "$status"
+}
+
+# TARGET EXECUTIONS SECONDS EDGES, a line a target: of this run, and as the document has them.
+figures_now() {
+  local target
+  for target in "${targets[@]}"; do
+    printf '%s %d %d %d\n' "$target" "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$work/$target.log")" \
+      "$(cut -d . -f 1 "$work/$target.cpu")" "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$work/$target.log" | tail -n 1)"
+  done
+}
+figures_before() {
+  awk -F '[| ]+' -v begin="$begin" -v end="$end" '
+    $0 == begin { inside = 1 }
+    $0 == end { inside = 0 }
+    inside && $3 ~ /^[0-9]/ { print $2, $3, 60 * $4, $5 }' "$document"
+}
+
+# The sums as a table; of edges the last.
+table_of() {
+  printf '| target | executions | CPU minutes | edges | findings |\n|---|---:|---:|---:|---:|\n'
+  awk '{ executions[$1] += $2; seconds[$1] += $3; edges[$1] = $4 }
+    END { for (t in edges) printf "| %s | %d | %.1f | %d | 0 |\n", t, executions[t], seconds[t] / 60, edges[t] }' | sort
+}
+
+write_table() {
+  figures_now | table_of
+  if $write_docs; then
+    { figures_before && figures_now; } | table_of >"$work/table.md"
+    replace_between "$document" "$begin" "$end" "$work/table.md"
+  fi
 }
 
 main() {
@@ -62,12 +97,9 @@ main() {
   build_targets
   "$work/tests/fuzz/lumi_make_fuzz_corpus" "$work/seeds/field"
   "$work/tests/fuzz/lumi_make_baker_corpus" "$work/seeds"
-  local target
-  for target in "${targets[@]}"; do
-    run_step "Fuzz $target, $minutes minutes" fuzz "$target"
-  done
-  print_step_times
-  sum_up
+  run_step "Fuzz ${targets[*]}, $minutes minutes each" fuzz_all
+  printf '\n'
+  write_table
 }
 
 main "$@"

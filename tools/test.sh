@@ -3,25 +3,20 @@
 # tools/test.sh [--all]
 # Builds everything with warnings as errors and runs the tests: on the host, on the host under AddressSanitizer and
 # UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
-# --all adds what tests/scope.cmake leaves out: every test under sanitizers too (built file by file, without precompiled
-# headers, which shows missing includes), every policy, frame and unit test on every board, every failure on purpose,
-# clang-tidy, cppcheck, a minute of fuzzing a target, and the commands of the examples' pages. There a missing tool is
-# an error.
+# --all adds what tests/scope.cmake leaves out: every test under sanitizers too, every policy, frame and unit test on every
+# board, every failure on purpose, clang-tidy (which reads file by file and so shows missing includes), cppcheck, a minute
+# of fuzzing a target, and the commands of the examples' pages. There a missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 packages=tests
 all=OFF
-sanitize_options=()
 
 parse_arguments() {
   while (($# > 0)); do
     case $1 in
-      --all)
-        packages=all all=ON
-        sanitize_options=(-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DLUMI_UNITY=OFF)
-        ;;
+      --all) packages=all all=ON ;;
       --help) help "$0" && exit ;;
       *) wrong_call "unknown argument '$1'" ;;
     esac
@@ -93,7 +88,7 @@ main() {
   parse_arguments "$@"
   run_step "Packages" "$root/tools/install_packages.sh" "$packages"
   run_step "Build for the host" build_preset host -DLUMI_TEST_ALL="$all"
-  run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all" "${sanitize_options[@]}"
+  run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all"
   if [[ $all == ON ]]; then
     run_step "cppcheck" check_with_cppcheck
     run_step "clang-tidy" check_with_clang_tidy
