@@ -121,8 +121,8 @@ private:
 
     const GridDescriptor& choose() const
     {
-        std::vector<const GridDescriptor*> floats;
-        std::vector<std::string> all, names;
+        const GridDescriptor* last = nullptr;
+        std::vector<std::string> all, names;  // names: of grids of floats
         for (const GridDescriptor& grid : grids_) {
             all.push_back(quoted(grid) + " (" + grid.gridType() + ")");
             if (grid.gridType() != FloatGrid::gridType()) {
@@ -131,18 +131,18 @@ private:
             if (grid.gridName() == kPreferred) {
                 return grid;
             }
-            floats.push_back(&grid);
+            last = &grid;
             names.push_back(quoted(grid));
         }
-        if (floats.empty()) {
+        if (last == nullptr) {
             fail("no grid of floats is in the file" + (all.empty() ? "" : ", only " + joined(all, ", ")) +
                  "; write one of the name 'density'");
         }
-        if (floats.size() > 1) {
-            fail(std::to_string(floats.size()) + " grids of floats are in the file, " + joined(names, ", ") +
+        if (names.size() > 1) {
+            fail(std::to_string(names.size()) + " grids of floats are in the file, " + joined(names, ", ") +
                  "; give the name 'density' to the one that is meant");
         }
-        return *floats[0];
+        return *last;
     }
 
     // What can be known before the grid's tree takes memory.
