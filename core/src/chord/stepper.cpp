@@ -16,7 +16,6 @@ RowSpan common(const RowSpan& a, const RowSpan& b)
 ChordStepper::ChordStepper(const Field& field, const Camera& camera, const Stripe& stripe, int span_log2)
     : field_(field),
       camera_(camera),
-      stripe_(stripe),
       span_log2_(span_log2),
       outline_(camera, {stripe.x_px, stripe.right_px()}),
       hits_(camera),

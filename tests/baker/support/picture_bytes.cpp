@@ -69,7 +69,7 @@ std::string jpeg(int width, int height, bool grey, bool progressive)
         rgb.insert(rgb.end(), {static_cast<uint8_t>(k % width * 255 / width),
                                static_cast<uint8_t>(k / width * 255 / height), static_cast<uint8_t>(grey ? 90 : 9)});
     }
-    const tjhandle encoder = tjInitCompress();
+    tjhandle encoder = tjInitCompress();
     unsigned char* packed = nullptr;
     unsigned long size = 0;
     tjCompress2(encoder, rgb.data(), width, 0, height, TJPF_RGB, &packed, &size, grey ? TJSAMP_GRAY : TJSAMP_420, 95,

@@ -176,7 +176,7 @@ std::string text_of(const FieldReport& report)
                 static_cast<double>(report.centre[1]), static_cast<double>(report.centre[2]),
                 static_cast<double>(report.radius));
     append_line(text, "  drawn by      %s", report.view.c_str());
-    append_line(text, "  type      offset       bytes    share  CRC-32");
+    text += "  type      offset       bytes    share  CRC-32\n";
     for (const FieldReport::Entry& entry : report.sections) append_section(text, entry, report.file_bytes);
     append_line(text, "  header, table and alignment: %" PRIu64 " bytes", report.other_bytes);
     return text;

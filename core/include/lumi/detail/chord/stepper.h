@@ -68,7 +68,6 @@ private:
 
     const Field& field_;
     const Camera& camera_;
-    const Stripe& stripe_;
     int span_log2_;
     OutlineTracker outline_;
     HitEvaluator hits_;
