@@ -34,6 +34,7 @@ all_packages=(
   clang-tidy cppcheck clang g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev)  # `lumi filter train`, `lumi render --filter`
 npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
+command -v npm >/dev/null || test_packages+=(nodejs npm)  # of whatever source
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
@@ -74,13 +75,13 @@ install_missing() {
     </dev/null
 }
 
-# Without them one test is skipped; `tools/test.sh --all` then fails.
+# Without them (no network) one test is skipped; `tools/test.sh --all` then fails.
 install_npm_packages() {
   local package folder=$root/build/npm
   for package in "$@"; do
     [[ ! -d $folder/node_modules/${package%@*} ]] || continue
     if ! command -v npm >/dev/null; then
-      echo "npm is missing (Debian: nodejs npm): $package is not installed"
+      echo "npm is missing: $package is not installed"
     elif ! npm install --prefix "$folder" --no-audit --no-fund "$package" </dev/null; then
       echo "npm could not install $package"
     fi

@@ -38,8 +38,7 @@ sentence=Path-traced objects, drawn from flash by integers.
 paragraph=Draws fields that the lumi tool baked, on displays of any size, without floating point or heap.
 category=Display
 url={home}
-architectures=rp2040,mbed_rp2040,mbed_nano,mbed_portenta,mbed_giga,esp32,esp8266,stm32,samd,sam,nrf52,renesas_uno,\
-renesas_portenta,teensy
+architectures=rp2040,esp32,esp8266,stm32,renesas_uno,renesas_portenta,teensy
 includes=lumi/view.h
 """
 ARDUINO_SKETCH = """// Draws one frame of a field. Write product.c and product.h into this folder first:

@@ -11,11 +11,7 @@ inline volatile uint32_t& at(uint32_t address)
 {
     return *reinterpret_cast<volatile uint32_t*>(address);
 }
-// Aliases of a register whose writes set or clear bits.
-inline void set_bits(uint32_t address, uint32_t bits)
-{
-    at(address + 0x2000) = bits;
-}
+// The alias of a register whose writes clear bits.
 inline void clear_bits(uint32_t address, uint32_t bits)
 {
     at(address + 0x3000) = bits;

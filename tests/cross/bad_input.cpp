@@ -39,6 +39,11 @@ struct InCpp {
     View<Drawing, TestScreen> view;
 
     ViewError open(const uint8_t* bytes, size_t size) { return view.open(bytes, size); }
+    ViewError verify(const uint8_t* bytes, size_t size)
+    {
+        const ViewError error = view.open(bytes, size);
+        return error == ViewError::none ? view.verify() : error;
+    }
     ViewError look(const Orbit& orbit) { return view.look(orbit); }
     ViewError draw(const Stripe& stripe) { return view.draw(stripe); }
     static const char* text(ViewError error) { return error_text(error); }
@@ -55,6 +60,10 @@ struct InC {
         return static_cast<ViewError>(lumi_open(at, memory_bytes, bytes, size, kScreen, &view));
     }
     ViewError open(const uint8_t* bytes, size_t size) { return open_in(memory, sizeof memory, bytes, size); }
+    static ViewError verify(const uint8_t* bytes, size_t size)
+    {
+        return static_cast<ViewError>(lumi_verify(bytes, size));
+    }
     ViewError look(const Orbit& o)
     {
         const lumi_orbit orbit = {o.azimuth_turns32, o.elevation_turns32, o.distance_q20, o.fov_turns32};
@@ -128,17 +137,19 @@ void try_cut_off(Api& api, test::GuardedMemory& flash, const LoadedField& field)
     report(Api::kName, "truncated flash, every length", Api::text(error), is_refused);
 }
 
-// Bytes that were not flashed read as ones. Opened or not, nothing beside the field is read.
+// Bytes that were not flashed read as ones. Opened or not, nothing beside the field is read; to verify tells.
 template <class Api>
 void try_unwritten(Api& api, test::GuardedMemory& flash, const LoadedField& field)
 {
-    uint32_t opened = 0, tried = 0;
+    uint32_t opened = 0, told = 0, tried = 0;
     for (size_t count = 100; count < field.size; count += field.size / 50, ++tried) {
         uint8_t* const bytes = flash.put(field.bytes, field.size);
         std::memset(bytes + count, 0xFF, field.size - count);
         if (api.open(bytes, field.size) == ViewError::none && drawn_frame(api) != 0) ++opened;
+        told += api.verify(bytes, field.size) == ViewError::none ? 0 : 1;
     }
     report(Api::kName, "truncated flash that reads as ones", "draws within the field, or is refused", opened < tried);
+    report(Api::kName, "truncated flash that reads as ones", "is told by verify", told == tried);
 }
 
 template <class Api>

@@ -28,5 +28,8 @@ add_test(NAME ${LUMI_TEST_PREFIX}platform.add_subdirectory
 add_test(NAME ${LUMI_TEST_PREFIX}platform.snippets
   COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/snippets ${lumi_consumer_build}/snippets
     --build-generator ${CMAKE_GENERATOR} --build-options ${lumi_consumer_options}
-      -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR} -DFIELD=${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi
+      -DCMAKE_PREFIX_PATH=${lumi_test_prefix} -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR}
+      -DFIELD=${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi
       -DLUMI_TOOL=$<TARGET_FILE:lumi>)
+set_tests_properties(${LUMI_TEST_PREFIX}platform.snippets PROPERTIES
+  FIXTURES_REQUIRED ${LUMI_TEST_PREFIX}lumi_installed)

@@ -16,7 +16,7 @@ include(${lumi_boards})
 # Deepest stack of render(), of render_spans(), and of prepare_surface() and render_surface(), on any of the CPUs, as
 # docs/boards.md states it.
 set(LUMI_STACK_LIMIT 1024)
-set(LUMI_SPAN_STACK_LIMIT 2560)
+set(LUMI_SPAN_STACK_LIMIT 2624)
 set(LUMI_SURFACE_STACK_LIMIT 3072)
 # What no program holds that draws chord fields alone.
 set(lumi_surface_symbols ".*([Ss]urface|view_taps|view_frame).*")

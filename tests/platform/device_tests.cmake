@@ -16,3 +16,7 @@ foreach(example riscv lm3s_oled gba pico_st7789 simulator overlay)
     COST 200 TIMEOUT 600)
 endforeach()
 set_tests_properties(devices.overlay PROPERTIES DEPENDS "devices.riscv;devices.simulator")  # which build its programs
+
+# RAM and stack that docs/boards.md states for README's firmware, measured.
+add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/board_memory.sh --check ${LUMI_MPS2_CPUS})
+set_tests_properties(devices.memory PROPERTIES FIXTURES_REQUIRED lumi_device_field)

@@ -24,7 +24,7 @@ ram_sections=(.hot .data .bss .fast .ram_vector_table .scratch_x .scratch_y)
 
 # Lines of a file of platform/ without comments.
 lines_of() {
-  grep --count --invert-match --extended-regexp '^[[:space:]]*(//.*)?$' "$root/platform/$1"
+  grep --count --invert-match --extended-regexp '^[[:space:]]*((//|/\*| \* ).*)?$' "$root/platform/$1"
 }
 
 # write_row EXAMPLE MAIN SIZE_PROGRAM STACK RATE RATE_WITH_MISSES COUNTED: a row of the table, of the program of MAIN.cpp.

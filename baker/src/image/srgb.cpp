@@ -12,8 +12,7 @@ std::array<float, 256> make_decode_table()
 {
     std::array<float, 256> table{};
     for (size_t k = 0; k < table.size(); ++k) {
-        const double v = static_cast<double>(k) / 255;
-        table[k] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+        table[k] = static_cast<float>(srgb_linear(static_cast<double>(k) / 255));
     }
     return table;
 }
@@ -24,6 +23,16 @@ uint8_t encode_channel(float linear)
 }
 
 }  // namespace
+
+double srgb_linear(double encoded)
+{
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double srgb_encoded(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
 
 float srgb_decode(uint8_t encoded)
 {

@@ -10,6 +10,10 @@
 namespace lumi::baker
 {
 
+// Of any number, not clipped: 1 stands for white on both sides.
+double srgb_linear(double encoded);
+double srgb_encoded(double linear);
+
 float srgb_decode(uint8_t encoded);
 
 // Both clip to [0, 1]. Not-a-number becomes 0.

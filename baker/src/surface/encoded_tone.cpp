@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/srgb.h"
+
 namespace lumi::baker
 {
 namespace
@@ -12,15 +14,13 @@ namespace
 constexpr float kStepsPerLevel = 4;
 constexpr int kSteps = 1600;  // up to 400 levels: what is far beyond white is cut when it is shown
 
-// The transfer function of IEC 61966-2-1, not clipped, and its inverse.
 double level_of(double linear)
 {
-    return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
+    return 255 * srgb_encoded(linear);
 }
 double linear_of(double level)
 {
-    const double v = level / 255;
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    return srgb_linear(level / 255);
 }
 double slope_of(double linear)
 {

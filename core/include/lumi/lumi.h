@@ -78,6 +78,10 @@ size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen sc
 lumi_error lumi_open(void* memory, size_t memory_bytes, const uint8_t* field, size_t field_bytes, lumi_screen screen,
                      lumi_view** out);
 
+/* Compares every byte of a field with the checksums that were written with it: tells damaged flash, and flash that was
+ * written in part, from flash as it was written. Reads the whole field once. lumi_open does not do it. */
+lumi_error lumi_verify(const uint8_t* field, size_t field_bytes);
+
 /* The next frame's eye. A failure leaves the frame as it was. */
 lumi_error lumi_look(lumi_view* view, lumi_orbit orbit);
 

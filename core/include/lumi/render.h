@@ -28,12 +28,12 @@ enum class [[nodiscard]] RenderError : uint8_t{
     unfit_for_spans,     // render_spans() only: see fits_spans(); render() draws this field
 };
 
-// Draws one row of covered pixels, every pixel evaluated exactly. `pixels` is where pixel span.begin lies.
+// Draws one row of covered pixels, every pixel evaluated exactly. `pixels` is where pixel extent.begin lies.
 template <class Reconstruction, class Texel, class Pixel, class Background>
-void draw_exact(const Field& field, const Camera& camera, const Background& background, const RowSpan& span, int32_t y,
+void draw_exact(const Field& field, const Camera& camera, const Background& background, const Extent& extent, int32_t y,
                 uint8_t* pixels)
 {
-    for (int32_t x = span.begin; x < span.end; ++x, pixels += Pixel::kBytes) {
+    for (int32_t x = extent.begin; x < extent.end; ++x, pixels += Pixel::kBytes) {
         SphereRay ray;
         Gathered sums;
         if (ray_at(camera, x, y, ray)) {
@@ -57,17 +57,17 @@ void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
     }
 }
 
-// Writes the background on both sides of a row's covered span, where the background is of the kind that fills: never
-// beside the stripe, wherever the span lies.
+// Writes the background on both sides of a row's covered extent, where the background is of the kind that fills: never
+// beside the stripe, wherever the extent lies.
 template <class Pixel, class Background>
-void fill_beside(const Background& background, const Stripe& stripe, const RowSpan& span, int32_t y)
+void fill_beside(const Background& background, const Stripe& stripe, const Extent& extent, int32_t y)
 {
     if (!Background::kFills) return;
     const auto within = [](int32_t x, int32_t from, int32_t to) { return x < from ? from : x < to ? x : to; };
     const int32_t left = stripe.x_px;
     const int32_t right = stripe.right_px();
-    const int32_t begin = within(span.begin, left, right);
-    const int32_t end = within(span.end, begin, right);
+    const int32_t begin = within(extent.begin, left, right);
+    const int32_t end = within(extent.end, begin, right);
     fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, left, y), begin - left);
     fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, end, y), right - end);
 }
@@ -79,11 +79,11 @@ RenderError render(const Field& field, const Camera& camera, const Background& b
 {
     if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
     for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
-        const RowSpan span = covered_span(camera, y, stripe.x_px, stripe.right_px());
-        fill_beside<Pixel>(background, stripe, span, y);
-        if (span.begin >= span.end) continue;
-        draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, span, y,
-                                                 pixel_of<Pixel>(stripe, span.begin, y));
+        const Extent extent = covered_extent(camera, y, stripe.x_px, stripe.right_px());
+        fill_beside<Pixel>(background, stripe, extent, y);
+        if (extent.begin >= extent.end) continue;
+        draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, extent, y,
+                                                 pixel_of<Pixel>(stripe, extent.begin, y));
     }
     return RenderError::none;
 }

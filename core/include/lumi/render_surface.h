@@ -219,7 +219,7 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
     }
     for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
         const bool has_row = is_drawn && y >= top && y < bottom;
-        fill_beside<Pixel>(background, stripe, has_row ? RowSpan{left, right} : RowSpan{stripe.x_px, stripe.x_px}, y);
+        fill_beside<Pixel>(background, stripe, has_row ? Extent{left, right} : Extent{stripe.x_px, stripe.x_px}, y);
         if (!has_row) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
         if (frame.samples_log2 == 0) {

@@ -32,11 +32,11 @@ struct SphereHits {
 SphereHits hits(const Camera& camera, const SphereRay& ray);
 
 // The pixels [begin, end) of a row of the image whose rays hit the sphere, within [x_begin, x_end): exact, as ray_at
-// decides. The sphere's outline is convex, so they are one span. Nothing beside the image is covered. Empty: both
+// decides. The sphere's outline is convex, so they are one extent. Nothing beside the image is covered. Empty: both
 // x_begin.
-struct RowSpan {
+struct Extent {
     int32_t begin, end;
 };
-RowSpan covered_span(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end);
+Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end);
 
 }  // namespace lumi

@@ -208,6 +208,11 @@ lumi_error lumi_open(void* memory, size_t memory_bytes, const uint8_t* field, si
     return code(ViewError::none);
 }
 
+lumi_error lumi_verify(const uint8_t* field, size_t field_bytes)
+{
+    return code(field == nullptr ? ViewError::bad_argument : view_error(verify_field(field, field_bytes)));
+}
+
 lumi_error lumi_look(lumi_view* view, lumi_orbit o)
 {
     if (view == nullptr) return code(ViewError::no_field);

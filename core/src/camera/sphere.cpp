@@ -53,7 +53,7 @@ RowQuadratic row_quadratic(const Camera& camera, int32_t x, int32_t y)
 }
 
 // |P|²/m² has one stationary point along a row, its minimum: x* = x + (|P|² m' - (P·P') m) / (|P'|² m - (P·P') m').
-int32_t closest_x(const Camera& camera, int32_t x, int32_t y, RowSpan limits)
+int32_t closest_x(const Camera& camera, int32_t x, int32_t y, Extent limits)
 {
     const RowQuadratic row = row_quadratic(camera, x, y);
     int64_t over = row.offset2 * row.facing_step - row.offset_step * row.facing;
@@ -85,7 +85,7 @@ int32_t border(const Camera& camera, int32_t y, int32_t covered, int32_t uncover
 
 // A covered pixel of the row, or limits.end. Apart from the pixels around the closest point, only an end of the row can
 // be covered, where the closest point lies behind the eye.
-int32_t find_covered(const Camera& camera, int32_t y, RowSpan limits)
+int32_t find_covered(const Camera& camera, int32_t y, Extent limits)
 {
     int32_t x = closest_x(camera, limits.begin + (limits.end - limits.begin) / 2, y, limits);
     x = closest_x(camera, x, y, limits);  // again from near by: the factors' bits now resolve a pixel
@@ -159,10 +159,10 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
                     over_q(static_cast<int64_t>(ray.facing_q30) + shrink_q30))};
 }
 
-RowSpan covered_span(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end)
+Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end)
 {
-    const RowSpan empty = {x_begin, x_begin};
-    const RowSpan limits = {x_begin > 0 ? x_begin : 0, x_end < camera.width_px() ? x_end : camera.width_px()};
+    const Extent empty = {x_begin, x_begin};
+    const Extent limits = {x_begin > 0 ? x_begin : 0, x_end < camera.width_px() ? x_end : camera.width_px()};
     if (y < 0 || y >= camera.height_px() || limits.begin >= limits.end) return empty;
     const int32_t inside = find_covered(camera, y, limits);
     if (inside == limits.end) return empty;

@@ -6,7 +6,7 @@ namespace lumi
 namespace
 {
 
-RowSpan common(const RowSpan& a, const RowSpan& b)
+Extent common(const Extent& a, const Extent& b)
 {
     return {a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
 }
@@ -44,7 +44,7 @@ bool ChordStepper::next(Piece& piece)
                 break;
             case Stage::rows:
                 if (row_ < rows_) {
-                    const RowSpan& span = spans_[row_];
+                    const Extent& span = spans_[row_];
                     piece = {Piece::Kind::row, span.begin, y_ + row_, span.end - span.begin, nullptr};
                     ++row_;
                     return true;
@@ -95,7 +95,7 @@ bool ChordStepper::begin_tiles()
     const int32_t bottom = top + kTileRows;
     const int32_t above_top = top > kMargin ? top - kMargin : 0;
     const int32_t below_bottom = bottom + kMargin < below ? bottom + kMargin : below;
-    const RowSpan inside = outline_.columns(above_top, below_bottom, spans_[0], kMinTileLog2 - 1);
+    const Extent inside = outline_.columns(above_top, below_bottom, spans_[0], kMinTileLog2 - 1);
     constexpr int32_t kStep = 1 << kMinTileLog2;
     columns_ = {(inside.begin + kStep - 1) & -kStep, inside.end & -kStep};
     if (columns_.begin >= columns_.end) return false;

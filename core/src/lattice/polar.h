@@ -14,12 +14,12 @@ namespace lumi::polar
 {
 
 // Triangles cover the disc of radius sqrt(kReach + 1/2): all directions whose real-valued index is below kReach.
-// Those below kCapHeight belong to no cell.
-inline constexpr int32_t kCapHeight = 21;
+// Those below kPolarHeight belong to no cell.
+inline constexpr int32_t kPolarHeight = 21;
 inline constexpr int32_t kReach = 23;
 inline constexpr uint32_t kPoints = 44;
 inline constexpr int kTriangles = 65;
-inline constexpr int kCapTriangles = 61;  // those with a corner below kCapHeight: they come first
+inline constexpr int kPolarTriangles = 61;  // those with a corner below kPolarHeight: they come first
 
 struct PlanePoint {
     int32_t x_q12, y_q12;

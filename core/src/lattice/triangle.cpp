@@ -54,7 +54,7 @@ Triangle polar_triangle(const Lattice& lattice, const Query& q)
 {
     const PolarPosition position = polar_position(q);
     PolarParts best = divide(0, position);
-    for (int k = 1; k < polar::kCapTriangles && best.smallest() < 0; ++k) {
+    for (int k = 1; k < polar::kPolarTriangles && best.smallest() < 0; ++k) {
         const PolarParts parts = divide(k, position);
         if (parts.smallest() > best.smallest()) best = parts;
     }
@@ -103,7 +103,8 @@ Triangle triangle(const Lattice& lattice, const Vec3q30& direction)
 {
     if (lattice.size() < kSmallSize) return small_triangle(lattice, direction);
     const Query query = make_query(lattice, direction);
-    return query.height_q10 < polar::kCapHeight << 10 ? polar_triangle(lattice, query) : cell_triangle(lattice, query);
+    return query.height_q10 < polar::kPolarHeight << 10 ? polar_triangle(lattice, query)
+                                                        : cell_triangle(lattice, query);
 }
 
 }  // namespace lumi

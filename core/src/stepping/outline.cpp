@@ -69,13 +69,13 @@ OutlineQuadratic make_outline(const Camera& camera)
 }
 
 // What of a row's columns lies in the image; none: {0, 0}.
-static RowSpan within(const RowSpan& columns, int32_t width_px)
+static Extent within(const Extent& columns, int32_t width_px)
 {
-    const RowSpan inside = {columns.begin > 0 ? columns.begin : 0, columns.end < width_px ? columns.end : width_px};
-    return inside.begin < inside.end ? inside : RowSpan{0, 0};
+    const Extent inside = {columns.begin > 0 ? columns.begin : 0, columns.end < width_px ? columns.end : width_px};
+    return inside.begin < inside.end ? inside : Extent{0, 0};
 }
 
-OutlineTracker::OutlineTracker(const Camera& camera, const RowSpan& limits)
+OutlineTracker::OutlineTracker(const Camera& camera, const Extent& limits)
     : camera_(camera), limits_(within(limits, camera.width_px())), span_{0, 0}, first_{}, last_{}, last_y_(INT32_MIN)
 {
 }
@@ -213,7 +213,7 @@ int32_t OutlineTracker::top_between(int32_t from, int32_t to, int32_t y) const
     return from;
 }
 
-RowSpan OutlineTracker::row(int32_t y)
+Extent OutlineTracker::row(int32_t y)
 {
     bool found = span_.begin < span_.end && y == last_y_ + 1 && y < camera_.height_px();
     if (found) {
@@ -240,7 +240,7 @@ int32_t OutlineTracker::find_column(int32_t top, int32_t bottom, int32_t from, i
     return x;
 }
 
-RowSpan OutlineTracker::columns(int32_t top, int32_t bottom, const RowSpan& between, int step_log2) const
+Extent OutlineTracker::columns(int32_t top, int32_t bottom, const Extent& between, int step_log2) const
 {
     const int32_t step = 1 << step_log2;
     const int32_t first = (between.begin + step - 1) & -step;

@@ -82,7 +82,7 @@ void ZoneMap::set_borders(const Zone& z, bool mirrored, bool acute, int32_t firs
     low_z_q30_ = mirrored ? 1 - high : low;
     high_z_q30_ = mirrored ? 1 - low : high;
     // Corners lie up to both steps from a point of the cell where cells may be flipped or the angle is obtuse, else up
-    // to the second one: near the own pole of an acute chart, and all over it where no height is obtuse.
+    // to the second one: near the own pole of an acute map, and all over it where no height is obtuse.
     const int32_t most = first + second;
     const int32_t own_z = pole_distance_z_q30(acute ? second : most);
     const int32_t far_z = pole_distance_z_q30(acute && z.obtuse_z_q30 == 0 ? second : most);

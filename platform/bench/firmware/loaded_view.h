@@ -51,7 +51,7 @@ inline uint32_t covered_pixels(const Camera& camera)
 {
     uint32_t count = 0;
     for (int32_t y = 0; y < kSidePx; ++y) {
-        const RowSpan span = covered_span(camera, y, 0, kSidePx);
+        const Extent span = covered_extent(camera, y, 0, kSidePx);
         count += static_cast<uint32_t>(span.end - span.begin);
     }
     return count;

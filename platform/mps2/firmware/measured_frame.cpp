@@ -32,7 +32,7 @@ uint32_t covered_pixels(const Camera& camera, const Stripe& stripe)
 {
     uint32_t count = 0;
     for (int32_t y = stripe.y_px; y < stripe.y_px + stripe.height_px; ++y) {
-        const RowSpan span = covered_span(camera, y, stripe.x_px, stripe.x_px + stripe.width_px);
+        const Extent span = covered_extent(camera, y, stripe.x_px, stripe.x_px + stripe.width_px);
         count += static_cast<uint32_t>(span.end - span.begin);
     }
     return count;

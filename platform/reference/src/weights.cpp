@@ -98,9 +98,9 @@ Vec3 northern(const Vec3& q, uint32_t n)
     return {radius * std::cos(angle), radius * std::sin(angle), -q.z};
 }
 
-bool in_cap(const Vec3& north, uint32_t n)
+bool is_polar(const Vec3& north, uint32_t n)
 {
-    return n * (1 - north.z) / 2 - 0.5 < polar::kCapHeight;
+    return n * (1 - north.z) / 2 - 0.5 < polar::kPolarHeight;
 }
 
 bool near_half(double coordinate, double share)
@@ -144,7 +144,7 @@ CellPoint cell_point(const std::vector<Vec3>& all, const Vec3& q, double border_
 {
     const uint32_t n = static_cast<uint32_t>(all.size());
     const Vec3 north = northern(q, n);
-    if (in_cap(north, n)) return nearest_point(all, q, border_share);
+    if (is_polar(north, n)) return nearest_point(all, q, border_share);
     const double zone = zone_of(north, n);
     const int k = static_cast<int>(std::floor(zone));
     const CellCoordinates c = coordinates(north, n, k);
@@ -174,7 +174,7 @@ Weights linear_weights(const std::vector<Vec3>& all, const Vec3& q)
     const uint32_t n = static_cast<uint32_t>(all.size());
     if (n < kSmallSize) return paper_weights(all, q, 3);
     const Vec3 north = northern(q, n);
-    Weights weights = in_cap(north, n) ? polar_weights(north, n) : cell_weights(north, n);
+    Weights weights = is_polar(north, n) ? polar_weights(north, n) : cell_weights(north, n);
     for (auto& [i, w] : weights) i = q.z < 0 ? n - 1 - i : i;
     return weights;
 }

@@ -214,8 +214,8 @@ TEST_CASE("the outline of an interlaced half is that of its rows", "[quality]")
             const Camera half = interlaced_half(camera, parity);
             OutlineTracker outline(half, {0, half.width_px()});
             for (int32_t y = 0; y < half.height_px(); ++y) {
-                const RowSpan span = outline.row(y);
-                const RowSpan exact = covered_span(camera, 2 * y + parity, 0, camera.width_px());
+                const Extent span = outline.row(y);
+                const Extent exact = covered_extent(camera, 2 * y + parity, 0, camera.width_px());
                 INFO(view.name << " row " << y << " of parity " << parity);
                 REQUIRE(std::abs(span.begin - exact.begin) <= 1);
                 REQUIRE(std::abs(span.end - exact.end) <= 1);

@@ -91,10 +91,10 @@ TEST_CASE("a row's span holds exactly the pixels that ray_at covers", "[sphere]"
 {
     for (const View& view : extreme_views(40)) {
         const Camera camera = camera_of(view);
-        const RowSpan ranges[] = {{0, view.image.width_px}, {-30, view.image.width_px + 30}, {7, 8}, {11, 29}, {5, 5}};
+        const Extent ranges[] = {{0, view.image.width_px}, {-30, view.image.width_px + 30}, {7, 8}, {11, 29}, {5, 5}};
         for (int32_t y = -20; y < view.image.height_px + 20; ++y) {
-            for (const RowSpan& range : ranges) {
-                const RowSpan span = covered_span(camera, y, range.begin, range.end);
+            for (const Extent& range : ranges) {
+                const Extent span = covered_extent(camera, y, range.begin, range.end);
                 REQUIRE(span.begin >= range.begin);
                 REQUIRE(span.end <= std::max(range.begin, range.end));
                 std::vector<int32_t> wrong;
@@ -117,7 +117,7 @@ TEST_CASE("a distant eye sees the sphere as the disc it is", "[sphere]")
     REQUIRE(make_camera(orbit(0, 0, 1000 * kOneQ20), {200, 200, degrees(1)}, camera) == CameraError::none);
     uint32_t covered = 0;
     for (int32_t y = 0; y < 200; ++y) {
-        const RowSpan span = covered_span(camera, y, 0, 200);
+        const Extent span = covered_extent(camera, y, 0, 200);
         covered += static_cast<uint32_t>(span.end - span.begin);
     }
     const double radius_px = 100 * 0.001 / std::tan(reference::kPi / 360);

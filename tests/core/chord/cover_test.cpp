@@ -73,7 +73,7 @@ double share_of_tiles(const Field& field, const Camera& camera, int32_t height)
     int in_tiles = 0;
     int wrong = 0;
     for (int32_t y = 0; y < kSide; ++y) {
-        const RowSpan span = covered_span(camera, y, 0, kSide);
+        const Extent span = covered_extent(camera, y, 0, kSide);
         for (int32_t x = 0; x < kSide; ++x) {
             const uint8_t mark = pixels[static_cast<size_t>(y * kSide + x)];
             const bool is_drawn = mark == kOfSpan || mark == kOfTile || mark == kChecked;

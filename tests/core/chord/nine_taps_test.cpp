@@ -44,7 +44,7 @@ private:
 template <class Texel>
 int wrong_sums(bool is_white)
 {
-    using Sum = SpanSum<Texel, false>;
+    using Sum = TexelSum<Texel, false>;
     constexpr uint32_t kTexelBytes = format::bytes_per_texel(Texel::kFormat);
     constexpr int32_t kBytes = static_cast<int32_t>(kTexelBytes);
     Draw draw;

@@ -50,7 +50,7 @@ namespace lumi
 {
 
 template <bool kCoverage>
-struct SpanSum<CheckedLuma8, kCoverage> {
+struct TexelSum<CheckedLuma8, kCoverage> {
     static constexpr int kRowBits = 8;
     static constexpr int kTapBits = 8;
     static constexpr bool kUpperHalves = false;

@@ -130,7 +130,7 @@ TEST_CASE("spans draw the exact linear picture at every extreme", "[span]")
 
 TEST_CASE("cells that cross the equator keep the diagonals of the exact renderer", "[span]")
 {
-    // 400 and 1024 points are acute at their equator, 300 and 700 obtuse (docs/architecture.md).
+    // 400 and 1024 points are acute at their equator, 300 and 700 obtuse.
     const Vec3 eye = {2.3, 1.4, 0.1};
     const View view = {"equator", look_at(eye, {0, 0, 0}, 10), {kSide, kSide, degrees(40)}};
 #ifdef LUMI_TEST_LIGHT

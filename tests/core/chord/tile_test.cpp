@@ -53,8 +53,8 @@ Counts count_tiles(const Camera& camera, const Lattice& points, Hit HitPair::*si
     OutlineTracker outline(camera, {0, camera.width_px()});
     Counts counts;
     for (int32_t y = 0; y + kTileRows + 4 < camera.height_px(); y += kTileRows) {
-        const RowSpan middle = outline.row(y);
-        const RowSpan inside = outline.columns(y > 4 ? y - 4 : 0, y + kTileRows + 4, middle, 2);
+        const Extent middle = outline.row(y);
+        const Extent inside = outline.columns(y > 4 ? y - 4 : 0, y + kTileRows + 4, middle, 2);
         for (int32_t x = (inside.begin + kWidth - 1) & -kWidth; x + kWidth < inside.end; x += kWidth) {
             HitPair node[5];
             const int32_t ahead[] = {0, kWidth, 0, kWidth, kWidth / 2};

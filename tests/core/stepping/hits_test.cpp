@@ -35,8 +35,8 @@ TEST_CASE("the outline follows the exact covered span from row to row", "[span]"
         OutlineTracker outline(camera, {0, view.image.width_px});
         uint32_t off = 0;
         for (int32_t y = 0; y < view.image.height_px; ++y) {
-            const RowSpan a = outline.row(y);
-            const RowSpan b = covered_span(camera, y, 0, view.image.width_px);
+            const Extent a = outline.row(y);
+            const Extent b = covered_extent(camera, y, 0, view.image.width_px);
             INFO(view.name << " row " << y << ": " << a.begin << ".." << a.end << " and " << b.begin << ".." << b.end);
             if (a.begin != b.begin || a.end != b.end) ++off;
             REQUIRE(std::abs(a.begin - b.begin) <= 1);
@@ -54,14 +54,14 @@ TEST_CASE("the sphere covers all between the columns that two rows share", "[spa
         const int32_t width = view.image.width_px;
         for (int32_t top = 0; top + 8 < view.image.height_px; top += 5) {
             OutlineTracker outline(camera, {0, width});
-            const RowSpan middle = outline.row(top + 4);
-            const RowSpan columns = outline.columns(top, top + 8, middle, 2);
+            const Extent middle = outline.row(top + 4);
+            const Extent columns = outline.columns(top, top + 8, middle, 2);
             if (columns.begin >= columns.end) continue;
             INFO(view.name << " row " << top << ": " << columns.begin << ".." << columns.end);
             CHECK(columns.begin % 4 == 0);
             CHECK(columns.end % 4 == 0);
             for (int32_t y = top; y <= top + 8; ++y) {
-                const RowSpan span = covered_span(camera, y, 0, width);
+                const Extent span = covered_extent(camera, y, 0, width);
                 REQUIRE(columns.begin >= span.begin + (span.begin > 0 ? 3 : 0));
                 REQUIRE(columns.end < span.end - (span.end < width ? 3 : 0));
             }
@@ -136,7 +136,7 @@ TEST_CASE("coarse hits lie where the exact rays meet the sphere", "[span]")
         REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
         const HitEvaluator nodes(camera);
         for (int32_t y = 0; y < view.image.height_px; ++y) {
-            const RowSpan span = covered_span(camera, y, 0, view.image.width_px);
+            const Extent span = covered_extent(camera, y, 0, view.image.width_px);
             if (span.begin >= span.end) continue;
             const RayRow row = nodes.row_at(span.begin, y);
             for (int32_t x = span.begin; x < span.end; ++x) {

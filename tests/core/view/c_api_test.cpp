@@ -111,6 +111,18 @@ TEST_CASE("wrong arguments of lumi_open are errors, each by name")
           code(ViewError::bad_argument));
 }
 
+TEST_CASE("lumi_verify tells every damaged part of a field")
+{
+    CHECK(lumi_verify(ball().data(), ball().size()) == 0);
+    CHECK(lumi_verify(nullptr, ball().size()) == code(ViewError::bad_argument));
+    CHECK(lumi_verify(ball().data(), 0) == code(view_error(FieldError::truncated)));
+    for (const size_t at : {size_t{0}, size_t{13}, ball().size() / 3, ball().size() / 2, ball().size() - 1}) {
+        Bytes damaged = ball();
+        damaged[at] ^= 0x10;
+        CHECK(lumi_verify(damaged.data(), damaged.size()) != 0);
+    }
+}
+
 TEST_CASE("wrong views and stripes are errors in C, too")
 {
     alignas(4) static uint8_t pixels[kStride * (kRows + 1)];

@@ -141,19 +141,22 @@ TEST_CASE("header and inspect name the view of exactly this field")
     test::write_content(folder / "chord.lumi", test::field_bytes(chord));
     test::write_content(folder / "few.lumi", test::field_bytes({}));
     test::write_content(folder / "surface.lumi", test::small_surface_bytes());
-    const auto check = [&](const std::string& name, const std::string& view) {
-        CHECK_THAT(lumi({"inspect", folder / (name + ".lumi")}).out, Catch::Contains("drawn by      " + view + "\n"));
+    const auto check = [&](const std::string& name, const std::string& drawing, const std::string& last) {
+        const std::string view = "lumi::View<" + drawing + ", " + last + ">, Screen>";
+        CHECK_THAT(lumi({"inspect", folder / (name + ".lumi")}).out,
+                   Catch::Contains("drawn by      lumi::View<" + drawing + ">, lumi::Screen<240, 240, 16>>\n"));
         REQUIRE(lumi({"embed", folder / (name + ".lumi"), "-o", folder / (name + ".bin")}).code == 0);
         CHECK_THAT(test::content_of(folder / (name + ".h")),
                    Catch::Contains("using " + name + "_view = " + view + ";"));
     };
-    check("chord", "lumi::View<lumi::ChordDrawing<lumi::TexelLuma8, Reconstruction>, Screen>");
-    check("few", "lumi::View<lumi::ExactChordDrawing<lumi::TexelRgb888, Reconstruction>, Screen>");
+    check("chord", "lumi::ChordDrawing<lumi::TexelLuma8", "Reconstruction");
+    check("few", "lumi::ExactChordDrawing<lumi::TexelRgb888", "Reconstruction");
     const std::string bytes = test::small_surface_bytes();
     SurfaceField field;
     REQUIRE(open_surface(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), field) == FieldError::none);
-    check("surface", "lumi::View<lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " +
-                         std::to_string(field.patch_count) + ", Finest>, Screen>");
+    check("surface",
+          "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(field.patch_count),
+          "Finest");
 }
 
 TEST_CASE("an assembler file names its field from its own folder, and the section that was asked for")

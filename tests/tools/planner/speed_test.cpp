@@ -10,7 +10,7 @@ namespace lumi::planner
 namespace
 {
 
-double rate_at(const char* part, const DrawMode& mode)
+double rate_at(const char* part, const ChordMode& mode)
 {
     return modelled_rate(*parse_pace(std::string(part) + "@1fps")->chip, mode);
 }
@@ -32,7 +32,7 @@ TEST_CASE("cheaper modes are faster, on every part, and no mode is faster than t
 {
     for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3"}) {
         double before = 0.5;
-        for (const DrawMode& mode : chord_modes()) {
+        for (const ChordMode& mode : chord_modes()) {
             CHECK(rate_at(part, mode) >= before);
             CHECK(rate_at(part, mode) < 67.9);
             before = rate_at(part, mode);
@@ -44,7 +44,7 @@ TEST_CASE("modes are listed dearest first")
 {
     for (const char* core : {"m0plus", "m4"}) {
         double before = 1e18;
-        for (const DrawMode& mode : chord_modes()) {
+        for (const ChordMode& mode : chord_modes()) {
             const double cost = frame_cost(core, mode).instructions;
             INFO(core << " " << mode.name);
             CHECK(cost < before);

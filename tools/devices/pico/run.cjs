@@ -54,7 +54,7 @@ function main() {
     console.error('run.cjs PROGRAM.bin FOLDER [--flash-misses]');
     process.exit(2);
   }
-  const chip = new RP2040(), clock = chip.clock, cache = new FlashCache();
+  const chip = new RP2040(), clock = chip.clock, cache = new FlashCache(chip, kHz);
   chip.logger = { debug() {}, info() {}, warn() {}, error(name, text) { console.error(`${name}: ${text}`); } };
   if (!fs.existsSync(file)) {
     console.error(`run.cjs: ${file}: no such file`);

@@ -45,12 +45,12 @@ struct Traced : Texel {
 
 // The sums of spans read texels by themselves.
 template <class Texel, bool kCoverage>
-struct lumi::SpanSum<lumi::bench::Traced<Texel>, kCoverage> : lumi::SpanSum<Texel, kCoverage> {
-    struct Row : SpanSum<Texel, kCoverage>::Row {
+struct lumi::TexelSum<lumi::bench::Traced<Texel>, kCoverage> : lumi::TexelSum<Texel, kCoverage> {
+    struct Row : TexelSum<Texel, kCoverage>::Row {
         void add(const Field& field, const uint8_t* texel, uint32_t weight)
         {
             bench::Traced<Texel>::note(field, texel);
-            SpanSum<Texel, kCoverage>::Row::add(field, texel, weight);
+            TexelSum<Texel, kCoverage>::Row::add(field, texel, weight);
         }
     };
 };

@@ -91,7 +91,7 @@ const ViewTaps& Judge::taps_of(const std::string& rule, const View& view)
     const Pose pose = orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
     const Image image = {kSidePx, kSidePx, view.fov_turns32};
     for (int y = 0; y < kSidePx; ++y) {
-        const RowSpan span = covered_span(camera, y, 0, kSidePx);
+        const Extent span = covered_extent(camera, y, 0, kSidePx);
         for (int x = span.begin; x < span.end; ++x) {
             const reference::Hits hit = reference::hits_of_pixel(pose, image, x, y);
             SideTaps front = taps_of_side(rule, origins_, hit.front);

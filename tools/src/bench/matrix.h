@@ -47,6 +47,13 @@ struct Accuracy {
     uint32_t worst_pixel = 0;  // levels of 255, over the pixels of psnr_db
 };
 
+// What this machine can say about a frame; the same for every core.
+struct HostFacts {
+    Accuracy accuracy;
+    std::array<Traffic, kChips> traffic;
+    uint32_t crc = 0;
+};
+
 struct Row {
     std::string core, mode, texel;
     Count count;

@@ -46,13 +46,6 @@ const View& view_called(const std::string& name)
     return *std::find_if(std::begin(kViews), std::end(kViews), [&](const View& view) { return view.name == name; });
 }
 
-// What this machine can say about a frame; the same for every core.
-struct HostFacts {
-    Accuracy accuracy;
-    std::array<Traffic, kChips> traffic;
-    uint32_t crc = 0;
-};
-
 class Measurement
 {
 public:

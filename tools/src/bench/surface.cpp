@@ -64,13 +64,6 @@ Accuracy judge(const reference::SurfacePicture& exact, const tools::Picture& dra
     return {db, db, static_cast<uint32_t>(std::lround(worst))};
 }
 
-// What this machine can say about a frame; the same for every core.
-struct HostFacts {
-    Accuracy accuracy;
-    std::array<Traffic, kChips> traffic;
-    uint32_t crc = 0;
-};
-
 HostFacts host_facts(const tools::FieldFile& file, const View& view, SurfaceMode mode, const std::string& pixel)
 {
     const tools::Eye eye = {view_pose(view), view_image(view), {}};

@@ -81,7 +81,7 @@ std::vector<RatedMode> rated_modes(const BakeSummary& summary, const bench::Chip
 {
     std::vector<RatedMode> modes;
     if (!summary.job.surface) {
-        for (const planner::DrawMode& mode : planner::chord_modes())
+        for (const planner::ChordMode& mode : planner::chord_modes())
             modes.push_back({mode.name, planner::modelled_rate(chip, mode)});
         return modes;
     }

@@ -12,7 +12,7 @@ namespace lumi::tools
 namespace
 {
 
-std::vector<planner::PartRate> chord_rates(const planner::DrawMode& mode)
+std::vector<planner::PartRate> chord_rates(const planner::ChordMode& mode)
 {
     std::vector<planner::PartRate> rates;
     for (const bench::Chip& chip : bench::kChipList) {
@@ -38,7 +38,7 @@ std::vector<ModeRates> rates_of(const FieldFile& file)
         for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two})
             rates.push_back({name_of(mode), planner::surface_rates(file.surface(), mode)});
     } else {
-        for (const planner::DrawMode& mode : planner::chord_modes()) rates.push_back({mode.name, chord_rates(mode)});
+        for (const planner::ChordMode& mode : planner::chord_modes()) rates.push_back({mode.name, chord_rates(mode)});
     }
     return rates;
 }

@@ -149,7 +149,7 @@ FieldReport describe_field(const FieldFile& file, bool verify)
     } else {
         describe_chord(file.field(), report);
     }
-    report.view = renderer_of(file).view;
+    report.view = renderer_of(file).example;
     report.other_bytes = report.file_bytes;
     for (const Section& section : file.sections()) {
         report.sections.push_back({section, verify ? std::optional<bool>(file.is_intact(section)) : std::nullopt});

@@ -18,20 +18,28 @@ std::string texel_policy(format::TexelFormat format)
     return "lumi::Texel" + name;
 }
 
+// `drawing` lacks its last parameter and the closing bracket.
+RendererName named(const char* header, const char* opener, const char* parameters, const std::string& drawing,
+                   const char* last)
+{
+    return {header, opener, parameters, "lumi::View<" + drawing + ", " + last + ">, Screen>",
+            "lumi::View<" + drawing + ">, lumi::Screen<240, 240, 16>>"};
+}
+
 }  // namespace
 
 RendererName renderer_of(const FieldFile& field)
 {
     if (field.is_surface()) {
         const SurfaceField& surface = field.surface();
-        const std::string counts = std::to_string(surface.vertex_count) + ", " + std::to_string(surface.patch_count);
-        return {"lumi/surface_view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
-                "lumi::View<lumi::SurfaceDrawing<" + counts + ", Finest>, Screen>"};
+        return named(
+            "lumi/surface_view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
+            "lumi::SurfaceDrawing<" + std::to_string(surface.vertex_count) + ", " + std::to_string(surface.patch_count),
+            "Finest");
     }
     const std::string drawing = fits_spans(field.field()) ? "ChordDrawing" : "ExactChordDrawing";
-    return {
-        "lumi/chord_view.h", "open_field", "class Reconstruction = lumi::Linear",
-        "lumi::View<lumi::" + drawing + "<" + texel_policy(field.field().texel_format) + ", Reconstruction>, Screen>"};
+    return named("lumi/chord_view.h", "open_field", "class Reconstruction = lumi::Linear",
+                 "lumi::" + drawing + "<" + texel_policy(field.field().texel_format), "Reconstruction");
 }
 
 }  // namespace lumi::tools

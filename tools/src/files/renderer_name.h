@@ -15,6 +15,7 @@ struct RendererName {
     std::string opener;      // "open_surface"
     std::string parameters;  // of the template alias, before which a program writes the screen
     std::string view;        // "lumi::View<lumi::SurfaceDrawing<2500, 2400, Finest>, Screen>"
+    std::string example;     // "lumi::View<lumi::SurfaceDrawing<2500, 2400>, lumi::Screen<240, 240, 16>>"
 };
 
 RendererName renderer_of(const FieldFile& field);

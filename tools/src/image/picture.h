@@ -33,7 +33,7 @@ inline bool same_size(const Picture& a, const Picture& b)
     return a.width_px == b.width_px && a.height_px == b.height_px;
 }
 
-// c + (255 - a)·b/255, rounded, of one channel: the blend of docs/architecture.md, in encoded values.
+// c + (255 - a)·b/255, rounded, of one channel: in encoded values.
 constexpr uint8_t over(uint8_t premultiplied, uint8_t coverage, uint8_t background)
 {
     constexpr int kOpaque = 255;

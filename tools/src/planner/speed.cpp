@@ -27,7 +27,7 @@ constexpr Cost kChord[] = {{119, 206}, {204, 369}, {489, 1005}};  // by chord_ki
 // Misses per pixel of an RP2040's cache, of 8-byte lines: docs/log/tradeoff.md.
 constexpr double kMisses[] = {0.09, 0.35, 0.35};
 
-const std::vector<DrawMode> kModes = {{"paper", Mode::paper}, {"linear", Mode::linear}, {"nearest", Mode::nearest}};
+const std::vector<ChordMode> kModes = {{"paper", Mode::paper}, {"linear", Mode::linear}, {"nearest", Mode::nearest}};
 
 size_t chord_kind(Mode mode)
 {
@@ -36,7 +36,7 @@ size_t chord_kind(Mode mode)
 
 }  // namespace
 
-const std::vector<DrawMode>& chord_modes()
+const std::vector<ChordMode>& chord_modes()
 {
     return kModes;
 }
@@ -64,7 +64,7 @@ std::string chip_names()
     return text;
 }
 
-FrameCost frame_cost(const std::string& core, const DrawMode& mode)
+FrameCost frame_cost(const std::string& core, const ChordMode& mode)
 {
     const bool m0plus = core == "m0plus";
     const size_t kind = chord_kind(mode.mode);
@@ -72,7 +72,7 @@ FrameCost frame_cost(const std::string& core, const DrawMode& mode)
     return {kSpherePx * kChord[kind].of(m0plus) + background, kSpherePx * kMisses[kind]};
 }
 
-double modelled_rate(const bench::Chip& chip, const DrawMode& mode)
+double modelled_rate(const bench::Chip& chip, const ChordMode& mode)
 {
     const FrameCost cost = frame_cost(chip.core, mode);
     return bench::frames_per_second(chip, static_cast<uint64_t>(cost.instructions), static_cast<uint64_t>(cost.misses));

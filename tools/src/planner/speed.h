@@ -13,13 +13,13 @@ namespace lumi::planner
 {
 
 // A way to draw a chord field.
-struct DrawMode {
+struct ChordMode {
     const char* name;
     tools::Mode mode;
 };
 
 // Dearest and best first.
-const std::vector<DrawMode>& chord_modes();
+const std::vector<ChordMode>& chord_modes();
 
 // What --for asks for.
 struct Pace {
@@ -38,9 +38,9 @@ struct FrameCost {
 };
 // What a frame of 240 × 240 pixels that the sphere fills takes with the code of `core` ("m0plus", else M4 code);
 // figures and their sources: docs/log/tradeoff.md.
-FrameCost frame_cost(const std::string& core, const DrawMode& mode);
+FrameCost frame_cost(const std::string& core, const ChordMode& mode);
 
 // Frames per second by the model of `lumi bench`.
-double modelled_rate(const bench::Chip& chip, const DrawMode& mode);
+double modelled_rate(const bench::Chip& chip, const ChordMode& mode);
 
 }  // namespace lumi::planner

@@ -25,7 +25,7 @@ struct SurfacePlan {
     uint64_t most_bytes = 0;
 };
 
-// Throws NoPlan (planner.h) where not even the coarsest mesh fits, BakeError for a scene that no surface field can
+// Throws NoPlan (no_plan.h) where not even the coarsest mesh fits, BakeError for a scene that no surface field can
 // hold, Cancelled. A scene without a surface gets a plan whose draft has no triangles.
 SurfacePlan plan_surface(const baker::Scene& scene, const SurfaceTask& task, const baker::ProgressCallback& progress);
 

@@ -33,7 +33,7 @@ struct ZoneShape {
 
 struct Tables {
     Shape shape[kShapes];
-    Steps steps[2][kShapes];  // in charts as they are, and in reflected ones
+    Steps steps[2][kShapes];  // as they are, and mirrored
     ZoneShape zone[kSpanZones];
 };
 

@@ -16,7 +16,7 @@ namespace lumi
 template <bool kFlips, class Texel, class Pixel, class Background>
 void draw_pairs(const SpanTarget<Background>& span, const TileRows* tile)
 {
-    using Sum = SpanSum<Texel, !Background::kIsBlack>;
+    using Sum = TexelSum<Texel, !Background::kIsBlack>;
     const Field field = span.field;  // stores of pixels do not change it
     PairSource<kFlips> source(
         span.origins, span.directions, field.texels - Sum::kBefore,
@@ -40,7 +40,7 @@ void draw_pairs(const SpanTarget<Background>& span, const TileRows* tile)
 template <class Texel, class Pixel, class Background>
 void draw_assembled(const SpanTarget<Background>& span, const TileRows* tile)
 {
-    using Sum = SpanSum<Texel, false>;
+    using Sum = TexelSum<Texel, false>;
     using Loop = Armv6mLoop<Sum>;
     const uint8_t* const palette = span.field.palette;
     const uint32_t words = static_cast<uint32_t>(span.length) * Loop::kWords;
@@ -60,7 +60,7 @@ void draw_assembled(const SpanTarget<Background>& span, const TileRows* tile)
 template <class Texel, class Pixel, class Background>
 void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
 {
-    if constexpr (Armv6mLoop<SpanSum<Texel, !Background::kIsBlack>>::kExists) {
+    if constexpr (Armv6mLoop<TexelSum<Texel, !Background::kIsBlack>>::kExists) {
         draw_assembled<Texel, Pixel>(span, tile);
     } else {
         if (span.origins.uniform && span.directions.uniform) return draw_pairs<false, Texel, Pixel>(span, tile);
@@ -81,7 +81,7 @@ bool can_follow_tile(const SpanTarget<Background>& span)
 template <class Texel, class Pixel, class Background>
 void draw_nine_checked(const CheckedTarget<Background>& span)
 {
-    using Sum = SpanSum<Texel, !Background::kIsBlack>;
+    using Sum = TexelSum<Texel, !Background::kIsBlack>;
     SideWalk origins(span.origins);
     SideWalk directions(span.directions);
     uint8_t* pixel = span.pixels;

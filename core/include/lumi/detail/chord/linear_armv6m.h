@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Spans of 3x3 texels in Armv6-M assembly (core/src/chord/armv6m), whose loops keep in eight registers what compilers
-// spill: a loop writes the weighted sums of a row's pixels, the same bits as PairSource and SpanSum have.
+// spill: a loop writes the weighted sums of a row's pixels, the same bits as PairSource and TexelSum have.
 //
 // A coordinate is kept as its fraction at the top of a word, so that an addition's carry tells a new cell and the
 // cell's offset moves by additions alone. Of an origin's word, what lies below its 12 bits is the direction's
@@ -119,39 +119,39 @@ struct Armv6mLoopOf {
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelLuma8, false>> : Armv6mLoopOf<1> {
+struct Armv6mLoop<TexelSum<TexelLuma8, false>> : Armv6mLoopOf<1> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t*)
     {
         lumi_linear_luma8(sums, end, cells);
     }
-    static SpanSum<TexelLuma8, false> sum(const uint32_t* y) { return {y[0], 0}; }
+    static TexelSum<TexelLuma8, false> sum(const uint32_t* y) { return {y[0], 0}; }
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelRgb888, false>> : Armv6mLoopOf<3> {
+struct Armv6mLoop<TexelSum<TexelRgb888, false>> : Armv6mLoopOf<3> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t*)
     {
         lumi_linear_rgb888(sums, end, cells);
     }
-    static SpanSum<TexelRgb888, false> sum(const uint32_t* rgb) { return {rgb[0], rgb[1], rgb[2], 0}; }
+    static TexelSum<TexelRgb888, false> sum(const uint32_t* rgb) { return {rgb[0], rgb[1], rgb[2], 0}; }
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelRgb565, false>> : Armv6mLoopOf<3> {
+struct Armv6mLoop<TexelSum<TexelRgb565, false>> : Armv6mLoopOf<3> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t*)
     {
         lumi_linear_rgb565(sums, end, cells);
     }
-    static SpanSum<TexelRgb565, false> sum(const uint32_t* rgb) { return {rgb[0], rgb[1], rgb[2], 0}; }
+    static TexelSum<TexelRgb565, false> sum(const uint32_t* rgb) { return {rgb[0], rgb[1], rgb[2], 0}; }
 };
 
 template <>
-struct Armv6mLoop<SpanSum<TexelPalette8, false>> : Armv6mLoopOf<3> {
+struct Armv6mLoop<TexelSum<TexelPalette8, false>> : Armv6mLoopOf<3> {
     static void draw(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t* palette)
     {
         lumi_linear_palette8(sums, end, cells, palette);
     }
-    static SpanSum<TexelPalette8, false> sum(const uint32_t* rgb) { return {rgb[0], rgb[1], rgb[2], 0}; }
+    static TexelSum<TexelPalette8, false> sum(const uint32_t* rgb) { return {rgb[0], rgb[1], rgb[2], 0}; }
 };
 
 #endif

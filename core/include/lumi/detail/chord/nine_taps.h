@@ -96,8 +96,8 @@ struct NineTaps {
 
 #define LUMI_NINE(TEXEL, ROWS, PALETTE)                                                                               \
     template <>                                                                                                       \
-    struct NineTaps<SpanSum<TEXEL, false>> {                                                                          \
-        LUMI_ALWAYS_INLINE static SpanSum<TEXEL, false> sum([[maybe_unused]] const Field& field, const PairTaps& taps)\
+    struct NineTaps<TexelSum<TEXEL, false>> {                                                                          \
+        LUMI_ALWAYS_INLINE static TexelSum<TEXEL, false> sum([[maybe_unused]] const Field& field, const PairTaps& taps)\
         {                                                                                                             \
             const WordPair<const uint8_t*, uint32_t> last = {taps.row[2], taps.row_weight[2]};                        \
             const uint8_t* row = taps.row[1];                                                                         \

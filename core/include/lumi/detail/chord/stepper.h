@@ -80,12 +80,12 @@ private:
     Stage stage_ = Stage::band;
     int32_t next_y_, end_y_;
     int32_t y_ = 0, rows_ = 0;  // of the band
-    RowSpan spans_[kTileRows];  // what its rows cover
+    Extent spans_[kTileRows];   // what its rows cover
     int32_t row_ = 0;           // the next one to look at
 
     // Tiles: their columns, the next one's, the end of the last one; rays of their first row, their middle and the row
     // below; hits of their left and right corners, by turns, and of their middles.
-    RowSpan columns_{0, 0};
+    Extent columns_{0, 0};
     int32_t tile_x_ = 0, drawn_x_ = 0;
     int left_ = 0;
     RayRow tile_rays_[3];
@@ -95,7 +95,7 @@ private:
 
     // Spans: the gap's columns, what the row covers of the image and of the gap; hits of the next pixel to draw and of
     // the one where its span ends, in the place of corners that no tile needs meanwhile.
-    RowSpan gap_{0, 0}, span_{0, 0}, part_{0, 0};
+    Extent gap_{0, 0}, span_{0, 0}, part_{0, 0};
     int32_t x_ = 0, span_y_ = 0;
     RayRow rays_;
     HitPair* at_ = nullptr;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Sums of weighted texels for the span renderer: 32-bit sums, one pass over a row of taps and one over rows.
 //
-// SpanSum<Texel, kCoverage> has a `Row` with add(texel pointer, weight) for the taps of one origin, and itself add(row,
-// weight) for the origins; `store<Pixel>(background, pixel)` blends and writes the pixel. Without kCoverage (over
-// black) nothing is spent on it. How it takes them:
+// TexelSum<Texel, kCoverage> has a `Row` with add(texel pointer, weight) for the taps of one origin, and itself
+// add(row, weight) for the origins; `store<Pixel>(background, pixel)` blends and writes the pixel. Without kCoverage
+// (over black) nothing is spent on it. How it takes them:
 //   kRowBits, kTapBits  weights of the origins and of a row's taps sum to 2 to these powers
 //   kUpperHalves        an origin's weight lies in the upper half of a word, and the lower one is ignored
 //   kLowerHalves        a tap's weight lies in the lower half of a word, and the upper one is ignored
@@ -70,7 +70,7 @@ struct SpanHalves {
 };
 
 template <class Load, bool kCoverage>
-struct SpanSumHalves {
+struct TexelSumHalves {
     static constexpr int kRowBits = 7;
     static constexpr int kTapBits = 7;
     static constexpr bool kUpperHalves = kHasHalfProducts;
@@ -183,7 +183,7 @@ struct LoadPalette8 {
     }
 };
 
-// Any format of whole bytes; one with a faster way has a SpanSum of its own below.
+// Any format of whole bytes; one with a faster way has a TexelSum of its own below.
 template <class Texel>
 struct LoadAny {
     static constexpr bool kGreenIsHigh = false;
@@ -200,20 +200,20 @@ struct LoadAny {
 };
 
 template <class Texel, bool kCoverage>
-struct SpanSum : SpanSumHalves<LoadAny<Texel>, kCoverage> {
+struct TexelSum : TexelSumHalves<LoadAny<Texel>, kCoverage> {
 };
 
 template <bool kCoverage>
-struct SpanSum<TexelRgb888, kCoverage> : SpanSumHalves<LoadRgb888, kCoverage> {
+struct TexelSum<TexelRgb888, kCoverage> : TexelSumHalves<LoadRgb888, kCoverage> {
 };
 
 template <bool kCoverage>
-struct SpanSum<TexelPalette8, kCoverage> : SpanSumHalves<LoadPalette8, kCoverage> {
+struct TexelSum<TexelPalette8, kCoverage> : TexelSumHalves<LoadPalette8, kCoverage> {
 };
 
 // One channel: weights of 12 bits on both sides fill 32 bits, 255·2^24.
 template <bool kCoverage>
-struct SpanSum<TexelLuma8, kCoverage> {
+struct TexelSum<TexelLuma8, kCoverage> {
     static constexpr int kRowBits = 12;
     static constexpr int kTapBits = 12;
     static constexpr bool kUpperHalves = false;
@@ -255,7 +255,7 @@ struct SpanSum<TexelLuma8, kCoverage> {
 // Three channels in one word: blue (5 bits) at bit 0, red (5) at bit 11 and green (6) at bit 21 leave room for 5 bits
 // of weight above each: 31·32 < 2^10, 63·32 < 2^11.
 template <bool kCoverage>
-struct SpanSum<TexelRgb565, kCoverage> {
+struct TexelSum<TexelRgb565, kCoverage> {
     static constexpr int kRowBits = 8;
     static constexpr int kTapBits = 5;
     static constexpr bool kUpperHalves = false;

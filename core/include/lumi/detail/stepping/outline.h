@@ -19,10 +19,10 @@ OutlineQuadratic make_outline(const Camera& camera);
 class OutlineTracker
 {
 public:
-    OutlineTracker(const Camera& camera, const RowSpan& limits);
+    OutlineTracker(const Camera& camera, const Extent& limits);
 
     // The span of row y; call with rows in increasing order.
-    RowSpan row(int32_t y);
+    Extent row(int32_t y);
 
     // Whether an end of a row's span is the sphere's and not the limits'.
     bool is_outline(int32_t x) const { return x != limits_.begin && x != limits_.end; }
@@ -30,7 +30,7 @@ public:
     // The columns, at multiples of 2^step_log2 within the limits, that rows `top` and `bottom` of the image both cover:
     // the first and the last, but the ones next to them where the rim is nearer than the limits. The sphere covers all
     // between them. None: begin >= end. `between` is the span of a row between them.
-    RowSpan columns(int32_t top, int32_t bottom, const RowSpan& between, int step_log2) const;
+    Extent columns(int32_t top, int32_t bottom, const Extent& between, int step_log2) const;
 
 private:
     // f and m at a pixel, and how f changes to the pixels right of it and below.
@@ -54,8 +54,8 @@ private:
     bool adjust();
 
     const Camera& camera_;
-    RowSpan limits_;
-    RowSpan span_;
+    Extent limits_;
+    Extent span_;
     Walk first_, last_;  // at the first and the last pixel of the span
     int32_t last_y_;
 };

@@ -40,7 +40,7 @@ public:
     {
     }
 
-    // The length of a span between two nodes that begins `from_left` pixels from the row's first one, and `from_right`
+    // The length of a span between two knots that begins `from_left` pixels from the row's first one, and `from_right`
     // > 0 from its last one; at most `room` > 0.
     int32_t length(int32_t from_left, int32_t from_right, int32_t room) const
     {

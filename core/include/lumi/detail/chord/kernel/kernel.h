@@ -200,7 +200,7 @@ struct SpanDraw<Paper<K>> {
     static void draw(SpanTarget<Background>& span)
     {
         // Rows without weight are left out: one in four.
-        using Sum = SpanSum<Texel, !Background::kIsBlack>;
+        using Sum = TexelSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const CellKernel<true>& origins, const CellKernel<false>& directions,
                                const uint8_t* base, uint8_t* pixel) {
             const NearPoints o = origins.near();
@@ -232,7 +232,7 @@ struct SpanDraw<Paper<K>> {
     template <class Texel, class Pixel, class Background>
     static void draw_checked(const CheckedTarget<Background>& span)
     {
-        using Sum = SpanSum<Texel, !Background::kIsBlack>;
+        using Sum = TexelSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const SideKernel& o, const SideKernel& d, uint8_t* pixel) {
             KernelTaps origins{};
             KernelTaps directions{};
