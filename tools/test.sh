@@ -4,8 +4,8 @@
 # Builds everything with warnings as errors and runs the tests: on the host, on the host under AddressSanitizer and
 # UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test under sanitizers too, every policy, frame and unit test on every
-# board, every failure on purpose, clang-tidy (which reads file by file and so shows missing includes), cppcheck, a minute
-# of fuzzing a target, and the commands of the examples' pages. There a missing tool is an error.
+# board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing includes),
+# cppcheck, a minute of fuzzing a target, and the commands of the examples' pages. There a missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -37,6 +37,11 @@ check_with_clang_tidy() {
     cmake --preset tidy
     run-clang-tidy -quiet -p build/tidy -j "$jobs" "$root/(core|baker|tools|platform|tests)/.*\.cpp$"
   )
+}
+
+check_format() {
+  command -v clang-format >/dev/null || die "clang-format is missing"
+  (cd "$root" && git ls-files '*.cpp' '*.h' '*.c' | xargs clang-format --dry-run -Werror)
 }
 
 # Left out: members that the next call sets; shifts of negative numbers, which GCC and Clang define; constants that a
@@ -90,6 +95,7 @@ main() {
   run_step "Build for the host" build_preset host -DLUMI_TEST_ALL="$all"
   run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all"
   if [[ $all == ON ]]; then
+    run_step "clang-format" check_format
     run_step "cppcheck" check_with_cppcheck
     run_step "clang-tidy" check_with_clang_tidy
     run_step "Fuzz, a minute a target" "$root/tools/fuzz.sh"

@@ -49,9 +49,7 @@ bool run(int words, char** word)
 int main(int words, char** word)
 {
     try {
-        if (run(words, word)) {
-            return 0;
-        }
+        if (run(words, word)) return 0;
         std::fprintf(
             stderr,
             "lumi_baker_bench share|matt|convergence|threads SCENE ROWS\nlumi_baker_bench adaptive SCENE TEXELS\n"

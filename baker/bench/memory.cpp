@@ -19,11 +19,8 @@ namespace
 double status_bytes(const std::string& name)
 {
     std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.rfind(name + ":", 0) == 0) {
-            return 1024 * std::stod(line.substr(name.size() + 1));
-        }
-    }
+    for (std::string line; std::getline(status, line);)
+        if (line.rfind(name + ":", 0) == 0) return 1024 * std::stod(line.substr(name.size() + 1));
     return 0;
 }
 

@@ -97,9 +97,7 @@ void stop_ray_log()
 RayCounts logged_rays()
 {
     RayCounts counts;
-    for (const LoggedRay& logged : log().rays) {
-        ++(logged.closest ? counts.closest : counts.blocked);
-    }
+    for (const LoggedRay& logged : log().rays) ++(logged.closest ? counts.closest : counts.blocked);
     return counts;
 }
 
@@ -114,9 +112,7 @@ Replay replay_ray_log()
 {
     Replay result;
     const double start = thread_seconds();
-    for (const LoggedRay& logged : log().rays) {
-        result.checksum += query(logged);
-    }
+    for (const LoggedRay& logged : log().rays) result.checksum += query(logged);
     result.seconds = thread_seconds() - start;
     return result;
 }

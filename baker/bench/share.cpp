@@ -19,9 +19,7 @@ template <class Measure>
 double least(const Measure& measure)
 {
     double seconds = measure();
-    for (int k = 1; k < kRepetitions; ++k) {
-        seconds = std::min(seconds, measure());
-    }
+    for (int k = 1; k < kRepetitions; ++k) seconds = std::min(seconds, measure());
     return seconds;
 }
 

@@ -10,9 +10,8 @@ Scene load(const char* file)
 {
     std::vector<std::string> warnings;
     Scene scene = load_scene(file, {}, warnings);
-    for (const std::string& warning : warnings) {
+    for (const std::string& warning : warnings)
         std::fprintf(stderr, "lumi_baker_bench: warning: %s\n", warning.c_str());
-    }
     return scene;
 }
 

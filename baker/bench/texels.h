@@ -30,9 +30,7 @@ void trace_rows(const Scene& scene, const Rows& rows, const Take& take)
     for (uint32_t row = 0; row < rows.count; ++row) {
         const uint32_t i = rows.origin(row);
         const OriginDisc disc = tracer.disc(i);
-        for (uint32_t j = 0; j < rows.settings.directions; ++j) {
-            take(row, j, tracer.estimate(disc, i, j));
-        }
+        for (uint32_t j = 0; j < rows.settings.directions; ++j) take(row, j, tracer.estimate(disc, i, j));
     }
 }
 

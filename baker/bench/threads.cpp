@@ -22,9 +22,8 @@ double seconds_with(const Scene& scene, const Rows& rows, unsigned threads)
     const auto start = std::chrono::steady_clock::now();
     job.run(rows.count, [&](uint32_t row) {
         const OriginDisc disc = tracer.disc(rows.origin(row));
-        for (uint32_t j = 0; j < rows.settings.directions; ++j) {
+        for (uint32_t j = 0; j < rows.settings.directions; ++j)
             job.add_rays(tracer.estimate(disc, rows.origin(row), j).samples());
-        }
     });
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

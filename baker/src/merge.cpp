@@ -31,9 +31,7 @@ MergedField merge_shards(const std::vector<fs::path>& shards, const fs::path& ou
                          const std::function<bool()>& keep_going)
 {
     const auto leave_if_cancelled = [&] {
-        if (keep_going && !keep_going()) {
-            throw Cancelled();
-        }
+        if (keep_going && !keep_going()) throw Cancelled();
     };
     const FileGuard guard;
     ShardSet set(shards, require_possible_identity);

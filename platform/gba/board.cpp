@@ -95,9 +95,8 @@ void turn(lumi::Orbit& orbit)
     };
     orbit.azimuth_turns32 += step(kRight, kLeft);
     const int32_t elevation = static_cast<int32_t>(orbit.elevation_turns32 + step(kUp, kDown));
-    if (elevation <= static_cast<int32_t>(lumi::degrees(85)) && elevation >= static_cast<int32_t>(lumi::degrees(-85))) {
+    if (elevation <= static_cast<int32_t>(lumi::degrees(85)) && elevation >= static_cast<int32_t>(lumi::degrees(-85)))
         orbit.elevation_turns32 = static_cast<uint32_t>(elevation);
-    }
 }
 
 }  // namespace

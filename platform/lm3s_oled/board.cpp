@@ -53,9 +53,8 @@ void put(uint8_t byte)
     while ((at(kSsi + 0xC) & kRoom) == 0) {
     }
     at(kSsi + 0x8) = byte;
-    while ((at(kSsi + 0xC) & kReceived) != 0) {  // what the display sends back is nothing
+    while ((at(kSsi + 0xC) & kReceived) != 0)  // what the display sends back is nothing
         [[maybe_unused]] const uint32_t nothing = at(kSsi + 0x8);
-    }
 }
 
 void select(bool data)

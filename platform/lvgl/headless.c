@@ -20,9 +20,8 @@ static void flush(lv_display_t* display, const lv_area_t* area, uint8_t* pixels)
 {
     const size_t bytes = (size_t)lv_area_get_width(area) * PIXEL_BYTES;
     const uint32_t stride = lv_draw_buf_width_to_stride((uint32_t)lv_area_get_width(area), LV_COLOR_FORMAT_RGB565);
-    for (int32_t y = area->y1; y <= area->y2; ++y, pixels += stride) {
+    for (int32_t y = area->y1; y <= area->y2; ++y, pixels += stride)
         memcpy(&screen[y][area->x1 * PIXEL_BYTES], pixels, bytes);
-    }
     ++flushes;
     lv_display_flush_ready(display);
 }

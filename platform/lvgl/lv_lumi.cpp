@@ -66,11 +66,10 @@ void handle(const lv_obj_class_t*, lv_event_t* event)
     if (lv_obj_event_base(&lv_lumi_class, event) != LV_RESULT_OK) return;
     Widget& widget = widget_of(static_cast<lv_obj_t*>(lv_event_get_current_target(event)));
     const lv_event_code_t code = lv_event_get_code(event);
-    if (code == LV_EVENT_PRESSED || code == LV_EVENT_PRESSING) {
+    if (code == LV_EVENT_PRESSED || code == LV_EVENT_PRESSING)
         touch(widget);
-    } else if (code == LV_EVENT_RELEASED || code == LV_EVENT_PRESS_LOST) {
+    else if (code == LV_EVENT_RELEASED || code == LV_EVENT_PRESS_LOST)
         widget.touch.is_down = false;
-    }
 }
 
 constexpr lv_obj_class_t make_class()
@@ -105,9 +104,8 @@ void lv_lumi_set_orbit(lv_obj_t* obj, lumi_orbit orbit)
 {
     const lumi_orbit before = lv_lumi_get_orbit(obj);
     if (orbit.azimuth_turns32 == before.azimuth_turns32 && orbit.elevation_turns32 == before.elevation_turns32 &&
-        orbit.distance_q20 == before.distance_q20 && orbit.fov_turns32 == before.fov_turns32) {
+        orbit.distance_q20 == before.distance_q20 && orbit.fov_turns32 == before.fov_turns32)
         return;
-    }
     lv_lumi_image_set_orbit(widget_of(obj).image, orbit);
     lv_obj_invalidate(obj);
     lv_obj_send_event(obj, LV_EVENT_VALUE_CHANGED, nullptr);

@@ -14,9 +14,8 @@ static lv_lumi_image_t* image_of(const lv_image_decoder_dsc_t* session)
 {
     const lv_image_dsc_t* source = session->src;
     if (session->src_type != LV_IMAGE_SRC_VARIABLE || source->header.cf != LV_COLOR_FORMAT_RAW_ALPHA ||
-        source->data != (const uint8_t*)source) {
+        source->data != (const uint8_t*)source)
         return NULL;
-    }
     return (lv_lumi_image_t*)session->src;
 }
 

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT
- * A field as an image of LVGL 9.2 and later. No picture of it lies in memory: when LVGL draws a part of the screen, the
- * decoder draws that part of the object, some rows at a time, with coverage, so it may lie over and under other widgets.
+ * A surface field as an image of LVGL 9.2 and later. No picture of it lies in memory: when LVGL draws a part of the
+ * screen, the decoder draws that part of the object, some rows at a time, with coverage, so it may lie over and under
+ * other widgets.
  *
  *     static lv_lumi_image_t product_image;
- *     lv_lumi_image_decoder_init();                                                          once, after lv_init()
+ *     lv_lumi_image_decoder_init();                       once, after lv_init()
  *     lv_lumi_image_open(&product_image, memory, sizeof memory, product, product_size(), screen);
- *     lv_image_set_src(image, &product_image);                                               or lv_lumi_create (lv_lumi.h)
- *     lv_lumi_image_set_orbit(&product_image, orbit);                                        then lv_obj_invalidate(image)
+ *     lv_image_set_src(image, &product_image);            or lv_lumi_create (lv_lumi.h)
+ *     lv_lumi_image_set_orbit(&product_image, orbit);     then lv_obj_invalidate(image)
  *
- * Displays of LV_COLOR_DEPTH 16 get RGB565A8, others ARGB8888. Link lv_lumi_renderer.cpp, which is lumi.h's renderer for
- * these pixels. Where LVGL draws by several threads (LV_DRAW_SW_DRAW_UNIT_CNT), an image is for one widget. */
+ * Displays of LV_COLOR_DEPTH 16 get RGB565A8, others ARGB8888. Link lv_lumi_renderer.cpp, which is lumi.h's renderer
+ * for these pixels. Where LVGL draws by several threads (LV_DRAW_SW_DRAW_UNIT_CNT), an image is for one widget. */
 #ifndef LV_LUMI_IMAGE_H
 #define LV_LUMI_IMAGE_H
 

@@ -38,7 +38,8 @@ void put(const lumi::Stripe& stripe, int32_t x, int32_t y, uint16_t rgb565)
     lumi::PixelRgb565Swapped::store_packed(lumi::pixel_of<lumi::PixelRgb565Swapped>(stripe, x, y), rgb565);
 }
 
-// The segments of a clock's digit, from the top one clockwise, then the middle one: ends as 10·x + y on a grid of 2 × 4.
+// The segments of a clock's digit, from the top one clockwise, then the middle one: ends as 10·x + y, 2 columns by 4
+// rows.
 constexpr int8_t kSegments[7][2] = {{4, 24}, {22, 24}, {20, 22}, {0, 20}, {0, 2}, {2, 4}, {2, 22}};
 constexpr uint8_t kDigits[10] = {0x3F, 0x06, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 0x07, 0x7F, 0x6F};
 constexpr uint8_t kDash = 0x40;
@@ -78,9 +79,8 @@ void draw_stroke(const lumi::Stripe& stripe, const Pixel& a, const Pixel& b, int
     const int32_t steps = larger(1, (larger(lumi::magnitude(dx), lumi::magnitude(dy)) + 255) >> 8);
     for (int32_t k = 0; k <= steps; ++k) {
         const int32_t x = (a.x_q8 + dx * k / steps) >> 8, y = (a.y_q8 + dy * k / steps) >> 8;
-        for (int32_t j = 0; j < width_px * width_px; ++j) {
+        for (int32_t j = 0; j < width_px * width_px; ++j)
             put(stripe, x + j % width_px - width_px / 2, y + j / width_px - width_px / 2, rgb565);
-        }
     }
 }
 

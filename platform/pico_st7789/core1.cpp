@@ -56,9 +56,8 @@ uint32_t address(void (*function)())
 
 void drain()
 {
-    for (int word = 0; word < 8 && (at(kFifoStatus) & kHasWord) != 0; ++word) {
+    for (int word = 0; word < 8 && (at(kFifoStatus) & kHasWord) != 0; ++word)
         [[maybe_unused]] const uint32_t old = at(kFifoRead);
-    }
     signal();
 }
 

@@ -42,9 +42,8 @@ int main()
     core1::start();
     while (board::next_view(orbit)) {
         if (view.look(orbit) != ViewError::none) return 1;
-        for (int32_t y = 0; y < 240; y += 32) {
+        for (int32_t y = 0; y < 240; y += 32)
             if (!draw_pair(y)) return 1;
-        }
     }
     return 0;
 }

@@ -34,9 +34,8 @@ lumi::Orbit current;
 void write_frame()
 {
     static uint8_t rgb[kSidePx * kSidePx * 3];
-    for (int k = 0; k < kSidePx * kSidePx; ++k) {
+    for (int k = 0; k < kSidePx * kSidePx; ++k)
         lumi::PixelRgb888::store(rgb + 3 * k, PixelRgb565Swapped::load(display + 2 * k));
-    }
     const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".png";
     if (!simulator::write_png(path, kSidePx, rgb)) fail(path + " cannot be written");
 }
@@ -44,9 +43,8 @@ void write_frame()
 void show_frame()
 {
     static uint16_t native[kSidePx * kSidePx];
-    for (int k = 0; k < kSidePx * kSidePx; ++k) {
+    for (int k = 0; k < kSidePx * kSidePx; ++k)
         native[k] = static_cast<uint16_t>(display[2 * k] << 8 | display[2 * k + 1]);
-    }
     const uint32_t wanted = options.rate > 0 ? static_cast<uint32_t>(1000 / options.rate) : 0;
     const uint32_t spent = simulator::milliseconds() - frame_begin_ms;
     if (spent < wanted) simulator::wait_milliseconds(wanted - spent);
@@ -85,11 +83,10 @@ void begin()
 
 bool board::next_view(lumi::Orbit& orbit)
 {
-    if (frame < 0) {
+    if (frame < 0)
         begin();
-    } else if (!end_frame()) {
+    else if (!end_frame())
         return false;
-    }
     ++frame;
     sent = 0;
     if (options.window) frame_begin_ms = simulator::milliseconds();

@@ -18,9 +18,8 @@ struct Rate {
 
 double rate_of(const char* chip)
 {
-    for (const Rate& rate : kRates) {
+    for (const Rate& rate : kRates)
         if (std::strcmp(rate.chip, chip) == 0) return rate.frames_per_second;
-    }
     return 0;
 }
 

@@ -29,9 +29,7 @@ std::string name_of(uint32_t k)
 
 void bake_rows(const ScratchFolder& folder, const Scene& scene, const BakeSettings& settings, uint32_t count = kCount)
 {
-    for (uint32_t k = 1; k <= count; ++k) {
-        bake_shard(scene, settings, {k, count}, folder.at(name_of(k)));
-    }
+    for (uint32_t k = 1; k <= count; ++k) bake_shard(scene, settings, {k, count}, folder.at(name_of(k)));
 }
 
 // A shard as an older lumi would have written it.
@@ -41,9 +39,7 @@ std::string made_by(std::string shard, const std::string& version)
     shard.replace(kProgramAt, version.size(), version);
     const size_t crc_at = kHeadBytes - 4;
     const uint32_t crc = crc32(0, reinterpret_cast<const uint8_t*>(shard.data()), crc_at);
-    for (size_t k = 0; k < 4; ++k) {
-        shard[crc_at + k] = static_cast<char>(crc >> (8 * k) & 0xFF);
-    }
+    for (size_t k = 0; k < 4; ++k) shard[crc_at + k] = static_cast<char>(crc >> (8 * k) & 0xFF);
     return shard;
 }
 
@@ -99,9 +95,7 @@ TEST_CASE("merge: the field is that of one machine, bit for bit, in every texel 
             const ScratchFolder folder;
             bake_rows(folder, scene, tiny_settings(texel), count);
             Paths shards;
-            for (uint32_t k = count; k >= 1; --k) {
-                shards.push_back(folder.at(name_of(k)));
-            }
+            for (uint32_t k = count; k >= 1; --k) shards.push_back(folder.at(name_of(k)));
             const MergedField merged = merge_shards(shards, folder.at("f.lumi"));
             INFO("format " << static_cast<int>(texel) << ", " << count << " shards");
             CHECK(read_bytes(folder.at("f.lumi")) == baked(scene, tiny_settings(texel)));

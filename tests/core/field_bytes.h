@@ -71,9 +71,8 @@ template <class Texel>
 TestSection texel_section(const TestLayout& layout, Texel texel)
 {
     Bytes b;
-    for (uint32_t i = 0; i < layout.used_origins; ++i) {
+    for (uint32_t i = 0; i < layout.used_origins; ++i)
         for (uint32_t k = 0; k < layout.stride(); ++k) b.push_back(texel(i, k));
-    }
     return {format::kTexelSection, format::kRequired, b};
 }
 
@@ -138,9 +137,8 @@ inline void reseal(Bytes& file)
     };
     const uint32_t count = static_cast<uint32_t>(file[16]) | static_cast<uint32_t>(file[17]) << 8;
     const size_t table_bytes = size_t{count} * format::kEntryBytes;
-    if (file.size() >= format::kHeaderBytes + table_bytes) {
+    if (file.size() >= format::kHeaderBytes + table_bytes)
         put_at(format::header::kTableCrcAt, crc32(0, file.data() + format::kHeaderBytes, table_bytes));
-    }
     put_at(format::header::kHeaderCrcAt, crc32(0, file.data(), format::header::kHeaderCrcAt));
 }
 

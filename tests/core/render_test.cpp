@@ -300,9 +300,8 @@ TEST_CASE("saturated colours blend without overflow", "[render]")
     TestLayout layout;
     layout.texel = TexelFormat::palette8;
     TestSection palette = palette_section();
-    for (uint32_t k = 0; k < 256; ++k) {
+    for (uint32_t k = 0; k < 256; ++k)
         for (uint32_t c = 0; c < 4; ++c) palette.bytes[4 * k + c] = static_cast<uint8_t>(k);
-    }
     const Bytes bytes = file_of(
         {layout_section(layout),
          texel_section(layout, [](uint32_t i, uint32_t k) { return static_cast<uint8_t>(255 - i * 7 - k); }), palette});

@@ -36,9 +36,8 @@ std::vector<Place> places()
     std::vector<Place> all;
     const int32_t offsets[] = {INT_MIN, -40000, -32769, -41,        -17,   -1,    0,           13,
                                39,      40,     41,     16384 + 40, 32767, 40000, INT_MAX - 8, INT_MAX};
-    for (const int32_t x : offsets) {
+    for (const int32_t x : offsets)
         for (const int32_t y : offsets) all.push_back({x, y, 9, 5});
-    }
     for (const int32_t x : {-60, -20, 0, 20}) all.push_back({x, x, 100, 100});
     all.push_back({0, 0, 0, 0});
     all.push_back({5, 5, 1, 1});
@@ -47,9 +46,8 @@ std::vector<Place> places()
 
 bool is_guard(const std::vector<uint8_t>& bytes, size_t begin, size_t end)
 {
-    for (size_t k = begin; k < end; ++k) {
+    for (size_t k = begin; k < end; ++k)
         if (bytes[k] != kGuard) return false;
-    }
     return true;
 }
 
@@ -89,9 +87,12 @@ void check_everywhere(const Field& field, const Camera& camera)
             return render<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, background, stripe);
         });
         for (const int32_t span_px : {2, 8, 16}) {
-            check_stripe(place, [&](const Stripe& stripe) {
-                return render_spans<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, background, stripe, span_px);
-            });
+            check_stripe(
+                place,
+                [&](const Stripe& stripe) {
+                    return render_spans<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, background, stripe,
+                                                                                span_px);
+                });
         }
     }
 }

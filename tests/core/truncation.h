@@ -15,9 +15,8 @@ template <class Open>
 void check_other_sizes_are_refused(const Bytes& bytes, Open open)
 {
     uint32_t accepted = 0;
-    for (size_t size = 0; size < bytes.size(); ++size) {
+    for (size_t size = 0; size < bytes.size(); ++size)
         accepted += open(Bytes(bytes.begin(), bytes.begin() + static_cast<long>(size))) == FieldError::none;
-    }
     CHECK(accepted == 0);
     Bytes longer = bytes;
     longer.push_back(0);

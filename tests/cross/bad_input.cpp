@@ -159,9 +159,7 @@ void try_unaligned(Api& api, test::GuardedMemory& flash, const LoadedField& fiel
     std::memcpy(odd, field.bytes, field.size);
     const ViewError error = api.open(odd, field.size);
     expect<Api>("unaligned field", error, kDrawsSurfaces ? ViewError::none : ViewError::unaligned_field);
-    if (kDrawsSurfaces) {
-        report(Api::kName, "unaligned field", "draws the same bits", drawn_frame(api) == whole_crc);
-    }
+    if (kDrawsSurfaces) report(Api::kName, "unaligned field", "draws the same bits", drawn_frame(api) == whole_crc);
 }
 
 template <class Api>
@@ -179,9 +177,8 @@ void try_stripes(Api& api, const LoadedField& field)
     }
     for (const Stripe& stripe :
          {Stripe{frame, 0, kHeight, kWidth, kRows, kStride}, Stripe{frame, -kWidth, 0, kWidth, kRows, kStride},
-          Stripe{frame, INT32_MAX, INT32_MIN, kWidth, kRows, kStride}}) {
+          Stripe{frame, INT32_MAX, INT32_MIN, kWidth, kRows, kStride}})
         expect<Api>("stripe outside", api.draw(stripe), ViewError::stripe_outside);
-    }
 }
 
 template <class Api>

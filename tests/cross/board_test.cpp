@@ -66,9 +66,8 @@ bool survives_an_unaligned_read()
 
 int main(int argc, char** argv)
 {
-    if (argc == 2 && std::strcmp(argv[1], "unaligned") == 0) {
+    if (argc == 2 && std::strcmp(argv[1], "unaligned") == 0)
         return check(survives_an_unaligned_read(), "an unaligned read") ? 0 : 1;
-    }
     start_instruction_counter();
     const bool counter = check(counts_every_instruction(), "the counter counts every instruction");
     const bool meter = check(meters_the_stack(), "the meter finds the stack's depth");

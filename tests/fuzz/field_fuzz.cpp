@@ -39,9 +39,8 @@ void reseal(std::vector<uint8_t>& file)
     store32(file.data() + at::kFileBytesAt, static_cast<uint32_t>(file.size()));
     const size_t sections = file[at::kSectionCountAt] | static_cast<size_t>(file[at::kSectionCountAt + 1]) << 8;
     const size_t table = sections * format::kEntryBytes;
-    if (format::kHeaderBytes + table <= file.size()) {
+    if (format::kHeaderBytes + table <= file.size())
         store32(file.data() + at::kTableCrcAt, crc32(0, file.data() + format::kHeaderBytes, table));
-    }
     store32(file.data() + at::kHeaderCrcAt, crc32(0, file.data(), at::kHeaderCrcAt));
 }
 

@@ -55,17 +55,15 @@ void write_pictures(Seeds seeds)
         }
         seeds.add(testing::png({PNG_COLOR_TYPE_PALETTE, 2, interlaced, {1, 2, 3, 4, 5, 6}, {7}}, 4, 2, {0x11, 0x44}));
     }
-    for (const bool grey : {false, true}) {
+    for (const bool grey : {false, true})
         for (const bool progressive : {false, true}) seeds.add(testing::jpeg(40, 24, grey, progressive));
-    }
     const std::string scanline = std::string("\2\2\0\x08", 4) + "\x88\x40\x88\x20\x87\x10\1\x30\x88\x81";
     seeds.add("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n" + scanline + scanline);
     seeds.add("#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x80\x80\x81\x81\x82\x83\x84");
     for (const Imf::Compression compression :
          {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION,
-          Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION}) {
+          Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION})
         seeds.add(exr(compression));
-    }
 }
 
 constexpr char kObj[] =

@@ -12,9 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     try {
         const Grid grid = parse_nifti("n", std::string(reinterpret_cast<const char*>(data), size));
         if (grid.values.size() != size_t{grid.nx} * grid.ny * grid.nz) abort();
-        for (const float value : grid.values) {
+        for (const float value : grid.values)
             if (!std::isfinite(value)) abort();
-        }
     } catch (const SceneError&) {
     }
     return 0;

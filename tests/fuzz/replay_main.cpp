@@ -27,9 +27,8 @@ std::vector<uint8_t> bytes_of(const std::filesystem::path& path)
 void run_changed(std::vector<uint8_t> bytes, uint32_t seed)
 {
     std::minstd_rand random(seed + 1);
-    for (uint32_t k = 1 + random() % 8; k > 0 && !bytes.empty(); --k) {
+    for (uint32_t k = 1 + random() % 8; k > 0 && !bytes.empty(); --k)
         bytes[random() % bytes.size()] = static_cast<uint8_t>(random() >> 8);
-    }
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
 }
 

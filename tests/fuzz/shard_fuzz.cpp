@@ -53,11 +53,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     if (size == 0) return 0;
     try {
-        if ((data[0] & 1) == 0) {
+        if ((data[0] & 1) == 0)
             merge({reinterpret_cast<const char*>(data) + 1, size - 1});
-        } else {
+        else
             decode(data + 1, size - 1);
-        }
     } catch (const BakeError&) {
     }
     return 0;

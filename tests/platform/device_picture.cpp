@@ -37,9 +37,8 @@ std::vector<uint8_t> drawn(const SurfaceField& field, const Display& display, co
     SurfaceCamera camera;
     const auto [width, height, stripe_rows] = display;
     const uint32_t band_log2 = surface_band_log2(stripe_rows);
-    if (make_surface_camera(pose_of(orbit), image_of(orbit, width, height), camera) != CameraError::none) {
+    if (make_surface_camera(pose_of(orbit), image_of(orbit, width, height), camera) != CameraError::none)
         fail("this camera cannot be");
-    }
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(height, band_log2));
     SurfaceFrame frame;

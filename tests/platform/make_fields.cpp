@@ -26,23 +26,22 @@ std::vector<Rgba8> trace()
     const Lattice origins(kOrigins);
     const Lattice directions(kDirections);
     std::vector<Rgba8> texels;
-    for (uint32_t i = 0; i < kUsedOrigins; ++i) {
-        for (uint32_t j = 0; j < kDirections; ++j) {
+    for (uint32_t i = 0; i < kUsedOrigins; ++i)
+        for (uint32_t j = 0; j < kDirections; ++j)
             texels.push_back(test::synthetic_ray(point(origins, i), point(directions, j)));
-        }
-    }
     return texels;
 }
 
 void put(TexelFormat texel, const baker::Palette& palette, const Rgba8& seen, uint8_t* at)
 {
-    with_texel(texel, [&](auto policy) {
-        if constexpr (decltype(policy)::kIndexed) {
-            *at = baker::nearest_entry(palette, seen);
-        } else if (seen.a != 0) {  // rows start out as zeros, which mean a miss
-            policy.store(at, {seen.r, seen.g, seen.b});
-        }
-    });
+    with_texel(
+        texel,
+        [&](auto policy) {
+            if constexpr (decltype(policy)::kIndexed)
+                *at = baker::nearest_entry(palette, seen);
+            else if (seen.a != 0)  // rows start out as zeros, which mean a miss
+                policy.store(at, {seen.r, seen.g, seen.b});
+        });
 }
 
 void write(TexelFormat texel, const std::vector<Rgba8>& seen, const std::filesystem::path& path)
@@ -51,9 +50,8 @@ void write(TexelFormat texel, const std::vector<Rgba8>& seen, const std::filesys
     const baker::Palette palette = baker::fit_palette(seen);
     const auto fill = [&](uint32_t i, std::vector<uint8_t>& row) {
         std::fill(row.begin(), row.end(), uint8_t{0});
-        for (uint32_t j = 0; j < kDirections; ++j) {
+        for (uint32_t j = 0; j < kDirections; ++j)
             put(texel, palette, seen[i * kDirections + j], row.data() + j * format::bytes_per_texel(texel));
-        }
     };
     baker::NewFile out(path);
     baker::write_field(layout, fill, palette, out);

@@ -53,9 +53,7 @@ Rgba8 synthetic_ray(const Vec3q30& origin, const Vec3q30& target)
     const double middle = -dot(start, step) / length2;  // both ends lie on the unit sphere: 1/2, but for rounding
     const Vec3 closest = along(start, step, middle);
     const double closest2 = dot(closest, closest);
-    if (!(length2 > 0) || closest2 > kBallRadius * kBallRadius) {
-        return {};
-    }
+    if (!(length2 > 0) || closest2 > kBallRadius * kBallRadius) return {};
     const double half_chord = std::sqrt((kBallRadius * kBallRadius - closest2) / length2);
     const bool solid = closest2 <= kSolidRadius * kSolidRadius;
     return shade(along(start, step, middle - half_chord), solid ? 255 : kRimCoverage);

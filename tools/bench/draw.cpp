@@ -64,11 +64,10 @@ void draw_frame(const Field& field, const Camera& camera, int span_px, std::vect
         const Stripe stripe = {pixels.data(), 0, y, camera.width_px(), std::min(kStripeRows, camera.height_px() - y),
                                stride};
         RenderError error = RenderError::none;
-        if (span_px == 0) {
+        if (span_px == 0)
             error = render<Reconstruction, Texel, PixelRgb888>(field, camera, OverBlack(), stripe);
-        } else if constexpr (std::is_same_v<Texel, TexelRgb565>) {
+        else if constexpr (std::is_same_v<Texel, TexelRgb565>)
             error = render_spans<Reconstruction, Texel, PixelRgb888>(field, camera, OverBlack(), stripe, span_px);
-        }
         if (error != RenderError::none) throw std::runtime_error("the field is not drawn: give an RGB565 chord field");
     }
 }

@@ -96,9 +96,7 @@ private:
         const uint32_t i = rows_.row_of(slot);
         const OriginDisc disc = tracer_.disc(i);
         for (uint32_t j = 0; j < layout_.directions; ++j) {
-            if (job_.stopping()) {
-                return;
-            }
+            if (job_.stopping()) return;
             encode_texel(layout_.texel, palette_, estimate(disc, i, j), row.data(), j);
         }
         rows_.write_row(slot, row);
@@ -118,9 +116,7 @@ private:
     // shard.
     uint64_t palette_texel(uint64_t k) const
     {
-        if (palette_samples() == texel_count()) {
-            return k;
-        }
+        if (palette_samples() == texel_count()) return k;
         Sampler sampler(settings_.seed + kPaletteSeedOffset, static_cast<uint32_t>(k), 0);
         const Vec2 u = sampler.next_2d();
         const uint64_t i = static_cast<uint64_t>(static_cast<double>(u.x) * layout_.used_origins);
@@ -189,9 +185,7 @@ void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& s
 {
     require_partial_coverage(scene.data(), settings.texel == format::TexelFormat::palette8);
     const BakeIdentity identity = identity_of(scene, settings, shard);
-    if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all_rows)) {
-        return;
-    }
+    if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all_rows)) return;
     Checkpoint checkpoint(checkpoint_of(output), identity, earlier);
     Baker baker(scene, settings, checkpoint, progress);
     baker.bake();

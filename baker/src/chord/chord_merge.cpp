@@ -32,9 +32,7 @@ public:
     void read(uint32_t i, std::vector<uint8_t>& row) const
     {
         const RowFile& rows = shards_.at(ShardRows::index_of(i, set_.count()));
-        if (!rows.read_row(ShardRows::slot_of(i, set_.count()), row)) {
-            throw BakeError(changed_meanwhile(rows.path()));
-        }
+        if (!rows.read_row(ShardRows::slot_of(i, set_.count()), row)) throw BakeError(changed_meanwhile(rows.path()));
     }
 
 private:
@@ -42,9 +40,8 @@ private:
     {
         const RowFile& rows = shard.second;
         const std::vector<uint32_t> missing = missing_slots(rows);
-        if (!missing.empty()) {
+        if (!missing.empty())
             set_.say_missing(rows.path(), missing.size(), rows.slot_count(), rows.row_of(missing.front()));
-        }
         Palette own{};
         if (!rows.read_palette(own)) {
             set_.say(rows.path(), "its palette is damaged; run its bake again");

@@ -33,18 +33,14 @@ std::optional<Ray> FieldRays::ray(const Vec3& start, const Vec3& target)
 {
     const Vec3 towards = target - start;
     const float distance = length(towards);
-    if (!(distance > 0)) {
-        return std::nullopt;
-    }
+    if (!(distance > 0)) return std::nullopt;
     return Ray{start, towards / distance, distance};
 }
 
 std::optional<Ray> FieldRays::parallel_ray(const Vec3& start, const Vec3& from, const Vec3& to)
 {
     const std::optional<Ray> axis = ray(from, to);
-    if (!axis) {
-        return std::nullopt;
-    }
+    if (!axis) return std::nullopt;
     return Ray{start, axis->direction};
 }
 

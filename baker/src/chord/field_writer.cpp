@@ -19,9 +19,7 @@ std::vector<uint8_t> layout_section(const FieldLayout& layout)
     b.put32(at::kRowStrideAt, layout.row_stride());
     b.put8(at::kTexelFormatAt, static_cast<uint8_t>(layout.texel));
     b.put8(at::kColourSpaceAt, static_cast<uint8_t>(format::ColourSpace::srgb));
-    for (size_t axis = 0; axis < 3; ++axis) {
-        b.put_float(at::kCentreAt + 4 * axis, layout.centre[axis]);
-    }
+    for (size_t axis = 0; axis < 3; ++axis) b.put_float(at::kCentreAt + 4 * axis, layout.centre[axis]);
     b.put_float(at::kRadiusAt, layout.radius);
     return b.take();
 }
@@ -29,9 +27,7 @@ std::vector<uint8_t> layout_section(const FieldLayout& layout)
 std::vector<uint8_t> palette_section(const Palette& palette)
 {
     std::vector<uint8_t> bytes;
-    for (const Rgba8& c : palette) {
-        bytes.insert(bytes.end(), {c.r, c.g, c.b, c.a});
-    }
+    for (const Rgba8& c : palette) bytes.insert(bytes.end(), {c.r, c.g, c.b, c.a});
     return bytes;
 }
 
@@ -76,9 +72,7 @@ void write_field(const FieldLayout& layout, const RowSource& texels, const Palet
     std::vector<Section> sections;
     sections.push_back(append_section(format::kLayoutSection, layout_section(layout), out));
     sections.push_back(append_texels(layout, texels, out));
-    if (has_palette) {
-        sections.push_back(append_section(format::kPaletteSection, palette_section(palette), out));
-    }
+    if (has_palette) sections.push_back(append_section(format::kPaletteSection, palette_section(palette), out));
     out.overwrite(0, file_head(sections));
 }
 

@@ -11,9 +11,7 @@ constexpr Block kPaletteBlock = {kHeadBytes, UINT32_MAX, format::kPaletteBytes};
 std::vector<uint8_t> bytes_of(const Palette& palette)
 {
     std::vector<uint8_t> bytes;
-    for (const Rgba8& c : palette) {
-        bytes.insert(bytes.end(), {c.r, c.g, c.b, c.a});
-    }
+    for (const Rgba8& c : palette) bytes.insert(bytes.end(), {c.r, c.g, c.b, c.a});
     return bytes;
 }
 
@@ -42,16 +40,11 @@ void RowFile::write_row(uint32_t slot, const std::vector<uint8_t>& row)
 
 bool RowFile::read_palette(Palette& palette) const
 {
-    if (!has_palette()) {
-        return true;
-    }
+    if (!has_palette()) return true;
     std::vector<uint8_t> bytes;
-    if (!file_.read(kPaletteBlock, bytes)) {
-        return false;
-    }
-    for (size_t k = 0; k < palette.size(); ++k) {
+    if (!file_.read(kPaletteBlock, bytes)) return false;
+    for (size_t k = 0; k < palette.size(); ++k)
         palette[k] = {bytes[4 * k], bytes[4 * k + 1], bytes[4 * k + 2], bytes[4 * k + 3]};
-    }
     return true;
 }
 
@@ -70,11 +63,8 @@ std::vector<uint32_t> missing_slots(const RowFile& rows)
 {
     std::vector<uint32_t> missing;
     std::vector<uint8_t> row;
-    for (uint32_t slot = 0; slot < rows.slot_count(); ++slot) {
-        if (!rows.read_row(slot, row)) {
-            missing.push_back(slot);
-        }
-    }
+    for (uint32_t slot = 0; slot < rows.slot_count(); ++slot)
+        if (!rows.read_row(slot, row)) missing.push_back(slot);
     return missing;
 }
 

@@ -11,11 +11,10 @@ void encode_texel(format::TexelFormat format, const Palette& palette, const Esti
 {
     uint8_t* const at = row + static_cast<size_t>(j) * format::bytes_per_texel(format);
     with_texel(format, [&](auto texel) {
-        if constexpr (decltype(texel)::kIndexed) {
+        if constexpr (decltype(texel)::kIndexed)
             *at = nearest_entry(palette, estimate.covered_colour());
-        } else if (estimate.mostly_covered()) {  // rows start out as zeros, which mean a miss
+        else if (estimate.mostly_covered())  // rows start out as zeros, which mean a miss
             texel.store(at, estimate.colour());
-        }
     });
 }
 

@@ -19,12 +19,8 @@ struct Accelerator::Impl {
     Impl& operator=(const Impl&) = delete;
     ~Impl()
     {
-        if (scene) {
-            rtcReleaseScene(scene);
-        }
-        if (device) {
-            rtcReleaseDevice(device);
-        }
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
     }
 };
 
@@ -38,21 +34,17 @@ constexpr char kDeviceConfig[] = "threads=1";
 void check(RTCDevice device, const char* what)
 {
     const RTCError error = rtcGetDeviceError(device);
-    if (error == RTC_ERROR_OUT_OF_MEMORY) {
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
         throw std::runtime_error("Embree is out of memory; bake a smaller scene or on a larger machine");
-    }
-    if (error != RTC_ERROR_NONE) {
+    if (error != RTC_ERROR_NONE)
         throw std::runtime_error(std::string("Embree cannot ") + what + "; error " + std::to_string(error));
-    }
 }
 
 template <class T>
 void upload(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& items)
 {
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), items.size());
-    if (buffer && !items.empty()) {
-        std::memcpy(buffer, items.data(), items.size() * sizeof(T));
-    }
+    if (buffer && !items.empty()) std::memcpy(buffer, items.data(), items.size() * sizeof(T));
 }
 
 RTCRay to_embree(const Ray& ray)
@@ -74,9 +66,7 @@ RTCRay to_embree(const Ray& ray)
 Accelerator::Accelerator(const Mesh& mesh) : impl_(std::make_unique<Impl>())
 {
     impl_->device = rtcNewDevice(kDeviceConfig);
-    if (!impl_->device) {
-        check(nullptr, "start");
-    }
+    if (!impl_->device) check(nullptr, "start");
     impl_->scene = rtcNewScene(impl_->device);
     rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
@@ -101,9 +91,7 @@ std::optional<Hit> Accelerator::closest(const Ray& ray) const
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(impl_->scene, &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-        return std::nullopt;
-    }
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Hit{query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
 }
 

@@ -39,9 +39,7 @@ std::vector<Flat> flattened(const std::vector<Vec3>& p)
 {
     const std::array<double, 3> n = newell_normal(p);
     size_t axis = 0;
-    for (size_t k = 1; k < 3; ++k) {
-        axis = std::abs(n[k]) > std::abs(n[axis]) ? k : axis;
-    }
+    for (size_t k = 1; k < 3; ++k) axis = std::abs(n[k]) > std::abs(n[axis]) ? k : axis;
     std::vector<Flat> flat;
     for (const Vec3& v : p) {
         const std::array<double, 3> c = {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
@@ -67,14 +65,10 @@ bool is_ear(const std::vector<Flat>& flat, const std::vector<uint32_t>& ring, si
     const Flat& a = flat[ring[(at + ring.size() - 1) % ring.size()]];
     const Flat& b = flat[ring[at]];
     const Flat& c = flat[ring[(at + 1) % ring.size()]];
-    if (cross2(a, b, c) <= 0) {
-        return false;
-    }
+    if (cross2(a, b, c) <= 0) return false;
     for (const uint32_t k : ring) {
         const Flat& p = flat[k];
-        if (!same(p, a) && !same(p, b) && !same(p, c) && inside(p, a, b, c)) {
-            return false;
-        }
+        if (!same(p, a) && !same(p, b) && !same(p, c) && inside(p, a, b, c)) return false;
     }
     return true;
 }
@@ -86,14 +80,10 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<Vec3>& corner
     std::vector<std::array<uint32_t, 3>> triangles;
     const std::vector<Flat> flat = flattened(corners);
     std::vector<uint32_t> ring;
-    for (uint32_t k = 0; k < corners.size(); ++k) {
-        ring.push_back(k);
-    }
+    for (uint32_t k = 0; k < corners.size(); ++k) ring.push_back(k);
     while (ring.size() >= 3) {
         size_t tried = 0;
-        while (tried < ring.size() && !is_ear(flat, ring, (tried + 1) % ring.size())) {
-            ++tried;
-        }
+        while (tried < ring.size() && !is_ear(flat, ring, (tried + 1) % ring.size())) ++tried;
         // Corner 1 first, so that a triangle keeps its order. No ear: crossing or flat, cut anywhere.
         const size_t ear = (tried + 1) % ring.size();
         triangles.push_back({ring[(ear + ring.size() - 1) % ring.size()], ring[ear], ring[(ear + 1) % ring.size()]});

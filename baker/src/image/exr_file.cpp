@@ -26,9 +26,8 @@ public:
     bool read(char out[], int count) override
     {
         const uint64_t size = static_cast<uint64_t>(count);
-        if (size > bytes_.size() - std::min<uint64_t>(position_, bytes_.size())) {
+        if (size > bytes_.size() - std::min<uint64_t>(position_, bytes_.size()))
             throw std::runtime_error("it ends too early");
-        }
         std::memcpy(out, bytes_.data() + position_, size);
         position_ += size;
         return position_ < bytes_.size();
@@ -55,9 +54,8 @@ RadiancePicture read(BytesStream& stream)
     check_picture_size(width, height);
     check_picture_bytes(stream.size(), width * height / kMostPixelsAByte);
     const bool coloured = input.header().channels().findChannel("R") != nullptr;
-    if (!coloured && !input.header().channels().findChannel("Y")) {
+    if (!coloured && !input.header().channels().findChannel("Y"))
         throw std::runtime_error("it has neither R, G and B nor Y channels");
-    }
     RadiancePicture picture{static_cast<int>(width), static_cast<int>(height),
                             std::vector<Rgb>(static_cast<size_t>(width * height))};
     Imf::FrameBuffer frame;
@@ -69,9 +67,7 @@ RadiancePicture read(BytesStream& stream)
     }
     input.setFrameBuffer(frame);
     input.readPixels(window.min.y, window.max.y);
-    for (size_t k = 0; k < picture.pixels.size() && !coloured; ++k) {
-        picture.pixels[k] = grey(picture.pixels[k].r);
-    }
+    for (size_t k = 0; k < picture.pixels.size() && !coloured; ++k) picture.pixels[k] = grey(picture.pixels[k].r);
     return picture;
 }
 

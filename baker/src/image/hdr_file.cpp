@@ -23,9 +23,7 @@ constexpr int kMostRun = 127;
 
 Rgb to_rgb(const Rgbe& c)
 {
-    if (c[3] == 0) {
-        return {};
-    }
+    if (c[3] == 0) return {};
     const float unit = std::ldexp(1.0f, c[3] - (128 + 8));
     return {static_cast<float>(c[0]) * unit, static_cast<float>(c[1]) * unit, static_cast<float>(c[2]) * unit};
 }
@@ -45,9 +43,7 @@ public:
         std::vector<Rgbe> scanline(width);
         for (size_t y = 0; y < height; ++y) {
             read_scanline(scanline);
-            for (const Rgbe& c : scanline) {
-                picture.pixels.push_back(to_rgb(c));
-            }
+            for (const Rgbe& c : scanline) picture.pixels.push_back(to_rgb(c));
         }
         return picture;
     }
@@ -56,9 +52,7 @@ private:
     std::string_view line()
     {
         const size_t end = rest_.find('\n');
-        if (end == std::string_view::npos) {
-            throw PictureError("its header has no end");
-        }
+        if (end == std::string_view::npos) throw PictureError("its header has no end");
         const std::string_view result = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
         return result;
@@ -67,12 +61,9 @@ private:
     void read_header()
     {
         bool known = false;
-        for (std::string_view text = line(); !text.empty(); text = line()) {
+        for (std::string_view text = line(); !text.empty(); text = line())
             known = known || text == "FORMAT=32-bit_rle_rgbe";
-        }
-        if (!known) {
-            throw PictureError("its header lacks 'FORMAT=32-bit_rle_rgbe'");
-        }
+        if (!known) throw PictureError("its header lacks 'FORMAT=32-bit_rle_rgbe'");
     }
 
     void read_size(RadiancePicture& picture)
@@ -80,9 +71,8 @@ private:
         const std::vector<std::string_view> parts = words(line());
         int64_t width = 0, height = 0;
         if (parts.size() != 4 || parts[0] != "-Y" || parts[2] != "+X" || !parse_integer(parts[1], height) ||
-            !parse_integer(parts[3], width)) {
+            !parse_integer(parts[3], width))
             throw PictureError("its size is not of the form '-Y HEIGHT +X WIDTH'");
-        }
         check_picture_size(width, height);
         const int64_t runs = (width + kMostRun - 1) / kMostRun;
         check_picture_bytes(static_cast<int64_t>(rest_.size()), height * std::min(4 * width, 4 + 4 * 2 * runs));
@@ -92,9 +82,7 @@ private:
 
     uint8_t byte()
     {
-        if (rest_.empty()) {
-            throw PictureError("it ends too early");
-        }
+        if (rest_.empty()) throw PictureError("it ends too early");
         const uint8_t value = static_cast<uint8_t>(rest_.front());
         rest_.remove_prefix(1);
         return value;
@@ -110,22 +98,17 @@ private:
             read_flat(scanline);
             return;
         }
-        if (at(2) * 256 + at(3) != width) {
-            throw PictureError("a scanline has another length than the picture");
-        }
+        if (at(2) * 256 + at(3) != width) throw PictureError("a scanline has another length than the picture");
         rest_.remove_prefix(4);
-        for (size_t channel = 0; channel < 4; ++channel) {
-            read_runs(scanline, channel);
-        }
+        for (size_t channel = 0; channel < 4; ++channel) read_runs(scanline, channel);
     }
 
     void read_flat(std::vector<Rgbe>& scanline)
     {
         for (Rgbe& c : scanline) {
             c = {byte(), byte(), byte(), byte()};
-            if (c[0] == 1 && c[1] == 1 && c[2] == 1) {
+            if (c[0] == 1 && c[1] == 1 && c[2] == 1)
                 throw PictureError("it has run lengths of the first version of the format");
-            }
         }
     }
 
@@ -135,12 +118,9 @@ private:
             const uint8_t code = byte();
             const bool same = code > 128;
             const size_t count = same ? code - 128u : code;
-            if (count == 0 || count > scanline.size() - x) {
-                throw PictureError("a run has a wrong length");
-            }
-            for (size_t k = 0; k < count; ++k) {
+            if (count == 0 || count > scanline.size() - x) throw PictureError("a run has a wrong length");
+            for (size_t k = 0; k < count; ++k)
                 scanline[x + k][channel] = k == 0 || !same ? byte() : scanline[x][channel];
-            }
             x += count;
         }
     }

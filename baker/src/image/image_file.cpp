@@ -13,12 +13,8 @@ namespace
 DecodedPicture read_picture(const std::filesystem::path& file, bool with_alpha)
 {
     const std::string bytes = picture_bytes(file);
-    if (is_png(bytes)) {
-        return decode_png(bytes, with_alpha);
-    }
-    if (is_jpeg(bytes)) {
-        return decode_jpeg(bytes);
-    }
+    if (is_png(bytes)) return decode_png(bytes, with_alpha);
+    if (is_jpeg(bytes)) return decode_jpeg(bytes);
     refuse_picture(file, bytes);
 }
 
@@ -27,9 +23,7 @@ DecodedPicture read_picture(const std::filesystem::path& file, bool with_alpha)
 Texture read_texture(const std::filesystem::path& file, PictureUse use)
 {
     DecodedPicture picture = read_picture(file, use == PictureUse::alpha);
-    for (size_t k = 0; k < picture.alpha.size(); ++k) {
-        std::fill_n(&picture.rgb[3 * k], 3, picture.alpha[k]);
-    }
+    for (size_t k = 0; k < picture.alpha.size(); ++k) std::fill_n(&picture.rgb[3 * k], 3, picture.alpha[k]);
     return {picture.width, picture.height, std::move(picture.rgb), use == PictureUse::colour};
 }
 

@@ -15,9 +15,7 @@ constexpr int kIterations = 12;  // the error falls by less than 1 % an iteratio
 float distance2(const ColourPoint& a, const ColourPoint& b)
 {
     float sum = 0;
-    for (size_t k = 0; k < 4; ++k) {
-        sum += (a[k] - b[k]) * (a[k] - b[k]);
-    }
+    for (size_t k = 0; k < 4; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
     return sum;
 }
 
@@ -32,15 +30,11 @@ void seed_centres(std::vector<ColourPoint>& centres, const std::vector<ColourPoi
             distances[k] = first ? d : std::min(distances[k], d);
         }
     };
-    for (size_t k = 0; k < centres.size(); ++k) {
-        note(centres[k], k == 0);
-    }
+    for (size_t k = 0; k < centres.size(); ++k) note(centres[k], k == 0);
     Sampler sampler(seed, 0, 0);
     while (centres.size() < count) {
         const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
-        if (!chosen) {
-            break;  // every colour has a centre of its own
-        }
+        if (!chosen) break;  // every colour has a centre of its own
         centres.push_back(points[*chosen]);
         note(centres.back(), centres.size() == 1);
     }
@@ -52,16 +46,11 @@ void refine(std::vector<ColourPoint>& centres, size_t fixed, const std::vector<C
     std::vector<std::array<double, 5>> sums(centres.size());
     for (const ColourPoint& p : points) {
         std::array<double, 5>& sum = sums[nearest_centre(centres, p).index];
-        for (size_t k = 0; k < 4; ++k) {
-            sum[k] += static_cast<double>(p[k]);
-        }
+        for (size_t k = 0; k < 4; ++k) sum[k] += static_cast<double>(p[k]);
         sum[4] += 1;
     }
-    for (size_t c = fixed; c < centres.size(); ++c) {
-        for (size_t k = 0; k < 4 && sums[c][4] > 0; ++k) {
-            centres[c][k] = static_cast<float>(sums[c][k] / sums[c][4]);
-        }
-    }
+    for (size_t c = fixed; c < centres.size(); ++c)
+        for (size_t k = 0; k < 4 && sums[c][4] > 0; ++k) centres[c][k] = static_cast<float>(sums[c][k] / sums[c][4]);
 }
 
 }  // namespace
@@ -69,12 +58,8 @@ void refine(std::vector<ColourPoint>& centres, size_t fixed, const std::vector<C
 std::optional<size_t> drawn_by_distance(const std::vector<float>& distances2, Sampler& sampler)
 {
     double total = 0;
-    for (const float d : distances2) {
-        total += static_cast<double>(d);
-    }
-    if (!(total > 0)) {
-        return std::nullopt;
-    }
+    for (const float d : distances2) total += static_cast<double>(d);
+    if (!(total > 0)) return std::nullopt;
     double left = static_cast<double>(sampler.next_1d()) * total;
     size_t chosen = 0;
     for (size_t k = 0; k < distances2.size() && left >= 0; ++k) {
@@ -100,9 +85,7 @@ std::vector<ColourPoint> k_means(const std::vector<ColourPoint>& points, std::ve
     std::vector<ColourPoint> centres = std::move(fixed);
     const size_t fixed_count = centres.size();
     seed_centres(centres, points, count, seed);
-    for (int k = 0; k < kIterations; ++k) {
-        refine(centres, fixed_count, points);
-    }
+    for (int k = 0; k < kIterations; ++k) refine(centres, fixed_count, points);
     return centres;
 }
 

@@ -35,19 +35,12 @@ Rgba8 to_colour(const ColourPoint& p)
 Palette fit_palette(const std::vector<Rgba8>& samples)
 {
     std::vector<ColourPoint> points;
-    for (const Rgba8& c : samples) {
-        if (c.a != 0) {
-            points.push_back(to_point(c));
-        }
-    }
+    for (const Rgba8& c : samples)
+        if (c.a != 0) points.push_back(to_point(c));
     Palette palette{};
-    if (points.empty()) {
-        return palette;
-    }
+    if (points.empty()) return palette;
     const std::vector<ColourPoint> centres = k_means(points, {ColourPoint{}}, format::kPaletteEntries, kPaletteSeed);
-    for (size_t k = 1; k < centres.size(); ++k) {
-        palette[k] = to_colour(centres[k]);
-    }
+    for (size_t k = 1; k < centres.size(); ++k) palette[k] = to_colour(centres[k]);
     return palette;
 }
 

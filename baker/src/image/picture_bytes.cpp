@@ -31,9 +31,7 @@ constexpr KnownFormat kRefused[] = {
 
 bool matches(const KnownFormat& format, const fs::path& file, const std::string& bytes)
 {
-    if (format.first) {
-        return bytes.rfind(format.first, 0) == 0;
-    }
+    if (format.first) return bytes.rfind(format.first, 0) == 0;
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -45,28 +43,22 @@ bool matches(const KnownFormat& format, const fs::path& file, const std::string&
 std::string picture_bytes(const fs::path& file)
 {
     std::error_code failed;
-    if (!fs::is_regular_file(file, failed)) {
-        throw PictureError("it is no file that can be read");
-    }
+    if (!fs::is_regular_file(file, failed)) throw PictureError("it is no file that can be read");
     const uintmax_t size = fs::file_size(file, failed);
-    if (failed || size > kMaxPictureFileBytes) {
+    if (failed || size > kMaxPictureFileBytes)
         throw PictureError("it has more than " + std::to_string(kMaxPictureFileBytes) + " bytes");
-    }
     note_input(file);
     std::ifstream stream(file, std::ios::binary);
     std::string bytes(static_cast<size_t>(size), '\0');
-    if (!stream || !stream.read(bytes.data(), static_cast<std::streamsize>(size))) {
+    if (!stream || !stream.read(bytes.data(), static_cast<std::streamsize>(size)))
         throw PictureError("it cannot be read");
-    }
     return bytes;
 }
 
 void check_picture_size(int64_t width, int64_t height)
 {
     const std::string size = std::to_string(width) + " by " + std::to_string(height) + " pixels";
-    if (width < 1 || height < 1) {
-        throw PictureError("it has no pixels: " + size);
-    }
+    if (width < 1 || height < 1) throw PictureError("it has no pixels: " + size);
     if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMaxPicturePixels) {
         throw PictureError("its size of " + size + " is too large; at most " + std::to_string(kMaxPictureSide) +
                            " a side and " + std::to_string(kMaxPicturePixels) + " in all are read");
@@ -75,9 +67,7 @@ void check_picture_size(int64_t width, int64_t height)
 
 void check_picture_bytes(int64_t bytes, int64_t fewest)
 {
-    if (bytes < fewest) {
-        throw PictureError("it ends too early: its size needs more bytes");
-    }
+    if (bytes < fewest) throw PictureError("it ends too early: its size needs more bytes");
 }
 
 void refuse_picture(const fs::path& file, const std::string& bytes)

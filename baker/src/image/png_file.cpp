@@ -36,9 +36,7 @@ public:
 
     bool read_header()
     {
-        if (setjmp(png_jmpbuf(png_)) != 0) {
-            return false;
-        }
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_read_info(png_, info_);
         return true;
     }
@@ -56,20 +54,14 @@ public:
     // 8 bits a channel, three or four of them. False also where libpng makes other rows of it.
     bool read_as(int channels, std::vector<png_bytep>& rows)
     {
-        if (setjmp(png_jmpbuf(png_)) != 0) {
-            return false;
-        }
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_expand(png_);
         png_set_scale_16(png_);
         png_set_gray_to_rgb(png_);
-        if (channels == 3) {
-            png_set_strip_alpha(png_);
-        }
+        if (channels == 3) png_set_strip_alpha(png_);
         png_set_interlace_handling(png_);
         png_read_update_info(png_, info_);
-        if (png_get_rowbytes(png_, info_) != static_cast<size_t>(width()) * static_cast<size_t>(channels)) {
-            return false;
-        }
+        if (png_get_rowbytes(png_, info_) != static_cast<size_t>(width()) * static_cast<size_t>(channels)) return false;
         png_read_image(png_, rows.data());
         png_read_end(png_, nullptr);
         return true;
@@ -93,9 +85,7 @@ private:
     static void on_read(png_structp png, png_bytep out, size_t size)
     {
         PngReader& reader = of(png_get_io_ptr(png));
-        if (size > reader.left_) {
-            png_error(png, "it ends too early");
-        }
+        if (size > reader.left_) png_error(png, "it ends too early");
         std::memcpy(out, reader.at_, size);
         reader.at_ += size;
         reader.left_ -= size;
@@ -137,9 +127,7 @@ bool is_png(const std::string& bytes)
 DecodedPicture decode_png(const std::string& bytes, bool with_alpha)
 {
     PngReader reader(bytes);
-    if (!reader.read_header()) {
-        reader.fail();
-    }
+    if (!reader.read_header()) reader.fail();
     check_picture_size(reader.width(), reader.height());
     check_plausible(reader, bytes.size());
     const int channels = with_alpha && reader.has_alpha() ? 4 : 3;
@@ -149,24 +137,16 @@ DecodedPicture decode_png(const std::string& bytes, bool with_alpha)
     const size_t row_bytes = static_cast<size_t>(picture.width) * static_cast<size_t>(channels);
     picture.rgb.resize(row_bytes * static_cast<size_t>(picture.height));
     std::vector<png_bytep> rows(static_cast<size_t>(picture.height));
-    for (size_t y = 0; y < rows.size(); ++y) {
-        rows[y] = &picture.rgb[y * row_bytes];
-    }
-    if (!reader.read_as(channels, rows)) {
-        reader.fail();
-    }
-    if (channels == 4) {
-        take_alpha_apart(picture);
-    }
+    for (size_t y = 0; y < rows.size(); ++y) rows[y] = &picture.rgb[y * row_bytes];
+    if (!reader.read_as(channels, rows)) reader.fail();
+    if (channels == 4) take_alpha_apart(picture);
     return picture;
 }
 
 DecodedPicture read_png(const std::filesystem::path& file)
 {
     const std::string bytes = picture_bytes(file);
-    if (!is_png(bytes)) {
-        throw PictureError("it is no PNG picture");
-    }
+    if (!is_png(bytes)) throw PictureError("it is no PNG picture");
     return decode_png(bytes, false);
 }
 

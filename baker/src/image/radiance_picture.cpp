@@ -43,12 +43,8 @@ void repair(const std::filesystem::path& file, RadiancePicture& picture, std::ve
 RadiancePicture read(const std::filesystem::path& file)
 {
     const std::string bytes = picture_bytes(file);
-    if (is_exr(bytes)) {
-        return decode_exr(bytes);
-    }
-    if (is_hdr(bytes)) {
-        return decode_hdr(bytes);
-    }
+    if (is_exr(bytes)) return decode_exr(bytes);
+    if (is_hdr(bytes)) return decode_hdr(bytes);
     throw SceneError(
         at({file.string()}, "this is neither a Radiance .hdr nor an OpenEXR picture; save it as one of them"));
 }

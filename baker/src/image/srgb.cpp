@@ -11,9 +11,7 @@ namespace
 std::array<float, 256> make_decode_table()
 {
     std::array<float, 256> table{};
-    for (size_t k = 0; k < table.size(); ++k) {
-        table[k] = static_cast<float>(srgb_linear(static_cast<double>(k) / 255));
-    }
+    for (size_t k = 0; k < table.size(); ++k) table[k] = static_cast<float>(srgb_linear(static_cast<double>(k) / 255));
     return table;
 }
 
@@ -42,12 +40,8 @@ float srgb_decode(uint8_t encoded)
 
 float srgb_encode_unit(float linear)
 {
-    if (!(linear > 0)) {
-        return 0;
-    }
-    if (linear >= 1) {
-        return 1;
-    }
+    if (!(linear > 0)) return 0;
+    if (linear >= 1) return 1;
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 

@@ -18,9 +18,7 @@ Rgb pixel(const Texture& t, int64_t x, int64_t y)
 {
     const size_t row = static_cast<size_t>(wrapped(y, t.height)) * static_cast<size_t>(t.width);
     const uint8_t* p = &t.rgb[3 * (row + static_cast<size_t>(wrapped(x, t.width)))];
-    if (t.encoded) {
-        return {srgb_decode(p[0]), srgb_decode(p[1]), srgb_decode(p[2])};
-    }
+    if (t.encoded) return {srgb_decode(p[0]), srgb_decode(p[1]), srgb_decode(p[2])};
     constexpr float kUnit = 1.0f / 255;
     return {static_cast<float>(p[0]) * kUnit, static_cast<float>(p[1]) * kUnit, static_cast<float>(p[2]) * kUnit};
 }
@@ -71,11 +69,8 @@ Texture normals_from_heights(const Texture& heights, float strength)
 
 bool is_grey(const Texture& texture)
 {
-    for (size_t k = 0; k + 2 < texture.rgb.size(); k += 3) {
-        if (texture.rgb[k] != texture.rgb[k + 1] || texture.rgb[k] != texture.rgb[k + 2]) {
-            return false;
-        }
-    }
+    for (size_t k = 0; k + 2 < texture.rgb.size(); k += 3)
+        if (texture.rgb[k] != texture.rgb[k + 1] || texture.rgb[k] != texture.rgb[k + 2]) return false;
     return true;
 }
 

@@ -34,9 +34,7 @@ float Emitters::mean_brightness(uint32_t triangle) const
     constexpr int kSide = 4;
     const Material& m = material(triangle);
     const float full = max_component(m.emission);
-    if (!m.maps.emission.used()) {
-        return full;
-    }
+    if (!m.maps.emission.used()) return full;
     float sum = 0;
     for (int k = 0; k < kSide * kSide; ++k) {
         const Vec2 u = {(static_cast<float>(k % kSide) + 0.5f) / kSide, (static_cast<float>(k / kSide) + 0.5f) / kSide};
@@ -48,9 +46,7 @@ float Emitters::mean_brightness(uint32_t triangle) const
 float Emitters::brightness(uint32_t triangle) const
 {
     const Material& m = material(triangle);
-    if (!m.maps.emission.used()) {
-        return max_component(m.emission);
-    }
+    if (!m.maps.emission.used()) return max_component(m.emission);
     const auto found = std::lower_bound(triangles_.begin(), triangles_.end(), triangle);
     return brightness_[static_cast<size_t>(found - triangles_.begin())];
 }
@@ -76,9 +72,7 @@ LightSample Emitters::sample(const Vec3& from, float u_select, const Vec2& u) co
                        mesh_.position(triangle, 2) * b.y;
     const Vec3 towards = point - from;
     const float distance = length(towards);
-    if (!(distance > 0)) {
-        return {};
-    }
+    if (!(distance > 0)) return {};
     const Vec3 direction = towards / distance;
     return {direction, distance, emission_at(mesh_, material(triangle), textures_, triangle, b),
             pdf(triangle, direction, distance)};

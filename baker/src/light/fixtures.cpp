@@ -97,9 +97,7 @@ LightSample sample_of(const RectangleLight& l, const Vec3& from, const Vec2& u)
 {
     const Vec3 towards = l.corner + l.side_u * u.x + l.side_v * u.y - from;
     const float distance = length(towards);
-    if (!(distance > 0)) {
-        return {};
-    }
+    if (!(distance > 0)) return {};
     const Vec3 direction = towards / distance;
     return {direction, distance, l.radiance, rectangle_pdf(cross(l.side_u, l.side_v), direction, distance)};
 }
@@ -111,9 +109,7 @@ float sphere_distance(const SphereLight& l, const Vec3& from, const Vec3& direct
     const float along = dot(to_centre, direction);
     const Vec3 across = to_centre - direction * along;
     const float half2 = l.radius * l.radius - dot(across, across);
-    if (half2 < 0) {
-        return -1;
-    }
+    if (half2 < 0) return -1;
     const float half = std::sqrt(half2);
     return along > half ? along - half : along + half;
 }
@@ -150,24 +146,18 @@ std::optional<LightSample> seen_of(const RectangleLight& l, const Ray& ray)
     const Vec3 area = cross(l.side_u, l.side_v);
     const float facing = -dot(area, ray.direction);
     const float distance = dot(ray.origin - l.corner, area) / facing;
-    if (!(facing > 0) || !(distance > 0) || distance >= ray.end) {
-        return std::nullopt;
-    }
+    if (!(facing > 0) || !(distance > 0) || distance >= ray.end) return std::nullopt;
     const Vec3 place = ray.origin + ray.direction * distance - l.corner;
     const float u = dot(place, l.side_u) / dot(l.side_u, l.side_u);
     const float v = dot(place, l.side_v) / dot(l.side_v, l.side_v);
-    if (u < 0 || u >= 1 || v < 0 || v >= 1) {
-        return std::nullopt;
-    }
+    if (u < 0 || u >= 1 || v < 0 || v >= 1) return std::nullopt;
     return LightSample{ray.direction, distance, l.radiance, rectangle_pdf(area, ray.direction, distance)};
 }
 
 std::optional<LightSample> seen_of(const SphereLight& l, const Ray& ray)
 {
     const float distance = sphere_distance(l, ray.origin, ray.direction);
-    if (!(distance > 0) || distance >= ray.end) {
-        return std::nullopt;
-    }
+    if (!(distance > 0) || distance >= ray.end) return std::nullopt;
     return LightSample{ray.direction, distance, l.radiance, sphere_pdf(l, ray.origin)};
 }
 
@@ -244,9 +234,7 @@ Fixtures::Fixtures(std::vector<Fixture> fixtures) : fixtures_(std::move(fixtures
     std::vector<double> powers;
     for (size_t k = 0; k < fixtures_.size(); ++k) {
         powers.push_back(static_cast<double>(std::visit([](const auto& l) { return power_of(l); }, fixtures_[k])));
-        if (has_size(fixtures_[k]) && powers.back() > 0) {
-            sized_.push_back(k);
-        }
+        if (has_size(fixtures_[k]) && powers.back() > 0) sized_.push_back(k);
     }
     choice_ = Distribution(powers);
 }

@@ -66,11 +66,9 @@ public:
     template <class Seen>
     void for_each_seen(const Ray& ray, const Seen& seen) const
     {
-        for (const size_t k : sized_) {
-            if (const std::optional<LightSample> s = found(fixtures_[k], ray)) {
+        for (const size_t k : sized_)
+            if (const std::optional<LightSample> s = found(fixtures_[k], ray))
                 seen(s->radiance, s->pdf * choice_.probability(k));
-            }
-        }
     }
 
 private:

@@ -20,9 +20,7 @@ float sample_linear(float a, float b, float u)
 
 std::optional<SkyPicture> picture_of(const Environment& environment)
 {
-    if (!environment.picture) {
-        return std::nullopt;
-    }
+    if (!environment.picture) return std::nullopt;
     return SkyPicture(environment.picture, environment.rotation_degrees / 360, environment.scale);
 }
 
@@ -43,9 +41,7 @@ Sky::Sky(const Environment& environment)
 
 Rgb Sky::radiance(const Vec3& direction) const
 {
-    if (picture_) {
-        return picture_->radiance(direction);
-    }
+    if (picture_) return picture_->radiance(direction);
     const float z = std::clamp(direction.z, -1.0f, 1.0f);
     const Rgb& pole = z > 0 ? zenith_ : nadir_;
     return horizon_ * (1 - std::abs(z)) + pole * std::abs(z);
@@ -59,9 +55,7 @@ float Sky::brightness(float height) const
 
 float Sky::pdf(const Vec3& direction) const
 {
-    if (picture_) {
-        return picture_->pdf(direction);
-    }
+    if (picture_) return picture_->pdf(direction);
     return brightness(std::clamp(direction.z, -1.0f, 1.0f)) / (2 * kPi * (upper_mass_ + lower_mass_));
 }
 
@@ -86,13 +80,9 @@ LightSample Sky::sample(const Vec3&, float u_select, const Vec2& u) const
 
 void Sky::add_to(Digest& digest) const
 {
-    for (const Rgb& colour : {zenith_, horizon_, nadir_}) {
-        digest.add(colour);
-    }
+    for (const Rgb& colour : {zenith_, horizon_, nadir_}) digest.add(colour);
     digest.add(picture_.has_value());
-    if (picture_) {
-        picture_->add_to(digest);
-    }
+    if (picture_) picture_->add_to(digest);
 }
 
 }  // namespace lumi::baker

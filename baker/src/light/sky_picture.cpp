@@ -44,9 +44,7 @@ SkyPicture::SkyPicture(std::shared_ptr<const RadiancePicture> picture, float tur
     for (int y = 0; y < picture_->height; ++y) {
         std::vector<double> weights;
         const double size = solid_angle(y, picture_->width, picture_->height) * static_cast<double>(scale);
-        for (int x = 0; x < picture_->width; ++x) {
-            weights.push_back(brightness_of(*picture_, x, y) * size);
-        }
+        for (int x = 0; x < picture_->width; ++x) weights.push_back(brightness_of(*picture_, x, y) * size);
         columns_.emplace_back(weights);
         rows.push_back(columns_.back().total());
     }
@@ -91,9 +89,7 @@ float SkyPicture::pdf(const Vec3& direction) const
     const int x = std::min(static_cast<int>(place.x), picture_->width - 1);
     const int y = std::min(static_cast<int>(place.y), picture_->height - 1);
     const size_t row = static_cast<size_t>(y);
-    if (columns_[row].empty()) {
-        return 0;
-    }
+    if (columns_[row].empty()) return 0;
     // Uniform in angle within a pixel: the density over solid angle falls off with the sine.
     const float sine = std::sqrt(std::max(direction.x * direction.x + direction.y * direction.y, 1e-12f));
     const float cell = 2 * kPi * kPi * sine / static_cast<float>(picture_->width * picture_->height);

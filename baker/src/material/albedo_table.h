@@ -22,9 +22,8 @@ public:
     template <class Function>
     explicit AlbedoTable(const Function& albedo_at)
     {
-        for (size_t k = 0; k <= kSteps; ++k) {
+        for (size_t k = 0; k <= kSteps; ++k)
             table_[k] = albedo_at(std::max(static_cast<float>(k) / kSteps, kLeastCosine));
-        }
         integrate();
     }
 

@@ -48,9 +48,7 @@ private:
     Step step(const Vec3& d) const
     {
         const float across2 = d.x * d.x + d.y * d.y;
-        if (!(across2 > 0) || !(range_ > 0)) {
-            return {0, 0};
-        }
+        if (!(across2 > 0) || !(range_ > 0)) return {0, 0};
         const float wide2 = (along_x_ ? d.x * d.x : d.y * d.y) / across2;
         const float width = std::sqrt(least_ * least_ + (2 * least_ + range_) * range_ * wide2);
         const float place = std::clamp((width - least_) / range_, 0.0f, 1.0f) * kSteps;

@@ -18,9 +18,7 @@ float Diffuse::pdf(const Vec3&, const Vec3& wi) const
 std::optional<BsdfSample> Diffuse::sample(const Vec3&, float, const Vec2& u) const
 {
     const Vec3 wi = square_to_cosine_hemisphere(u);
-    if (wi.z <= 0) {
-        return std::nullopt;
-    }
+    if (wi.z <= 0) return std::nullopt;
     return BsdfSample{wi, albedo_, cosine_pdf(wi)};
 }
 
@@ -43,9 +41,7 @@ float ConductorOf<Spread>::broad_probability(const Vec3& wo) const
 template <class Spread>
 Rgb ConductorOf<Spread>::eval(const Vec3& wo, const Vec3& wi) const
 {
-    if (wi.z <= 0) {
-        return {};
-    }
+    if (wi.z <= 0) return {};
     const Vec3 half = normalized(wo + wi);
     const float broad = facets_->lost(wo) * facets_->lost(wi) * cosine_pdf(wi);
     return schlick_reflectance(dot(wo, half), f0_) * reflection_value(facets_->facets(), wo, wi, half) + broad_ * broad;
@@ -63,9 +59,7 @@ std::optional<BsdfSample> ConductorOf<Spread>::sample(const Vec3& wo, float u_lo
 {
     const bool broad = u_lobe < broad_probability(wo);
     const Vec3 wi = broad ? square_to_cosine_hemisphere(u) : mirrored(wo, facets_->facets().sample_half(wo, u));
-    if (wi.z <= 0) {
-        return std::nullopt;
-    }
+    if (wi.z <= 0) return std::nullopt;
     const float density = pdf(wo, wi);
     return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
 }
@@ -82,9 +76,7 @@ PlasticOf<Spread>::PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin) : sk
 template <class Spread>
 Rgb PlasticOf<Spread>::eval(const Vec3& wo, const Vec3& wi) const
 {
-    if (wi.z <= 0) {
-        return {};
-    }
+    if (wi.z <= 0) return {};
     const Vec3 half = normalized(wo + wi);
     const float reflected = dielectric_reflectance(std::min(dot(wo, half), 1.0f), skin_->eta()) *
                             reflection_value(skin_->facets(), wo, wi, half);
@@ -113,9 +105,7 @@ std::optional<BsdfSample> PlasticOf<Spread>::sample(const Vec3& wo, float u_lobe
 {
     const bool skin = u_lobe < skin_probability(wo);
     const Vec3 wi = skin ? mirrored(wo, skin_->facets().sample_half(wo, u)) : square_to_cosine_hemisphere(u);
-    if (wi.z <= 0) {
-        return std::nullopt;
-    }
+    if (wi.z <= 0) return std::nullopt;
     const float density = pdf(wo, wi);
     return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
 }

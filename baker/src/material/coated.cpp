@@ -7,9 +7,7 @@ namespace lumi::baker
 
 Rgb Coated::eval(const Vec3& wo, const Vec3& wi) const
 {
-    if (wi.z <= 0) {
-        return {};
-    }
+    if (wi.z <= 0) return {};
     const Vec3 half = normalized(wo + wi);
     const float reflected = dielectric_reflectance(std::min(dot(wo, half), 1.0f), coat_->eta()) *
                             reflection_value(coat_->facets(), wo, wi, half);
@@ -36,9 +34,7 @@ std::optional<BsdfSample> Coated::sample(const Vec3& wo, float u_lobe, const Vec
     const float p = coat_probability(wo.z);
     const std::optional<Vec3> wi = u_lobe < p ? mirrored(wo, coat_->facets().sample_half(wo, u))
                                               : body_direction(body_, wo, (u_lobe - p) / (1 - p), u);
-    if (!wi || wi->z <= 0) {
-        return std::nullopt;
-    }
+    if (!wi || wi->z <= 0) return std::nullopt;
     const float density = pdf(wo, *wi);
     return BsdfSample{*wi, eval(wo, *wi) * (1 / density), density};
 }

@@ -32,9 +32,8 @@ std::optional<BsdfSample> SmoothGlass::sample(const Vec3& wo, float u_lobe, cons
 {
     constexpr float kCertain = std::numeric_limits<float>::infinity();
     const Vec3 normal = {0, 0, 1};
-    if (u_lobe < dielectric_reflectance(std::min(wo.z, 1.0f), eta_)) {
+    if (u_lobe < dielectric_reflectance(std::min(wo.z, 1.0f), eta_))
         return BsdfSample{mirrored(wo, normal), grey(1), kCertain};
-    }
     return BsdfSample{refracted(wo, normal, eta_), grey(1 / (eta_ * eta_)), kCertain};
 }
 
@@ -54,9 +53,7 @@ float RoughGlass::broad_probability(float cosine) const
 float RoughGlass::broad_value(const Vec3& wo, const Vec3& wi) const
 {
     const float first = broad_probability(wo.z);
-    if (first <= 0) {
-        return 0;
-    }
+    if (first <= 0) return 0;
     const bool there = wi.z > 0 ? outside_ : !outside_;
     const float radiance = wi.z > 0 ? 1 : 1 / (eta() * eta());
     const float second = table_->lost(there, std::abs(wi.z)) / table_->mean_lost(there);
@@ -109,13 +106,9 @@ std::optional<BsdfSample> RoughGlass::sample(const Vec3& wo, float u_lobe, const
         through = rest >= dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta());
         wi = through ? refracted(wo, half, eta()) : mirrored(wo, half);
     }
-    if (through ? wi.z >= 0 : wi.z <= 0) {
-        return std::nullopt;
-    }
+    if (through ? wi.z >= 0 : wi.z <= 0) return std::nullopt;
     const float density = pdf(wo, wi);
-    if (!(density > 0)) {
-        return std::nullopt;
-    }
+    if (!(density > 0)) return std::nullopt;
     return BsdfSample{wi, eval(wo, wi) * (1 / density), density};
 }
 

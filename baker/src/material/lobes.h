@@ -26,9 +26,7 @@ inline float cosine_pdf(const Vec3& wi)
 template <class Spread>
 float reflection_pdf(const GgxOf<Spread>& facets, const Vec3& wo, const Vec3& wi)
 {
-    if (wi.z <= 0) {
-        return 0;
-    }
+    if (wi.z <= 0) return 0;
     const Vec3 half = normalized(wo + wi);
     return facets.pdf_half(wo, half) / (4 * std::max(dot(wo, half), 1e-7f));
 }

@@ -59,12 +59,12 @@ void add_tables(const Material& m, const SpreadOf& spread_of, Skins& skins, Face
     using Spread = decltype(spread_of(m.alpha));
     const bool textured = m.maps.roughness.used();
     if (m.specular && (m.metalness < 1 || m.maps.metalness.used())) {
-        skins =
-            tables<SkinOf<Spread>>(textured, m.alpha, [&](float a) { return SkinOf<Spread>(m.index, spread_of(a)); });
+        skins = tables<SkinOf<Spread>>(
+            textured, m.alpha, [&](float a) { return SkinOf<Spread>(m.index, spread_of(a)); });
     }
     if (m.metalness > 0) {
-        facets = tables<FacetTableOf<Spread>>(textured, m.alpha,
-                                              [&](float a) { return FacetTableOf<Spread>(spread_of(a)); });
+        facets = tables<FacetTableOf<Spread>>(
+            textured, m.alpha, [&](float a) { return FacetTableOf<Spread>(spread_of(a)); });
     }
 }
 
@@ -83,12 +83,8 @@ Bsdf layered(const Body& body, const Material& m, float sheen)
 template <class Skins, class Facets>
 Bsdf opaque(const Material& m, const PointValues& at, float u, const Skins& skins, const Facets& facets)
 {
-    if (u < at.metalness) {
-        return layered(ConductorOf(at.base, nearest(facets, at.roughness)), m, at.sheen);
-    }
-    if (!skins.empty()) {
-        return layered(PlasticOf(at.base, nearest(skins, at.roughness)), m, at.sheen);
-    }
+    if (u < at.metalness) return layered(ConductorOf(at.base, nearest(facets, at.roughness)), m, at.sheen);
+    if (!skins.empty()) return layered(PlasticOf(at.base, nearest(skins, at.roughness)), m, at.sheen);
     return layered(Diffuse(at.base), m, at.sheen);
 }
 
@@ -148,9 +144,7 @@ PointValues Material::plain_values() const
 
 Bsdf Material::bsdf(const PointValues& at, float u) const
 {
-    if (glass) {
-        return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
-    }
+    if (glass) return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
     return brushed() ? opaque(*this, at, u, brushed_skins, brushed_facets) : opaque(*this, at, u, skins, facets);
 }
 

@@ -12,9 +12,7 @@ namespace
 double positive_part(double a, double b)
 {
     constexpr double kPiDouble = 3.14159265358979323846;
-    if (a >= b) {
-        return 2 * kPiDouble * a;
-    }
+    if (a >= b) return 2 * kPiDouble * a;
     return 2 * (a * std::acos(std::max(-a / b, -1.0)) + std::sqrt(std::max(0.0, b * b - a * a)));
 }
 

@@ -26,17 +26,13 @@ Sheened::Sheened(const Body& body, const SheenTable& fibres, const Rgb& colour)
 float Sheened::below(const Vec3& wo, const Vec3& wi) const
 {
     const float o = strength_ * fibres_->albedo(wo), i = strength_ * fibres_->albedo(wi);
-    if (std::holds_alternative<Diffuse>(body_)) {
-        return (1 - o) * (1 - i) / (1 - strength_ * fibres_->mean_albedo());
-    }
+    if (std::holds_alternative<Diffuse>(body_)) return (1 - o) * (1 - i) / (1 - strength_ * fibres_->mean_albedo());
     return 1 - std::max(o, i);
 }
 
 Rgb Sheened::eval(const Vec3& wo, const Vec3& wi) const
 {
-    if (wi.z <= 0) {
-        return {};
-    }
+    if (wi.z <= 0) return {};
     const Rgb body = std::visit([&](const auto& b) { return b.eval(wo, wi); }, body_);
     return colour_ * fibres_->value(wo, wi) + body * below(wo, wi);
 }
@@ -49,9 +45,7 @@ float Sheened::fibre_probability(const Vec3& wo) const
 
 float Sheened::pdf(const Vec3& wo, const Vec3& wi) const
 {
-    if (wi.z <= 0) {
-        return 0;
-    }
+    if (wi.z <= 0) return 0;
     const float p = fibre_probability(wo);
     const float body = std::visit([&](const auto& b) { return b.pdf(wo, wi); }, body_);
     return p * kUniformPdf + (1 - p) * body;
@@ -63,9 +57,7 @@ std::optional<BsdfSample> Sheened::sample(const Vec3& wo, float u_lobe, const Ve
     const std::optional<Vec3> wi =
         u_lobe < p ? square_to_hemisphere(u) : body_direction(body_, wo, (u_lobe - p) / (1 - p), u);
     const float density = wi ? pdf(wo, *wi) : 0;
-    if (!(density > 0)) {
-        return std::nullopt;
-    }
+    if (!(density > 0)) return std::nullopt;
     return BsdfSample{*wi, eval(wo, *wi) * (1 / density), density};
 }
 

@@ -59,10 +59,12 @@ float transmitted(const Vec3& wo, const Vec3& half, const Ggx& facets, float eta
 
 AlbedoTable glass_side(float eta, float alpha)
 {
-    return table_of(Isotropic(alpha), [eta](const Vec3& wo, const Vec3& half, const Ggx& facets) {
-        const float f = dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta);
-        return f * reflected(wo, half, facets) + (f < 1 ? (1 - f) * transmitted(wo, half, facets, eta) : 0);
-    });
+    return table_of(
+        Isotropic(alpha),
+        [eta](const Vec3& wo, const Vec3& half, const Ggx& facets) {
+            const float f = dielectric_reflectance(std::min(dot(wo, half), 1.0f), eta);
+            return f * reflected(wo, half, facets) + (f < 1 ? (1 - f) * transmitted(wo, half, facets, eta) : 0);
+        });
 }
 
 }  // namespace

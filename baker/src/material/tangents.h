@@ -16,14 +16,10 @@ struct Tangents {
 inline std::optional<Tangents> tangents_of(const Mesh& mesh, uint32_t triangle)
 {
     const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
-    if (!uvs) {
-        return std::nullopt;
-    }
+    if (!uvs) return std::nullopt;
     const auto& [p, q, r] = *uvs;
     const float area = (q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y);
-    if (area == 0) {
-        return std::nullopt;
-    }
+    if (area == 0) return std::nullopt;
     const Vec3 e = mesh.position(triangle, 1) - mesh.position(triangle, 0);
     const Vec3 f = mesh.position(triangle, 2) - mesh.position(triangle, 0);
     const float sign = area < 0 ? -1.0f : 1.0f;

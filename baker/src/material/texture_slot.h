@@ -19,9 +19,7 @@ struct CornerUvs {
 inline std::optional<CornerUvs> corner_uvs(const Mesh& mesh, uint32_t triangle)
 {
     const Mesh::OptionalCorners& c = mesh.mapping[triangle];
-    if (c[0] == kNoIndex) {
-        return std::nullopt;
-    }
+    if (c[0] == kNoIndex) return std::nullopt;
     return CornerUvs{mesh.uvs[static_cast<size_t>(c[0])], mesh.uvs[static_cast<size_t>(c[1])],
                      mesh.uvs[static_cast<size_t>(c[2])]};
 }
@@ -30,9 +28,7 @@ inline std::optional<CornerUvs> corner_uvs(const Mesh& mesh, uint32_t triangle)
 inline std::optional<Vec2> uv_at(const Mesh& mesh, uint32_t triangle, const Vec2& barycentric)
 {
     const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
-    if (!uvs) {
-        return std::nullopt;
-    }
+    if (!uvs) return std::nullopt;
     const auto& [p, q, r] = *uvs;
     const float w = 1 - barycentric.x - barycentric.y;
     return Vec2{w * p.x + barycentric.x * q.x + barycentric.y * r.x,
@@ -43,13 +39,9 @@ inline std::optional<Vec2> uv_at(const Mesh& mesh, uint32_t triangle, const Vec2
 inline Rgb slot_colour(const Mesh& mesh, const std::vector<Texture>& textures, const TextureSlot& slot,
                        uint32_t triangle, const Vec2& barycentric)
 {
-    if (!slot.used()) {
-        return grey(1);
-    }
+    if (!slot.used()) return grey(1);
     const std::optional<Vec2> uv = uv_at(mesh, triangle, barycentric);
-    if (!uv) {
-        return grey(1);
-    }
+    if (!uv) return grey(1);
     return textures[static_cast<size_t>(slot.texture)].at(
         {uv->x * slot.scale.x + slot.offset.x, uv->y * slot.scale.y + slot.offset.y});
 }

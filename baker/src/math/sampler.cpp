@@ -81,9 +81,7 @@ float Sampler::next_1d()
 {
     const uint64_t hash = next_hash();
     const uint32_t low = static_cast<uint32_t>(hash);
-    if (dimension_ > kStratifiedDimensions) {
-        return unit_float(low);
-    }
+    if (dimension_ > kStratifiedDimensions) return unit_float(low);
     const uint32_t index = reverse_bits(owen_hash(reversed_sample_, low));
     return unit_float(reverse_bits(owen_hash(index, static_cast<uint32_t>(hash >> 32))));
 }
@@ -93,9 +91,7 @@ Vec2 Sampler::next_2d()
     const uint64_t hash = next_hash();
     const uint32_t low = static_cast<uint32_t>(hash);
     const uint32_t high = static_cast<uint32_t>(hash >> 32);
-    if (dimension_ > kStratifiedDimensions) {
-        return {unit_float(low), unit_float(high)};
-    }
+    if (dimension_ > kStratifiedDimensions) return {unit_float(low), unit_float(high)};
     const uint32_t index = reverse_bits(owen_hash(reversed_sample_, low));
     const uint32_t second_seed = static_cast<uint32_t>(mix(hash) >> 32);
     return {unit_float(reverse_bits(owen_hash(index, high))),

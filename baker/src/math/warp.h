@@ -42,9 +42,7 @@ inline Vec2 square_to_disc(const Vec2& u)
 {
     const float a = 2 * u.x - 1;
     const float b = 2 * u.y - 1;
-    if (a == 0 && b == 0) {
-        return {0, 0};
-    }
+    if (a == 0 && b == 0) return {0, 0};
     const bool wide = std::abs(a) > std::abs(b);
     const float radius = wide ? a : b;
     const SineCosine s = sine_cosine_near_zero(kPi / 4 * (wide ? b / a : a / b));

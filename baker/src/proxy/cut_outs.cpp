@@ -28,9 +28,8 @@ public:
         const auto share = [&](uint32_t k) { return static_cast<float>(k) / static_cast<float>(cells); };
         for (uint32_t j = 0; j <= cells; ++j) {
             rows_.push_back(values_.size());
-            for (uint32_t i = 0; i + j <= cells; ++i) {
+            for (uint32_t i = 0; i + j <= cells; ++i)
                 values_.push_back(slot_colour(scene.mesh, scene.textures, slot, triangle, {share(i), share(j)}).g);
-            }
         }
     }
 
@@ -55,9 +54,7 @@ public:
         for (uint32_t j = 0; j < cells_; ++j) {
             for (uint32_t i = 0; i + j < cells_; ++i) {
                 cut_cell({{{i, j}, {i + 1, j}, {i, j + 1}}});
-                if (i + j + 1 < cells_) {
-                    cut_cell({{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}}});
-                }
+                if (i + j + 1 < cells_) cut_cell({{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}}});
             }
         }
     }
@@ -73,16 +70,10 @@ private:
         for (size_t k = 0; k < 3; ++k) {
             const Node &a = cell[k], &b = cell[(k + 1) % 3];
             const bool a_in = value(a) >= kHalf, b_in = value(b) >= kHalf;
-            if (a_in) {
-                kept[count++] = between(a, b, 0);
-            }
-            if (a_in != b_in) {
-                kept[count++] = a_in ? crossing(a, b) : crossing(b, a);
-            }
+            if (a_in) kept[count++] = between(a, b, 0);
+            if (a_in != b_in) kept[count++] = a_in ? crossing(a, b) : crossing(b, a);
         }
-        for (size_t k = 2; k < count; ++k) {
-            add(kept[0], kept[k - 1], kept[k]);
-        }
+        for (size_t k = 2; k < count; ++k) add(kept[0], kept[k - 1], kept[k]);
     }
 
     float value(const Node& n) const { return grid_.at(n[0], n[1]); }
@@ -103,9 +94,7 @@ private:
     Vec3 position(const CellPlace& place) const
     {
         std::array<std::pair<uint32_t, uint32_t>, 3> terms;  // vertex, share
-        for (size_t k = 0; k < 3; ++k) {
-            terms[k] = {scene_.mesh.corners[triangle_][k], place[k]};
-        }
+        for (size_t k = 0; k < 3; ++k) terms[k] = {scene_.mesh.corners[triangle_][k], place[k]};
         std::sort(terms.begin(), terms.end());
         Vec3 sum;
         for (const auto& [vertex, share] : terms) {
@@ -118,9 +107,7 @@ private:
     void add(const CellPlace& a, const CellPlace& b, const CellPlace& c)
     {
         const auto first = static_cast<uint32_t>(result_.positions.size());
-        for (const CellPlace& place : {a, b, c}) {
-            result_.positions.push_back(position(place));
-        }
+        for (const CellPlace& place : {a, b, c}) result_.positions.push_back(position(place));
         result_.corners.push_back({first, first + 1, first + 2});
     }
 
@@ -163,9 +150,7 @@ std::vector<uint32_t> cells_of(const SceneData& scene, const Sheets& sheets)
         }
     }
     const double scale = std::min(1.0, std::sqrt(kMaxAllCells / std::max(all, 1.0)));
-    for (uint32_t& c : cells) {
-        c = c == 0 ? 0 : std::max(1u, static_cast<uint32_t>(c * scale));
-    }
+    for (uint32_t& c : cells) c = c == 0 ? 0 : std::max(1u, static_cast<uint32_t>(c * scale));
     return cells;
 }
 
@@ -174,26 +159,20 @@ std::vector<uint32_t> cells_of(const SceneData& scene, const Sheets& sheets)
 std::optional<Mesh> cut_out(const SceneData& scene)
 {
     if (!std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& m) { return m.maps.opacity.used(); })) {
+                     [](const Material& m) { return m.maps.opacity.used(); }))
         return std::nullopt;
-    }
     const Sheets sheets(scene.mesh);
     const std::vector<uint32_t> cells = cells_of(scene, sheets);
     std::vector<uint8_t> is_cut(cells.size(), 0);  // by sheet
     Mesh result;
     result.positions = scene.mesh.positions;
-    for (uint32_t k = 0; k < cells.size(); ++k) {
-        if (cells[k] != 0 && !OpacityGrid(scene, k, cells[k]).is_whole()) {
-            is_cut[sheets.of(k).sheet] = 1;
-        }
-    }
-    for (uint32_t k = 0; k < cells.size(); ++k) {
-        if (cells[k] != 0 && is_cut[sheets.of(k).sheet] != 0) {
+    for (uint32_t k = 0; k < cells.size(); ++k)
+        if (cells[k] != 0 && !OpacityGrid(scene, k, cells[k]).is_whole()) is_cut[sheets.of(k).sheet] = 1;
+    for (uint32_t k = 0; k < cells.size(); ++k)
+        if (cells[k] != 0 && is_cut[sheets.of(k).sheet] != 0)
             Cutter(scene, k, cells[k], result).cut();
-        } else {
+        else
             result.corners.push_back(scene.mesh.corners[k]);
-        }
-    }
     return result;
 }
 

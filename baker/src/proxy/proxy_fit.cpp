@@ -42,17 +42,13 @@ using Field = std::vector<Vec3d>;  // a displacement for each vertex
 double dot(const Field& a, const Field& b)
 {
     double sum = 0;
-    for (size_t k = 0; k < a.size(); ++k) {
-        sum += dot(a[k], b[k]);
-    }
+    for (size_t k = 0; k < a.size(); ++k) sum += dot(a[k], b[k]);
     return sum;
 }
 
 void add_scaled(Field& a, double s, const Field& b)
 {
-    for (size_t k = 0; k < a.size(); ++k) {
-        a[k] = a[k] + s * b[k];
-    }
+    for (size_t k = 0; k < a.size(); ++k) a[k] = a[k] + s * b[k];
 }
 
 // Σ weight·(normal·displacement) at a ray's hit should be `offset`.
@@ -67,9 +63,7 @@ std::vector<Equation> equations_of(const std::vector<SurveyRay>& rays, const Mes
 {
     std::vector<Equation> result;
     for (const SurveyRay& r : rays) {
-        if (!r.proxy || !(std::abs(r.scene - r.proxy->distance) <= kMaxDepthError)) {
-            continue;
-        }
+        if (!r.proxy || !(std::abs(r.scene - r.proxy->distance) <= kMaxDepthError)) continue;
         const Vec3 normal = normalized(proxy.area_vector(r.proxy->triangle));
         const double u = static_cast<double>(r.proxy->u), v = static_cast<double>(r.proxy->v);
         const float offset = (r.scene - r.proxy->distance) * dot(normal, r.ray.direction);
@@ -112,11 +106,8 @@ private:
     Field right_side() const
     {
         Field b(mesh_.positions.size());
-        for (const Equation& e : equations_) {
-            for (size_t k = 0; k < 3; ++k) {
-                b[e.corners[k]] = b[e.corners[k]] + (e.weights[k] * e.offset) * e.normal;
-            }
-        }
+        for (const Equation& e : equations_)
+            for (size_t k = 0; k < 3; ++k) b[e.corners[k]] = b[e.corners[k]] + (e.weights[k] * e.offset) * e.normal;
         return b;
     }
 
@@ -126,12 +117,8 @@ private:
         add_scaled(y, kInertia * share_, x);
         for (const Equation& e : equations_) {
             double along = 0;
-            for (size_t k = 0; k < 3; ++k) {
-                along += e.weights[k] * dot(e.normal, x[e.corners[k]]);
-            }
-            for (size_t k = 0; k < 3; ++k) {
-                y[e.corners[k]] = y[e.corners[k]] + (e.weights[k] * along) * e.normal;
-            }
+            for (size_t k = 0; k < 3; ++k) along += e.weights[k] * dot(e.normal, x[e.corners[k]]);
+            for (size_t k = 0; k < 3; ++k) y[e.corners[k]] = y[e.corners[k]] + (e.weights[k] * along) * e.normal;
         }
         for (const Mesh::Corners& c : mesh_.corners) {
             for (size_t k = 0; k < 3; ++k) {
@@ -169,9 +156,7 @@ bool untangle_once(const Mesh& before, const Mesh& upright, Field& by)
     bool any = false;
     for (size_t k = 0; k < before.triangle_count(); ++k) {
         const Vec3 a = upright.area_vector(k), b = after.area_vector(k);
-        if (dot(a, b) >= kMinTurn * length(a) * length(b)) {
-            continue;
-        }
+        if (dot(a, b) >= kMinTurn * length(a) * length(b)) continue;
         for (const uint32_t corner : before.corners[k]) {
             any = any || dot(by[corner], by[corner]) > 0;
             by[corner] = {};
@@ -190,9 +175,7 @@ Mesh fitted(const Mesh& proxy, const Mesh& upright, bool two_sided, const Survey
     Mesh result;
     job.run(1, [&](uint32_t) {
         std::vector<Equation> equations;
-        for (const std::vector<Equation>& part : parts) {
-            equations.insert(equations.end(), part.begin(), part.end());
-        }
+        for (const std::vector<Equation>& part : parts) equations.insert(equations.end(), part.begin(), part.end());
         Field by = System(proxy, std::move(equations)).solve();
         while (untangle_once(proxy, upright, by)) {
         }
@@ -205,9 +188,8 @@ Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& jo
 {
     const Survey survey = fitting_survey(scene, mesh, cap);
     const Mesh upright = mesh;
-    for (int round = 0; round < kFittingRounds && mesh.triangle_count() != 0; ++round) {
+    for (int round = 0; round < kFittingRounds && mesh.triangle_count() != 0; ++round)
         mesh = fitted(mesh, upright, two_sided, survey, job);
-    }
     return mesh;
 }
 

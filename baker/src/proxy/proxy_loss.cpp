@@ -33,9 +33,8 @@ ProxyLoss loss_of(const SceneData& scene, const ProxyTracer& proxy, Job& job, co
         }
     });
     Counts sum;
-    for (const Counts& c : counts) {
+    for (const Counts& c : counts)
         sum = {sum.scene + c.scene, sum.missed + c.missed, sum.added + c.added, sum.displaced + c.displaced};
-    }
     const double hits = std::max(1u, sum.scene);
     ProxyLoss loss;
     loss.missed = sum.missed / hits;

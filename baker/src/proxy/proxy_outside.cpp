@@ -42,9 +42,7 @@ public:
     Openness openness(uint32_t triangle) const
     {
         const Vec3 area = mesh_.area_vector(triangle);
-        if (!(length(area) > 0)) {
-            return {};
-        }
+        if (!(length(area) > 0)) return {};
         const Frame frame(normalized(area));
         Sampler sampler(kOutsideSeed, triangle, 0);
         const uint32_t places = kPlaces + static_cast<uint32_t>(std::min(kMaxPlaces, 0.5f * length(area) / kPlaceArea));
@@ -52,9 +50,7 @@ public:
             sampler.start(k);
             const Vec3 place = at(triangle, k == 0 ? Vec2{1.0f / 3, 1.0f / 3} : square_to_triangle(sampler.next_2d()));
             const Openness result = {open_share(place, frame, 1, sampler), open_share(place, frame, -1, sampler)};
-            if (result.front > 0 || result.back > 0) {
-                return result;
-            }
+            if (result.front > 0 || result.back > 0) return result;
         }
         return {};
     }
@@ -99,9 +95,7 @@ public:
         };
         const uint64_t key = step(p.x) << 42 | step(p.y) << 21 | step(p.z);
         const auto [found, added] = numbers_.emplace(key, static_cast<uint32_t>(mesh_.positions.size()));
-        if (added) {
-            mesh_.positions.push_back(p);
-        }
+        if (added) mesh_.positions.push_back(p);
         return found->second;
     }
 
@@ -134,9 +128,7 @@ std::vector<Openness> survey(const Mesh& mesh, const Accelerator& accelerator, c
     std::vector<Openness> all(triangles);
     job.run((triangles + kTrianglesATask - 1) / kTrianglesATask, [&](uint32_t task) {
         const uint32_t end = std::min(triangles, (task + 1) * kTrianglesATask);
-        for (uint32_t k = task * kTrianglesATask; k < end && !job.stopping(); ++k) {
-            all[k] = surveyor.openness(k);
-        }
+        for (uint32_t k = task * kTrianglesATask; k < end && !job.stopping(); ++k) all[k] = surveyor.openness(k);
     });
     return all;
 }
@@ -158,9 +150,7 @@ public:
 private:
     uint32_t root(uint32_t v)
     {
-        while (parent_[v] != v) {
-            v = parent_[v] = parent_[parent_[v]];
-        }
+        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
         return v;
     }
     void join(uint32_t a, uint32_t b) { parent_[root(a)] = root(b); }
@@ -190,9 +180,7 @@ public:
             double front = area * static_cast<double>(open[k].front), back = area * static_cast<double>(open[k].back);
             component_seen_[components_.of(mesh.corners[k])] += front + back;
             const SheetPlace place = sheets_.of(k);
-            if (place.reversed) {
-                std::swap(front, back);
-            }
+            if (place.reversed) std::swap(front, back);
             seen_[place.sheet].front += front;
             seen_[place.sheet].back += back;
         }
@@ -204,12 +192,9 @@ public:
         for (uint32_t k = 0; k < mesh_.triangle_count(); ++k) {
             Mesh::Corners corners = mesh_.corners[k];
             const SheetPlace place = sheets_.of(k);
-            if (place.reversed != (seen_[place.sheet].back > seen_[place.sheet].front)) {
+            if (place.reversed != (seen_[place.sheet].back > seen_[place.sheet].front))
                 std::swap(corners[1], corners[2]);
-            }
-            if (component_seen_[components_.of(corners)] > 0 && !is_degenerate(corners)) {
-                result.push_back(corners);
-            }
+            if (component_seen_[components_.of(corners)] > 0 && !is_degenerate(corners)) result.push_back(corners);
         }
         return result;
     }

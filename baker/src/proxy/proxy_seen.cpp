@@ -24,9 +24,7 @@ Vec3 place_on(const Mesh& mesh, uint32_t triangle, const Vec2& weights)
 bool is_seen(const ProxyTracer& proxy, const ViewCap& cap, uint32_t triangle)
 {
     const Vec3 area = proxy.mesh().area_vector(triangle);
-    if (!(length(area) > 0)) {
-        return false;
-    }
+    if (!(length(area) > 0)) return false;
     const Frame frame(normalized(area));
     Sampler sampler(kSeenSeed, triangle, 0);
     for (uint32_t k = 0; k < kRays; ++k) {
@@ -37,9 +35,7 @@ bool is_seen(const ProxyTracer& proxy, const ViewCap& cap, uint32_t triangle)
         const Vec3 outwards = frame.to_world(direction_at(square.x, square.y) * side);
         const Ray ray = {place + outwards * kBeyondSphere, -outwards};
         const std::optional<Hit> hit = cap.sees(ray) ? proxy.closest(ray) : std::nullopt;
-        if (hit && hit->triangle == triangle) {
-            return true;
-        }
+        if (hit && hit->triangle == triangle) return true;
     }
     return false;
 }
@@ -52,17 +48,13 @@ Mesh seen_part(const ProxyTracer& proxy, Job& job, const ViewCap& cap)
     std::vector<uint8_t> seen(triangles);
     job.run((triangles + kSeenTriangles - 1) / kSeenTriangles, [&](uint32_t task) {
         const uint32_t end = std::min(triangles, (task + 1) * kSeenTriangles);
-        for (uint32_t k = task * kSeenTriangles; k < end && !job.stopping(); ++k) {
+        for (uint32_t k = task * kSeenTriangles; k < end && !job.stopping(); ++k)
             seen[k] = is_seen(proxy, cap, k) ? 1 : 0;
-        }
     });
     Mesh result;
     result.positions = proxy.mesh().positions;
-    for (uint32_t k = 0; k < triangles; ++k) {
-        if (seen[k] != 0) {
-            result.corners.push_back(proxy.mesh().corners[k]);
-        }
-    }
+    for (uint32_t k = 0; k < triangles; ++k)
+        if (seen[k] != 0) result.corners.push_back(proxy.mesh().corners[k]);
     return result;
 }
 

@@ -20,9 +20,7 @@ using Indices = std::vector<uint32_t>;
 Indices indices_of(const Mesh& mesh)
 {
     Indices indices;
-    for (const Mesh::Corners& c : mesh.corners) {
-        indices.insert(indices.end(), c.begin(), c.end());
-    }
+    for (const Mesh::Corners& c : mesh.corners) indices.insert(indices.end(), c.begin(), c.end());
     return indices;
 }
 
@@ -46,9 +44,8 @@ Mesh compact(const std::vector<Vec3>& positions, const Indices& indices)
         }
         return static_cast<uint32_t>(number[old]);
     };
-    for (size_t k = 0; k + 2 < indices.size(); k += 3) {
+    for (size_t k = 0; k + 2 < indices.size(); k += 3)
         mesh.corners.push_back({corner(indices[k]), corner(indices[k + 1]), corner(indices[k + 2])});
-    }
     return mesh;
 }
 
@@ -57,9 +54,7 @@ Mesh compact(const std::vector<Vec3>& positions, const Indices& indices)
 Simplified simplified(const Mesh& mesh, size_t triangles)
 {
     Indices indices = indices_of(mesh);
-    if (indices.size() <= 3 * triangles) {
-        return {compact(mesh.positions, indices), false};
-    }
+    if (indices.size() <= 3 * triangles) return {compact(mesh.positions, indices), false};
     const float* positions = &mesh.positions[0].x;
     const size_t vertices = mesh.positions.size();
     indices = reduced(indices, [&](uint32_t* out) {
@@ -69,10 +64,12 @@ Simplified simplified(const Mesh& mesh, size_t triangles)
     // Stalled by borders and seams that it must not collapse. The rougher one leaves fewer than asked for.
     const bool rough = static_cast<double>(indices.size()) > 3 * kTolerated * static_cast<double>(triangles);
     if (rough) {
-        indices = reduced(indices, [&](uint32_t* out) {
-            return meshopt_simplifySloppy(out, indices.data(), indices.size(), positions, vertices, sizeof(Vec3),
-                                          3 * triangles, kMaxRoughError, nullptr);
-        });
+        indices = reduced(
+            indices,
+            [&](uint32_t* out) {
+                return meshopt_simplifySloppy(out, indices.data(), indices.size(), positions, vertices, sizeof(Vec3),
+                                              3 * triangles, kMaxRoughError, nullptr);
+            });
     }
     return {compact(mesh.positions, indices), rough};
 }

@@ -30,9 +30,7 @@ std::vector<SurveyRay> Survey::look(uint32_t origin, const ProxyTracer& proxy) c
     for (uint32_t k = 0; k < rays_; ++k) {
         sampler.start(k);
         const Ray ray = rays.ray(square_to_disc(sampler.next_2d()));
-        if (!cap_.sees(ray)) {
-            continue;
-        }
+        if (!cap_.sees(ray)) continue;
         const float distance = first_meeting(scene_, ray, sampler);
         result.push_back({ray, distance, proxy.closest(ray)});
     }

@@ -27,9 +27,7 @@ std::vector<SheetSide> sheet_sides(const Mesh& mesh)
     sides.reserve(3 * mesh.triangle_count());
     for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
         const Mesh::Corners& c = mesh.corners[k];
-        if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) {
-            continue;
-        }
+        if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
         for (size_t i = 0; i < 3; ++i) {
             const uint32_t a = c[i], b = c[(i + 1) % 3];
             sides.push_back({std::min(a, b), std::max(a, b), k, a < b});
@@ -49,12 +47,8 @@ Sheets::Sheets(const Mesh& mesh)
     std::iota(parent_.begin(), parent_.end(), 0u);
     const std::vector<SheetSide> sides = sheet_sides(mesh);
     for (size_t k = 0, end = 0; k < sides.size(); k = end) {
-        while (end < sides.size() && same_edge(sides[k], sides[end])) {
-            ++end;
-        }
-        if (end - k == 2) {
-            join(sides[k].triangle, sides[k + 1].triangle, sides[k].upwards == sides[k + 1].upwards);
-        }
+        while (end < sides.size() && same_edge(sides[k], sides[end])) ++end;
+        if (end - k == 2) join(sides[k].triangle, sides[k + 1].triangle, sides[k].upwards == sides[k + 1].upwards);
     }
 }
 

@@ -27,9 +27,7 @@ public:
     uint32_t count(int x, int y, int w, int h) const
     {
         uint32_t sum = 0;
-        for (int k = 0; k < w * h; ++k) {
-            sum += at(x + k % w, y + k / w) ? 1u : 0u;
-        }
+        for (int k = 0; k < w * h; ++k) sum += at(x + k % w, y + k / w) ? 1u : 0u;
         return sum;
     }
 
@@ -41,14 +39,10 @@ public:
         while (!open.empty()) {
             const auto [px, py] = open.back();
             open.pop_back();
-            if (!at(px, py)) {
-                continue;
-            }
+            if (!at(px, py)) continue;
             set(px, py, false);
             ++size;
-            for (int k = 0; k < 9; ++k) {
-                open.push_back({px - 1 + k % 3, py - 1 + k / 3});
-            }
+            for (int k = 0; k < 9; ++k) open.push_back({px - 1 + k % 3, py - 1 + k / 3});
         }
         return size;
     }
@@ -104,7 +98,8 @@ bool covers(const SceneData& scene, const Ray& ray)
 
 MissingPixels missing_from(uint32_t direction, const SceneData& scene, const ProxyTracer& mesh)
 {
-    const Mask truth = silhouette(direction, [&](const Ray& ray) { return covers(scene, ray); });
+    const Mask truth = silhouette(
+        direction, [&](const Ray& ray) { return covers(scene, ray); });
     const Mask drawn = silhouette(direction, [&](const Ray& ray) { return mesh.closest(ray).has_value(); });
     Mask missing = missing_of(truth, drawn);
     MissingPixels result = {truth.count(), missing.count()};
@@ -122,9 +117,7 @@ MissingPixels missing_pixels(const SceneData& scene, const ProxyTracer& mesh, Jo
 {
     std::vector<MissingPixels> parts(kSilhouettes);
     job.run(kSilhouettes, [&](uint32_t d) {
-        if (height_of(d) >= cap.lowest()) {
-            parts[d] = missing_from(d, scene, mesh);
-        }
+        if (height_of(d) >= cap.lowest()) parts[d] = missing_from(d, scene, mesh);
     });
     MissingPixels sum;
     for (const MissingPixels& part : parts) {

@@ -21,9 +21,8 @@ SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonFields& 
     surface.value = static_cast<float>(fields.number_of(fields.require("iso"), "iso", kScalar));
     fields.number("pieces", kShare, surface.pieces);
     SceneParts parts = read_iso_surface(path, surface);
-    if (const JsonValue* changes = fields.find("material")) {
+    if (const JsonValue* changes = fields.find("material"))
         apply_material_fields(scene_file.string(), *changes, parts.materials[0]);
-    }
     return parts;
 }
 

@@ -39,9 +39,7 @@ Vec3 aim(JsonFields& fields, const Vec3& position)
 {
     const Vec3 way = required_vector(fields, "target") - position;
     const float size = length(way);
-    if (!(size > 0)) {
-        fields.fail(fields.require("target"), "'target' is where the light is; move one of them");
-    }
+    if (!(size > 0)) fields.fail(fields.require("target"), "'target' is where the light is; move one of them");
     return way / size;
 }
 
@@ -60,9 +58,7 @@ Fixture read_spot(JsonFields& fields)
     const double outer = fields.number_of(fields.require("angle"), "angle", kHalfAngle);
     double inner = 0.8 * outer;
     fields.number("inner_angle", {0, 90}, inner);
-    if (inner >= outer) {
-        fields.fail(fields.require("angle"), "'inner_angle' must be smaller than 'angle'; lower it");
-    }
+    if (inner >= outer) fields.fail(fields.require("angle"), "'inner_angle' must be smaller than 'angle'; lower it");
     return SpotLight{position, axis, std::cos(static_cast<float>(inner) * kRadians),
                      std::cos(static_cast<float>(outer) * kRadians), required_light(fields, "intensity")};
 }
@@ -71,9 +67,8 @@ Fixture read_directional(JsonFields& fields)
 {
     const Vec3 direction = required_vector(fields, "direction");
     const float size = length(direction);
-    if (!(size > 0)) {
+    if (!(size > 0))
         fields.fail(fields.require("direction"), "'direction' must not be 0; write the way the light goes");
-    }
     return DirectionalLight{-direction / size, required_light(fields, "irradiance")};
 }
 
@@ -82,9 +77,8 @@ Fixture read_rectangle(JsonFields& fields, UpAxis up)
     const Vec3 centre = required_vector(fields, "position");
     const Vec3 facing = aim(fields, centre);
     const JsonValue& size = fields.require("size");
-    if (size.kind != JsonValue::Kind::list || size.items.size() != 2) {
+    if (size.kind != JsonValue::Kind::list || size.items.size() != 2)
         fields.fail(size, "'size' of a rectangle must be two numbers; write [width, height]");
-    }
     const float width = static_cast<float>(fields.number_of(size.items[0], "size", kLength));
     const float height = static_cast<float>(fields.number_of(size.items[1], "size", kLength));
     // Width lies level; straight up and down any width does.
@@ -117,9 +111,8 @@ Environment read_picture(const std::filesystem::path& file, JsonFields& fields, 
     Environment environment = constant_environment(0);
     const JsonValue& name = fields.require("picture");
     const std::filesystem::path picture = find_beside(file, fields.text_of(name, "picture"));
-    if (picture.empty()) {
+    if (picture.empty())
         fields.fail(name, "the picture '" + name.text + "' is missing; put it beside " + file.filename().string());
-    }
     environment.picture = std::make_shared<RadiancePicture>(read_radiance_picture(picture, warnings));
     fields.number("rotate", kAngle, environment.rotation_degrees);
     return environment;
@@ -149,9 +142,8 @@ Environment read_environment(const std::filesystem::path& file, JsonFields& scen
         const size_t named = scene.choice("environment", {"studio", "black"}, 0);
         return named == 0 ? studio_environment() : constant_environment(0);
     }
-    if (value.kind != JsonValue::Kind::object) {
+    if (value.kind != JsonValue::Kind::object)
         return constant_environment(to_array(scene.colour_of(value, "environment", kRadiance)));
-    }
     const std::string name = file.string();
     JsonFields fields(name, value, "the environment");
     Environment environment = fields.find("picture") ? read_picture(file, fields, warnings) : read_gradient(fields);

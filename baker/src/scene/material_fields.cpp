@@ -29,9 +29,7 @@ void take_metal(JsonFields& fields, Material& m)
     std::vector<std::string> names;
     std::transform(std::begin(kMetals), std::end(kMetals), std::back_inserter(names),
                    [](const Metal& metal) { return metal.name; });
-    if (!fields.find("metal")) {
-        return;
-    }
+    if (!fields.find("metal")) return;
     m.base = kMetals[fields.choice("metal", names, 0)].f0;
     m.maps.base = {};
     m.metalness = 1;
@@ -43,9 +41,7 @@ void take_metal(JsonFields& fields, Material& m)
 void take_glass(const std::string& file, JsonFields& fields, Material& m)
 {
     const JsonValue* value = fields.find("glass");
-    if (!value) {
-        return;
-    }
+    if (!value) return;
     JsonFields glass(file, *value, "glass");
     const bool was_glass = m.glass;
     m.glass = true;
@@ -58,9 +54,7 @@ void take_glass(const std::string& file, JsonFields& fields, Material& m)
 
 void take_roughness(JsonFields& fields, Material& m)
 {
-    if (!fields.find("roughness")) {
-        return;
-    }
+    if (!fields.find("roughness")) return;
     double roughness = 0;
     fields.number("roughness", kShare, roughness);
     m.alpha = alpha_from_roughness(static_cast<float>(roughness));
@@ -97,9 +91,7 @@ void take_sheen(JsonFields& fields, Material& m)
 void apply_material_fields(const std::string& file, const JsonValue& value, Material& m)
 {
     JsonFields fields(file, value, "a material");
-    if (fields.find("colour")) {
-        fields.colour("colour", kShare, m.base);
-    }
+    if (fields.find("colour")) fields.colour("colour", kShare, m.base);
     take_metal(fields, m);
     take_glass(file, fields, m);
     take_roughness(fields, m);

@@ -23,9 +23,7 @@ public:
 
     TextureSlot slot(const std::filesystem::path& mtl, const MtlMap& map, PictureUse use)
     {
-        if (map.name.empty()) {
-            return {};
-        }
+        if (map.name.empty()) return {};
         const Place place = {mtl.string(), map.line};
         const std::filesystem::path file = find_beside(mtl, map.name);
         if (file.empty()) {
@@ -36,9 +34,7 @@ public:
         }
         const Key key = {file.string(), use};
         const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
-        if (fresh) {
-            entry->second = load(place, file, use);
-        }
+        if (fresh) entry->second = load(place, file, use);
         return {entry->second, map.scale, map.offset};
     }
 
@@ -46,9 +42,7 @@ public:
     TextureSlot normal_slot(const std::filesystem::path& mtl, const MtlMap& map)
     {
         TextureSlot found = slot(mtl, map, PictureUse::data);
-        if (!found.used() || !is_grey(textures_[static_cast<size_t>(found.texture)])) {
-            return found;
-        }
+        if (!found.used() || !is_grey(textures_[static_cast<size_t>(found.texture)])) return found;
         const auto [entry, fresh] = normals_.try_emplace({found.texture, map.strength}, kNoTexture);
         if (fresh) {
             textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map.strength));
@@ -93,9 +87,7 @@ bool is_glass(const MtlMaterial& mtl)
 {
     const bool refracts = mtl.illum == 6 || mtl.illum == 7;
     const bool clear = mtl.illum == 4 || mtl.illum == 9;
-    if (mtl.ni <= 1 || (mtl.has_tf && is_black(mtl.tf))) {
-        return false;
-    }
+    if (mtl.ni <= 1 || (mtl.has_tf && is_black(mtl.tf))) return false;
     constexpr float kMostlyClear = 0.5f;
     const bool transmits = mtl.has_pr && mtl.has_tf && max_component(mtl.tf) >= kMostlyClear;
     return refracts || transmits || (clear && (mtl.has_tf || mtl.dissolve >= 1));
@@ -113,18 +105,10 @@ void make_glass(const MtlMaterial& mtl, Material& m)
 // A number that only a picture gives counts as 1.
 void open_for_maps(const MtlMaterial& mtl, Material& m)
 {
-    if (!mtl.map_ke.name.empty() && is_black(m.emission)) {
-        m.emission = grey(1);
-    }
-    if (!mtl.map_pm.name.empty() && !(mtl.metalness > 0)) {
-        m.metalness = 1;
-    }
-    if (!mtl.map_ps.name.empty() && !(mtl.sheen > 0)) {
-        m.sheen = 1;
-    }
-    if (!mtl.map_pr.name.empty() && !(mtl.roughness > 0)) {
-        m.alpha = 1;
-    }
+    if (!mtl.map_ke.name.empty() && is_black(m.emission)) m.emission = grey(1);
+    if (!mtl.map_pm.name.empty() && !(mtl.metalness > 0)) m.metalness = 1;
+    if (!mtl.map_ps.name.empty() && !(mtl.sheen > 0)) m.sheen = 1;
+    if (!mtl.map_pr.name.empty() && !(mtl.roughness > 0)) m.alpha = 1;
 }
 
 void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
@@ -164,9 +148,7 @@ Material to_material(const MtlMaterial& mtl)
         m.base = mtl.ks;
     }
     open_for_maps(mtl, m);
-    if (is_glass(mtl)) {
-        make_glass(mtl, m);
-    }
+    if (is_glass(mtl)) make_glass(mtl, m);
     return m;
 }
 
@@ -178,9 +160,7 @@ std::filesystem::path find_beside(const std::filesystem::path& beside, const std
     const std::filesystem::path last = std::filesystem::path(slashed).filename();
     for (const std::filesystem::path& candidate : {folder / name, folder / slashed, folder / last}) {
         std::error_code ignored;
-        if (!candidate.filename().empty() && std::filesystem::is_regular_file(candidate, ignored)) {
-            return candidate;
-        }
+        if (!candidate.filename().empty() && std::filesystem::is_regular_file(candidate, ignored)) return candidate;
     }
     return {};
 }
@@ -191,9 +171,7 @@ MaterialSet resolve_materials(const std::string& obj_file, const std::vector<Obj
     MaterialSet set;
     TextureStore textures(set.textures, warnings);
     std::unordered_map<std::string_view, const MtlMaterial*> by_name;
-    for (const MtlMaterial& m : known) {
-        by_name.try_emplace(m.name, &m);  // the first one counts
-    }
+    for (const MtlMaterial& m : known) by_name.try_emplace(m.name, &m);  // the first one counts
     for (const ObjText::Use& use : uses) {
         const auto found = by_name.find(use.name);
         if (found == by_name.end()) {

@@ -63,9 +63,7 @@ private:
 
     void begin(const Place& place, const Line& line)
     {
-        if (line.argument.empty()) {
-            throw SceneError(at(place, "'newmtl' without a name; give the material one"));
-        }
+        if (line.argument.empty()) throw SceneError(at(place, "'newmtl' without a name; give the material one"));
         name_ = line.argument;
         skipped_ = out_.lines.count(name_) != 0;
         if (skipped_) {
@@ -80,9 +78,7 @@ private:
     {
         const auto* rule = std::find_if(std::begin(kRules), std::end(kRules),
                                         [&](const NumberRule& r) { return line.keyword == r.keyword; });
-        if (rule == std::end(kRules)) {
-            return;
-        }
+        if (rule == std::end(kRules)) return;
         spread_grey(line, rule->count);
         require_numbers(place, line, rule->count, rule->count, 1e30);
         for (const std::string_view word : words(line.argument)) {
@@ -102,9 +98,7 @@ private:
     // One number for a colour means grey.
     static void spread_grey(Line& line, size_t count)
     {
-        if (count == 3 && words(line.argument).size() == 1) {
-            line.argument += " " + line.argument + " " + line.argument;
-        }
+        if (count == 3 && words(line.argument).size() == 1) line.argument += " " + line.argument + " " + line.argument;
     }
 
     void check_opacity(const Place& place, const Line& line)
@@ -136,9 +130,7 @@ private:
 MtlText prepare_mtl(const std::string& file, std::string_view text, std::vector<std::string>& warnings)
 {
     MtlPreparation preparation(file, warnings);
-    for (Line& line : split_lines(text)) {
-        preparation.take(std::move(line));
-    }
+    for (Line& line : split_lines(text)) preparation.take(std::move(line));
     return preparation.finish();
 }
 

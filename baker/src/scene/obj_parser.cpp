@@ -23,9 +23,7 @@ public:
     bool operator()(const std::string&, std::vector<tinyobj::material_t>* materials, std::map<std::string, int>* names,
                     std::string*, std::string*) override
     {
-        for (size_t k = 0; k < count_; ++k) {
-            (*names)[stand_in_name(k)] = static_cast<int>(k);
-        }
+        for (size_t k = 0; k < count_; ++k) (*names)[stand_in_name(k)] = static_cast<int>(k);
         materials->resize(count_);
         return true;
     }
@@ -38,9 +36,7 @@ std::vector<Vec3> triples(const std::vector<tinyobj::real_t>& numbers)
 {
     std::vector<Vec3> result;
     result.reserve(numbers.size() / 3);
-    for (size_t k = 0; k + 2 < numbers.size(); k += 3) {
-        result.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
-    }
+    for (size_t k = 0; k + 2 < numbers.size(); k += 3) result.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
     return result;
 }
 
@@ -48,9 +44,7 @@ std::vector<Vec2> pairs(const std::vector<tinyobj::real_t>& numbers)
 {
     std::vector<Vec2> result;
     result.reserve(numbers.size() / 2);
-    for (size_t k = 0; k + 1 < numbers.size(); k += 2) {
-        result.push_back({numbers[k], numbers[k + 1]});
-    }
+    for (size_t k = 0; k + 1 < numbers.size(); k += 2) result.push_back({numbers[k], numbers[k + 1]});
     return result;
 }
 
@@ -100,16 +94,13 @@ ObjContent parse_obj(const std::string& file, const std::string& text, size_t ma
     std::string ignored, error;
     std::istringstream stream(text);
     StandInMaterials names(material_count);
-    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &ignored, &error, &stream, &names, false, false)) {
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &ignored, &error, &stream, &names, false, false))
         throw SceneError(at({file}, "it cannot be parsed (" + error + "); export it again"));
-    }
     ObjContent content;
     content.positions = triples(attributes.vertices);
     content.normals = triples(attributes.normals);
     content.uvs = pairs(attributes.texcoords);
-    for (const tinyobj::shape_t& shape : shapes) {
-        append(shape.mesh, content);
-    }
+    for (const tinyobj::shape_t& shape : shapes) append(shape.mesh, content);
     return content;
 }
 

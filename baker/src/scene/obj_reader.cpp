@@ -20,9 +20,7 @@ std::vector<std::filesystem::path> libraries_of(const std::filesystem::path& obj
                                                 std::vector<std::string>& warnings)
 {
     const std::filesystem::path whole = find_beside(obj, library.name);
-    if (!whole.empty()) {
-        return {whole};
-    }
+    if (!whole.empty()) return {whole};
     std::vector<std::filesystem::path> files;
     std::string missing = library.name;
     for (const std::string_view word : words(library.name)) {
@@ -56,12 +54,8 @@ void name_lines(const MtlText::Lines& lines, MtlMaterial& material)
     material.map_bump.line = std::max({line_of("norm"), line_of("map_Bump"), line_of("map_bump"), line_of("bump")});
     material.has_tf = lines.has_tf;
     material.has_pr = lines.has_pr;
-    if (!material.map_kd.name.empty() && !lines.has_kd) {
-        material.kd = grey(1);
-    }
-    if (!material.map_ks.name.empty() && !lines.has_ks) {
-        material.ks = grey(1);
-    }
+    if (!material.map_kd.name.empty() && !lines.has_kd) material.kd = grey(1);
+    if (!material.map_ks.name.empty() && !lines.has_ks) material.ks = grey(1);
 }
 
 void append_library(const std::filesystem::path& file, std::vector<MtlMaterial>& known,
@@ -70,9 +64,7 @@ void append_library(const std::filesystem::path& file, std::vector<MtlMaterial>&
     const MtlText mtl = prepare_mtl(file.string(), read_text(file), warnings);
     for (MtlMaterial& material : parse_mtl(mtl.text)) {
         const auto lines = mtl.lines.find(material.name);
-        if (lines == mtl.lines.end() || material.name.empty()) {
-            continue;
-        }
+        if (lines == mtl.lines.end() || material.name.empty()) continue;
         material.file = file;
         material.line = lines->second.newmtl;
         name_lines(lines->second, material);
@@ -87,14 +79,10 @@ std::vector<MtlMaterial> materials_of(const std::filesystem::path& file, const O
     std::vector<MtlMaterial> known;
     std::set<std::string> names, read;
     for (const ObjText::Library& library : obj.libraries) {
-        if (!names.insert(library.name).second) {
-            continue;
-        }
-        for (const std::filesystem::path& mtl : libraries_of(file, library, warnings)) {
-            if (read.insert(std::filesystem::weakly_canonical(mtl).string()).second) {
+        if (!names.insert(library.name).second) continue;
+        for (const std::filesystem::path& mtl : libraries_of(file, library, warnings))
+            if (read.insert(std::filesystem::weakly_canonical(mtl).string()).second)
                 append_library(mtl, known, warnings);
-            }
-        }
     }
     return known;
 }
@@ -118,16 +106,13 @@ public:
     bool add(const ObjFace& face)
     {
         std::vector<Vec3> polygon;
-        for (uint32_t k = 0; k < face.count; ++k) {
+        for (uint32_t k = 0; k < face.count; ++k)
             polygon.push_back(content_.positions[static_cast<size_t>(corner(face, k).position)]);
-        }
         bool sound = true;
         for (const std::array<uint32_t, 3>& t : triangulate(polygon)) {
             const bool flat = has_no_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
             sound = sound && !flat;
-            if (!flat) {
-                add_triangle(face, t);
-            }
+            if (!flat) add_triangle(face, t);
         }
         return sound;
     }
@@ -178,9 +163,7 @@ Mesh build_mesh(const std::string& file, const ObjText& obj, const ObjContent& c
                               std::to_string(flat_faces) + " face(s) from here on are or contain triangles without "
                                                            "area, which are left out; merge doubled vertices"));
     }
-    if (mesh.corners.empty()) {
-        throw SceneError(at({file}, "no face has an area; check the scale and the vertices"));
-    }
+    if (mesh.corners.empty()) throw SceneError(at({file}, "no face has an area; check the scale and the vertices"));
     return mesh;
 }
 
@@ -191,9 +174,8 @@ SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>&
     const ObjText obj = prepare_obj(file.string(), read_text(file));
     const std::vector<MtlMaterial> known = materials_of(file, obj, warnings);
     ObjContent content = parse_obj(file.string(), obj.text, obj.materials.size());
-    if (content.faces.size() != obj.face_lines.size()) {
+    if (content.faces.size() != obj.face_lines.size())
         throw SceneError(at({file.string()}, "the parser lost faces; export it again as triangles"));
-    }
     smooth_normals(content);
 
     SceneParts parts;
@@ -201,9 +183,8 @@ SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>&
     MaterialSet set = resolve_materials(file.string(), obj.materials, known, warnings);
     parts.materials = std::move(set.materials);
     const auto& used = parts.mesh.materials;
-    if (std::find(used.begin(), used.end(), obj.materials.size()) != used.end()) {
+    if (std::find(used.begin(), used.end(), obj.materials.size()) != used.end())
         parts.materials.emplace_back().finish();  // of faces before the first usemtl
-    }
     parts.textures = std::move(set.textures);
     return parts;
 }

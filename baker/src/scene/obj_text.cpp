@@ -39,9 +39,8 @@ public:
 
     ObjText finish()
     {
-        if (out_.face_lines.empty()) {
+        if (out_.face_lines.empty())
             throw SceneError(at({file_}, "there is no face ('f' line) in it; export the scene as polygons"));
-        }
         return std::move(out_);
     }
 
@@ -55,9 +54,7 @@ private:
         require_numbers(place(line), line, least, most, kMaxCoordinate);
         out_.text += line.keyword;
         const std::vector<std::string_view> list = words(line.argument);
-        for (size_t k = 0; k < std::min(list.size(), most); ++k) {
-            out_.text += " " + std::string(list[k]);
-        }
+        for (size_t k = 0; k < std::min(list.size(), most); ++k) out_.text += " " + std::string(list[k]);
         out_.text += "\n";
         ++count;
     }
@@ -73,9 +70,7 @@ private:
             throw SceneError(at(place(line), "a face of " + std::to_string(corners.size()) + " corners, at most " +
                                                  std::to_string(kMaxCorners) + " work; export triangles"));
         }
-        for (const std::string_view corner : corners) {
-            check_corner(line, corner);
-        }
+        for (const std::string_view corner : corners) check_corner(line, corner);
         out_.face_lines.push_back(line.number);
         copy(line);
     }
@@ -90,12 +85,8 @@ private:
             const size_t end = std::min(rest.find('/'), rest.size());
             const std::string_view number = rest.substr(0, end);
             const bool last = end == rest.size();
-            if (!number.empty() || last || k == 0) {
-                check_index(line, number, kNames[k], counts[k]);
-            }
-            if (last) {
-                return;
-            }
+            if (!number.empty() || last || k == 0) check_index(line, number, kNames[k], counts[k]);
+            if (last) return;
             rest.remove_prefix(end + 1);
         }
         throw SceneError(
@@ -119,9 +110,7 @@ private:
     void take_use(const Line& line)
     {
         const auto [entry, fresh] = indices_.try_emplace(line.argument, out_.materials.size());
-        if (fresh) {
-            out_.materials.push_back({line.argument, line.number});
-        }
+        if (fresh) out_.materials.push_back({line.argument, line.number});
         out_.text += "usemtl " + stand_in_name(entry->second) + "\n";
     }
 
@@ -140,13 +129,10 @@ std::string stand_in_name(size_t k)
 
 ObjText prepare_obj(const std::string& file, std::string_view text)
 {
-    if (text.find('\0') != std::string_view::npos) {
+    if (text.find('\0') != std::string_view::npos)
         throw SceneError(at({file}, "this is no text; name a Wavefront OBJ file"));
-    }
     ObjPreparation preparation(file);
-    for (const Line& line : split_lines(text)) {
-        preparation.take(line);
-    }
+    for (const Line& line : split_lines(text)) preparation.take(line);
     return preparation.finish();
 }
 

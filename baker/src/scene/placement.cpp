@@ -43,9 +43,8 @@ void extend(std::vector<T>& list, std::vector<T>& more)
 void shift_textures(Material& m, size_t by)
 {
     TextureSlots& s = m.maps;
-    for (TextureSlot* slot : {&s.base, &s.emission, &s.roughness, &s.metalness, &s.opacity, &s.normal}) {
+    for (TextureSlot* slot : {&s.base, &s.emission, &s.roughness, &s.metalness, &s.opacity, &s.normal})
         slot->texture += slot->used() ? static_cast<int32_t>(by) : 0;
-    }
 }
 
 }  // namespace
@@ -53,9 +52,8 @@ void shift_textures(Material& m, size_t by)
 void place(const Placement& placement, Mesh& mesh)
 {
     const Vec3& s = placement.scale;
-    for (Vec3& p : mesh.positions) {
+    for (Vec3& p : mesh.positions)
         p = turned({p.x * s.x, p.y * s.y, p.z * s.z}, placement.rotation_degrees) + placement.translation;
-    }
     for (Vec3& n : mesh.normals) {
         const Vec3 scaled = {n.x / s.x, n.y / s.y, n.z / s.z};
         const float size = length(scaled);
@@ -92,9 +90,7 @@ void append(SceneParts& parts, SceneParts&& other)
         shift(mesh.mapping[t], parts.mesh.uvs.size());
         mesh.materials[t] += static_cast<uint32_t>(parts.materials.size());
     }
-    for (Material& m : other.materials) {
-        shift_textures(m, parts.textures.size());
-    }
+    for (Material& m : other.materials) shift_textures(m, parts.textures.size());
     extend(parts.mesh.positions, mesh.positions);
     extend(parts.mesh.normals, mesh.normals);
     extend(parts.mesh.uvs, mesh.uvs);

@@ -16,9 +16,7 @@ constexpr NumberRange kScale = {-1e9, 1e9};
 void read_scale(JsonFields& fields, Vec3& scale)
 {
     const JsonValue* value = fields.find("scale");
-    if (!value) {
-        return;
-    }
+    if (!value) return;
     if (value->kind == JsonValue::Kind::number) {
         const float all = static_cast<float>(fields.number_of(*value, "scale", kScale));
         scale = {all, all, all};
@@ -26,9 +24,8 @@ void read_scale(JsonFields& fields, Vec3& scale)
         scale = fields.vector_of(*value, "scale", kScale);
     }
     constexpr float kLeast = 1e-9f;
-    if (std::min({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)}) < kLeast) {
+    if (std::min({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)}) < kLeast)
         fields.fail(*value, "'scale' flattens the object; choose numbers other than 0");
-    }
 }
 
 }  // namespace

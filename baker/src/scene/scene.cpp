@@ -32,12 +32,8 @@ void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
 std::vector<Vec3> other_points(const SceneParts& parts, UpAxis up)
 {
     std::vector<Vec3> points;
-    if (parts.volume) {
-        points = corners_of(*parts.volume);
-    }
-    if (parts.catcher) {
-        add_rim(*parts.catcher, up, points);
-    }
+    if (parts.volume) points = corners_of(*parts.volume);
+    if (parts.catcher) add_rim(*parts.catcher, up, points);
     return points;
 }
 
@@ -46,16 +42,11 @@ BoundingSphere fit_sphere(const SceneParts& parts, UpAxis up)
 {
     const Mesh& mesh = parts.mesh;
     std::vector<bool> used(mesh.positions.size(), false);
-    for (const Mesh::Corners& c : mesh.corners) {
-        used[c[0]] = used[c[1]] = used[c[2]] = !parts.mesh_is_shell;
-    }
+    for (const Mesh::Corners& c : mesh.corners) used[c[0]] = used[c[1]] = used[c[2]] = !parts.mesh_is_shell;
     std::vector<Vec3> points = other_points(parts, up);
     points.reserve(points.size() + mesh.positions.size());
-    for (size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) {
-            points.push_back(mesh.positions[i]);
-        }
-    }
+    for (size_t i = 0; i < used.size(); ++i)
+        if (used[i]) points.push_back(mesh.positions[i]);
     return smallest_sphere(points);
 }
 
@@ -69,20 +60,14 @@ Vec3 moved_into_sphere(const Vec3& p, const BoundingSphere& sphere, UpAxis up)
 
 Mesh moved_into_sphere(Mesh mesh, const BoundingSphere& sphere, UpAxis up)
 {
-    for (Vec3& p : mesh.positions) {
-        p = moved_into_sphere(p, sphere, up);
-    }
-    for (Vec3& n : mesh.normals) {
-        n = to_sphere_axes(n, up);
-    }
+    for (Vec3& p : mesh.positions) p = moved_into_sphere(p, sphere, up);
+    for (Vec3& n : mesh.normals) n = to_sphere_axes(n, up);
     return mesh;
 }
 
 std::optional<Disc> moved_into_sphere(const std::optional<Disc>& disc, const BoundingSphere& sphere, UpAxis up)
 {
-    if (!disc) {
-        return std::nullopt;
-    }
+    if (!disc) return std::nullopt;
     return Disc{moved_into_sphere(disc->centre, sphere, up), static_cast<float>(disc->radius / sphere.radius)};
 }
 
@@ -96,11 +81,8 @@ double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up
                                                  static_cast<double>(p.y) - sphere.centre[1],
                                                  static_cast<double>(p.z) - sphere.centre[2]));
     };
-    for (const Mesh::Corners& corners : parts.mesh.corners) {
-        for (const uint32_t c : corners) {
-            take(parts.mesh.positions[c]);
-        }
-    }
+    for (const Mesh::Corners& corners : parts.mesh.corners)
+        for (const uint32_t c : corners) take(parts.mesh.positions[c]);
     std::for_each(others.begin(), others.end(), take);
     return farthest;
 }
@@ -220,12 +202,9 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
 
 Scene build_scene(SceneParts parts, const LoadOptions& options)
 {
-    if (options.solid_volume && parts.volume && parts.mesh.corners.empty()) {
-        add_shell(parts);
-    }
-    if (parts.mesh.corners.empty() && !parts.volume) {
+    if (options.solid_volume && parts.volume && parts.mesh.corners.empty()) add_shell(parts);
+    if (parts.mesh.corners.empty() && !parts.volume)
         throw SceneError("the scene holds no triangles; export at least one face");
-    }
     return Scene(std::make_unique<SceneData>(std::move(parts), options));
 }
 

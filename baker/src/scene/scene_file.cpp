@@ -33,11 +33,8 @@ public:
         up_ = scene_.choice("up", {"y", "z"}, 0) == 0 ? UpAxis::y : UpAxis::z;
         up_ = up.value_or(up_);
         read_volume();
-        if (!parts_.volume || scene_.find("objects")) {
-            for (const JsonValue& object : list_of(scene_.require("objects"), "objects")) {
-                read_object(object);
-            }
-        }
+        if (!parts_.volume || scene_.find("objects"))
+            for (const JsonValue& object : list_of(scene_.require("objects"), "objects")) read_object(object);
         read_materials();
         read_ground();
         read_catcher();
@@ -52,9 +49,7 @@ public:
 private:
     const std::vector<JsonValue>& list_of(const JsonValue& value, const std::string& name) const
     {
-        if (value.kind != JsonValue::Kind::list) {
-            scene_.fail(value, "'" + name + "' must be a list; write [ ... ]");
-        }
+        if (value.kind != JsonValue::Kind::list) scene_.fail(value, "'" + name + "' must be a list; write [ ... ]");
         return value.items;
     }
 
@@ -72,64 +67,49 @@ private:
     {
         const JsonValue& obj = fields.require("obj");
         const std::filesystem::path path = find_beside(file_, fields.text_of(obj, "obj"));
-        if (path.empty()) {
+        if (path.empty())
             fields.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
-        }
         return read_obj(path, warnings_);
     }
 
     void read_volume()
     {
-        if (const JsonValue* value = scene_.find("volume")) {
-            parts_.volume = baker::read_volume(file_, *value);
-        }
+        if (const JsonValue* value = scene_.find("volume")) parts_.volume = baker::read_volume(file_, *value);
     }
 
     void read_materials()
     {
         const JsonValue* value = scene_.find("materials");
-        if (!value) {
-            return;
-        }
+        if (!value) return;
         JsonFields(name_, *value, "'materials'");
         std::multimap<std::string_view, Material*> by_name;
-        for (Material& material : parts_.materials) {
-            by_name.emplace(material.name, &material);
-        }
+        for (Material& material : parts_.materials) by_name.emplace(material.name, &material);
         for (const auto& [material_name, changes] : value->members) {
             const auto [first, last] = by_name.equal_range(material_name);
-            for (auto found = first; found != last; ++found) {
-                apply_material_fields(name_, changes, *found->second);
-            }
-            if (first == last) {
+            for (auto found = first; found != last; ++found) apply_material_fields(name_, changes, *found->second);
+            if (first == last)
                 scene_.fail(changes, "no object has a material '" + material_name + "'; choose among: " + names());
-            }
         }
     }
 
     std::string names() const
     {
         std::string text;
-        for (const Material& material : parts_.materials) {
+        for (const Material& material : parts_.materials)
             text += (text.empty() ? "" : ", ") + (material.name.empty() ? "(nameless)" : material.name);
-        }
         return text;
     }
 
     void read_ground()
     {
         const JsonValue* value = scene_.find("ground");
-        if (!value) {
-            return;
-        }
+        if (!value) return;
         JsonFields fields(name_, *value, "the ground");
         const Disc disc = read_disc(fields);
         Material material;
         material.name = "ground";
         material.finish();
-        if (const JsonValue* changes = fields.find("material")) {
-            apply_material_fields(name_, *changes, material);
-        }
+        if (const JsonValue* changes = fields.find("material")) apply_material_fields(name_, *changes, material);
         fields.finish();
         append_disc(parts_, disc, up_, material);
     }
@@ -137,12 +117,8 @@ private:
     void read_catcher()
     {
         const JsonValue* value = scene_.find("catcher");
-        if (!value) {
-            return;
-        }
-        if (scene_.find("ground")) {
-            scene_.fail(*value, "a scene has a 'ground' or a 'catcher'; remove one of them");
-        }
+        if (!value) return;
+        if (scene_.find("ground")) scene_.fail(*value, "a scene has a 'ground' or a 'catcher'; remove one of them");
         JsonFields fields(name_, *value, "the catcher");
         parts_.catcher = read_disc(fields);
         fields.finish();
@@ -160,9 +136,8 @@ private:
                 height = std::min(height, up_ == UpAxis::y ? p.y : p.z);
             }
         }
-        for (const Vec3& p : parts_.volume ? corners_of(*parts_.volume) : std::vector<Vec3>()) {
+        for (const Vec3& p : parts_.volume ? corners_of(*parts_.volume) : std::vector<Vec3>())
             height = std::min(height, up_ == UpAxis::y ? p.y : p.z);
-        }
         fields.number("height", kPlace, height);
         disc.radius = static_cast<float>(fields.number_of(fields.require("radius"), "radius", kLength));
         return disc;
@@ -170,14 +145,11 @@ private:
 
     void read_lights()
     {
-        if (const JsonValue* value = scene_.find("environment")) {
+        if (const JsonValue* value = scene_.find("environment"))
             parts_.environment = read_environment(file_, scene_, *value, warnings_);
-        }
-        if (const JsonValue* value = scene_.find("lights")) {
-            for (const JsonValue& light : list_of(*value, "lights")) {
+        if (const JsonValue* value = scene_.find("lights"))
+            for (const JsonValue& light : list_of(*value, "lights"))
                 parts_.fixtures.push_back(read_fixture(name_, light, up_));
-            }
-        }
     }
 
     void read_picture()
@@ -191,9 +163,7 @@ private:
     void read_sphere()
     {
         const JsonValue* value = scene_.find("sphere");
-        if (!value) {
-            return;
-        }
+        if (!value) return;
         JsonFields fields(name_, *value, "the sphere");
         const Vec3 c = fields.vector_of(fields.require("centre"), "centre", kPlace);
         const double radius = fields.number_of(fields.require("radius"), "radius", kLength);

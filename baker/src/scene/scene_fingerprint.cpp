@@ -46,13 +46,10 @@ void add(Digest& digest, const Material& material)
     static_cast<void>(coat_skin);
     static_cast<void>(fibres);
     static_cast<void>(absorption);
-    for (const Rgb& colour : {base, emission, sheen_colour, transmittance}) {
-        digest.add(colour);
-    }
+    for (const Rgb& colour : {base, emission, sheen_colour, transmittance}) digest.add(colour);
     for (const float value : {metalness, alpha, index, opacity, anisotropy, anisotropy_turns, coat, coat_alpha, sheen,
-                              sheen_roughness, transmittance_length}) {
+                              sheen_roughness, transmittance_length})
         digest.add(value);
-    }
     digest.add(specular);
     digest.add(glass);
     add(digest, maps);
@@ -84,16 +81,10 @@ Digest::Value scene_fingerprint(const SceneData& scene)
         digest.add(catcher->centre);
         digest.add(catcher->radius);
     }
-    if (medium) {
-        medium->add_to(digest);
-    }
+    if (medium) medium->add_to(digest);
     add(digest, mesh_is_shell ? Mesh() : mesh);  // a shell is made from the medium
-    for (const Material& material : mesh_is_shell ? std::vector<Material>() : materials) {
-        add(digest, material);
-    }
-    for (const Texture& texture : textures) {
-        add(digest, texture);
-    }
+    for (const Material& material : mesh_is_shell ? std::vector<Material>() : materials) add(digest, material);
+    for (const Texture& texture : textures) add(digest, texture);
     lights.add_to(digest);
     return digest.value();
 }

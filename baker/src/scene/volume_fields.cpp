@@ -28,9 +28,8 @@ TransferPoint read_point(const std::string& file, const JsonValue& value)
 TransferFunction read_transfer(const std::string& file, JsonFields& volume)
 {
     const JsonValue& list = volume.require("transfer");
-    if (list.kind != JsonValue::Kind::list || list.items.empty()) {
+    if (list.kind != JsonValue::Kind::list || list.items.empty())
         volume.fail(list, "'transfer' must be a list of points; write [ { \"value\": 1, \"density\": 2 } ]");
-    }
     std::vector<TransferPoint> points;
     for (const JsonValue& item : list.items) {
         points.push_back(read_point(file, item));
@@ -51,9 +50,8 @@ Volume read_volume(const std::filesystem::path& scene_file, const JsonValue& val
     JsonFields fields(name, value, "the volume");
     const JsonValue& grid = fields.require("file");
     const std::filesystem::path path = find_beside(scene_file, fields.text_of(grid, "file"));
-    if (path.empty()) {
+    if (path.empty())
         fields.fail(grid, "the volume '" + grid.text + "' is missing; put it beside " + scene_file.filename().string());
-    }
     const TransferFunction transfer = read_transfer(name, fields);
     float anisotropy = 0;
     fields.number("anisotropy", kMeanCosine, anisotropy);

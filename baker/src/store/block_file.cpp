@@ -32,9 +32,8 @@ std::vector<uint8_t> read_head(const PosixFile& file)
     }
     const size_t crc_at = kHeadBytes - kSealBytes;
     if (head.size() < kHeadBytes ||
-        ByteReader(head.data() + crc_at, kSealBytes).get32() != crc32(0, head.data(), crc_at)) {
+        ByteReader(head.data() + crc_at, kSealBytes).get32() != crc32(0, head.data(), crc_at))
         throw BakeError(name + ": its head is damaged (CRC); remove it and bake again");
-    }
     return head;
 }
 
@@ -43,13 +42,9 @@ std::vector<uint8_t> read_head(const PosixFile& file)
 std::vector<uint8_t> encode_head(const BakeIdentity& identity)
 {
     ByteWriter out;
-    for (size_t k = 0; k < kMagicBytes; ++k) {
-        out.put8(static_cast<uint8_t>(kMagic[k]));
-    }
+    for (size_t k = 0; k < kMagicBytes; ++k) out.put8(static_cast<uint8_t>(kMagic[k]));
     out.put32(kVersion);
-    for (const uint8_t b : encode(identity)) {
-        out.put8(b);
-    }
+    for (const uint8_t b : encode(identity)) out.put8(b);
     out.put32(crc32(0, out.bytes().data(), out.bytes().size()));
     return out.bytes();
 }
@@ -73,9 +68,8 @@ uint32_t BlockFile::seal(uint32_t number, const std::vector<uint8_t>& bytes) con
 bool BlockFile::read(const Block& block, std::vector<uint8_t>& bytes) const
 {
     const uint64_t all = file_->size();
-    if (block.size > all || block.offset > all || block.end() > all) {
+    if (block.size > all || block.offset > all || block.end() > all)
         return false;  // before memory is taken for it; sums of hostile sizes may wrap
-    }
     bytes.resize(block.size);
     uint8_t stored[kSealBytes];
     return file_->read_at(block.offset, stored, kSealBytes) == kSealBytes &&

@@ -42,9 +42,7 @@ FilePointer begin(const fs::path& path, const BakeIdentity& identity)
     const fs::path unnamed = unfinished(path);
     require_no_input(unnamed);
     FilePointer file = open_locked(unnamed, PosixFile::Mode::create);
-    if (!file) {
-        return nullptr;
-    }
+    if (!file) return nullptr;
     try {
         file->cut(0);
         const std::vector<uint8_t> head = encode_head(identity);
@@ -79,9 +77,7 @@ FilePointer open_or_begin(const fs::path& path, const BakeIdentity& identity, Ea
 void require_same(const fs::path& path, const BakeIdentity& there, const BakeIdentity& here)
 {
     std::string text = difference(there, here);
-    if (text.empty() && there.shard.index != here.shard.index) {
-        text = "another shard";
-    }
+    if (text.empty() && there.shard.index != here.shard.index) text = "another shard";
     if (!text.empty()) {
         throw BakeError(path.string() + ": holds the finished rows of another bake (" + text +
                         "); finish that one with its own options, or discard it with --restart");
@@ -103,15 +99,11 @@ void Checkpoint::reserve(uint64_t bytes, bool is_empty)
     try {
         blocks_.file().reserve(bytes);
     } catch (const BakeError&) {
-        if (is_empty) {
-            remove();
-        }
+        if (is_empty) remove();
         throw;
     }
     // What a damaged file has too much of goes.
-    if (blocks_.file().size() > bytes) {
-        blocks_.file().cut(bytes);
-    }
+    if (blocks_.file().size() > bytes) blocks_.file().cut(bytes);
 }
 
 // By whichever thread comes first after the interval; the others go on.
@@ -120,9 +112,8 @@ void Checkpoint::sync_now_and_then()
     const Clock::time_point now = Clock::now();
     Clock::rep due = next_sync_;
     if (now.time_since_epoch().count() >= due &&
-        next_sync_.compare_exchange_strong(due, (now + kSyncInterval).time_since_epoch().count())) {
+        next_sync_.compare_exchange_strong(due, (now + kSyncInterval).time_since_epoch().count()))
         sync();
-    }
 }
 
 void Checkpoint::remove()

@@ -13,9 +13,8 @@ namespace
 std::filesystem::path beside(const std::filesystem::path& target)
 {
     std::error_code ignored;
-    if (std::filesystem::is_directory(target, ignored)) {
+    if (std::filesystem::is_directory(target, ignored))
         throw BakeError(target.string() + ": this is a folder; name a file in it");
-    }
     std::filesystem::path name = unfinished(target);
     require_no_input(target);
     require_no_input(name);

@@ -57,9 +57,7 @@ int open_flags(PosixFile::Mode mode)
 PosixFile::PosixFile(std::filesystem::path path, Mode mode)
     : path_(std::move(path)), descriptor_(open(path_.c_str(), open_flags(mode), kPlainFile))
 {
-    if (descriptor_ < 0) {
-        fail(mode == Mode::create ? "created" : "opened");
-    }
+    if (descriptor_ < 0) fail(mode == Mode::create ? "created" : "opened");
 }
 
 PosixFile::~PosixFile()
@@ -75,9 +73,7 @@ void PosixFile::fail(const char* action) const
 
 void PosixFile::rename_to(const std::filesystem::path& path)
 {
-    if (std::rename(path_.c_str(), path.c_str()) != 0) {
-        fail("renamed");
-    }
+    if (std::rename(path_.c_str(), path.c_str()) != 0) fail("renamed");
     path_ = path;
 }
 
@@ -98,9 +94,7 @@ bool PosixFile::is_at_its_path() const
 uint64_t PosixFile::size() const
 {
     struct stat status = {};
-    if (fstat(descriptor_, &status) != 0) {
-        fail("read");
-    }
+    if (fstat(descriptor_, &status) != 0) fail("read");
     return static_cast<uint64_t>(status.st_size);
 }
 
@@ -109,12 +103,8 @@ size_t PosixFile::read_at(uint64_t offset, uint8_t* bytes, size_t size) const
     size_t done = 0;
     while (done < size) {
         const ssize_t count = pread(descriptor_, bytes + done, size - done, static_cast<off_t>(offset + done));
-        if (count < 0 && errno != EINTR) {
-            fail("read");
-        }
-        if (count == 0) {
-            break;
-        }
+        if (count < 0 && errno != EINTR) fail("read");
+        if (count == 0) break;
         done += count > 0 ? static_cast<size_t>(count) : 0;
     }
     return done;
@@ -125,26 +115,20 @@ void PosixFile::write_at(uint64_t offset, const uint8_t* bytes, size_t size)
     size_t done = 0;
     while (done < size) {
         const ssize_t count = pwrite(descriptor_, bytes + done, size - done, static_cast<off_t>(offset + done));
-        if (count < 0 && errno != EINTR) {
-            fail("written");
-        }
+        if (count < 0 && errno != EINTR) fail("written");
         done += count > 0 ? static_cast<size_t>(count) : 0;
     }
 }
 
 void PosixFile::cut(uint64_t size)
 {
-    if (ftruncate(descriptor_, static_cast<off_t>(size)) != 0) {
-        fail("written");
-    }
+    if (ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail("written");
 }
 
 void PosixFile::reserve(uint64_t size)
 {
     const int error = posix_fallocate(descriptor_, 0, static_cast<off_t>(size));
-    if (error == EINVAL || error == EOPNOTSUPP) {
-        return;  // this file system cannot promise space
-    }
+    if (error == EINVAL || error == EOPNOTSUPP) return;  // this file system cannot promise space
     if (error != 0) {
         errno = error;
         fail("written");
@@ -154,9 +138,7 @@ void PosixFile::reserve(uint64_t size)
 void PosixFile::sync()
 {
     // EINVAL, EROFS: a file system that has no such notion.
-    if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {
-        fail("written");
-    }
+    if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail("written");
 }
 
 void sync_folder(const std::filesystem::path& folder)

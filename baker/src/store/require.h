@@ -12,9 +12,7 @@ namespace lumi::baker
 // Throws BakeError with this message if it is not so.
 inline void require(bool good, const std::string& message)
 {
-    if (!good) {
-        throw BakeError(message);
-    }
+    if (!good) throw BakeError(message);
 }
 
 }  // namespace lumi::baker

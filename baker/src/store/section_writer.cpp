@@ -13,9 +13,7 @@ namespace
 uint64_t file_bytes(const std::vector<Section>& sections)
 {
     uint64_t bytes = head_bytes(sections.size());
-    for (const Section& section : sections) {
-        bytes += aligned(section.size);
-    }
+    for (const Section& section : sections) bytes += aligned(section.size);
     return bytes;
 }
 
@@ -40,9 +38,7 @@ std::vector<uint8_t> file_header(uint64_t size, const std::vector<uint8_t>& tabl
 {
     namespace at = format::header;
     Bytes b(at::kHeaderCrcAt);
-    for (size_t k = 0; k < sizeof format::kMagic; ++k) {
-        b.put8(at::kMagicAt + k, format::kMagic[k]);
-    }
+    for (size_t k = 0; k < sizeof format::kMagic; ++k) b.put8(at::kMagicAt + k, format::kMagic[k]);
     b.put16(at::kVersionAt, format::kVersion);
     b.put16(at::kHeaderBytesAt, static_cast<uint16_t>(format::kHeaderBytes));
     b.put32(at::kFileBytesAt, static_cast<uint32_t>(size));

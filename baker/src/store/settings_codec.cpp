@@ -75,9 +75,8 @@ std::string layout_name(const AnySettings& settings)
 void put(ByteWriter& out, const BakeSettings& s)
 {
     for (const uint32_t v : {s.origins, s.directions, s.used_origins, static_cast<uint32_t>(s.texel), s.samples,
-                             static_cast<uint32_t>(s.footprint)}) {
+                             static_cast<uint32_t>(s.footprint)})
         out.put32(v);
-    }
     out.put_float(s.max_error_levels);
     out.put64(s.seed);
     out.put32(static_cast<uint32_t>(s.beam));  // last: zero in the padding of earlier checkpoints
@@ -103,9 +102,7 @@ Enum get_enum(ByteReader& in, uint32_t count)
 BakeSettings get_chord(ByteReader& in)
 {
     BakeSettings s;
-    for (uint32_t* v : {&s.origins, &s.directions, &s.used_origins}) {
-        *v = in.get32();
-    }
+    for (uint32_t* v : {&s.origins, &s.directions, &s.used_origins}) *v = in.get32();
     s.texel = get_enum<format::TexelFormat>(in, format::kTexelFormats);
     s.samples = in.get32();
     s.footprint = get_enum<Footprint>(in, kFootprints);
@@ -146,9 +143,7 @@ void put_settings(ByteWriter& out, const AnySettings& settings)
     const size_t end = out.bytes().size() + kSettingsBytes;
     out.put32(static_cast<uint32_t>(settings.index()));
     std::visit([&](const auto& s) { put(out, s); }, settings);
-    while (out.bytes().size() < end) {
-        out.put8(0);
-    }
+    while (out.bytes().size() < end) out.put8(0);
 }
 
 AnySettings get_settings(ByteReader& in)
@@ -159,9 +154,7 @@ AnySettings get_settings(ByteReader& in)
 std::string settings_difference(const AnySettings& there, const AnySettings& here)
 {
     const std::string layout = other("layout", layout_name(there), layout_name(here));
-    if (!layout.empty()) {
-        return layout;
-    }
+    if (!layout.empty()) return layout;
     const SurfaceSettings* surface = std::get_if<SurfaceSettings>(&here);
     return surface != nullptr ? difference(std::get<SurfaceSettings>(there), *surface)
                               : difference(std::get<BakeSettings>(there), std::get<BakeSettings>(here));

@@ -16,12 +16,8 @@ MergeError::MergeError(std::vector<std::string> all) : BakeError(joined(all, "\n
 
 ShardSet::ShardSet(const std::vector<fs::path>& files, RequirePossible require_possible)
 {
-    for (const fs::path& file : files) {
-        open(file, require_possible);
-    }
-    if (!opened_.empty()) {
-        sort_out(most_common());
-    }
+    for (const fs::path& file : files) open(file, require_possible);
+    if (!opened_.empty()) sort_out(most_common());
 }
 
 void ShardSet::say(const fs::path& file, const std::string& text)
@@ -39,12 +35,9 @@ void ShardSet::say_missing(const fs::path& file, size_t missing, uint32_t all, u
 void ShardSet::throw_problems()
 {
     name_missing();
-    if (opened_.empty() && problems_.empty()) {
+    if (opened_.empty() && problems_.empty())
         problems_.push_back("there are no shards to merge; name the files that `lumi bake --shard` wrote");
-    }
-    if (!problems_.empty()) {
-        throw MergeError(std::move(problems_));
-    }
+    if (!problems_.empty()) throw MergeError(std::move(problems_));
 }
 
 void ShardSet::open(const fs::path& file, RequirePossible require_possible)
@@ -63,9 +56,11 @@ void ShardSet::open(const fs::path& file, RequirePossible require_possible)
 const BlockFile& ShardSet::most_common() const
 {
     const auto relatives = [&](const std::unique_ptr<BlockFile>& shard) {
-        return std::count_if(opened_.begin(), opened_.end(), [&](const std::unique_ptr<BlockFile>& other) {
-            return difference(other->identity(), shard->identity()).empty();
-        });
+        return std::count_if(
+            opened_.begin(), opened_.end(),
+            [&](const std::unique_ptr<BlockFile>& other) {
+                return difference(other->identity(), shard->identity()).empty();
+            });
     };
     return **std::max_element(opened_.begin(), opened_.end(),
                               [&](const auto& a, const auto& b) { return relatives(a) < relatives(b); });
@@ -92,13 +87,10 @@ void ShardSet::sort_out(const BlockFile& model)
 
 void ShardSet::name_missing()
 {
-    if (shards_.empty() || shards_.size() == count()) {
-        return;
-    }
+    if (shards_.empty() || shards_.size() == count()) return;
     std::string list;
-    for (uint32_t k = 1; k <= count(); ++k) {
+    for (uint32_t k = 1; k <= count(); ++k)
         list += shards_.count(k) ? "" : (list.empty() ? "" : ", ") + std::to_string(k);
-    }
     const bool one = count() - shards_.size() == 1;
     problems_.push_back((one ? "shard " : "shards ") + list + " of " + std::to_string(count()) +
                         (one ? " is missing; bake it with --shard " : " are missing; bake each with --shard ") +

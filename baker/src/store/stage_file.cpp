@@ -17,9 +17,7 @@ constexpr uint64_t kKeyBytes = 16, kCrcAt = kKeyBytes + 8, kEntryHeadBytes = kCr
 std::vector<uint8_t> head_of(const Digest::Value& key, uint64_t size)
 {
     ByteWriter out;
-    for (const uint64_t word : {key[0], key[1], size}) {
-        out.put64(word);
-    }
+    for (const uint64_t word : {key[0], key[1], size}) out.put64(word);
     return out.bytes();
 }
 
@@ -38,9 +36,7 @@ bool is_file(const std::filesystem::path& path)
 
 StageFile::StageFile(std::filesystem::path path) : path_(std::move(path))
 {
-    if (!is_file(path_)) {
-        return;
-    }
+    if (!is_file(path_)) return;
     try {
         open(PosixFile::Mode::update);
         read_places();
@@ -53,9 +49,7 @@ void StageFile::open(PosixFile::Mode mode)
 {
     require_no_input(path_);
     auto file = std::make_unique<PosixFile>(path_, mode);
-    if (!file->try_lock()) {
-        throw BakeError(path_.string() + ": another lumi is baking this");
-    }
+    if (!file->try_lock()) throw BakeError(path_.string() + ": another lumi is baking this");
     file_ = std::move(file);
 }
 
@@ -67,13 +61,9 @@ void StageFile::read_places()
     while (end_ + kEntryHeadBytes <= all && file_->read_at(end_, head, kEntryHeadBytes) == kEntryHeadBytes) {
         ByteReader in(head, kEntryHeadBytes);
         Digest::Value key;
-        for (uint64_t& word : key) {
-            word = in.get64();
-        }
+        for (uint64_t& word : key) word = in.get64();
         const Place place = {end_ + kEntryHeadBytes, in.get64()};
-        if (place.size > all - place.offset) {
-            return;
-        }
+        if (place.size > all - place.offset) return;
         places_[key] = place;
         end_ = place.offset + place.size;
     }
@@ -82,9 +72,7 @@ void StageFile::read_places()
 bool StageFile::find(const Digest::Value& key, std::vector<uint8_t>& bytes) const
 {
     const auto place = places_.find(key);
-    if (place == places_.end()) {
-        return false;
-    }
+    if (place == places_.end()) return false;
     try {
         bytes.resize(place->second.size);
         uint8_t crc[4];
@@ -99,9 +87,7 @@ bool StageFile::find(const Digest::Value& key, std::vector<uint8_t>& bytes) cons
 
 void StageFile::add(const Digest::Value& key, const std::vector<uint8_t>& bytes)
 {
-    if (path_.empty()) {
-        return;
-    }
+    if (path_.empty()) return;
     try {
         write(key, bytes);
     } catch (const BakeError&) {
@@ -111,9 +97,7 @@ void StageFile::add(const Digest::Value& key, const std::vector<uint8_t>& bytes)
 
 void StageFile::write(const Digest::Value& key, const std::vector<uint8_t>& bytes)
 {
-    if (!file_) {
-        open(PosixFile::Mode::create);
-    }
+    if (!file_) open(PosixFile::Mode::create);
     std::vector<uint8_t> record = head_of(key, bytes.size());
     ByteWriter crc;
     crc.put32(crc_of(record, bytes));

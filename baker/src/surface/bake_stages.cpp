@@ -23,16 +23,12 @@ bool get_count(ByteReader& in, uint64_t entry_bytes, uint64_t& count)
 void put_colours(ByteWriter& out, const std::vector<LevelColour>& colours)
 {
     out.put64(colours.size());
-    for (const LevelColour& c : colours) {
-        put(out, Vec3{c[0], c[1], c[2]});
-    }
+    for (const LevelColour& c : colours) put(out, Vec3{c[0], c[1], c[2]});
 }
 bool get_colours(ByteReader& in, std::vector<LevelColour>& colours)
 {
     uint64_t count = 0;
-    if (!get_count(in, kVectorBytes, count)) {
-        return false;
-    }
+    if (!get_count(in, kVectorBytes, count)) return false;
     for (uint64_t k = 0; k < count; ++k) {
         const Vec3 v = get_vector(in);
         colours.push_back({v.x, v.y, v.z});
@@ -55,9 +51,7 @@ void put(ByteWriter& out, const SurfaceSample& s)
 {
     out.put32(s.triangle);
     out.put32(s.texel);
-    for (const int16_t v : {s.second_q12, s.third_q12, s.eye.x, s.eye.y, s.eye.z}) {
-        put16(out, v);
-    }
+    for (const int16_t v : {s.second_q12, s.third_q12, s.eye.x, s.eye.y, s.eye.z}) put16(out, v);
     put(out, Vec3{s.radiance.r, s.radiance.g, s.radiance.b});
 }
 SurfaceSample get_sample(ByteReader& in)
@@ -65,9 +59,7 @@ SurfaceSample get_sample(ByteReader& in)
     SurfaceSample s = {};
     s.triangle = in.get32();
     s.texel = in.get32();
-    for (int16_t* v : {&s.second_q12, &s.third_q12, &s.eye.x, &s.eye.y, &s.eye.z}) {
-        *v = get16(in);
-    }
+    for (int16_t* v : {&s.second_q12, &s.third_q12, &s.eye.x, &s.eye.y, &s.eye.z}) *v = get16(in);
     const Vec3 radiance = get_vector(in);
     s.radiance = {radiance.x, radiance.y, radiance.z};
     return s;
@@ -78,34 +70,21 @@ SurfaceSample get_sample(ByteReader& in)
 void put(ByteWriter& out, const Mesh& mesh)
 {
     out.put64(mesh.positions.size());
-    for (const Vec3& p : mesh.positions) {
-        put(out, p);
-    }
+    for (const Vec3& p : mesh.positions) put(out, p);
     out.put64(mesh.corners.size());
-    for (const Mesh::Corners& triangle : mesh.corners) {
-        for (const uint32_t corner : triangle) {
-            out.put32(corner);
-        }
-    }
+    for (const Mesh::Corners& triangle : mesh.corners)
+        for (const uint32_t corner : triangle) out.put32(corner);
 }
 
 bool get(ByteReader& in, Mesh& mesh)
 {
     uint64_t vertices = 0, triangles = 0;
-    if (!get_count(in, kVectorBytes, vertices)) {
-        return false;
-    }
-    for (uint64_t v = 0; v < vertices; ++v) {
-        mesh.positions.push_back(get_vector(in));
-    }
-    if (!get_count(in, kVectorBytes, triangles)) {
-        return false;
-    }
+    if (!get_count(in, kVectorBytes, vertices)) return false;
+    for (uint64_t v = 0; v < vertices; ++v) mesh.positions.push_back(get_vector(in));
+    if (!get_count(in, kVectorBytes, triangles)) return false;
     for (uint64_t t = 0; t < triangles; ++t) {
         const Mesh::Corners corners = {in.get32(), in.get32(), in.get32()};
-        if (*std::max_element(corners.begin(), corners.end()) >= vertices) {
-            return false;
-        }
+        if (*std::max_element(corners.begin(), corners.end()) >= vertices) return false;
         mesh.corners.push_back(corners);
     }
     return true;
@@ -142,27 +121,19 @@ void put(ByteWriter& out, const SampleBatches& batches)
     out.put64(batches.size());
     for (const std::vector<SurfaceSample>& batch : batches) {
         out.put64(batch.size());
-        for (const SurfaceSample& sample : batch) {
-            put(out, sample);
-        }
+        for (const SurfaceSample& sample : batch) put(out, sample);
     }
 }
 
 bool get(ByteReader& in, SampleBatches& batches)
 {
     uint64_t count = 0;
-    if (!get_count(in, sizeof count, count)) {
-        return false;
-    }
+    if (!get_count(in, sizeof count, count)) return false;
     for (uint64_t b = 0; b < count; ++b) {
         uint64_t samples = 0;
-        if (!get_count(in, kSampleBytes, samples)) {
-            return false;
-        }
+        if (!get_count(in, kSampleBytes, samples)) return false;
         batches.emplace_back();
-        for (uint64_t s = 0; s < samples; ++s) {
-            batches.back().push_back(get_sample(in));
-        }
+        for (uint64_t s = 0; s < samples; ++s) batches.back().push_back(get_sample(in));
     }
     return true;
 }
@@ -182,9 +153,7 @@ void put(ByteWriter& out, const ConjugateGradients& d)
 {
     for (const std::vector<double>* numbers : {&d.x, &d.residual, &d.direction}) {
         out.put64(numbers->size());
-        for (const double v : *numbers) {
-            out.put_double(v);
-        }
+        for (const double v : *numbers) out.put_double(v);
     }
     for (size_t c = 0; c < 3; ++c) {
         out.put_double(d.size[c]);
@@ -197,12 +166,8 @@ bool get(ByteReader& in, ConjugateGradients& d)
 {
     for (std::vector<double>* numbers : {&d.x, &d.residual, &d.direction}) {
         uint64_t count = 0;
-        if (!get_count(in, sizeof(double), count)) {
-            return false;
-        }
-        for (uint64_t k = 0; k < count; ++k) {
-            numbers->push_back(in.get_double());
-        }
+        if (!get_count(in, sizeof(double), count)) return false;
+        for (uint64_t k = 0; k < count; ++k) numbers->push_back(in.get_double());
     }
     for (size_t c = 0; c < 3; ++c) {
         d.size[c] = in.get_double();
@@ -214,19 +179,13 @@ bool get(ByteReader& in, ConjugateGradients& d)
 
 void put(ByteWriter& out, const ProxyLoss& loss)
 {
-    for (const double v : {loss.missed, loss.added, loss.displaced}) {
-        out.put_double(v);
-    }
-    for (const uint32_t v : {loss.rough ? 1u : 0u, loss.holes, loss.largest_hole}) {
-        out.put32(v);
-    }
+    for (const double v : {loss.missed, loss.added, loss.displaced}) out.put_double(v);
+    for (const uint32_t v : {loss.rough ? 1u : 0u, loss.holes, loss.largest_hole}) out.put32(v);
 }
 
 bool get(ByteReader& in, ProxyLoss& loss)
 {
-    for (double* v : {&loss.missed, &loss.added, &loss.displaced}) {
-        *v = in.get_double();
-    }
+    for (double* v : {&loss.missed, &loss.added, &loss.displaced}) *v = in.get_double();
     loss.rough = in.get32() != 0;
     loss.holes = in.get32();
     loss.largest_hole = in.get32();
@@ -241,18 +200,14 @@ void BakeStages::fail_as_damaged() const
 void BakeStages::require_shape(const ConjugateGradients& gradients, const SurfaceShape& shape) const
 {
     const size_t numbers = 3 * empty_model(shape).nodes.size();
-    if (gradients.x.size() != numbers || gradients.residual.size() != numbers ||
-        gradients.direction.size() != numbers) {
+    if (gradients.x.size() != numbers || gradients.residual.size() != numbers || gradients.direction.size() != numbers)
         fail_as_damaged();
-    }
 }
 
 void BakeStages::require_shape(const SurfaceModel& model, const SurfaceShape& shape) const
 {
     const SurfaceModel empty = empty_model(shape);
-    if (model.texels.size() != empty.texels.size() || model.nodes.size() != empty.nodes.size()) {
-        fail_as_damaged();
-    }
+    if (model.texels.size() != empty.texels.size() || model.nodes.size() != empty.nodes.size()) fail_as_damaged();
 }
 
 void BakeStages::require_shape(const SampleBatches& batches, const SurfaceShape& shape) const
@@ -261,9 +216,8 @@ void BakeStages::require_shape(const SampleBatches& batches, const SurfaceShape&
         for (const SurfaceSample& s : batch) {
             const uint32_t patch = s.triangle / 2;
             if (patch >= shape.mesh.patches.size() ||
-                s.texel - shape.layout.rectangles[patch].begin >= shape.layout.rectangles[patch].size()) {
+                s.texel - shape.layout.rectangles[patch].begin >= shape.layout.rectangles[patch].size())
                 fail_as_damaged();
-            }
         }
     }
 }

@@ -50,9 +50,7 @@ public:
         Result result;
         if (std::vector<uint8_t> bytes; file_.find(key, bytes)) {
             ByteReader in(bytes.data(), bytes.size());
-            if (baker::get(in, result)) {
-                return result;
-            }
+            if (baker::get(in, result)) return result;
         }
         result = make();
         ByteWriter out;

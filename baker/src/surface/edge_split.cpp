@@ -16,9 +16,7 @@ public:
     {
         for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
             const Mesh::Corners& c = mesh.corners[k];
-            for (size_t side = 0; side < 3; ++side) {
-                add(c[side], c[(side + 1) % 3], k);
-            }
+            for (size_t side = 0; side < 3; ++side) add(c[side], c[(side + 1) % 3], k);
         }
     }
 
@@ -42,9 +40,7 @@ private:
     {
         const auto [edge, is_new] = triangles_.try_emplace(key(a, b));
         edge->second.push_back(triangle);
-        if (is_new && edge_length(a, b) > longest_) {
-            queue_.emplace(edge_length(a, b), edge->first);
-        }
+        if (is_new && edge_length(a, b) > longest_) queue_.emplace(edge_length(a, b), edge->first);
     }
 
     void split(uint32_t a, uint32_t b)
@@ -52,21 +48,15 @@ private:
         const Triangles around = triangles_.at(key(a, b));
         triangles_.erase(key(a, b));
         const uint32_t middle = add_middle(a, b, around);
-        for (const uint32_t k : around) {
-            split_triangle(k, a, b, middle);
-        }
+        for (const uint32_t k : around) split_triangle(k, a, b, middle);
     }
 
     uint32_t add_middle(uint32_t a, uint32_t b, const Triangles& around)
     {
         Vec3 middle = (mesh_.positions[a] + mesh_.positions[b]) * 0.5f;
         Vec3 facing;
-        for (const uint32_t k : around) {
-            facing = facing + mesh_.area_vector(k);
-        }
-        if (around.size() > 1 && length(facing) > 0) {
-            middle = place_(middle, normalized(facing), edge_length(a, b));
-        }
+        for (const uint32_t k : around) facing = facing + mesh_.area_vector(k);
+        if (around.size() > 1 && length(facing) > 0) middle = place_(middle, normalized(facing), edge_length(a, b));
         mesh_.positions.push_back(middle);
         return static_cast<uint32_t>(mesh_.positions.size() - 1);
     }

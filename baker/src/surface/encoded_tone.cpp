@@ -50,11 +50,8 @@ Tangent reinhard_at(const Rgb& linear)
     const float weight[3] = {luminance({1, 0, 0}), luminance({0, 1, 0}), luminance({0, 0, 1})};
     const float values[3] = {at.r, at.g, at.b};
     Tangent t = {at, {}};
-    for (size_t i = 0; i < 3; ++i) {
-        for (size_t k = 0; k < 3; ++k) {
-            t.slope[i][k] = (i == k ? rest : 0) - values[i] * weight[k] * rest * rest;
-        }
-    }
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t k = 0; k < 3; ++k) t.slope[i][k] = (i == k ? rest : 0) - values[i] * weight[k] * rest * rest;
     return t;
 }
 
@@ -101,9 +98,7 @@ LevelColour ToneLine::operator()(const Rgb& radiance) const
 {
     const Rgb d = radiance - at;
     LevelColour result;
-    for (size_t k = 0; k < 3; ++k) {
-        result[k] = levels[k] + slope[k][0] * d.r + slope[k][1] * d.g + slope[k][2] * d.b;
-    }
+    for (size_t k = 0; k < 3; ++k) result[k] = levels[k] + slope[k][0] * d.r + slope[k][1] * d.g + slope[k][2] * d.b;
     return result;
 }
 
@@ -114,9 +109,7 @@ Rgb ToneLine::inverse(const LevelColour& wanted) const
     float d[3];
     for (size_t column = 0; column < 3; ++column) {
         Matrix m = slope;
-        for (size_t row = 0; row < 3; ++row) {
-            m[row][column] = wanted[row] - levels[row];
-        }
+        for (size_t row = 0; row < 3; ++row) m[row][column] = wanted[row] - levels[row];
         d[column] = determinant(m) / whole;
     }
     return at + Rgb{d[0], d[1], d[2]};
@@ -147,18 +140,15 @@ ToneLine EncodedTone::line_at(const LevelColour& levels) const
 {
     const Step *r = &step_at(levels[0]), *g = &step_at(levels[1]), *b = &step_at(levels[2]);
     const Tangent tone = tangent_at(curve_, {r->linear, g->linear, b->linear});
-    if (curve_ == ToneCurve::srgb) {
+    if (curve_ == ToneCurve::srgb)
         return {tone.at, {r->level, g->level, b->level}, {{{r->slope, 0, 0}, {0, g->slope, 0}, {0, 0, b->slope}}}};
-    }
     // Curves that end below the asked levels: where they end.
     const Rgb reached = toned(curve_, tone.at);
     ToneLine line = {tone.at, encoded(tone.at), tone.slope};
     const float values[3] = {reached.r, reached.g, reached.b};
     for (size_t k = 0; k < 3; ++k) {
         const float slope = static_cast<float>(slope_of(static_cast<double>(values[k])));
-        for (float& entry : line.slope[k]) {
-            entry *= slope;
-        }
+        for (float& entry : line.slope[k]) entry *= slope;
     }
     return line;
 }

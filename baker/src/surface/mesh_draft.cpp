@@ -25,9 +25,7 @@ PlaceMiddle onto(const SceneData& scene)
         const float reach = kMostMove * edge;
         const Ray ray = {middle + facing * reach, -facing, 2 * reach};
         const std::optional<Hit> hit = scene.accelerator.closest(ray);
-        if (!hit) {
-            return middle;
-        }
+        if (!hit) return middle;
         const Vec3 area = scene.mesh.area_vector(hit->triangle);
         const bool alike = std::abs(dot(area, facing)) > kMinFacing * length(area);
         return alike ? ray.origin + ray.direction * hit->distance : middle;
@@ -53,9 +51,7 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
     double asked = static_cast<double>(triangles);
     for (int k = 1; k < kAttempts && result.mesh.triangle_count() < outside.mesh.triangle_count(); ++k) {
         const size_t seen = seen_triangles(result.mesh, outside.two_sided, cap, job);
-        if (seen == 0 || static_cast<double>(seen) >= kEnoughSeen * static_cast<double>(triangles)) {
-            break;
-        }
+        if (seen == 0 || static_cast<double>(seen) >= kEnoughSeen * static_cast<double>(triangles)) break;
         asked *= static_cast<double>(triangles) / static_cast<double>(seen);
         result = simplified_in(job, outside.mesh, std::min(kMaxTriangles, static_cast<size_t>(asked)));
     }

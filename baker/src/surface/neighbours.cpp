@@ -28,9 +28,7 @@ struct PatchSide {
 std::vector<PatchSide> patch_sides(const SurfaceMesh::Patch& p, uint32_t number)
 {
     const uint32_t first = 2 * number, second = first + 1;
-    if (p.d == SurfaceMesh::kNone) {
-        return {{p.a, p.b, first}, {p.c, p.a, first}, {p.b, p.c, first}};
-    }
+    if (p.d == SurfaceMesh::kNone) return {{p.a, p.b, first}, {p.c, p.a, first}, {p.b, p.c, first}};
     return {{p.a, p.b, first}, {p.c, p.a, first}, {p.d, p.c, second}, {p.b, p.d, second}};
 }
 
@@ -39,11 +37,9 @@ std::vector<PatchSide> patch_sides(const SurfaceMesh::Patch& p, uint32_t number)
 std::vector<std::array<uint16_t, 4>> neighbours_of(const SurfaceMesh& mesh)
 {
     std::map<Edge, std::vector<uint32_t>> triangles;
-    for (uint32_t k = 0; k < mesh.patches.size(); ++k) {
-        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) {
+    for (uint32_t k = 0; k < mesh.patches.size(); ++k)
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k))
             triangles[{place(mesh, side.from), place(mesh, side.to)}].push_back(side.triangle);
-        }
-    }
     std::vector<std::array<uint16_t, 4>> result;
     for (uint32_t k = 0; k < mesh.patches.size(); ++k) {
         std::array<uint16_t, 4> across;
@@ -51,9 +47,8 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const SurfaceMesh& mesh)
         size_t at = 0;
         for (const PatchSide& side : patch_sides(mesh.patches[k], k)) {
             const auto found = triangles.find({place(mesh, side.to), place(mesh, side.from)});
-            if (found != triangles.end() && found->second.size() == 1) {
+            if (found != triangles.end() && found->second.size() == 1)
                 across[at] = static_cast<uint16_t>(found->second.front());
-            }
             ++at;
         }
         result.push_back(across);

@@ -21,9 +21,7 @@ std::vector<double> node_weights(const SurfaceSums& sums)
     std::vector<double> weights(format::kViewNodes * shape.mesh.positions.size());
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
         sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
-            if (a == b) {
-                weights[node_of(shape, p, a)] += kWeightUnit * kWeightUnit * static_cast<double>(sum);
-            }
+            if (a == b) weights[node_of(shape, p, a)] += kWeightUnit * kWeightUnit * static_cast<double>(sum);
         });
     }
     return weights;

@@ -67,12 +67,8 @@ public:
 
     void match_greedily()
     {
-        for (uint32_t p = 0; p < pairs_.size(); ++p) {
-            waiting_.insert(rank(p));
-        }
-        while (!waiting_.empty()) {
-            take(std::get<2>(*waiting_.begin()));
-        }
+        for (uint32_t p = 0; p < pairs_.size(); ++p) waiting_.insert(rank(p));
+        while (!waiting_.empty()) take(std::get<2>(*waiting_.begin()));
     }
 
     // Changes chains of pairs that begin and end with a lone triangle.
@@ -121,18 +117,13 @@ private:
             }
         }
         set(p);
-        for (const uint32_t triangle : neighbours) {
-            rerank(triangle);
-        }
+        for (const uint32_t triangle : neighbours) rerank(triangle);
     }
 
     void rerank(uint32_t triangle)
     {
-        for (const uint32_t q : around_[triangle]) {
-            if (waiting_.erase({true, pairs_[q].cost, q}) != 0) {
-                waiting_.insert(rank(q));
-            }
-        }
+        for (const uint32_t q : around_[triangle])
+            if (waiting_.erase({true, pairs_[q].cost, q}) != 0) waiting_.insert(rank(q));
     }
 
     void set(uint32_t p) { pair_[pairs_[p].first] = pair_[pairs_[p].second] = p; }
@@ -143,9 +134,7 @@ private:
         visited[triangle] = true;
         for (const uint32_t p : around_[triangle]) {
             const uint32_t partner = other(p, triangle);
-            if (visited[partner]) {
-                continue;
-            }
+            if (visited[partner]) continue;
             visited[partner] = true;
             const bool was_alone = pair_[partner] == kAlone;
             if (was_alone || (chain > 0 && leaves(partner, visited, chain - 1))) {
@@ -189,11 +178,10 @@ std::vector<SurfaceMesh::Patch> paired(const Mesh& mesh)
     std::vector<SurfaceMesh::Patch> patches;
     for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
         const Pair* pair = matching.pair_of(k);
-        if (!pair) {
+        if (!pair)
             patches.push_back(alone(mesh, k));
-        } else if (pair->first == k) {
+        else if (pair->first == k)
             patches.push_back(pair->patch);
-        }
     }
     return patches;
 }

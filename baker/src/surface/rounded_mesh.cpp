@@ -53,15 +53,11 @@ Mesh rounded(const Mesh& mesh)
     for (size_t k = 0; k < mesh.triangle_count(); ++k) {
         const std::array<Steps, 3> corners = {steps_of(mesh.position(k, 0)), steps_of(mesh.position(k, 1)),
                                               steps_of(mesh.position(k, 2))};
-        if (!has_area(corners[0], corners[1], corners[2])) {
-            continue;
-        }
+        if (!has_area(corners[0], corners[1], corners[2])) continue;
         Mesh::Corners numbered;
         for (size_t i = 0; i < 3; ++i) {
             const auto [found, is_new] = numbers.emplace(corners[i], static_cast<uint32_t>(result.positions.size()));
-            if (is_new) {
-                result.positions.push_back(position_of(corners[i]));
-            }
+            if (is_new) result.positions.push_back(position_of(corners[i]));
             numbered[i] = found->second;
         }
         result.corners.push_back(numbered);

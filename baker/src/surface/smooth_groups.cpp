@@ -17,9 +17,7 @@ public:
 
     uint32_t root(uint32_t c)
     {
-        while (parent_[c] != c) {
-            c = parent_[c] = parent_[parent_[c]];
-        }
+        while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
         return c;
     }
     void join(uint32_t a, uint32_t b) { parent_[root(a)] = root(b); }
@@ -53,9 +51,7 @@ Sides sides_of(const Mesh& mesh)
 std::vector<Vec3> facings_of(const Mesh& mesh)
 {
     std::vector<Vec3> result;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        result.push_back(normalized(mesh.area_vector(k)));
-    }
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) result.push_back(normalized(mesh.area_vector(k)));
     return result;
 }
 
@@ -114,9 +110,7 @@ Mesh with_creases(const Mesh& mesh, float crease_cosine)
         for (uint32_t i = 0; i < 3; ++i) {
             const uint32_t next = static_cast<uint32_t>(result.positions.size());
             const auto [found, is_new] = numbers.emplace(sets.root(3 * k + i), next);
-            if (is_new) {
-                result.positions.push_back(mesh.position(k, i));
-            }
+            if (is_new) result.positions.push_back(mesh.position(k, i));
             corners[i] = found->second;
         }
         result.corners.push_back(corners);

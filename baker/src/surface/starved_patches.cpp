@@ -17,9 +17,7 @@ struct Mean {
     void add(const LevelColour& colour, float weight)
     {
         paths += weight;
-        for (size_t c = 0; c < 3; ++c) {
-            sum[c] += weight * colour[c];
-        }
+        for (size_t c = 0; c < 3; ++c) sum[c] += weight * colour[c];
     }
     LevelColour colour() const { return {sum[0] / paths, sum[1] / paths, sum[2] / paths}; }
 };
@@ -32,9 +30,7 @@ public:
     {
         for (const PatchRectangle& r : shape.layout.rectangles) {
             Mean mean;
-            for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) {
-                mean.add(texels[t], static_cast<float>(counts[t]));
-            }
+            for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) mean.add(texels[t], static_cast<float>(counts[t]));
             means_.push_back(mean);
             was_met_.push_back(mean.paths > 0);
         }
@@ -44,11 +40,8 @@ public:
     {
         for (int round = 0; round < kMostDistance; ++round) {
             const std::vector<Mean> around = vertex_means();
-            for (uint32_t p = 0; p < means_.size(); ++p) {
-                if (means_[p].paths < enough(p)) {
-                    draw_to(around, p);
-                }
-            }
+            for (uint32_t p = 0; p < means_.size(); ++p)
+                if (means_[p].paths < enough(p)) draw_to(around, p);
         }
     }
 
@@ -61,11 +54,8 @@ private:
     template <class Function>
     void each_vertex(uint32_t patch, Function f) const
     {
-        for (uint32_t corner = 0; corner < 4; ++corner) {
-            if (const uint32_t v = shape_.vertex(patch, corner); v != SurfaceMesh::kNone) {
-                f(v);
-            }
-        }
+        for (uint32_t corner = 0; corner < 4; ++corner)
+            if (const uint32_t v = shape_.vertex(patch, corner); v != SurfaceMesh::kNone) f(v);
     }
 
     std::vector<Mean> vertex_means() const
@@ -85,13 +75,9 @@ private:
     {
         Mean all;
         each_vertex(patch, [&](uint32_t v) {
-            if (around[v].paths > 0) {
-                all.add(around[v].colour(), around[v].paths);
-            }
+            if (around[v].paths > 0) all.add(around[v].colour(), around[v].paths);
         });
-        if (all.paths == 0) {
-            return;
-        }
+        if (all.paths == 0) return;
         const LevelColour colour = all.colour();
         const float filled = was_met_[patch] ? kForce : 0;  // from within the patch
         const PatchRectangle& r = shape_.layout.rectangles[patch];
@@ -101,9 +87,7 @@ private:
             drawn.add(colour, kForce);
             texels_[t] = drawn.colour();
         }
-        if (means_[patch].paths == 0) {
-            means_[patch].add(colour, kForce);
-        }
+        if (means_[patch].paths == 0) means_[patch].add(colour, kForce);
     }
 
     const SurfaceShape& shape_;

@@ -64,9 +64,8 @@ SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const S
                       const ProgressCallback& progress)
 {
     const BuiltSurface& built = draft.contents().built;
-    if (built.mesh.patches.empty()) {
+    if (built.mesh.patches.empty())
         throw BakeError("the scene has no surface that could be seen; choose --layout chord");
-    }
     return {built.mesh,
             texel_densities(scene, built.mesh, settings, progress),
             built.loss,
@@ -97,15 +96,13 @@ public:
     void trace()
     {
         try {
-            fit_.trace(state_, stages_, job_, [this] {
-                if (keeper_ != nullptr) {
-                    keeper_->keep_now_and_then(state_);
-                }
-            });
+            fit_.trace(
+                state_, stages_, job_,
+                [this] {
+                    if (keeper_ != nullptr) keeper_->keep_now_and_then(state_);
+                });
         } catch (const Cancelled&) {
-            if (keeper_ != nullptr) {
-                keeper_->keep(state_);
-            }
+            if (keeper_ != nullptr) keeper_->keep(state_);
             throw;
         }
     }
@@ -116,12 +113,9 @@ public:
         const SurfaceParts parts = solution();
         bake.file = surface_file(shape_, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
-        for (const ViewCode& view : parts.views) {
-            bake.viewed_vertices += view.gain != 0 ? 1u : 0u;
-        }
-        for (const SurfaceMesh::Patch& patch : shape_.mesh.patches) {
+        for (const ViewCode& view : parts.views) bake.viewed_vertices += view.gain != 0 ? 1u : 0u;
+        for (const SurfaceMesh::Patch& patch : shape_.mesh.patches)
             bake.triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
-        }
         bake.texels = shape_.layout.texels;
         bake.two_sided = shape_.mesh.two_sided;
         bake.loss = basis_.loss;
@@ -136,17 +130,14 @@ private:
     uint64_t earlier_work()
     {
         std::vector<uint8_t> earlier;
-        if (keeper_ != nullptr && keeper_->store().read_state(earlier) && !add_encoded(earlier, state_)) {
+        if (keeper_ != nullptr && keeper_->store().read_state(earlier) && !add_encoded(earlier, state_))
             throw BakeError("the checkpoint is damaged; discard it with --restart");
-        }
         return fit_.work_in(state_);
     }
 
     SurfaceParts solution()
     {
-        if (keeper_ != nullptr) {
-            keeper_->keep(state_);
-        }
+        if (keeper_ != nullptr) keeper_->keep(state_);
         SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, stages_, job_);
         job_.finish();
         return parts;
@@ -154,16 +145,13 @@ private:
 
     SurfaceBasis basis_for(const Scene& scene, const std::filesystem::path& output, const SurfaceDraft* draft) const
     {
-        if (std::optional<SurfaceBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt) {
+        if (std::optional<SurfaceBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt)
             return std::move(*kept);
-        }
         SurfaceBasis basis =
             draft != nullptr
                 ? basis_of(scene.data(), *draft, settings_, progress_)
                 : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_, output), settings_, progress_);
-        if (keeper_ != nullptr) {
-            keeper_->store().write_basis(basis);
-        }
+        if (keeper_ != nullptr) keeper_->store().write_basis(basis);
         return basis;
     }
 
@@ -213,9 +201,7 @@ SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, co
 {
     require_possible(scene, settings);
     Keeper keeper(checkpoint_of(output), identity(scene, settings, {}), earlier);
-    if (earlier == Earlier::discard) {
-        discard_stages(output);
-    }
+    if (earlier == Earlier::discard) discard_stages(output);
     SurfaceBaker baker(scene, settings, {}, output, &keeper, progress, draft);
     baker.trace();
     SurfaceBake bake = baker.field();
@@ -232,13 +218,9 @@ void bake_surface_shard(const Scene& scene, const SurfaceSettings& settings, con
 {
     require_possible(scene, settings);
     const BakeIdentity id = identity(scene, settings, shard);
-    if (earlier == Earlier::resume && is_finished_shard(output, id, has_all_sums)) {
-        return;
-    }
+    if (earlier == Earlier::resume && is_finished_shard(output, id, has_all_sums)) return;
     Keeper keeper(checkpoint_of(output), id, earlier);
-    if (earlier == Earlier::discard) {
-        discard_stages(output);
-    }
+    if (earlier == Earlier::discard) discard_stages(output);
     SurfaceBaker baker(scene, settings, shard, output, &keeper, progress, nullptr);
     baker.trace();
     keeper.keep(baker.state());

@@ -14,9 +14,7 @@ namespace
 // Numbers of few bytes where they are small (LEB128), signed ones in zigzag order.
 void put_number(ByteWriter& out, uint64_t v)
 {
-    for (; v >= 0x80; v >>= 7) {
-        out.put8(static_cast<uint8_t>(v | 0x80));
-    }
+    for (; v >= 0x80; v >>= 7) out.put8(static_cast<uint8_t>(v | 0x80));
     out.put8(static_cast<uint8_t>(v));
 }
 uint64_t get_number(ByteReader& in)
@@ -25,9 +23,7 @@ uint64_t get_number(ByteReader& in)
     for (int shift = 0; shift < 64; shift += 7) {
         const uint8_t byte = in.get8();
         v |= uint64_t{byte & 0x7Fu} << shift;
-        if (byte < 0x80) {
-            break;
-        }
+        if (byte < 0x80) break;
     }
     return v;
 }
@@ -43,9 +39,7 @@ int64_t get_signed(ByteReader& in)
 
 void put(ByteWriter& out, const std::vector<LevelColour>& colours)
 {
-    for (const LevelColour& c : colours) {
-        put(out, Vec3{c[0], c[1], c[2]});
-    }
+    for (const LevelColour& c : colours) put(out, Vec3{c[0], c[1], c[2]});
 }
 
 // Reads into `colours` if it may, else tells whether they are the same.
@@ -55,9 +49,7 @@ bool get(ByteReader& in, std::vector<LevelColour>& colours, bool into)
     for (LevelColour& c : colours) {
         const Vec3 v = get_vector(in);
         const LevelColour read = {v.x, v.y, v.z};
-        if (into) {
-            c = read;
-        }
+        if (into) c = read;
         same = same && c == read;
     }
     return same;
@@ -73,14 +65,9 @@ void put(ByteWriter& out, const PatchSums& sums)
         }
         put_number(out, texel.scatter);
     }
-    for (const uint32_t crossed : sums.crossed) {
-        put_number(out, crossed);
-    }
-    for (const std::array<int64_t, 3>& target : sums.targets) {
-        for (const int64_t channel : target) {
-            put_signed(out, channel);
-        }
-    }
+    for (const uint32_t crossed : sums.crossed) put_number(out, crossed);
+    for (const std::array<int64_t, 3>& target : sums.targets)
+        for (const int64_t channel : target) put_signed(out, channel);
     uint64_t pairs = 0;
     sums.pairs.each([&](uint32_t, uint32_t, int64_t) { ++pairs; });
     put_number(out, pairs);
@@ -93,9 +80,8 @@ void put(ByteWriter& out, const PatchSums& sums)
 // What a shard holds may be anything: only its seal was checked.
 void add_to(int64_t& sum, int64_t more)
 {
-    if (__builtin_add_overflow(sum, more, &sum)) {
+    if (__builtin_add_overflow(sum, more, &sum))
         throw BakeError("the sums of a shard or checkpoint are beyond all bounds; bake it again");
-    }
 }
 
 void add(ByteReader& in, PatchSums& sums)
@@ -109,14 +95,9 @@ void add(ByteReader& in, PatchSums& sums)
         }
         texel.scatter += get_number(in);
     }
-    for (uint32_t& crossed : sums.crossed) {
-        crossed += static_cast<uint32_t>(get_number(in));
-    }
-    for (std::array<int64_t, 3>& target : sums.targets) {
-        for (int64_t& channel : target) {
-            add_to(channel, get_signed(in));
-        }
-    }
+    for (uint32_t& crossed : sums.crossed) crossed += static_cast<uint32_t>(get_number(in));
+    for (std::array<int64_t, 3>& target : sums.targets)
+        for (int64_t& channel : target) add_to(channel, get_signed(in));
     const uint64_t pairs = std::min<uint64_t>(get_number(in), uint64_t{kPatchNodes} * kPatchNodes);
     for (uint64_t k = 0; k < pairs; ++k) {
         const uint64_t key = std::min<uint64_t>(get_number(in), kPatchNodes * kPatchNodes - 1);
@@ -173,21 +154,15 @@ std::vector<uint8_t> encode(const SurfaceBasis& basis)
     out.put_float(basis.mesh.longest_edge);
     out.put32(static_cast<uint32_t>(basis.tone));
     for (const double v : {basis.loss.missed, basis.loss.added, basis.loss.displaced, basis.sphere.centre[0],
-                           basis.sphere.centre[1], basis.sphere.centre[2], basis.sphere.radius}) {
+                           basis.sphere.centre[1], basis.sphere.centre[2], basis.sphere.radius})
         out.put_double(v);
-    }
     for (size_t v = 0; v < basis.mesh.positions.size(); ++v) {
         put(out, basis.mesh.positions[v]);
         put(out, basis.mesh.normals[v]);
     }
-    for (const SurfaceMesh::Patch& p : basis.mesh.patches) {
-        for (const uint32_t corner : {p.a, p.b, p.c, p.d}) {
-            out.put32(corner);
-        }
-    }
-    for (const float density : basis.densities) {
-        out.put_float(density);
-    }
+    for (const SurfaceMesh::Patch& p : basis.mesh.patches)
+        for (const uint32_t corner : {p.a, p.b, p.c, p.d}) out.put32(corner);
+    for (const float density : basis.densities) out.put_float(density);
     return out.bytes();
 }
 
@@ -196,16 +171,14 @@ std::optional<SurfaceBasis> decode_basis(const std::vector<uint8_t>& bytes)
     ByteReader in(bytes.data(), bytes.size());
     SurfaceBasis basis = {};
     const uint32_t tag = in.get32(), vertices = in.get32(), patches = in.get32();
-    if (tag != kBasisTag || vertices > format::kMaxSurfaceVertices || patches > format::kMaxPatches) {
+    if (tag != kBasisTag || vertices > format::kMaxSurfaceVertices || patches > format::kMaxPatches)
         return std::nullopt;
-    }
     basis.mesh.two_sided = in.get32() != 0;
     basis.mesh.longest_edge = in.get_float();
     basis.tone = static_cast<ToneCurve>(in.get32());
     for (double* v : {&basis.loss.missed, &basis.loss.added, &basis.loss.displaced, &basis.sphere.centre[0],
-                      &basis.sphere.centre[1], &basis.sphere.centre[2], &basis.sphere.radius}) {
+                      &basis.sphere.centre[1], &basis.sphere.centre[2], &basis.sphere.radius})
         *v = in.get_double();
-    }
     for (uint32_t v = 0; v < vertices; ++v) {
         basis.mesh.positions.push_back(get_vector(in));
         basis.mesh.normals.push_back(get_vector(in));
@@ -214,18 +187,12 @@ std::optional<SurfaceBasis> decode_basis(const std::vector<uint8_t>& bytes)
         SurfaceMesh::Patch patch = {};
         for (uint32_t* corner : {&patch.a, &patch.b, &patch.c, &patch.d}) {
             *corner = in.get32();
-            if (*corner >= vertices && (corner != &patch.d || *corner != SurfaceMesh::kNone)) {
-                return std::nullopt;
-            }
+            if (*corner >= vertices && (corner != &patch.d || *corner != SurfaceMesh::kNone)) return std::nullopt;
         }
         basis.mesh.patches.push_back(patch);
     }
-    for (uint32_t p = 0; p < patches; ++p) {
-        basis.densities.push_back(in.get_float());
-    }
-    if (!is_sound(basis)) {
-        return std::nullopt;
-    }
+    for (uint32_t p = 0; p < patches; ++p) basis.densities.push_back(in.get_float());
+    if (!is_sound(basis)) return std::nullopt;
     return basis;
 }
 
@@ -239,9 +206,7 @@ std::vector<uint8_t> encode(const SurfaceState& state)
     out.put64(state.paths);
     put(out, state.expected.texels);
     put(out, state.expected.nodes);
-    for (const PatchSums& patch : state.sums.patches()) {
-        put(out, patch);
-    }
+    for (const PatchSums& patch : state.sums.patches()) put(out, patch);
     return out.bytes();
 }
 
@@ -257,19 +222,13 @@ bool add_encoded(const std::vector<uint8_t>& bytes, SurfaceState& state)
     ByteReader in(bytes.data(), bytes.size());
     const uint32_t tag = in.get32(), batches = in.get32();
     in.get32();  // what is wanted
-    if (tag != kStateTag || in.get32() != state.shape.layout.texels) {
-        return false;
-    }
+    if (tag != kStateTag || in.get32() != state.shape.layout.texels) return false;
     state.batches += batches;
     state.paths += in.get64();
     const bool same_texels = get(in, state.expected.texels, !state.has_pilot);
-    if (!get(in, state.expected.nodes, !state.has_pilot) || !same_texels) {
-        return false;
-    }
+    if (!get(in, state.expected.nodes, !state.has_pilot) || !same_texels) return false;
     state.has_pilot = true;
-    for (PatchSums& patch : state.sums.patches()) {
-        add(in, patch);
-    }
+    for (PatchSums& patch : state.sums.patches()) add(in, patch);
     return true;
 }
 

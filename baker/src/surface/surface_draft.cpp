@@ -22,9 +22,8 @@ uint64_t file_bytes(const SurfaceMesh& mesh, uint64_t texels)
     for (const uint64_t section :
          {uint64_t{format::kSurfaceBytes}, vertices * format::kVertexBytes, patches * format::kPatchBytes, texels,
           uint64_t{3 * format::kPaletteEntries}, patches * format::kNeighbourBytes,
-          format::kViewColoursBytes + vertices * format::kViewBytes}) {
+          format::kViewColoursBytes + vertices * format::kViewBytes})
         bytes += aligned(section);
-    }
     return bytes;
 }
 
@@ -50,9 +49,8 @@ SurfaceDraft& SurfaceDraft::operator=(SurfaceDraft&&) noexcept = default;
 uint32_t SurfaceDraft::triangles() const
 {
     uint32_t triangles = 0;
-    for (const SurfaceMesh::Patch& patch : contents_->built.mesh.patches) {
+    for (const SurfaceMesh::Patch& patch : contents_->built.mesh.patches)
         triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
-    }
     return triangles;
 }
 

@@ -17,9 +17,7 @@ constexpr uint64_t kPlaceBytes = 24;
 std::vector<uint8_t> numbers(std::initializer_list<uint64_t> values)
 {
     ByteWriter out;
-    for (const uint64_t v : values) {
-        out.put64(v);
-    }
+    for (const uint64_t v : values) out.put64(v);
     return out.bytes();
 }
 
@@ -44,9 +42,7 @@ Block SurfaceFileStore::state_block(const Place& place) const
 std::optional<SurfaceBasis> SurfaceFileStore::read_basis()
 {
     std::vector<uint8_t> bytes;
-    if (!file_.read(kSizeBlock, bytes)) {
-        return std::nullopt;
-    }
+    if (!file_.read(kSizeBlock, bytes)) return std::nullopt;
     basis_size_ = ByteReader(bytes.data(), bytes.size()).get64();
     return file_.read(basis_block(), bytes) ? decode_basis(bytes) : std::nullopt;
 }
@@ -62,9 +58,7 @@ void SurfaceFileStore::write_basis(const SurfaceBasis& basis)
 std::optional<SurfaceFileStore::Place> SurfaceFileStore::place(uint64_t turn) const
 {
     std::vector<uint8_t> bytes;
-    if (!file_.read(place_block(turn), bytes)) {
-        return std::nullopt;
-    }
+    if (!file_.read(place_block(turn), bytes)) return std::nullopt;
     ByteReader in(bytes.data(), bytes.size());
     Place result;
     result.turn = in.get64();
@@ -77,9 +71,7 @@ bool SurfaceFileStore::read_state(std::vector<uint8_t>& bytes)
 {
     for (uint64_t turn = 0; turn < 2; ++turn) {
         const std::optional<Place> found = place(turn);
-        if (found && found->turn > newest_.turn && file_.read(state_block(*found), bytes)) {
-            newest_ = *found;
-        }
+        if (found && found->turn > newest_.turn && file_.read(state_block(*found), bytes)) newest_ = *found;
     }
     return newest_.turn != 0 && file_.read(state_block(newest_), bytes);
 }
@@ -88,9 +80,8 @@ void SurfaceFileStore::write_state(const std::vector<uint8_t>& bytes)
 {
     const uint64_t begin = place_block(1).end();
     Place next = {newest_.turn + 1, begin, bytes.size()};
-    if (newest_.turn != 0 && state_block(next).end() > newest_.offset) {
+    if (newest_.turn != 0 && state_block(next).end() > newest_.offset)
         next.offset = std::max(state_block(newest_).end(), begin + 2 * next.size);  // the first place may grow
-    }
     file_.write(state_block(next), bytes);
     file_.file().sync();
     file_.write(place_block(next.turn), numbers({next.turn, next.offset, next.size}));

@@ -36,9 +36,8 @@ void start_from_means(const SurfaceShape& shape, const SortedSamples& samples, c
         }
         const auto paths = static_cast<float>(samples.end(p) - samples.begin(p));
         const Rgb mean = all * (1 / std::max(paths, 1.0f));
-        for (size_t t = 0; t < sums.size(); ++t) {
+        for (size_t t = 0; t < sums.size(); ++t)
             model.texels[r.begin + t] = tone.encoded((sums[t] + mean * kPatchPaths) * (1 / (counts[t] + kPatchPaths)));
-        }
     }
 }
 
@@ -49,9 +48,7 @@ SurfaceFit::SurfaceFit(const SceneData& scene, const SurfaceShape& shape, const 
     : shape_(shape), settings_(settings), shard_(shard), tracer_(scene, shape, ViewCap(settings.cap))
 {
     uint32_t lines = 0;
-    for (uint32_t k = 0; k < kShareBatches; ++k) {
-        lines += tracer_.meeting(settings.seed + kShareSeedOffset, k).scene;
-    }
+    for (uint32_t k = 0; k < kShareBatches; ++k) lines += tracer_.meeting(settings.seed + kShareSeedOffset, k).scene;
     paths_per_batch_ = std::max(1.0, lines / static_cast<double>(kShareBatches));
 }
 
@@ -75,9 +72,7 @@ uint32_t SurfaceFit::shard_batches() const
 std::vector<uint32_t> SurfaceFit::next_batches(uint32_t first, uint32_t count) const
 {
     std::vector<uint32_t> result;
-    for (uint32_t k = first; k < first + count; ++k) {
-        result.push_back(k * shard_.count + shard_.index - 1);
-    }
+    for (uint32_t k = first; k < first + count; ++k) result.push_back(k * shard_.count + shard_.index - 1);
     return result;
 }
 

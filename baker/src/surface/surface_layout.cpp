@@ -57,9 +57,8 @@ SurfaceLayout layout_of(const SurfaceMesh& mesh, float texels_per_radius)
 SurfaceLayout unlimited_layout(const SurfaceMesh& mesh, const std::vector<float>& densities)
 {
     SurfaceLayout layout;
-    for (size_t p = 0; p < mesh.patches.size(); ++p) {
+    for (size_t p = 0; p < mesh.patches.size(); ++p)
         layout.rectangles.push_back(rectangle_of(mesh, mesh.patches[p], densities[p]));
-    }
     uint32_t begin = 0;
     for (const uint32_t k : widest_first(layout.rectangles)) {
         PatchRectangle& r = layout.rectangles[k];

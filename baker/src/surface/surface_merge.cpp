@@ -16,13 +16,12 @@ std::optional<SurfaceBasis> common_basis(ShardSet& set)
     std::optional<SurfaceBasis> first;
     for (const auto& [index, file] : set.shards()) {
         std::optional<SurfaceBasis> basis = SurfaceFileStore(*file).read_basis();
-        if (!basis) {
+        if (!basis)
             set.say(file->path(), "is not finished or damaged; run its bake again");
-        } else if (!first) {
+        else if (!first)
             first = std::move(basis);
-        } else if (encode(*basis) != encode(*first)) {
+        else if (encode(*basis) != encode(*first))
             set.say(file->path(), "has another mesh than the first shard; bake it again on the machine of the others");
-        }
     }
     return first;
 }

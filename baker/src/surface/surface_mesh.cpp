@@ -70,11 +70,10 @@ bool fits(const SurfaceMesh& mesh)
 // What asks for a smaller mesh: fewer triangles, or longer edges where most triangles come from splitting.
 SurfaceMeshSettings smaller(SurfaceMeshSettings s)
 {
-    if (s.triangles > format::kMaxPatches / 2) {
+    if (s.triangles > format::kMaxPatches / 2)
         s.triangles = static_cast<uint32_t>(kFewerTriangles * static_cast<float>(s.triangles));
-    } else {
+    else
         s.longest_edge *= kLongerEdges;
-    }
     return s;
 }
 
@@ -109,9 +108,7 @@ BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSetting
             return stages.get<MeshDraft>(
                 "draft", [&] { return drafted(scene, outside, s, job); }, s.triangles, s.longest_edge, s.cap.lowest());
         }();
-        if (!draft.fits) {
-            continue;
-        }
+        if (!draft.fits) continue;
         const Mesh shape = [&] {
             const double share = work.shape / (work.shape + work.check);
             const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);

@@ -44,9 +44,7 @@ LevelColour predicted(const SurfaceModel& model, const std::vector<LevelColour>&
     for (uint32_t k = 0; k < taps.count; ++k) {
         const LevelColour& node = nodes[taps.taps[k].node];
         const float weight = kUnit * static_cast<float>(taps.taps[k].weight_q12);
-        for (size_t c = 0; c < 3; ++c) {
-            sum[c] += weight * node[c];
-        }
+        for (size_t c = 0; c < 3; ++c) sum[c] += weight * node[c];
     }
     return sum;
 }

@@ -49,9 +49,7 @@ void finish_texels(const SurfaceState& state, SurfaceModel& model)
                 target[c] = static_cast<float>(unit * static_cast<double>(texel.target[c]));
             }
             const LevelColour shown = state.tone.encoded(state.tone.line_at(expected).inverse(target));
-            for (size_t c = 0; c < 3 && texel.count != 0; ++c) {
-                model.texels[r.begin + t][c] += shown[c] - target[c];
-            }
+            for (size_t c = 0; c < 3 && texel.count != 0; ++c) model.texels[r.begin + t][c] += shown[c] - target[c];
         }
         smooth_noise(&model.texels[r.begin], texel_variances(sums), r.n);
     }

@@ -16,9 +16,7 @@ constexpr double kGoodEnough = 1e-4;  // of the first residual
 std::array<double, 3> dots(const std::vector<double>& a, const std::vector<double>& b)
 {
     std::array<double, 3> sums{};
-    for (size_t k = 0; k < a.size(); ++k) {
-        sums[k % 3] += a[k] * b[k];
-    }
+    for (size_t k = 0; k < a.size(); ++k) sums[k % 3] += a[k] * b[k];
     return sums;
 }
 
@@ -28,9 +26,7 @@ std::array<double, 3> seen(const uint32_t* crossed, const std::vector<double>& n
     std::array<double, 3> sums{};
     for (uint32_t j = 0; j < kPatchNodes; ++j) {
         const double weight = kWeightUnit * crossed[j];
-        for (size_t c = 0; c < 3; ++c) {
-            sums[c] += weight * nodes[3 * j + c];
-        }
+        for (size_t c = 0; c < 3; ++c) sums[c] += weight * nodes[3 * j + c];
     }
     return sums;
 }
@@ -39,9 +35,7 @@ void subtract(const uint32_t* crossed, const std::array<double, 3>& colour, std:
 {
     for (uint32_t j = 0; j < kPatchNodes; ++j) {
         const double weight = kWeightUnit * crossed[j];
-        for (size_t c = 0; c < 3; ++c) {
-            result[3 * j + c] -= weight * colour[c];
-        }
+        for (size_t c = 0; c < 3; ++c) result[3 * j + c] -= weight * colour[c];
     }
 }
 
@@ -58,9 +52,8 @@ SurfaceSolver::Numbers SurfaceSolver::local(uint32_t patch, const Numbers& nodes
     Numbers result(3 * kPatchNodes);
     for (uint32_t corner = 0; corner < 4; ++corner) {
         const uint32_t v = sums_.shape().vertex(patch, corner);
-        if (v != SurfaceMesh::kNone) {
+        if (v != SurfaceMesh::kNone)
             std::copy_n(nodes.begin() + 3 * v * kViewNodes, 3 * kViewNodes, result.begin() + 3 * corner * kViewNodes);
-        }
     }
     return result;
 }
@@ -79,20 +72,17 @@ void SurfaceSolver::gather(Numbers& result, Function f)
     for (uint32_t p = 0; p < patches; ++p) {
         for (uint32_t corner = 0; corner < 4; ++corner) {
             const uint32_t v = sums_.shape().vertex(p, corner);
-            for (uint32_t k = 0; v != SurfaceMesh::kNone && k < 3 * kViewNodes; ++k) {
+            for (uint32_t k = 0; v != SurfaceMesh::kNone && k < 3 * kViewNodes; ++k)
                 result[3 * v * kViewNodes + k] += parts_[p][3 * corner * kViewNodes + k];
-            }
         }
     }
 }
 
 void SurfaceSolver::mask(Numbers& numbers) const
 {
-    for (size_t v = 0; v < viewed_.size(); ++v) {
-        if (viewed_[v] == 0) {
+    for (size_t v = 0; v < viewed_.size(); ++v)
+        if (viewed_[v] == 0)
             std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(3 * v * kViewNodes), 3 * kViewNodes, 0.0);
-        }
-    }
 }
 
 SurfaceSolver::Numbers SurfaceSolver::right_side()
@@ -100,11 +90,9 @@ SurfaceSolver::Numbers SurfaceSolver::right_side()
     Numbers result(3 * kViewNodes * sums_.shape().mesh.positions.size());
     gather(result, [&](uint32_t p, Numbers& part) {
         const PatchSums& sums = sums_.patches()[p];
-        for (uint32_t j = 0; j < kPatchNodes; ++j) {
-            for (size_t c = 0; c < 3; ++c) {
+        for (uint32_t j = 0; j < kPatchNodes; ++j)
+            for (size_t c = 0; c < 3; ++c)
                 part[3 * j + c] = kWeightUnit * kLevelUnit * static_cast<double>(sums.targets[j][c]);
-            }
-        }
         for (size_t t = 0; t < sums.texels.size(); ++t) {
             const TexelSums& texel = sums.texels[t];
             const double unit = kLevelUnit / std::max(texel.count, 1u);
@@ -124,14 +112,10 @@ SurfaceSolver::Numbers SurfaceSolver::diagonal()
     gather(result, [&](uint32_t p, Numbers& part) {
         const PatchSums& sums = sums_.patches()[p];
         const auto add = [&](uint32_t node, double value) {
-            for (size_t c = 0; c < 3; ++c) {
-                part[3 * node + c] += value;
-            }
+            for (size_t c = 0; c < 3; ++c) part[3 * node + c] += value;
         };
         sums.pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
-            if (a == b) {
-                add(a, kWeightUnit * kWeightUnit * static_cast<double>(sum));
-            }
+            if (a == b) add(a, kWeightUnit * kWeightUnit * static_cast<double>(sum));
         });
         for (size_t t = 0; t < sums.texels.size(); ++t) {
             for (uint32_t j = 0; j < kPatchNodes; ++j) {
@@ -161,9 +145,7 @@ void SurfaceSolver::apply(const Numbers& nodes, Numbers& result)
             if (sums.texels[t].count != 0) {
                 const uint32_t* crossed = &sums.crossed[t * kPatchNodes];
                 std::array<double, 3> mean = seen(crossed, own);
-                for (double& channel : mean) {
-                    channel /= sums.texels[t].count;
-                }
+                for (double& channel : mean) channel /= sums.texels[t].count;
                 subtract(crossed, mean, part);
             }
         }
@@ -174,31 +156,22 @@ void SurfaceSolver::apply(const Numbers& nodes, Numbers& result)
 
 SurfaceSolver::Numbers SurfaceSolver::preconditioned(const Numbers& residual)
 {
-    if (scale_.empty()) {
-        scale_ = diagonal();
-    }
+    if (scale_.empty()) scale_ = diagonal();
     Numbers z(residual.size());
-    for (size_t k = 0; k < z.size(); ++k) {
-        z[k] = residual[k] / scale_[k];
-    }
+    for (size_t k = 0; k < z.size(); ++k) z[k] = residual[k] / scale_[k];
     return z;
 }
 
 ConjugateGradients SurfaceSolver::begun(const SurfaceModel& model)
 {
     ConjugateGradients d;
-    for (const LevelColour& node : model.nodes) {
-        for (const float channel : node) {
-            d.x.push_back(static_cast<double>(channel));
-        }
-    }
+    for (const LevelColour& node : model.nodes)
+        for (const float channel : node) d.x.push_back(static_cast<double>(channel));
     mask(d.x);
     Numbers product(d.x.size());
     apply(d.x, product);
     d.residual = right_side();
-    for (size_t k = 0; k < product.size(); ++k) {
-        d.residual[k] -= product[k];
-    }
+    for (size_t k = 0; k < product.size(); ++k) d.residual[k] -= product[k];
     d.direction = preconditioned(d.residual);
     d.size = d.first = dots(d.residual, d.direction);
     return d;
@@ -211,9 +184,7 @@ void SurfaceSolver::advance(ConjugateGradients& d, int iterations)
         apply(d.direction, product);
         const std::array<double, 3> along = dots(d.direction, product);
         std::array<double, 3> step{}, turn{};
-        for (size_t c = 0; c < 3; ++c) {
-            step[c] = along[c] > 0 ? d.size[c] / along[c] : 0;
-        }
+        for (size_t c = 0; c < 3; ++c) step[c] = along[c] > 0 ? d.size[c] / along[c] : 0;
         for (size_t i = 0; i < product.size(); ++i) {
             d.x[i] += step[i % 3] * d.direction[i];
             d.residual[i] -= step[i % 3] * product[i];
@@ -226,17 +197,13 @@ void SurfaceSolver::advance(ConjugateGradients& d, int iterations)
             d.done = d.done && next[c] <= kGoodEnough * kGoodEnough * d.first[c];
         }
         d.size = next;
-        for (size_t i = 0; i < z.size(); ++i) {
-            d.direction[i] = z[i] + turn[i % 3] * d.direction[i];
-        }
+        for (size_t i = 0; i < z.size(); ++i) d.direction[i] = z[i] + turn[i % 3] * d.direction[i];
     }
 }
 
 void SurfaceSolver::take(const ConjugateGradients& gradients, SurfaceModel& model)
 {
-    for (size_t k = 0; k < gradients.x.size(); ++k) {
-        model.nodes[k / 3][k % 3] = static_cast<float>(gradients.x[k]);
-    }
+    for (size_t k = 0; k < gradients.x.size(); ++k) model.nodes[k / 3][k % 3] = static_cast<float>(gradients.x[k]);
     fit_texels(model);
 }
 
@@ -253,14 +220,10 @@ void SurfaceSolver::fit_texels(SurfaceModel& model)
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
         const PatchSums& sums = sums_.patches()[p];
         Numbers own;
-        for (const LevelColour& node : patch_nodes(shape, model, p)) {
-            own.insert(own.end(), node.begin(), node.end());
-        }
+        for (const LevelColour& node : patch_nodes(shape, model, p)) own.insert(own.end(), node.begin(), node.end());
         for (size_t t = 0; t < sums.texels.size(); ++t) {
             const TexelSums& texel = sums.texels[t];
-            if (texel.count == 0) {
-                continue;
-            }
+            if (texel.count == 0) continue;
             const std::array<double, 3> tables = seen(&sums.crossed[t * kPatchNodes], own);
             LevelColour& colour = model.texels[shape.layout.rectangles[p].begin + t];
             for (size_t c = 0; c < 3; ++c) {

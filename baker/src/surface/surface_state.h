@@ -35,9 +35,7 @@ void for_patches(const SurfaceShape& shape, Job& job, Function f)
     const auto patches = static_cast<uint32_t>(shape.mesh.patches.size());
     job.run((patches + kPatchesATask - 1) / kPatchesATask, [&](uint32_t task) {
         const uint32_t end = std::min(patches, (task + 1) * kPatchesATask);
-        for (uint32_t p = task * kPatchesATask; p < end; ++p) {
-            f(p);
-        }
+        for (uint32_t p = task * kPatchesATask; p < end; ++p) f(p);
     });
 }
 

@@ -28,9 +28,7 @@ int64_t& NodePairs::sum(uint32_t a, uint32_t b)
     const uint16_t key = static_cast<uint16_t>(a * kPatchNodes + b);
     const size_t mask = keys_.size() - 1;
     for (size_t k = (key * kScatter >> 4) & mask;; k = (k + 1) & mask) {
-        if (keys_[k] == key) {
-            return sums_[k];
-        }
+        if (keys_[k] == key) return sums_[k];
         if (keys_[k] == kEmpty) {
             if (4 * (used_ + 1) > 3 * keys_.size()) {
                 grow();
@@ -62,9 +60,7 @@ void NodePairs::sort()
     NodePairs ordered;
     ordered.keys_.assign(keys_.size(), kEmpty);
     ordered.sums_.assign(keys_.size(), 0);
-    for (const auto& [key, value] : all) {
-        ordered.sum(key / kPatchNodes, key % kPatchNodes) = value;
-    }
+    for (const auto& [key, value] : all) ordered.sum(key / kPatchNodes, key % kPatchNodes) = value;
     *this = std::move(ordered);
 }
 
@@ -81,17 +77,14 @@ SurfaceSums::SurfaceSums(const SurfaceShape& shape, const EncodedTone& tone, con
 
 void require_few_enough(uint32_t texel_samples)
 {
-    if (texel_samples >= kMaxTexelSamples) {
+    if (texel_samples >= kMaxTexelSamples)
         throw BakeError("a texel got a million light paths, more than sums can hold; choose fewer --paths");
-    }
 }
 
 LevelColour SurfaceSums::target_of(const SurfaceSample& sample, const LevelColour& expected) const
 {
     LevelColour target = tone_.line_at(expected)(sample.radiance);
-    for (size_t c = 0; c < 3; ++c) {
-        target[c] = white_ == White::clips && expected[c] > kWhite ? kWhite : target[c];
-    }
+    for (size_t c = 0; c < 3; ++c) target[c] = white_ == White::clips && expected[c] > kWhite ? kWhite : target[c];
     return target;
 }
 
@@ -116,12 +109,9 @@ void SurfaceSums::add(uint32_t patch, const SurfaceSample* begin, const SurfaceS
         for (uint32_t i = 0; i < taps.count; ++i) {
             const SampleTaps::Tap& a = taps.taps[i];
             crossed[a.node] += static_cast<uint32_t>(a.weight_q12);
-            for (size_t c = 0; c < 3; ++c) {
-                sums.targets[a.node][c] += a.weight_q12 * target[c];
-            }
-            for (uint32_t j = i; j < taps.count; ++j) {
+            for (size_t c = 0; c < 3; ++c) sums.targets[a.node][c] += a.weight_q12 * target[c];
+            for (uint32_t j = i; j < taps.count; ++j)
                 sums.pairs.add(a.node, taps.taps[j].node, int64_t{a.weight_q12} * taps.taps[j].weight_q12);
-            }
         }
     }
 }

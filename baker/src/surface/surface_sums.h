@@ -42,11 +42,8 @@ public:
     template <class Function>
     void each(Function f) const
     {
-        for (size_t k = 0; k < keys_.size(); ++k) {
-            if (keys_[k] != kEmpty) {
-                f(keys_[k] / kPatchNodes, keys_[k] % kPatchNodes, sums_[k]);
-            }
-        }
+        for (size_t k = 0; k < keys_.size(); ++k)
+            if (keys_[k] != kEmpty) f(keys_[k] / kPatchNodes, keys_[k] % kPatchNodes, sums_[k]);
     }
     // In the order of keys, so that what is computed from it does not depend on the order of samples.
     void sort();

@@ -89,13 +89,10 @@ std::vector<SurfaceSample> SurfaceTracer::samples(uint64_t seed, uint32_t batch)
     for (uint32_t k = 0; k < kLines; ++k) {
         sampler.start(k);
         const std::optional<Line> l = line(sampler);
-        if (!l || !scene_is_there(*l, sampler)) {  // the path's first hit draws the same numbers
+        if (!l || !scene_is_there(*l, sampler))  // the path's first hit draws the same numbers
             continue;
-        }
         const PathResult path = tracer_.trace(l->ray, sampler);
-        if (path.covered) {
-            result.push_back(sample(*l, path.radiance));
-        }
+        if (path.covered) result.push_back(sample(*l, path.radiance));
     }
     return result;
 }

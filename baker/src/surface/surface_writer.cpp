@@ -33,9 +33,7 @@ VertexOrder order_of(const std::vector<ViewCode>& views)
                                            [&](uint32_t v) { return views[v].gain != 0; });
     order.viewed = static_cast<uint32_t>(end - order.vertices.begin());
     order.numbers.resize(views.size());
-    for (uint32_t k = 0; k < order.vertices.size(); ++k) {
-        order.numbers[order.vertices[k]] = k;
-    }
+    for (uint32_t k = 0; k < order.vertices.size(); ++k) order.numbers[order.vertices[k]] = k;
     return order;
 }
 
@@ -56,9 +54,8 @@ std::vector<uint8_t> surface_section(const SurfaceShape& shape, const SurfacePar
     b.put32(at::kTexelsAt, shape.layout.texels);
     b.put8(at::kColourSpaceAt, static_cast<uint8_t>(format::ColourSpace::srgb));
     b.put8(at::kLongestEdgeAt, edge_steps(shape.mesh.longest_edge));
-    for (size_t axis = 0; axis < 3; ++axis) {
+    for (size_t axis = 0; axis < 3; ++axis)
         b.put_float(at::kCentreAt + 4 * axis, static_cast<float>(parts.centre[axis]));
-    }
     b.put_float(at::kRadiusAt, static_cast<float>(parts.radius));
     return b.take();
 }
@@ -125,9 +122,8 @@ void put_view(Bytes& b, size_t at, const ViewTurn& turn, const ViewCode& view)
     b.put8(at + format::view::kTurnAt + 1, static_cast<uint8_t>(turn.y));
     b.put8(at + format::view::kTurnAt + 2, static_cast<uint8_t>(turn.z));
     b.put8(at + format::view::kGainAt, view.gain);
-    for (size_t k = 0; k < format::kViewNodes; k += 2) {
+    for (size_t k = 0; k < format::kViewNodes; k += 2)
         b.put8(at + format::view::kNodesAt + k / 2, static_cast<uint8_t>(view.colours[k] | view.colours[k + 1] << 4));
-    }
 }
 
 std::vector<uint8_t> view_section(const SurfaceShape& shape, const SurfaceParts& parts, const VertexOrder& order)
@@ -135,11 +131,8 @@ std::vector<uint8_t> view_section(const SurfaceShape& shape, const SurfaceParts&
     Bytes b(format::kViewColoursBytes + order.viewed * format::kViewBytes);
     size_t at = 0;
     for (const auto& node : parts.node_colours.colours) {
-        for (const NodeColours::Colour& colour : node) {
-            for (const int8_t channel : colour) {
-                b.put8(at++, static_cast<uint8_t>(channel));
-            }
-        }
+        for (const NodeColours::Colour& colour : node)
+            for (const int8_t channel : colour) b.put8(at++, static_cast<uint8_t>(channel));
     }
     for (uint32_t k = 0; k < order.viewed; ++k) {
         const uint32_t v = order.vertices[k];
@@ -151,9 +144,7 @@ std::vector<uint8_t> view_section(const SurfaceShape& shape, const SurfaceParts&
 std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 {
     std::vector<Section> sections;
-    for (const Contents& part : contents) {
-        sections.push_back({part.type, part.bytes.size(), crc_of(part.bytes)});
-    }
+    for (const Contents& part : contents) sections.push_back({part.type, part.bytes.size(), crc_of(part.bytes)});
     std::vector<uint8_t> file = file_head(sections);
     for (const Contents& part : contents) {
         file.insert(file.end(), part.bytes.begin(), part.bytes.end());
@@ -173,9 +164,7 @@ std::vector<uint8_t> surface_file(const SurfaceShape& shape, const SurfaceParts&
                                       {format::kColourSection, parts.texels},
                                       {format::kPaletteRgb, palette_section(parts)},
                                       {format::kNeighbourSection, neighbour_section(shape)}};
-    if (order.viewed != 0) {
-        contents.push_back({format::kViewSection, view_section(shape, parts, order)});
-    }
+    if (order.viewed != 0) contents.push_back({format::kViewSection, view_section(shape, parts, order)});
     return file_of(contents);
 }
 

@@ -33,9 +33,7 @@ struct PatchDetail {
 float product(const std::array<LevelColour, 2>& a, const std::array<LevelColour, 2>& b)
 {
     float sum = 0;
-    for (size_t c = 0; c < 3; ++c) {
-        sum += (a[0][c] - b[0][c]) * (a[1][c] - b[1][c]);
-    }
+    for (size_t c = 0; c < 3; ++c) sum += (a[0][c] - b[0][c]) * (a[1][c] - b[1][c]);
     return sum;
 }
 
@@ -70,12 +68,8 @@ PatchDetail detail_of(const SortedSamples& samples, uint32_t patch, const PatchR
         }
     };
     for (uint32_t t = 0; t < texels.size(); ++t) {
-        if (t % r.n + 1 < r.n) {
-            compare(t, t + 1);
-        }
-        if (t + r.n < texels.size()) {
-            compare(t, t + r.n);
-        }
+        if (t % r.n + 1 < r.n) compare(t, t + 1);
+        if (t + r.n < texels.size()) compare(t, t + r.n);
     }
     result.detail = std::max(0.0f, result.detail / std::max(pairs, 1.0f));
     result.seen = static_cast<float>(samples.end(patch) - samples.begin(patch)) / static_cast<float>(r.size());
@@ -85,9 +79,7 @@ PatchDetail detail_of(const SortedSamples& samples, uint32_t patch, const PatchR
 std::vector<float> scaled(const std::vector<float>& importance, float density, float factor)
 {
     std::vector<float> densities;
-    for (const float v : importance) {
-        densities.push_back(density * std::clamp(factor * v, kThinnest, kDensest));
-    }
+    for (const float v : importance) densities.push_back(density * std::clamp(factor * v, kThinnest, kDensest));
     return densities;
 }
 

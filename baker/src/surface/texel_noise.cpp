@@ -35,9 +35,8 @@ public:
     {
         known_ = trust_;
         for (int round = 0; round < kDiffusionRounds; ++round) {
-            for (int y = 0; y < height_; ++y) {
+            for (int y = 0; y < height_; ++y)
                 for (int x = 0; x < width_; ++x) relax(x, y);
-            }
         }
     }
 
@@ -49,9 +48,8 @@ private:
     std::vector<double> ties(int dx, int dy) const
     {
         std::vector<double> result(trust_.size());
-        for (int y = 0; y + dy < height_; ++y) {
+        for (int y = 0; y + dy < height_; ++y)
             for (int x = 0; x + dx < width_; ++x) result[at(x, y)] = tie(x, y, dx, dy);
-        }
         return result;
     }
 

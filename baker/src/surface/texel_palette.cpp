@@ -24,15 +24,10 @@ std::vector<ColourPoint> centres_for(const std::vector<LevelColour>& texels)
 {
     std::vector<ColourPoint> points;
     const size_t stride = texels.size() / kMaxSamples + 1;
-    for (size_t k = 0; k < texels.size(); k += stride) {
-        points.push_back(point_of(texels[k]));
-    }
+    for (size_t k = 0; k < texels.size(); k += stride) points.push_back(point_of(texels[k]));
     std::vector<ColourPoint> centres = k_means(points, {}, format::kPaletteEntries, kTexelPaletteSeed);
-    for (ColourPoint& c : centres) {
-        for (float& v : c) {
-            v = std::round(v);
-        }
-    }
+    for (ColourPoint& c : centres)
+        for (float& v : c) v = std::round(v);
     return centres;
 }
 
@@ -46,9 +41,8 @@ PalettedTexels paletted(const std::vector<LevelColour>& texels)
         const ColourPoint& c = centres[k];
         result.palette[k] = {static_cast<uint8_t>(c[0]), static_cast<uint8_t>(c[1]), static_cast<uint8_t>(c[2])};
     }
-    for (const LevelColour& t : texels) {
+    for (const LevelColour& t : texels)
         result.texels.push_back(static_cast<uint8_t>(nearest_centre(centres, point_of(t)).index));
-    }
     return result;
 }
 

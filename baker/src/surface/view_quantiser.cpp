@@ -56,13 +56,9 @@ public:
     {
         for (size_t v = 0; v < viewed_.size(); ++v) {
             double floor = 0;
-            for (size_t k = 0; k < kViewNodes; ++k) {
-                floor += weights_[v * kViewNodes + k];
-            }
+            for (size_t k = 0; k < kViewNodes; ++k) floor += weights_[v * kViewNodes + k];
             floor *= kUnseenWeight / kViewNodes;
-            for (size_t k = 0; k < kViewNodes; ++k) {
-                weights_[v * kViewNodes + k] += floor;
-            }
+            for (size_t k = 0; k < kViewNodes; ++k) weights_[v * kViewNodes + k] += floor;
         }
     }
 
@@ -90,9 +86,7 @@ private:
     {
         constexpr float kTypical = 32;  // of a channel, at that size
         for (size_t v = 0; v < viewed_.size(); ++v) {
-            if (viewed_[v] == 0) {
-                continue;
-            }
+            if (viewed_[v] == 0) continue;
             float sum = 0, weights = 0;
             for (size_t k = 0; k < kViewNodes; ++k) {
                 sum += weight(v, k) * dot(node(v, k), node(v, k));
@@ -112,11 +106,8 @@ private:
     std::vector<Wanted> wanted(size_t k) const
     {
         std::vector<Wanted> result;
-        for (uint32_t v = 0; v < viewed_.size(); ++v) {
-            if (viewed_[v] != 0) {
-                result.push_back({node(v, k), gain(v), weight(v, k), v});
-            }
-        }
+        for (uint32_t v = 0; v < viewed_.size(); ++v)
+            if (viewed_[v] != 0) result.push_back({node(v, k), gain(v), weight(v, k), v});
         return result;
     }
 
@@ -125,23 +116,18 @@ private:
         for (size_t k = 0; k < kViewNodes; ++k) {
             const std::vector<Wanted> all = wanted(k);
             std::vector<float> distances;
-            for (const Wanted& w : all) {
-                distances.push_back(error_of(w, centres_[k][0]));
-            }
+            for (const Wanted& w : all) distances.push_back(error_of(w, centres_[k][0]));
             Sampler sampler(kViewSeed, static_cast<uint32_t>(k), 0);
             for (size_t c = 1; c < kNodeColours; ++c) {
                 sampler.start(static_cast<uint32_t>(c));
                 const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
-                if (!chosen) {
-                    break;
-                }
+                if (!chosen) break;
                 for (size_t channel = 0; channel < 3; ++channel) {
                     centres_[k][c][channel] =
                         std::clamp(all[*chosen].colour[channel] / all[*chosen].gain, -kMostLevel, kMostLevel);
                 }
-                for (size_t i = 0; i < all.size(); ++i) {
+                for (size_t i = 0; i < all.size(); ++i)
                     distances[i] = std::min(distances[i], error_of(all[i], centres_[k][c]));
-                }
             }
         }
     }
@@ -151,9 +137,8 @@ private:
         for (size_t k = 0; k < kViewNodes; ++k) {
             for (const Wanted& w : wanted(k)) {
                 size_t best = 0;
-                for (size_t c = 1; c < kNodeColours; ++c) {
+                for (size_t c = 1; c < kNodeColours; ++c)
                     best = error_of(w, centres_[k][c]) < error_of(w, centres_[k][best]) ? c : best;
-                }
                 codes_[w.vertex].colours[k] = static_cast<uint8_t>(best);
                 codes_[w.vertex].gain = gains_[w.vertex];
             }
@@ -167,34 +152,27 @@ private:
             std::array<float, kNodeColours> weights{};
             for (const Wanted& w : wanted(k)) {
                 const size_t c = codes_[w.vertex].colours[k];
-                for (size_t channel = 0; channel < 3; ++channel) {
+                for (size_t channel = 0; channel < 3; ++channel)
                     sums[c][channel] += w.weight * w.gain * w.colour[channel];
-                }
                 weights[c] += w.weight * w.gain * w.gain;
             }
-            for (size_t c = 0; c < kNodeColours; ++c) {
-                for (size_t channel = 0; channel < 3 && weights[c] > 0; ++channel) {
+            for (size_t c = 0; c < kNodeColours; ++c)
+                for (size_t channel = 0; channel < 3 && weights[c] > 0; ++channel)
                     centres_[k][c][channel] = std::clamp(sums[c][channel] / weights[c], -kMostLevel, kMostLevel);
-                }
-            }
         }
     }
 
     void fit_gains()
     {
         for (size_t v = 0; v < viewed_.size(); ++v) {
-            if (viewed_[v] == 0) {
-                continue;
-            }
+            if (viewed_[v] == 0) continue;
             float wanted_sum = 0, size = 0;
             for (size_t k = 0; k < kViewNodes; ++k) {
                 const LevelColour& centre = centres_[k][codes_[v].colours[k]];
                 wanted_sum += weight(v, k) * dot(node(v, k), centre);
                 size += weight(v, k) * dot(centre, centre);
             }
-            if (size > 0) {
-                gains_[v] = rounded_gain(wanted_sum / size);
-            }
+            if (size > 0) gains_[v] = rounded_gain(wanted_sum / size);
         }
     }
 
@@ -212,30 +190,23 @@ private:
         }
         round_centres();
         find_errors();
-        for (int sweep = 0; sweep < kLastSweeps; ++sweep) {
-            assign_jointly(products);
-        }
+        for (int sweep = 0; sweep < kLastSweeps; ++sweep) assign_jointly(products);
     }
 
     void find_errors()
     {
         errors_.resize(model_.nodes.size());
-        for (size_t v = 0; v < viewed_.size(); ++v) {
-            for (size_t k = 0; k < kViewNodes; ++k) {
+        for (size_t v = 0; v < viewed_.size(); ++v)
+            for (size_t k = 0; k < kViewNodes; ++k)
                 errors_[v * kViewNodes + k] = error_with(v, k, codes_[v].colours[k]);
-            }
-        }
     }
 
     // What the errors of other nodes ask of this one.
     LevelColour pull_on(const NodeProducts& products, size_t node) const
     {
         LevelColour pull{};
-        for (const NodeProducts::Entry& entry : products.row(node)) {
-            for (size_t c = 0; c < 3; ++c) {
-                pull[c] += entry.product * errors_[entry.node][c];
-            }
-        }
+        for (const NodeProducts::Entry& entry : products.row(node))
+            for (size_t c = 0; c < 3; ++c) pull[c] += entry.product * errors_[entry.node][c];
         return pull;
     }
 
@@ -257,14 +228,10 @@ private:
             std::array<LevelColour, kNodeColours> sums{};
             std::array<float, kNodeColours> weights{};
             for (size_t v = 0; v < viewed_.size(); ++v) {
-                if (viewed_[v] == 0) {
-                    continue;
-                }
+                if (viewed_[v] == 0) continue;
                 const size_t here = v * kViewNodes + k, code = codes_[v].colours[k];
                 const LevelColour pull = pull_on(products, here);
-                for (size_t c = 0; c < 3; ++c) {
-                    sums[code][c] += gain(v) * (weight(v, k) * errors_[here][c] + pull[c]);
-                }
+                for (size_t c = 0; c < 3; ++c) sums[code][c] += gain(v) * (weight(v, k) * errors_[here][c] + pull[c]);
                 weights[code] += gain(v) * gain(v) * weight(v, k);
             }
             for (size_t code = 0; code < kNodeColours; ++code) {
@@ -280,9 +247,7 @@ private:
     {
         LevelColour e = node(v, k);
         const float g = viewed_[v] != 0 ? gain(v) : 0;
-        for (size_t c = 0; c < 3; ++c) {
-            e[c] = g * centres_[k][code][c] - e[c];
-        }
+        for (size_t c = 0; c < 3; ++c) e[c] = g * centres_[k][code][c] - e[c];
         return e;
     }
 
@@ -354,9 +319,8 @@ std::vector<LevelColour> decoded(const QuantisedViews& q)
         const float gain = static_cast<float>(q.views[v].gain) / kGainUnit;
         for (size_t k = 0; k < kViewNodes; ++k) {
             const NodeColours::Colour& c = q.colours.colours[k][q.views[v].colours[k]];
-            for (size_t channel = 0; channel < 3; ++channel) {
+            for (size_t channel = 0; channel < 3; ++channel)
                 nodes[v * kViewNodes + k][channel] = gain * static_cast<float>(c[channel]);
-            }
         }
     }
     return nodes;

@@ -34,11 +34,9 @@ std::vector<NodePair> neighbouring_nodes()
         const Vec3q30 p = point(Lattice(kProbes), k);
         const ViewTaps taps = view_taps(p.x >> 15, p.y >> 15, p.z >> 15);
         for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j) {
-                if (taps.weight_q8[i] != 0 && taps.weight_q8[j] != 0 && taps.node[i] < taps.node[j]) {
+            for (int j = 0; j < 3; ++j)
+                if (taps.weight_q8[i] != 0 && taps.weight_q8[j] != 0 && taps.node[i] < taps.node[j])
                     pairs.insert({taps.node[i], taps.node[j]});
-                }
-            }
         }
     }
     return {pairs.begin(), pairs.end()};
@@ -75,9 +73,7 @@ double height(const ViewDirection& w)
 
 ViewSmoothness::ViewSmoothness(const SurfaceShape& shape, const ViewExpectation& expected) : expected_(expected)
 {
-    for (uint32_t v = 0; v < shape.mesh.positions.size(); ++v) {
-        add_directions(v);
-    }
+    for (uint32_t v = 0; v < shape.mesh.positions.size(); ++v) add_directions(v);
     for (const auto& [a, b] : edges_of(shape.mesh)) {
         add_neighbour(shape, a, b);
         add_neighbour(shape, b, a);
@@ -89,12 +85,9 @@ void ViewSmoothness::add_directions(uint32_t vertex)
     static const std::vector<NodePair> kNeighbours = neighbouring_nodes();
     const float weight = std::sqrt(expected_.direction), zero = std::sqrt(expected_.zero);
     const uint32_t first = vertex * kViewNodes;
-    for (const auto& [a, b] : kNeighbours) {
+    for (const auto& [a, b] : kNeighbours)
         rows_.push_back({{first + a, first + b, first, first}, {weight, -weight, 0, 0}});
-    }
-    for (uint32_t k = 0; k < kViewNodes; ++k) {
-        rows_.push_back({{first + k, first, first, first}, {zero, 0, 0, 0}});
-    }
+    for (uint32_t k = 0; k < kViewNodes; ++k) rows_.push_back({{first + k, first, first, first}, {zero, 0, 0, 0}});
 }
 
 // What a vertex's nodes show, another one shows in the same directions.
@@ -103,9 +96,7 @@ void ViewSmoothness::add_neighbour(const SurfaceShape& shape, uint32_t vertex, u
     const float weight = std::sqrt(expected_.neighbour);
     for (uint32_t k = 0; k < kViewNodes; ++k) {
         const ViewDirection local = turned(shape.turns[other], turned(shape.turns[vertex], node_direction(k)));
-        if (height(local) < kLowest) {
-            continue;
-        }
+        if (height(local) < kLowest) continue;
         const ViewTaps taps = view_taps(local.x, local.y, local.z);
         Row row = {{vertex * kViewNodes + k}, {weight}};
         for (size_t t = 0; t < 3; ++t) {
@@ -121,12 +112,8 @@ void ViewSmoothness::add_gradient(const std::vector<double>& nodes, std::vector<
     for (const Row& row : rows_) {
         for (size_t c = 0; c < 3; ++c) {
             double sum = 0;
-            for (size_t k = 0; k < 4; ++k) {
-                sum += static_cast<double>(row.weights[k]) * nodes[3 * row.nodes[k] + c];
-            }
-            for (size_t k = 0; k < 4; ++k) {
-                gradient[3 * row.nodes[k] + c] += static_cast<double>(row.weights[k]) * sum;
-            }
+            for (size_t k = 0; k < 4; ++k) sum += static_cast<double>(row.weights[k]) * nodes[3 * row.nodes[k] + c];
+            for (size_t k = 0; k < 4; ++k) gradient[3 * row.nodes[k] + c] += static_cast<double>(row.weights[k]) * sum;
         }
     }
 }

@@ -35,9 +35,7 @@ std::optional<Ray> CameraRays::ray(double x, double y) const
     const Vec3d& e = eye_direction_;
     const double p2 = p.x * p.x + p.y * p.y + p.z * p.z;
     const double s2 = m * m - (1 - inverse_distance_ * inverse_distance_) * p2;
-    if (m <= 0 || s2 <= 0) {
-        return std::nullopt;
-    }
+    if (m <= 0 || s2 <= 0) return std::nullopt;
     const double s = std::sqrt(s2);
     const double q = m * m + p2 * inverse_distance_ * inverse_distance_;
     const double along = (p2 * inverse_distance_ + s * m) / q;

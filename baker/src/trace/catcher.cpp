@@ -90,9 +90,7 @@ private:
 std::optional<float> distance_to_catcher(const Disc& catcher, const Ray& ray)
 {
     const float height = ray.origin.z - catcher.centre.z;
-    if (!(height > 0) || !(ray.direction.z < 0)) {
-        return std::nullopt;
-    }
+    if (!(height > 0) || !(ray.direction.z < 0)) return std::nullopt;
     const float distance = -height / ray.direction.z;
     const Vec3 aside = ray.origin + ray.direction * distance - catcher.centre;
     const bool inside = aside.x * aside.x + aside.y * aside.y <= catcher.radius * catcher.radius;
@@ -101,14 +99,10 @@ std::optional<float> distance_to_catcher(const Disc& catcher, const Ray& ray)
 
 float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
 {
-    if (scene.lights.none_outside()) {
-        return 0;
-    }
+    if (scene.lights.none_outside()) return 0;
     const Candidates candidates(scene.lights, position, sampler);
     const float u = sampler.next_1d();
-    if (candidates.dark()) {
-        return 0;
-    }
+    if (candidates.dark()) return 0;
     const LightSample& light = candidates.draw(u);
     const Surface floor = {{}, position, kZAxis, Frame(kZAxis), nullptr, {}, {}};
     return 1 - transmittance(scene, floor.ray_to_light(light.direction, light.distance), sampler);
@@ -116,9 +110,7 @@ float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
 
 void require_partial_coverage(const SceneData& scene, bool texels_have_it)
 {
-    if (texels_have_it) {
-        return;
-    }
+    if (texels_have_it) return;
     if (scene.catcher) {
         throw BakeError(
             "the scene's 'catcher' needs texels that are partly covered; bake with --layout chord --texel "

@@ -23,9 +23,7 @@ float half_width(ToneCurve tone, const Rgb& low, const Rgb& high)
 void ErrorGauge::add(const PathResult& path)
 {
     ++paths_;
-    if (!path.covered) {
-        return;
-    }
+    if (!path.covered) return;
     ++hits_;
     const float values[3] = {path.radiance.r, path.radiance.g, path.radiance.b};
     for (size_t k = 0; k < 3; ++k) {
@@ -56,9 +54,7 @@ float ErrorGauge::error_levels(ToneCurve tone) const
 
 bool ErrorGauge::settled(ToneCurve tone, float max_levels) const
 {
-    if (paths_ < kFirstLook || paths_ % kBatch != 0) {
-        return false;
-    }
+    if (paths_ < kFirstLook || paths_ % kBatch != 0) return false;
     return hits_ == 0 || (hits_ == paths_ && error_levels(tone) < max_levels);
 }
 

@@ -33,13 +33,9 @@ struct Walk {
 
 Rgb emitted(const SceneData& scene, const Walk& walk, const Surface& surface)
 {
-    if (!surface.material->emits()) {
-        return {};
-    }
+    if (!surface.material->emits()) return {};
     const Rgb light = walk.throughput * surface.emission;
-    if (walk.at_eye) {
-        return light;
-    }
+    if (walk.at_eye) return light;
     const float other = scene.lights.emitter_pdf(surface.hit.triangle, walk.ray.direction, surface.hit.distance);
     return light * power_weight(walk.pdf, other);
 }
@@ -69,19 +65,13 @@ bool leaks(const Surface& surface, const Vec3& direction, const Vec3& local)
 // Light that arrives at the surface straight from a light and is scattered towards the viewer.
 Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
 {
-    if (scene.lights.empty()) {
-        return {};
-    }
+    if (scene.lights.empty()) return {};
     const Vec2 choice = sampler.next_2d();
     const LightSample light = scene.lights.sample(surface.position, choice.x, choice.y, sampler.next_2d());
     const Vec3 wi = surface.frame.to_local(light.direction);
-    if (!(light.pdf > 0) || leaks(surface, light.direction, wi)) {
-        return {};
-    }
+    if (!(light.pdf > 0) || leaks(surface, light.direction, wi)) return {};
     const Rgb scattered = bsdf.eval(wo, wi) * light.radiance;
-    if (is_black(scattered)) {
-        return {};
-    }
+    if (is_black(scattered)) return {};
     const float through = transmittance(scene, surface.ray_to_light(light.direction, light.distance), sampler);
     const float weight = light.dirac ? 1 : power_weight(light.pdf, bsdf.pdf(wo, wi));
     return scattered * (through * weight / light.pdf);
@@ -98,9 +88,7 @@ void cross(Walk& walk, const Surface& surface)
 // Draws a number, or only passes over it where nobody looks at it.
 float needed_1d(bool needed, Sampler& sampler)
 {
-    if (needed) {
-        return sampler.next_1d();
-    }
+    if (needed) return sampler.next_1d();
     sampler.skip_1d();
     return 0;
 }
@@ -117,16 +105,10 @@ bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& w
 {
     const float u_lobe = needed_1d(bsdf.has_lobes(), sampler);
     const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, sampler.next_2d());
-    if (!sample) {
-        return false;
-    }
+    if (!sample) return false;
     const Vec3 direction = normalized(surface.frame.to_world(sample->wi));
-    if (leaks(surface, direction, sample->wi)) {
-        return false;
-    }
-    if (sample->wi.z < 0) {
-        cross(walk, surface);
-    }
+    if (leaks(surface, direction, sample->wi)) return false;
+    if (sample->wi.z < 0) cross(walk, surface);
     walk.throughput = walk.throughput * sample->weight;
     walk.ray = surface.ray_towards(direction);
     walk.pdf = sample->pdf;
@@ -138,9 +120,7 @@ bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& w
 bool survives(Walk& walk, float most, Sampler& sampler)
 {
     const float survival = std::min(max_component(walk.throughput) * walk.index2, most);
-    if (sampler.next_1d() >= survival) {
-        return false;
-    }
+    if (sampler.next_1d() >= survival) return false;
     walk.throughput = walk.throughput * (1 / survival);
     return true;
 }
@@ -148,14 +128,10 @@ bool survives(Walk& walk, float most, Sampler& sampler)
 // Light that arrives at a point of the medium straight from a light and is scattered back along `way`.
 Rgb light_in_medium(const SceneData& scene, const Vec3& position, const Vec3& way, Sampler& sampler)
 {
-    if (scene.lights.empty()) {
-        return {};
-    }
+    if (scene.lights.empty()) return {};
     const Vec2 choice = sampler.next_2d();
     const LightSample light = scene.lights.sample(position, choice.x, choice.y, sampler.next_2d());
-    if (!(light.pdf > 0) || is_black(light.radiance)) {
-        return {};
-    }
+    if (!(light.pdf > 0) || is_black(light.radiance)) return {};
     const float scattered = scene.medium->phase().density(dot(way, light.direction));
     const float through = transmittance(scene, ray_to_light(position, light.direction, light.distance), sampler);
     const float weight = light.dirac ? 1 : power_weight(light.pdf, scattered);
@@ -167,12 +143,8 @@ bool scatter_in_medium(const SceneData& scene, Walk& walk, float distance, Rgb& 
 {
     const Vec3 position = walk.ray.origin + walk.ray.direction * distance;
     walk.throughput = walk.throughput * scene.medium->colour(position);
-    if (walk.glass) {
-        walk.throughput = walk.throughput * walk.glass->absorbed(distance);
-    }
-    if (is_black(walk.throughput)) {
-        return false;
-    }
+    if (walk.glass) walk.throughput = walk.throughput * walk.glass->absorbed(distance);
+    if (is_black(walk.throughput)) return false;
     radiance = radiance + walk.throughput * light_in_medium(scene, position, walk.ray.direction, sampler);
     const Phase& phase = scene.medium->phase();
     const Vec3 way = normalized(phase.sample(walk.ray.direction, sampler.next_2d()));
@@ -193,19 +165,13 @@ float free_way(const Medium& medium, const Ray& ray, float end, Sampler& sampler
 PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
 {
     const std::optional<float> catcher = scene_.catcher ? distance_to_catcher(*scene_.catcher, ray) : std::nullopt;
-    if (!catcher) {
-        return trace_scene(ray, sampler);
-    }
+    if (!catcher) return trace_scene(ray, sampler);
     // What lies on the catcher hides it.
     const PathResult before = trace_scene({ray.origin, ray.direction, *catcher + kOnCatcher}, sampler);
-    if (before.covered) {
-        return before;
-    }
+    if (before.covered) return before;
     const Vec3 position = ray.origin + ray.direction * *catcher;
     const float shadow = shadow_at(scene_, position, sampler);
-    if (sampler.next_1d() < shadow) {
-        return {true, {}};
-    }
+    if (sampler.next_1d() < shadow) return {true, {}};
     return trace_scene({position, ray.direction, ray.end - *catcher}, sampler);
 }
 
@@ -217,14 +183,10 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler);
         const float end = hit ? hit->distance : walk.ray.end;
         const float way = scene_.medium ? free_way(*scene_.medium, walk.ray, end, sampler) : end;
-        if (!walk.at_eye) {
-            result.radiance = result.radiance + from_fixtures(scene_, walk, way);
-        }
+        if (!walk.at_eye) result.radiance = result.radiance + from_fixtures(scene_, walk, way);
         if (way < end) {
             result.covered = true;
-            if (!scatter_in_medium(scene_, walk, way, result.radiance, sampler)) {
-                break;
-            }
+            if (!scatter_in_medium(scene_, walk, way, result.radiance, sampler)) break;
             continue;
         }
         if (!hit) {
@@ -232,24 +194,16 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
             break;
         }
         result.covered = true;
-        if (walk.glass) {
-            walk.throughput = walk.throughput * walk.glass->absorbed(way);
-        }
+        if (walk.glass) walk.throughput = walk.throughput * walk.glass->absorbed(way);
         const Surface surface = surface_at(scene_, walk.ray, *hit);
         result.radiance = result.radiance + emitted(scene_, walk, surface);
 
         const Vec3 wo = surface.frame.to_local(-walk.ray.direction);
-        if (wo.z <= 0) {
-            break;
-        }
+        if (wo.z <= 0) break;
         const Bsdf bsdf = bsdf_at(surface, sampler);
         result.radiance = result.radiance + walk.throughput * direct_light(scene_, surface, bsdf, wo, sampler);
-        if (!scatter(walk, surface, bsdf, wo, sampler)) {
-            break;
-        }
-        if (bounce++ >= kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) {
-            break;
-        }
+        if (!scatter(walk, surface, bsdf, wo, sampler)) break;
+        if (bounce++ >= kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) break;
     }
     return result;
 }

@@ -19,9 +19,7 @@ Estimate pixel_estimate(ToneCurve tone, const CameraRays& rays, const Integrator
     for (uint32_t s = 0; s < settings.samples; ++s) {
         sampler.start(s);
         Vec2 place = sampler.next_2d();
-        if (settings.samples == 1 || settings.through_centre) {
-            place = {0.5f, 0.5f};
-        }
+        if (settings.samples == 1 || settings.through_centre) place = {0.5f, 0.5f};
         const std::optional<Ray> ray = rays.ray(x + static_cast<double>(place.x), y + static_cast<double>(place.y));
         result.add(ray ? tracer.trace(*ray, sampler) : PathResult{});
     }
@@ -33,9 +31,7 @@ Estimate pixel_estimate(ToneCurve tone, const CameraRays& rays, const Integrator
 RgbaImage render_reference(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
                            const ProgressCallback& progress)
 {
-    if (settings.samples == 0) {
-        throw BakeError("the number of samples must be at least 1");
-    }
+    if (settings.samples == 0) throw BakeError("the number of samples must be at least 1");
     const uint32_t width = static_cast<uint32_t>(camera.width_px());
     const uint32_t height = static_cast<uint32_t>(camera.height_px());
     RgbaImage image{camera.width_px(), camera.height_px(), std::vector<uint8_t>(size_t{4} * width * height)};

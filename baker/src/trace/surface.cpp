@@ -19,16 +19,12 @@ constexpr float kShort = 1 - 1e-4f;  // of the way to a light: stop before the l
 Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Vec3& geometric, const Vec3& view)
 {
     const Mesh::OptionalCorners& corners = mesh.shading[hit.triangle];
-    if (corners[0] == kNoIndex) {
-        return geometric;
-    }
+    if (corners[0] == kNoIndex) return geometric;
     const Vec3 mean = mesh.normals[static_cast<size_t>(corners[0])] * (1 - hit.u - hit.v) +
                       mesh.normals[static_cast<size_t>(corners[1])] * hit.u +
                       mesh.normals[static_cast<size_t>(corners[2])] * hit.v;
     const float size = length(mean);
-    if (!(size > 0)) {
-        return geometric;
-    }
+    if (!(size > 0)) return geometric;
     const Vec3 normal = mean * ((dot(mean, geometric) < 0 ? -1 : 1) / size);
     return dot(normal, view) > 0 ? normal : geometric;
 }
@@ -49,22 +45,16 @@ PointValues values_at(const SceneData& scene, const Material& material, const Hi
 Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hit, const Vec3& normal, const Vec3& view,
                  bool outside)
 {
-    if (!material.maps.normal.used()) {
-        return normal;
-    }
+    if (!material.maps.normal.used()) return normal;
     const std::optional<Tangents> tangents = tangents_of(scene.mesh, hit.triangle);
-    if (!tangents) {
-        return normal;
-    }
+    if (!tangents) return normal;
     const float side = outside ? 1.0f : -1.0f;
     const Vec3 front = normal * side;
     const Rgb c = slot_at(scene, material.maps.normal, hit);
     const Vec3 across = tangents->u - front * dot(front, tangents->u);
     const Vec3 upright = cross(front, across) * tangents->handedness;
     const float size = length(across);
-    if (!(size > 0)) {
-        return normal;
-    }
+    if (!(size > 0)) return normal;
     const Vec3 bent = (across * (2 * c.r - 1) + upright * (2 * c.g - 1)) / size + front * (2 * c.b - 1);
     const float bent_size = length(bent);
     return bent_size > 0 && dot(bent, view) * side > 0 ? bent * (side / bent_size) : normal;
@@ -84,9 +74,7 @@ Vec3 brushed_direction(const SceneData& scene, const Material& material, uint32_
 // The local frame; its tangent matters to brushed materials only.
 Frame shading_frame(const SceneData& scene, const Material& material, const Hit& hit, const Vec3& normal, bool outside)
 {
-    if (!material.brushed()) {
-        return Frame(normal);
-    }
+    if (!material.brushed()) return Frame(normal);
     return Frame(normal, brushed_direction(scene, material, hit.triangle, outside ? normal : -normal));
 }
 
@@ -152,24 +140,18 @@ Ray Surface::ray_to_light(const Vec3& direction, float distance) const
 
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler)
 {
-    if (scene.mesh_is_shell) {
-        return std::nullopt;
-    }
+    if (scene.mesh_is_shell) return std::nullopt;
     Ray rest = ray;
     std::optional<Hit> hit = scene.accelerator.closest(rest);
     float travelled = 0;
     for (int k = 0; k < kMaxPasses && hit && scene.has_transparency; ++k) {
         const float opacity = opacity_of(scene, *hit);
-        if (opacity >= 1 || sampler.next_1d() < opacity) {
-            break;
-        }
+        if (opacity >= 1 || sampler.next_1d() < opacity) break;
         travelled += hit->distance;
         rest = beyond(scene, rest, *hit);
         hit = scene.accelerator.closest(rest);
     }
-    if (hit) {
-        hit->distance += travelled;
-    }
+    if (hit) hit->distance += travelled;
     return hit;
 }
 
@@ -177,9 +159,7 @@ float first_meeting(const SceneData& scene, const Ray& ray, Sampler& sampler)
 {
     constexpr float kNothing = std::numeric_limits<float>::infinity();
     const std::optional<Hit> hit = closest_opaque(scene, ray, sampler);
-    if (!scene.medium) {
-        return hit ? hit->distance : kNothing;
-    }
+    if (!scene.medium) return hit ? hit->distance : kNothing;
     const std::optional<float> stop =
         scene.medium->collision({ray.origin, ray.direction, hit ? hit->distance : ray.end}, sampler);
     return stop ? *stop : hit ? hit->distance : kNothing;
@@ -187,19 +167,13 @@ float first_meeting(const SceneData& scene, const Ray& ray, Sampler& sampler)
 
 float transmittance(const SceneData& scene, const Ray& ray)
 {
-    if (scene.mesh_is_shell) {
-        return 1;
-    }
-    if (!scene.has_transparency) {
-        return scene.accelerator.blocked(ray) ? 0.0f : 1.0f;
-    }
+    if (scene.mesh_is_shell) return 1;
+    if (!scene.has_transparency) return scene.accelerator.blocked(ray) ? 0.0f : 1.0f;
     Ray rest = ray;
     float share = 1;
     for (int k = 0; k < kMaxPasses && share > 0; ++k) {
         const std::optional<Hit> hit = scene.accelerator.closest(rest);
-        if (!hit) {
-            return share;
-        }
+        if (!hit) return share;
         share *= 1 - opacity_of(scene, *hit);
         rest = beyond(scene, rest, *hit);
     }

@@ -15,9 +15,7 @@ public:
     void put8(uint8_t v) { bytes_.push_back(v); }
     void put32(uint32_t v)
     {
-        for (int shift = 0; shift < 32; shift += 8) {
-            put8(static_cast<uint8_t>(v >> shift));
-        }
+        for (int shift = 0; shift < 32; shift += 8) put8(static_cast<uint8_t>(v >> shift));
     }
     void put64(uint64_t v)
     {
@@ -56,9 +54,7 @@ public:
     uint32_t get32()
     {
         uint32_t v = 0;
-        for (int shift = 0; shift < 32; shift += 8) {
-            v |= uint32_t{get8()} << shift;
-        }
+        for (int shift = 0; shift < 32; shift += 8) v |= uint32_t{get8()} << shift;
         return v;
     }
     uint64_t get64()

@@ -52,15 +52,12 @@ std::vector<FileId> ids_of(const fs::path& file)
     struct stat status = {};
     std::vector<FileId> ids;
     if (stat(file.c_str(), &status) == 0) {
-        if (!S_ISREG(status.st_mode)) {
-            return {};
-        }
+        if (!S_ISREG(status.st_mode)) return {};
         ids.emplace_back(status.st_dev, status.st_ino, "");
     }
     const fs::path place = followed(file);
-    if (stat(place.parent_path().c_str(), &status) == 0) {
+    if (stat(place.parent_path().c_str(), &status) == 0)
         ids.emplace_back(status.st_dev, status.st_ino, place.filename().string());
-    }
     return ids;
 }
 
@@ -76,22 +73,16 @@ const fs::path* find(const Book& book, const std::vector<FileId>& ids)
 {
     for (const FileId& id : ids) {
         const auto found = book.find(id);
-        if (found == book.end()) {
-            continue;
-        }
+        if (found == book.end()) continue;
         const std::vector<FileId> now = ids_of(found->second);
-        if (std::find(now.begin(), now.end(), id) != now.end()) {
-            return &found->second;
-        }
+        if (std::find(now.begin(), now.end(), id) != now.end()) return &found->second;
     }
     return nullptr;
 }
 
 void enter(Book& book, const std::vector<FileId>& ids, const fs::path& file)
 {
-    for (const FileId& id : ids) {
-        book.insert_or_assign(id, file);
-    }
+    for (const FileId& id : ids) book.insert_or_assign(id, file);
 }
 
 [[noreturn]] void refuse_input(const fs::path& output, const fs::path& input)
@@ -113,12 +104,8 @@ void enter(Book& book, const std::vector<FileId>& ids, const fs::path& file)
 void announce(Books& all, const fs::path& file)
 {
     const std::vector<FileId> ids = ids_of(file);
-    if (const fs::path* input = find(all.inputs, ids)) {
-        refuse_input(file, *input);
-    }
-    if (const fs::path* other = find(all.outputs, ids)) {
-        refuse_twin(file, *other);
-    }
+    if (const fs::path* input = find(all.inputs, ids)) refuse_input(file, *input);
+    if (const fs::path* other = find(all.outputs, ids)) refuse_twin(file, *other);
     enter(all.outputs, ids, file);
 }
 
@@ -143,24 +130,17 @@ void announce_outputs(const std::vector<fs::path>& files)
 {
     Books& all = books();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    for (const fs::path& file : files) {
-        if (all.guards != 0) {
-            announce(all, file);
-        }
-    }
+    for (const fs::path& file : files)
+        if (all.guards != 0) announce(all, file);
 }
 
 void note_input(const fs::path& file)
 {
     Books& all = books();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    if (all.guards == 0 || !is_regular(file)) {
-        return;
-    }
+    if (all.guards == 0 || !is_regular(file)) return;
     const std::vector<FileId> ids = ids_of(file);
-    if (const fs::path* output = find(all.outputs, ids)) {
-        refuse_input(*output, file);
-    }
+    if (const fs::path* output = find(all.outputs, ids)) refuse_input(*output, file);
     enter(all.inputs, ids, file);
 }
 
@@ -168,12 +148,8 @@ void require_no_input(const fs::path& file)
 {
     Books& all = books();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    if (all.guards == 0) {
-        return;
-    }
-    if (const fs::path* input = find(all.inputs, ids_of(file))) {
-        refuse_input(file, *input);
-    }
+    if (all.guards == 0) return;
+    if (const fs::path* input = find(all.inputs, ids_of(file))) refuse_input(file, *input);
 }
 
 }  // namespace lumi::baker

@@ -22,9 +22,7 @@ public:
     explicit Inflater(const std::string& bytes) : in_(bytes)
     {
         constexpr int kGzip = 16;  // zlib's flag for that format
-        if (inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK) {
-            throw std::bad_alloc();
-        }
+        if (inflateInit2(&stream_, MAX_WBITS + kGzip) != Z_OK) throw std::bad_alloc();
     }
     ~Inflater() { inflateEnd(&stream_); }
     Inflater(const Inflater&) = delete;
@@ -35,9 +33,7 @@ public:
     {
         stream_.next_out = reinterpret_cast<Bytef*>(out);
         stream_.avail_out = static_cast<uInt>(size);
-        while (stream_.avail_out != 0 && !done_) {
-            step();
-        }
+        while (stream_.avail_out != 0 && !done_) step();
         return size - stream_.avail_out;
     }
 
@@ -49,11 +45,10 @@ private:
         stream_.avail_in = static_cast<uInt>(piece);
         const int result = inflate(&stream_, Z_NO_FLUSH);
         at_ += piece - stream_.avail_in;
-        if (result == Z_STREAM_END) {  // another member may follow
+        if (result == Z_STREAM_END)  // another member may follow
             done_ = at_ == in_.size() || inflateReset(&stream_) != Z_OK;
-        } else {
+        else
             done_ = result != Z_OK;  // damaged, or no more input
-        }
     }
 
     const std::string& in_;

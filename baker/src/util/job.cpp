@@ -29,9 +29,7 @@ class Threads
 public:
     ~Threads()
     {
-        for (std::thread& t : threads_) {
-            t.join();
-        }
+        for (std::thread& t : threads_) t.join();
     }
     // False where the system gives no further thread: those that there are do the work.
     template <class Function>
@@ -65,9 +63,8 @@ void Job::report()
     const bool traces = stage_ == Stage::light;
     const bool tells_eta = traces || static_cast<double>(done) >= kFirstEta * static_cast<double>(rays_total_);
     if (progress_ && !progress_({done, rays_total_, traces ? meter_.per_second() : 0,
-                                 tells_eta ? meter_.eta_seconds(rays_total_) : -1, elapsed, rays_saved_, stage_})) {
+                                 tells_eta ? meter_.eta_seconds(rays_total_) : -1, elapsed, rays_saved_, stage_}))
         throw Cancelled();
-    }
 }
 
 uint64_t Job::part_of_rest(double share) const
@@ -78,9 +75,7 @@ uint64_t Job::part_of_rest(double share) const
 
 uint64_t Job::done() const
 {
-    if (run_.rays == 0) {
-        return rays_done_;
-    }
+    if (run_.rays == 0) return rays_done_;
     double share = static_cast<double>(finished_tasks_) / run_.tasks;
     if (run_.tasks == 1) {
         const double seconds = std::chrono::duration<double>(Clock::now() - run_.start).count();
@@ -94,9 +89,7 @@ void Job::begin_run(uint32_t count)
     next_task_ = 0;
     finished_ = 0;
     finished_tasks_ = 0;
-    if (!is_staged_ || count == 0 || stage_end_ <= rays_done_) {
-        return;
-    }
+    if (!is_staged_ || count == 0 || stage_end_ <= rays_done_) return;
     const uint64_t left = stage_end_ - rays_done_;
     run_ = {rays_done_, left / std::max(runs_left_, 1u), count, Clock::now()};
     runs_left_ = runs_left_ > 2 ? runs_left_ - 1 : 2;  // there may be more runs than expected
@@ -143,21 +136,15 @@ void Job::run(uint32_t count, const std::function<void(uint32_t)>& task)
         Threads threads;
         try {
             unsigned started = 0;
-            while (started < workers && threads.start([&] { work(count, task); })) {
-                ++started;
-            }
-            if (started == 0) {
-                throw BakeError("the system gives no thread; raise `ulimit -v` and `ulimit -u`");
-            }
+            while (started < workers && threads.start([&] { work(count, task); })) ++started;
+            if (started == 0) throw BakeError("the system gives no thread; raise `ulimit -v` and `ulimit -u`");
             watch(started);
         } catch (...) {
             stop_ = true;
             throw;
         }
     }
-    if (failure_) {
-        std::rethrow_exception(failure_);
-    }
+    if (failure_) std::rethrow_exception(failure_);
     end_run();
 }
 

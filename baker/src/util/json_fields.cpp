@@ -11,9 +11,7 @@ namespace lumi::baker
 JsonFields::JsonFields(const std::string& file, const JsonValue& object, std::string what)
     : file_(file), object_(object), what_(std::move(what))
 {
-    if (object.kind != JsonValue::Kind::object) {
-        fail(object, what_ + " must be an object; write { ... }");
-    }
+    if (object.kind != JsonValue::Kind::object) fail(object, what_ + " must be an object; write { ... }");
 }
 
 void JsonFields::fail(const JsonValue& where, const std::string& text) const
@@ -32,17 +30,14 @@ const JsonValue* JsonFields::find(const std::string& name)
 const JsonValue& JsonFields::require(const std::string& name)
 {
     const JsonValue* value = find(name);
-    if (!value) {
-        fail(object_, what_ + " has no '" + name + "'; add it");
-    }
+    if (!value) fail(object_, what_ + " has no '" + name + "'; add it");
     return *value;
 }
 
 double JsonFields::number_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
 {
-    if (value.kind != JsonValue::Kind::number) {
+    if (value.kind != JsonValue::Kind::number)
         fail(value, "'" + name + "' of " + what_ + " must be a number; correct it");
-    }
     if (!(value.number >= range.low && value.number <= range.high)) {
         fail(value, "'" + name + "' of " + what_ + " is " + number_text(value.number) + "; choose it from " +
                         number_text(range.low) + " to " + number_text(range.high));
@@ -52,33 +47,26 @@ double JsonFields::number_of(const JsonValue& value, const std::string& name, co
 
 Vec3 JsonFields::vector_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
 {
-    if (value.kind != JsonValue::Kind::list || value.items.size() != 3) {
+    if (value.kind != JsonValue::Kind::list || value.items.size() != 3)
         fail(value, "'" + name + "' of " + what_ + " must be three numbers; write [x, y, z]");
-    }
     float v[3];
-    for (size_t k = 0; k < 3; ++k) {
-        v[k] = static_cast<float>(number_of(value.items[k], name, range));
-    }
+    for (size_t k = 0; k < 3; ++k) v[k] = static_cast<float>(number_of(value.items[k], name, range));
     return {v[0], v[1], v[2]};
 }
 
 Rgb JsonFields::colour_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
 {
-    if (value.kind == JsonValue::Kind::number) {
-        return grey(static_cast<float>(number_of(value, name, range)));
-    }
-    if (value.kind != JsonValue::Kind::list || value.items.size() != 3) {
+    if (value.kind == JsonValue::Kind::number) return grey(static_cast<float>(number_of(value, name, range)));
+    if (value.kind != JsonValue::Kind::list || value.items.size() != 3)
         fail(value, "'" + name + "' of " + what_ + " must be a colour; write [r, g, b], or one number for grey");
-    }
     const Vec3 v = vector_of(value, name, range);
     return {v.x, v.y, v.z};
 }
 
 std::string JsonFields::text_of(const JsonValue& value, const std::string& name) const
 {
-    if (value.kind != JsonValue::Kind::text) {
+    if (value.kind != JsonValue::Kind::text)
         fail(value, "'" + name + "' of " + what_ + " must be a text; put it in quotes");
-    }
     return value.text;
 }
 
@@ -114,14 +102,11 @@ std::string JsonFields::text(const std::string& name)
 size_t JsonFields::choice(const std::string& name, const std::vector<std::string>& words, size_t fallback)
 {
     const JsonValue* value = find(name);
-    if (!value) {
-        return fallback;
-    }
+    if (!value) return fallback;
     const std::string word = text_of(*value, name);
     const auto found = std::find(words.begin(), words.end(), word);
-    if (found == words.end()) {
+    if (found == words.end())
         fail(*value, "'" + name + "' of " + what_ + " is '" + word + "'; choose one of: " + joined(words, ", "));
-    }
     return static_cast<size_t>(found - words.begin());
 }
 

@@ -71,9 +71,8 @@ public:
 
     bool key(string_t& name) override
     {
-        if (!names_.back().insert(name).second) {
+        if (!names_.back().insert(name).second)
             throw SceneError(at({file_, line()}, "'" + name + "' is given twice; remove one"));
-        }
         open_.back().members.emplace_back(name, JsonValue{});
         return true;
     }
@@ -118,21 +117,19 @@ private:
     bool put(JsonValue value)
     {
         value.line = value.line ? value.line : line();
-        if (open_.empty()) {
+        if (open_.empty())
             root_ = std::move(value);
-        } else if (open_.back().kind == JsonValue::Kind::list) {
+        else if (open_.back().kind == JsonValue::Kind::list)
             open_.back().items.push_back(std::move(value));
-        } else {
+        else
             open_.back().members.back().second = std::move(value);
-        }
         return true;
     }
 
     bool open(JsonValue::Kind kind)
     {
-        if (open_.size() == kMaxDepth) {
+        if (open_.size() == kMaxDepth)
             throw SceneError(at({file_, line()}, "brackets nest too deeply; no scene needs that, check the file"));
-        }
         JsonValue v;
         v.kind = kind;
         v.line = line();

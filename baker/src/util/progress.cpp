@@ -9,13 +9,9 @@ namespace lumi::baker
 void RateMeter::add(double now_seconds, uint64_t done)
 {
     reports_.push_back({now_seconds, done});
-    if (reports_.size() == 1) {
-        first_ = reports_.front();
-    }
+    if (reports_.size() == 1) first_ = reports_.front();
     // Keep one report from before the window, so that the pace spans all of it.
-    while (reports_.size() > 2 && reports_[1].seconds <= now_seconds - window_seconds_) {
-        reports_.pop_front();
-    }
+    while (reports_.size() > 2 && reports_[1].seconds <= now_seconds - window_seconds_) reports_.pop_front();
 }
 
 double RateMeter::pace(const Report& from, const Report& to)

@@ -21,9 +21,7 @@ constexpr uintmax_t kMaxFileBytes = uintmax_t{1} << 32;
 std::string_view trimmed(std::string_view s)
 {
     const size_t first = s.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) {
-        return {};
-    }
+    if (first == std::string_view::npos) return {};
     return s.substr(first, s.find_last_not_of(kBlanks) - first + 1);
 }
 
@@ -33,9 +31,7 @@ std::string_view take_line(std::string_view& rest)
     const size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
     const std::string_view line = rest.substr(0, end);
     size_t next = std::min(end + 1, rest.size());
-    if (end + 1 < rest.size() && rest[end] == '\r' && rest[end + 1] == '\n') {
-        ++next;
-    }
+    if (end + 1 < rest.size() && rest[end] == '\r' && rest[end + 1] == '\n') ++next;
     rest.remove_prefix(next);
     return line;
 }
@@ -43,11 +39,8 @@ std::string_view take_line(std::string_view& rest)
 // A '#' opens a comment only where a word could start: file names may contain it.
 std::string_view without_comment(std::string_view line)
 {
-    for (size_t k = 0; k < line.size(); ++k) {
-        if (line[k] == '#' && (k == 0 || kBlanks.find(line[k - 1]) != std::string_view::npos)) {
-            return line.substr(0, k);
-        }
-    }
+    for (size_t k = 0; k < line.size(); ++k)
+        if (line[k] == '#' && (k == 0 || kBlanks.find(line[k - 1]) != std::string_view::npos)) return line.substr(0, k);
     return line;
 }
 
@@ -87,12 +80,10 @@ std::string at(const Place& place, const std::string& text)
 std::ifstream open_file(const std::filesystem::path& file)
 {
     std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) {
+    if (std::filesystem::is_directory(file, ignored))
         throw SceneError(at({file.string()}, "this is a folder; name the file in it"));
-    }
-    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
         throw SceneError(at({file.string()}, "this is a device or a pipe; name a file"));
-    }
     const uintmax_t size = size_of(file);
     if (size > kMaxFileBytes) {
         throw SceneError(at({file.string()}, "the file has " + std::to_string(size) + " bytes, at most " +
@@ -100,9 +91,7 @@ std::ifstream open_file(const std::filesystem::path& file)
     }
     note_input(file);
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        throw SceneError(at({file.string()}, "the file cannot be opened; check its name and permissions"));
-    }
+    if (!stream) throw SceneError(at({file.string()}, "the file cannot be opened; check its name and permissions"));
     return stream;
 }
 
@@ -112,9 +101,7 @@ std::string read_file(const std::filesystem::path& file)
     const uintmax_t size = std::min<uintmax_t>(size_of(file), kMaxFileBytes);
     std::string text(static_cast<size_t>(size), '\0');
     stream.read(text.data(), static_cast<std::streamsize>(size));
-    if (stream.bad()) {
-        throw SceneError(at({file.string()}, "reading the file failed; check the disk"));
-    }
+    if (stream.bad()) throw SceneError(at({file.string()}, "reading the file failed; check the disk"));
     text.resize(static_cast<size_t>(stream.gcount()));  // somebody may have cut it meanwhile
     return text;
 }
@@ -122,18 +109,14 @@ std::string read_file(const std::filesystem::path& file)
 std::string read_text(const std::filesystem::path& file)
 {
     std::string text = read_file(file);
-    if (is_utf16(text)) {
-        throw SceneError(at({file.string()}, "this text is in UTF-16; save it in UTF-8"));
-    }
+    if (is_utf16(text)) throw SceneError(at({file.string()}, "this text is in UTF-16; save it in UTF-8"));
     return text;
 }
 
 std::vector<Line> split_lines(std::string_view text)
 {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-        text.remove_prefix(kByteOrderMark.size());
-    }
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
     std::vector<Line> lines;
     uint32_t number = 0;
     while (!text.empty()) {
@@ -158,9 +141,7 @@ std::vector<std::string_view> words(std::string_view argument)
     std::vector<std::string_view> result;
     while (true) {
         argument = trimmed(argument);
-        if (argument.empty()) {
-            return result;
-        }
+        if (argument.empty()) return result;
         const size_t end = std::min(argument.find_first_of(kBlanks), argument.size());
         result.push_back(argument.substr(0, end));
         argument.remove_prefix(end);
@@ -170,9 +151,7 @@ std::vector<std::string_view> words(std::string_view argument)
 std::string joined(const std::vector<std::string>& parts, const char* separator)
 {
     std::string text;
-    for (const std::string& part : parts) {
-        text += (text.empty() ? "" : separator) + part;
-    }
+    for (const std::string& part : parts) text += (text.empty() ? "" : separator) + part;
     return text;
 }
 
@@ -206,9 +185,8 @@ void require_numbers(const Place& place, const Line& line, size_t least, size_t 
             throw SceneError(
                 at(place, "'" + std::string(list[k]) + "' is not a finite number; correct it or remove what uses it"));
         }
-        if (std::abs(value) > limit) {
+        if (std::abs(value) > limit)
             throw SceneError(at(place, "the number " + std::string(list[k]) + " is too large; scale the scene down"));
-        }
     }
 }
 

@@ -14,9 +14,7 @@ using Affine = std::array<std::array<double, 4>, 3>;
 inline std::array<double, 3> point_of(const Affine& m, double x, double y, double z)
 {
     std::array<double, 3> result;
-    for (size_t r = 0; r < 3; ++r) {
-        result[r] = m[r][0] * x + m[r][1] * y + m[r][2] * z + m[r][3];
-    }
+    for (size_t r = 0; r < 3; ++r) result[r] = m[r][0] * x + m[r][1] * y + m[r][2] * z + m[r][3];
     return result;
 }
 
@@ -24,11 +22,9 @@ inline std::array<double, 3> point_of(const Affine& m, double x, double y, doubl
 inline Affine combined(const Affine& a, const Affine& b)
 {
     Affine result;
-    for (size_t r = 0; r < 3; ++r) {
-        for (size_t c = 0; c < 4; ++c) {
+    for (size_t r = 0; r < 3; ++r)
+        for (size_t c = 0; c < 4; ++c)
             result[r][c] = a[r][0] * b[0][c] + a[r][1] * b[1][c] + a[r][2] * b[2][c] + (c == 3 ? a[r][3] : 0);
-        }
-    }
     return result;
 }
 
@@ -36,9 +32,8 @@ inline Affine combined(const Affine& a, const Affine& b)
 inline double determinant(const Affine& m)
 {
     double sum = 0;
-    for (size_t c = 0; c < 3; ++c) {
+    for (size_t c = 0; c < 3; ++c)
         sum += m[0][c] * (m[1][(c + 1) % 3] * m[2][(c + 2) % 3] - m[1][(c + 2) % 3] * m[2][(c + 1) % 3]);
-    }
     return sum;
 }
 
@@ -53,9 +48,8 @@ inline Affine inverse(const Affine& m)
             result[r][c] = scale * (m[a][d] * m[b][e] - m[a][e] * m[b][d]);
         }
     }
-    for (size_t r = 0; r < 3; ++r) {
+    for (size_t r = 0; r < 3; ++r)
         result[r][3] = -(result[r][0] * m[0][3] + result[r][1] * m[1][3] + result[r][2] * m[2][3]);
-    }
     return result;
 }
 

@@ -24,9 +24,7 @@ public:
     void add_triangle(uint32_t a, uint32_t b, uint32_t c)
     {
         const std::vector<Vec3>& p = mesh_.positions;
-        if (has_no_area(p[a], p[b], p[c])) {
-            return;
-        }
+        if (has_no_area(p[a], p[b], p[c])) return;
         constexpr Mesh::OptionalCorners kNone = {kNoIndex, kNoIndex, kNoIndex};
         mesh_.corners.push_back(turned_ ? Mesh::Corners{a, c, b} : Mesh::Corners{a, b, c});
         mesh_.shading.push_back(kNone);
@@ -62,12 +60,8 @@ Mesh iso_surface(const Grid& grid, float value)
         builder.add_point(
             point_of(grid.voxel_to_world, static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));
     }
-    for (const auto& [a, b, c] : polygons.triangles) {
-        builder.add_triangle(a, b, c);
-    }
-    for (const std::array<uint32_t, 4>& q : polygons.quads) {
-        builder.add_quad(q);
-    }
+    for (const auto& [a, b, c] : polygons.triangles) builder.add_triangle(a, b, c);
+    for (const std::array<uint32_t, 4>& q : polygons.quads) builder.add_quad(q);
     return builder.take();
 }
 

@@ -35,17 +35,13 @@ Majorants::Majorants(const Grid& grid, const TransferFunction& transfer)
       counts_{blocks_of(cells_[0]), blocks_of(cells_[1]), blocks_of(cells_[2])}
 {
     const auto bounds = [&](std::array<uint32_t, 3> block, uint32_t more) {
-        for (size_t k = 0; k < 3; ++k) {
-            block[k] = std::min((block[k] + more) * kBlock, cells_[k]);
-        }
+        for (size_t k = 0; k < 3; ++k) block[k] = std::min((block[k] + more) * kBlock, cells_[k]);
         return block;
     };
     for (uint32_t z = 0; z < static_cast<uint32_t>(counts_[2]); ++z) {
-        for (uint32_t y = 0; y < static_cast<uint32_t>(counts_[1]); ++y) {
-            for (uint32_t x = 0; x < static_cast<uint32_t>(counts_[0]); ++x) {
+        for (uint32_t y = 0; y < static_cast<uint32_t>(counts_[1]); ++y)
+            for (uint32_t x = 0; x < static_cast<uint32_t>(counts_[0]); ++x)
                 blocks_.push_back(most_between(grid, transfer, bounds({x, y, z}, 0), bounds({x, y, z}, 1)));
-            }
-        }
     }
 }
 

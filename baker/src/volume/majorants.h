@@ -66,15 +66,11 @@ void Majorants::walk(const VoxelRay& ray, float start, float end, const Use& use
     for (float t = start; t < end;) {
         const size_t k = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
         const float border = std::min(next[k], end);
-        if (border > t && !use(t, border, at(block))) {
-            return;
-        }
+        if (border > t && !use(t, border, at(block))) return;
         t = std::max(t, border);
         block[k] += step[k];
         next[k] += width[k];
-        if (block[k] < 0 || block[k] >= counts_[k]) {
-            return;
-        }
+        if (block[k] < 0 || block[k] >= counts_[k]) return;
     }
 }
 

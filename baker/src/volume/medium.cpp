@@ -48,11 +48,8 @@ Medium::Medium(Volume volume, const Affine& to_world, double radius)
       radius_(static_cast<float>(radius))
 {
     const Affine voxels = combined(inverse(grid_.voxel_to_world), to_world);
-    for (size_t r = 0; r < 3; ++r) {
-        for (size_t c = 0; c < 4; ++c) {
-            voxels_[r][c] = static_cast<float>(voxels[r][c]);
-        }
-    }
+    for (size_t r = 0; r < 3; ++r)
+        for (size_t c = 0; c < 4; ++c) voxels_[r][c] = static_cast<float>(voxels[r][c]);
 }
 
 VoxelRay Medium::to_voxels(const Ray& ray) const
@@ -105,9 +102,7 @@ float Medium::scalar(const Vec3& voxel) const
 std::optional<float> Medium::collision(const Ray& ray, Sampler& sampler) const
 {
     const std::optional<Part> part = inside(ray);
-    if (!part) {
-        return std::nullopt;
-    }
+    if (!part) return std::nullopt;
     std::optional<float> found;
     float rest = exponential(sampler.next_1d());  // depth to the next point that the majorants stop at
     majorants_.walk(part->ray, part->start, part->end, [&](float t, float end, float majorant) {
@@ -129,9 +124,7 @@ float Medium::transmittance(const Ray& ray, Sampler& sampler) const
 {
     constexpr float kFaint = 0.1f;  // below, roulette
     const std::optional<Part> part = inside(ray);
-    if (!part) {
-        return 1;
-    }
+    if (!part) return 1;
     float share = 1;
     float rest = exponential(sampler.next_1d());
     majorants_.walk(part->ray, part->start, part->end, [&](float t, float end, float majorant) {
@@ -139,12 +132,8 @@ float Medium::transmittance(const Ray& ray, Sampler& sampler) const
         for (; (end - t) * most > rest; rest = exponential(sampler.next_1d())) {
             t += rest / most;
             share *= 1 - std::min(density_at(part->ray.at(t)) / most, 1.0f);
-            if (share < kFaint) {
-                share = sampler.next_1d() * kFaint < share ? kFaint : 0.0f;
-            }
-            if (share == 0) {
-                return false;
-            }
+            if (share < kFaint) share = sampler.next_1d() * kFaint < share ? kFaint : 0.0f;
+            if (share == 0) return false;
         }
         rest -= (end - t) * most;
         return true;
@@ -158,9 +147,7 @@ float Medium::density(const Vec3& point) const
     const auto outside = [](float place, uint32_t voxels) {
         return place < 0 || place > static_cast<float>(voxels - 1);
     };
-    if (outside(voxel.x, grid_.nx) || outside(voxel.y, grid_.ny) || outside(voxel.z, grid_.nz)) {
-        return 0;
-    }
+    if (outside(voxel.x, grid_.nx) || outside(voxel.y, grid_.ny) || outside(voxel.z, grid_.nz)) return 0;
     return density_at(voxel);
 }
 
@@ -181,11 +168,8 @@ void Medium::add_to(Digest& digest) const
         digest.add(p.density);
     }
     digest.add(phase_.anisotropy());
-    for (const auto& row : voxels_) {
-        for (const float v : row) {
-            digest.add(v);
-        }
-    }
+    for (const auto& row : voxels_)
+        for (const float v : row) digest.add(v);
 }
 
 }  // namespace lumi::baker

@@ -31,9 +31,7 @@ void convert(const char* at, const NiftiHeader& header, std::vector<float>& valu
     for (float& value : values) {
         char bytes[sizeof(Stored)];
         std::memcpy(bytes, at, sizeof bytes);
-        if (header.swapped) {
-            std::reverse(std::begin(bytes), std::end(bytes));
-        }
+        if (header.swapped) std::reverse(std::begin(bytes), std::end(bytes));
         Stored stored = {};
         std::memcpy(&stored, bytes, sizeof stored);
         value = scaled(static_cast<double>(stored), header);
@@ -83,12 +81,8 @@ std::vector<float> values_of(const char* at, const NiftiHeader& header)
 bool fill_holes(std::vector<float>& values)
 {
     float least = std::numeric_limits<float>::infinity();
-    for (const float value : values) {
-        least = value < least ? value : least;
-    }
-    if (!std::isfinite(least)) {
-        return false;
-    }
+    for (const float value : values) least = value < least ? value : least;
+    if (!std::isfinite(least)) return false;
     std::replace_if(
         values.begin(), values.end(), [](float value) { return std::isnan(value); }, least);
     return true;
@@ -105,9 +99,7 @@ Grid grid_of(const std::string& name, const NiftiHeader& header, const std::stri
     }
     Grid grid = {header.size[0], header.size[1], header.size[2], values_of(&bytes[header.data_offset], header),
                  header.voxel_to_mm};
-    if (!fill_holes(grid.values)) {
-        throw SceneError(at({name}, "no voxel holds a number; write the file anew"));
-    }
+    if (!fill_holes(grid.values)) throw SceneError(at({name}, "no voxel holds a number; write the file anew"));
     return grid;
 }
 
@@ -115,9 +107,7 @@ Grid grid_of(const std::string& name, const NiftiHeader& header, const std::stri
 
 Grid parse_nifti(const std::string& name, const std::string& bytes)
 {
-    if (!is_gzip(bytes)) {
-        return grid_of(name, read_nifti_header(name, bytes.substr(0, kNiftiHeaderBytes)), bytes);
-    }
+    if (!is_gzip(bytes)) return grid_of(name, read_nifti_header(name, bytes.substr(0, kNiftiHeaderBytes)), bytes);
     const NiftiHeader header = read_nifti_header(name, unpack_gzip(bytes, kNiftiHeaderBytes));
     const size_t needed = header.data_offset + header.voxels() * bytes_of(header.type);
     return grid_of(name, header, unpack_gzip(bytes, needed));

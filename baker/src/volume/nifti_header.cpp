@@ -36,9 +36,7 @@ Header header_of(const std::string& bytes, bool swapped)
 {
     Header header = {};
     std::memcpy(&header, bytes.data(), sizeof header);
-    if (swapped) {
-        swap_nifti_header(&header, sizeof header == sizeof(nifti_1_header) ? 1 : 2);
-    }
+    if (swapped) swap_nifti_header(&header, sizeof header == sizeof(nifti_1_header) ? 1 : 2);
     return header;
 }
 
@@ -70,13 +68,10 @@ private:
 
     void read_size()
     {
-        if (h_.dim[0] < 3 || h_.dim[0] > 7) {
+        if (h_.dim[0] < 3 || h_.dim[0] > 7)
             fail("the header says " + std::to_string(h_.dim[0]) + " dimensions; a volume has 3");
-        }
         require_size(name_, {h_.dim[1], h_.dim[2], h_.dim[3]});
-        for (size_t k = 0; k < 3; ++k) {
-            result_.size[k] = static_cast<uint32_t>(h_.dim[k + 1]);
-        }
+        for (size_t k = 0; k < 3; ++k) result_.size[k] = static_cast<uint32_t>(h_.dim[k + 1]);
         for (int k = 4; k <= h_.dim[0]; ++k) {
             if (h_.dim[k] != 1) {
                 fail("the file holds " + std::to_string(h_.dim[k]) +
@@ -134,19 +129,14 @@ private:
         const std::array<double, 3> spacing = {std::abs(static_cast<double>(h_.pixdim[1])),
                                                std::abs(static_cast<double>(h_.pixdim[2])),
                                                std::abs(static_cast<double>(h_.pixdim[3]))};
-        for (size_t r = 0; r < 3; ++r) {
-            result_.voxel_to_mm[r][r] = spacing[r];
-        }
+        for (size_t r = 0; r < 3; ++r) result_.voxel_to_mm[r][r] = spacing[r];
         if (h_.qform_code > 0) {
             const nifti_dmat44 m = nifti_quatern_to_dmat44(
                 static_cast<double>(h_.quatern_b), static_cast<double>(h_.quatern_c), static_cast<double>(h_.quatern_d),
                 static_cast<double>(h_.qoffset_x), static_cast<double>(h_.qoffset_y), static_cast<double>(h_.qoffset_z),
                 1, 1, 1, static_cast<double>(h_.pixdim[0]));
-            for (size_t r = 0; r < 3; ++r) {
-                for (size_t c = 0; c < 4; ++c) {
-                    result_.voxel_to_mm[r][c] = m.m[r][c] * (c < 3 ? spacing[c] : 1);
-                }
-            }
+            for (size_t r = 0; r < 3; ++r)
+                for (size_t c = 0; c < 4; ++c) result_.voxel_to_mm[r][c] = m.m[r][c] * (c < 3 ? spacing[c] : 1);
         }
     }
 
@@ -154,11 +144,8 @@ private:
     {
         const int units = XYZT_TO_SPACE(h_.xyzt_units);
         const double mm = units == NIFTI_UNITS_METER ? 1000 : units == NIFTI_UNITS_MICRON ? 0.001 : 1;
-        for (auto& row : result_.voxel_to_mm) {
-            for (double& entry : row) {
-                entry *= mm;
-            }
-        }
+        for (auto& row : result_.voxel_to_mm)
+            for (double& entry : row) entry *= mm;
     }
 
     std::string method() const
@@ -175,20 +162,16 @@ private:
 
 size_t bytes_of(VoxelType type)
 {
-    for (const KnownType& known : kTypes) {
-        if (known.type == type) {
-            return known.bytes;
-        }
-    }
+    for (const KnownType& known : kTypes)
+        if (known.type == type) return known.bytes;
     return 1;
 }
 
 NiftiHeader read_nifti_header(const std::string& name, const std::string& bytes)
 {
     static_assert(sizeof(nifti_1_header) == 348 && sizeof(nifti_2_header) == kNiftiHeaderBytes, "as the standard says");
-    if (bytes.size() < sizeof(nifti_1_header)) {
+    if (bytes.size() < sizeof(nifti_1_header))
         throw SceneError(at({name}, "the file ends within its header; copy it again"));
-    }
     int32_t first = 0;  // the header's size, which tells version and byte order
     std::memcpy(&first, bytes.data(), sizeof first);
     int32_t other = first;
@@ -196,13 +179,11 @@ NiftiHeader read_nifti_header(const std::string& name, const std::string& bytes)
     constexpr int32_t kOne = sizeof(nifti_1_header), kTwo = sizeof(nifti_2_header);
     const bool swapped = other == kOne || other == kTwo;
     const int32_t size = swapped ? other : first;
-    if (size == kOne && std::memcmp(&bytes[offsetof(nifti_1_header, magic)], "n+1", 4) == 0) {
+    if (size == kOne && std::memcmp(&bytes[offsetof(nifti_1_header, magic)], "n+1", 4) == 0)
         return HeaderReader(name, header_of<nifti_1_header>(bytes, swapped), swapped).read();
-    }
     if (size == kTwo && bytes.size() >= sizeof(nifti_2_header) &&
-        std::memcmp(&bytes[offsetof(nifti_2_header, magic)], "n+2", 4) == 0) {
+        std::memcmp(&bytes[offsetof(nifti_2_header, magic)], "n+2", 4) == 0)
         return HeaderReader(name, header_of<nifti_2_header>(bytes, swapped), swapped).read();
-    }
     throw SceneError(at({name}, size == kOne
                                     ? "this is a pair of .hdr and .img, or the old format ANALYZE; convert it to "
                                       "one NIfTI file, .nii or .nii.gz"

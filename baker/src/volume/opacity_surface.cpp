@@ -76,25 +76,18 @@ Grid coarser(const Grid& grid)
     constexpr uint32_t kMostVoxels = 112;  // a side; a mesh of some thousand triangles shows no more
     const uint32_t stride = (std::max({grid.nx, grid.ny, grid.nz}) + kMostVoxels - 1) / kMostVoxels;
     const auto left = [&](uint32_t n) { return std::max((n - 1) / stride + 1, 2u); };
-    if (stride == 1 || std::min({grid.nx, grid.ny, grid.nz}) <= stride) {
-        return grid;
-    }
+    if (stride == 1 || std::min({grid.nx, grid.ny, grid.nz}) <= stride) return grid;
     Grid result;
     result.nx = left(grid.nx);
     result.ny = left(grid.ny);
     result.nz = left(grid.nz);
     result.voxel_to_world = grid.voxel_to_world;
-    for (auto& row : result.voxel_to_world) {
-        for (size_t k = 0; k < 3; ++k) {
-            row[k] *= stride;
-        }
-    }
+    for (auto& row : result.voxel_to_world)
+        for (size_t k = 0; k < 3; ++k) row[k] *= stride;
     for (uint32_t z = 0; z < result.nz; ++z) {
         for (uint32_t y = 0; y < result.ny; ++y) {
             const size_t row = (size_t{z} * grid.ny + y) * stride * grid.nx;  // of voxel (0, y, z) times the stride
-            for (uint32_t x = 0; x < result.nx; ++x) {
-                result.values.push_back(grid.values[row + size_t{x} * stride]);
-            }
+            for (uint32_t x = 0; x < result.nx; ++x) result.values.push_back(grid.values[row + size_t{x} * stride]);
         }
     }
     return result;
@@ -107,15 +100,11 @@ Grid optical_depths(const Volume& volume)
     Grid result = volume.grid;
     std::vector<float> densities;
     densities.reserve(result.values.size());
-    for (const float v : volume.grid.values) {
-        densities.push_back(volume.transfer.density(v));
-    }
+    for (const float v : volume.grid.values) densities.push_back(volume.transfer.density(v));
     std::fill(result.values.begin(), result.values.end(), std::numeric_limits<float>::max());
     for (int k = 0; k < 27; ++k) {
         const Step step = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
-        if (step != Step{0, 0, 0}) {
-            Sweep(result, densities, step).run(result.values);
-        }
+        if (step != Step{0, 0, 0}) Sweep(result, densities, step).run(result.values);
     }
     return result;
 }

@@ -76,9 +76,8 @@ private:
         uint32_t format = 0;
         stream_.seekg(0);
         stream_.read(reinterpret_cast<char*>(&magic), sizeof magic);
-        if (magic != openvdb::OPENVDB_MAGIC) {
+        if (magic != openvdb::OPENVDB_MAGIC)
             fail("this is no OpenVDB file; name a .vdb file, or a NIfTI file, .nii or .nii.gz");
-        }
         stream_.read(reinterpret_cast<char*>(&format), sizeof format);
         if (format < kOldest || format > kNewest) {
             fail("the file's format is " + std::to_string(format) + ", and " + std::to_string(kOldest) + " to " +
@@ -97,9 +96,8 @@ private:
         setFormatVersion(stream_);
         setLibraryVersion(stream_);
         setDataCompression(stream_);
-        if (!inputHasGridOffsets()) {
+        if (!inputHasGridOffsets())
             fail("the file is a stream that does not say where its grids begin; write it with openvdb::io::File");
-        }
         openvdb::MetaMap().readMeta(stream_);
     }
 
@@ -108,12 +106,8 @@ private:
         for (int32_t left = readGridCount(stream_); left > 0; --left) {
             GridDescriptor grid;
             grid.read(stream_);
-            if (grid.getEndPos() > size_) {
-                fail(kEndsEarly);
-            }
-            if (grid.getEndPos() < stream_.tellg()) {
-                fail("the file's list of grids is damaged; copy it again");
-            }
+            if (grid.getEndPos() > size_) fail(kEndsEarly);
+            if (grid.getEndPos() < stream_.tellg()) fail("the file's list of grids is damaged; copy it again");
             grids_.push_back(grid);
             grid.seekToEnd(stream_);
         }
@@ -125,12 +119,8 @@ private:
         std::vector<std::string> all, names;  // names: of grids of floats
         for (const GridDescriptor& grid : grids_) {
             all.push_back(quoted(grid) + " (" + grid.gridType() + ")");
-            if (grid.gridType() != FloatGrid::gridType()) {
-                continue;
-            }
-            if (grid.gridName() == kPreferred) {
-                return grid;
-            }
+            if (grid.gridType() != FloatGrid::gridType()) continue;
+            if (grid.gridName() == kPreferred) return grid;
             last = &grid;
             names.push_back(quoted(grid));
         }
@@ -160,9 +150,7 @@ private:
         using Corner = openvdb::Vec3IMetadata;
         const auto low = head->getMetadata<Corner>(openvdb::GridBase::META_FILE_BBOX_MIN);
         const auto high = head->getMetadata<Corner>(openvdb::GridBase::META_FILE_BBOX_MAX);
-        if (low && high) {
-            checked_size(openvdb::CoordBBox(openvdb::Coord(low->value()), openvdb::Coord(high->value())));
-        }
+        if (low && high) checked_size(openvdb::CoordBBox(openvdb::Coord(low->value()), openvdb::Coord(high->value())));
     }
 
     // Of the active voxels' box and a border of one.
@@ -172,9 +160,7 @@ private:
         std::array<int64_t, 3> sides = {};
         for (size_t k = 0; k < 3; ++k) {
             const int64_t first = active.min()[k], last = active.max()[k];
-            if (last < first) {
-                fail("the grid is empty: none of its voxels is active; write one that holds something");
-            }
+            if (last < first) fail("the grid is empty: none of its voxels is active; write one that holds something");
             if (first < -kFarthest || last > kFarthest) {
                 fail("voxels lie more than " + std::to_string(kFarthest) +
                      " from the grid's origin; move them by its transform");
@@ -191,21 +177,17 @@ private:
         result->setSaveFloatAsHalf(grid.saveFloatAsHalf());
         grid.seekToGrid(stream_);
         readGrid(result, grid, stream_);
-        if (grid.isInstance()) {
-            result->setTree(sparse(owner_of(grid))->treePtr());
-        }
+        if (grid.isInstance()) result->setTree(sparse(owner_of(grid))->treePtr());
         return result;
     }
 
     // Grids may share a tree, which one of them holds.
     const GridDescriptor& owner_of(const GridDescriptor& instance) const
     {
-        for (const GridDescriptor& grid : grids_) {
+        for (const GridDescriptor& grid : grids_)
             if (grid.uniqueName() == instance.instanceParentName() && grid.gridType() == FloatGrid::gridType() &&
-                !grid.isInstance()) {
+                !grid.isInstance())
                 return grid;
-            }
-        }
         fail("the grid " + quoted(instance) +
              " shares the voxels of one that is not in the file; write it without instances");
     }
@@ -221,9 +203,8 @@ private:
         openvdb::tools::Dense<float, openvdb::tools::LayoutXYZ> view(box, values.data());
         openvdb::tools::copyToDense(sparse, view);
         check_values(values, box);
-        if (sparse.getGridClass() == openvdb::GRID_LEVEL_SET) {
+        if (sparse.getGridClass() == openvdb::GRID_LEVEL_SET)
             std::transform(values.begin(), values.end(), values.begin(), std::negate<>());
-        }
         return {static_cast<uint32_t>(sides[0]), static_cast<uint32_t>(sides[1]), static_cast<uint32_t>(sides[2]),
                 std::move(values), place};
     }
@@ -235,11 +216,8 @@ private:
         const openvdb::Vec3d columns[] = {map->applyJacobian({1, 0, 0}), map->applyJacobian({0, 1, 0}),
                                           map->applyJacobian({0, 0, 1}), map->applyMap(first.asVec3d())};
         Affine result;
-        for (size_t c = 0; c < 4; ++c) {
-            for (size_t r = 0; r < 3; ++r) {
-                result[r][c] = columns[c][static_cast<int>(r)];
-            }
-        }
+        for (size_t c = 0; c < 4; ++c)
+            for (size_t r = 0; r < 3; ++r) result[r][c] = columns[c][static_cast<int>(r)];
         return result;
     }
 
@@ -272,11 +250,8 @@ Polygons dual_contour(const Grid& grid, float value)
     FloatGrid::Accessor voxels = volume.getAccessor();
     const float* at = grid.values.data();
     for (int z = 0; z < static_cast<int>(grid.nz); ++z) {
-        for (int y = 0; y < static_cast<int>(grid.ny); ++y) {
-            for (int x = 0; x < static_cast<int>(grid.nx); ++x) {
-                voxels.setValue({x, y, z}, *at++);
-            }
-        }
+        for (int y = 0; y < static_cast<int>(grid.ny); ++y)
+            for (int x = 0; x < static_cast<int>(grid.nx); ++x) voxels.setValue({x, y, z}, *at++);
     }
     std::vector<openvdb::Vec3s> points;
     std::vector<openvdb::Vec3I> triangles;

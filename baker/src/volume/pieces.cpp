@@ -37,14 +37,11 @@ std::vector<bool> kept_triangles(const Mesh& mesh, double least)
         sets.connect(c[0], c[2]);
     }
     std::vector<double> areas(mesh.positions.size(), 0);
-    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (size_t t = 0; t < mesh.triangle_count(); ++t)
         areas[sets.name_of(mesh.corners[t][0])] += static_cast<double>(mesh.area(t));
-    }
     const double largest = *std::max_element(areas.begin(), areas.end());
     std::vector<bool> kept(mesh.triangle_count());
-    for (size_t t = 0; t < kept.size(); ++t) {
-        kept[t] = areas[sets.name_of(mesh.corners[t][0])] >= least * largest;
-    }
+    for (size_t t = 0; t < kept.size(); ++t) kept[t] = areas[sets.name_of(mesh.corners[t][0])] >= least * largest;
     return kept;
 }
 
@@ -70,11 +67,8 @@ template <class T>
 void keep(std::vector<T>& list, const std::vector<bool>& kept)
 {
     size_t count = 0;
-    for (size_t k = 0; k < kept.size(); ++k) {
-        if (kept[k]) {
-            list[count++] = list[k];
-        }
-    }
+    for (size_t k = 0; k < kept.size(); ++k)
+        if (kept[k]) list[count++] = list[k];
     list.resize(count);
 }
 
@@ -82,9 +76,7 @@ void keep(std::vector<T>& list, const std::vector<bool>& kept)
 
 void keep_large_pieces(Mesh& mesh, double least)
 {
-    if (mesh.corners.empty()) {
-        return;
-    }
+    if (mesh.corners.empty()) return;
     const std::vector<bool> kept = kept_triangles(mesh, least);
     keep(mesh.corners, kept);
     keep(mesh.shading, kept);

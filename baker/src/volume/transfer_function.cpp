@@ -9,12 +9,8 @@ TransferFunction::TransferFunction(std::vector<TransferPoint> points) : points_(
 TransferFunction::Place TransferFunction::place(float value) const
 {
     const auto above = std::find_if(points_.begin(), points_.end(), [&](const auto& p) { return p.value > value; });
-    if (above == points_.begin()) {
-        return {points_.front(), points_.front(), 0};
-    }
-    if (above == points_.end()) {
-        return {points_.back(), points_.back(), 0};
-    }
+    if (above == points_.begin()) return {points_.front(), points_.front(), 0};
+    if (above == points_.end()) return {points_.back(), points_.back(), 0};
     const TransferPoint& from = *(above - 1);
     return {from, *above, (value - from.value) / (above->value - from.value)};
 }
@@ -34,9 +30,7 @@ Rgb TransferFunction::colour(float value) const
 float TransferFunction::most_density(float low, float high) const
 {
     float most = std::max(density(low), density(high));
-    for (const TransferPoint& p : points_) {
-        most = p.value > low && p.value < high ? std::max(most, p.density) : most;
-    }
+    for (const TransferPoint& p : points_) most = p.value > low && p.value < high ? std::max(most, p.density) : most;
     return most;
 }
 

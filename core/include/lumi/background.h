@@ -61,22 +61,20 @@ inline constexpr bool kKeepsCoverage<OverNothing> = true;
 template <class Pixel>
 inline void store_part(uint8_t* pixel, const Rgb8& colour, uint8_t coverage)
 {
-    if constexpr (kHoldsCoverage<Pixel>) {
+    if constexpr (kHoldsCoverage<Pixel>)
         Pixel::store_covered(pixel, colour, coverage);
-    } else {
+    else
         Pixel::store(pixel, colour);
-    }
 }
 
 // Stores what a background of the kind that fills shows where nothing covers it.
 template <class Pixel, class Background>
 inline void store_background(uint8_t* pixel, const Background& background)
 {
-    if constexpr (kKeepsCoverage<Background>) {
+    if constexpr (kKeepsCoverage<Background>)
         store_part<Pixel>(pixel, {0, 0, 0}, 0);
-    } else {
+    else
         Pixel::store(pixel, background.template under<Pixel>(pixel));
-    }
 }
 
 }  // namespace lumi

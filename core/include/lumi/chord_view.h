@@ -34,9 +34,8 @@ struct ChordState {
     ViewError open(const uint8_t* bytes, size_t size)
     {
         Field opened;
-        if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none) {
+        if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none)
             return view_error(error);
-        }
         if (opened.texel_format != Texel::kFormat) return ViewError::other_renderer;
         field = opened;
         return ViewError::none;

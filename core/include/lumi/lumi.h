@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * A field on a display, from C (C99): the calls of view.h, without its types. Link lumi::c, which compiles
- * src/c/lumi.cpp; the program is linked by the C++ compiler, or with its run-time library left out, which nothing needs.
+ * src/c/lumi.cpp; the program is linked by the C++ compiler, or with its run-time library left out, which nothing
+ * needs.
  *
  *     lumi_open(memory, sizeof memory, product, product_size(), screen, &view);     once
  *     lumi_look(view, orbit);                                                       each frame
@@ -25,8 +26,7 @@ extern "C" {
 #endif
 
 /* A whole number of degrees as an angle; parts of one are quotients: LUMI_DEGREES(45) / 2. At most a million. */
-#define LUMI_DEGREES(whole) \
-    ((uint32_t)(((int64_t)(whole) * 4294967296 + (int64_t)6333186975989760 + 180) / 360))
+#define LUMI_DEGREES(whole) ((uint32_t)(((int64_t)(whole)*4294967296 + (int64_t)6333186975989760 + 180) / 360))
 /* A length in radii, up to 2047: LUMI_RADII(5) / 2 is two and a half. */
 #define LUMI_RADII(whole) ((int32_t)(whole) * (int32_t)1048576)
 /* In place of a field of view: the sphere fills the image, as `lumi render` has it. */
@@ -64,7 +64,7 @@ typedef struct lumi_view lumi_view;
 
 /* Bytes that a view takes, before the field is opened: its vertices and patches (`lumi inspect`, `lumi embed`), 0 for
  * chord fields. The macro is a constant for an array, and no less. A uint64_t array has the alignment. */
-#define LUMI_MEMORY(vertices, patches, width, height, rows) \
+#define LUMI_MEMORY(vertices, patches, width, height, rows)                          \
     (2048 + 12 * (size_t)(vertices) + 5 * (size_t)(patches) + 4 * (size_t)(height) + \
      6 * ((size_t)(width) + 2) * ((size_t)(rows) + 2))
 #define LUMI_MEMORY_TWO_BY_TWO(vertices, patches, width, height, rows) \
@@ -88,8 +88,8 @@ lumi_error lumi_look(lumi_view* view, lumi_orbit orbit);
 /* Draws every pixel of the stripe. */
 lumi_error lumi_draw(lumi_view* view, lumi_stripe stripe);
 
-/* A surface field's coverage of the stripe that was drawn last, a byte a pixel: where LUMI_C_BACKGROUND is OverNothing()
- * and pixels have no room for it (RGB565A8). Views of chord fields have none: other_renderer. */
+/* A surface field's coverage of the stripe that was drawn last, a byte a pixel: where LUMI_C_BACKGROUND is
+ * OverNothing() and pixels have no room for it (RGB565A8). Views of chord fields have none: other_renderer. */
 lumi_error lumi_draw_coverage(lumi_view* view, lumi_stripe coverage);
 
 /* One short English phrase. */

@@ -96,9 +96,8 @@ Gathered gather(const Field& field, const Vec3q30& front, const Vec3q30& back)
     for (uint32_t m = 0; m < kTaps; ++m) {
         const uint8_t* row = field.row(origins.index[m]);
         if (row == nullptr) continue;
-        for (uint32_t k = 0; k < kTaps; ++k) {
+        for (uint32_t k = 0; k < kTaps; ++k)
             sums.add(origins.weight_q12[m] * directions.weight_q12[k], Texel::load(field, row, directions.index[k]));
-        }
     }
     return sums;
 }

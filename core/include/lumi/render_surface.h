@@ -156,11 +156,10 @@ void resolve_row(const Background& background, uint8_t* pixel, int32_t count, co
             store_colour<Pixel>(pixel, colour);
         } else if (depth != kEmptyDepth) {
             const int32_t x = static_cast<int32_t>(depth_at - row.depths);
-            if constexpr (kKeepsCoverage<Background>) {
+            if constexpr (kKeepsCoverage<Background>)
                 store_marked_part<Pixel>(pixel, row, x);
-            } else {
+            else
                 store_marked<Pixel>(pixel, background, row, x);
-            }
         } else if (Background::kFills) {
             store_background<Pixel>(pixel, background);
         }
@@ -176,17 +175,15 @@ void resolve_two_by_two(const Background& background, uint8_t* pixel, int32_t co
     for (int32_t x = 0; x < count; ++x, pixel += Pixel::kBytes, depths += 2, colours += 2) {
         const uint16_t *upper = depths, *lower = depths + 2 * count;
         const PackedColour *above = colours, *below = colours + 2 * count;
-        if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0) {
+        if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0)
             store_colour<Pixel>(pixel, mean_of(above[0], above[1], below[0], below[1], kBlack));
-        } else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0) {
-            if constexpr (kKeepsCoverage<Background>) {
+        else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0)
+            if constexpr (kKeepsCoverage<Background>)
                 store_covered_part<Pixel>(pixel, {upper, lower}, {above, below});
-            } else {
+            else
                 store_mixed<Pixel>(pixel, background, {upper, lower}, {above, below});
-            }
-        } else if (Background::kFills) {
+        else if (Background::kFills)
             store_background<Pixel>(pixel, background);
-        }
     }
 }
 
@@ -222,11 +219,10 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
         fill_beside<Pixel>(background, stripe, has_row ? Extent{left, right} : Extent{stripe.x_px, stripe.x_px}, y);
         if (!has_row) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
-        if (frame.samples_log2 == 0) {
+        if (frame.samples_log2 == 0)
             resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px, first, count});
-        } else {
+        else
             resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
-        }
         depths += row_samples;
         colours += row_samples;
     }

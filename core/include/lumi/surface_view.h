@@ -16,9 +16,8 @@ ViewError look_at_surface(const SurfaceField& field, const Pose& pose, const Ima
                           const SurfaceMemory& memory, SurfaceFrame& out)
 {
     SurfaceCamera camera;
-    if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none) {
+    if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
         return view_error(error);
-    }
     prepare_surface<Pixel>(field, camera, mode, memory, out);
     return ViewError::none;
 }
@@ -53,9 +52,8 @@ struct SurfaceDrawing {
         ViewError open(const uint8_t* bytes, size_t size)
         {
             SurfaceField field;
-            if (const FieldError error = open_surface(bytes, size, field); error != FieldError::none) {
+            if (const FieldError error = open_surface(bytes, size, field); error != FieldError::none)
                 return view_error(error);
-            }
             if (field.vertex_count > kVertices || field.patch_count > kPatches) return ViewError::field_too_large;
             field_ = field;
             return ViewError::none;
@@ -73,9 +71,8 @@ struct SurfaceDrawing {
                        Samples<ScreenOf>& samples) const
         {
             const ViewError error = views::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
-            if (error == ViewError::none) {
+            if (error == ViewError::none)
                 render_surface<typename ScreenOf::Pixel>(frame_, background, stripe, samples.words);
-            }
             return error;
         }
 

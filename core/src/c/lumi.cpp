@@ -199,9 +199,8 @@ lumi_error lumi_open(void* memory, size_t memory_bytes, const uint8_t* field, si
     lumi_view& view = *new (memory) lumi_view;
     view.screen = screen;
     view.has_look = false;
-    if (const ViewError error = open_checked(field, field_bytes, screen, view.field); error != ViewError::none) {
+    if (const ViewError error = open_checked(field, field_bytes, screen, view.field); error != ViewError::none)
         return code(error);
-    }
     if (memory_bytes < size_of(view.field, screen)) return code(ViewError::memory_too_small);
     set_memory(view);
     *out = &view;

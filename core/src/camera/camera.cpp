@@ -64,9 +64,8 @@ bool in_shift_range(int32_t shift_q8, int32_t side_px)
 
 CameraError check_image(const Image& image)
 {
-    if (image.fov_turns32 < kMinFovTurns32 || image.fov_turns32 > kMaxFovTurns32) {
+    if (image.fov_turns32 < kMinFovTurns32 || image.fov_turns32 > kMaxFovTurns32)
         return CameraError::field_of_view_range;
-    }
     const bool ok = in_side_range(image.width_px) && in_side_range(image.height_px) &&
                     in_shift_range(image.shift_x_q8, image.width_px) &&
                     in_shift_range(image.shift_y_q8, image.height_px);
@@ -81,9 +80,8 @@ CameraError check_eye(const Vec3q20& eye, uint64_t& distance2_q40)
     distance2_q40 = static_cast<uint64_t>(wide_product(eye.x, eye.x)) +
                     static_cast<uint64_t>(wide_product(eye.y, eye.y)) +
                     static_cast<uint64_t>(wide_product(eye.z, eye.z));
-    if (distance2_q40 > static_cast<uint64_t>(wide_product(kMaxEyeDistanceQ20, kMaxEyeDistanceQ20))) {
+    if (distance2_q40 > static_cast<uint64_t>(wide_product(kMaxEyeDistanceQ20, kMaxEyeDistanceQ20)))
         return CameraError::eye_too_far;
-    }
     return distance2_q40 < uint64_t{1} << 40 ? CameraError::eye_inside_sphere : CameraError::none;
 }
 

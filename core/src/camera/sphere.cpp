@@ -90,9 +90,8 @@ int32_t find_covered(const Camera& camera, int32_t y, Extent limits)
     int32_t x = closest_x(camera, limits.begin + (limits.end - limits.begin) / 2, y, limits);
     x = closest_x(camera, x, y, limits);  // again from near by: the factors' bits now resolve a pixel
     const int32_t candidates[] = {x, x - 1, x + 1, limits.begin, limits.end - 1};
-    for (const int32_t candidate : candidates) {
+    for (const int32_t candidate : candidates)
         if (candidate >= limits.begin && candidate < limits.end && is_covered(camera, candidate, y)) return candidate;
-    }
     return limits.end;
 }
 

@@ -64,10 +64,9 @@ bool TileWalker::prepare(const TileCorners& corners, int width_log2)
     const int32_t lowest_q25 = (map.lowest_z_q30() >> 5) + spare_q25;
     const int32_t highest_q25 = (map.highest_z_q30() >> 5) - spare_q25;
     if (lowest_q25 > highest_q25) return false;
-    for (const int32_t corner_q25 : z_of) {
+    for (const int32_t corner_q25 : z_of)
         if (static_cast<uint32_t>(corner_q25 - lowest_q25) > static_cast<uint32_t>(highest_q25 - lowest_q25))
             return false;
-    }
     constexpr int32_t kMostTwistQ25 = 2 << 25;  // no view comes near it; products with scales stay below 2^31
     if (!within(z.twist, kMostTwistQ25)) return false;
 

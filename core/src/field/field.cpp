@@ -29,9 +29,8 @@ FieldError read_lattices(const uint8_t* layout, Field& out)
     const uint32_t directions = load_u32(layout + layout::kDirectionsAt);
     out.used_origins = load_u32(layout + layout::kUsedOriginsAt);
     if (origins == 0 || origins > kMaxLatticeSize || directions == 0 || directions > kMaxLatticeSize ||
-        out.used_origins == 0 || out.used_origins > origins) {
+        out.used_origins == 0 || out.used_origins > origins)
         return FieldError::bad_lattice_size;
-    }
     out.origins = Lattice(origins);
     out.directions = Lattice(directions);
     return FieldError::none;
@@ -49,9 +48,8 @@ FieldError read_layout(const uint8_t* layout, Field& out)
     if (const FieldError error = read_lattices(layout, out); error != FieldError::none) return error;
     out.row_stride_bytes = load_u32(layout + layout::kRowStrideAt);
     if (out.row_stride_bytes < out.directions.size() * bytes_per_texel(out.texel_format) ||
-        is_power_of_two(out.row_stride_bytes)) {
+        is_power_of_two(out.row_stride_bytes))
         return FieldError::bad_row_stride;
-    }
     BoundsBits bounds;
     if (!read_bounds(layout + layout::kCentreAt, layout + layout::kRadiusAt, bounds)) return FieldError::bad_bounds;
     for (uint32_t k = 0; k < 3; ++k) out.centre_bits[k] = bounds.centre[k];
@@ -63,9 +61,8 @@ FieldError read_texels(const uint8_t* bytes, Field& out)
 {
     Section texels;
     if (!find_section(bytes, kTexelSection, texels)) return FieldError::missing_texels;
-    if (static_cast<uint64_t>(out.used_origins) * out.row_stride_bytes != texels.size) {
+    if (static_cast<uint64_t>(out.used_origins) * out.row_stride_bytes != texels.size)
         return FieldError::bad_texel_size;
-    }
     out.texels = bytes + texels.offset;
     return FieldError::none;
 }

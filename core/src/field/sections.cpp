@@ -13,17 +13,15 @@ using namespace format;
 FieldError check_header(const uint8_t* bytes, size_t size)
 {
     if (size < kHeaderBytes) return FieldError::truncated;
-    for (size_t i = 0; i < sizeof kMagic; ++i) {
+    for (size_t i = 0; i < sizeof kMagic; ++i)
         if (bytes[i] != kMagic[i]) return FieldError::bad_magic;
-    }
     if (load_u32(bytes + header::kHeaderCrcAt) != crc32(0, bytes, header::kHeaderCrcAt)) return FieldError::header_crc;
     if (load_u16(bytes + header::kVersionAt) != kVersion) return FieldError::unsupported_version;
     const uint32_t count = section_count(bytes);
     if (load_u16(bytes + header::kHeaderBytesAt) != kHeaderBytes ||
         load_u16(bytes + header::kEntryBytesAt) != kEntryBytes || count == 0 || count > kMaxSections ||
-        load_u32(bytes + header::kReservedAt) != 0) {
+        load_u32(bytes + header::kReservedAt) != 0)
         return FieldError::bad_header;
-    }
     const uint32_t file_bytes = load_u32(bytes + header::kFileBytesAt);
     if (size < file_bytes || size < kHeaderBytes + count * kEntryBytes) return FieldError::truncated;
     return size > file_bytes ? FieldError::trailing_bytes : FieldError::none;
@@ -36,9 +34,8 @@ bool lies_inside(const Section& s, uint32_t first_byte, uint32_t file_bytes)
 
 bool occurs_before(const uint8_t* bytes, uint32_t type, uint32_t end)
 {
-    for (uint32_t i = 0; i < end; ++i) {
+    for (uint32_t i = 0; i < end; ++i)
         if (section_at(bytes, i).type == type) return true;
-    }
     return false;
 }
 
@@ -80,10 +77,8 @@ FieldError check_sections(const uint8_t* bytes, KnownTypes known)
     const uint32_t file_bytes = load_u32(bytes + header::kFileBytesAt);
     for (uint32_t i = 0; i < count; ++i) {
         const Section s = section_at(bytes, i);
-        if (!lies_inside(s, first_byte, file_bytes) || s.offset % kSectionAlignment != 0 ||
-            (s.flags & ~kRequired) != 0) {
+        if (!lies_inside(s, first_byte, file_bytes) || s.offset % kSectionAlignment != 0 || (s.flags & ~kRequired) != 0)
             return FieldError::bad_section;
-        }
         if (!known.has(s.type) && (s.flags & kRequired) != 0) return FieldError::unknown_required;
         if (known.has(s.type) && occurs_before(bytes, s.type, i)) return FieldError::duplicate_section;
     }

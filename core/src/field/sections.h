@@ -28,9 +28,8 @@ struct KnownTypes {
 
     bool has(uint32_t type) const
     {
-        for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t i = 0; i < count; ++i)
             if (types[i] == type) return true;
-        }
         return false;
     }
 };

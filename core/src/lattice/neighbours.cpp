@@ -78,11 +78,9 @@ void scan_block(Ranking& ranking, const SearchRange& range)
     const Cell cell = cell_of(ranking.query);
     const int32_t a = (cell.u_q12 + range.rounding_q12) >> 12;
     const int32_t b = (cell.v_q12 + range.rounding_q12) >> 12;
-    for (int32_t db = range.block_low; db <= range.block_high; ++db) {
-        for (int32_t da = range.block_low; da <= range.block_high; ++da) {
+    for (int32_t db = range.block_low; db <= range.block_high; ++db)
+        for (int32_t da = range.block_low; da <= range.block_high; ++da)
             ranking.consider(cell.first * (a + da) + cell.second * (b + db));
-        }
-    }
 }
 
 }  // namespace
@@ -92,13 +90,12 @@ uint32_t neighbours(const Lattice& lattice, const Vec3q30& direction, uint32_t c
     const Query query = make_query(lattice, direction);
     const SearchRange range = search_range(count);
     Ranking ranking{lattice, query, direction, out, count};
-    if (lattice.size() < kSmallSize) {
+    if (lattice.size() < kSmallSize)
         scan_all(ranking);
-    } else if (query.height_q10 < range.cap_height << 10) {
+    else if (query.height_q10 < range.cap_height << 10)
         scan_ring(ranking, range);
-    } else {
+    else
         scan_block(ranking, range);
-    }
     return ranking.count;
 }
 

@@ -68,9 +68,8 @@ constexpr Walks make_walks()
 constexpr bool are_short(const Walks& walks)
 {
     for (const TriangleWalk& t : walks.triangle) {
-        for (const Gradient& g : t.weight) {
+        for (const Gradient& g : t.weight)
             if (g.x_q14 * g.x_q14 + g.y_q14 * g.y_q14 >= 1 << 28) return false;
-        }
     }
     return true;
 }

@@ -21,9 +21,8 @@ struct Tables {
 constexpr Tables make_tables()
 {
     Tables t{};
-    for (int k = 0; k <= kReciprocalSteps; ++k) {
+    for (int k = 0; k <= kReciprocalSteps; ++k)
         t.reciprocal_q15[k] = static_cast<uint16_t>(32768.0 * kReciprocalSteps / (kReciprocalSteps + k) + 0.5);
-    }
     for (int k = 0; k <= kRootSteps; ++k) {
         const double v = generate::root((64 + k) / 256.0) * 65536 + 0.5;
         t.root_q16[k] = static_cast<uint16_t>(v > 65535 ? 65535 : v);

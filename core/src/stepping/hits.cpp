@@ -51,9 +51,8 @@ HitEvaluator::HitEvaluator(const Camera& camera)
 RayRow HitEvaluator::row_at(int32_t x, int32_t y) const
 {
     RayRow row;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4; ++k)
         row.value_q28[k] = affine_q28(source(k), static_cast<uint32_t>(x), static_cast<uint32_t>(y));
-    }
     return row;
 }
 

@@ -21,9 +21,8 @@ int64_t largest(const AffineQ40& a, const Camera& camera)
     const int32_t bottom = camera.height_px() - 1;
     int64_t most = 0;
     const int64_t corners[] = {a.at(0, 0), a.at(right, 0), a.at(0, bottom), a.at(right, bottom)};
-    for (const int64_t v : corners) {
+    for (const int64_t v : corners)
         if (magnitude(v) > most) most = magnitude(v);
-    }
     return most;
 }
 
@@ -59,9 +58,8 @@ OutlineQuadratic make_outline(const Camera& camera)
     const int32_t factor_q30 = camera.perpendicular_q30() + (inverse2_q30 >> kTangentShift);
 
     OutlineQuadratic f{};
-    for (const AffineQ40& a : offset) {
+    for (const AffineQ40& a : offset)
         add_square(f, a.at_origin >> shift, a.step_x >> shift, a.step_y >> shift, -factor_q30, 0);
-    }
     const AffineQ40 m = within_image(camera.facing(), camera);
     add_square(f, m.at_origin >> kFacingShift, m.step_x >> kFacingShift, m.step_y >> kFacingShift, kOneQ30 - kTangent,
                2 * (shift - kFacingShift));
@@ -204,11 +202,10 @@ int32_t OutlineTracker::top_between(int32_t from, int32_t to, int32_t y) const
     if (to > limits_.end - 1) to = limits_.end - 1;
     while (from < to) {
         const int32_t middle = from + (to - from) / 2;
-        if (at(middle, y).right > 0) {
+        if (at(middle, y).right > 0)
             from = middle + 1;
-        } else {
+        else
             to = middle;
-        }
     }
     return from;
 }

@@ -22,9 +22,8 @@ int way_out(const int32_t weight_q16[3], const uint8_t beyond[3])
 {
     int edge = -1;
 #pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
         if (weight_q16[k] < 0 && beyond[k] != polar::kNone && (edge < 0 || weight_q16[k] < weight_q16[edge])) edge = k;
-    }
     return edge;
 }
 

@@ -214,13 +214,12 @@ LUMI_HOT void fill_triangle(const Corner& a, const Corner& b, const Corner& c, b
     const PlaneMaker maker(f, shares, target.x, d.y);
     d.planes = {maker.depth(), maker.place(), maker.colour()};
     set_edges(d, o, target.x);
-    if (is_magnified(d.planes.place, target.magnified_q10)) {
+    if (is_magnified(d.planes.place, target.magnified_q10))
         fill_bilinear(d, texture, target);
-    } else if (target.has_two_taps) {
+    else if (target.has_two_taps)
         fill_two_taps(d, texture, target);
-    } else {
+    else
         fill_nearest(d, texture, target);
-    }
 }
 
 }  // namespace lumi::surfaces

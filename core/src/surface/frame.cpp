@@ -204,11 +204,10 @@ void put_triangles(SurfaceFrame& frame)
         const SurfacePatch patch = surface_patch(frame.field, k);
         const uint32_t* corner = patch.corner;
         lister.add(2 * k, corner[0], corner[1], corner[2]);
-        if (corner[3] != format::kNoVertex) {
+        if (corner[3] != format::kNoVertex)
             lister.add(2 * k + 1, corner[3], corner[2], corner[1]);
-        } else {
+        else
             frame.memory.links[2 * k + 1] = kTurnedAway;
-        }
     }
 }
 
@@ -219,9 +218,8 @@ void put_outlines(const SurfaceFrame& frame)
         if ((k & 15) == 0) bits[k >> 4] = 0;
         if (frame.memory.links[k] >= kWithoutSamples) continue;
         const Sides s = sides_of(frame.field, surface_patch(frame.field, k >> 1), k);
-        if (is_outline(frame, s.side[0]) || is_outline(frame, s.side[1]) || is_outline(frame, s.side[2])) {
+        if (is_outline(frame, s.side[0]) || is_outline(frame, s.side[1]) || is_outline(frame, s.side[2]))
             bits[k >> 4] = static_cast<uint16_t>(bits[k >> 4] | 1u << (k & 15));
-        }
     }
 }
 

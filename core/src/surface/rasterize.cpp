@@ -17,9 +17,8 @@ MeshTriangle mesh_triangle(const SurfacePatch& patch, const SurfaceField& field,
     const int32_t bottom = static_cast<int32_t>(patch.rows << 8) - kInsetQ8;
     const Texture texture = {field.texels + patch.texels, patch.columns, patch.rows};
     const uint32_t* corner = patch.corner;
-    if ((k & 1) == 0) {
+    if ((k & 1) == 0)
         return {{corner[0], corner[1], corner[2]}, {kInsetQ8, right, kInsetQ8}, {kInsetQ8, kInsetQ8, bottom}, texture};
-    }
     return {{corner[3], corner[2], corner[1]}, {right, kInsetQ8, right}, {bottom, bottom, kInsetQ8}, texture};
 }
 
@@ -75,9 +74,11 @@ void each_between(const SurfaceFrame& frame, int32_t top, int32_t bottom, const 
 {
     const int32_t first = top >> frame.memory.band_log2, last = (bottom - 1) >> frame.memory.band_log2;
     for (int32_t band = first < kBandReach ? 0 : first - kBandReach + 1; band <= last; ++band) {
-        each_of(frame, static_cast<uint32_t>(band), [&](uint32_t k, int32_t reach) {
-            if (band + reach >= first) draw(k);
-        });
+        each_of(
+            frame, static_cast<uint32_t>(band),
+            [&](uint32_t k, int32_t reach) {
+                if (band + reach >= first) draw(k);
+            });
     }
     each_of(frame, frame.other_list, [&](uint32_t k, int32_t) { draw_other(k); });
 }

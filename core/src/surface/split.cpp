@@ -36,9 +36,8 @@ public:
     Parts(const SurfaceFrame& frame, const MeshTriangle& triangle, const Target& target)
         : frame_(frame), triangle_(triangle), target_(target)
     {
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             view_[k] = view_point(frame.projection, surface_vertex(frame.field, triangle.vertex[k]));
-        }
     }
 
     void fill()

@@ -55,16 +55,14 @@ bool find_bytes(const uint8_t* bytes, uint32_t type, uint32_t size, const uint8_
 
 FieldError read_sections(const uint8_t* bytes, SurfaceField& out)
 {
-    if (!find_bytes(bytes, kVertexSection, out.vertex_count * kVertexBytes, out.vertices)) {
+    if (!find_bytes(bytes, kVertexSection, out.vertex_count * kVertexBytes, out.vertices))
         return FieldError::bad_vertices;
-    }
     if (!find_bytes(bytes, kPatchSection, out.patch_count * kPatchBytes, out.patches)) return FieldError::bad_patches;
     if (!find_bytes(bytes, kColourSection, out.texel_bytes, out.texels)) return FieldError::bad_texel_size;
     if (!find_bytes(bytes, kPaletteRgb, 3 * kPaletteEntries, out.palette)) return FieldError::bad_palette;
     if (has_section(bytes, kNeighbourSection) &&
-        !find_bytes(bytes, kNeighbourSection, out.patch_count * kNeighbourBytes, out.neighbours)) {
+        !find_bytes(bytes, kNeighbourSection, out.patch_count * kNeighbourBytes, out.neighbours))
         return FieldError::bad_neighbours;
-    }
     const uint32_t view_bytes = kViewColoursBytes + out.viewed_count * kViewBytes;
     if (out.viewed_count == 0) return has_section(bytes, kViewSection) ? FieldError::bad_views : FieldError::none;
     if (!find_bytes(bytes, kViewSection, view_bytes, out.node_colours)) return FieldError::bad_views;
@@ -100,12 +98,10 @@ bool has_fitting_neighbours(const SurfaceField& field)
 
 FieldError check_mesh(const SurfaceField& field)
 {
-    for (uint32_t k = 0; k < field.vertex_count; ++k) {
+    for (uint32_t k = 0; k < field.vertex_count; ++k)
         if (!lies_in_sphere(surface_vertex(field, k))) return FieldError::bad_vertices;
-    }
-    for (uint32_t k = 0; k < field.patch_count; ++k) {
+    for (uint32_t k = 0; k < field.patch_count; ++k)
         if (!fits(surface_patch(field, k), field)) return FieldError::bad_patches;
-    }
     return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
 }
 
@@ -117,9 +113,8 @@ FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
     if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
     if (has_section(bytes, kLayoutSection)) return FieldError::chord_field;
     constexpr uint32_t kTypes = sizeof kSurfaceTypes / sizeof kSurfaceTypes[0];
-    if (const FieldError error = check_sections(bytes, {kSurfaceTypes, kTypes}); error != FieldError::none) {
+    if (const FieldError error = check_sections(bytes, {kSurfaceTypes, kTypes}); error != FieldError::none)
         return error;
-    }
     Section header{};
     if (!find_section(bytes, kSurfaceSection, header)) return FieldError::missing_surface;
     if (header.size != kSurfaceBytes) return FieldError::bad_surface;

@@ -91,11 +91,10 @@ constexpr bool has(const uint8_t* corners, uint8_t node)
 
 constexpr uint8_t beyond_of(int k, int corner)
 {
-    for (int other = 0; other < kTriangles; ++other) {
+    for (int other = 0; other < kTriangles; ++other)
         if (other != k && has(kCorners[other], kCorners[k][(corner + 1) % 3]) &&
             has(kCorners[other], kCorners[k][(corner + 2) % 3]))
             return static_cast<uint8_t>(other);
-    }
     return kNone;
 }
 

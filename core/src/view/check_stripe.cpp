@@ -25,9 +25,8 @@ ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pi
 {
     if (stripe.pixels == nullptr || stripe.width_px <= 0 || stripe.height_px <= 0) return ViewError::no_pixels;
     const uintptr_t mask = alignment_of(pixel_bytes) - 1;
-    if (((reinterpret_cast<uintptr_t>(stripe.pixels) | stripe.stride_bytes) & mask) != 0) {
+    if (((reinterpret_cast<uintptr_t>(stripe.pixels) | stripe.stride_bytes) & mask) != 0)
         return ViewError::unaligned_pixels;
-    }
     const uint64_t row_bytes = static_cast<uint64_t>(stripe.width_px) * pixel_bytes;
     if (stripe.height_px > 1 && stripe.stride_bytes < row_bytes) return ViewError::short_stride;
     const StripePart part = {overlap(stripe.x_px, stripe.right_px(), image.width_px),

@@ -60,13 +60,12 @@ bool OrbitDrag::next(const Touch& touch, uint32_t elapsed_ms, Orbit& orbit)
     const int32_t elapsed = elapsed_ms < 1            ? 1
                             : elapsed_ms > kLongestMs ? kLongestMs
                                                       : static_cast<int32_t>(elapsed_ms);
-    if (touch.is_down && was_down_) {
+    if (touch.is_down && was_down_)
         follow(touch.x_px, touch.y_px, elapsed, orbit);
-    } else if (touch.is_down || settings_.half_life_ms == 0) {
+    else if (touch.is_down || settings_.half_life_ms == 0)
         azimuth_speed_ = elevation_speed_ = 0;
-    } else {
+    else
         run_on(elapsed, orbit);
-    }
     was_down_ = touch.is_down;
     x_px_ = touch.x_px;
     y_px_ = touch.y_px;

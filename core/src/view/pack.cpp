@@ -19,9 +19,7 @@ constexpr Thresholds make_thresholds()
     for (uint32_t y = 0; y < kSide; ++y) {
         for (uint32_t x = 0; x < kSide; ++x) {
             uint32_t order = 0;
-            for (uint32_t bit = 0; bit < 3; ++bit) {
-                order = order << 2 | ((x ^ y) >> bit & 1) << 1 | (y >> bit & 1);
-            }
+            for (uint32_t bit = 0; bit < 3; ++bit) order = order << 2 | ((x ^ y) >> bit & 1) << 1 | (y >> bit & 1);
             t.of[y][x] = static_cast<uint8_t>((2 * order + 1) * 255 / 128);
         }
     }

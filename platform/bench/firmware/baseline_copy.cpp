@@ -13,9 +13,8 @@ RenderError draw(const Field& field, const Camera&, const Stripe& stripe, int32_
         const uint32_t first = static_cast<uint32_t>((stripe.y_px + row) * kSidePx + stripe.x_px);
         const uint16_t* sprite = reinterpret_cast<const uint16_t*>(field.texels) + first;
         uint16_t* pixel = reinterpret_cast<uint16_t*>(stripe.pixels + static_cast<uint32_t>(row) * stripe.stride_bytes);
-        for (int32_t x = 0; x < stripe.width_px; ++x) {
+        for (int32_t x = 0; x < stripe.width_px; ++x)
             if (sprite[x] != 0) pixel[x] = sprite[x];
-        }
     }
     return RenderError::none;
 }

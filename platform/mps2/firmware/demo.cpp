@@ -61,9 +61,7 @@ int draw_one(const Field& field, const DemoOptions& options, uint32_t frame)
     Camera camera;
     const CameraError error = make_camera(orbit(azimuth_turns32, kElevationTurns32, kDistanceQ20),
                                           {kFrameWidth, kFrameHeight, kFieldOfViewTurns32}, camera);
-    if (error != CameraError::none) {
-        return fail("camera", describe(error));
-    }
+    if (error != CameraError::none) return fail("camera", describe(error));
     const DrawStripe draw = choose_renderer(options.mode, field.texel_format);
     FrameReport report;
     if (options.write_prefix != nullptr) {
@@ -82,17 +80,11 @@ int run(const DemoOptions& options)
     const FieldBytes file = firmware_field();
     Field field;
     FieldError error = open_field(file.bytes, file.size, field);
-    if (error == FieldError::none && options.verify) {
-        error = verify_field(file.bytes, file.size);
-    }
-    if (error != FieldError::none) {
-        return fail("field", describe(error));
-    }
+    if (error == FieldError::none && options.verify) error = verify_field(file.bytes, file.size);
+    if (error != FieldError::none) return fail("field", describe(error));
     mps2::start_instruction_counter();
     int code = 0;
-    for (uint32_t frame = 0; frame < options.frames && code == 0; ++frame) {
-        code = draw_one(field, options, frame);
-    }
+    for (uint32_t frame = 0; frame < options.frames && code == 0; ++frame) code = draw_one(field, options, frame);
     return code;
 }
 

@@ -12,9 +12,7 @@ bool parse_count(const char* text, uint32_t& out)
 {
     uint32_t value = 0;
     for (const char* digit = text; *digit != '\0'; ++digit) {
-        if (*digit < '0' || *digit > '9' || value > kMaxFrames) {
-            return false;
-        }
+        if (*digit < '0' || *digit > '9' || value > kMaxFrames) return false;
         value = value * 10 + static_cast<uint32_t>(*digit - '0');
     }
     out = value;
@@ -36,12 +34,8 @@ bool parse_mode(const char* text, Mode& out)
 // An option with a value; false if it is unknown or the value is wrong.
 bool parse_pair(const char* name, const char* value, DemoOptions& options)
 {
-    if (std::strcmp(name, "--frames") == 0) {
-        return parse_count(value, options.frames);
-    }
-    if (std::strcmp(name, "--mode") == 0) {
-        return parse_mode(value, options.mode);
-    }
+    if (std::strcmp(name, "--frames") == 0) return parse_count(value, options.frames);
+    if (std::strcmp(name, "--mode") == 0) return parse_mode(value, options.mode);
     if (std::strcmp(name, "--write") == 0) {
         options.write_prefix = value;
         return true;
@@ -58,15 +52,13 @@ const char* const kDemoUsage =
 const char* parse(int argc, char** argv, DemoOptions& out)
 {
     DemoOptions options;
-    for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--verify") == 0) {
+    for (int i = 1; i < argc; ++i)
+        if (std::strcmp(argv[i], "--verify") == 0)
             options.verify = true;
-        } else if (i + 1 < argc && parse_pair(argv[i], argv[i + 1], options)) {
+        else if (i + 1 < argc && parse_pair(argv[i], argv[i + 1], options))
             ++i;
-        } else {
+        else
             return argv[i];
-        }
-    }
     out = options;
     return nullptr;
 }

@@ -25,7 +25,8 @@ RenderError draw_stripe(const Field& field, const Camera& camera, const Stripe& 
 template <class Reconstruction>
 DrawStripe choose_texels(format::TexelFormat texels)
 {
-    return with_texel(texels, [](auto texel) -> DrawStripe { return draw_stripe<Reconstruction, decltype(texel)>; });
+    return with_texel(
+        texels, [](auto texel) -> DrawStripe { return draw_stripe<Reconstruction, decltype(texel)>; });
 }
 
 uint32_t covered_pixels(const Camera& camera, const Stripe& stripe)
@@ -72,14 +73,10 @@ FrameReport draw_measured_frame(const Field& field, const Camera& camera, DrawSt
     FrameReport report = {};
     for (int32_t y = 0; y < kFrameHeight; y += kStripeRows) {
         const Stripe stripe = {stripe_pixels, 0, y, kFrameWidth, kStripeRows, kStrideBytes};
-        if (draw_measured_stripe(field, camera, draw, stripe, report) != RenderError::none) {
-            return report;
-        }
+        if (draw_measured_stripe(field, camera, draw, stripe, report) != RenderError::none) return report;
         report.crc = crc32(report.crc, stripe_pixels, kStripeBytes);
         report.covered_px += covered_pixels(camera, stripe);
-        if (!sink.flush(sink.context, stripe_pixels, kStripeBytes)) {
-            return report;
-        }
+        if (!sink.flush(sink.context, stripe_pixels, kStripeBytes)) return report;
     }
     report.complete = true;
     return report;

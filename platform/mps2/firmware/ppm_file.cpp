@@ -38,9 +38,8 @@ bool PpmFile::append_rgb565(const uint8_t* pixels, uint32_t bytes)
     const uint8_t* end = pixels + bytes;
     while (pixels < end) {
         uint32_t filled = 0;
-        for (; filled < sizeof(block) && pixels < end; filled += kBytesPerRgb888, pixels += kBytesPerRgb565) {
+        for (; filled < sizeof(block) && pixels < end; filled += kBytesPerRgb888, pixels += kBytesPerRgb565)
             unpack(pixels, block + filled);
-        }
         file_.write(block, filled);
     }
     return file_.ok();

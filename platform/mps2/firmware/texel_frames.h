@@ -74,9 +74,7 @@ RenderError draw_stripe(const Frame& frame, const Stripe& stripe, uint32_t& crc)
     const size_t bytes = static_cast<size_t>(stripe.height_px) * stripe.stride_bytes;
     const RenderError error =
         Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverColour{kBackground}, stripe);
-    if (error != RenderError::none) {
-        return error;
-    }
+    if (error != RenderError::none) return error;
     crc = crc32(crc, stripe.pixels, bytes);
     RenderError again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverStripe{}, stripe);
     crc = crc32(crc, stripe.pixels, bytes);
@@ -96,9 +94,7 @@ RenderError frame_crc(const Frame& frame, uint32_t& crc)
         const int32_t rows = kHeight - y < kStripeRows ? kHeight - y : kStripeRows;
         const RenderError error =
             draw_stripe<Renderer, Texel, Pixel>(frame, {stripe_pixels, 0, y, kWidth, rows, kStride}, crc);
-        if (error != RenderError::none) {
-            return error;
-        }
+        if (error != RenderError::none) return error;
     }
     return RenderError::none;
 }
@@ -107,9 +103,8 @@ template <class Texel, class Renderer, class Pixel>
 bool write_line(const Frame& frame, Renderer renderer, Pixel pixel)
 {
     uint32_t crc = 0;
-    if (frame_crc<typename Renderer::Type, Texel, typename Pixel::Type>(frame, crc) != RenderError::none) {
+    if (frame_crc<typename Renderer::Type, Texel, typename Pixel::Type>(frame, crc) != RenderError::none)
         return refuse(frame.write, "the field holds other texels than its header says");
-    }
     TextLine line;
     line.text(frame.view.name).text(" ").text(renderer.name).text(" ").text(frame.texel).text(" ");
     frame.write(line.text(pixel.name).text(" ").hex32(crc).text("\n").c_str());
@@ -128,11 +123,10 @@ bool for_each_pixel_format(const Frame& frame, Renderer renderer)
 template <class Texel, class Renderer>
 bool for_one_pixel_format(const Frame& frame, Renderer renderer)
 {
-    if constexpr (kEveryFrame) {
+    if constexpr (kEveryFrame)
         return for_each_pixel_format<Texel>(frame, renderer);
-    } else {
+    else
         return write_line<Texel>(frame, renderer, kPixelRgb565);
-    }
 }
 
 // All lines of one view and one texel format.

@@ -20,9 +20,7 @@ void TextLine::put(char c)
 
 TextLine& TextLine::text(const char* words)
 {
-    while (*words != '\0') {
-        put(*words++);
-    }
+    while (*words != '\0') put(*words++);
     return *this;
 }
 
@@ -39,20 +37,14 @@ TextLine& TextLine::decimal(uint64_t value, int min_digits)
         digits[count++] = static_cast<char>('0' + value % 10);
         value /= 10;
     } while (value != 0);
-    for (int i = count; i < min_digits; ++i) {
-        put('0');
-    }
-    while (count > 0) {
-        put(digits[--count]);
-    }
+    for (int i = count; i < min_digits; ++i) put('0');
+    while (count > 0) put(digits[--count]);
     return *this;
 }
 
 TextLine& TextLine::hex32(uint32_t value)
 {
-    for (int shift = 28; shift >= 0; shift -= 4) {
-        put("0123456789abcdef"[(value >> shift) & 15u]);
-    }
+    for (int shift = 28; shift >= 0; shift -= 4) put("0123456789abcdef"[(value >> shift) & 15u]);
     return *this;
 }
 

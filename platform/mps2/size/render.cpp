@@ -10,9 +10,7 @@ int main(int, char**)
     static uint8_t pixels[240 * PixelRgb565::kBytes];
     Field field;
     Camera camera;
-    if (!size::open(field, camera)) {
-        return 1;
-    }
+    if (!size::open(field, camera)) return 1;
     const Stripe stripe = {pixels, 0, 0, 240, 1, sizeof(pixels)};
     return render<LUMI_SIZE_RECONSTRUCTION, LUMI_SIZE_TEXEL, PixelRgb565>(field, camera, OverColour{{0, 0, 0}},
                                                                           stripe) == RenderError::none

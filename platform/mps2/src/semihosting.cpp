@@ -72,9 +72,7 @@ bool OutputFile::write(const void* bytes, size_t count)
 void exit_with(int code)
 {
     const uint32_t block[] = {kStoppedApplicationExit, static_cast<uint32_t>(code)};
-    for (;;) {
-        call(Operation::exit_extended, block);
-    }
+    for (;;) call(Operation::exit_extended, block);
 }
 
 }  // namespace lumi::mps2

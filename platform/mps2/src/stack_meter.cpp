@@ -17,17 +17,13 @@ __attribute__((noinline)) void StackMeter::paint()
     volatile uint32_t* word;
     __asm volatile("mov %0, sp" : "=r"(word));
     top_ = const_cast<uint32_t*>(word);
-    for (uint32_t i = 0; i < kPaintedWords; ++i) {
-        *--word = kPaint;
-    }
+    for (uint32_t i = 0; i < kPaintedWords; ++i) *--word = kPaint;
 }
 
 __attribute__((noinline)) uint32_t StackMeter::high_water_bytes() const
 {
     const volatile uint32_t* word = top_ - kPaintedWords;
-    while (word != top_ && *word == kPaint) {
-        ++word;
-    }
+    while (word != top_ && *word == kPaint) ++word;
     return static_cast<uint32_t>(top_ - word) * sizeof(uint32_t);
 }
 

@@ -33,34 +33,24 @@ char* arguments[kMaxArguments + 1];
 
 void copy_words(uint32_t* to, const uint32_t* end, const uint32_t* from)
 {
-    while (to < end) {
-        *to++ = *from++;
-    }
+    while (to < end) *to++ = *from++;
 }
 
 void clear_words(uint32_t* to, const uint32_t* end)
 {
-    while (to < end) {
-        *to++ = 0;
-    }
+    while (to < end) *to++ = 0;
 }
 
 // Splits the command line at spaces, in place. There is no quoting.
 int split_command_line()
 {
-    if (!command_line(command_line_text, sizeof(command_line_text))) {
-        return 0;
-    }
+    if (!command_line(command_line_text, sizeof(command_line_text))) return 0;
     int count = 0;
     char* at = command_line_text;
     while (*at != '\0' && count < kMaxArguments) {
         arguments[count++] = at;
-        while (*at != '\0' && *at != ' ') {
-            ++at;
-        }
-        while (*at == ' ') {
-            *at++ = '\0';
-        }
+        while (*at != '\0' && *at != ' ') ++at;
+        while (*at == ' ') *at++ = '\0';
     }
     return count;
 }
@@ -114,9 +104,8 @@ void lumi_reset()
     clear_words(&lumi_bss_start, &lumi_bss_end);
     trap_what_the_core_lacks();
     lumi_before_constructors();
-    for (const Handler* constructor = &lumi_init_array_start; constructor < &lumi_init_array_end; ++constructor) {
+    for (const Handler* constructor = &lumi_init_array_start; constructor < &lumi_init_array_end; ++constructor)
         (*constructor)();
-    }
     const int count = split_command_line();
     exit_with(main(count, arguments));
 }

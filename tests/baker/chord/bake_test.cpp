@@ -87,9 +87,7 @@ TEST_CASE("bake: the formats agree on coverage and colour")
             REQUIRE(texel_of(fields[3], i, j).a == rgb.a);
             REQUIRE(std::abs(texel_of(fields[1], i, j).g - rgb.g) <= 2);
             const Rgba8 palette = texel_of(fields[2], i, j);
-            if (palette.a == 255 && rgb.a == 255) {
-                REQUIRE(std::abs(palette.g - rgb.g) < 40);
-            }
+            if (palette.a == 255 && rgb.a == 255) REQUIRE(std::abs(palette.g - rgb.g) < 40);
         }
     }
     CHECK(covered > 500);

@@ -89,9 +89,7 @@ TEST_CASE("field rays: starts are uniform on the disc for every origin, poles in
         const double score = chi2_score(counts, expected);
         worst_origin = score > worst ? i : worst_origin;
         worst = std::max(worst, score);
-        for (size_t k = 0; k < total.size(); ++k) {
-            total[k] += counts[k];
-        }
+        for (size_t k = 0; k < total.size(); ++k) total[k] += counts[k];
     }
     INFO("worst origin " << worst_origin);
     CHECK(worst < kSigmas);

@@ -22,9 +22,7 @@ void check(const std::vector<Vec3>& points, double radius)
 {
     const BoundingSphere s = smallest_sphere(points);
     double farthest = 0;
-    for (const Vec3& p : points) {
-        farthest = std::max(farthest, distance(p, s));
-    }
+    for (const Vec3& p : points) farthest = std::max(farthest, distance(p, s));
     CHECK(farthest <= s.radius);
     CHECK(s.radius == Approx(radius).epsilon(1e-5).margin(1e-12));
 }
@@ -40,9 +38,7 @@ TEST_CASE("bounding sphere: known smallest spheres")
     check({{1, 0, 0}, {-0.5f, 0.8660254f, 0}, {-0.5f, -0.8660254f, 0}}, 1);
     check({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, std::sqrt(3.0));
     std::vector<Vec3> cube;
-    for (int k = 0; k < 8; ++k) {
-        cube.push_back({k & 1 ? 1.0f : 0, k & 2 ? 1.0f : 0, k & 4 ? 1.0f : 0});
-    }
+    for (int k = 0; k < 8; ++k) cube.push_back({k & 1 ? 1.0f : 0, k & 2 ? 1.0f : 0, k & 4 ? 1.0f : 0});
     check(cube, std::sqrt(3.0) / 2);
 }
 
@@ -85,9 +81,7 @@ TEST_CASE("bounding sphere: no four points of a random cloud need a larger one, 
         for (uint32_t k = 0; k < 500; ++k) {
             const Vec3 d = square_to_sphere(Sampler(3, cloud, k).next_2d());
             float most = -1;
-            for (const Vec3& c : carriers) {
-                most = std::max(most, dot(c, d));
-            }
+            for (const Vec3& c : carriers) most = std::max(most, dot(c, d));
             CHECK(most > -1e-3f);
         }
     }

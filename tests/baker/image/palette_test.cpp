@@ -40,9 +40,8 @@ TEST_CASE("palette: entry 0 is transparent, all entries are premultiplied")
 TEST_CASE("palette: up to 255 colours are kept exactly")
 {
     std::vector<Rgba8> colours;
-    for (int k = 0; k < 255; ++k) {
+    for (int k = 0; k < 255; ++k)
         colours.push_back({static_cast<uint8_t>(k), static_cast<uint8_t>(255 - k), static_cast<uint8_t>(k / 2), 255});
-    }
     const Palette palette = fit_palette(colours);
     for (const Rgba8& c : colours) {
         const Rgba8& found = palette[nearest_entry(palette, c)];
@@ -67,9 +66,8 @@ TEST_CASE("palette: a two-dimensional cloud of colours is met within a few level
 TEST_CASE("palette: the same samples give the same palette; none give an empty one")
 {
     const Palette a = fit_palette(cloud(3000)), b = fit_palette(cloud(3000));
-    for (size_t k = 0; k < a.size(); ++k) {
+    for (size_t k = 0; k < a.size(); ++k)
         CHECK((a[k].r == b[k].r && a[k].g == b[k].g && a[k].b == b[k].b && a[k].a == b[k].a));
-    }
     CHECK(fit_palette({})[255].a == 0);
     CHECK(fit_palette({{0, 0, 0, 0}})[1].a == 0);
 }

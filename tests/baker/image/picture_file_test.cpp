@@ -47,9 +47,7 @@ std::string chunk(const std::string& name_and_data)
     uint32_t crc = 0xFFFFFFFFu;
     for (size_t k = 0; k < name_and_data.size(); ++k) {
         crc ^= bytes[k];
-        for (int bit = 0; bit < 8; ++bit) {
-            crc = crc >> 1 ^ (0xEDB88320u & (0u - (crc & 1)));
-        }
+        for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (0xEDB88320u & (0u - (crc & 1)));
     }
     return be32(static_cast<uint32_t>(name_and_data.size()) - 4) + name_and_data + be32(~crc);
 }
@@ -169,9 +167,8 @@ TEST_CASE("picture file: every truncation of PNG, JPEG and HDR is refused")
         }
     }
     const std::string hdr = packed_hdr();
-    for (size_t size = 0; size < hdr.size(); ++size) {  // the reader of old never ended
+    for (size_t size = 0; size < hdr.size(); ++size)  // the reader of old never ended
         CHECK_THROWS_AS(decode_hdr(hdr.substr(0, size)), PictureError);
-    }
 }
 
 TEST_CASE("picture file: an HDR picture with run lengths")

@@ -88,9 +88,8 @@ TEST_CASE("lights: what they send to a point is the same by light sampling and b
 
         // The densities of sky and emitters, both along d, make up one density over all directions.
         double pdf = static_cast<double>(data.lights.sky_pdf(d));
-        if (hit && data.materials[data.mesh.materials[hit->triangle]].emits()) {
+        if (hit && data.materials[data.mesh.materials[hit->triangle]].emits())
             pdf += static_cast<double>(data.lights.emitter_pdf(hit->triangle, d, hit->distance));
-        }
         density.add(pdf * 4 * static_cast<double>(kPi));
     }
     INFO(aimed.value() << " aimed, " << everywhere.value() << " everywhere");

@@ -29,9 +29,7 @@ std::shared_ptr<RadiancePicture> sunny()
     picture->height = 8;
     picture->pixels.resize(16 * 8);
     picture->pixels[2 * 16 + 5] = {50, 40, 30};
-    for (size_t x = 0; x < 16; ++x) {
-        picture->pixels[6 * 16 + x] = {0.1f, 0.2f, 0.4f};
-    }
+    for (size_t x = 0; x < 16; ++x) picture->pixels[6 * 16 + x] = {0.1f, 0.2f, 0.4f};
     return picture;
 }
 
@@ -98,11 +96,8 @@ TEST_CASE("sky picture: an EXR file is read, numbers that are none are named and
 {
     const testing::ScratchFolder folder;
     Imf::Array2D<Imf::Rgba> pixels(2, 3);
-    for (int y = 0; y < 2; ++y) {
-        for (int x = 0; x < 3; ++x) {
-            pixels[y][x] = Imf::Rgba(static_cast<float>(x), static_cast<float>(y), 0.5f, 1);
-        }
-    }
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x) pixels[y][x] = Imf::Rgba(static_cast<float>(x), static_cast<float>(y), 0.5f, 1);
     pixels[1][2].r = half::qNan();
     pixels[0][0].r = -1;
     const std::string file = folder.at("e.exr").string();

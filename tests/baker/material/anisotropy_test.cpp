@@ -120,16 +120,12 @@ TEST_CASE("anisotropy: pdf integrates to one minus the samples that are lost, an
 
 TEST_CASE("anisotropy: a sample's weight and pdf are those of its direction")
 {
-    for (const Named& named : white_brushed({0.01f, 0.05f, 0.2f, 0.5f, 1.0f})) {
-        check_weights(named, viewers());
-    }
+    for (const Named& named : white_brushed({0.01f, 0.05f, 0.2f, 0.5f, 1.0f})) check_weights(named, viewers());
 }
 
 TEST_CASE("anisotropy: reciprocal")
 {
-    for (const Named& named : white_brushed({0.01f, 0.05f, 0.2f, 0.5f, 1.0f})) {
-        check_reciprocal(named);
-    }
+    for (const Named& named : white_brushed({0.01f, 0.05f, 0.2f, 0.5f, 1.0f})) check_reciprocal(named);
 }
 
 TEST_CASE("anisotropy: a white furnace neither gains nor loses energy")
@@ -183,9 +179,8 @@ TEST_CASE("anisotropy: 0 is exactly the isotropic material, and glass knows none
     CHECK_FALSE(m.brushed());
     REQUIRE(m.facets.size() == 1);
     const Conductor plain(m.base, *m.facets[0]);
-    for (const Vec3& wi : viewers()) {
+    for (const Vec3& wi : viewers())
         CHECK(m.bsdf(m.plain_values(), 0).eval({0, 0.6f, 0.8f}, wi).g == plain.eval({0, 0.6f, 0.8f}, wi).g);
-    }
     Material pane = m;
     pane.glass = true;
     pane.anisotropy = 0.7f;
@@ -221,9 +216,7 @@ TEST_CASE("anisotropy: anisor turns counterclockwise as seen from the front")
 TEST_CASE("anisotropy: without texture coordinates highlights stretch level, around the vertical axis")
 {
     const Scene upright = brushed_square(kUpright, "aniso 0.8\n");
-    for (const Vec3& side : {kY, -kY}) {
-        CHECK(stretch(seen(upright, side), kX, kZ) > kClear);
-    }
+    for (const Vec3& side : {kY, -kY}) CHECK(stretch(seen(upright, side), kX, kZ) > kClear);
     const Scene flat = brushed_square(std::string(kSquare) + "f 1 2 3 4\n", "aniso 0.8\n");
     const Frame frame = seen(flat, kZ).frame;  // any tangent will do, but there must be one
     CHECK(static_cast<double>(length(frame.tangent)) == Approx(1));

@@ -51,31 +51,23 @@ TEST_CASE("bsdf: pdf integrates to one minus the samples that are lost, and samp
         all.push_back({"conductor " + short_text(alpha), Bsdf(conductor(0.8f, alpha))});
         all.push_back({"plastic " + short_text(alpha), Bsdf(plastic(0.3f, alpha))});
     }
-    for (const Named& named : all) {
-        check_density(named, views());
-    }
+    for (const Named& named : all) check_density(named, views());
 }
 
 TEST_CASE("bsdf: a sample's weight and pdf are those of its direction")
 {
-    for (const Named& named : white_bsdfs()) {
-        check_weights(named, views());
-    }
+    for (const Named& named : white_bsdfs()) check_weights(named, views());
 }
 
 TEST_CASE("bsdf: reciprocal")
 {
-    for (const Named& named : white_bsdfs()) {
-        check_reciprocal(named);
-    }
+    for (const Named& named : white_bsdfs()) check_reciprocal(named);
 }
 
 TEST_CASE("bsdf: a white furnace neither gains nor loses energy")
 {
     std::map<std::string, double> losses;
-    for (const Named& named : white_bsdfs()) {
-        losses[named.name] = checked_loss(named, views());
-    }
+    for (const Named& named : white_bsdfs()) losses[named.name] = checked_loss(named, views());
     CHECK(losses["diffuse"] < 1e-6);
     for (const char* alpha : {"0.01", "0.05", "0.2", "0.5", "1.0"}) {
         INFO("plastic " << alpha);

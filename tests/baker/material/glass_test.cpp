@@ -37,9 +37,7 @@ Bsdf coated(float base_alpha, float coat_alpha, bool metal)
     static std::map<float, Skin> skins;
     static std::map<float, FacetTable> facets;
     const Skin& coat = skins.try_emplace(coat_alpha, kIndex, coat_alpha).first->second;
-    if (!metal) {
-        return Bsdf(Coated(Diffuse(grey(1)), coat, 1));
-    }
+    if (!metal) return Bsdf(Coated(Diffuse(grey(1)), coat, 1));
     return Bsdf(Coated(Conductor(grey(1), facets.try_emplace(base_alpha, base_alpha).first->second), coat, 1));
 }
 
@@ -170,16 +168,12 @@ TEST_CASE("glass: the pdf integrates to one minus the samples that are lost, and
                     const float u = sampler.next_1d();
                     const std::optional<BsdfSample> s = bsdf.sample(wo, u, sampler.next_2d());
                     lost += s ? 0 : 1;
-                    if (s) {
-                        ++counts[glass_bin(s->wi)];
-                    }
+                    if (s) ++counts[glass_bin(s->wi)];
                 }
                 CHECK(total + lost / kSamples == Approx(1).margin(0.015));
                 expected.push_back(lost / kSamples);
                 counts.push_back(lost);
-                for (double& e : expected) {
-                    e *= kSamples / (total + lost / kSamples);
-                }
+                for (double& e : expected) e *= kSamples / (total + lost / kSamples);
                 CHECK(chi2_score(counts, expected) < kSigmas);
             }
         }
@@ -244,11 +238,10 @@ TEST_CASE("glass: clear and frosted balls and boxes vanish in constant light")
         for (const bool round : {true, false}) {
             SceneMaker maker;
             const uint32_t glass = maker.add(testing::glass(kIndex, alpha));
-            if (round) {
+            if (round)
                 maker.ball(glass, {}, 0.6f, 12);
-            } else {
+            else
                 maker.box(glass, {-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f});
-            }
             maker.span_unit_sphere();
             const Scene scene = maker.make(constant_environment(0.7f));
             const PathTracer tracer(scene.data());

@@ -44,9 +44,7 @@ std::vector<Material> white_materials(float roughness)
     all[3].anisotropy = 0.8f;
     all[4].coat = 1;
     all[4].coat_alpha = 0.2f;
-    for (Material& m : all) {
-        m.finish();
-    }
+    for (Material& m : all) m.finish();
     return all;
 }
 
@@ -71,23 +69,18 @@ std::vector<Named> white_sheened()
 
 TEST_CASE("sheen: pdf integrates to one minus the samples that are lost, and samples follow it")
 {
-    for (const Named& named : white_sheened()) {
+    for (const Named& named : white_sheened())
         check_density(named, {direction_at(0.9f, 0.13f), direction_at(0.2f, 0.13f)}, 10);
-    }
 }
 
 TEST_CASE("sheen: a sample's weight and pdf are those of its direction")
 {
-    for (const Named& named : white_sheened()) {
-        check_weights(named, views());
-    }
+    for (const Named& named : white_sheened()) check_weights(named, views());
 }
 
 TEST_CASE("sheen: reciprocal")
 {
-    for (const Named& named : white_sheened()) {
-        check_reciprocal(named);
-    }
+    for (const Named& named : white_sheened()) check_reciprocal(named);
 }
 
 TEST_CASE("sheen: a white furnace gains nothing; over matt paint it loses nothing, over the others a little")

@@ -76,9 +76,7 @@ TEST_CASE("sampler: the first sample of every texel is uniform, in stratified an
         for (uint32_t j = 0; j < kTexels; ++j) {
             Sampler sampler(1, 5, j);
             sampler.start(0);
-            for (int k = 0; k < skipped; ++k) {
-                sampler.next_2d();
-            }
+            for (int k = 0; k < skipped; ++k) sampler.next_2d();
             ++counts[bin(sampler.next_2d())];
         }
         INFO("after " << skipped << " dimensions");
@@ -117,18 +115,15 @@ TEST_CASE("frame: orthonormal and right-handed for every normal, poles and the s
 {
     std::vector<Vec3> normals = {{0, 0, 1},     {0, 0, -1},     {1, 0, 0},    {0, 1, 0},
                                  {1, 0, -0.0f}, {1e-7f, 0, -1}, {0, 1e-4f, 1}};
-    for (uint32_t k = 0; k < 2000; ++k) {
-        normals.push_back(square_to_sphere(Sampler(4, k, 0).next_2d()));
-    }
+    for (uint32_t k = 0; k < 2000; ++k) normals.push_back(square_to_sphere(Sampler(4, k, 0).next_2d()));
     double worst = 0;
     for (const Vec3& raw : normals) {
         const Vec3 n = normalized(raw);
         const Frame f(n);
         const Vec3 right_handed = cross(f.tangent, f.bitangent) - f.normal;
         for (const float e : {dot(f.tangent, f.bitangent), dot(f.tangent, n), dot(f.bitangent, n),
-                              length(f.tangent) - 1, length(f.bitangent) - 1, length(right_handed)}) {
+                              length(f.tangent) - 1, length(f.bitangent) - 1, length(right_handed)})
             worst = std::max(worst, std::abs(static_cast<double>(e)));
-        }
     }
     CHECK(worst < 1e-6);  // some rounding steps of binary32
 }

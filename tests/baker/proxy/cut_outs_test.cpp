@@ -45,9 +45,7 @@ Scene leaf(float radius)
 double area_of(const Mesh& mesh)
 {
     double area = 0;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        area += static_cast<double>(mesh.area(k));
-    }
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) area += static_cast<double>(mesh.area(k));
     return area;
 }
 

@@ -45,13 +45,11 @@ Scene terrain(bool wound_by_chance)
         return Vec3{static_cast<float>(x) * side - 0.6f, static_cast<float>(y) * side - 0.6f, 0.02f * noise - 0.3f};
     };
     for (int y = 0; y < kSquares; ++y) {
-        for (int x = 0; x < kSquares; ++x) {
-            if (wound_by_chance && (x * 31 + y * 17) % 3 == 0) {
+        for (int x = 0; x < kSquares; ++x)
+            if (wound_by_chance && (x * 31 + y * 17) % 3 == 0)
                 maker.quad(matter, at(x, y), at(x, y + 1), at(x + 1, y + 1), at(x + 1, y));
-            } else {
+            else
                 maker.quad(matter, at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1));
-            }
-        }
     }
     maker.box(matter, {-0.2f, -0.2f, -0.3f}, {0.2f, 0.2f, 0.3f});
     return maker.make(constant_environment(1));
@@ -61,11 +59,8 @@ Scene terrain(bool wound_by_chance)
 uint32_t torn_edges(const Mesh& mesh)
 {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> sides;
-    for (const Mesh::Corners& c : mesh.corners) {
-        for (size_t i = 0; i < 3; ++i) {
-            ++sides[{c[i], c[(i + 1) % 3]}];
-        }
-    }
+    for (const Mesh::Corners& c : mesh.corners)
+        for (size_t i = 0; i < 3; ++i) ++sides[{c[i], c[(i + 1) % 3]}];
     return static_cast<uint32_t>(
         std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.second > 1; }));
 }
@@ -75,9 +70,7 @@ Scene box_with(bool ball_inside)
     SceneMaker maker;
     const uint32_t matter = maker.add(diffuse(grey(0.5f)));
     maker.box(matter, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
-    if (ball_inside) {
-        maker.ball(matter, {0, 0, 0}, 0.3f, 8);
-    }
+    if (ball_inside) maker.ball(matter, {0, 0, 0}, 0.3f, 8);
     return maker.make(constant_environment(1));
 }
 
@@ -149,9 +142,7 @@ TEST_CASE("Sheets that cannot face one way are torn, not lost", "[proxy]")
     const Sheets sheets(strip);
     for (uint32_t k = 0; k < 12; ++k) {
         CHECK(sheets.of(k).sheet == sheets.of(0).sheet);
-        if (sheets.of(k).reversed) {
-            std::swap(strip.corners[k][1], strip.corners[k][2]);
-        }
+        if (sheets.of(k).reversed) std::swap(strip.corners[k][1], strip.corners[k][2]);
     }
     CHECK(torn_edges(strip) == 1);
 }

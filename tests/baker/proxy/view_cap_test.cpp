@@ -45,9 +45,7 @@ uint32_t bottom_triangles(float cap)
     CHECK(surface.loss.missed < 1e-3);
     const Mesh mesh = triangles_of(surface.mesh);
     uint32_t count = 0;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        count += normalized(mesh.area_vector(k)).z < -0.9f ? 1u : 0u;
-    }
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) count += normalized(mesh.area_vector(k)).z < -0.9f ? 1u : 0u;
     return count;
 }
 

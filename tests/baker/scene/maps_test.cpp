@@ -139,9 +139,7 @@ TEST_CASE("maps: a normal map bends towards u and v on either side, a flat one n
 TEST_CASE("maps: a grey bump map is a height map whose slopes face downhill")
 {
     Texture heights{4, 1, {}, false};
-    for (const uint8_t h : std::array<uint8_t, 4>{0, 32, 64, 32}) {
-        heights.rgb.insert(heights.rgb.end(), 3, h);
-    }
+    for (const uint8_t h : std::array<uint8_t, 4>{0, 32, 64, 32}) heights.rgb.insert(heights.rgb.end(), 3, h);
     REQUIRE(is_grey(heights));
     const Texture normals = normals_from_heights(heights, 1);
     // Pixel 1 climbs 32 steps a pixel to the right: 45 degrees, facing left.

@@ -112,9 +112,8 @@ std::string exr_bytes(Imf::Compression compression)
     constexpr int kWidth = 24, kHeight = 40;  // more than one block of lines, of every compression
     const testing::ScratchFolder folder;
     std::vector<Imf::Rgba> pixels;
-    for (int k = 0; k < kWidth * kHeight; ++k) {
+    for (int k = 0; k < kWidth * kHeight; ++k)
         pixels.emplace_back(0.01f * static_cast<float>(k), 1.0f / static_cast<float>(k + 1), 0.5f, 1.0f);
-    }
     {
         Imf::RgbaOutputFile out(folder.at("e.exr").c_str(), kWidth, kHeight, Imf::WRITE_RGB, 1, {0, 0}, 1,
                                 Imf::INCREASING_Y, compression);
@@ -133,9 +132,8 @@ TEST_CASE("mutation: damaged skies are read or refused with a message, whatever 
     std::vector<std::string> sound = {testing::read_bytes(LUMI_SCENES "/gallery_sky.hdr")};
     for (const Imf::Compression compression :
          {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION,
-          Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION}) {
+          Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION})
         sound.push_back(exr_bytes(compression));
-    }
     size_t read = 0, refused = 0;
     for (size_t kind = 0; kind < sound.size(); ++kind) {
         for (uint32_t round = 0; round < kRounds; ++round) {
@@ -147,9 +145,8 @@ TEST_CASE("mutation: damaged skies are read or refused with a message, whatever 
                     read_radiance_picture(folder.write("e.exr", mutator.damaged(sound[kind])), warnings);
                 REQUIRE(picture.pixels.size() ==
                         static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
-                for (const Rgb& c : picture.pixels) {
+                for (const Rgb& c : picture.pixels)
                     REQUIRE((std::isfinite(c.r + c.g + c.b) && std::min({c.r, c.g, c.b}) >= 0));
-                }
                 ++read;
             } catch (const SceneError& e) {
                 CHECK_THAT(e.what(), Catch::Contains("e.exr") && Catch::Contains("; "));

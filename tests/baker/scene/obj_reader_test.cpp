@@ -26,9 +26,7 @@ Loaded load(const std::filesystem::path& file)
     Loaded loaded;
     std::vector<std::string> lines;
     loaded.parts = read_obj(file, lines);
-    for (const std::string& line : lines) {
-        loaded.warnings += line + "\n";
-    }
+    for (const std::string& line : lines) loaded.warnings += line + "\n";
     return loaded;
 }
 
@@ -50,9 +48,7 @@ Material only_material(const std::string& mtl, std::string* warnings = nullptr)
     const ScratchFolder folder;
     folder.write("m.mtl", "newmtl x\n" + mtl);
     const Loaded l = load(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"));
-    if (warnings) {
-        *warnings = l.warnings;
-    }
+    if (warnings) *warnings = l.warnings;
     REQUIRE(l.parts.materials.size() == 1);
     return l.parts.materials[0];
 }
@@ -60,9 +56,7 @@ Material only_material(const std::string& mtl, std::string* warnings = nullptr)
 double area(const Mesh& mesh)
 {
     double sum = 0;
-    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
-        sum += static_cast<double>(mesh.area(t));
-    }
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) sum += static_cast<double>(mesh.area(t));
     return sum;
 }
 
@@ -136,9 +130,7 @@ TEST_CASE("obj: faces that point nowhere")
     check_refused(std::string(kCorners) + "f a b c\n", ":5", "'a' is no vertex number");
     check_refused(std::string(kCorners) + "f 1/1/1/1 2 3\n", ":5", "");
     std::string huge = std::string(kCorners) + "f";
-    for (int k = 0; k < 300; ++k) {
-        huge += " " + std::to_string(k % 4 + 1);
-    }
+    for (int k = 0; k < 300; ++k) huge += " " + std::to_string(k % 4 + 1);
     check_refused(huge, ":5", "a face of 300 corners");
 }
 
@@ -305,11 +297,8 @@ TEST_CASE("scene: the sphere holds what faces use, in scene axes, and nothing to
     CHECK(static_cast<double>(scene.radius()) == Approx(1.01));
     CHECK(scene.triangle_count() == 1);
     CHECK(scene.light_count() == 0);
-    for (const Mesh::Corners& c : scene.data().mesh.corners) {
-        for (const uint32_t k : c) {
-            CHECK(length(scene.data().mesh.positions[k]) < 0.995f);
-        }
-    }
+    for (const Mesh::Corners& c : scene.data().mesh.corners)
+        for (const uint32_t k : c) CHECK(length(scene.data().mesh.positions[k]) < 0.995f);
     // y up: sphere(x,y,z) = scene(z,x,y).
     CHECK(static_cast<double>(scene.data().mesh.positions[2].z) == Approx(1 / 1.01));
     CHECK(static_cast<double>(scene.data().mesh.positions[1].y) == Approx(1 / 1.01));
@@ -321,9 +310,7 @@ TEST_CASE("obj: a library is read once, however often and by whatever name it is
     folder.write("m.mtl", "newmtl x\nKd 2 0 0\n");
     std::filesystem::create_symlink("m.mtl", folder.at("link.mtl"));
     std::string obj;
-    for (int k = 0; k < 2000; ++k) {
-        obj += "mtllib m.mtl\nmtllib ./m.mtl\nmtllib link.mtl\n";
-    }
+    for (int k = 0; k < 2000; ++k) obj += "mtllib m.mtl\nmtllib ./m.mtl\nmtllib link.mtl\n";
     std::vector<std::string> warnings;
     read_obj(folder.write("s.obj", obj + kCorners + "usemtl x\nf 1 2 3\n"), warnings);
     REQUIRE(warnings.size() == 1);  // one for each time that the library is read

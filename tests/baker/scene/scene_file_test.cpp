@@ -29,9 +29,7 @@ SceneParts read(const std::string& json, std::vector<std::string>* warnings = nu
     write_object(folder);
     std::vector<std::string> lines;
     SceneParts parts = read_scene_file(folder.write("s.json", json), std::nullopt, lines);
-    if (warnings) {
-        *warnings = lines;
-    }
+    if (warnings) *warnings = lines;
     return parts;
 }
 

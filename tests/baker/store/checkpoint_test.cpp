@@ -31,9 +31,7 @@ std::string checkpoint_bytes(const Scene& scene, const BakeSettings& settings, u
     checkpoint.reserve(part.complete_bytes(), true);
     Palette palette{};
     REQUIRE(all.read_palette(palette));
-    if (settings.texel == TexelFormat::palette8) {
-        part.write_palette(palette);
-    }
+    if (settings.texel == TexelFormat::palette8) part.write_palette(palette);
     std::vector<uint8_t> row;
     for (uint32_t slot = 0; slot < done; ++slot) {
         REQUIRE(all.read_row(slot, row));
@@ -198,9 +196,8 @@ TEST_CASE("checkpoint: anisotropy and sheen enter the identity by every number, 
     };
     std::vector<Digest::Value> seen;
     for (const auto number : {&Material::alpha, &Material::anisotropy, &Material::anisotropy_turns, &Material::sheen,
-                              &Material::sheen_roughness}) {
+                              &Material::sheen_roughness})
         seen.push_back(fingerprint(number));
-    }
     CHECK(fingerprint(&Material::alpha) == seen[0]);
     seen.push_back(fingerprint(&Material::alpha, {kNoTexture, {1, 1}, {0.5f, 0}}));
     seen.push_back(fingerprint(&Material::alpha, {}, {1, std::nextafter(1.0f, 0.0f), 1}));
@@ -271,9 +268,7 @@ TEST_CASE("checkpoint: of two bakes of one output the second is refused while th
 TEST_CASE("checkpoint: a full disk is told by name")
 {
     // A device on which every write fails for want of space.
-    if (!std::filesystem::exists("/dev/full")) {
-        return;
-    }
+    if (!std::filesystem::exists("/dev/full")) return;
     PosixFile full("/dev/full", PosixFile::Mode::update);
     const uint8_t byte = 1;
     CHECK_THROWS_WITH(full.write_at(0, &byte, 1), Catch::Contains("free some space"));

@@ -30,9 +30,9 @@ public:
                 !scene_.medium ? free
                                : scene_.medium->collision({ray.origin, ray.direction, free}, sampler).value_or(free);
             if (result.covered) {
-                scene_.lights.for_each_seen({ray.origin, ray.direction, stop}, [&](const Rgb& light, float) {
-                    result.radiance = result.radiance + throughput * light;
-                });
+                scene_.lights.for_each_seen(
+                    {ray.origin, ray.direction, stop},
+                    [&](const Rgb& light, float) { result.radiance = result.radiance + throughput * light; });
             }
             if (stop < free) {
                 result.covered = true;
@@ -42,9 +42,8 @@ public:
                 continue;
             }
             if (!hit) {
-                if (result.covered) {
+                if (result.covered)
                     result.radiance = result.radiance + throughput * scene_.lights.sky_radiance(ray.direction);
-                }
                 break;
             }
             result.covered = true;
@@ -55,13 +54,9 @@ public:
             const Bsdf bsdf = surface.material->bsdf(surface.values, sampler.next_1d());
             const float u = sampler.next_1d();
             const std::optional<BsdfSample> s = bsdf.sample(wo, u, sampler.next_2d());
-            if (!s) {
-                break;
-            }
+            if (!s) break;
             throughput = throughput * s->weight;
-            if (s->wi.z < 0) {
-                medium = surface.values.outside ? surface.material : nullptr;
-            }
+            if (s->wi.z < 0) medium = surface.values.outside ? surface.material : nullptr;
             ray = surface.ray_towards(normalized(surface.frame.to_world(s->wi)));
         }
         return result;

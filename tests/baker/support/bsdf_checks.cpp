@@ -42,9 +42,7 @@ std::vector<double> expected_shares(const Bsdf& bsdf, const Vec3& wo, int steps)
 double sum(const std::vector<double>& v)
 {
     double s = 0;
-    for (const double x : v) {
-        s += x;
-    }
+    for (const double x : v) s += x;
     return s;
 }
 
@@ -60,9 +58,7 @@ std::string short_text(float number)
 std::vector<Vec3> views(float turns)
 {
     std::vector<Vec3> all;
-    for (const float z : {1.0f, 0.9f, 0.5f, 0.2f, 0.05f}) {
-        all.push_back(direction_at(z, turns));
-    }
+    for (const float z : {1.0f, 0.9f, 0.5f, 0.2f, 0.05f}) all.push_back(direction_at(z, turns));
     return all;
 }
 
@@ -79,9 +75,7 @@ void check_density(const Named& named, const std::vector<Vec3>& viewers, int ste
             const float u = sampler.next_1d();
             const std::optional<BsdfSample> s = named.bsdf.sample(wo, u, sampler.next_2d());
             lost += s ? 0u : 1u;
-            if (s) {
-                ++counts[upper_bin(s->wi)];
-            }
+            if (s) ++counts[upper_bin(s->wi)];
         }
         const double share_lost = static_cast<double>(lost) / kSamples;
         // The grid's own error at the narrowest lobe is the larger part of the tolerance.
@@ -89,9 +83,7 @@ void check_density(const Named& named, const std::vector<Vec3>& viewers, int ste
         expected.push_back(share_lost);
         counts.push_back(lost);
         const double total = sum(expected);
-        for (double& e : expected) {
-            e *= kSamples / total;
-        }
+        for (double& e : expected) e *= kSamples / total;
         CHECK(chi2_score(counts, expected) < kSigmas);
     }
 }
@@ -103,9 +95,7 @@ void check_weights(const Named& named, const std::vector<Vec3>& viewers)
             Sampler sampler(3, k, 1);
             const float u = sampler.next_1d();
             const std::optional<BsdfSample> s = named.bsdf.sample(wo, u, sampler.next_2d());
-            if (!s || s->wi.z < 1e-3f) {
-                continue;
-            }
+            if (!s || s->wi.z < 1e-3f) continue;
             INFO(named.name << ", viewer at height " << wo.z << ", sample " << k);
             // The half vector is computed anew, which binary32 limits for the narrowest lobe.
             const double tolerance = 0.02;

@@ -14,11 +14,9 @@ namespace lumi::baker::testing
 inline Mesh sheet(uint32_t w, uint32_t h, float side)
 {
     Mesh mesh;
-    for (uint32_t y = 0; y <= h; ++y) {
-        for (uint32_t x = 0; x <= w; ++x) {
+    for (uint32_t y = 0; y <= h; ++y)
+        for (uint32_t x = 0; x <= w; ++x)
             mesh.positions.push_back({static_cast<float>(x) * side, static_cast<float>(y) * side, 0});
-        }
-    }
     for (uint32_t y = 0; y < h; ++y) {
         for (uint32_t x = 0; x < w; ++x) {
             const uint32_t a = y * (w + 1) + x, b = a + 1, c = a + w + 1, d = c + 1;
@@ -45,20 +43,16 @@ inline Mesh cube(float half_side)
 inline double whole_area(const Mesh& mesh)
 {
     double sum = 0;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        sum += static_cast<double>(mesh.area(k));
-    }
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) sum += static_cast<double>(mesh.area(k));
     return sum;
 }
 
 inline float longest_edge(const Mesh& mesh)
 {
     float longest = 0;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        for (size_t i = 0; i < 3; ++i) {
+    for (size_t k = 0; k < mesh.triangle_count(); ++k)
+        for (size_t i = 0; i < 3; ++i)
             longest = std::max(longest, length(mesh.position(k, i) - mesh.position(k, (i + 1) % 3)));
-        }
-    }
     return longest;
 }
 
@@ -73,9 +67,7 @@ inline uint32_t open_edges(const Mesh& mesh)
         }
     }
     uint32_t open = 0;
-    for (const auto& [edge, sum] : balance) {
-        open += sum != 0 ? 1u : 0u;
-    }
+    for (const auto& [edge, sum] : balance) open += sum != 0 ? 1u : 0u;
     return open;
 }
 

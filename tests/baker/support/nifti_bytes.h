@@ -58,11 +58,8 @@ std::string nifti_int16(std::array<int16_t, 3> size, const Function& f)
 {
     std::string bytes = nifti1_header(size, kNiftiInt16, 16);
     for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                append_value(bytes, static_cast<int16_t>(f(x, y, z)));
-            }
-        }
+        for (int y = 0; y < size[1]; ++y)
+            for (int x = 0; x < size[0]; ++x) append_value(bytes, static_cast<int16_t>(f(x, y, z)));
     }
     return bytes;
 }

@@ -19,15 +19,11 @@ void append(png_structp png, png_bytep bytes, size_t size)
 void set_palette(png_structp png, png_infop info, const PngKind& kind)
 {
     std::vector<png_color> colours;
-    for (size_t k = 0; k + 2 < kind.palette.size(); k += 3) {
+    for (size_t k = 0; k + 2 < kind.palette.size(); k += 3)
         colours.push_back({kind.palette[k], kind.palette[k + 1], kind.palette[k + 2]});
-    }
-    if (!colours.empty()) {
-        png_set_PLTE(png, info, colours.data(), static_cast<int>(colours.size()));
-    }
-    if (!kind.palette_alpha.empty()) {
+    if (!colours.empty()) png_set_PLTE(png, info, colours.data(), static_cast<int>(colours.size()));
+    if (!kind.palette_alpha.empty())
         png_set_tRNS(png, info, kind.palette_alpha.data(), static_cast<int>(kind.palette_alpha.size()), nullptr);
-    }
 }
 
 }  // namespace
@@ -44,13 +40,9 @@ std::string png(const PngKind& kind, uint32_t width, uint32_t height, std::vecto
     set_palette(png, info, kind);
     png_write_info(png, info);
     const size_t row_bytes = png_get_rowbytes(png, info);
-    if (rows.size() != row_bytes * height) {
-        throw std::invalid_argument("these are not the bytes of the picture's rows");
-    }
+    if (rows.size() != row_bytes * height) throw std::invalid_argument("these are not the bytes of the picture's rows");
     std::vector<png_bytep> starts;
-    for (size_t y = 0; y < height; ++y) {
-        starts.push_back(rows.data() + y * row_bytes);
-    }
+    for (size_t y = 0; y < height; ++y) starts.push_back(rows.data() + y * row_bytes);
     png_write_image(png, starts.data());
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);

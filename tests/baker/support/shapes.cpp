@@ -107,12 +107,8 @@ void SceneMaker::ball(uint32_t material, const Vec3& centre, float radius, int r
     };
     for (int ring = 0; ring < rings; ++ring) {
         for (int step = 0; step < 2 * rings; ++step) {
-            if (ring > 0) {
-                triangle(material, at(ring, step), at(ring + 1, step), at(ring, step + 1));
-            }
-            if (ring < rings - 1) {
-                triangle(material, at(ring, step + 1), at(ring + 1, step), at(ring + 1, step + 1));
-            }
+            if (ring > 0) triangle(material, at(ring, step), at(ring + 1, step), at(ring, step + 1));
+            if (ring < rings - 1) triangle(material, at(ring, step + 1), at(ring + 1, step), at(ring + 1, step + 1));
         }
     }
 }

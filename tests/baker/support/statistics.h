@@ -53,9 +53,7 @@ inline double chi2_score(const std::vector<double>& counts, const std::vector<do
             pooled_expected += expected[k];
         }
     }
-    if (pooled_expected > 0) {
-        take(pooled_count, std::max(pooled_expected, 1.0));
-    }
+    if (pooled_expected > 0) take(pooled_count, std::max(pooled_expected, 1.0));
     const double k = freedom;
     const double spread = 2 / (9 * k);
     return (std::cbrt(chi2 / k) - (1 - spread)) / std::sqrt(spread);

@@ -23,9 +23,7 @@ inline Mesh triangles_of(const SurfaceMesh& surface)
     mesh.positions = surface.positions;
     for (const SurfaceMesh::Patch& p : surface.patches) {
         mesh.corners.push_back({p.a, p.b, p.c});
-        if (p.d != SurfaceMesh::kNone) {
-            mesh.corners.push_back({p.d, p.c, p.b});
-        }
+        if (p.d != SurfaceMesh::kNone) mesh.corners.push_back({p.d, p.c, p.b});
     }
     return mesh;
 }

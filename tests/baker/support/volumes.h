@@ -36,7 +36,8 @@ Grid grid_of(uint32_t nx, uint32_t ny, uint32_t nz, const Vec3& low, const Vec3&
 // The same density everywhere in a box.
 inline Volume fog(float density, const Rgb& colour, const Vec3& low, const Vec3& high)
 {
-    return {grid_of(2, 2, 2, low, high, [](float, float, float) { return 1.0f; }),
+    return {grid_of(
+                2, 2, 2, low, high, [](float, float, float) { return 1.0f; }),
             TransferFunction({{1, colour, density}})};
 }
 

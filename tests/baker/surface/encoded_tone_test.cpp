@@ -36,9 +36,8 @@ TEST_CASE("a tone's line lies above the tone, so the mean of noisy light is not 
 {
     const EncodedTone tone(ToneCurve::srgb);
     const ToneLine line = tone.line_at({60, 60, 60});
-    for (const float light : {0.0f, 0.01f, 0.2f, 1.0f, 30.0f}) {
+    for (const float light : {0.0f, 0.01f, 0.2f, 1.0f, 30.0f})
         CHECK(line(grey(light))[0] >= tone.encoded(grey(light))[0] - 0.01f);
-    }
     const LevelColour mean = line((grey(0) + grey(0.2f)) * 0.5f);
     CHECK((line(grey(0))[0] + line(grey(0.2f))[0]) / 2 == Approx(mean[0]).margin(0.01));
 }

@@ -23,11 +23,8 @@ void add_ring(SceneMaker& maker, uint32_t material, const Vec3& centre, const Ve
         const float a = 2 * kPi * static_cast<float>(around % kRound) / kRound;
         return centre + out * (radii.x + radii.y * std::cos(a)) + Vec3{0, radii.y * std::sin(a), 0};
     };
-    for (int i = 0; i < kRound; ++i) {
-        for (int j = 0; j < kRound; ++j) {
-            maker.quad(material, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-        }
-    }
+    for (int i = 0; i < kRound; ++i)
+        for (int j = 0; j < kRound; ++j) maker.quad(material, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
 }
 
 // A ball without its cap above the height `mouth` (of its radius).

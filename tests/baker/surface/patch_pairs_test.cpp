@@ -27,22 +27,18 @@ Mesh::Corners turned(Mesh::Corners c)
 bool holds_all(const std::vector<Patch>& patches, const Mesh& mesh)
 {
     std::multiset<Mesh::Corners> in_mesh, in_patches;
-    for (const Mesh::Corners& c : mesh.corners) {
-        in_mesh.insert(turned(c));
-    }
+    for (const Mesh::Corners& c : mesh.corners) in_mesh.insert(turned(c));
     for (const Patch& p : patches) {
         in_patches.insert(turned({p.a, p.b, p.c}));
-        if (p.d != SurfaceMesh::kNone) {
-            in_patches.insert(turned({p.d, p.c, p.b}));
-        }
+        if (p.d != SurfaceMesh::kNone) in_patches.insert(turned({p.d, p.c, p.b}));
     }
     return in_mesh == in_patches;
 }
 
 size_t lone(const std::vector<Patch>& patches)
 {
-    return static_cast<size_t>(
-        std::count_if(patches.begin(), patches.end(), [](const Patch& p) { return p.d == SurfaceMesh::kNone; }));
+    return static_cast<size_t>(std::count_if(
+        patches.begin(), patches.end(), [](const Patch& p) { return p.d == SurfaceMesh::kNone; }));
 }
 
 // A sheet whose vertices are moved and whose diagonals are flipped at random.

@@ -20,17 +20,13 @@ TEST_CASE("Rounded vertices are whole steps within the sphere and near where the
         const Vec2 place = sampler.next_2d();
         mesh.positions.push_back(direction_at(2 * place.x - 1, place.y));  // on the sphere: the hardest place
     }
-    for (uint32_t k = 0; k < kTriangles; ++k) {
-        mesh.corners.push_back({3 * k, 3 * k + 1, 3 * k + 2});
-    }
+    for (uint32_t k = 0; k < kTriangles; ++k) mesh.corners.push_back({3 * k, 3 * k + 1, 3 * k + 2});
     const Mesh result = rounded(mesh);
     REQUIRE(result.triangle_count() == kTriangles);
     for (size_t k = 0; k < kTriangles; ++k) {
         for (size_t i = 0; i < 3; ++i) {
             const Vec3& p = result.position(k, i);
-            for (const float c : {p.x, p.y, p.z}) {
-                CHECK(c / kStep == std::round(c / kStep));
-            }
+            for (const float c : {p.x, p.y, p.z}) CHECK(c / kStep == std::round(c / kStep));
             CHECK(dot(p, p) <= 1);
             CHECK(length(p - mesh.position(k, i)) < 2 * kStep);
         }

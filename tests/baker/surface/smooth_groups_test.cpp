@@ -14,36 +14,29 @@ TEST_CASE("Each face of a cube has vertices of its own, and their normals are it
     const Mesh mesh = with_creases(cube(0.5f), 0.7f);
     REQUIRE(mesh.positions.size() == 24);
     REQUIRE(mesh.normals.size() == 24);
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        for (const uint32_t corner : mesh.corners[k]) {
+    for (size_t k = 0; k < mesh.triangle_count(); ++k)
+        for (const uint32_t corner : mesh.corners[k])
             CHECK(dot(mesh.normals[corner], normalized(mesh.area_vector(k))) == Approx(1));
-        }
-    }
 }
 
 TEST_CASE("Where nothing is a crease, vertices stay, and normals point along the diagonals", "[surface]")
 {
     const Mesh mesh = with_creases(cube(0.5f), -0.1f);
     REQUIRE(mesh.positions.size() == 8);
-    for (size_t v = 0; v < 8; ++v) {
+    for (size_t v = 0; v < 8; ++v)
         CHECK(dot(mesh.normals[v], normalized(mesh.positions[v])) == Approx(1).epsilon(1e-5));
-    }
 }
 
 TEST_CASE("Two sides of one sheet share no vertices", "[surface]")
 {
     Mesh mesh = sheet(2, 2, 0.2f);
     const std::vector<Mesh::Corners> front = mesh.corners;
-    for (const Mesh::Corners& c : front) {
-        mesh.corners.push_back({c[0], c[2], c[1]});
-    }
+    for (const Mesh::Corners& c : front) mesh.corners.push_back({c[0], c[2], c[1]});
     const Mesh result = with_creases(mesh, 0.7f);
     REQUIRE(result.positions.size() == 18);
-    for (size_t k = 0; k < result.triangle_count(); ++k) {
-        for (const uint32_t corner : result.corners[k]) {
+    for (size_t k = 0; k < result.triangle_count(); ++k)
+        for (const uint32_t corner : result.corners[k])
             CHECK(result.normals[corner].z == Approx(k < front.size() ? 1 : -1));
-        }
-    }
 }
 
 TEST_CASE("A crease that ends inside a surface splits only the vertices that it parts", "[surface]")
@@ -52,11 +45,8 @@ TEST_CASE("A crease that ends inside a surface splits only the vertices that it 
     Mesh mesh = sheet(2, 2, 0.2f);
     mesh.positions[8].z = 0.6f;
     const Mesh result = with_creases(mesh, 0.7f);
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        for (size_t i = 0; i < 3; ++i) {
-            CHECK(length(result.position(k, i) - mesh.position(k, i)) == 0);
-        }
-    }
+    for (size_t k = 0; k < mesh.triangle_count(); ++k)
+        for (size_t i = 0; i < 3; ++i) CHECK(length(result.position(k, i) - mesh.position(k, i)) == 0);
     CHECK(result.positions.size() == 11);  // the two ends of the crease, which reaches from rim to rim
 }
 

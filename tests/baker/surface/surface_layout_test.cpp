@@ -37,9 +37,7 @@ TEST_CASE("rectangles of texels do not overlap and all that a reader may read is
         CHECK(r.m >= 1);
         CHECK(r.m <= format::kMaxPatchSide);
         REQUIRE(r.begin + format::patch_reach(r.n) <= layout.texels);
-        for (uint32_t k = 0; k < r.size(); ++k) {
-            ++owners[r.begin + k];
-        }
+        for (uint32_t k = 0; k < r.size(); ++k) ++owners[r.begin + k];
         used += r.size();
     }
     CHECK(*std::max_element(owners.begin(), owners.end()) == 1);

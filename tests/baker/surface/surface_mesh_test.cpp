@@ -31,9 +31,7 @@ TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[s
         }
     }
     CHECK(std::count(used.begin(), used.end(), false) == 0);
-    for (const Vec3& n : mesh.normals) {
-        CHECK(length(n) == Approx(1));
-    }
+    for (const Vec3& n : mesh.normals) CHECK(length(n) == Approx(1));
     CHECK(surface.loss.holes == 0);
     CHECK_FALSE(surface.loss.rough);
 }
@@ -66,9 +64,8 @@ TEST_CASE("Leaves that are cut out of larger faces have a mesh", "[surface]")
     leaf.opacity = 0.4f;
     leaf.finish();
     const uint32_t leaves = maker.add(leaf);
-    for (const float x : {-0.4f, 0.0f, 0.4f}) {
+    for (const float x : {-0.4f, 0.0f, 0.4f})
         maker.quad(leaves, {x, -0.5f, -0.5f}, {x + 0.3f, -0.5f, 0.4f}, {x + 0.3f, 0.5f, 0.4f}, {x, 0.5f, -0.5f});
-    }
     maker.ball(maker.add(diffuse(grey(0.5f))), {0, 0, 0.6f}, 0.2f, 12);
     const BuiltSurface surface = built_surface(maker.make(constant_environment(1)), {500, 0.2f, 0.7f});
     CHECK(surface.mesh.patches.size() > 100);

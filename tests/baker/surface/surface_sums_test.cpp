@@ -25,9 +25,7 @@ TEST_CASE("sums of node pairs do not depend on the order of what is added")
         forwards.add(a, b, a + 2 * b);
     }
     std::reverse(added.begin(), added.end());
-    for (const auto& [a, b] : added) {
-        backwards.add(b, a, a + 2 * b);
-    }
+    for (const auto& [a, b] : added) backwards.add(b, a, a + 2 * b);
     forwards.sort();
     backwards.sort();
     std::vector<std::array<int64_t, 3>> first, second;

@@ -70,9 +70,7 @@ TEST_CASE("texels that are known exactly stay as they are")
     Noisy known(60);
     const std::vector<LevelColour> before = known.texels;
     smooth_noise(known.texels.data(), std::vector<double>(kWidth * kWidth, 0), kWidth);
-    for (size_t k = 0; k < before.size(); ++k) {
-        CHECK(std::abs(known.texels[k][1] - before[k][1]) < 0.1f);
-    }
+    for (size_t k = 0; k < before.size(); ++k) CHECK(std::abs(known.texels[k][1] - before[k][1]) < 0.1f);
 }
 
 TEST_CASE("texels that no path met are filled from around")
@@ -84,18 +82,14 @@ TEST_CASE("texels that no path met are filled from around")
         variances[5 * kWidth + k] = -1;
     }
     smooth_noise(texels.data(), variances, kWidth);
-    for (uint32_t k = 0; k < 5; ++k) {
-        CHECK(texels[5 * kWidth + k][2] == Approx(100).margin(0.5));
-    }
+    for (uint32_t k = 0; k < 5; ++k) CHECK(texels[5 * kWidth + k][2] == Approx(100).margin(0.5));
 }
 
 TEST_CASE("a rectangle that no path met stays")
 {
     std::vector<LevelColour> texels(12, LevelColour{1, 2, 3});
     smooth_noise(texels.data(), std::vector<double>(12, -1), 4);
-    for (const LevelColour& texel : texels) {
-        CHECK((texel == LevelColour{1, 2, 3}));
-    }
+    for (const LevelColour& texel : texels) CHECK((texel == LevelColour{1, 2, 3}));
 }
 
 }  // namespace lumi::baker::testing

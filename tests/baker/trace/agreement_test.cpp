@@ -136,9 +136,7 @@ TEST_CASE(
     auto picture = std::make_shared<RadiancePicture>();
     picture->width = 4;
     picture->height = 2;
-    for (int k = 0; k < 8; ++k) {
-        picture->pixels.push_back(grey(k == 1 ? 4.0f : 0.3f));
-    }
+    for (int k = 0; k < 8; ++k) picture->pixels.push_back(grey(k == 1 ? 4.0f : 0.3f));
     Environment environment = constant_environment(0);
     environment.picture = picture;
     check_integrators_agree(maker.make(environment), 3000);

@@ -45,9 +45,7 @@ TEST_CASE("camera rays: enter and leave the sphere where the renderer says")
         for (int32_t y = 0; y < 48; ++y) {
             for (int32_t x = 0; x < 64; ++x) {
                 SphereRay sphere_ray{};
-                if (!ray_at(camera, x, y, sphere_ray)) {
-                    continue;
-                }
+                if (!ray_at(camera, x, y, sphere_ray)) continue;
                 const SphereHits expected = hits(camera, sphere_ray);
                 const std::optional<Ray> ray = rays.ray(x + 0.5, y + 0.5);
                 REQUIRE(ray);

@@ -341,9 +341,7 @@ TEST_CASE("catcher: its shadow reaches palette texels as partial coverage; other
     settings.samples = 40;
     settings.max_error_levels = 1;
     const TexelTracer patient(scene.data(), settings);
-    for (uint32_t j = 0; j < 40; ++j) {
-        CHECK(patient.estimate(patient.disc(0), 0, j).samples() == 40);
-    }
+    for (uint32_t j = 0; j < 40; ++j) CHECK(patient.estimate(patient.disc(0), 0, j).samples() == 40);
     for (const auto texel : {format::TexelFormat::rgb888, format::TexelFormat::rgb565, format::TexelFormat::luma8}) {
         CHECK_THROWS_WITH(testing::baked(scene, testing::tiny_settings(texel)),
                           Catch::Contains("'catcher'") && Catch::Contains("--texel palette8"));
@@ -356,9 +354,7 @@ TEST_CASE("catcher: the fingerprint knows it")
     const auto of = [](const std::optional<Disc>& disc) {
         SceneMaker maker;
         maker.span_unit_sphere();
-        if (disc) {
-            maker.catch_shadows(*disc);
-        }
+        if (disc) maker.catch_shadows(*disc);
         return scene_fingerprint(maker.make(constant_environment(1)).data());
     };
     CHECK(of(std::nullopt) == of(std::nullopt));

@@ -25,9 +25,7 @@ float uniform(uint32_t k)
 ErrorGauge gauge_of(uint32_t paths, float (*radiance)(uint32_t))
 {
     ErrorGauge gauge;
-    for (uint32_t k = 0; k < paths; ++k) {
-        gauge.add({true, grey(radiance(k))});
-    }
+    for (uint32_t k = 0; k < paths; ++k) gauge.add({true, grey(radiance(k))});
     return gauge;
 }
 
@@ -71,9 +69,7 @@ Comparison compare(const Scene& scene, uint32_t samples, float levels)
     Comparison result;
     for (uint32_t i = 0; i < 20; ++i) {
         for (uint32_t j = 0; j < 60; ++j) {
-            if (!truth.estimate(truth.disc(i), i, j).mostly_covered()) {
-                continue;
-            }
+            if (!truth.estimate(truth.disc(i), i, j).mostly_covered()) continue;
             const double t = stored(truth, i, j), f = stored(fixed, i, j), a = stored(adaptive, i, j);
             result.fixed.add((f - t) * (f - t));
             result.adaptive.add((a - t) * (a - t));
@@ -177,9 +173,7 @@ TEST_CASE("adaptive sampling: threads and shards do not change a byte; saved ray
         CHECK(testing::baked(scene, settings) == whole);
         CHECK(saved_share(scene, settings) > 0.1);
         const ScratchFolder folder;
-        for (const uint32_t k : {1u, 2u}) {
-            bake_shard(scene, settings, {k, 2}, folder.at("s" + std::to_string(k)));
-        }
+        for (const uint32_t k : {1u, 2u}) bake_shard(scene, settings, {k, 2}, folder.at("s" + std::to_string(k)));
         merge_shards({folder.at("s2"), folder.at("s1")}, folder.at("m.lumi"));
         CHECK(testing::read_bytes(folder.at("m.lumi")) == whole);
     }
@@ -187,9 +181,8 @@ TEST_CASE("adaptive sampling: threads and shards do not change a byte; saved ray
 
 TEST_CASE("adaptive sampling: levels that cannot be are refused")
 {
-    for (const float levels : {-1.0f, 256.0f, std::nanf("")}) {
+    for (const float levels : {-1.0f, 256.0f, std::nanf("")})
         CHECK_THROWS_WITH(field_file_bytes(adaptive_settings(2, levels)), Catch::Contains("0 to 255 levels"));
-    }
 }
 
 }  // namespace lumi::baker

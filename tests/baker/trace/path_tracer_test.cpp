@@ -144,9 +144,7 @@ TEST_CASE("path tracer: the error falls as one over the root of the number of sa
             Mean mean;
             Sampler sampler(8, texel, samples);
             for (uint32_t s = 0; s < samples; ++s) {
-                if (independent) {
-                    sampler = Sampler(8, texel * 1000 + s, samples);
-                }
+                if (independent) sampler = Sampler(8, texel * 1000 + s, samples);
                 sampler.start(independent ? 0 : s);
                 mean.add(static_cast<double>(tracer.trace(ray, sampler).radiance.g));
             }

@@ -107,9 +107,8 @@ TEST_CASE("surface: light passes thin panes by what they leave, and nothing opaq
     Material pane = testing::diffuse(grey(0.5f));
     pane.opacity = 0.25f;
     const uint32_t glass = maker.add(pane);
-    for (const float z : {0.0f, 0.2f, 0.4f}) {
+    for (const float z : {0.0f, 0.2f, 0.4f})
         maker.quad(glass, {-0.3f, -0.3f, z}, {0.3f, -0.3f, z}, {0.3f, 0.3f, z}, {-0.3f, 0.3f, z});
-    }
     const uint32_t wall = maker.add(testing::diffuse(grey(0.5f)));
     maker.quad(wall, {-0.3f, -0.3f, -0.5f}, {0.3f, -0.3f, -0.5f}, {0.3f, 0.3f, -0.5f}, {-0.3f, 0.3f, -0.5f});
     maker.span_unit_sphere();

@@ -15,9 +15,7 @@ TEST_CASE("job: every task runs once, whatever the number of threads")
         Job job(1000, threads, none);
         std::vector<std::atomic<int>> runs(1000);
         job.run(1000, [&](uint32_t k) { ++runs[k]; });
-        for (const std::atomic<int>& r : runs) {
-            REQUIRE(r == 1);
-        }
+        for (const std::atomic<int>& r : runs) REQUIRE(r == 1);
         job.run(0, [&](uint32_t) { FAIL("no task was asked for"); });
     }
 }
@@ -47,9 +45,7 @@ TEST_CASE("job: what a task throws arrives at the caller and stops the others")
     CHECK_THROWS_WITH(job.run(1000000,
                               [&](uint32_t k) {
                                   ++runs;
-                                  if (k == 3) {
-                                      throw std::runtime_error("task three");
-                                  }
+                                  if (k == 3) throw std::runtime_error("task three");
                               }),
                       "task three");
     CHECK(runs < 1000000);
@@ -103,9 +99,8 @@ TEST_CASE("job: a run of one long task in a stage moves on while it runs")
     Job job(1000000, 1, note);
     const JobStage stage(job, Stage::solving, 1000000, 1);
     job.run(1, [&](uint32_t) {
-        while (seen == 0) {  // until a report says more
+        while (seen == 0)  // until a report says more
             std::this_thread::yield();
-        }
     });
     job.finish();
     CHECK(seen == 1000000);

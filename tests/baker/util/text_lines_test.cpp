@@ -30,9 +30,7 @@ TEST_CASE("text lines: every line ending, comments, continuations and blanks")
 TEST_CASE("text lines: numbers are finite or none")
 {
     double v = 0;
-    for (const char* good : {"1", "-1.5", "+2e3", ".5", "1e-300"}) {
-        CHECK(parse_finite(good, v));
-    }
+    for (const char* good : {"1", "-1.5", "+2e3", ".5", "1e-300"}) CHECK(parse_finite(good, v));
     for (const char* bad : {"nan", "-nan", "inf", "-INF", "1e999", "1,5", "1.5x", "", "+", "0x10"}) {
         INFO(bad);
         CHECK_FALSE(parse_finite(bad, v));

@@ -43,11 +43,8 @@ double density_of(const Volume& volume, const Vec3& p)
                             static_cast<double>(p.z));
     const uint32_t sizes[3] = {volume.grid.nx, volume.grid.ny, volume.grid.nz};
     double scalar = 0;
-    for (size_t k = 0; k < 3; ++k) {
-        if (v[k] < 0 || v[k] > sizes[k] - 1) {
-            return 0;
-        }
-    }
+    for (size_t k = 0; k < 3; ++k)
+        if (v[k] < 0 || v[k] > sizes[k] - 1) return 0;
     for (int corner = 0; corner < 8; ++corner) {
         double weight = 1;
         size_t place = 0;
@@ -60,9 +57,7 @@ double density_of(const Volume& volume, const Vec3& p)
         scalar += weight * static_cast<double>(volume.grid.values[place]);
     }
     const auto& points = volume.transfer.points();
-    if (scalar <= static_cast<double>(points.front().value)) {
-        return static_cast<double>(points.front().density);
-    }
+    if (scalar <= static_cast<double>(points.front().value)) return static_cast<double>(points.front().density);
     for (size_t k = 1; k < points.size(); ++k) {
         const double a = static_cast<double>(points[k - 1].value), b = static_cast<double>(points[k].value);
         if (scalar <= b) {
@@ -78,9 +73,8 @@ double depth_between(const Volume& volume, const Vec3& from, const Vec3& to)
 {
     constexpr int kSteps = 4000;
     double sum = 0;
-    for (int k = 0; k < kSteps; ++k) {
+    for (int k = 0; k < kSteps; ++k)
         sum += density_of(volume, from + (to - from) * ((static_cast<float>(k) + 0.5f) / kSteps));
-    }
     return sum * static_cast<double>(length(to - from)) / kSteps;
 }
 
@@ -185,9 +179,7 @@ TEST_CASE("phase function: its density integrates to one, has mean cosine g, and
             const float c = dot(way, phase.sample(way, sampler.next_2d()));
             counts[std::min<size_t>(static_cast<size_t>((c + 1) * 10), 19)] += 1;
         }
-        for (double& e : expected) {
-            e *= kSamples;
-        }
+        for (double& e : expected) e *= kSamples;
         INFO("g " << g);
         CHECK(testing::chi2_score(counts, expected) < kSigmas);
     }

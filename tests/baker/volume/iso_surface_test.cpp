@@ -24,11 +24,9 @@ Grid grid_of(const Function& f)
 {
     Grid grid = {kVoxels, kVoxels, kVoxels, {}, {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
     for (uint32_t z = 0; z < kVoxels; ++z) {
-        for (uint32_t y = 0; y < kVoxels; ++y) {
-            for (uint32_t x = 0; x < kVoxels; ++x) {
+        for (uint32_t y = 0; y < kVoxels; ++y)
+            for (uint32_t x = 0; x < kVoxels; ++x)
                 grid.values.push_back(f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
-            }
-        }
     }
     return grid;
 }
@@ -44,9 +42,8 @@ Grid ball_grid()
 double volume_of(const Mesh& mesh)
 {
     double sum = 0;
-    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (size_t t = 0; t < mesh.triangle_count(); ++t)
         sum += static_cast<double>(dot(mesh.position(t, 0), cross(mesh.position(t, 1), mesh.position(t, 2)))) / 6;
-    }
     return sum;
 }
 
@@ -143,10 +140,12 @@ TEST_CASE("pieces smaller than the share are left out", "[iso]")
 
 std::string ball_file()
 {
-    return testing::nifti_int16({20, 20, 20}, [](int x, int y, int z) {
-        const int dx = x - 10, dy = y - 10, dz = z - 10;
-        return 1000 - 10 * (dx * dx + dy * dy + dz * dz);
-    });
+    return testing::nifti_int16(
+        {20, 20, 20},
+        [](int x, int y, int z) {
+            const int dx = x - 10, dy = y - 10, dz = z - 10;
+            return 1000 - 10 * (dx * dx + dy * dy + dz * dz);
+        });
 }
 
 TEST_CASE("a volume's file is a scene by its iso-surface, upright along z", "[iso]")

@@ -29,9 +29,7 @@ template <class T>
 std::string cube_of(int16_t datatype)
 {
     std::string bytes = testing::nifti1_header({2, 2, 2}, datatype, static_cast<int16_t>(8 * sizeof(T)));
-    for (int k = 1; k <= 8; ++k) {
-        append_value(bytes, static_cast<T>(k));
-    }
+    for (int k = 1; k <= 8; ++k) append_value(bytes, static_cast<T>(k));
     return bytes;
 }
 
@@ -224,16 +222,13 @@ TEST_CASE("broken headers are refused by what is wrong in them", "[volume]")
 
 TEST_CASE("every truncation is refused, packed or not", "[volume]")
 {
-    for (const std::string& whole : {cube(), cube2()}) {
-        for (size_t size = 0; size < whole.size(); ++size) {
+    for (const std::string& whole : {cube(), cube2()})
+        for (size_t size = 0; size < whole.size(); ++size)
             CHECK_THROWS_AS(parse_nifti("head.nii", whole.substr(0, size)), SceneError);
-        }
-    }
     const std::string packed = gzipped(cube());
     // The last 8 bytes are checksum and size, and a byte before them may hold no more than the end's mark.
-    for (size_t size = 0; size + 9 < packed.size(); ++size) {
+    for (size_t size = 0; size + 9 < packed.size(); ++size)
         CHECK_THROWS_AS(parse_nifti("head.nii.gz", packed.substr(0, size)), SceneError);
-    }
 }
 
 TEST_CASE("a small file that claims a large volume is refused without its memory", "[volume]")

@@ -18,8 +18,9 @@ constexpr float kRadius = 0.4f;
 
 Volume ball(float density)
 {
-    return {testing::grid_of(33, 33, 33, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f},
-                             [](float x, float y, float z) { return std::sqrt(x * x + y * y + z * z); }),
+    return {testing::grid_of(
+                33, 33, 33, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f},
+                [](float x, float y, float z) { return std::sqrt(x * x + y * y + z * z); }),
             TransferFunction({{kRadius - 0.01f, grey(0.8f), density}, {kRadius + 0.01f, grey(0.8f), 0}})};
 }
 

@@ -54,11 +54,9 @@ FloatGrid::Ptr box_of_numbers(const std::string& name, const openvdb::Coord& fir
     const FloatGrid::Ptr grid = FloatGrid::create(background);
     grid->setName(name);
     for (int z = 0; z < kSides[2]; ++z) {
-        for (int y = 0; y < kSides[1]; ++y) {
-            for (int x = 0; x < kSides[0]; ++x) {
+        for (int y = 0; y < kSides[1]; ++y)
+            for (int x = 0; x < kSides[0]; ++x)
                 grid->tree().setValue(first.offsetBy(x, y, z), static_cast<float>(number_at(x, y, z)));
-            }
-        }
     }
     return grid;
 }
@@ -240,9 +238,8 @@ TEST_CASE("a level set's values become depths, so that its surface encloses what
     const FloatGrid::Ptr ball = FloatGrid::create(3);
     ball->setGridClass(openvdb::GRID_LEVEL_SET);
     ball->denseFill(openvdb::CoordBBox(openvdb::Coord(-12), openvdb::Coord(12)), 3);
-    for (auto voxel = ball->beginValueOn(); voxel; ++voxel) {
+    for (auto voxel = ball->beginValueOn(); voxel; ++voxel)
         voxel.setValue(std::clamp(static_cast<float>(voxel.getCoord().asVec3d().length()) - 8, -3.0f, 3.0f));
-    }
     const std::filesystem::path file = folder.write({ball});
     CHECK(range_of_volume(file) == "-3 to 3");
     const SceneParts parts = read_iso_surface(file, {0, 0});
@@ -310,9 +307,8 @@ TEST_CASE("a VDB file whose list of grids is damaged is refused, also where voxe
     folder.check_bytes_refused(bytes_with_end(-1), "list of grids is damaged");
     const auto head = static_cast<int64_t>(end_at + 8);
     const std::string claims_less = bytes_with_end(head);
-    for (size_t size = end_at + 8; size < bytes.size(); size += 499) {
+    for (size_t size = end_at + 8; size < bytes.size(); size += 499)
         folder.check_bytes_refused(claims_less.substr(0, size), "the file ends too early");
-    }
 }
 
 TEST_CASE("what is no VDB file, or none that says where its grids are, is refused", "[vdb]")
@@ -366,11 +362,9 @@ TEST_CASE("the same smoke as NIfTI and as VDB is the same volume of a scene", "[
     const FloatGrid::Ptr written = FloatGrid::create();
     written->setTransform(Transform::createLinearTransform(2));  // mm a voxel, as nifti_int16() has it
     for (int z = 1; z < kSmokeSides[2] - 1; ++z) {
-        for (int y = 1; y < kSmokeSides[1] - 1; ++y) {
-            for (int x = 1; x < kSmokeSides[0] - 1; ++x) {
+        for (int y = 1; y < kSmokeSides[1] - 1; ++y)
+            for (int x = 1; x < kSmokeSides[0] - 1; ++x)
                 written->tree().setValue({x, y, z}, static_cast<float>(smoke(x, y, z)));
-            }
-        }
     }
     folder.write({written});
     const auto grid_of = [&](const std::string& file) {

@@ -93,11 +93,9 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
         std::minstd_rand random(size[2]);
         for (uint32_t k = 0; k < kRandomViews; ++k) views.push_back(random_view(random, kSide));
         // Small spheres: spans and tiles that reach far over them.
-        for (const int fov : {3, 6, 9, 14}) {
-            for (const double z : {0.0, 0.9, -2.2, 3.0}) {
+        for (const int fov : {3, 6, 9, 14})
+            for (const double z : {0.0, 0.9, -2.2, 3.0})
                 views.push_back({"small", look_at({2, 1, z}, {0, 0, 0}, 30), {kSide, kSide, degrees(13 * fov)}});
-            }
-        }
         for (const View& view : views) {
             Camera camera;
             if (make_camera(view.pose, view.image, camera) != CameraError::none) continue;

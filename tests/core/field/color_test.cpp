@@ -27,9 +27,7 @@ int difference(uint8_t a, uint8_t b)
 TEST_CASE("RGB565 packing rounds to nearest and survives a round trip", "[color]")
 {
     bool stable = true;
-    for (uint32_t v = 0; v < 65536; ++v) {
-        stable = stable && pack_rgb565(unpack_rgb565(static_cast<uint16_t>(v))) == v;
-    }
+    for (uint32_t v = 0; v < 65536; ++v) stable = stable && pack_rgb565(unpack_rgb565(static_cast<uint16_t>(v))) == v;
     CHECK(stable);
     int worst = 0;
     for (int c = 0; c < 256; ++c) {

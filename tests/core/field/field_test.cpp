@@ -40,7 +40,8 @@ void draw_all_reconstructions(const Field& field)
 
 void draw_whatever_it_holds(const Field& field)
 {
-    with_texel(field.texel_format, [&](auto texel) { draw_all_reconstructions<decltype(texel)>(field); });
+    with_texel(
+        field.texel_format, [&](auto texel) { draw_all_reconstructions<decltype(texel)>(field); });
 }
 
 // Opens hostile bytes; whatever is accepted must be safe to verify and to draw.
@@ -221,9 +222,8 @@ TEST_CASE("a failed open leaves the field untouched", "[field]")
 TEST_CASE("every error has a phrase of its own", "[field]")
 {
     std::vector<std::string> phrases;
-    for (int e = 0; e <= static_cast<int>(FieldError::section_crc); ++e) {
+    for (int e = 0; e <= static_cast<int>(FieldError::section_crc); ++e)
         phrases.emplace_back(describe(static_cast<FieldError>(e)));
-    }
     std::sort(phrases.begin(), phrases.end());
     CHECK(std::unique(phrases.begin(), phrases.end()) == phrases.end());
     CHECK(std::find(phrases.begin(), phrases.end(), "unknown error") == phrases.end());

@@ -89,9 +89,8 @@ double excess(const Lattice& lattice, const std::vector<Vec3>& all, const Vec3q3
     if (neighbours(lattice, query, count, found) != expected) return INFINITY;
     double worst = 0;
     for (uint32_t k = 0; k < expected; ++k) {
-        for (uint32_t m = 0; m < k; ++m) {
+        for (uint32_t m = 0; m < k; ++m)
             if (found[m].index == found[k].index) return INFINITY;
-        }
         const double distance = reference::length(all[found[k].index] - q);
         worst = std::max(worst, (distance - std::sqrt(truth[k])) / reference::spacing(lattice.size()));
     }
@@ -142,10 +141,9 @@ TEST_CASE("points lie where the definition says, for every size", "[lattice]")
     for_sizes([&](uint32_t n, uint32_t) {
         const Lattice lattice(n);
         const uint32_t step = std::max<uint32_t>(1, n / 20000);
-        for (uint32_t i = 0; i < n; i += step) {
+        for (uint32_t i = 0; i < n; i += step)
             worst.see(reference::length(reference::decoded(point(lattice, i)) - reference::point(n, i)),
                       uint64_t{n} * 2000000 + i);
-        }
     });
     worst.report("point, distance from the definition");
     CHECK(worst.error < std::ldexp(1.0, -22));

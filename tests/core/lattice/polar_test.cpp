@@ -49,9 +49,8 @@ double in_circle(const Plane& a, const Plane& b, const Plane& c, const Plane& d)
 
 bool is_delaunay(const std::vector<Plane>& all, uint32_t i, uint32_t j, uint32_t k)
 {
-    for (uint32_t m = 0; m < all.size(); ++m) {
+    for (uint32_t m = 0; m < all.size(); ++m)
         if (m != i && m != j && m != k && in_circle(all[i], all[j], all[k], all[m]) > 1e-9) return false;
-    }
     return true;
 }
 
@@ -66,10 +65,9 @@ std::set<Corners> delaunay_triangles()
     std::set<Corners> found;
     for (uint32_t i = 0; i < static_cast<uint32_t>(polar::kReach); ++i) {
         for (uint32_t j = i + 1; j < kEnough; ++j) {
-            for (uint32_t k = i + 1; k < kEnough; ++k) {
+            for (uint32_t k = i + 1; k < kEnough; ++k)
                 if (j != k && cross(all[i], all[j], all[k]) > 1e-9 && is_delaunay(all, i, j, k))
                     found.insert({i, j, k});
-            }
         }
     }
     return found;

@@ -132,10 +132,9 @@ TEST_CASE("what lies under a stripe stays where no surface is")
         SurfaceScreen screen(opened.field(), view.pose, view.image, mode);
         const Bytes over_colour = screen.picture(kSide, kSide);
         Bytes pixels;
-        for (int k = 0; k < kSide * kSide; ++k) {
+        for (int k = 0; k < kSide * kSide; ++k)
             for (const uint8_t c : {kSurfaceBackground.r, kSurfaceBackground.g, kSurfaceBackground.b})
                 pixels.push_back(c);
-        }
         std::vector<uint32_t> samples((surface_stripe_bytes(kSide, kSide, mode) + 3) / 4);
         render_surface<PixelRgb888>(screen.frame(), OverStripe(), {pixels.data(), 0, 0, kSide, kSide, 3 * kSide},
                                     samples.data());

@@ -76,9 +76,8 @@ Difference difference_of(const TestSurface& s, const View& view, SurfaceMode mod
     std::vector<TestSection> sections = surface_sections(s);
     for (TestSection& section : sections) {
         if (section.type != format::kViewSection) continue;
-        for (uint32_t v = 0; v < s.viewed; ++v) {
+        for (uint32_t v = 0; v < s.viewed; ++v)
             section.bytes[format::kViewColoursBytes + v * format::kViewBytes + format::view::kGainAt] = kGain;
-        }
     }
     const OpenedSurface opened(file_of(sections));
     REQUIRE(opened.error() == FieldError::none);
@@ -94,11 +93,9 @@ TestSurface smooth_ball()
 {
     TestSurface s = bumpy_ball();
     s.viewed = 0;
-    for (const TestPatch& p : s.patches) {
-        for (uint32_t k = 0; k < p.columns * p.rows; ++k) {
+    for (const TestPatch& p : s.patches)
+        for (uint32_t k = 0; k < p.columns * p.rows; ++k)
             s.texels[p.begin + k] = static_cast<uint8_t>(60 + 4 * (k % p.columns) + 6 * (k / p.columns));
-        }
-    }
     return s;
 }
 

@@ -54,7 +54,8 @@ Bytes frame_by(int32_t rows, Draw draw)
 template <class Pixel, class AnyView>
 Bytes frame_of(AnyView& view, int32_t rows = kRows)
 {
-    return frame_by<Pixel>(rows, [&](const Stripe& stripe) { REQUIRE(view.draw(stripe) == ViewError::none); });
+    return frame_by<Pixel>(
+        rows, [&](const Stripe& stripe) { REQUIRE(view.draw(stripe) == ViewError::none); });
 }
 
 template <class Pixel>
@@ -100,9 +101,12 @@ void check_chord_frames(const Bytes& bytes)
     Camera camera;
     REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
     REQUIRE(make_camera(pose_of(kOrbit), image_of(kOrbit, kWidth, kHeight), camera) == CameraError::none);
-    CHECK((frame_of<Pixel>(spans) == frame_by<Pixel>(kRows, [&](const Stripe& stripe) {
-               REQUIRE(render_spans<Linear, Texel, Pixel>(field, camera, OverBlack{}, stripe, 16) == RenderError::none);
-           })));
+    CHECK((frame_of<Pixel>(spans) == frame_by<Pixel>(
+                                         kRows,
+                                         [&](const Stripe& stripe) {
+                                             REQUIRE(render_spans<Linear, Texel, Pixel>(
+                                                         field, camera, OverBlack{}, stripe, 16) == RenderError::none);
+                                         })));
     CHECK((frame_of<Pixel>(exact) == frame_by<Pixel>(kRows, [&](const Stripe& stripe) {
                REQUIRE(render<Linear, Texel, Pixel>(field, camera, OverBlack{}, stripe) == RenderError::none);
            })));

@@ -20,22 +20,17 @@ const char* draw_picture(const uint8_t* file, size_t file_bytes, Flush flush, vo
 {
     lumi::Field field;
     const lumi::FieldError field_error = lumi::open_field(file, file_bytes, field);
-    if (field_error != lumi::FieldError::none) {
-        return lumi::describe(field_error);
-    }
+    if (field_error != lumi::FieldError::none) return lumi::describe(field_error);
     lumi::Camera camera;
     const lumi::CameraError camera_error =
         lumi::make_camera(lumi::orbit(0, 0, 3 * lumi::kOneQ20), {kWidth, kHeight, kFieldOfView}, camera);
-    if (camera_error != lumi::CameraError::none) {
-        return lumi::describe(camera_error);
-    }
+    if (camera_error != lumi::CameraError::none) return lumi::describe(camera_error);
     int current = 0;
     for (int32_t y = 0; y < kHeight; y += kStripeRows, current ^= 1) {
         const lumi::Stripe stripe = {stripes[current], 0, y, kWidth, kStripeRows, kStride};
         if (lumi::render<lumi::Linear, lumi::TexelRgb565, lumi::PixelRgb565Swapped>(
-                field, camera, lumi::OverColour{{0, 0, 0}}, stripe) != lumi::RenderError::none) {
+                field, camera, lumi::OverColour{{0, 0, 0}}, stripe) != lumi::RenderError::none)
             return "this picture is drawn from RGB565 texels only";
-        }
         flush(context, stripes[current], sizeof(stripes[current]));
     }
     return nullptr;

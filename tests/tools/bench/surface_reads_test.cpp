@@ -25,8 +25,8 @@ Range range_of(const tools::FieldFile& file, const uint8_t* at, uint32_t bytes)
 
 size_t count_in(const std::vector<Read>& reads, const Range& range)
 {
-    return static_cast<size_t>(
-        std::count_if(reads.begin(), reads.end(), [&](const Read& read) { return range.holds(read); }));
+    return static_cast<size_t>(std::count_if(
+        reads.begin(), reads.end(), [&](const Read& read) { return range.holds(read); }));
 }
 
 }  // namespace

@@ -72,10 +72,9 @@ TEST_CASE("a closed standard output is a failure too, and no file gets what was 
         INFO(call << "\n" << outcome.err);
         CHECK(outcome.code == 1);
         CHECK_THAT(outcome.err, Catch::Contains("lumi: standard output: cannot be written"));
-        for (const char* output : {"O", "O.png"}) {
+        for (const char* output : {"O", "O.png"})
             if (std::filesystem::exists(open.folder / output))
                 CHECK((test::content_of(open.folder / output) == test::content_of(closed.folder / output)));
-        }
     }
 }
 

@@ -63,7 +63,8 @@ void wait_for_text(const std::string& path)
 
 Outcome run_program(const Arguments& arguments)
 {
-    return run(arguments, [](pid_t, const std::string&) {});
+    return run(
+        arguments, [](pid_t, const std::string&) {});
 }
 
 Outcome lumi(Arguments arguments)
@@ -73,10 +74,12 @@ Outcome lumi(Arguments arguments)
 
 Outcome lumi_interrupted(Arguments arguments)
 {
-    return run(with_program(std::move(arguments)), [](pid_t child, const std::string& err) {
-        wait_for_text(err);
-        kill(child, SIGINT);
-    });
+    return run(
+        with_program(std::move(arguments)),
+        [](pid_t child, const std::string& err) {
+            wait_for_text(err);
+            kill(child, SIGINT);
+        });
 }
 
 }  // namespace lumi::tools::test

@@ -81,8 +81,9 @@ void compare_pictures(const Settings& settings, const tools::FieldFile& file, Ba
                                         [&](const View& view) { return field_picture(file, mode, kSpan, view); }));
     if (count == 0) return;  // the field is smaller than a single sprite
     out.pictures.push_back(
-        likeness(std::to_string(count) + " sprites, nearest", count * kSpriteBytes, truths,
-                 [&](const View& view) { return sprite_picture(scene, {count, kTruthSamples}, view); }));
+        likeness(std::to_string(count) + " sprites, nearest", count * kSpriteBytes, truths, [&](const View& view) {
+            return sprite_picture(scene, {count, kTruthSamples}, view);
+        }));
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ HostFrame draw_frame(const Job& job)
 template <class Reconstruction>
 HostFrame choose_texel(const Job& job)
 {
-    return with_texel(job.field.texel_format,
-                      [&](auto texel) { return draw_frame<Reconstruction, decltype(texel)>(job); });
+    return with_texel(
+        job.field.texel_format, [&](auto texel) { return draw_frame<Reconstruction, decltype(texel)>(job); });
 }
 
 }  // namespace

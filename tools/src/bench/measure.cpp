@@ -43,7 +43,8 @@ std::vector<Program> programs_of(const Matrix& matrix)
 
 const View& view_called(const std::string& name)
 {
-    return *std::find_if(std::begin(kViews), std::end(kViews), [&](const View& view) { return view.name == name; });
+    return *std::find_if(
+        std::begin(kViews), std::end(kViews), [&](const View& view) { return view.name == name; });
 }
 
 class Measurement

@@ -22,7 +22,8 @@ namespace
 
 const View& view_called(const std::string& name)
 {
-    return *std::find_if(std::begin(kViews), std::end(kViews), [&](const View& view) { return view.name == name; });
+    return *std::find_if(
+        std::begin(kViews), std::end(kViews), [&](const View& view) { return view.name == name; });
 }
 
 // As the boards hold it.

@@ -69,16 +69,18 @@ std::string surface_split_table(const SurfaceResults& results)
                                              "samples",  "outlines", "resolve", "palette"};
     std::string text = table_row(titles) + table_rule(titles.size());
     for (const char* core : {"m4", "m0plus"}) {
-        for_each_renderer(results, [&](const std::string& mode, const std::string& pixel) {
-            const SurfaceRow* row = find_row(results, core, mode, pixel, "generic");
-            if (row == nullptr) return;
-            const SurfaceCount& c = row->count;
-            std::vector<std::string> cells = {std::string(core) + " " + mode + " " + pixel};
-            for (const uint64_t part :
-                 {c.vertices, c.lists, c.lights, c.edges, c.samples, c.outlines, c.resolve, c.palette})
-                cells.push_back(decimal_text(c.per_pixel(part)));
-            text += table_row(cells);
-        });
+        for_each_renderer(
+            results,
+            [&](const std::string& mode, const std::string& pixel) {
+                const SurfaceRow* row = find_row(results, core, mode, pixel, "generic");
+                if (row == nullptr) return;
+                const SurfaceCount& c = row->count;
+                std::vector<std::string> cells = {std::string(core) + " " + mode + " " + pixel};
+                for (const uint64_t part :
+                     {c.vertices, c.lists, c.lights, c.edges, c.samples, c.outlines, c.resolve, c.palette})
+                    cells.push_back(decimal_text(c.per_pixel(part)));
+                text += table_row(cells);
+            });
     }
     return text;
 }

@@ -25,8 +25,9 @@ struct MergeOptions {
 baker::MergedField merge(const MergeOptions& options, const std::string& target)
 {
     try {
-        return baker::merge_shards({options.shards.begin(), options.shards.end()}, target,
-                                   [] { return !interrupt_flag().load(std::memory_order_relaxed); });
+        return baker::merge_shards(
+            {options.shards.begin(), options.shards.end()}, target,
+            [] { return !interrupt_flag().load(std::memory_order_relaxed); });
     } catch (const baker::Cancelled&) {
         throw Interrupted();
     } catch (const baker::MergeError& error) {

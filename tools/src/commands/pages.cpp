@@ -64,18 +64,16 @@ std::string arguments_section(const CLI::App& app, bool positional)
 std::string commands_section(const CLI::App& app)
 {
     std::string text;
-    for (const CLI::App* command : commands_of(app)) {
+    for (const CLI::App* command : commands_of(app))
         text += item(full_name(*command, "-") + "(1)", "", command->get_description());
-    }
     return section("COMMANDS", text);
 }
 
 std::string synopsis(const CLI::App& app)
 {
     std::string text = ".B " + full_name(app, " ") + "\n[OPTIONS]";
-    for (const CLI::Option* option : app.get_options()) {
+    for (const CLI::Option* option : app.get_options())
         if (option->get_positional()) text += " " + troff(option->get_name(true));
-    }
     return text + (commands_of(app).empty() ? "" : " COMMAND") + "\n";
 }
 
@@ -84,9 +82,8 @@ std::vector<std::string> choices_of(CLI::Option& option)
 {
     const std::string type = option.get_type_name();
     const size_t begin = type.find('{'), end = type.find('}');
-    if (begin != std::string::npos && end != std::string::npos) {
+    if (begin != std::string::npos && end != std::string::npos)
         return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
-    }
     return choice_words(option);
 }
 
@@ -107,9 +104,8 @@ std::vector<std::string> flags_of(const CLI::Option& option)
 void add_flags(const CLI::App& app, std::vector<std::string>& flags)
 {
     for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& flag : flags_of(*option)) {
+        for (const std::string& flag : flags_of(*option))
             if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
-        }
     }
 }
 

@@ -34,12 +34,11 @@ std::string part_text(const planner::PartRate& rate, bool has_worst)
 std::vector<ModeRates> rates_of(const FieldFile& file)
 {
     std::vector<ModeRates> rates;
-    if (file.is_surface()) {
+    if (file.is_surface())
         for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two})
             rates.push_back({name_of(mode), planner::surface_rates(file.surface(), mode)});
-    } else {
+    else
         for (const planner::ChordMode& mode : planner::chord_modes()) rates.push_back({mode.name, chord_rates(mode)});
-    }
     return rates;
 }
 
@@ -52,9 +51,8 @@ std::string rates_text(const FieldFile& file)
         char name[80];
         std::snprintf(name, sizeof name, "  %-12s", mode.mode);
         text += name;
-        for (const planner::PartRate& rate : mode.parts) {
+        for (const planner::PartRate& rate : mode.parts)
             text += (text.back() == ' ' ? "" : ", ") + part_text(rate, file.is_surface());
-        }
         text += "\n";
     }
     return text;

@@ -77,7 +77,8 @@ const char* name_of(SurfaceMode mode)
 
 Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
 {
-    return with_pixel(settings.display, [&](auto pixel) { return draw_as<decltype(pixel)>(field, eye, settings); });
+    return with_pixel(
+        settings.display, [&](auto pixel) { return draw_as<decltype(pixel)>(field, eye, settings); });
 }
 
 Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye)

@@ -90,11 +90,15 @@ Picture with_reconstruction(const DrawSettings& settings, const Next& next)
 template <class Texel>
 Picture draw_texels(const Field& field, const Camera& camera, const DrawSettings& settings)
 {
-    return with_reconstruction(settings, [&](auto reconstruction) {
-        return with_pixel(settings.display, [&](auto pixel) {
-            return draw_as<decltype(reconstruction), Texel, decltype(pixel)>(field, camera, settings);
+    return with_reconstruction(
+        settings,
+        [&](auto reconstruction) {
+            return with_pixel(
+                settings.display,
+                [&](auto pixel) {
+                    return draw_as<decltype(reconstruction), Texel, decltype(pixel)>(field, camera, settings);
+                });
         });
-    });
 }
 
 }  // namespace lumi::tools

@@ -40,7 +40,8 @@ std::string quoted(const std::string& path)
 bool is_symbol(std::string_view text)
 {
     return !text.empty() && !is_digit(text.front()) &&
-           std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c); });
+           std::all_of(
+               text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c); });
 }
 
 std::string symbol_from(std::string_view text)

@@ -144,11 +144,10 @@ FieldReport describe_field(const FieldFile& file, bool verify)
     report.path = file.path();
     report.file_bytes = file.size();
     report.version = format::kVersion;
-    if (file.is_surface()) {
+    if (file.is_surface())
         describe_surface(file.surface(), report);
-    } else {
+    else
         describe_chord(file.field(), report);
-    }
     report.view = renderer_of(file).example;
     report.other_bytes = report.file_bytes;
     for (const Section& section : file.sections()) {
@@ -164,11 +163,10 @@ std::string text_of(const FieldReport& report)
     append_line(text, "  version       %" PRIu32, report.version);
     append_line(text, "  layout        %s", report.layout.c_str());
     append_line(text, "  bytes         %" PRIu64 " (%s)", report.file_bytes, byte_text(report.file_bytes).c_str());
-    if (report.surface) {
+    if (report.surface)
         append_surface(text, *report.surface);
-    } else {
+    else
         append_chord(text, report);
-    }
     const std::string count = report.surface ? std::to_string(report.surface->texel_bytes) + ", " : "";
     append_line(text, "  texels        %s%s, %s", count.c_str(), report.texel_format.c_str(),
                 report.colour_space.c_str());

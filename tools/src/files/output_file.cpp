@@ -114,11 +114,10 @@ public:
     void give_back()
     {
         if (!temporary_.empty()) return;
-        if (earlier_.empty()) {
+        if (earlier_.empty())
             unlink(target_.c_str());
-        } else if (rename(earlier_.c_str(), target_.c_str()) == 0) {
+        else if (rename(earlier_.c_str(), target_.c_str()) == 0)
             earlier_.clear();
-        }
     }
 
 private:

@@ -200,7 +200,8 @@ Features features_of(const Channels& channels, double pixels_per_degree)
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     const auto bell = [sigma](int i) { return std::exp(-i * i / (2 * sigma * sigma)); };
     const Values along = sampled(radius, bell);
-    Values edge = sampled(radius, [&](int i) { return -i * bell(i); });
+    Values edge = sampled(
+        radius, [&](int i) { return -i * bell(i); });
     Values point = sampled(radius, [&](int i) { return (i * i / (sigma * sigma) - 1) * bell(i); });
     balance(edge, along);
     balance(point, along);

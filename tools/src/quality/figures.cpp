@@ -16,7 +16,8 @@ namespace
 
 bool is_empty(const tools::Mask& mask)
 {
-    return std::all_of(mask.values.begin(), mask.values.end(), [](uint8_t value) { return value == 0; });
+    return std::all_of(
+        mask.values.begin(), mask.values.end(), [](uint8_t value) { return value == 0; });
 }
 
 }  // namespace

@@ -63,9 +63,8 @@ void KernelTaps::set(const PolarPoints& near, int most, int bits)
         int at = count;
         if (count == most) {
             at = 0;
-            for (int j = 1; j < most; ++j) {
+            for (int j = 1; j < most; ++j)
                 if (weight[j] < weight[at]) at = j;
-            }
             if (weight[at] >= w) continue;
             sum -= weight[at];
         } else {

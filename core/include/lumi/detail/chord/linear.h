@@ -113,11 +113,10 @@ struct SpanDraw<Linear> {
         int32_t rows_left = span.rows();
         span.go_to_first();
         do {
-            if (can_follow(span.origins, span.directions, span.length)) {
+            if (can_follow(span.origins, span.directions, span.length))
                 draw_cells<Texel, Pixel>(span, nullptr);
-            } else {
+            else
                 draw_steep<Texel, Pixel>(span);
-            }
         } while (span.go_down(rows_left));
     }
     template <class Texel, class Pixel, class Background>

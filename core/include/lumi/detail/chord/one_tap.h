@@ -28,11 +28,10 @@ LUMI_ALWAYS_INLINE void store_single(const Field& field, const Background& backg
         return;
     }
     const Rgba8 c = Texel::load(field, texel, 0);
-    if (c.a == 255) {
+    if (c.a == 255)
         Pixel::store(pixel, {c.r, c.g, c.b});
-    } else if (c.a != 0 || Background::kFills) {
+    else if (c.a != 0 || Background::kFills)
         Pixel::store(pixel, over(c, background.template under<Pixel>(pixel)));
-    }
 }
 
 // A texel that is null is transparent.

@@ -29,11 +29,10 @@ constexpr uint32_t row_weight(uint32_t weight)
 template <class Sum, class Row>
 LUMI_ALWAYS_INLINE void add_plainly(Sum& sum, const Row& row, uint32_t weight)
 {
-    if constexpr (Sum::kUpperHalves) {
+    if constexpr (Sum::kUpperHalves)
         sum.add_plain(row, weight);
-    } else {
+    else
         sum.add(row, weight);
-    }
 }
 
 // As pack_rgb565 does it, rounded once: of colours below 2^22, Q14. DSP's upper bits are not zero.
@@ -94,11 +93,10 @@ struct TexelSumHalves {
     {
         r = add_product_low(row.rb, weight, r);
         b = add_product_high(row.rb, weight, b);
-        if (Load::kGreenIsHigh) {
+        if (Load::kGreenIsHigh)
             g = add_product_high(row.ga, weight, g);
-        } else {
+        else
             g = kCoverage || kHasHalfProducts ? add_product_low(row.ga, weight, g) : g + row.ga * weight;
-        }
         if (kCoverage)
             a = Load::kGreenIsHigh ? add_product_low(row.ga, weight, a) : add_product_high(row.ga, weight, a);
     }
@@ -125,11 +123,10 @@ struct TexelSumHalves {
     template <class Pixel, class Background>
     void store(const Background& background, uint8_t* pixel) const
     {
-        if constexpr (!kCoverage && kPacks565<Pixel>) {
+        if constexpr (!kCoverage && kPacks565<Pixel>)
             Pixel::store_packed(pixel, static_cast<uint16_t>(packed_rgb565_q14(r, g, b)));
-        } else {
+        else
             Pixel::store(pixel, over(background.template under<Pixel>(pixel)));
-        }
     }
 
 private:

@@ -72,13 +72,12 @@ constexpr PackedColour palette_colour(const Rgb8& c)
 template <class Pixel>
 inline void store_colour(uint8_t* pixel, PackedColour c)
 {
-    if constexpr (kPacks565<Pixel>) {
+    if constexpr (kPacks565<Pixel>)
         Pixel::store_packed(pixel, static_cast<uint16_t>((c >> 15 & 0xF800) | (c >> 9 & 0x07E0) | (c >> 4 & 0x1F)));
-    } else if constexpr (kPacks555<Pixel>) {
+    else if constexpr (kPacks555<Pixel>)
         Pixel::store_packed(pixel, static_cast<uint16_t>((c >> 26 & 0x1F) | (c >> 10 & 0x03E0) | (c << 6 & 0x7C00)));
-    } else {
+    else
         Pixel::store(pixel, unpacked(c));
-    }
 }
 
 }  // namespace lumi

@@ -53,9 +53,8 @@ private:
     static void drop_lightest(uint32_t w[4])
     {
         int lightest = 0;
-        for (int k = 1; k < 4; ++k) {
+        for (int k = 1; k < 4; ++k)
             if (w[k] != 0 && (w[lightest] == 0 || w[k] < w[lightest])) lightest = k;
-        }
         w[lightest] = 0;
     }
 };
