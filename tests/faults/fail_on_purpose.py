@@ -5,7 +5,8 @@
 Runs bake (both layouts), merge and embed again and again, and makes one allocation, read, write, sync or rename fail
 each time (fault_shim.c). Each run must end with exit code 1 and a message that holds a mend, with the earlier output as
 it was; or with exit code 0 and the output of an undisturbed run. Then the same command, undisturbed, must give that
-output. A few calls of each kind; with --all every call, of allocations 300 spread over the run. Prints what was tried.
+output. A few calls of each kind; with --all every call, of allocations 300 spread over the run and the last 30 but one,
+which is TBB's when it ends. Prints what was tried.
 """
 import os
 import shutil
@@ -16,6 +17,7 @@ import tempfile
 KINDS = ["alloc", "read", "write", "sync", "rename"]
 FEW = 2
 MOST_ALLOCATIONS = 300
+LAST_ALLOCATIONS = 30
 EARLIER = b"earlier output"
 
 CUBE = """v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
@@ -55,7 +57,9 @@ def chosen(kind, count, every):
         most = MOST_ALLOCATIONS
     if count <= most:
         return range(1, count + 1)
-    return sorted({1 + (2 * k + 1) * count // (2 * most) for k in range(most)})  # spread, away from both ends
+    spread = {1 + (2 * k + 1) * count // (2 * most) for k in range(most)}  # away from both ends
+    last = range(count - LAST_ALLOCATIONS, count) if kind == "alloc" and every else ()
+    return sorted(spread.union(last))
 
 
 def fresh(sound, folder):

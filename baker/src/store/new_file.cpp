@@ -51,9 +51,10 @@ void NewFile::commit()
 {
     file_.sync();
     require_no_input(target_);
+    const std::filesystem::path folder = target_.parent_path();  // nothing that may fail comes behind the renaming
     file_.rename_to(target_);
     committed_ = true;
-    sync_folder(target_.parent_path());
+    sync_folder(folder);
 }
 
 }  // namespace lumi::baker

@@ -71,10 +71,10 @@ void PosixFile::fail(const char* action) const
     throw BakeError(path_.string() + ": cannot be " + action + " (" + std::strerror(error) + "); " + mend_of(error));
 }
 
-void PosixFile::rename_to(const std::filesystem::path& path)
+void PosixFile::rename_to(std::filesystem::path path)
 {
     if (std::rename(path_.c_str(), path.c_str()) != 0) fail("renamed");
-    path_ = path;
+    path_ = std::move(path);
 }
 
 bool PosixFile::try_lock()

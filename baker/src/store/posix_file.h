@@ -23,7 +23,7 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
     // The file keeps its identity when it gets another name; messages name the new one from then on.
-    void rename_to(const std::filesystem::path& path);
+    void rename_to(std::filesystem::path path);
 
     // False if another process holds the lock. It ends with this object or this process, however that ends.
     bool try_lock();

@@ -43,6 +43,7 @@ void throw_interrupted(const std::string& output)
 BakeOutcome run_job(const baker::Scene& scene, const BakeJob& job, const baker::ProgressCallback& progress)
 {
     BakeOutcome outcome;
+    const double rays_of_texels = job.surface ? 0 : chord_rays(job);  // what may fail comes before the field is written
     const auto note = [&](const baker::Progress& report) {
         outcome.last = report;
         return progress(report);
@@ -54,7 +55,7 @@ BakeOutcome run_job(const baker::Scene& scene, const BakeJob& job, const baker::
     }
     outcome.rays = outcome.surface ? static_cast<double>(outcome.surface->paths)
                    : job.surface   ? static_cast<double>(outcome.last.rays_total)
-                                   : chord_rays(job);
+                                   : rays_of_texels;
     return outcome;
 }
 

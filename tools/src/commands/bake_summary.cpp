@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "../planner/surface_speed.h"
@@ -113,6 +114,50 @@ std::string next_line(const std::string& field)
     return "next: lumi render " + field + " -o " + picture + " --turntable 12\n";
 }
 
+// What runs out of memory once the field is written costs its report, not the bake.
+template <class Tell>
+void tell_of_written(const BakeSummary& summary, Tell tell)
+{
+    try {
+        tell();
+    } catch (const std::bad_alloc&) {
+        std::fprintf(
+            stderr,
+            "warning: %s is written and whole, but memory does not suffice to say what it shows; `lumi inspect` "
+            "and `lumi report` do\n",
+            summary.job.name.c_str());
+    }
+}
+
+void tell_people(const BakeSummary& summary, const BakeOutcome& outcome)
+{
+    std::string text = file_line(summary, outcome);
+    if (outcome.surface) text += surface_text(*outcome.surface);
+    if (const auto psnr_db = checked_db(summary)) text += check_line(*psnr_db);
+    if (outcome.surface) {
+        const FieldFile field(summary.job.target, FieldFile::Role::own_output);
+        text += rates_text(field);
+    }
+    if (summary.pace) text += pace_line(summary, *summary.pace);
+    if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
+    std::fputs(text.c_str(), stdout);
+}
+
+void tell_machines(const BakeSummary& summary, const BakeOutcome& outcome)
+{
+    nlohmann::json line = {{"state", "done"},
+                           {"output", summary.job.name},
+                           {"layout", outcome.surface ? "surface" : "chord"},
+                           {"bytes", std::filesystem::file_size(summary.job.target)},
+                           {"rays_total", outcome.rays},
+                           {"rays_saved", outcome.last.rays_saved},
+                           {"elapsed_seconds", seconds_since(summary.start)},
+                           {"warnings", summary.warnings}};
+    if (outcome.surface) line["surface"] = surface_json(*outcome.surface);
+    if (const auto psnr_db = checked_db(summary)) line["quick_psnr_db"] = *psnr_db;
+    print_json(line);
+}
+
 }  // namespace
 
 void tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
@@ -143,33 +188,14 @@ void bake_for_people(const BakeSummary& summary)
         ProgressPrinter printer(stderr, stderr_is_terminal());
         outcome = run_job(summary.scene, summary.job, watch(printer));
     }
-    std::string text = file_line(summary, outcome);
-    if (outcome.surface) text += surface_text(*outcome.surface);
-    if (const auto psnr_db = checked_db(summary)) text += check_line(*psnr_db);
-    if (outcome.surface) {
-        const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-        text += rates_text(field);
-    }
-    if (summary.pace) text += pace_line(summary, *summary.pace);
-    if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
-    std::fputs(text.c_str(), stdout);
+    tell_of_written(summary, [&] { tell_people(summary, outcome); });
 }
 
 void bake_for_machines(const BakeSummary& summary)
 {
     JsonProgress printer(stdout);
     const BakeOutcome outcome = run_job(summary.scene, summary.job, watch(printer));
-    nlohmann::json line = {{"state", "done"},
-                           {"output", summary.job.name},
-                           {"layout", outcome.surface ? "surface" : "chord"},
-                           {"bytes", std::filesystem::file_size(summary.job.target)},
-                           {"rays_total", outcome.rays},
-                           {"rays_saved", outcome.last.rays_saved},
-                           {"elapsed_seconds", seconds_since(summary.start)},
-                           {"warnings", summary.warnings}};
-    if (outcome.surface) line["surface"] = surface_json(*outcome.surface);
-    if (const auto psnr_db = checked_db(summary)) line["quick_psnr_db"] = *psnr_db;
-    print_json(line);
+    tell_of_written(summary, [&] { tell_machines(summary, outcome); });
 }
 
 }  // namespace lumi::tools
