@@ -200,19 +200,17 @@ def arduino(build, archives):
     check_version("arduino", properties["version"])
     sources = [p for p in sorted((library / "src").rglob("*")) if p.suffix in (".c", ".cpp", ".S")]
     flags = [*M0, "-Os", "-w", "-ffunction-sections", "-fdata-sections", "-DARDUINO=10819", f"-I{library / 'src'}"]
-    build.compile("arduino", sources, flags, ["-std=gnu++17", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics"])
-    # The sketch as the IDE makes it a program, beside what `lumi embed` writes.
+    # All of src and the sketch as the IDE makes them a program, beside what `lumi embed` writes.
     sketch = library / "examples/OneFrame/OneFrame.ino"
     stub = ("#include <stdint.h>\nstruct { void begin(long) {} void println(const char*) {} } Serial;\n"
             "void setup();\nvoid loop();\nint main() { setup(); for (;;) loop(); }\n#line 1 \"sketch\"\n")
     build.run("arduino sketch", [build.lumi, "embed", build.field, "-o", folder / "product.c"])
     (folder / "sketch.cpp").write_text(stub + sketch.read_text())
     own = [folder / "sketch.cpp", folder / "product.c"]
-    build.compile("arduino sketch", own, [*flags, f"-I{folder}"], ["-std=gnu++17"])
-    if build.makes_code:
-        build.run("arduino sketch", [CROSS + "g++", *flags, f"-I{folder}", "-std=gnu++17", "-fno-exceptions", *own, *sources,
-                                     "--specs=nosys.specs", "-Wl,--gc-sections", "-o", folder / "sketch.elf"])
-        print("arduino sketch: linked")
+    build.run("arduino", [CROSS + "g++", *flags, f"-I{folder}", "-std=gnu++17", "-fno-exceptions", "-fno-rtti",
+                          "-fno-threadsafe-statics", *own, *sources, "--specs=nosys.specs", "-Wl,--gc-sections",
+                          "-o", folder / "sketch.elf"])
+    print(f"arduino: {len(sources)} sources and the sketch, linked")
 
 
 def platformio(build, core):
