@@ -18,6 +18,7 @@ build_packages=(
   libmeshoptimizer-dev             # proxy meshes
   libnifti2-dev zlib1g-dev         # volumes
   libopenvdb-dev                   # more of them, and their iso-surfaces
+  libboost-dev                     # headers, which those of libopenvdb-dev include and its package does not name
   libkissfft-dev                   # CW-SSIM
   libcli11-dev nlohmann-json3-dev)
 test_packages=(
