@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Core's tests, for the host and for the emulated boards alike.
 set(LUMI_CORE_TEST_SOURCES
+  extreme_frames_test.cpp
   render_test.cpp
   stripes_test.cpp
   camera/attitude_test.cpp
