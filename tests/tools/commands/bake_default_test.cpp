@@ -91,6 +91,23 @@ TEST_CASE("where light paths miss the mesh, bake takes a chord field and says wh
     CHECK_THAT(surface.err, Catch::Contains("warning: of the light paths"));
 }
 
+TEST_CASE("a bake counts what it warns of, the mesh's faults among it")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_specks(folder.path());
+    const Outcome bake = lumi({"bake", scene, "-o", folder / "f.lumi", "--fit", "20kB", "--layout", "surface",
+                               "--paths", "1", "--progress", "json"});
+    INFO(bake.err);
+    REQUIRE(bake.code == 0);
+    size_t told = 0;
+    std::istringstream errors(bake.err), lines(bake.out);
+    std::string line, last;
+    while (std::getline(errors, line)) told += line.rfind("warning: ", 0) == 0 ? 1u : 0u;
+    while (std::getline(lines, line)) last = line;
+    CHECK(told > 0);
+    CHECK(nlohmann::json::parse(last)["warnings"] == told);
+}
+
 TEST_CASE("an option of one layout chooses it")
 {
     const test::TemporaryFolder folder;

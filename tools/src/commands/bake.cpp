@@ -145,12 +145,11 @@ public:
         if (options_.layout == Layout::chord && !options_.fit.wanted())
             baker::field_file_bytes(chord_);  // throws before the scene is loaded
         const BakeSummary::Clock::time_point start = BakeSummary::Clock::now();
-        size_t warnings = 0;
-        const baker::Scene scene = load_scene(options_.scene, warnings);
+        const baker::Scene scene = load_scene(options_.scene, warnings_);
         if (options_.layout == Layout::chord || !takes_surface(scene, job)) plan_chord(job);
         if (options_.fit.plan_only) return;
         const BakeSummary summary = {
-            scene, job, warnings, start, options_.fit.wanted_pace(), options_.layout != Layout::chord};
+            scene, job, warnings_, start, options_.fit.wanted_pace(), options_.layout != Layout::chord};
         json_ ? bake_for_machines(summary) : bake_for_people(summary);
     }
 
@@ -167,7 +166,7 @@ private:
         if (!choice.plan.draft && options_.layout == Layout::surface) throw baker::BakeError(choice.against);
         // Where neither layout fits, the smaller of both sizes is the one to name.
         if (!takes && options_.fit.wanted()) require_chord_fit(options_.fit, context_);
-        tell_choice(choice, takes, json_);
+        warnings_ += tell_choice(choice, takes, json_);
         if (!takes) return false;
         write_plan(options_.fit, task, choice.plan);
         job.surface = choice.plan.settings;
@@ -185,6 +184,7 @@ private:
     const bool json_;
     const baker::BakeSettings chord_;
     const FitContext context_;
+    size_t warnings_ = 0;
 };
 
 void add_scale_options(CLI::App& command, BakeOptions& options)

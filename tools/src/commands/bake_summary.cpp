@@ -158,27 +158,32 @@ void tell_machines(const BakeSummary& summary, const BakeOutcome& outcome)
     print_json(line);
 }
 
+std::vector<std::string> warnings_of(const SurfaceChoice& choice)
+{
+    std::vector<std::string> warnings = choice.plan.draft->warnings();
+    if (!choice.against.empty()) warnings.push_back(choice.against + "; --layout chord shows all of it");
+    return warnings;
+}
+
 }  // namespace
 
-void tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
+size_t tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
 {
     if (json) {
         nlohmann::json line = {{"state", "planned"}, {"layout", takes_surface ? "surface" : "chord"}};
         if (!choice.against.empty()) line["reason"] = choice.against;
         if (takes_surface) line["options"] = options_of(choice.plan);
-        return print_json(line);
-    }
-    if (!takes_surface) {
-        std::printf("layout chord: %s\n", choice.against.c_str());
-    } else {
+        print_json(line);
+    } else if (takes_surface) {
         std::printf("layout surface: %s\n  by hand: %s\n", text_of(choice.plan).c_str(),
                     options_of(choice.plan).c_str());
-        for (const std::string& warning : choice.plan.draft->warnings())
-            std::fprintf(stderr, "warning: %s\n", warning.c_str());
-        if (!choice.against.empty())
-            std::fprintf(stderr, "warning: %s; --layout chord shows all of it\n", choice.against.c_str());
+    } else {
+        std::printf("layout chord: %s\n", choice.against.c_str());
     }
     std::fflush(stdout);
+    const std::vector<std::string> warnings = takes_surface ? warnings_of(choice) : std::vector<std::string>{};
+    for (const std::string& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    return warnings.size();
 }
 
 void bake_for_people(const BakeSummary& summary)
