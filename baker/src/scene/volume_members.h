@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "util/json_fields.h"
+#include "util/json_members.h"
 #include "volume/volume.h"
 
 namespace lumi::baker

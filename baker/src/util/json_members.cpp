@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "util/json_fields.h"
+#include "util/json_members.h"
 
 #include <algorithm>
 
@@ -8,18 +8,18 @@
 namespace lumi::baker
 {
 
-JsonFields::JsonFields(const std::string& file, const JsonValue& object, std::string what)
+JsonMembers::JsonMembers(const std::string& file, const JsonValue& object, std::string what)
     : file_(file), object_(object), what_(std::move(what))
 {
     if (object.kind != JsonValue::Kind::object) fail(object, what_ + " must be an object; write { ... }");
 }
 
-void JsonFields::fail(const JsonValue& where, const std::string& text) const
+void JsonMembers::fail(const JsonValue& where, const std::string& text) const
 {
     throw SceneError(at({file_, where.line}, text));
 }
 
-const JsonValue* JsonFields::find(const std::string& name)
+const JsonValue* JsonMembers::find(const std::string& name)
 {
     known_.insert(name);
     const auto& members = object_.members;
@@ -27,14 +27,14 @@ const JsonValue* JsonFields::find(const std::string& name)
     return found == members.end() ? nullptr : &found->second;
 }
 
-const JsonValue& JsonFields::require(const std::string& name)
+const JsonValue& JsonMembers::require(const std::string& name)
 {
     const JsonValue* value = find(name);
     if (!value) fail(object_, what_ + " has no '" + name + "'; add it");
     return *value;
 }
 
-double JsonFields::number_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
+double JsonMembers::number_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
 {
     if (value.kind != JsonValue::Kind::number)
         fail(value, "'" + name + "' of " + what_ + " must be a number; correct it");
@@ -45,7 +45,7 @@ double JsonFields::number_of(const JsonValue& value, const std::string& name, co
     return value.number;
 }
 
-Vec3 JsonFields::vector_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
+Vec3 JsonMembers::vector_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
 {
     if (value.kind != JsonValue::Kind::list || value.items.size() != 3)
         fail(value, "'" + name + "' of " + what_ + " must be three numbers; write [x, y, z]");
@@ -54,7 +54,7 @@ Vec3 JsonFields::vector_of(const JsonValue& value, const std::string& name, cons
     return {v[0], v[1], v[2]};
 }
 
-Rgb JsonFields::colour_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
+Rgb JsonMembers::colour_of(const JsonValue& value, const std::string& name, const NumberRange& range) const
 {
     if (value.kind == JsonValue::Kind::number) return grey(static_cast<float>(number_of(value, name, range)));
     if (value.kind != JsonValue::Kind::list || value.items.size() != 3)
@@ -63,43 +63,43 @@ Rgb JsonFields::colour_of(const JsonValue& value, const std::string& name, const
     return {v.x, v.y, v.z};
 }
 
-std::string JsonFields::text_of(const JsonValue& value, const std::string& name) const
+std::string JsonMembers::text_of(const JsonValue& value, const std::string& name) const
 {
     if (value.kind != JsonValue::Kind::text)
         fail(value, "'" + name + "' of " + what_ + " must be a text; put it in quotes");
     return value.text;
 }
 
-void JsonFields::number(const std::string& name, const NumberRange& range, double& value)
+void JsonMembers::number(const std::string& name, const NumberRange& range, double& value)
 {
     const JsonValue* found = find(name);
     value = found ? number_of(*found, name, range) : value;
 }
 
-void JsonFields::number(const std::string& name, const NumberRange& range, float& value)
+void JsonMembers::number(const std::string& name, const NumberRange& range, float& value)
 {
     const JsonValue* found = find(name);
     value = found ? static_cast<float>(number_of(*found, name, range)) : value;
 }
 
-void JsonFields::vector(const std::string& name, const NumberRange& range, Vec3& value)
+void JsonMembers::vector(const std::string& name, const NumberRange& range, Vec3& value)
 {
     const JsonValue* found = find(name);
     value = found ? vector_of(*found, name, range) : value;
 }
 
-void JsonFields::colour(const std::string& name, const NumberRange& range, Rgb& value)
+void JsonMembers::colour(const std::string& name, const NumberRange& range, Rgb& value)
 {
     const JsonValue* found = find(name);
     value = found ? colour_of(*found, name, range) : value;
 }
 
-std::string JsonFields::text(const std::string& name)
+std::string JsonMembers::text(const std::string& name)
 {
     return text_of(require(name), name);
 }
 
-size_t JsonFields::choice(const std::string& name, const std::vector<std::string>& words, size_t fallback)
+size_t JsonMembers::choice(const std::string& name, const std::vector<std::string>& words, size_t fallback)
 {
     const JsonValue* value = find(name);
     if (!value) return fallback;
@@ -110,7 +110,7 @@ size_t JsonFields::choice(const std::string& name, const std::vector<std::string
     return static_cast<size_t>(found - words.begin());
 }
 
-void JsonFields::finish() const
+void JsonMembers::finish() const
 {
     for (const auto& [name, value] : object_.members) {
         if (known_.count(name) == 0) {

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "scene/placement.h"
-#include "util/json_fields.h"
+#include "util/json_members.h"
 
 namespace lumi::baker
 {
 
 // Throws SceneError.
-Placement read_placement(JsonFields& fields);
+Placement read_placement(JsonMembers& members);
 
 }  // namespace lumi::baker

@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "scene/scene_data.h"
-#include "util/json_fields.h"
+#include "util/json_members.h"
 
 namespace lumi::baker
 {
 
 // In the volume's own place. Throws SceneError.
-SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonFields& fields);
+SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonMembers& members);
 
 }  // namespace lumi::baker

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/material_fields.h"
+#include "scene/material_members.h"
 
 #include <algorithm>
 
@@ -24,13 +24,13 @@ constexpr Metal kMetals[] = {
     {"silver", {0.972f, 0.960f, 0.915f}},    {"titanium", {0.542f, 0.497f, 0.449f}},
 };
 
-void take_metal(JsonFields& fields, Material& m)
+void take_metal(JsonMembers& members, Material& m)
 {
     std::vector<std::string> names;
     std::transform(std::begin(kMetals), std::end(kMetals), std::back_inserter(names),
                    [](const Metal& metal) { return metal.name; });
-    if (!fields.find("metal")) return;
-    m.base = kMetals[fields.choice("metal", names, 0)].f0;
+    if (!members.find("metal")) return;
+    m.base = kMetals[members.choice("metal", names, 0)].f0;
     m.maps.base = {};
     m.metalness = 1;
     m.specular = true;
@@ -38,11 +38,11 @@ void take_metal(JsonFields& fields, Material& m)
 }
 
 // "glass": { "transmittance": [r, g, b], "at": distance }
-void take_glass(const std::string& file, JsonFields& fields, Material& m)
+void take_glass(const std::string& file, JsonMembers& members, Material& m)
 {
-    const JsonValue* value = fields.find("glass");
+    const JsonValue* value = members.find("glass");
     if (!value) return;
-    JsonFields glass(file, *value, "glass");
+    JsonMembers glass(file, *value, "glass");
     const bool was_glass = m.glass;
     m.glass = true;
     m.opacity = 1;
@@ -52,63 +52,63 @@ void take_glass(const std::string& file, JsonFields& fields, Material& m)
     glass.finish();
 }
 
-void take_roughness(JsonFields& fields, Material& m)
+void take_roughness(JsonMembers& members, Material& m)
 {
-    if (!fields.find("roughness")) return;
+    if (!members.find("roughness")) return;
     double roughness = 0;
-    fields.number("roughness", kShare, roughness);
+    members.number("roughness", kShare, roughness);
     m.alpha = alpha_from_roughness(static_cast<float>(roughness));
     m.specular = true;
 }
 
 // Turns are given in degrees here.
-void take_anisotropy(JsonFields& fields, Material& m)
+void take_anisotropy(JsonMembers& members, Material& m)
 {
-    if (fields.find("anisotropy")) {
-        fields.number("anisotropy", kShare, m.anisotropy);
+    if (members.find("anisotropy")) {
+        members.number("anisotropy", kShare, m.anisotropy);
         m.specular = true;
     }
-    if (fields.find("anisotropy_rotation")) {
+    if (members.find("anisotropy_rotation")) {
         double degrees = 0;
-        fields.number("anisotropy_rotation", {-360, 360}, degrees);
+        members.number("anisotropy_rotation", {-360, 360}, degrees);
         m.anisotropy_turns = static_cast<float>(degrees / 360);
     }
 }
 
 // A colour alone asks for all of the sheen.
-void take_sheen(JsonFields& fields, Material& m)
+void take_sheen(JsonMembers& members, Material& m)
 {
-    if (fields.find("sheen_colour")) {
-        fields.colour("sheen_colour", kShare, m.sheen_colour);
+    if (members.find("sheen_colour")) {
+        members.colour("sheen_colour", kShare, m.sheen_colour);
         m.sheen = m.sheen > 0 ? m.sheen : 1;
     }
-    fields.number("sheen", kShare, m.sheen);
-    fields.number("sheen_roughness", {kMinSheenRoughness, 1}, m.sheen_roughness);
+    members.number("sheen", kShare, m.sheen);
+    members.number("sheen_roughness", {kMinSheenRoughness, 1}, m.sheen_roughness);
 }
 
 }  // namespace
 
-void apply_material_fields(const std::string& file, const JsonValue& value, Material& m)
+void apply_material_members(const std::string& file, const JsonValue& value, Material& m)
 {
-    JsonFields fields(file, value, "a material");
-    if (fields.find("colour")) fields.colour("colour", kShare, m.base);
-    take_metal(fields, m);
-    take_glass(file, fields, m);
-    take_roughness(fields, m);
-    if (fields.find("metalness")) {
-        fields.number("metalness", kShare, m.metalness);
+    JsonMembers members(file, value, "a material");
+    if (members.find("colour")) members.colour("colour", kShare, m.base);
+    take_metal(members, m);
+    take_glass(file, members, m);
+    take_roughness(members, m);
+    if (members.find("metalness")) {
+        members.number("metalness", kShare, m.metalness);
         m.specular = true;
     }
-    take_anisotropy(fields, m);
-    fields.number("index", {1.01, 4}, m.index);
-    fields.number("coat", kShare, m.coat);
+    take_anisotropy(members, m);
+    members.number("index", {1.01, 4}, m.index);
+    members.number("coat", kShare, m.coat);
     double coat_roughness = -1;
-    fields.number("coat_roughness", kShare, coat_roughness);
+    members.number("coat_roughness", kShare, coat_roughness);
     m.coat_alpha = coat_roughness < 0 ? m.coat_alpha : alpha_from_roughness(static_cast<float>(coat_roughness));
-    take_sheen(fields, m);
-    fields.colour("emission", {0, 1e9}, m.emission);
-    fields.number("opacity", kShare, m.opacity);
-    fields.finish();
+    take_sheen(members, m);
+    members.colour("emission", {0, 1e9}, m.emission);
+    members.number("opacity", kShare, m.opacity);
+    members.finish();
     m.finish();
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/volume_fields.h"
+#include "scene/volume_members.h"
 
 #include "scene/materials.h"
 #include "scene/number_ranges.h"
-#include "scene/placement_fields.h"
+#include "scene/placement_members.h"
 #include "volume/volume_file.h"
 
 namespace lumi::baker
@@ -16,16 +16,16 @@ constexpr NumberRange kMeanCosine = {-0.95, 0.95};
 
 TransferPoint read_point(const std::string& file, const JsonValue& value)
 {
-    JsonFields fields(file, value, "a point of 'transfer'");
+    JsonMembers members(file, value, "a point of 'transfer'");
     TransferPoint point = {0, grey(1), 0};
-    point.value = static_cast<float>(fields.number_of(fields.require("value"), "value", kScalar));
-    point.density = static_cast<float>(fields.number_of(fields.require("density"), "density", kDensity));
-    fields.colour("colour", kShare, point.colour);
-    fields.finish();
+    point.value = static_cast<float>(members.number_of(members.require("value"), "value", kScalar));
+    point.density = static_cast<float>(members.number_of(members.require("density"), "density", kDensity));
+    members.colour("colour", kShare, point.colour);
+    members.finish();
     return point;
 }
 
-TransferFunction read_transfer(const std::string& file, JsonFields& volume)
+TransferFunction read_transfer(const std::string& file, JsonMembers& volume)
 {
     const JsonValue& list = volume.require("transfer");
     if (list.kind != JsonValue::Kind::list || list.items.empty())
@@ -47,21 +47,22 @@ TransferFunction read_transfer(const std::string& file, JsonFields& volume)
 Volume read_volume(const std::filesystem::path& scene_file, const JsonValue& value)
 {
     const std::string name = scene_file.string();
-    JsonFields fields(name, value, "the volume");
-    const JsonValue& grid = fields.require("file");
-    const std::filesystem::path path = find_beside(scene_file, fields.text_of(grid, "file"));
+    JsonMembers members(name, value, "the volume");
+    const JsonValue& grid = members.require("file");
+    const std::filesystem::path path = find_beside(scene_file, members.text_of(grid, "file"));
     if (path.empty())
-        fields.fail(grid, "the volume '" + grid.text + "' is missing; put it beside " + scene_file.filename().string());
-    const TransferFunction transfer = read_transfer(name, fields);
+        members.fail(grid,
+                     "the volume '" + grid.text + "' is missing; put it beside " + scene_file.filename().string());
+    const TransferFunction transfer = read_transfer(name, members);
     float anisotropy = 0;
-    fields.number("anisotropy", kMeanCosine, anisotropy);
-    const Placement placement = read_placement(fields);
-    fields.finish();
+    members.number("anisotropy", kMeanCosine, anisotropy);
+    const Placement placement = read_placement(members);
+    members.finish();
     Volume volume = {read_grid(path), transfer, anisotropy};
     volume.grid.voxel_to_world = combined(affine_of(placement), volume.grid.voxel_to_world);
     if (corners_of(volume).empty()) {
-        fields.fail(fields.require("transfer"), "'transfer' gives density 0 to all values of '" + grid.text + "', " +
-                                                    range_of(volume.grid) + "; give some of them more");
+        members.fail(members.require("transfer"), "'transfer' gives density 0 to all values of '" + grid.text + "', " +
+                                                      range_of(volume.grid) + "; give some of them more");
     }
     return volume;
 }

@@ -17,11 +17,11 @@ struct NumberRange {
 };
 
 // Every method throws SceneError with file and line. A reader lives shorter than the file name and the value.
-class JsonFields
+class JsonMembers
 {
 public:
     // `what` names the object in messages, such as "a light".
-    JsonFields(const std::string& file, const JsonValue& object, std::string what);
+    JsonMembers(const std::string& file, const JsonValue& object, std::string what);
 
     const JsonValue* find(const std::string& name);  // null if absent
     const JsonValue& require(const std::string& name);
