@@ -87,16 +87,17 @@ double frame_seconds(const Field& field, const std::vector<Camera>& cameras, int
 }
 
 template <class Exact, class OnSpans>
-void add_rows(const char* mode, const Field& field, const std::vector<Camera>& cameras, nlohmann::ordered_json& rows)
+void add_results(const char* mode, const Field& field, const std::vector<Camera>& cameras,
+                 nlohmann::ordered_json& results)
 {
     const double read = frame_seconds<Exact, TexelRgb565>(field, cameras, 0);
     const double unread = frame_seconds<Exact, Unread>(field, cameras, 0);
-    rows.push_back({{"mode", mode}, {"span", 0}, {"frame_ms", 1e3 * read}, {"unread_frame_ms", 1e3 * unread}});
+    results.push_back({{"mode", mode}, {"span", 0}, {"frame_ms", 1e3 * read}, {"unread_frame_ms", 1e3 * unread}});
     if (!fits_spans(field)) return;
     for (const int span : {8, 16})
-        rows.push_back({{"mode", mode},
-                        {"span", span},
-                        {"frame_ms", 1e3 * frame_seconds<OnSpans, TexelRgb565>(field, cameras, span)}});
+        results.push_back({{"mode", mode},
+                           {"span", span},
+                           {"frame_ms", 1e3 * frame_seconds<OnSpans, TexelRgb565>(field, cameras, span)}});
 }
 
 }  // namespace
@@ -108,12 +109,12 @@ void print_drawing(const std::string& path, int width_px, int height_px)
     if (file.is_surface() || file.field().texel_format != format::TexelFormat::rgb565)
         throw std::runtime_error(path + ": is no chord field of RGB565 texels; bake it with --texel rgb565");
     const std::vector<Camera> cameras = eyes_of(width_px, height_px);
-    nlohmann::ordered_json rows;
-    add_rows<Nearest, Nearest>("nearest", file.field(), cameras, rows);
-    add_rows<Linear, Linear>("linear", file.field(), cameras, rows);
-    add_rows<Paper<5>, Paper<5>>("paper5", file.field(), cameras, rows);
-    add_rows<Paper<9>, Paper<5>>("paper9", file.field(), cameras, rows);
-    std::printf("%s\n", rows.dump(1).c_str());
+    nlohmann::ordered_json results;
+    add_results<Nearest, Nearest>("nearest", file.field(), cameras, results);
+    add_results<Linear, Linear>("linear", file.field(), cameras, results);
+    add_results<Paper<5>, Paper<5>>("paper5", file.field(), cameras, results);
+    add_results<Paper<9>, Paper<5>>("paper9", file.field(), cameras, results);
+    std::printf("%s\n", results.dump(1).c_str());
 }
 
 }  // namespace lumi::tools::bench

@@ -8,7 +8,7 @@
 
 #include "field_bytes.h"
 #include "lumi/render_spans_paper.h"
-#include "reference.h"
+#include "twin.h"
 #include "views.h"
 
 using namespace lumi;
@@ -37,8 +37,8 @@ Bytes smooth_luma(uint32_t origins, uint32_t directions)
     layout.origins = layout.used_origins = origins;
     layout.directions = directions;
     layout.texel = TexelFormat::luma8;
-    const std::vector<Vec3> o = reference::points(origins);
-    const std::vector<Vec3> d = reference::points(directions);
+    const std::vector<Vec3> o = twin::points(origins);
+    const std::vector<Vec3> d = twin::points(directions);
     return file_of({layout_section(layout), texel_section(layout, [&](uint32_t i, uint32_t k) {
                         const Vec3& to = d[std::min(k, directions - 1)];
                         return static_cast<uint8_t>(128 + 60 * std::sin(2 * o[i].x + o[i].z) +
@@ -94,7 +94,7 @@ private:
         const size_t choice = static_cast<size_t>(uniform(0, 10));
         if (choice < 5) return axes[choice];
         const double z = uniform(-1, 1);
-        const double angle = uniform(0, 2 * reference::kPi);
+        const double angle = uniform(0, 2 * twin::kPi);
         const double r = std::sqrt(1 - z * z);
         return 1.000002 * Vec3{r * std::cos(angle), r * std::sin(angle), z};
     }
@@ -102,8 +102,8 @@ private:
     // Where a ray from the eye touches the sphere.
     Vec3 rim_of(const Vec3& eye, double distance)
     {
-        const Vec3 up = reference::normalised(eye);
-        const Vec3 side = reference::normalised(cross(up, std::fabs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+        const Vec3 up = twin::normalised(eye);
+        const Vec3 side = twin::normalised(cross(up, std::fabs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
         const double s = 1 / (distance * 1.0001);
         return s * up + std::sqrt(1 - s * s) * side;
     }

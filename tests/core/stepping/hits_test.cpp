@@ -8,13 +8,13 @@
 #include "lumi/detail/stepping/outline.h"
 #include "lumi/math.h"
 #include "lumi/render_spans.h"
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 #include "views.h"
 
 using namespace lumi;
 using namespace lumi::test;
-using reference::decoded;
+using twin::decoded;
 
 namespace
 {
@@ -147,11 +147,10 @@ TEST_CASE("coarse hits lie where the exact rays meet the sphere", "[span]")
                 const SphereHits truth = hits(camera, ray);
                 const auto see = [&](const Hit& hit, const Vec3q30& t) {
                     const uint64_t where = static_cast<uint64_t>(y) * 1000 + static_cast<uint64_t>(x);
-                    height.see(std::fabs(reference::from_q30(hit.z_q30) - reference::from_q30(t.z)), where);
+                    height.see(std::fabs(twin::from_q30(hit.z_q30) - twin::from_q30(t.z)), where);
                     const Vec3 v = decoded(t);
-                    const double turns =
-                        hit.longitude_turns32 / 4294967296.0 - std::atan2(v.y, v.x) / (2 * reference::kPi);
-                    angle.see(std::fabs(turns - std::round(turns)) * 2 * reference::kPi * std::hypot(v.x, v.y), where);
+                    const double turns = hit.longitude_turns32 / 4294967296.0 - std::atan2(v.y, v.x) / (2 * twin::kPi);
+                    angle.see(std::fabs(turns - std::round(turns)) * 2 * twin::kPi * std::hypot(v.x, v.y), where);
                 };
                 see(node.front, truth.front);
                 see(node.back, truth.back);
@@ -177,7 +176,7 @@ TEST_CASE("coarse math keeps its stated errors", "[span]")
         reciprocal.see(std::fabs(std::ldexp(r.mantissa, -r.exponent) * k - 1), k);
         const int32_t x = static_cast<int32_t>(std::lround(32767 * std::cos(k * 0.37)));
         const int32_t y = static_cast<int32_t>(std::lround(32767 * std::sin(k * 0.37)));
-        const double turns = coarse_angle_turns32(y, x) / 4294967296.0 - std::atan2(y, x) / (2 * reference::kPi);
+        const double turns = coarse_angle_turns32(y, x) / 4294967296.0 - std::atan2(y, x) / (2 * twin::kPi);
         angle.see(std::fabs(turns - std::round(turns)), k);
         const uint32_t large = 1 + v % 100000;
         const uint32_t small = (v >> 7) % (large + 1);

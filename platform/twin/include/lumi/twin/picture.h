@@ -4,9 +4,9 @@
 
 #include "lumi/color.h"
 #include "lumi/field.h"
-#include "lumi/reference/weights.h"
+#include "lumi/twin/weights.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 
 // Encoded values, 0 .. 255.
@@ -24,4 +24,4 @@ Hits hits_of_pixel(const Pose& pose, const Image& image, int32_t x, int32_t y);
 // What the field shows for these taps over a background; origins outside the cap count as misses.
 Colour blended(const Field& field, const Weights& origins, const Weights& directions, const Rgb8& background);
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/reference/weights.h"
+#include "lumi/twin/weights.h"
 
 #include <algorithm>
 
 #include "lattice/polar.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 namespace
 {
@@ -179,4 +179,4 @@ Weights linear_weights(const std::vector<Vec3>& all, const Vec3& q)
     return weights;
 }
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

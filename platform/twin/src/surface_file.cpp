@@ -3,7 +3,7 @@
 
 #include "lumi/surface_format.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 namespace
 {
@@ -89,4 +89,4 @@ SurfaceFile::SurfaceFile(const uint8_t* file)
         views.push_back(view_in(tables + format::kViewColoursBytes + v * format::kViewBytes, tables));
 }
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lumi/reference/geometry.h"
+#include "lumi/twin/geometry.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 
 class Viewing
@@ -45,4 +45,4 @@ private:
     double per_px_, centre_x_, centre_y_;
 };
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

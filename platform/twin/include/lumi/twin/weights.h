@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "lumi/reference/geometry.h"
+#include "lumi/twin/geometry.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 
 // Index and weight; weights sum to 1.
@@ -40,4 +40,4 @@ CellPoint nearest_point(const std::vector<Vec3>& all, const Vec3& q, double bord
 inline constexpr double kZoneShare = 0.25;
 CellPoint cell_point(const std::vector<Vec3>& all, const Vec3& q, double border_share);
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

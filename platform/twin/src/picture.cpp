@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/reference/picture.h"
+#include "lumi/twin/picture.h"
 
 #include "lumi/texel.h"
 #include "viewing.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 namespace
 {
@@ -47,4 +47,4 @@ Colour blended(const Field& field, const Weights& origins, const Weights& direct
     return {sum.r + rest * background.r, sum.g + rest * background.g, sum.b + rest * background.b};
 }
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

@@ -11,7 +11,7 @@
 #include "lumi/camera.h"
 #include "lumi/lattice.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 
 inline const double kPi = std::acos(-1.0);
@@ -89,4 +89,4 @@ inline double spacing(uint32_t n)
     return std::sqrt(4 * kPi / n);
 }
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

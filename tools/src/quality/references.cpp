@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "quality/truths.h"
+#include "quality/references.h"
 
 #include <cinttypes>
 #include <cstdio>
@@ -13,16 +13,16 @@ namespace lumi::quality
 namespace
 {
 
-Truth traced(const baker::Scene& scene, const HeldOutView& view, const baker::ReferenceSettings& settings,
-             const baker::ProgressCallback& progress)
+Reference traced(const baker::Scene& scene, const HeldOutView& view, const baker::ReferenceSettings& settings,
+                 const baker::ProgressCallback& progress)
 {
     const baker::RgbaImage image = baker::render_reference(scene, view.eye.camera, settings, progress);
-    Truth truth = {{image.width, image.height}, {image.width, image.height}};
-    for (size_t i = 0; i < truth.mask.values.size(); ++i) {
-        for (size_t k = 0; k < 3; ++k) truth.picture.rgb[3 * i + k] = image.rgba[4 * i + k];  // over black
-        truth.mask.values[i] = image.rgba[4 * i + 3];
+    Reference reference = {{image.width, image.height}, {image.width, image.height}};
+    for (size_t i = 0; i < reference.mask.values.size(); ++i) {
+        for (size_t k = 0; k < 3; ++k) reference.picture.rgb[3 * i + k] = image.rgba[4 * i + k];  // over black
+        reference.mask.values[i] = image.rgba[4 * i + 3];
     }
-    return truth;
+    return reference;
 }
 
 // Everything that decides the pixels.
@@ -45,15 +45,15 @@ tools::Picture grey_picture(const tools::Mask& mask)
     return picture;
 }
 
-Truth read_truth(const std::string& picture, const std::string& mask)
+Reference read_reference(const std::string& picture, const std::string& mask)
 {
-    Truth truth = {tools::read_png(picture), {}};
-    truth.mask = tools::Mask(truth.picture.width_px, truth.picture.height_px);
+    Reference reference = {tools::read_png(picture), {}};
+    reference.mask = tools::Mask(reference.picture.width_px, reference.picture.height_px);
     const tools::Picture grey = tools::read_png(mask);
-    if (!tools::same_size(grey, truth.picture))
+    if (!tools::same_size(grey, reference.picture))
         throw tools::Failure(mask, "has another size than its picture", "delete both");
-    for (size_t i = 0; i < truth.mask.values.size(); ++i) truth.mask.values[i] = grey.rgb[3 * i];
-    return truth;
+    for (size_t i = 0; i < reference.mask.values.size(); ++i) reference.mask.values[i] = grey.rgb[3 * i];
+    return reference;
 }
 
 }  // namespace
@@ -66,36 +66,36 @@ std::string cache_key(const baker::Scene& scene)
     return text;
 }
 
-std::vector<Truth> truths_of(const baker::Scene& scene, const std::vector<HeldOutView>& views,
-                             const baker::ReferenceSettings& settings, const std::filesystem::path& cache,
-                             const baker::ProgressCallback& progress)
+std::vector<Reference> references_of(const baker::Scene& scene, const std::vector<HeldOutView>& views,
+                                     const baker::ReferenceSettings& settings, const std::filesystem::path& cache,
+                                     const baker::ProgressCallback& progress)
 {
     const std::filesystem::path folder = cache.empty() ? cache : cache / cache_key(scene);
     std::error_code ignored;  // what cannot be made is told by the write
     if (!cache.empty()) std::filesystem::create_directories(folder, ignored);
-    std::vector<Truth> truths;
+    std::vector<Reference> references;
     for (const HeldOutView& view : views) {
         const std::string stem = (folder / file_stem(view, settings)).string();
         const std::string picture = stem + ".png", mask = stem + "-mask.png";
         if (!cache.empty() && std::filesystem::exists(picture) && std::filesystem::exists(mask)) {
-            truths.push_back(read_truth(picture, mask));
+            references.push_back(read_reference(picture, mask));
             continue;
         }
-        truths.push_back(traced(scene, view, settings, progress));
+        references.push_back(traced(scene, view, settings, progress));
         if (cache.empty()) continue;
-        tools::write_png(mask, grey_picture(truths.back().mask));
-        tools::write_png(picture, truths.back().picture);  // last: it says that both are there
+        tools::write_png(mask, grey_picture(references.back().mask));
+        tools::write_png(picture, references.back().picture);  // last: it says that both are there
     }
-    return truths;
+    return references;
 }
 
-std::vector<Truth> one_ray_pictures(const baker::Scene& scene, const std::vector<HeldOutView>& views,
-                                    baker::ReferenceSettings settings, const std::filesystem::path& cache,
-                                    const baker::ProgressCallback& progress)
+std::vector<Reference> one_ray_pictures(const baker::Scene& scene, const std::vector<HeldOutView>& views,
+                                        baker::ReferenceSettings settings, const std::filesystem::path& cache,
+                                        const baker::ProgressCallback& progress)
 {
     settings.through_centre = true;
-    ++settings.seed;  // its noise is not that of the truth
-    return truths_of(scene, views, settings, cache, progress);
+    ++settings.seed;  // its noise is not that of the reference
+    return references_of(scene, views, settings, cache, progress);
 }
 
 }  // namespace lumi::quality

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "lumi/reference/geometry.h"
-#include "lumi/reference/picture.h"
+#include "lumi/twin/geometry.h"
+#include "lumi/twin/picture.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 
 struct SurfaceTriangle {
@@ -32,4 +32,4 @@ struct SurfaceFile {
     std::vector<SurfaceView> views;  // of the first vertices
 };
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

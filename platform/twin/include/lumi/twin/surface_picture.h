@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "lumi/reference/picture.h"
+#include "lumi/twin/picture.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 
 struct SurfaceDrawing {
@@ -27,4 +27,4 @@ struct SurfacePicture {
 SurfacePicture draw_surface(const uint8_t* file, const Pose& pose, const Image& image, const SurfaceDrawing& drawing,
                             const Rgb8& background);
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/reference/surface_picture.h"
+#include "lumi/twin/surface_picture.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "surface_file.h"
 #include "viewing.h"
 
-namespace lumi::reference
+namespace lumi::twin
 {
 namespace
 {
@@ -190,4 +190,4 @@ SurfacePicture draw_surface(const uint8_t* file, const Pose& pose, const Image& 
     return picture;
 }
 
-}  // namespace lumi::reference
+}  // namespace lumi::twin
