@@ -20,7 +20,7 @@ namespace
 
 constexpr int kViews = 3, kRepeats = 3;  // the quickest repeat counts: interruptions only slow down
 constexpr double kDistance = 3, kEyeDistance = kDistance / 30;
-constexpr int kStripeRows = 16;
+constexpr int kStripeHeight = 16;
 
 // A texel policy that computes where a texel lies and does not read it: its colour is made of the address.
 struct Unread : TexelRgb565 {
@@ -60,8 +60,8 @@ template <class Reconstruction, class Texel>
 void draw_frame(const Field& field, const Camera& camera, int span_px, std::vector<uint8_t>& pixels)
 {
     const uint32_t stride = static_cast<uint32_t>(camera.width_px()) * PixelRgb888::kBytes;
-    for (int y = 0; y < camera.height_px(); y += kStripeRows) {
-        const Stripe stripe = {pixels.data(), 0, y, camera.width_px(), std::min(kStripeRows, camera.height_px() - y),
+    for (int y = 0; y < camera.height_px(); y += kStripeHeight) {
+        const Stripe stripe = {pixels.data(), 0, y, camera.width_px(), std::min(kStripeHeight, camera.height_px() - y),
                                stride};
         RenderError error = RenderError::none;
         if (span_px == 0)
@@ -76,7 +76,7 @@ void draw_frame(const Field& field, const Camera& camera, int span_px, std::vect
 template <class Reconstruction, class Texel>
 double frame_seconds(const Field& field, const std::vector<Camera>& cameras, int span_px)
 {
-    std::vector<uint8_t> pixels(static_cast<size_t>(cameras[0].width_px()) * PixelRgb888::kBytes * kStripeRows);
+    std::vector<uint8_t> pixels(static_cast<size_t>(cameras[0].width_px()) * PixelRgb888::kBytes * kStripeHeight);
     double best = 1e30;
     for (int repeat = 0; repeat < kRepeats; ++repeat) {
         const double begin = processor_seconds();

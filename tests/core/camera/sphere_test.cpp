@@ -87,7 +87,7 @@ TEST_CASE("hits agree with the quadratic equation at every extreme", "[sphere]")
     }
 }
 
-TEST_CASE("a row's span holds exactly the pixels that ray_at covers", "[sphere]")
+TEST_CASE("a scanline's span holds exactly the pixels that ray_at covers", "[sphere]")
 {
     for (const View& view : extreme_views(40)) {
         const Camera camera = camera_of(view);
@@ -104,7 +104,7 @@ TEST_CASE("a row's span holds exactly the pixels that ray_at covers", "[sphere]"
                     const bool is_hit = inside && ray_at(camera, x, y, ray);
                     if (is_hit != (x >= span.begin && x < span.end)) wrong.push_back(x);
                 }
-                INFO(view.name << " row " << y << " span " << span.begin << ".." << span.end);
+                INFO(view.name << " scanline " << y << " span " << span.begin << ".." << span.end);
                 REQUIRE(wrong == std::vector<int32_t>{});
             }
         }

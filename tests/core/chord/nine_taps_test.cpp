@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "lumi/detail/chord/both_sides_steps.h"
 #include "lumi/detail/chord/nine_taps.h"
-#include "lumi/detail/chord/pair_steps.h"
 
 using namespace lumi;
 
@@ -26,9 +26,9 @@ public:
 
     // Three weights in halves of words that sum to one in each half.
     template <class Sum>
-    void weights(PairTaps& taps)
+    void weights(PixelTaps& taps)
     {
-        uint32_t rest = PairBits<Sum::kRowBits, Sum::kTapBits>::kOnes;
+        uint32_t rest = BothSidesBits<Sum::kRowBits, Sum::kTapBits>::kOnes;
         for (int k = 0; k < 3; ++k) {
             const uint32_t w = k == 2 ? rest : below((rest >> 16) + 1) << 16 | below((rest & 0xFFFF) + 1);
             rest -= w;
@@ -56,7 +56,7 @@ int wrong_sums(bool is_white)
     field.palette = palette;
     int wrong = 0;
     for (int k = 0; k < kPixels; ++k) {
-        PairTaps taps;
+        PixelTaps taps;
         for (const uint8_t*& row : taps.row)
             row = texels + kBytes * static_cast<int32_t>(100 + draw.below(100)) + kBytes - Sum::kBefore;
         for (int32_t& offset : taps.offset) offset = kBytes * draw.signed_below(100);

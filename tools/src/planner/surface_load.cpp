@@ -87,7 +87,7 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
         if (area <= 0 && !field.two_sided) return false;
         const auto [low, high] = std::minmax({places[a].y, places[b].y, places[c].y});
         load.seen += 1;
-        load.rows += high - low;
+        load.scanlines += high - low;
         load.samples += std::fabs(area) / 2;
         if (is_magnified(places[a], places[b], places[c], patch, most)) load.magnified += std::fabs(area) / 2;
         for (const uint32_t v : {a, b, c}) is_lit[v] = true;

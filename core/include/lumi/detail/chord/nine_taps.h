@@ -6,20 +6,20 @@
 #pragma once
 
 #include "lumi/detail/chord/sums.h"
-#include "lumi/detail/word_pair.h"
+#include "lumi/detail/double_word.h"
 
 namespace lumi
 {
 
 // Rows of three origins, the same three texels of each, weights as Sum takes them.
-struct PairTaps {
+struct PixelTaps {
     const uint8_t* row[3];
     int32_t offset[2];  // of the second and third texel
     uint32_t row_weight[3], weight[3];
 };
 
 template <class Sum>
-LUMI_ALWAYS_INLINE Sum sum_of_rows(const Field& field, const PairTaps& taps)
+LUMI_ALWAYS_INLINE Sum sum_of_rows(const Field& field, const PixelTaps& taps)
 {
     Sum sum;
 #pragma GCC unroll 3
@@ -36,7 +36,7 @@ LUMI_ALWAYS_INLINE Sum sum_of_rows(const Field& field, const PairTaps& taps)
 
 template <class Sum>
 struct NineTaps {
-    LUMI_ALWAYS_INLINE static Sum sum(const Field& field, const PairTaps& taps)
+    LUMI_ALWAYS_INLINE static Sum sum(const Field& field, const PixelTaps& taps)
     {
         return sum_of_rows<Sum>(field, taps);
     }
@@ -97,9 +97,10 @@ struct NineTaps {
 #define LUMI_NINE(TEXEL, ROWS, PALETTE)                                                                               \
     template <>                                                                                                       \
     struct NineTaps<TexelSum<TEXEL, false>> {                                                                          \
-        LUMI_ALWAYS_INLINE static TexelSum<TEXEL, false> sum([[maybe_unused]] const Field& field, const PairTaps& taps)\
+        LUMI_ALWAYS_INLINE static TexelSum<TEXEL, false> sum([[maybe_unused]] const Field& field,                     \
+                                                             const PixelTaps& taps)                                   \
         {                                                                                                             \
-            const WordPair<const uint8_t*, uint32_t> last = {taps.row[2], taps.row_weight[2]};                        \
+            const DoubleWord<const uint8_t*, uint32_t> last = {taps.row[2], taps.row_weight[2]};                      \
             const uint8_t* row = taps.row[1];                                                                         \
             uint32_t weight = taps.row_weight[1];                                                                     \
             uint32_t r = reinterpret_cast<uint32_t>(taps.row[0]), b = taps.row_weight[0];                             \

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The lattice steps of both sides of a span (see pairs.h), and what a pixel's coordinates select of them. With
+// The lattice steps of both sides of a span (see both_sides.h), and what a pixel's coordinates select of them. With
 // Armv7E-M's DSP extension both sides share registers and instructions; the results are the same.
 #pragma once
 
+#include "lumi/detail/double_word.h"
 #include "lumi/detail/halves.h"
 #include "lumi/detail/stepping/lattice_line.h"
-#include "lumi/detail/word_pair.h"
 
 namespace lumi
 {
 
-inline constexpr int kPairBits = 12;  // of a coordinate's fraction
+inline constexpr int kFractionBits = 12;  // of a coordinate's fraction
 
-struct PairTriangle {
+struct BothSidesTriangle {
     uint32_t weight[3];  // of the lowest corner, the middle one, the one across; in halves
     int32_t middle_origin, middle_direction;
 };
 
 // Fractions of both sides, of kRowBits of the origins and kTapBits of the directions.
 template <int kRowBits, int kTapBits>
-struct PairBits {
+struct BothSidesBits {
     static constexpr uint32_t kOneDirection = 1u << kTapBits;
     static constexpr uint32_t kOneOrigin = 0x10000u << kRowBits;
     static constexpr uint32_t kOnes = kOneOrigin | kOneDirection;
@@ -27,9 +27,9 @@ struct PairBits {
     static constexpr uint32_t fraction(uint32_t q12)
     {
         constexpr uint32_t kMask = kOnes - 0x00010001u;
-        if (kRowBits == kTapBits) return (q12 >> (kPairBits - kRowBits)) & kMask;
-        return ((q12 >> (kPairBits - kRowBits)) & (kMask & 0xFFFF0000u)) |
-               ((q12 >> (kPairBits - kTapBits)) & (kMask & 0xFFFFu));
+        if (kRowBits == kTapBits) return (q12 >> (kFractionBits - kRowBits)) & kMask;
+        return ((q12 >> (kFractionBits - kRowBits)) & (kMask & 0xFFFF0000u)) |
+               ((q12 >> (kFractionBits - kTapBits)) & (kMask & 0xFFFFu));
     }
     // Halves of one or zero as 1 or 0.
     static constexpr uint32_t whole(uint32_t ones)
@@ -41,16 +41,16 @@ struct PairBits {
 
 // Steps of both sides: of the origins in points, of the directions in bytes, each below 2^11 (F_14 = 377, three bytes).
 #ifdef __ARM_FEATURE_DSP
-class PairSteps
+class BothSidesSteps
 {
 public:
-    PairSteps(const CellLine& origins, const CellLine& directions, int32_t bytes)
+    BothSidesSteps(const CellLine& origins, const CellLine& directions, int32_t bytes)
         : steps_{pack(origins.first, directions.first * bytes), pack(origins.second, directions.second * bytes)}
     {
     }
 
     // In registers.
-    PairSteps reloaded() const { return PairSteps(reload(steps_)); }
+    BothSidesSteps reloaded() const { return BothSidesSteps(reload(steps_)); }
 
     // Offsets of the cells that hold whole coordinates, in the upper halves of u and v, of one side.
     int32_t origin_cell(int32_t u_q16, int32_t v_q16) const
@@ -64,16 +64,16 @@ public:
     // The same from halves.
     LUMI_ALWAYS_INLINE int32_t origin(uint32_t u, uint32_t v) const
     {
-        return __smlatt(whole(v), steps_.b, product_tops(whole(u), steps_.a)) >> kPairBits;
+        return __smlatt(whole(v), steps_.b, product_tops(whole(u), steps_.a)) >> kFractionBits;
     }
     LUMI_ALWAYS_INLINE int32_t direction(uint32_t u, uint32_t v) const
     {
-        return __smlabb(whole(v), steps_.b, product_bottoms(whole(u), steps_.a)) >> kPairBits;
+        return __smlabb(whole(v), steps_.b, product_bottoms(whole(u), steps_.a)) >> kFractionBits;
     }
 
     // Of fractions of u and v; Bits::kOnes is one in each half.
     template <class Bits>
-    LUMI_ALWAYS_INLINE PairTriangle triangle(uint32_t fu, uint32_t fv) const
+    LUMI_ALWAYS_INLINE BothSidesTriangle triangle(uint32_t fu, uint32_t fv) const
     {
         (void)__ssub16(static_cast<int32_t>(fu), static_cast<int32_t>(fv));  // sets a flag per half where fu >= fv
         const uint32_t less = __sel(fv, fu);
@@ -98,15 +98,15 @@ private:
     }
     static int32_t whole(uint32_t q12) { return static_cast<int32_t>(q12 & 0xF000F000u); }
 
-    explicit PairSteps(const WordPair<int32_t>& steps) : steps_(steps) {}
+    explicit BothSidesSteps(const DoubleWord<int32_t>& steps) : steps_(steps) {}
 
-    WordPair<int32_t> steps_;  // first and second
+    DoubleWord<int32_t> steps_;  // first and second
 };
 #else
-class PairSteps
+class BothSidesSteps
 {
 public:
-    PairSteps(const CellLine& origins, const CellLine& directions, int32_t bytes)
+    BothSidesSteps(const CellLine& origins, const CellLine& directions, int32_t bytes)
         : first_origin_(origins.first),
           second_origin_(origins.second),
           first_direction_(directions.first * bytes),
@@ -114,7 +114,7 @@ public:
     {
     }
 
-    const PairSteps& reloaded() const { return *this; }
+    const BothSidesSteps& reloaded() const { return *this; }
 
     int32_t origin_cell(int32_t u_q16, int32_t v_q16) const
     {
@@ -126,19 +126,19 @@ public:
     }
     LUMI_ALWAYS_INLINE int32_t origin(uint32_t u, uint32_t v) const
     {
-        constexpr int kShift = 16 + kPairBits;
+        constexpr int kShift = 16 + kFractionBits;
         return first_origin_ * (static_cast<int32_t>(u) >> kShift) +
                second_origin_ * (static_cast<int32_t>(v) >> kShift);
     }
     LUMI_ALWAYS_INLINE int32_t direction(uint32_t u, uint32_t v) const
     {
-        constexpr int kShift = 16 + kPairBits;
+        constexpr int kShift = 16 + kFractionBits;
         return first_direction_ * (static_cast<int32_t>(u << 16) >> kShift) +
                second_direction_ * (static_cast<int32_t>(v << 16) >> kShift);
     }
 
     template <class Bits>
-    LUMI_ALWAYS_INLINE PairTriangle triangle(uint32_t fu, uint32_t fv) const
+    LUMI_ALWAYS_INLINE BothSidesTriangle triangle(uint32_t fu, uint32_t fv) const
     {
         const uint32_t ones = ((fu | Bits::kOnes) - fv) & Bits::kOnes;
         const uint32_t lower = Bits::whole(ones);  // fu >= fv

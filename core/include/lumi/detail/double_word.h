@@ -9,22 +9,22 @@ namespace lumi
 {
 
 template <class A, class B = A>
-struct WordPair {
+struct DoubleWord {
     A a;
     B b;
 };
 
 template <class A, class B>
-LUMI_ALWAYS_INLINE WordPair<A, B> reload(const WordPair<A, B>& pair)
+LUMI_ALWAYS_INLINE DoubleWord<A, B> reload(const DoubleWord<A, B>& words)
 {
 #ifdef __ARM_FEATURE_DSP
     static_assert(sizeof(A) == 4 && sizeof(B) == 4, "LDRD loads words");
     A a;
     B b;
-    asm volatile("ldrd %0, %1, %2" : "=r"(a), "=r"(b) : "m"(pair));
+    asm volatile("ldrd %0, %1, %2" : "=r"(a), "=r"(b) : "m"(words));
     return {a, b};
 #else
-    return pair;
+    return words;
 #endif
 }
 

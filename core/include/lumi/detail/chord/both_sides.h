@@ -9,24 +9,24 @@
 // Two halves are added as one word: a lower half below zero takes 2^-12 cells from the upper one, on every core.
 #pragma once
 
+#include "lumi/detail/chord/both_sides_steps.h"
 #include "lumi/detail/chord/nine_taps.h"
-#include "lumi/detail/chord/pair_steps.h"
-#include "lumi/detail/chord/target.h"
+#include "lumi/detail/chord/piece.h"
 
 namespace lumi
 {
 
 // Whether a side's cell is divided by the difference of its steps.
-struct PairFlip {
-    WordPair<int32_t> border_and_mask;
+struct SideFlip {
+    DoubleWord<int32_t> border_and_mask;
     LUMI_ALWAYS_INLINE bool is_flipped(int32_t offset) const
     {
-        const WordPair<int32_t> flip = reload(border_and_mask);
+        const DoubleWord<int32_t> flip = reload(border_and_mask);
         return ((offset - flip.a) ^ flip.b) < 0;
     }
 };
 
-inline constexpr int32_t kMostPairPixels = 1 << kMaxSpanLog2;
+inline constexpr int32_t kMostSpanPixels = 1 << kMaxSpanLog2;
 
 // Whether a span's steps are few and short enough: from 4095/4096 of a cell 15 of them end within [-8, 8).
 inline bool can_follow(const CellLine& origins, const CellLine& directions, int32_t length)
@@ -34,38 +34,38 @@ inline bool can_follow(const CellLine& origins, const CellLine& directions, int3
     constexpr uint32_t kBelow = 34952;  // steps from -34952/65536 on
     constexpr uint32_t kRange = 0x10000;
     const auto above = [](int32_t d_q16) { return static_cast<uint32_t>(d_q16) + kBelow; };
-    return length <= kMostPairPixels && (above(origins.du_q16) | above(origins.dv_q16) | above(directions.du_q16) |
+    return length <= kMostSpanPixels && (above(origins.du_q16) | above(origins.dv_q16) | above(directions.du_q16) |
                                          above(directions.dv_q16)) < kRange;
 }
 
 // Coordinates of both sides in the first pixel's cells, and their steps.
-inline uint32_t pair_begin(int32_t origin_q16, int32_t direction_q16)
+inline uint32_t both_sides_begin(int32_t origin_q16, int32_t direction_q16)
 {
     const auto fraction = [](int32_t q16) {
-        return (static_cast<uint32_t>(q16) >> (16 - kPairBits)) & ((1u << kPairBits) - 1);
+        return (static_cast<uint32_t>(q16) >> (16 - kFractionBits)) & ((1u << kFractionBits) - 1);
     };
     return (fraction(origin_q16) << 16) + fraction(direction_q16);
 }
-inline uint32_t pair_step(int32_t origin_q16, int32_t direction_q16)
+inline uint32_t both_sides_step(int32_t origin_q16, int32_t direction_q16)
 {
-    constexpr int kShift = 16 - kPairBits;
+    constexpr int kShift = 16 - kFractionBits;
     const auto rounded = [](int32_t q16) { return static_cast<uint32_t>((q16 + (1 << (kShift - 1))) >> kShift); };
     return (rounded(origin_q16) << 16) + rounded(direction_q16);
 }
 
-// The rows of a tile, from its first pixel's cells on, or a single one.
-class PairRows
+// The scanlines of a tile, from its first pixel's cells on, or a single one.
+class BothSidesScanlines
 {
 public:
     template <class Background>
-    LUMI_ALWAYS_INLINE PairRows(const SpanTarget<Background>& span, const TileRows* tile)
+    LUMI_ALWAYS_INLINE BothSidesScanlines(const CellPiece<Background>& span, const TileScanlines* tile)
         : count_(1),
           pixels_(span.pixels),
-          at_{pair_begin(span.origins.u_q16, span.directions.u_q16),
-              pair_begin(span.origins.v_q16, span.directions.v_q16)},
-          step_{pair_step(span.origins.du_q16, span.directions.du_q16),
-                pair_step(span.origins.dv_q16, span.directions.dv_q16)},
-          stride_bytes_(0),  // nothing of what follows is used for one row
+          at_{both_sides_begin(span.origins.u_q16, span.directions.u_q16),
+              both_sides_begin(span.origins.v_q16, span.directions.v_q16)},
+          step_{both_sides_step(span.origins.du_q16, span.directions.du_q16),
+                both_sides_step(span.origins.dv_q16, span.directions.dv_q16)},
+          stride_bytes_(0),  // nothing of what follows is used for one scanline
           step_q16_(step_),
           down_(step_),
           step_down_q16_(step_)
@@ -73,15 +73,15 @@ public:
         if (tile != nullptr) begin(span.origins, span.directions, *tile);
     }
 
-    // Whether all rows of a tile can be followed: its corners lie less than seven cells from the first pixel, and steps
-    // fit into halves, Q16.
+    // Whether all scanlines of a tile can be followed: its corners lie less than seven cells from the first pixel, and
+    // steps fit into halves, Q16.
     static bool can_follow(const CellLine& side, const LineChange& down, int32_t length)
     {
         return can_follow(side.du_q16, down.u_q16, down.du_q16, length) &&
                can_follow(side.dv_q16, down.v_q16, down.dv_q16, length);
     }
 
-    // Goes on to the next row; false below the last one.
+    // Goes on to the next scanline; false below the last one.
     LUMI_ALWAYS_INLINE bool go_down()
     {
         if (--count_ <= 0) return false;
@@ -92,11 +92,11 @@ public:
 
     uint8_t* pixels() const { return pixels_; }
     // Of the first pixel's u and v, and of a pixel's steps.
-    const WordPair<uint32_t>& at() const { return at_; }
-    const WordPair<uint32_t>& step() const { return step_; }
+    const DoubleWord<uint32_t>& at() const { return at_; }
+    const DoubleWord<uint32_t>& step() const { return step_; }
 
 private:
-    static constexpr int32_t kRounding = 1 << (16 - kPairBits - 1);
+    static constexpr int32_t kRounding = 1 << (16 - kFractionBits - 1);
 
     static bool can_follow(int32_t step_q16, int32_t down_q16, int32_t step_down_q16, int32_t length)
     {
@@ -109,97 +109,98 @@ private:
             constexpr uint32_t kBelow = 0x7FFFu + kRounding;
             return static_cast<uint32_t>(v_q16) + kBelow < 0xFFFFu;
         };
-        const int32_t last_step_q16 = step_q16 + kTileRows * step_down_q16;
-        const int32_t height_q16 = kTileRows * down_q16;
+        const int32_t last_step_q16 = step_q16 + kTileHeight * step_down_q16;
+        const int32_t height_q16 = kTileHeight * down_q16;
         return fits(step_q16) && fits(last_step_q16) && is_near(height_q16) && is_near(length * step_q16) &&
                is_near(length * last_step_q16 + height_q16);
     }
 
-    void begin(const CellLine& origins, const CellLine& directions, const TileRows& tile)
+    void begin(const CellLine& origins, const CellLine& directions, const TileScanlines& tile)
     {
-        const auto pair = [](int32_t origin, int32_t direction) {
+        const auto both = [](int32_t origin, int32_t direction) {
             return (static_cast<uint32_t>(origin) << 16) + static_cast<uint32_t>(direction);
         };
-        const uint32_t rounding = pair(kRounding, kRounding);
+        const uint32_t rounding = both(kRounding, kRounding);
         count_ = tile.count;
         stride_bytes_ = tile.stride_bytes;
-        step_q16_ = {pair(origins.du_q16, directions.du_q16) + rounding,
-                     pair(origins.dv_q16, directions.dv_q16) + rounding};
-        down_ = {pair_step(tile.origins.u_q16, tile.directions.u_q16),
-                 pair_step(tile.origins.v_q16, tile.directions.v_q16)};
-        step_down_q16_ = {pair(tile.origins.du_q16, tile.directions.du_q16),
-                          pair(tile.origins.dv_q16, tile.directions.dv_q16)};
+        step_q16_ = {both(origins.du_q16, directions.du_q16) + rounding,
+                     both(origins.dv_q16, directions.dv_q16) + rounding};
+        down_ = {both_sides_step(tile.origins.u_q16, tile.directions.u_q16),
+                 both_sides_step(tile.origins.v_q16, tile.directions.v_q16)};
+        step_down_q16_ = {both(tile.origins.du_q16, tile.directions.du_q16),
+                          both(tile.origins.dv_q16, tile.directions.dv_q16)};
         if (tile.first > 0) move_down(static_cast<uint32_t>(tile.first));
     }
 
-    // By several rows as by one at a time, modulo 2^32.
-    LUMI_ALWAYS_INLINE void move_down(uint32_t rows)
+    // By several scanlines as by one at a time, modulo 2^32.
+    LUMI_ALWAYS_INLINE void move_down(uint32_t scanlines)
     {
-        at_ = {at_.a + rows * down_.a, at_.b + rows * down_.b};
-        step_q16_ = {step_q16_.a + rows * step_down_q16_.a, step_q16_.b + rows * step_down_q16_.b};
+        at_ = {at_.a + scanlines * down_.a, at_.b + scanlines * down_.b};
+        step_q16_ = {step_q16_.a + scanlines * step_down_q16_.a, step_q16_.b + scanlines * step_down_q16_.b};
         step_ = {q12(step_q16_.a), q12(step_q16_.b)};
     }
 
     // Of what includes the rounding.
-    static uint32_t q12(uint32_t pair_q16)
+    static uint32_t q12(uint32_t both_q16)
     {
-        constexpr int kShift = 16 - kPairBits;
-        const int32_t high = static_cast<int32_t>(pair_q16) >> (16 + kShift);
-        const int32_t low = static_cast<int16_t>(pair_q16) >> kShift;
+        constexpr int kShift = 16 - kFractionBits;
+        const int32_t high = static_cast<int32_t>(both_q16) >> (16 + kShift);
+        const int32_t low = static_cast<int16_t>(both_q16) >> kShift;
         return (static_cast<uint32_t>(high) << 16) + static_cast<uint32_t>(low);
     }
 
     int32_t count_;
     uint8_t* pixels_;
-    WordPair<uint32_t> at_, step_;
+    DoubleWord<uint32_t> at_, step_;
     uint32_t stride_bytes_;
-    WordPair<uint32_t> step_q16_, down_, step_down_q16_;
+    DoubleWord<uint32_t> step_q16_, down_, step_down_q16_;
 };
 
 // From one origin's texels to the next one's, and from texel to texel.
-struct PairUnits {
+struct TexelStrides {
     int32_t row_bytes, texel_bytes;
 };
 
 // Without kFlips the span has no flipped cells, and nothing is spent on them.
 template <bool kFlips>
-class PairSource
+class BothSidesWalk
 {
 public:
-    PairSource(const CellLine& origins, const CellLine& directions, const uint8_t* texels, const PairUnits& units)
-        : steps_(origins, directions, units.texel_bytes)
+    BothSidesWalk(const CellLine& origins, const CellLine& directions, const uint8_t* texels,
+                  const TexelStrides& strides)
+        : steps_(origins, directions, strides.texel_bytes)
     {
         const int32_t origin = steps_.origin_cell(origins.u_q16, origins.v_q16);
         const int32_t direction = steps_.direction_cell(directions.u_q16, directions.v_q16);
-        const int32_t first = (origins.base + origin) * units.row_bytes + directions.base * units.texel_bytes;
-        rows_ = {settled(texels + (first + direction)), units.row_bytes};
-        across_ = {steps_.across_origin() * units.row_bytes, steps_.across_direction()};
+        const int32_t first = (origins.base + origin) * strides.row_bytes + directions.base * strides.texel_bytes;
+        rows_ = {settled(texels + (first + direction)), strides.row_bytes};
+        across_ = {steps_.across_origin() * strides.row_bytes, steps_.across_direction()};
         if (kFlips) {
             origin_flip_ = {{origins.flip - origin, origins.flip_mask}};
-            direction_flip_ = {{directions.flip * units.texel_bytes - direction, directions.flip_mask}};
+            direction_flip_ = {{directions.flip * strides.texel_bytes - direction, directions.flip_mask}};
         }
     }
 
-    LUMI_ALWAYS_INLINE void begin(const PairRows& rows)
+    LUMI_ALWAYS_INLINE void begin(const BothSidesScanlines& scanlines)
     {
-        at_ = rows.at();
-        step_ = rows.step();
+        at_ = scanlines.at();
+        step_ = scanlines.step();
     }
 
     // Of the next pixel.
     template <class Sum>
-    LUMI_ALWAYS_INLINE PairTaps taps()
+    LUMI_ALWAYS_INLINE PixelTaps taps()
     {
-        using Bits = PairBits<Sum::kRowBits, Sum::kTapBits>;
-        const WordPair<uint32_t> at = reload(at_), step = reload(step_);
+        using Bits = BothSidesBits<Sum::kRowBits, Sum::kTapBits>;
+        const DoubleWord<uint32_t> at = reload(at_), step = reload(step_);
         at_ = {at.a + step.a, at.b + step.b};
         const uint32_t fu = Bits::fraction(at.a);
         uint32_t fv = Bits::fraction(at.b);
-        PairSteps steps = steps_.reloaded();
+        BothSidesSteps steps = steps_.reloaded();
         int32_t origin = steps.origin(at.a, at.b);
         int32_t direction = steps.direction(at.a, at.b);
-        const WordPair<const uint8_t*, int32_t> rows = reload(rows_);
-        WordPair<int32_t> across = reload(across_);
+        const DoubleWord<const uint8_t*, int32_t> rows = reload(rows_);
+        DoubleWord<int32_t> across = reload(across_);
         // The same cell in the basis of `first` and -`second` is one of the others.
         if (kFlips && __builtin_expect(origin_flip_.is_flipped(origin), false)) {
             origin += steps.second_origin();
@@ -213,8 +214,8 @@ public:
             steps.reflect_directions();
             across.b = steps.across_direction();
         }
-        const PairTriangle t = steps.template triangle<Bits>(fu, fv);
-        PairTaps taps;
+        const BothSidesTriangle t = steps.template triangle<Bits>(fu, fv);
+        PixelTaps taps;
         taps.row[0] = settled(rows.a + direction) + origin * rows.b;
         taps.row[1] = taps.row[0] + t.middle_origin * rows.b;
         taps.row[2] = taps.row[0] + across.a;
@@ -229,11 +230,11 @@ public:
     }
 
 private:
-    PairSteps steps_;
-    WordPair<uint32_t> at_, step_;            // u and v
-    WordPair<const uint8_t*, int32_t> rows_;  // the texel of the first cells, bytes from one origin to the next
-    WordPair<int32_t> across_;                // to the corner across, of the origins' rows and within them, in bytes
-    PairFlip origin_flip_, direction_flip_;
+    BothSidesSteps steps_;
+    DoubleWord<uint32_t> at_, step_;            // u and v
+    DoubleWord<const uint8_t*, int32_t> rows_;  // the texel of the first cells, bytes from one origin to the next
+    DoubleWord<int32_t> across_;                // to the corner across, of the origins' rows and within them, in bytes
+    SideFlip origin_flip_, direction_flip_;
 };
 
 }  // namespace lumi

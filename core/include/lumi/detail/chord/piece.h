@@ -8,30 +8,30 @@
 namespace lumi
 {
 
-// The loops that draw pieces, one per reconstruction over any texel, pixel and background: draw(SpanTarget) through
-// cells, and draw_checked(CheckedTarget). Either fills all pixels of its target, whose lines it may move. Through cells
+// The loops that draw pieces, one per reconstruction over any texel, pixel and background: draw(CellPiece) through
+// cells, and draw_checked(CheckedPiece). Either fills all pixels of its piece, whose lines it may move. Through cells
 // both sides' coordinates advance by addition and a texel's address is a sum of products of whole lattice steps; no
 // division, no table, no clamping.
 template <class Reconstruction>
 struct SpanDraw;
 
-// A span through cells, or one below the other those of a tile's rows, so that what they share is set up once.
+// A span through cells, or one below the other those of a tile's scanlines, so that what they share is set up once.
 template <class Background>
-struct SpanTarget {
+struct CellPiece {
     const Field& field;
     const Background& background;
     uint8_t* pixels;
     int32_t length;
     int32_t x, y;       // of the first pixel
-    CellLine& origins;  // in a tile of its own first row, until go_to_first()
+    CellLine& origins;  // in a tile of its own first scanline, until go_to_first()
     CellLine& directions;
-    const TileRows* tile;  // null for one row
+    const TileScanlines* tile;  // null for one scanline
 
     LUMI_ALWAYS_INLINE void go_to_first()
     {
         if (tile != nullptr && tile->first > 0) move_down(tile->first);
     }
-    // Goes on to the next row; false below the last of `count` rows, which it counts down.
+    // Goes on to the next scanline; false below the last of `count`, which it counts down.
     LUMI_ALWAYS_INLINE bool go_down(int32_t& count)
     {
         if (--count <= 0) return false;
@@ -40,18 +40,18 @@ struct SpanTarget {
         move_down(1);
         return true;
     }
-    int32_t rows() const { return tile == nullptr ? 1 : tile->count; }
+    int32_t scanlines() const { return tile == nullptr ? 1 : tile->count; }
 
-    LUMI_ALWAYS_INLINE void move_down(int32_t rows)
+    LUMI_ALWAYS_INLINE void move_down(int32_t scanlines)
     {
-        origins.move_down(tile->origins, rows);
-        directions.move_down(tile->directions, rows);
+        origins.move_down(tile->origins, scanlines);
+        directions.move_down(tile->directions, scanlines);
     }
 };
 
 // A span whose every texel is asked for: over a pole, or with origins that are not baked.
 template <class Background>
-struct CheckedTarget {
+struct CheckedPiece {
     const Field& field;
     const Background& background;
     uint8_t* pixels;

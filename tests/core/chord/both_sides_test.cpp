@@ -5,7 +5,7 @@
 #include <random>
 
 #include "lumi/background.h"
-#include "lumi/detail/chord/pairs.h"
+#include "lumi/detail/chord/both_sides.h"
 #include "lumi/detail/chord/side_taps.h"
 #include "lumi/detail/chord/tile.h"
 
@@ -24,7 +24,7 @@ constexpr int32_t kRowBytes = 1 << 16;  // rows and texels can be told from an a
 constexpr int32_t kTexelBytes = 3;
 constexpr uintptr_t kTexels = 0x40000000;  // nothing is read there
 
-// What a sum asks of a source.
+// What a sum asks of the taps.
 template <int kBitsOfRow, int kBitsOfTap>
 struct Weights {
     static constexpr int kRowBits = kBitsOfRow;
@@ -72,9 +72,9 @@ LineChange random_down(std::minstd_rand& random, int32_t most_q16)
             between(random, -most_change, most_change), between(random, -most_change, most_change)};
 }
 
-// The largest difference between the values of a row's pixels, on either side.
+// The largest difference between the values of a scanline's pixels, on either side.
 template <int kRowBits, int kTapBits, bool kFlips>
-double worst_of_row(PairSource<kFlips>& both, const CellLine& origins, const CellLine& directions)
+double worst_of_scanline(BothSidesWalk<kFlips>& both, const CellLine& origins, const CellLine& directions)
 {
     LatticeLine row_line{origins, {}, false};
     LatticeLine texel_line{directions, {}, false};
@@ -82,7 +82,7 @@ double worst_of_row(PairSource<kFlips>& both, const CellLine& origins, const Cel
     SideWalk taps(texel_line);
     double worst = 0;
     for (int32_t k = 0; k < kPixels; ++k) {
-        const PairTaps got = both.template taps<Weights<kRowBits, kTapBits>>();
+        const PixelTaps got = both.template taps<Weights<kRowBits, kTapBits>>();
         int32_t row[3], texel[3];
         for (int m = 0; m < 3; ++m) {
             const int32_t at = static_cast<int32_t>(reinterpret_cast<uintptr_t>(got.row[m]) - kTexels);
@@ -104,30 +104,30 @@ double worst_of_row(PairSource<kFlips>& both, const CellLine& origins, const Cel
     return worst;
 }
 
-// The same of all rows of a tile, or of a span's one.
+// The same of all scanlines of a tile, or of a span's one.
 template <bool kFlips, int kRowBits, int kTapBits>
-double worst_difference(CellLine origins, CellLine directions, const TileRows* tile)
+double worst_difference(CellLine origins, CellLine directions, const TileScanlines* tile)
 {
     const Field field;
     const OverBlack background;
     uint8_t pixels[1];  // not drawn to
-    SpanTarget<OverBlack> span = {field, background, pixels, kPixels, 0, 0, origins, directions, tile};
+    CellPiece<OverBlack> span = {field, background, pixels, kPixels, 0, 0, origins, directions, tile};
     const uint8_t* const texels = reinterpret_cast<const uint8_t*>(kTexels);
-    PairSource<kFlips> both(origins, directions, texels, {kRowBytes, kTexelBytes});
-    PairRows rows(span, tile);
-    int32_t left = span.rows();
+    BothSidesWalk<kFlips> both(origins, directions, texels, {kRowBytes, kTexelBytes});
+    BothSidesScanlines scanlines(span, tile);
+    int32_t left = span.scanlines();
     span.go_to_first();
     double worst = 0;
     for (;;) {
-        both.begin(rows);
-        worst = std::max(worst, worst_of_row<kRowBits, kTapBits>(both, origins, directions));
-        const bool is_more = rows.go_down();
+        both.begin(scanlines);
+        worst = std::max(worst, worst_of_scanline<kRowBits, kTapBits>(both, origins, directions));
+        const bool is_more = scanlines.go_down();
         REQUIRE(span.go_down(left) == is_more);
         if (!is_more) return worst;
     }
 }
 
-// Over spans that both ways can follow, the worst pixel. `most_step_q16` may be more than the pair can.
+// Over spans that both ways can follow, the worst pixel. `most_step_q16` may be more than both at once can.
 template <int kRowBits, int kTapBits>
 double worst_of_spans(int32_t most_step_q16)
 {
@@ -147,7 +147,7 @@ double worst_of_spans(int32_t most_step_q16)
     return worst;
 }
 
-// Over tiles that both ways can follow, as far as the pair can.
+// Over tiles that both ways can follow, as far as both at once can.
 template <int kRowBits, int kTapBits>
 double worst_of_tiles(int32_t most_step_q16)
 {
@@ -158,9 +158,10 @@ double worst_of_tiles(int32_t most_step_q16)
         const CellLine origins = random_side(random, most_step_q16);
         const CellLine directions = random_side(random, most_step_q16);
         const LineChange down[] = {random_down(random, 2 * most_step_q16), random_down(random, 2 * most_step_q16)};
-        const int32_t first = between(random, 0, kTileRows - 1);
-        const TileRows tile = {first, kTileRows - first, 0, down[0], down[1]};
-        if (!PairRows::can_follow(origins, down[0], kPixels) || !PairRows::can_follow(directions, down[1], kPixels))
+        const int32_t first = between(random, 0, kTileHeight - 1);
+        const TileScanlines tile = {first, kTileHeight - first, 0, down[0], down[1]};
+        if (!BothSidesScanlines::can_follow(origins, down[0], kPixels) ||
+            !BothSidesScanlines::can_follow(directions, down[1], kPixels))
             continue;
         ++followed;
         worst = std::max(worst, worst_difference<true, kRowBits, kTapBits>(origins, directions, &tile));
@@ -186,7 +187,7 @@ TEST_CASE("both sides of a span at once have the taps of each by itself", "[span
 
 TEST_CASE("both sides of a tile at once have the taps of each by itself", "[span]")
 {
-    // Eight roundings of what a row changes by are half a cell's 1024th more.
+    // Eight roundings of what a scanline changes by are half a cell's 1024th more.
     const double off = 2 * 255 * 4.0 / 1024;
     CHECK(worst_of_tiles<12, 12>(30000) < off + 255 * 3 / 4096.0);
     CHECK(worst_of_tiles<7, 7>(30000) < off + 2 * 255 / 128.0);
@@ -197,38 +198,38 @@ TEST_CASE("tiles too wide for halves of a word are told", "[span]")
 {
     const CellLine still{};
     const LineChange level{};
-    CHECK(PairRows::can_follow(still, level, kPixels));
+    CHECK(BothSidesScanlines::can_follow(still, level, kPixels));
     static constexpr int32_t kTooFast[] = {28656, -28657, 1 << 20, -(1 << 20), INT32_MAX, INT32_MIN};
     for (int32_t CellLine::*step : {&CellLine::du_q16, &CellLine::dv_q16}) {
         for (const int32_t too_fast : kTooFast) {
             CellLine fast{};
             fast.*step = too_fast;
-            CHECK_FALSE(PairRows::can_follow(fast, level, kPixels));
+            CHECK_FALSE(BothSidesScanlines::can_follow(fast, level, kPixels));
         }
     }
     // Half a cell a pixel in the upper half, less one that a lower half below zero takes, would turn round.
     constexpr int32_t kFew = 8;
     CellLine fast{};
     fast.du_q16 = -32775;
-    CHECK(PairRows::can_follow(fast, level, kFew));
+    CHECK(BothSidesScanlines::can_follow(fast, level, kFew));
     fast.du_q16 = -32776;
-    CHECK_FALSE(PairRows::can_follow(fast, level, kFew));
+    CHECK_FALSE(BothSidesScanlines::can_follow(fast, level, kFew));
     fast.du_q16 = 32759;
-    CHECK(PairRows::can_follow(fast, level, kFew));
+    CHECK(BothSidesScanlines::can_follow(fast, level, kFew));
     fast.du_q16 = 32760;
-    CHECK_FALSE(PairRows::can_follow(fast, level, kFew));
+    CHECK_FALSE(BothSidesScanlines::can_follow(fast, level, kFew));
     for (int32_t LineChange::*down : {&LineChange::u_q16, &LineChange::v_q16}) {
         for (const int32_t too_steep : {57312, -57313, 1 << 26, -(1 << 26)}) {
             LineChange steep{};
             steep.*down = too_steep;
-            CHECK_FALSE(PairRows::can_follow(still, steep, kPixels));
+            CHECK_FALSE(BothSidesScanlines::can_follow(still, steep, kPixels));
         }
     }
     for (int32_t LineChange::*down : {&LineChange::du_q16, &LineChange::dv_q16}) {
         for (const int32_t too_bent : {3584, -3584, 1 << 20, -(1 << 20)}) {
             LineChange bent{};
             bent.*down = too_bent;
-            CHECK_FALSE(PairRows::can_follow(still, bent, kPixels));
+            CHECK_FALSE(BothSidesScanlines::can_follow(still, bent, kPixels));
         }
     }
 }
