@@ -43,8 +43,7 @@ struct Lessons {
     Trial test;
 };
 
-// Traces the references that the cache does not hold, and draws their views. Throws Cancelled; references traced so far
-// stay.
+// Traces the references that the cache does not hold, and draws their views. Throws Cancelled; those traced stay.
 Lessons lessons_of(const tools::FieldFile& field, const baker::Scene& scene, const LessonSettings& settings,
                    const baker::ProgressCallback& progress);
 
