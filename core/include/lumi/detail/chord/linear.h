@@ -27,7 +27,7 @@ void draw_both_sides(const CellPiece<Background>& span, const TileScanlines* til
         DoubleWord<uint8_t*> pixels = {scanlines.pixels(),
                                        scanlines.pixels() + static_cast<uint32_t>(span.length) * Pixel::kBytes};
         for (bool is_last = false; !is_last;) {
-            const Sum sum = NineTaps<Sum>::sum(field, both.template taps<Sum>());
+            const Sum sum = sum_of<Sum>(field, both.template taps<Sum>());
             const DoubleWord<uint8_t*> at = reload(pixels);
             sum.template store<Pixel>(span.background, at.a);
             pixels.a = at.a + Pixel::kBytes;
