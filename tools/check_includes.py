@@ -45,7 +45,7 @@ core/src/surface
 core/src/view
 
 platform/host
-platform/reference
+platform/twin
 platform/mps2
 platform/bench
 platform/bare

@@ -48,7 +48,7 @@ soak() {
   local seed
   : >"$work/$1.txt"
   for ((seed = 1; SECONDS < end; ++seed)); do
-    cmake -D CPU="$1" -D KERNEL="$root/build/$1/tests/cross/lumi_soak.elf" -D "ARGUMENTS=$seed;$frames" \
+    cmake -D CPU="$1" -D PROGRAM="$root/build/$1/tests/cross/lumi_soak.elf" -D "ARGUMENTS=$seed;$frames" \
       -D "FIELDS=$work/surface.lumi;$work/chord.lumi" -P "$root/platform/mps2/run.cmake" >>"$work/$1.txt" ||
       die "$1, seed $seed: $(tail -n 1 "$work/$1.txt")"
   done

@@ -16,12 +16,12 @@ set(LUMI_MPS2_PSRAM_an386 0x21000000)
 set(LUMI_MPS2_PSRAM_an500 0x60000000)
 set(LUMI_MPS2_PSRAM_an505 0x80000000)
 
-# lumi_mps2_command(OUT CPU cpu KERNEL file [ARGUMENTS a...] [FIELDS file...] [COUNT_INSTRUCTIONS])
+# lumi_mps2_command(OUT CPU cpu PROGRAM file [ARGUMENTS a...] [FIELDS file...] [COUNT_INSTRUCTIONS])
 # The command, as a list, that runs a program. Its semihosting output goes to standard output through a channel of its
 # own (QEMU would send it to standard error). Fields are loaded into PSRAM, one after every MiB.
 # COUNT_INSTRUCTIONS: one virtual nanosecond an instruction, so that SysTick counts them; slower.
 function(lumi_mps2_command out)
-  cmake_parse_arguments(PARSE_ARGV 1 run "COUNT_INSTRUCTIONS" "CPU;KERNEL" "ARGUMENTS;FIELDS")
+  cmake_parse_arguments(PARSE_ARGV 1 run "COUNT_INSTRUCTIONS" "CPU;PROGRAM" "ARGUMENTS;FIELDS")
   set(board ${LUMI_MPS2_BOARD_${run_CPU}})
   set(semihosting enable=on,target=native,chardev=console,arg=program)
   foreach(argument IN LISTS run_ARGUMENTS)
@@ -39,5 +39,5 @@ function(lumi_mps2_command out)
     list(APPEND command -device loader,file=${field},addr=${address},force-raw=on)
     math(EXPR address "${address} + 0x100000" OUTPUT_FORMAT HEXADECIMAL)
   endforeach()
-  set(${out} ${command} -kernel ${run_KERNEL} PARENT_SCOPE)
+  set(${out} ${command} -kernel ${run_PROGRAM} PARENT_SCOPE)
 endfunction()

@@ -58,7 +58,7 @@ private:
         const size_t choice = static_cast<size_t>(uniform(0, 10));
         if (choice < 5) return axes[choice];
         const double z = uniform(-1, 1);
-        const double angle = uniform(0, 2 * reference::kPi);
+        const double angle = uniform(0, 2 * twin::kPi);
         const double r = std::sqrt(1 - z * z);
         return 1.000002 * Vec3{r * std::cos(angle), r * std::sin(angle), z};
     }
@@ -66,8 +66,8 @@ private:
     // Where a ray from the eye touches the sphere.
     Vec3 rim_of(const Vec3& eye, double distance)
     {
-        const Vec3 up = reference::normalised(eye);
-        const Vec3 side = reference::normalised(cross(up, std::fabs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+        const Vec3 up = twin::normalised(eye);
+        const Vec3 side = twin::normalised(cross(up, std::fabs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
         const double s = 1 / (distance * 1.0001);
         return s * up + std::sqrt(1 - s * s) * side;
     }

@@ -5,43 +5,43 @@
 #include <catch2/catch.hpp>
 
 #include "field_bytes.h"
-#include "lumi/reference/picture.h"
-#include "reference.h"
+#include "lumi/twin/picture.h"
 #include "report.h"
+#include "twin.h"
 #include "views.h"
 
 using namespace lumi;
 using namespace lumi::test;
 using format::TexelFormat;
-using reference::Colour;
-using reference::decoded;
-using reference::Hits;
-using reference::Weights;
+using twin::Colour;
+using twin::decoded;
+using twin::Hits;
+using twin::Weights;
 
 namespace
 {
 
 // `nudge` is how far rounding may move a hit in effect: for nearest, by the stated tolerance of the inverse map.
-struct NearestReference {
+struct NearestTwin {
     using Device = Nearest;
     static constexpr const char* kName = "nearest";
-    static double nudge(size_t n) { return reference::spacing(static_cast<uint32_t>(n)) / 512; }
-    static Weights weights(const std::vector<Vec3>& all, const Vec3& q) { return reference::nearest_weights(all, q); }
+    static double nudge(size_t n) { return twin::spacing(static_cast<uint32_t>(n)) / 512; }
+    static Weights weights(const std::vector<Vec3>& all, const Vec3& q) { return twin::nearest_weights(all, q); }
 };
 
-struct LinearReference {
+struct LinearTwin {
     using Device = Linear;
     static constexpr const char* kName = "linear";
     static double nudge(size_t) { return 2e-6; }
-    static Weights weights(const std::vector<Vec3>& all, const Vec3& q) { return reference::linear_weights(all, q); }
+    static Weights weights(const std::vector<Vec3>& all, const Vec3& q) { return twin::linear_weights(all, q); }
 };
 
 template <uint32_t K>
-struct PaperReference {
+struct PaperTwin {
     using Device = Paper<K>;
     static constexpr const char* kName = "paper";
     static double nudge(size_t) { return 2e-6; }
-    static Weights weights(const std::vector<Vec3>& all, const Vec3& q) { return reference::paper_weights(all, q, K); }
+    static Weights weights(const std::vector<Vec3>& all, const Vec3& q) { return twin::paper_weights(all, q, K); }
 };
 
 // ---- The renderer in double precision. ----
@@ -52,9 +52,7 @@ struct Scene {
     std::vector<Vec3> origins, directions;
 
     explicit Scene(const TestLayout& layout)
-        : bytes(make(layout)),
-          origins(reference::points(layout.origins)),
-          directions(reference::points(layout.directions))
+        : bytes(make(layout)), origins(twin::points(layout.origins)), directions(twin::points(layout.directions))
     {
         REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
     }
@@ -63,8 +61,8 @@ struct Scene {
     static Bytes make(const TestLayout& layout)
     {
         const auto texel = [&](uint32_t i, uint32_t k) {
-            const Vec3 o = reference::point(layout.origins, i);
-            const Vec3 d = reference::point(layout.directions, std::min(k / 3, layout.directions - 1));
+            const Vec3 o = twin::point(layout.origins, i);
+            const Vec3 d = twin::point(layout.directions, std::min(k / 3, layout.directions - 1));
             if (d.z > 0.8) return uint8_t{0};
             const double channel[3] = {0.5 + 0.5 * d.x * o.y, 0.5 + 0.5 * d.y, 0.5 + 0.5 * d.z * o.x};
             return static_cast<uint8_t>(1 + 254 * channel[k % 3]);
@@ -84,25 +82,24 @@ double difference(const Colour& a, const uint8_t* b)
 Hits nudged(const Hits& hit, int direction, double front_by, double back_by)
 {
     if (direction == 0) return hit;
-    const double angle = direction * reference::kPi / 4;
+    const double angle = direction * twin::kPi / 4;
     const auto nudge = [&](const Vec3& h, double by) {
-        const Vec3 side = reference::normalised(test::cross(h, std::fabs(h.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+        const Vec3 side = twin::normalised(test::cross(h, std::fabs(h.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
         const Vec3 other = test::cross(h, side);
         return h + (by * std::cos(angle)) * side + (by * std::sin(angle)) * other;
     };
     return {nudge(hit.front, front_by), nudge(hit.back, back_by)};
 }
 
-// A pixel lies on a border of the reconstruction if nudging its hits changes the reference by more than rounding.
-template <class Reference>
+// A pixel lies on a border of the reconstruction if nudging its hits changes the twin by more than rounding.
+template <class Twin>
 double pixel_error(const Scene& scene, const Hits& hit, const uint8_t* drawn)
 {
     double best = 1e9;
     for (int nudge = 0; nudge <= 8 && best > 1.5; ++nudge) {
-        const Hits moved =
-            nudged(hit, nudge, Reference::nudge(scene.origins.size()), Reference::nudge(scene.directions.size()));
-        const Colour truth = reference::blended(scene.field, Reference::weights(scene.origins, moved.front),
-                                                Reference::weights(scene.directions, moved.back), kBackground);
+        const Hits moved = nudged(hit, nudge, Twin::nudge(scene.origins.size()), Twin::nudge(scene.directions.size()));
+        const Colour truth = twin::blended(scene.field, Twin::weights(scene.origins, moved.front),
+                                           Twin::weights(scene.directions, moved.back), kBackground);
         best = std::min(best, difference(truth, drawn));
     }
     return best;
@@ -114,7 +111,7 @@ struct Errors {
     Worst worst;
 };
 
-template <class Reference>
+template <class Twin>
 Errors compare(const Scene& scene, const View& view)
 {
     Camera camera;
@@ -123,8 +120,8 @@ Errors compare(const Scene& scene, const View& view)
     const uint32_t height = static_cast<uint32_t>(view.image.height_px);
     std::vector<uint8_t> drawn(width * height * 3);
     const Stripe stripe = {drawn.data(), 0, 0, view.image.width_px, view.image.height_px, width * 3};
-    REQUIRE(render<typename Reference::Device, TexelRgb888, PixelRgb888>(scene.field, camera, OverColour{kBackground},
-                                                                         stripe) == RenderError::none);
+    REQUIRE(render<typename Twin::Device, TexelRgb888, PixelRgb888>(scene.field, camera, OverColour{kBackground},
+                                                                    stripe) == RenderError::none);
     Errors errors;
     for (uint32_t k = 0; k < width * height; ++k) {
         SphereRay ray;
@@ -134,7 +131,7 @@ Errors compare(const Scene& scene, const View& view)
             continue;
         }
         const SphereHits hit = hits(camera, ray);
-        const double e = pixel_error<Reference>(scene, {decoded(hit.front), decoded(hit.back)}, pixel);
+        const double e = pixel_error<Twin>(scene, {decoded(hit.front), decoded(hit.back)}, pixel);
         errors.sum += e;
         errors.pixels += 1;
         errors.worst.see(e, k);
@@ -153,8 +150,8 @@ const std::vector<std::pair<uint32_t, uint32_t>> kSmallLattices = {
     {3, 1}, {3, 2}, {3, 3}, {3, 200}, {200, 1}, {200, 2}, {200, 3}, {200, 200}};
 #endif
 
-template <class Reference>
-void check_against_reference()
+template <class Twin>
+void check_against_twin()
 {
     TestLayout layout;
     layout.origins = 150;
@@ -162,8 +159,8 @@ void check_against_reference()
     layout.directions = 260;
     const Scene scene(layout);
     for (const View& view : extreme_views(kSide)) {
-        const Errors errors = compare<Reference>(scene, view);
-        errors.worst.report((std::string(Reference::kName) + ", " + view.name + ", levels; mean " +
+        const Errors errors = compare<Twin>(scene, view);
+        errors.worst.report((std::string(Twin::kName) + ", " + view.name + ", levels; mean " +
                              std::to_string(errors.pixels != 0 ? errors.sum / errors.pixels : 0))
                                 .c_str());
         INFO(view.name);
@@ -176,20 +173,20 @@ void check_against_reference()
 
 TEST_CASE("nearest agrees with the double-precision renderer at every extreme", "[render]")
 {
-    check_against_reference<NearestReference>();
+    check_against_twin<NearestTwin>();
 }
 
 TEST_CASE("linear agrees with the double-precision renderer at every extreme", "[render]")
 {
-    check_against_reference<LinearReference>();
+    check_against_twin<LinearTwin>();
 }
 
 TEST_CASE("the paper's kernel agrees with the double-precision renderer at every extreme", "[render]")
 {
-    check_against_reference<PaperReference<5>>();
+    check_against_twin<PaperTwin<5>>();
 }
 
-TEST_CASE("lattices of 1, 2 and 3 points are drawn like the reference", "[render]")
+TEST_CASE("lattices of 1, 2 and 3 points are drawn like the twin", "[render]")
 {
     for (const auto& [origins, directions] : kSmallLattices) {
         TestLayout layout;
@@ -198,9 +195,9 @@ TEST_CASE("lattices of 1, 2 and 3 points are drawn like the reference", "[render
         const Scene scene(layout);
         for (const View& view : extreme_views(7)) {
             INFO(view.name << " M " << layout.origins << " N " << layout.directions);
-            CHECK(compare<NearestReference>(scene, view).worst.error < 3.0);
-            CHECK(compare<LinearReference>(scene, view).worst.error < 3.0);
-            CHECK(compare<PaperReference<9>>(scene, view).worst.error < 3.0);
+            CHECK(compare<NearestTwin>(scene, view).worst.error < 3.0);
+            CHECK(compare<LinearTwin>(scene, view).worst.error < 3.0);
+            CHECK(compare<PaperTwin<9>>(scene, view).worst.error < 3.0);
         }
     }
 }
@@ -214,7 +211,7 @@ TEST_CASE("origins outside the cap are transparent", "[render]")
     const Scene scene(layout);
     for (const View& view : extreme_views(kCapSide)) {
         INFO(view.name);
-        CHECK(compare<LinearReference>(scene, view).worst.error < 3.0);
+        CHECK(compare<LinearTwin>(scene, view).worst.error < 3.0);
     }
 }
 

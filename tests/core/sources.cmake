@@ -13,7 +13,7 @@ set(LUMI_CORE_TEST_SOURCES
   chord/linear_test.cpp
   chord/nine_taps_test.cpp
   chord/one_tap_test.cpp
-  chord/pairs_test.cpp
+  chord/both_sides_test.cpp
   chord/range_test.cpp
   chord/reads_test.cpp
   chord/render_spans_test.cpp

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "lumi/camera.h"
-#include "reference.h"
+#include "twin.h"
 
 namespace lumi::test
 {
 
-using reference::Vec3;
+using twin::Vec3;
 
 inline Vec3 cross(const Vec3& a, const Vec3& b)
 {
@@ -27,17 +27,17 @@ inline uint32_t degrees(double d)
 // An eye that looks at a target, turned by `roll` degrees around its axis.
 inline Pose look_at(const Vec3& eye, const Vec3& target, double roll = 0)
 {
-    const Vec3 forward = reference::normalised(target - eye);
+    const Vec3 forward = twin::normalised(target - eye);
     const Vec3 helper = std::fabs(forward.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-    const Vec3 level = reference::normalised(cross(forward, helper));
+    const Vec3 level = twin::normalised(cross(forward, helper));
     const Vec3 upright = cross(level, forward);
-    const double c = std::cos(roll * reference::kPi / 180);
-    const double s = std::sin(roll * reference::kPi / 180);
+    const double c = std::cos(roll * twin::kPi / 180);
+    const double s = std::sin(roll * twin::kPi / 180);
     const auto q20 = [](double v) { return static_cast<int32_t>(std::lround(v * kOneQ20)); };
     return {{q20(eye.x), q20(eye.y), q20(eye.z)},
-            reference::encoded(c * level + s * upright),
-            reference::encoded(c * upright + (-s) * level),
-            reference::encoded(forward)};
+            twin::encoded(c * level + s * upright),
+            twin::encoded(c * upright + (-s) * level),
+            twin::encoded(forward)};
 }
 
 struct View {
@@ -51,8 +51,8 @@ inline std::vector<View> extreme_views(int32_t side)
 {
     const Vec3 centre = {0, 0, 0};
     const Vec3 a = {1.9, -1.1, 1.3};
-    const Vec3 close = 1.01 * reference::normalised({0.3, 0.8, -0.5});
-    const Vec3 far = 1000.0 * reference::normalised({-0.2, 0.6, 0.7});
+    const Vec3 close = 1.01 * twin::normalised({0.3, 0.8, -0.5});
+    const Vec3 far = 1000.0 * twin::normalised({-0.2, 0.6, 0.7});
     return {
         {"generic", look_at(a, centre, 20), {side, side, degrees(45)}},
         {"down the pole", look_at({0, 0, 2.6}, centre), {side, side, degrees(46)}},
@@ -84,7 +84,7 @@ inline View random_view(std::minstd_rand& random, int32_t side)
         return low + (high - low) * std::generate_canonical<double, 32>(random);
     };
     const double z = uniform(-1, 1);
-    const double angle = uniform(0, 2 * reference::kPi);
+    const double angle = uniform(0, 2 * twin::kPi);
     const double distance = 1.01 + std::pow(uniform(0, 1), 3) * 6;
     const double r = std::sqrt(1 - z * z);
     const Vec3 eye = distance * Vec3{r * std::cos(angle), r * std::sin(angle), z};

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# cmake -D HOST=lumi_frame_crcs -D BOARDS=boards.cmake -D CPU=cpu -D KERNEL=elf -D FIELDS="f;f;f;f;f" -D FRAMES=count
+# cmake -D HOST=lumi_frame_crcs -D BOARDS=boards.cmake -D CPU=cpu -D PROGRAM=elf -D FIELDS="f;f;f;f;f" -D FRAMES=count
 #       -P compare_frames.cmake
 # Passes if the program on the emulated board writes the very lines that the host program writes.
 cmake_minimum_required(VERSION 3.25)
 include(${BOARDS})
-lumi_mps2_command(emulator CPU ${CPU} KERNEL ${KERNEL} FIELDS ${FIELDS})
+lumi_mps2_command(emulator CPU ${CPU} PROGRAM ${PROGRAM} FIELDS ${FIELDS})
 
 execute_process(COMMAND ${HOST} ${FIELDS} OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${emulator} OUTPUT_VARIABLE found RESULT_VARIABLE code)

@@ -37,7 +37,7 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   set(lumi_cpu_tests)
   if(LUMI_TEST_ALL OR cpu IN_LIST LUMI_UNIT_TEST_CPUS)
     add_test(NAME ${cpu}.core_tests
-      COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_core_tests.elf
+      COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D PROGRAM=${lumi_cross}/tests/cross/lumi_core_tests.elf
         -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
     set_tests_properties(${cpu}.core_tests PROPERTIES COST 900)  # the longest of all, in one thread
     list(APPEND lumi_cpu_tests ${cpu}.core_tests)
@@ -49,34 +49,34 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
       list(GET pair 0 kind)
       list(GET pair 1 other)
       add_test(NAME ${cpu}.bad_input_${kind}
-        COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_bad_${kind}.elf
+        COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D PROGRAM=${lumi_cross}/tests/cross/lumi_bad_${kind}.elf
           -D "FIELDS=${${kind}};${${other}}" -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
       list(APPEND lumi_cpu_tests ${cpu}.bad_input_${kind})
     endforeach()
     # A read behind the guarded memory faults.
     add_test(NAME ${cpu}.wild_read_faults
-      COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D ARGUMENTS=wild -D KERNEL=${lumi_cross}/tests/cross/lumi_bad_chord.elf
+      COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D ARGUMENTS=wild -D PROGRAM=${lumi_cross}/tests/cross/lumi_bad_chord.elf
         -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
     set_tests_properties(${cpu}.wild_read_faults PROPERTIES PASS_REGULAR_EXPRESSION "fault: .*ended with 70")
     list(APPEND lumi_cpu_tests ${cpu}.wild_read_faults)
   endif()
   add_test(NAME ${cpu}.board
-    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_cross}/tests/cross/lumi_board_test.elf
+    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D PROGRAM=${lumi_cross}/tests/cross/lumi_board_test.elf
       -D COUNT_INSTRUCTIONS=ON -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
   add_test(NAME ${cpu}.refuses_missing_fields
-    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf
+    COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D PROGRAM=${lumi_firmware}/lumi_frame_crcs_firmware.elf
       -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
   set_tests_properties(${cpu}.refuses_missing_fields PROPERTIES
     PASS_REGULAR_EXPRESSION "^error: .*\n.*ended with 1")
   add_test(NAME ${cpu}.frame_crcs
     COMMAND ${CMAKE_COMMAND} -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D BOARDS=${lumi_boards} -D CPU=${cpu}
-      -D KERNEL=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}" -D FRAMES=${lumi_frames}
+      -D PROGRAM=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}" -D FRAMES=${lumi_frames}
       -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_frames.cmake)
   list(APPEND lumi_cpu_tests ${cpu}.board ${cpu}.refuses_missing_fields ${cpu}.frame_crcs)
   foreach(mode nearest linear paper)
     add_test(NAME ${cpu}.demo_${mode}
       COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
-        -D KERNEL=${lumi_firmware}/lumi_demo_firmware.elf -D MODE=${mode} -D STACK_LIMIT=${LUMI_STACK_LIMIT}
+        -D PROGRAM=${lumi_firmware}/lumi_demo_firmware.elf -D MODE=${mode} -D STACK_LIMIT=${LUMI_STACK_LIMIT}
         -D PICTURE=${CMAKE_CURRENT_BINARY_DIR}/${cpu}-${mode}
         -P ${CMAKE_CURRENT_SOURCE_DIR}/demo_frame.cmake)
     list(APPEND lumi_cpu_tests ${cpu}.demo_${mode})
@@ -110,7 +110,7 @@ endforeach()
 # What an M0+ would not survive is not survived on the board that stands for it.
 add_test(NAME cortex-m0plus.unaligned_read_faults
   COMMAND ${CMAKE_COMMAND} -D CPU=cortex-m0plus -D ARGUMENTS=unaligned
-    -D KERNEL=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross/lumi_board_test.elf
+    -D PROGRAM=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross/lumi_board_test.elf
     -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
 set_tests_properties(cortex-m0plus.unaligned_read_faults PROPERTIES FIXTURES_REQUIRED lumi_built_cortex-m0plus
   PASS_REGULAR_EXPRESSION "fault: .*ended with 70")

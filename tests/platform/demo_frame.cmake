@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# cmake -D BOARDS=boards.cmake -D CPU=cpu -D KERNEL=elf -D MODE=mode -D STACK_LIMIT=bytes -D PICTURE=prefix
+# cmake -D BOARDS=boards.cmake -D CPU=cpu -D PROGRAM=elf -D MODE=mode -D STACK_LIMIT=bytes -D PICTURE=prefix
 #       -P demo_frame.cmake
 # Draws one frame with lumi_demo_firmware, whose field is linked in. Passes if it reports instructions and a picture,
 # and if the stack stayed below the limit.
 cmake_minimum_required(VERSION 3.25)
 include(${BOARDS})
-lumi_mps2_command(emulator COUNT_INSTRUCTIONS CPU ${CPU} KERNEL ${KERNEL}
+lumi_mps2_command(emulator COUNT_INSTRUCTIONS CPU ${CPU} PROGRAM ${PROGRAM}
   ARGUMENTS --frames 1 --verify --mode ${MODE} --write ${PICTURE})
 file(REMOVE ${PICTURE}-000.ppm)
 execute_process(COMMAND ${emulator} OUTPUT_VARIABLE report RESULT_VARIABLE code)

@@ -20,7 +20,7 @@ namespace
 
 constexpr int kViews = 3, kRepeats = 3;  // the quickest repeat counts: interruptions only slow down
 constexpr double kDistance = 3, kEyeDistance = kDistance / 30;
-constexpr int kStripeRows = 16;
+constexpr int kStripeHeight = 16;
 
 // A texel policy that computes where a texel lies and does not read it: its colour is made of the address.
 struct Unread : TexelRgb565 {
@@ -60,8 +60,8 @@ template <class Reconstruction, class Texel>
 void draw_frame(const Field& field, const Camera& camera, int span_px, std::vector<uint8_t>& pixels)
 {
     const uint32_t stride = static_cast<uint32_t>(camera.width_px()) * PixelRgb888::kBytes;
-    for (int y = 0; y < camera.height_px(); y += kStripeRows) {
-        const Stripe stripe = {pixels.data(), 0, y, camera.width_px(), std::min(kStripeRows, camera.height_px() - y),
+    for (int y = 0; y < camera.height_px(); y += kStripeHeight) {
+        const Stripe stripe = {pixels.data(), 0, y, camera.width_px(), std::min(kStripeHeight, camera.height_px() - y),
                                stride};
         RenderError error = RenderError::none;
         if (span_px == 0)
@@ -76,7 +76,7 @@ void draw_frame(const Field& field, const Camera& camera, int span_px, std::vect
 template <class Reconstruction, class Texel>
 double frame_seconds(const Field& field, const std::vector<Camera>& cameras, int span_px)
 {
-    std::vector<uint8_t> pixels(static_cast<size_t>(cameras[0].width_px()) * PixelRgb888::kBytes * kStripeRows);
+    std::vector<uint8_t> pixels(static_cast<size_t>(cameras[0].width_px()) * PixelRgb888::kBytes * kStripeHeight);
     double best = 1e30;
     for (int repeat = 0; repeat < kRepeats; ++repeat) {
         const double begin = processor_seconds();
@@ -87,16 +87,17 @@ double frame_seconds(const Field& field, const std::vector<Camera>& cameras, int
 }
 
 template <class Exact, class OnSpans>
-void add_rows(const char* mode, const Field& field, const std::vector<Camera>& cameras, nlohmann::ordered_json& rows)
+void add_results(const char* mode, const Field& field, const std::vector<Camera>& cameras,
+                 nlohmann::ordered_json& results)
 {
     const double read = frame_seconds<Exact, TexelRgb565>(field, cameras, 0);
     const double unread = frame_seconds<Exact, Unread>(field, cameras, 0);
-    rows.push_back({{"mode", mode}, {"span", 0}, {"frame_ms", 1e3 * read}, {"unread_frame_ms", 1e3 * unread}});
+    results.push_back({{"mode", mode}, {"span", 0}, {"frame_ms", 1e3 * read}, {"unread_frame_ms", 1e3 * unread}});
     if (!fits_spans(field)) return;
     for (const int span : {8, 16})
-        rows.push_back({{"mode", mode},
-                        {"span", span},
-                        {"frame_ms", 1e3 * frame_seconds<OnSpans, TexelRgb565>(field, cameras, span)}});
+        results.push_back({{"mode", mode},
+                           {"span", span},
+                           {"frame_ms", 1e3 * frame_seconds<OnSpans, TexelRgb565>(field, cameras, span)}});
 }
 
 }  // namespace
@@ -108,12 +109,12 @@ void print_drawing(const std::string& path, int width_px, int height_px)
     if (file.is_surface() || file.field().texel_format != format::TexelFormat::rgb565)
         throw std::runtime_error(path + ": is no chord field of RGB565 texels; bake it with --texel rgb565");
     const std::vector<Camera> cameras = eyes_of(width_px, height_px);
-    nlohmann::ordered_json rows;
-    add_rows<Nearest, Nearest>("nearest", file.field(), cameras, rows);
-    add_rows<Linear, Linear>("linear", file.field(), cameras, rows);
-    add_rows<Paper<5>, Paper<5>>("paper5", file.field(), cameras, rows);
-    add_rows<Paper<9>, Paper<5>>("paper9", file.field(), cameras, rows);
-    std::printf("%s\n", rows.dump(1).c_str());
+    nlohmann::ordered_json results;
+    add_results<Nearest, Nearest>("nearest", file.field(), cameras, results);
+    add_results<Linear, Linear>("linear", file.field(), cameras, results);
+    add_results<Paper<5>, Paper<5>>("paper5", file.field(), cameras, results);
+    add_results<Paper<9>, Paper<5>>("paper9", file.field(), cameras, results);
+    std::printf("%s\n", results.dump(1).c_str());
 }
 
 }  // namespace lumi::tools::bench

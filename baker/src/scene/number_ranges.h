@@ -2,7 +2,7 @@
 // Ranges of numbers that several readers of scene files share.
 #pragma once
 
-#include "util/json_fields.h"
+#include "util/json_members.h"
 
 namespace lumi::baker
 {

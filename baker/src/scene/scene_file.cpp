@@ -5,15 +5,15 @@
 #include <map>
 #include <string_view>
 
-#include "scene/iso_fields.h"
-#include "scene/light_fields.h"
-#include "scene/material_fields.h"
+#include "scene/iso_members.h"
+#include "scene/light_members.h"
+#include "scene/material_members.h"
 #include "scene/materials.h"
 #include "scene/number_ranges.h"
 #include "scene/obj_reader.h"
-#include "scene/placement_fields.h"
-#include "scene/volume_fields.h"
-#include "util/json_fields.h"
+#include "scene/placement_members.h"
+#include "scene/volume_members.h"
+#include "util/json_members.h"
 
 namespace lumi::baker
 {
@@ -55,20 +55,20 @@ private:
 
     void read_object(const JsonValue& value)
     {
-        JsonFields fields(name_, value, "an object");
-        const Placement placement = read_placement(fields);
-        SceneParts parts = fields.find("volume") ? read_iso_object(file_, fields) : read_obj_object(fields);
-        fields.finish();
+        JsonMembers members(name_, value, "an object");
+        const Placement placement = read_placement(members);
+        SceneParts parts = members.find("volume") ? read_iso_object(file_, members) : read_obj_object(members);
+        members.finish();
         place(placement, parts.mesh);
         append(parts_, std::move(parts));
     }
 
-    SceneParts read_obj_object(JsonFields& fields)
+    SceneParts read_obj_object(JsonMembers& members)
     {
-        const JsonValue& obj = fields.require("obj");
-        const std::filesystem::path path = find_beside(file_, fields.text_of(obj, "obj"));
+        const JsonValue& obj = members.require("obj");
+        const std::filesystem::path path = find_beside(file_, members.text_of(obj, "obj"));
         if (path.empty())
-            fields.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
+            members.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
         return read_obj(path, warnings_);
     }
 
@@ -81,12 +81,12 @@ private:
     {
         const JsonValue* value = scene_.find("materials");
         if (!value) return;
-        JsonFields(name_, *value, "'materials'");
+        JsonMembers(name_, *value, "'materials'");
         std::multimap<std::string_view, Material*> by_name;
         for (Material& material : parts_.materials) by_name.emplace(material.name, &material);
         for (const auto& [material_name, changes] : value->members) {
             const auto [first, last] = by_name.equal_range(material_name);
-            for (auto found = first; found != last; ++found) apply_material_fields(name_, changes, *found->second);
+            for (auto found = first; found != last; ++found) apply_material_members(name_, changes, *found->second);
             if (first == last)
                 scene_.fail(changes, "no object has a material '" + material_name + "'; choose among: " + names());
         }
@@ -104,13 +104,13 @@ private:
     {
         const JsonValue* value = scene_.find("ground");
         if (!value) return;
-        JsonFields fields(name_, *value, "the ground");
-        const Disc disc = read_disc(fields);
+        JsonMembers members(name_, *value, "the ground");
+        const Disc disc = read_disc(members);
         Material material;
         material.name = "ground";
         material.finish();
-        if (const JsonValue* changes = fields.find("material")) apply_material_fields(name_, *changes, material);
-        fields.finish();
+        if (const JsonValue* changes = members.find("material")) apply_material_members(name_, *changes, material);
+        members.finish();
         append_disc(parts_, disc, up_, material);
     }
 
@@ -119,13 +119,13 @@ private:
         const JsonValue* value = scene_.find("catcher");
         if (!value) return;
         if (scene_.find("ground")) scene_.fail(*value, "a scene has a 'ground' or a 'catcher'; remove one of them");
-        JsonFields fields(name_, *value, "the catcher");
-        parts_.catcher = read_disc(fields);
-        fields.finish();
+        JsonMembers members(name_, *value, "the catcher");
+        parts_.catcher = read_disc(members);
+        members.finish();
     }
 
     // Under the lowest point of objects and volume, unless told otherwise.
-    Disc read_disc(JsonFields& fields) const
+    Disc read_disc(JsonMembers& members) const
     {
         Disc disc = {};
         float& height = up_ == UpAxis::y ? disc.centre.y : disc.centre.z;
@@ -138,8 +138,8 @@ private:
         }
         for (const Vec3& p : parts_.volume ? corners_of(*parts_.volume) : std::vector<Vec3>())
             height = std::min(height, up_ == UpAxis::y ? p.y : p.z);
-        fields.number("height", kPlace, height);
-        disc.radius = static_cast<float>(fields.number_of(fields.require("radius"), "radius", kLength));
+        members.number("height", kPlace, height);
+        disc.radius = static_cast<float>(members.number_of(members.require("radius"), "radius", kLength));
         return disc;
     }
 
@@ -164,17 +164,17 @@ private:
     {
         const JsonValue* value = scene_.find("sphere");
         if (!value) return;
-        JsonFields fields(name_, *value, "the sphere");
-        const Vec3 c = fields.vector_of(fields.require("centre"), "centre", kPlace);
-        const double radius = fields.number_of(fields.require("radius"), "radius", kLength);
-        fields.finish();
+        JsonMembers members(name_, *value, "the sphere");
+        const Vec3 c = members.vector_of(members.require("centre"), "centre", kPlace);
+        const double radius = members.number_of(members.require("radius"), "radius", kLength);
+        members.finish();
         parts_.sphere =
             BoundingSphere{{static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)}, radius};
     }
 
     const std::filesystem::path& file_;
     std::string name_;
-    JsonFields scene_;
+    JsonMembers scene_;
     std::vector<std::string>& warnings_;
     UpAxis up_ = UpAxis::y;
     SceneParts parts_;

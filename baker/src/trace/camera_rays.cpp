@@ -13,7 +13,7 @@ constexpr double kUnitQ40 = 0x1p-40;
 
 CameraRays::Affine CameraRays::decoded(const AffineQ40& q)
 {
-    return {static_cast<double>(q.at_origin) * kUnitQ40, static_cast<double>(q.step_x) * kUnitQ40,
+    return {static_cast<double>(q.at_first) * kUnitQ40, static_cast<double>(q.step_x) * kUnitQ40,
             static_cast<double>(q.step_y) * kUnitQ40};
 }
 

@@ -26,8 +26,8 @@ private:
 
     // A linear function of the pixel, at the centre of pixel (0,0) and per step.
     struct Affine {
-        double at_origin, step_x, step_y;
-        double at(double sx, double sy) const { return at_origin + sx * step_x + sy * step_y; }
+        double at_first, step_x, step_y;
+        double at(double sx, double sy) const { return at_first + sx * step_x + sy * step_y; }
     };
     static Affine decoded(const AffineQ40& q);
 

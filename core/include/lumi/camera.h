@@ -52,10 +52,10 @@ Pose moved_right(const Pose& pose, int32_t offset_q20);
 
 // A quantity that is affine in the pixel, Q40.
 struct AffineQ40 {
-    int64_t at_origin;  // at the centre of pixel (0, 0)
+    int64_t at_first;  // at the centre of pixel (0, 0)
     int64_t step_x, step_y;
 
-    int64_t at(int32_t x, int32_t y) const { return at_origin + x * step_x + y * step_y; }
+    int64_t at(int32_t x, int32_t y) const { return at_first + x * step_x + y * step_y; }
 };
 
 // The sphere's outline as a quadratic polynomial of the pixel, f = constant + x·(x1 + x·x2 + y·xy) + y·(y1 + y·y2),
@@ -111,8 +111,8 @@ CameraError check_view(const Pose& pose, const Image& image);
 // Fills `out`, which stays untouched on failure.
 CameraError make_camera(const Pose& pose, const Image& image, Camera& out);
 
-// The camera whose rows are every other row of `camera`'s image: row y is row 2·y + parity. Its stripes go to every
-// other row of the display. Where the image is one row high, parity 1 has none: nothing is drawn.
+// The camera whose scanlines are every other one of `camera`'s image: scanline y is that of 2·y + parity. Its stripes
+// go to every other scanline of the display. Where the image is one scanline high, parity 1 has none: nothing is drawn.
 Camera interlaced_half(const Camera& camera, int32_t parity);
 
 }  // namespace lumi

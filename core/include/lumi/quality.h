@@ -21,14 +21,14 @@ namespace lumi
 struct FrameQuality {
     bool draws;       // false: the finest picture is on the display already
     bool one_tap;     // Dither or Nearest in place of the product's reconstruction
-    bool interlaced;  // the rows of `parity` alone, see interlaced_half()
+    bool interlaced;  // the scanlines of `parity` alone, see interlaced_half()
     int32_t parity;   // 0 or 1, alternating from frame to frame
     int32_t span_px;  // for render_spans(); 1: for render(), the exact one
 };
 
 // The steps, coarse to fine; each costs more than the one before.
 enum class QualityStep : uint8_t {
-    one_tap_interlaced,  // one tap, spans of 16, every other row
+    one_tap_interlaced,  // one tap, spans of 16, every other scanline
     one_tap,             // one tap, spans of 16
     spans16,             // the product's reconstruction
     spans8,

@@ -28,7 +28,7 @@ enum class [[nodiscard]] RenderError : uint8_t{
     unfit_for_spans,     // render_spans() only: see fits_spans(); render() draws this field
 };
 
-// Draws one row of covered pixels, every pixel evaluated exactly. `pixels` is where pixel extent.begin lies.
+// Draws one scanline of covered pixels, every pixel evaluated exactly. `pixels` is where pixel extent.begin lies.
 template <class Reconstruction, class Texel, class Pixel, class Background>
 void draw_exact(const Field& field, const Camera& camera, const Background& background, const Extent& extent, int32_t y,
                 uint8_t* pixels)
@@ -57,8 +57,8 @@ void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
     }
 }
 
-// Writes the background on both sides of a row's covered extent, where the background is of the kind that fills: never
-// beside the stripe, wherever the extent lies.
+// Writes the background on both sides of a scanline's covered extent, where the background is of the kind that fills:
+// never beside the stripe, wherever the extent lies.
 template <class Pixel, class Background>
 void fill_beside(const Background& background, const Stripe& stripe, const Extent& extent, int32_t y)
 {

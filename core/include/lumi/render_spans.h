@@ -31,13 +31,13 @@ inline bool fits_spans(const Field& field)
 // The loops, each with a frame of its own: what they keep on the stack ends before the next piece is set up.
 template <class Reconstruction, class Texel, class Pixel, class Background>
 struct PieceLoops {
-    __attribute__((noinline)) static void draw(SpanTarget<Background> target)
+    __attribute__((noinline)) static void draw(CellPiece<Background> piece)
     {
-        SpanDraw<Reconstruction>::template draw<Texel, Pixel>(target);
+        SpanDraw<Reconstruction>::template draw<Texel, Pixel>(piece);
     }
-    __attribute__((noinline)) static void draw_checked(const CheckedTarget<Background>& target)
+    __attribute__((noinline)) static void draw_checked(const CheckedPiece<Background>& piece)
     {
-        SpanDraw<Reconstruction>::template draw_checked<Texel, Pixel>(target);
+        SpanDraw<Reconstruction>::template draw_checked<Texel, Pixel>(piece);
     }
 };
 
@@ -54,7 +54,7 @@ RenderError render_spans(const Field& field, const Camera& camera, const Backgro
     LatticeLine& origins = stepper.origins();
     LatticeLine& directions = stepper.directions();
     for (Piece piece; stepper.next(piece);) {
-        if (piece.kind == Piece::Kind::row) {
+        if (piece.kind == Piece::Kind::scanline) {
             fill_beside<Pixel>(background, stripe, {piece.x, piece.x + piece.width}, piece.y);
             continue;
         }

@@ -19,11 +19,11 @@ namespace lumi
 {
 
 // Bytes of a stripe's samples: a colour and a depth each. Outlines are blended with the pixels around the stripe.
-constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t rows_px, SurfaceMode mode)
+constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t height_px, SurfaceMode mode)
 {
     const uint32_t samples = mode == SurfaceMode::two_by_two ? 4 : 1;
     const int32_t margin = mode == SurfaceMode::antialiased ? 2 : 0;
-    return static_cast<uint32_t>(width_px + margin) * static_cast<uint32_t>(rows_px + margin) * samples *
+    return static_cast<uint32_t>(width_px + margin) * static_cast<uint32_t>(height_px + margin) * samples *
            static_cast<uint32_t>(sizeof(PackedColour) + sizeof(uint16_t));
 }
 
@@ -89,12 +89,12 @@ constexpr uint32_t mark_bits(uint32_t share, Neighbour other)
     return (share > kMostShare ? kMostShare : share) << 2 | static_cast<uint32_t>(other);
 }
 
-struct SampleRow {
+struct SampleScanline {
     const uint16_t* depths;
     const PackedColour* colours;
-    int32_t pitch;          // to the next row
-    const uint16_t* first;  // of all rows
-    uint32_t count;         // of all rows
+    int32_t pitch;          // to the next scanline
+    const uint16_t* first;  // of all scanlines
+    uint32_t count;         // of all scanlines
 };
 
 // What the mark of a pixel says: which one shows in it, and how much of that, 1/32.
@@ -102,14 +102,14 @@ struct Mark {
     int32_t other;
     uint32_t share;
 
-    Mark(const SampleRow& row, int32_t x)
+    Mark(const SampleScanline& scanline, int32_t x)
     {
-        const uint32_t bits = row.depths[x];
-        const int32_t steps[] = {1, -1, row.pitch, -row.pitch};
+        const uint32_t bits = scanline.depths[x];
+        const int32_t steps[] = {1, -1, scanline.pitch, -scanline.pitch};
         other = x + steps[bits & 3];
         share = (bits >> 2) & kMostShare;
         // Depths of a hostile field may look like marks.
-        if (static_cast<uint32_t>(row.depths - row.first + other) >= row.count) other = x;
+        if (static_cast<uint32_t>(scanline.depths - scanline.first + other) >= scanline.count) other = x;
     }
     Rgb8 mixed(const Rgb8& a, const Rgb8& b) const
     {
@@ -121,45 +121,45 @@ struct Mark {
 };
 
 template <class Pixel, class Background>
-__attribute__((noinline)) void store_marked(uint8_t* pixel, const Background& background, const SampleRow& row,
-                                            int32_t x)
+__attribute__((noinline)) void store_marked(uint8_t* pixel, const Background& background,
+                                            const SampleScanline& scanline, int32_t x)
 {
     const Rgb8 under = background.template under<Pixel>(pixel);
     const auto colour_at = [&](int32_t k) {
-        return row.depths[k] < kFarDepth ? under : unpacked(row.colours[k] & ~kMarkedColour);
+        return scanline.depths[k] < kFarDepth ? under : unpacked(scanline.colours[k] & ~kMarkedColour);
     };
-    const Mark mark(row, x);
+    const Mark mark(scanline, x);
     Pixel::store(pixel, mark.mixed(colour_at(x), colour_at(mark.other)));
 }
 
 // The same over nothing: where one of the two is empty, the other's colour with its share.
 template <class Pixel>
-__attribute__((noinline)) void store_marked_part(uint8_t* pixel, const SampleRow& row, int32_t x)
+__attribute__((noinline)) void store_marked_part(uint8_t* pixel, const SampleScanline& scanline, int32_t x)
 {
-    const Mark mark(row, x);
-    const auto colour_at = [&](int32_t k) { return unpacked(row.colours[k] & ~kMarkedColour); };
-    const bool has_own = row.depths[x] >= kFarDepth, has_other = row.depths[mark.other] >= kFarDepth;
+    const Mark mark(scanline, x);
+    const auto colour_at = [&](int32_t k) { return unpacked(scanline.colours[k] & ~kMarkedColour); };
+    const bool has_own = scanline.depths[x] >= kFarDepth, has_other = scanline.depths[mark.other] >= kFarDepth;
     const uint32_t covered = (has_own ? 32 - mark.share : 0) + (has_other ? mark.share : 0);
     const Rgb8 colour = mark.mixed(colour_at(has_own ? x : mark.other), colour_at(has_other ? mark.other : x));
     store_part<Pixel>(pixel, covered != 0 ? colour : Rgb8{0, 0, 0}, static_cast<uint8_t>((covered * 255 + 16) >> 5));
 }
 
 template <class Pixel, class Background>
-void resolve_row(const Background& background, uint8_t* pixel, int32_t count, const SampleRow& row)
+void resolve_scanline(const Background& background, uint8_t* pixel, int32_t count, const SampleScanline& scanline)
 {
-    const uint16_t* depth_at = row.depths;
-    const PackedColour* colour_at = row.colours;
+    const uint16_t* depth_at = scanline.depths;
+    const PackedColour* colour_at = scanline.colours;
     for (const uint16_t* const end = depth_at + count; depth_at != end; ++depth_at, ++colour_at) {
         const uint32_t depth = *depth_at;
         const PackedColour colour = *colour_at;
         if (depth >= kFarDepth && (colour & kMarkedColour) == 0) {
             store_colour<Pixel>(pixel, colour);
         } else if (depth != kEmptyDepth) {
-            const int32_t x = static_cast<int32_t>(depth_at - row.depths);
+            const int32_t x = static_cast<int32_t>(depth_at - scanline.depths);
             if constexpr (kKeepsCoverage<Background>)
-                store_marked_part<Pixel>(pixel, row, x);
+                store_marked_part<Pixel>(pixel, scanline, x);
             else
-                store_marked<Pixel>(pixel, background, row, x);
+                store_marked<Pixel>(pixel, background, scanline, x);
         } else if (Background::kFills) {
             store_background<Pixel>(pixel, background);
         }
@@ -196,35 +196,37 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
         return v < r.begin ? r.begin : v < r.end ? v : r.end;
     };
     const int32_t left = clamped_to(stripe.x_px, frame.columns), right = clamped_to(stripe.right_px(), frame.columns);
-    const int32_t top = clamped_to(stripe.y_px, frame.rows), bottom = clamped_to(stripe.bottom_px(), frame.rows);
+    const int32_t top = clamped_to(stripe.y_px, frame.scanlines),
+                  bottom = clamped_to(stripe.bottom_px(), frame.scanlines);
     const bool is_drawn = left < right && top < bottom;
     const int32_t margin = blends_outlines(frame) ? 1 : 0;
-    const int32_t from_x = clamped_to(left - margin, frame.columns), from_y = clamped_to(top - margin, frame.rows);
+    const int32_t from_x = clamped_to(left - margin, frame.columns), from_y = clamped_to(top - margin, frame.scanlines);
     const SampleRect rect = {from_x, from_y, clamped_to(right + margin, frame.columns) - from_x,
-                             clamped_to(bottom + margin, frame.rows) - from_y};
-    const uint32_t row_samples = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
-    const uint32_t count = row_samples * static_cast<uint32_t>(rect.height_px);
+                             clamped_to(bottom + margin, frame.scanlines) - from_y};
+    const uint32_t scanline_samples = static_cast<uint32_t>(rect.width_px) << (2 * frame.samples_log2);
+    const uint32_t count = scanline_samples * static_cast<uint32_t>(rect.height_px);
     PackedColour* colours = static_cast<PackedColour*>(samples);
     uint16_t *depths = nullptr, *first = nullptr;
     if (is_drawn) {
         depths = first = reinterpret_cast<uint16_t*>(colours + count);
         if (kFillsSamples) rasterize(frame, rect, depths, colours);
         const uint32_t before =
-            static_cast<uint32_t>(top - from_y) * row_samples + static_cast<uint32_t>(left - from_x);
+            static_cast<uint32_t>(top - from_y) * scanline_samples + static_cast<uint32_t>(left - from_x);
         depths += before;
         colours += before;
     }
     for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
-        const bool has_row = is_drawn && y >= top && y < bottom;
-        fill_beside<Pixel>(background, stripe, has_row ? Extent{left, right} : Extent{stripe.x_px, stripe.x_px}, y);
-        if (!has_row) continue;
+        const bool has_scanline = is_drawn && y >= top && y < bottom;
+        fill_beside<Pixel>(background, stripe, has_scanline ? Extent{left, right} : Extent{stripe.x_px, stripe.x_px},
+                           y);
+        if (!has_scanline) continue;
         uint8_t* const pixel = pixel_of<Pixel>(stripe, left, y);
         if (frame.samples_log2 == 0)
-            resolve_row<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px, first, count});
+            resolve_scanline<Pixel>(background, pixel, right - left, {depths, colours, rect.width_px, first, count});
         else
             resolve_two_by_two<Pixel>(background, pixel, right - left, depths, colours);
-        depths += row_samples;
-        colours += row_samples;
+        depths += scanline_samples;
+        colours += scanline_samples;
     }
 }
 

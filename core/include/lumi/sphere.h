@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rasterizes the unit sphere: which pixels of a row a camera's sphere covers, and where a pixel's ray enters and
+// Rasterizes the unit sphere: which pixels of a scanline a camera's sphere covers, and where a pixel's ray enters and
 // leaves.
 #pragma once
 
@@ -31,9 +31,9 @@ struct SphereHits {
 };
 SphereHits hits(const Camera& camera, const SphereRay& ray);
 
-// The pixels [begin, end) of a row of the image whose rays hit the sphere, within [x_begin, x_end): exact, as ray_at
-// decides. The sphere's outline is convex, so they are one extent. Nothing beside the image is covered. Empty: both
-// x_begin.
+// The pixels [begin, end) of a scanline of the image whose rays hit the sphere, within [x_begin, x_end): exact, as
+// ray_at decides. The sphere's outline is convex, so they are one extent. Nothing beside the image is covered. Empty:
+// both x_begin.
 struct Extent {
     int32_t begin, end;
 };

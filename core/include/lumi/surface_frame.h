@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A surface field seen by a camera: vertices on the image's grid of samples, lit for the eye; the triangles that are
-// seen, in lists by bands of rows; the palette in the display's format. Made once a frame, read by every stripe
+// seen, in lists by bands of scanlines; the palette in the display's format. Made once a frame, read by every stripe
 // (render_surface.h), also from several cores at once.
 //
 //     SurfaceCamera camera; make_surface_camera(pose, {240, 240, fov}, camera);
@@ -54,7 +54,7 @@ struct SurfaceMemory {
     SurfaceVertex* vertices;  // of every vertex
     uint16_t* links;          // surface_links(): of every triangle, then a bit for each that has an outline
     uint16_t* bands;          // surface_bands()
-    // Rows of pixels a band: best those of a stripe, 2^0 .. 2^8. Of triangles at one depth another may show with
+    // Scanlines a band: best those of a stripe, 2^0 .. 2^8. Of triangles at one depth another may show with
     // others.
     uint32_t band_log2;
 };
@@ -69,11 +69,11 @@ constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
     return ((static_cast<uint32_t>(height_px) - 1) >> band_log2) + 2;
 }
 
-// The band of SurfaceMemory for stripes of so many rows: the largest that is no higher.
-constexpr uint32_t surface_band_log2(int32_t stripe_rows)
+// The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher.
+constexpr uint32_t surface_band_log2(int32_t stripe_height_px)
 {
     uint32_t log2 = 0;
-    while (log2 < 8 && (2 << log2) <= stripe_rows) ++log2;
+    while (log2 < 8 && (2 << log2) <= stripe_height_px) ++log2;
     return log2;
 }
 
@@ -112,11 +112,11 @@ struct SurfaceFrame {
     SurfaceProjection projection;
     int32_t width_px, height_px;
     SurfaceMode mode;
-    uint32_t samples_log2;     // a side of a pixel: 0 or 1
-    PixelRange columns, rows;  // beside them all is background
-    bool is_whole;             // no vertex is missing
-    bool is_narrow;            // areas of triangles fit 32 bits
-    uint32_t other_list;       // the last of the bands' lists: triangles that are cut, large or tall
+    uint32_t samples_log2;          // a side of a pixel: 0 or 1
+    PixelRange columns, scanlines;  // beside them all is background
+    bool is_whole;                  // no vertex is missing
+    bool is_narrow;                 // areas of triangles fit 32 bits
+    uint32_t other_list;            // the last of the bands' lists: triangles that are cut, large or tall
     PackedColour palette[256];
 };
 

@@ -210,7 +210,7 @@ CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
 Camera interlaced_half(const Camera& camera, int32_t parity)
 {
     const auto every_other = [parity](const AffineQ40& a) {
-        return AffineQ40{a.at_origin + parity * a.step_y, a.step_x, 2 * a.step_y};
+        return AffineQ40{a.at_first + parity * a.step_y, a.step_x, 2 * a.step_y};
     };
     Camera half = camera;
     half.facing_ = every_other(camera.facing_);

@@ -8,9 +8,9 @@ namespace lumi
 namespace
 {
 
-// A row's rays as functions of x, for finding the pixel that looks closest to the sphere's centre. Scaled down by a
-// common factor for P and one for m so that every product below fits 64 bits.
-struct RowQuadratic {
+// A scanline's rays as functions of x, for finding the pixel that looks closest to the sphere's centre. Scaled down by
+// a common factor for P and one for m so that every product below fits 64 bits.
+struct ScanlineQuadratic {
     int64_t offset2;      // |P|² at x = 0
     int64_t offset_step;  // P·P'
     int64_t step2;        // |P'|²
@@ -27,7 +27,7 @@ int shift_for(int64_t largest)
     return shift;
 }
 
-RowQuadratic row_quadratic(const Camera& camera, int32_t x, int32_t y)
+ScanlineQuadratic scanline_quadratic(const Camera& camera, int32_t x, int32_t y)
 {
     int64_t offset[3];
     int64_t step[3];
@@ -41,23 +41,24 @@ RowQuadratic row_quadratic(const Camera& camera, int32_t x, int32_t y)
     const int shift = shift_for(largest);
     const int64_t facing = camera.facing().at(x, y);
     const int facing_shift = shift_for(magnitude(facing) + magnitude(camera.facing().step_x));
-    RowQuadratic row{0, 0, 0, facing >> facing_shift, camera.facing().step_x >> facing_shift};
+    ScanlineQuadratic scanline{0, 0, 0, facing >> facing_shift, camera.facing().step_x >> facing_shift};
     for (int k = 0; k < 3; ++k) {
         offset[k] >>= shift;
         step[k] >>= shift;
-        row.offset2 += offset[k] * offset[k];
-        row.offset_step += offset[k] * step[k];
-        row.step2 += step[k] * step[k];
+        scanline.offset2 += offset[k] * offset[k];
+        scanline.offset_step += offset[k] * step[k];
+        scanline.step2 += step[k] * step[k];
     }
-    return row;
+    return scanline;
 }
 
-// |P|²/m² has one stationary point along a row, its minimum: x* = x + (|P|² m' - (P·P') m) / (|P'|² m - (P·P') m').
+// |P|²/m² has one stationary point along a scanline, its minimum:
+// x* = x + (|P|² m' - (P·P') m) / (|P'|² m - (P·P') m').
 int32_t closest_x(const Camera& camera, int32_t x, int32_t y, Extent limits)
 {
-    const RowQuadratic row = row_quadratic(camera, x, y);
-    int64_t over = row.offset2 * row.facing_step - row.offset_step * row.facing;
-    int64_t under = row.step2 * row.facing - row.offset_step * row.facing_step;
+    const ScanlineQuadratic scanline = scanline_quadratic(camera, x, y);
+    int64_t over = scanline.offset2 * scanline.facing_step - scanline.offset_step * scanline.facing;
+    int64_t under = scanline.step2 * scanline.facing - scanline.offset_step * scanline.facing_step;
     if (under < 0) {
         over = -over;
         under = -under;
@@ -83,8 +84,8 @@ int32_t border(const Camera& camera, int32_t y, int32_t covered, int32_t uncover
     return covered;
 }
 
-// A covered pixel of the row, or limits.end. Apart from the pixels around the closest point, only an end of the row can
-// be covered, where the closest point lies behind the eye.
+// A covered pixel of the scanline, or limits.end. Apart from the pixels around the closest point, only one of its ends
+// can be covered, where the closest point lies behind the eye.
 int32_t find_covered(const Camera& camera, int32_t y, Extent limits)
 {
     int32_t x = closest_x(camera, limits.begin + (limits.end - limits.begin) / 2, y, limits);

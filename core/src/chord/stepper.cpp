@@ -30,7 +30,7 @@ ChordStepper::ChordStepper(const Field& field, const Camera& camera, const Strip
       lengths_(1 << span_log2),
       next_y_(stripe.y_px),
       end_y_(stripe.bottom_px()),
-      tile_rows_{0, 0, stripe.stride_bytes, front_tile_.down(), back_tile_.down()}
+      tile_scanlines_{0, 0, stripe.stride_bytes, front_tile_.down(), back_tile_.down()}
 {
 }
 
@@ -40,13 +40,13 @@ bool ChordStepper::next(Piece& piece)
         switch (stage_) {
             case Stage::band:
                 if (!begin_band()) return false;
-                stage_ = Stage::rows;
+                stage_ = Stage::scanlines;
                 break;
-            case Stage::rows:
-                if (row_ < rows_) {
-                    const Extent& span = spans_[row_];
-                    piece = {Piece::Kind::row, span.begin, y_ + row_, span.end - span.begin, nullptr};
-                    ++row_;
+            case Stage::scanlines:
+                if (scanline_ < scanlines_) {
+                    const Extent& span = spans_[scanline_];
+                    piece = {Piece::Kind::scanline, span.begin, y_ + scanline_, span.end - span.begin, nullptr};
+                    ++scanline_;
                     return true;
                 }
                 stage_ = begin_tiles() ? Stage::tiles : Stage::spans;
@@ -60,7 +60,7 @@ bool ChordStepper::next(Piece& piece)
                 stage_ = Stage::spans;
                 break;
             case Stage::spans:
-                if (x_ < part_.end || begin_row()) {
+                if (x_ < part_.end || begin_scanline()) {
                     next_span(piece);
                     return true;
                 }
@@ -70,45 +70,45 @@ bool ChordStepper::next(Piece& piece)
     }
 }
 
-// Goes on to the next band and finds what its rows cover.
+// Goes on to the next band and finds what its scanlines cover.
 bool ChordStepper::begin_band()
 {
     if (next_y_ >= end_y_) return false;
     y_ = next_y_;
-    const int32_t last = y_ | (kTileRows - 1);
+    const int32_t last = y_ | (kTileHeight - 1);
     next_y_ = last < end_y_ - 1 ? last + 1 : end_y_;
-    rows_ = next_y_ - y_;
-    for (int32_t row = 0; row < rows_; ++row) spans_[row] = outline_.row(y_ + row);
-    row_ = 0;
+    scanlines_ = next_y_ - y_;
+    for (int32_t scanline = 0; scanline < scanlines_; ++scanline) spans_[scanline] = outline_.scanline(y_ + scanline);
+    scanline_ = 0;
     return true;
 }
 
 // Finds the columns of tiles; false where there are none: then the whole band is one gap.
 bool ChordStepper::begin_tiles()
 {
-    constexpr int32_t kMargin = kTileRows / 2;
+    constexpr int32_t kMargin = kTileHeight / 2;
     begin_gap(INT32_MIN, INT32_MAX);
-    const int32_t top = y_ & -kTileRows;
+    const int32_t top = y_ & -kTileHeight;
     const int32_t below = camera_.height_px() - 1;
-    if (span_log2_ < kMinTileLog2 || top < 0 || top > below - kTileRows || spans_[0].begin >= spans_[0].end)
+    if (span_log2_ < kMinTileLog2 || top < 0 || top > below - kTileHeight || spans_[0].begin >= spans_[0].end)
         return false;
-    const int32_t bottom = top + kTileRows;
+    const int32_t bottom = top + kTileHeight;
     const int32_t above_top = top > kMargin ? top - kMargin : 0;
     const int32_t below_bottom = bottom + kMargin < below ? bottom + kMargin : below;
     const Extent inside = outline_.columns(above_top, below_bottom, spans_[0], kMinTileLog2 - 1);
     constexpr int32_t kStep = 1 << kMinTileLog2;
     columns_ = {(inside.begin + kStep - 1) & -kStep, inside.end & -kStep};
     if (columns_.begin >= columns_.end) return false;
-    const RayRow first = hits_.row_at(columns_.begin, top);
+    const ScanlineRays first = hits_.rays_from(columns_.begin, top);
     tile_rays_[0] = first;
     tile_rays_[1] = hits_.moved(first, 0, kMargin);
-    tile_rays_[2] = hits_.moved(first, 0, kTileRows);
+    tile_rays_[2] = hits_.moved(first, 0, kTileHeight);
     hits_.evaluate(tile_rays_[0], 0, corners_[0][left_]);
     hits_.evaluate(tile_rays_[2], 0, corners_[1][left_]);
     tile_x_ = columns_.begin;
     drawn_x_ = INT32_MIN;
-    tile_rows_.first = y_ - top;
-    tile_rows_.count = rows_;
+    tile_scanlines_.first = y_ - top;
+    tile_scanlines_.count = scanlines_;
     return true;
 }
 
@@ -119,7 +119,7 @@ bool ChordStepper::next_tile(Piece& piece)
         const int32_t x = tile_x_;
         const int width_log2 = prepare_tile();
         if (width_log2 == 0) continue;
-        piece = {Piece::Kind::cells, x, y_, 1 << width_log2, &tile_rows_};
+        piece = {Piece::Kind::cells, x, y_, 1 << width_log2, &tile_scanlines_};
         begin_gap(drawn_x_, x);
         drawn_x_ = tile_x_;
         return true;
@@ -155,26 +155,26 @@ int ChordStepper::prepare_tile()
 void ChordStepper::begin_gap(int32_t begin, int32_t end)
 {
     gap_ = {begin, end};
-    row_ = begin < end ? 0 : rows_;
+    scanline_ = begin < end ? 0 : scanlines_;
     part_ = {0, 0};
     x_ = 0;
     at_ = &corners_[0][1 - left_];
     end_ = &corners_[1][1 - left_];
 }
 
-// Goes on to the next row of the gap that covers something.
-bool ChordStepper::begin_row()
+// Goes on to the next scanline of the gap that covers something.
+bool ChordStepper::begin_scanline()
 {
-    for (; row_ < rows_; ++row_) {
-        span_ = spans_[row_];
+    for (; scanline_ < scanlines_; ++scanline_) {
+        span_ = spans_[scanline_];
         part_ = common(gap_, span_);
         if (part_.begin < part_.end) break;
     }
-    if (row_ == rows_) return false;
-    span_y_ = y_ + row_;
-    ++row_;
+    if (scanline_ == scanlines_) return false;
+    span_y_ = y_ + scanline_;
+    ++scanline_;
     x_ = part_.begin;
-    rays_ = hits_.row_at(x_, span_y_);
+    rays_ = hits_.rays_from(x_, span_y_);
     hits_.evaluate(rays_, 0, *at_);
     front_walker_.begin(*at_);
     back_walker_.begin(*at_);
@@ -219,11 +219,11 @@ int32_t ChordStepper::prepare_span()
     HitPair* const drawn = at_;
     at_ = end_;
     end_ = drawn;
-    // The row's last pixel is the last span's end.
+    // The scanline's last pixel is the last span's end.
     return length == from_right ? length + 1 : length;
 }
 
-// Sets up one pixel by itself: a row's last one, or the last one before a pole.
+// Sets up one pixel by itself: a scanline's last one, or the last one before a pole.
 void ChordStepper::take_pixel()
 {
     (void)front_walker_.prepare(*at_, *at_, 1);

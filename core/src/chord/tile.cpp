@@ -58,7 +58,7 @@ bool TileWalker::prepare(const TileCorners& corners, int width_log2)
     const Bilinear z = bilinear(z_of[0], z_of[1], z_of[2], z_of[3], z_q25(centre));
     // Indices depend on heights alone: moving the tile by its middle's rise changes them by no more than that height.
     // Rounding does by less than five: at 65,536 points and steps of 233 and 377, 1.8 by floors of four heights in Q16,
-    // 1.3 by floors of steps, 1.9 in PairRows; by less than two and a height of 6/65536 for all sizes.
+    // 1.3 by floors of steps, 1.9 in BothSidesScanlines; by less than two and a height of 6/65536 for all sizes.
     constexpr int32_t kRoundingQ25 = 6 << 9;
     const int32_t spare_q25 = magnitude(z.rise) + (map.zones().step_z_q30 >> 3) + kRoundingQ25;
     const int32_t lowest_q25 = (map.lowest_z_q30() >> 5) + spare_q25;
@@ -82,18 +82,18 @@ bool TileWalker::prepare(const TileCorners& corners, int width_log2)
     line.dv_q16 = across.v_q16 >> width_log2;
     line.uniform = map.is_uniform_at(top_left.z_q30) && map.is_uniform_at(top_right.z_q30) &&
                    map.is_uniform_at(bottom_left.z_q30) && map.is_uniform_at(bottom_right.z_q30);
-    down_ = {down.u_q16 >> kTileRowsLog2, down.v_q16 >> kTileRowsLog2, twist.u_q16 >> (width_log2 + kTileRowsLog2),
-             twist.v_q16 >> (width_log2 + kTileRowsLog2)};
+    down_ = {down.u_q16 >> kTileHeightLog2, down.v_q16 >> kTileHeightLog2,
+             twist.u_q16 >> (width_log2 + kTileHeightLog2), twist.v_q16 >> (width_log2 + kTileHeightLog2)};
     track_.line.over_pole = false;
     return true;
 }
 
 int32_t TileWalker::highest(int32_t width) const
 {
-    CellLine row = track_.line.cells;
-    const int32_t top = row.highest(width);
-    row.move_down(down_, kTileRows - 1);
-    const int32_t bottom = row.highest(width);
+    CellLine line = track_.line.cells;
+    const int32_t top = line.highest(width);
+    line.move_down(down_, kTileHeight - 1);
+    const int32_t bottom = line.highest(width);
     return top > bottom ? top : bottom;
 }
 

@@ -28,11 +28,11 @@ struct Split {
 // a.at(x, y) >> 12 modulo 2^32, x and y in the image, without a 64-bit product.
 int32_t affine_q28(const AffineQ40& a, uint32_t x, uint32_t y)
 {
-    const Split origin(a.at_origin);
+    const Split first(a.at_first);
     const Split dx(a.step_x);
     const Split dy(a.step_y);
-    const uint32_t carried = (origin.low + x * dx.low + y * dy.low) >> 12;
-    return static_cast<int32_t>(origin.high + x * dx.high + y * dy.high + carried);
+    const uint32_t carried = (first.low + x * dx.low + y * dy.low) >> 12;
+    return static_cast<int32_t>(first.high + x * dx.high + y * dy.high + carried);
 }
 
 }  // namespace
@@ -48,27 +48,27 @@ HitEvaluator::HitEvaluator(const Camera& camera)
     for (int k = 0; k < 4; ++k) step_q28_[k] = static_cast<int32_t>(Split(source(k).step_x).high);
 }
 
-RayRow HitEvaluator::row_at(int32_t x, int32_t y) const
+ScanlineRays HitEvaluator::rays_from(int32_t x, int32_t y) const
 {
-    RayRow row;
+    ScanlineRays rays;
     for (int k = 0; k < 4; ++k)
-        row.value_q28[k] = affine_q28(source(k), static_cast<uint32_t>(x), static_cast<uint32_t>(y));
-    return row;
+        rays.value_q28[k] = affine_q28(source(k), static_cast<uint32_t>(x), static_cast<uint32_t>(y));
+    return rays;
 }
 
-RayRow HitEvaluator::moved(const RayRow& row, int32_t right_px, int32_t down_px) const
+ScanlineRays HitEvaluator::moved(const ScanlineRays& rays, int32_t right_px, int32_t down_px) const
 {
-    RayRow to;
+    ScanlineRays to;
     for (int k = 0; k < 4; ++k) {
         const auto step_y_q28 = static_cast<int32_t>(Split(source(k).step_y).high);
-        to.value_q28[k] = add_steps(add_steps(row.value_q28[k], step_q28_[k], right_px), step_y_q28, down_px);
+        to.value_q28[k] = add_steps(add_steps(rays.value_q28[k], step_q28_[k], right_px), step_y_q28, down_px);
     }
     return to;
 }
 
-LUMI_ALWAYS_INLINE HitEvaluator::Ray HitEvaluator::ray(const RayRow& row, int32_t ahead) const
+LUMI_ALWAYS_INLINE HitEvaluator::Ray HitEvaluator::ray(const ScanlineRays& rays, int32_t ahead) const
 {
-    const auto q15 = [&](int k) { return add_steps(row.value_q28[k], step_q28_[k], ahead) >> 13; };
+    const auto q15 = [&](int k) { return add_steps(rays.value_q28[k], step_q28_[k], ahead) >> 13; };
     const int32_t px = q15(0);
     const int32_t py = q15(1);
     const int32_t pz = q15(2);
@@ -78,9 +78,9 @@ LUMI_ALWAYS_INLINE HitEvaluator::Ray HitEvaluator::ray(const RayRow& row, int32_
     return {px, py, pz, m, offset2_q30, half_chord2 > 0 ? static_cast<uint32_t>(half_chord2) : 0};
 }
 
-void HitEvaluator::evaluate(const RayRow& row, int32_t ahead, HitPair& out) const
+void HitEvaluator::evaluate(const ScanlineRays& rays, int32_t ahead, HitPair& out) const
 {
-    const Ray r = ray(row, ahead);
+    const Ray r = ray(rays, ahead);
     const int32_t px = r.px_q15;
     const int32_t py = r.py_q15;
     const int32_t pz = r.pz_q15;

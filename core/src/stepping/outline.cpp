@@ -11,7 +11,7 @@ namespace
 // Steps along a side of one pixel are never taken, and could be longer than all else.
 AffineQ40 within_image(const AffineQ40& a, const Camera& camera)
 {
-    return {a.at_origin, camera.width_px() > 1 ? a.step_x : 0, camera.height_px() > 1 ? a.step_y : 0};
+    return {a.at_first, camera.width_px() > 1 ? a.step_x : 0, camera.height_px() > 1 ? a.step_y : 0};
 }
 
 // The largest magnitude of an affine quantity over the image: it lies at a corner.
@@ -26,13 +26,13 @@ int64_t largest(const AffineQ40& a, const Camera& camera)
     return most;
 }
 
-// Adds factor·(a.at_origin + x·a.step_x + y·a.step_y)² >> shift to the polynomial; factor Q30, a below 2^30.
-void add_square(OutlineQuadratic& f, int64_t origin, int64_t dx, int64_t dy, int32_t factor_q30, int shift)
+// Adds factor·(a.at_first + x·a.step_x + y·a.step_y)² >> shift to the polynomial; factor Q30, a below 2^30.
+void add_square(OutlineQuadratic& f, int64_t first, int64_t dx, int64_t dy, int32_t factor_q30, int shift)
 {
     const auto term = [&](int64_t product) { return multiply_shift(product, factor_q30, 30) >> shift; };
-    f.constant += term(origin * origin);
-    f.x1 += term(2 * origin * dx);
-    f.y1 += term(2 * origin * dy);
+    f.constant += term(first * first);
+    f.x1 += term(2 * first * dx);
+    f.y1 += term(2 * first * dy);
     f.x2 += term(dx * dx);
     f.xy += term(2 * dx * dy);
     f.y2 += term(dy * dy);
@@ -59,14 +59,14 @@ OutlineQuadratic make_outline(const Camera& camera)
 
     OutlineQuadratic f{};
     for (const AffineQ40& a : offset)
-        add_square(f, a.at_origin >> shift, a.step_x >> shift, a.step_y >> shift, -factor_q30, 0);
+        add_square(f, a.at_first >> shift, a.step_x >> shift, a.step_y >> shift, -factor_q30, 0);
     const AffineQ40 m = within_image(camera.facing(), camera);
-    add_square(f, m.at_origin >> kFacingShift, m.step_x >> kFacingShift, m.step_y >> kFacingShift, kOneQ30 - kTangent,
+    add_square(f, m.at_first >> kFacingShift, m.step_x >> kFacingShift, m.step_y >> kFacingShift, kOneQ30 - kTangent,
                2 * (shift - kFacingShift));
     return f;
 }
 
-// What of a row's columns lies in the image; none: {0, 0}.
+// What of a scanline's columns lies in the image; none: {0, 0}.
 static Extent within(const Extent& columns, int32_t width_px)
 {
     const Extent inside = {columns.begin > 0 ? columns.begin : 0, columns.end < width_px ? columns.end : width_px};
@@ -78,7 +78,7 @@ OutlineTracker::OutlineTracker(const Camera& camera, const Extent& limits)
 {
 }
 
-// Walks along a row by more than a pixel at a time; f and m are those of Walk, `right` is a stride's.
+// Walks along a scanline by more than a pixel at a time; f and m are those of Walk, `right` is a stride's.
 class OutlineTracker::Stride
 {
 public:
@@ -137,7 +137,7 @@ void OutlineTracker::move_down(Walk& walk) const
     walk.m += camera_.facing().step_y;
 }
 
-// Moves both walks along their row to the ends of its span; false if no covered pixel lies between them.
+// Moves both walks along their scanline to the ends of its span; false if no covered pixel lies between them.
 bool OutlineTracker::adjust()
 {
     if (first_.covered()) {
@@ -166,7 +166,7 @@ bool OutlineTracker::adjust()
     return true;
 }
 
-// Looks for a row's span at 16 pixels or fewer of the limits.
+// Looks for a scanline's span at 16 pixels or fewer of the limits.
 bool OutlineTracker::search(int32_t y)
 {
     if (y < 0 || y >= camera_.height_px() || limits_.begin >= limits_.end) return false;
@@ -186,7 +186,7 @@ bool OutlineTracker::search(int32_t y)
         span_.end = x + 1;
     }
     if (span_.begin >= span_.end) {
-        // Not concave, f is negative between two ends, of which m admits one: the row's first pixel was looked at.
+        // Not concave, f is negative between two ends, of which m admits one: the scanline's first pixel was looked at.
         const int32_t likeliest = is_concave() ? top_between(highest - step, highest + step, y) : limits_.end - 1;
         span_ = {likeliest, likeliest + 1};
     }
@@ -195,7 +195,7 @@ bool OutlineTracker::search(int32_t y)
     return first_.covered() && adjust();
 }
 
-// The pixel within the limits where the row's f is highest, which lies between both.
+// The pixel within the limits where the scanline's f is highest, which lies between both.
 int32_t OutlineTracker::top_between(int32_t from, int32_t to, int32_t y) const
 {
     if (from < limits_.begin) from = limits_.begin;
@@ -210,7 +210,7 @@ int32_t OutlineTracker::top_between(int32_t from, int32_t to, int32_t y) const
     return from;
 }
 
-Extent OutlineTracker::row(int32_t y)
+Extent OutlineTracker::scanline(int32_t y)
 {
     bool found = span_.begin < span_.end && y == last_y_ + 1 && y < camera_.height_px();
     if (found) {
@@ -223,7 +223,7 @@ Extent OutlineTracker::row(int32_t y)
     return span_;
 }
 
-// The first of `count` columns, `from` and on by `step`, that both rows cover; none: the one beyond the last.
+// The first of `count` columns, `from` and on by `step`, that both scanlines cover; none: the one beyond the last.
 int32_t OutlineTracker::find_column(int32_t top, int32_t bottom, int32_t from, int32_t step, int32_t count) const
 {
     const Stride stride(camera_, step);

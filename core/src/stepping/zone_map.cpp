@@ -106,7 +106,7 @@ void LatticeTrack::enter_pole(bool mirrored)
 {
     map.leave();
     line.over_pole = true;
-    line.polar.triangle = 0;  // a row's picture must not depend on the rows before it
+    line.polar.triangle = 0;  // a scanline's picture must not depend on those before it
     line.polar.step = mirrored ? -1 : 1;
     line.polar.base = mirrored ? map.zones().size - 1 : 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lists of triangles in SurfaceMemory: a band holds the first triangle of those that begin in its rows, a link the next
-// after each, the last one itself. A link's upper bits tell how many bands further a triangle reaches.
+// Lists of triangles in SurfaceMemory: a band holds the first triangle of those that begin in its scanlines, a link the
+// next after each, the last one itself. A link's upper bits tell how many bands further a triangle reaches.
 #pragma once
 
 #include "lumi/surface_frame.h"
@@ -11,7 +11,7 @@ namespace lumi::surfaces
 inline constexpr uint16_t kEmptyBand = 0xFFFF;
 // Links of triangles that are in no list.
 inline constexpr uint16_t kTurnedAway = 0xFFFF;
-inline constexpr uint16_t kWithoutSamples = 0xFFFE;  // beside the image or between its rows
+inline constexpr uint16_t kWithoutSamples = 0xFFFE;  // beside the image or between its scanlines
 inline constexpr uint32_t kLinkBits = 13;
 inline constexpr uint32_t kLinkMask = (uint32_t{1} << kLinkBits) - 1;
 inline constexpr int32_t kBandReach = 7;  // a triangle's bands, at most; 8 would make a link look like those

@@ -8,15 +8,16 @@ namespace lumi::surfaces
 namespace
 {
 
-// Where an edge crosses the rows, Q16 samples.
+// Where an edge crosses the scanlines, Q16 samples.
 struct Walk {
     int32_t x_q16, step_q16;
 };
 
-// From the upper end's first row on, which is 0 to 63/64 below it. An edge less than a row high crosses one at most.
-LUMI_ALWAYS_INLINE Walk walk_down(const SamplePoint& top, const SamplePoint& bottom, int32_t row)
+// From the upper end's first scanline on, which is 0 to 63/64 below it. An edge less than a scanline high crosses one
+// at most.
+LUMI_ALWAYS_INLINE Walk walk_down(const SamplePoint& top, const SamplePoint& bottom, int32_t scanline)
 {
-    const int32_t first = row_from(top.y_q6), ahead_q6 = 64 * first + 32 - top.y_q6;
+    const int32_t first = line_from(top.y_q6), ahead_q6 = 64 * first + 32 - top.y_q6;
     const int32_t dx_q6 = bottom.x_q6 - top.x_q6, dy_q6 = bottom.y_q6 - top.y_q6;
     const Reciprocal r = reciprocal(static_cast<uint32_t>(dy_q6));
     const int32_t mantissa = static_cast<int32_t>(r.mantissa), shift = 31 - r.leading;
@@ -25,7 +26,7 @@ LUMI_ALWAYS_INLINE Walk walk_down(const SamplePoint& top, const SamplePoint& bot
         return {top.x_q6 * 1024 + ((dx_q6 * share_q16) >> 6), 0};
     }
     const int32_t step_q16 = (dx_q6 * mantissa) >> shift;
-    return {top.x_q6 * 1024 + ((step_q16 * ahead_q6) >> 6) + step_q16 * (row - first), step_q16};
+    return {top.x_q6 * 1024 + ((step_q16 * ahead_q6) >> 6) + step_q16 * (scanline - first), step_q16};
 }
 
 // The first sample at a crossing or to its right is the whole part of the crossing plus this.
@@ -75,7 +76,7 @@ LUMI_ALWAYS_INLINE PackedColour texel_at(uint32_t place, const Texture& texture,
     }
 }
 
-// Draws the samples [depth_at, end) of a row, whose first quantities are given.
+// Draws the samples [depth_at, end) of a scanline, whose first quantities are given.
 template <Filter kFilter>
 LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, PackedColour* colour_at,
                                      uint32_t depth_q14, uint32_t place, PackedColour colour, const Planes& planes,
@@ -100,20 +101,20 @@ LUMI_ALWAYS_INLINE void fill_samples(uint16_t* depth_at, const uint16_t* end, Pa
 
 // A triangle's way down the target.
 struct Descent {
-    Planes planes;  // at column 0 of the row y
+    Planes planes;  // at column 0 of the scanline y
     Walk left, right;
-    Walk lower;  // in place of one of them from the row `bend` on
+    Walk lower;  // in place of one of them from the scanline `bend` on
     bool lower_is_left;
     int32_t y, bend, end;
 };
 
 template <Filter kFilter>
-LUMI_ALWAYS_INLINE void fill_rows(const Descent& d, const Texture& texture, const Target& target)
+LUMI_ALWAYS_INLINE void fill_scanlines(const Descent& d, const Texture& texture, const Target& target)
 {
     Planes at = d.planes;
     if (kFilter == Filter::two_taps) at.place.value -= kQuarter;
     Walk left = d.left, right = d.right;
-    int32_t row = (d.y - target.y) * target.width;
+    int32_t scanline = (d.y - target.y) * target.width;
     for (int32_t y = d.y; y < d.end; ++y) {
         if (y == d.bend) (d.lower_is_left ? left : right) = d.lower;
         const int32_t from = left.x_q16 >> 16, to = right.x_q16 >> 16;
@@ -121,13 +122,13 @@ LUMI_ALWAYS_INLINE void fill_rows(const Descent& d, const Texture& texture, cons
         if (first < last) {
             const uint32_t column = static_cast<uint32_t>(first);
             const auto at_first = [&](const Plane& p) { return p.value + column * p.right; };
-            fill_samples<kFilter>(target.depths + row + first, target.depths + row + last, target.colours + row + first,
-                                  at_first(at.depth), at_first(at.place), at_first(at.colour), at, texture,
-                                  target.palette, target.has_two_taps);
+            fill_samples<kFilter>(target.depths + scanline + first, target.depths + scanline + last,
+                                  target.colours + scanline + first, at_first(at.depth), at_first(at.place),
+                                  at_first(at.colour), at, texture, target.palette, target.has_two_taps);
         }
         left.x_q16 += left.step_q16;
         right.x_q16 += right.step_q16;
-        row += target.width;
+        scanline += target.width;
         at.depth.value += at.depth.down;
         at.place.value += at.place.down;
         at.colour.value += at.colour.down;
@@ -136,20 +137,20 @@ LUMI_ALWAYS_INLINE void fill_rows(const Descent& d, const Texture& texture, cons
 
 LUMI_HOT __attribute__((noinline)) void fill_nearest(const Descent& d, const Texture& texture, const Target& target)
 {
-    fill_rows<Filter::nearest>(d, texture, target);
+    fill_scanlines<Filter::nearest>(d, texture, target);
 }
 
 LUMI_HOT __attribute__((noinline)) void fill_two_taps(const Descent& d, const Texture& texture, const Target& target)
 {
-    fill_rows<Filter::two_taps>(d, texture, target);
+    fill_scanlines<Filter::two_taps>(d, texture, target);
 }
 
 LUMI_HOT __attribute__((noinline)) void fill_bilinear(const Descent& d, const Texture& texture, const Target& target)
 {
-    fill_rows<Filter::bilinear>(d, texture, target);
+    fill_scanlines<Filter::bilinear>(d, texture, target);
 }
 
-// A triangle's corners from the upper one on, and the rows of samples where it begins, its short edges meet and it
+// A triangle's corners from the upper one on, and the scanlines of samples where it begins, its short edges meet and it
 // ends.
 struct Outline {
     const SamplePoint *top, *left, *right;
@@ -169,9 +170,9 @@ LUMI_ALWAYS_INLINE Outline outline_of(const SamplePoint* a, const SamplePoint* b
     return {top,
             left,
             right,
-            row_from(top->y_q6),
-            row_from(left_is_short ? left->y_q6 : right->y_q6),
-            row_from(left_is_short ? right->y_q6 : left->y_q6)};
+            line_from(top->y_q6),
+            line_from(left_is_short ? left->y_q6 : right->y_q6),
+            line_from(left_is_short ? right->y_q6 : left->y_q6)};
 }
 
 LUMI_ALWAYS_INLINE void set_edges(Descent& d, const Outline& o, int32_t first_column)

@@ -2,8 +2,8 @@
 // Fills triangles of the grid of samples with depth, texture and colour; the nearest stays.
 //
 // A sample belongs to a triangle if it lies right of the left edge or on it, left of the right edge, and between the
-// rows of its ends. All of this is decided exactly on the vertices' grid: triangles that share an edge share neither
-// a sample nor leave one out.
+// scanlines of its ends. All of this is decided exactly on the vertices' grid: triangles that share an edge share
+// neither a sample nor leave one out.
 #pragma once
 
 #include "lumi/detail/hot.h"
@@ -16,7 +16,7 @@ namespace lumi::surfaces
 struct Target {
     uint16_t* depths;
     PackedColour* colours;
-    int32_t x, y, width, height;  // samples; rows are `width` apart
+    int32_t x, y, width, height;  // samples; scanlines are `width` apart
     const PackedColour* palette;
     bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side; the palette has halves
     // Textures that change by no more than so much of a texel a sample are read bilinearly; negative: none.

@@ -113,7 +113,7 @@ class Lister
 public:
     explicit Lister(SurfaceFrame& frame)
         : frame_(frame),
-          rows_(frame.height_px << frame.samples_log2),
+          scanlines_(frame.height_px << frame.samples_log2),
           right_q6_(frame.width_px << (frame.samples_log2 + 6)),
           band_log2_(frame.samples_log2 + frame.memory.band_log2)
     {
@@ -139,12 +139,12 @@ public:
     }
 
 private:
-    // False if it lies beside the image or between the rows.
+    // False if it lies beside the image or between the scanlines.
     LUMI_ALWAYS_INLINE bool list(uint32_t triangle, const Seen& s)
     {
         const int32_t upper_q6 = s.upper_q6(), lower_q6 = s.lower_q6(), left_q6 = s.left_q6(), right_q6 = s.right_q6();
-        const int32_t first = row_from(upper_q6), last = row_from(lower_q6);
-        const int32_t begin = first > 0 ? first : 0, end = last < rows_ ? last : rows_;
+        const int32_t first = line_from(upper_q6), last = line_from(lower_q6);
+        const int32_t begin = first > 0 ? first : 0, end = last < scanlines_ ? last : scanlines_;
         if (begin >= end || right_q6 < 0 || left_q6 > right_q6_) return false;
         const bool is_small = lower_q6 - upper_q6 < kSmallQ6 && right_q6 - left_q6 < kSmallQ6;
         const uint32_t band = static_cast<uint32_t>(begin) >> band_log2_;
@@ -156,7 +156,7 @@ private:
     }
 
     SurfaceFrame& frame_;
-    const int32_t rows_, right_q6_;
+    const int32_t scanlines_, right_q6_;
     const uint32_t band_log2_;
 };
 
@@ -194,7 +194,7 @@ void put_vertices(SurfaceFrame& frame)
     frame.is_whole = is_whole;
     frame.is_narrow = x.most - x.least < kNarrowQ6 && y.most - y.least < kNarrowQ6;
     frame.columns = is_whole ? pixels_of(x, frame.samples_log2, frame.width_px) : PixelRange{0, frame.width_px};
-    frame.rows = is_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : PixelRange{0, frame.height_px};
+    frame.scanlines = is_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : PixelRange{0, frame.height_px};
 }
 
 void put_triangles(SurfaceFrame& frame)
@@ -236,7 +236,7 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     out.samples_log2 = mode == SurfaceMode::two_by_two ? 1 : 0;
     out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
     for (uint32_t k = 0; k <= out.other_list; ++k) memory.bands[k] = kEmptyBand;
-    out.columns = out.rows = {0, 0};
+    out.columns = out.scanlines = {0, 0};
     if (!set_projection(camera, out)) return;
     put_vertices(out);
     put_triangles(out);

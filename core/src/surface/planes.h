@@ -7,7 +7,8 @@
 namespace lumi::surfaces
 {
 
-// A quantity over a triangle, modulo 2^32: its value at column 0 of a row, and what it adds to the right and downwards.
+// A quantity over a triangle, modulo 2^32: its value at column 0 of a scanline, and what it adds to the right and
+// downwards.
 struct Plane {
     uint32_t value, right, down;
 };
@@ -81,7 +82,7 @@ LUMI_ALWAYS_INLINE Shares shares_of(Facing& f, uint32_t area)
 class PlaneMaker
 {
 public:
-    LUMI_ALWAYS_INLINE PlaneMaker(const Facing& f, const Shares& shares, int32_t left, int32_t row)
+    LUMI_ALWAYS_INLINE PlaneMaker(const Facing& f, const Shares& shares, int32_t left, int32_t scanline)
         : a_(*f.a), b_(*f.b), c_(*f.c), shares_(shares)
     {
         const int32_t column = (a_.point.x_q6 + (f.ab.x_q6 + f.ac.x_q6) / 4) >> 6;
@@ -89,7 +90,7 @@ public:
         x_q6_ = column * 64 + 32 - a_.point.x_q6;
         y_q6_ = middle * 64 + 32 - a_.point.y_q6;
         columns_ = static_cast<uint32_t>(left - column);
-        rows_ = static_cast<uint32_t>(row - middle);
+        scanlines_ = static_cast<uint32_t>(scanline - middle);
     }
 
     LUMI_ALWAYS_INLINE Plane depth() const
@@ -133,7 +134,7 @@ private:
 
     LUMI_ALWAYS_INLINE Plane plane(uint32_t middle, uint32_t right, uint32_t down) const
     {
-        return {middle + columns_ * right + rows_ * down, right, down};
+        return {middle + columns_ * right + scanlines_ * down, right, down};
     }
 
     LUMI_ALWAYS_INLINE Coordinate coordinate(int32_t a, int32_t b, int32_t c) const
@@ -158,8 +159,8 @@ private:
 
     const Corner &a_, &b_, &c_;
     const Shares shares_;
-    int32_t x_q6_, y_q6_;      // from the corner a to the sample
-    uint32_t columns_, rows_;  // from the sample to column 0 of the first row
+    int32_t x_q6_, y_q6_;           // from the corner a to the sample
+    uint32_t columns_, scanlines_;  // from the sample to column 0 of the first scanline
 };
 
 }  // namespace lumi::surfaces

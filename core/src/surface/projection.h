@@ -73,8 +73,8 @@ LUMI_ALWAYS_INLINE bool is_there(const SurfaceVertex& v)
 // 128 samples.
 inline constexpr int32_t kSmallQ6 = 1 << 13;
 
-// The first row of samples, at y = row + 1/2, at or below a height.
-LUMI_ALWAYS_INLINE int32_t row_from(int32_t y_q6)
+// The first line of samples, at y = line + 1/2, at or below a height.
+LUMI_ALWAYS_INLINE int32_t line_from(int32_t y_q6)
 {
     return (y_q6 + 31) >> 6;
 }

@@ -22,7 +22,7 @@ MeshTriangle mesh_triangle(const SurfacePatch& patch, const SurfaceField& field,
     return {{corner[3], corner[2], corner[1]}, {right, kInsetQ8, right}, {bottom, bottom, kInsetQ8}, texture};
 }
 
-// Whether a listed triangle has samples in the target's rows. Packed numbers compare as their upper bits do.
+// Whether a listed triangle has samples in the target's scanlines. Packed numbers compare as their upper bits do.
 LUMI_ALWAYS_INLINE bool reaches(const SurfaceFrame& frame, const SurfacePatch& patch, uint32_t k, const Target& target)
 {
     const SurfaceVertex* v = frame.memory.vertices;
@@ -68,7 +68,7 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, const Target& target)
     }
 }
 
-// Calls draw(triangle) for each that may reach rows of pixels [top, bottom), of the bands and of the other list.
+// Calls draw(triangle) for each that may reach scanlines [top, bottom), of the bands and of the other list.
 template <class Draw, class DrawOther>
 void each_between(const SurfaceFrame& frame, int32_t top, int32_t bottom, const Draw& draw, const DrawOther& draw_other)
 {

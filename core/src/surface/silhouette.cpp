@@ -6,7 +6,7 @@ namespace lumi::surfaces
 namespace
 {
 
-// An edge as lines of samples cross it: rows where it is steep, else columns.
+// An edge as lines of samples cross it: scanlines where it is steep, else columns.
 struct Crossing {
     int32_t at_q16, step_q16;  // along the line; the first sample's centre is at 0
     int32_t depth_q8, depth_step_q8;
@@ -20,12 +20,12 @@ struct End {
 
 Crossing crossing(const End& low, const End& high, int32_t lines_begin, int32_t lines_end)
 {
-    const int32_t first = row_from(low.line_q6), last = row_from(high.line_q6);
+    const int32_t first = line_from(low.line_q6), last = line_from(high.line_q6);
     Crossing c = {};
     c.first = first > lines_begin ? first : lines_begin;
     c.end = last < lines_end ? last : lines_end;
     if (c.first >= c.end) return c;
-    const int32_t begin = row_from(low.line_q6), ahead_q6 = 64 * begin + 32 - low.line_q6, lines = c.first - begin;
+    const int32_t begin = line_from(low.line_q6), ahead_q6 = 64 * begin + 32 - low.line_q6, lines = c.first - begin;
     const Reciprocal r = reciprocal(static_cast<uint32_t>(high.line_q6 - low.line_q6));
     // A place changes by at most as much as the line, a depth by less than 2^16.
     c.step_q16 = times_q16((high.place_q6 - low.place_q6) * (1 << (r.leading - 2)), r.mantissa) >> 13;
@@ -58,9 +58,9 @@ LUMI_ALWAYS_INLINE void mark_pixel(uint16_t* depth, uint32_t mark, const Target&
 // share of the other. `inward`: +1 where the inside has the larger places.
 void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, const Target& target)
 {
-    const bool is_row = lines.stride == 1;
-    const Neighbour to_upper = is_row ? Neighbour::right : Neighbour::below;
-    const Neighbour to_lower = is_row ? Neighbour::left : Neighbour::above;
+    const bool is_scanline = lines.stride == 1;
+    const Neighbour to_upper = is_scanline ? Neighbour::right : Neighbour::below;
+    const Neighbour to_lower = is_scanline ? Neighbour::left : Neighbour::above;
     const int32_t to_inner = inward > 0 ? lines.stride : 0, to_outer = lines.stride - to_inner;
     const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1;
     int32_t line_at = c.first * lines.pitch, at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;

@@ -20,7 +20,7 @@ namespace
 
 using firmware::TextLine;
 
-constexpr int32_t kStripeRows = 16;  // as firmware does that feeds a panel from a small buffer
+constexpr int32_t kStripeHeight = 16;  // as firmware does that feeds a panel from a small buffer
 constexpr uint32_t kStrideBytes = kSidePx * PixelRgb565::kBytes;
 
 uint8_t frame[kSidePx * kStrideBytes];
@@ -34,9 +34,9 @@ __attribute__((noinline)) uint64_t count_frame(Draw draw_stripe, const Field& fi
 {
     RenderError error = RenderError::none;
     const uint64_t begin = mps2::instructions();
-    for (int32_t y = 0; y < kSidePx && error == RenderError::none; y += kStripeRows) {
+    for (int32_t y = 0; y < kSidePx && error == RenderError::none; y += kStripeHeight) {
         const Stripe stripe = {
-            frame + static_cast<uint32_t>(y) * kStrideBytes, 0, y, kSidePx, kStripeRows, kStrideBytes};
+            frame + static_cast<uint32_t>(y) * kStrideBytes, 0, y, kSidePx, kStripeHeight, kStrideBytes};
         error = draw_stripe(field, camera, stripe, span_px);
     }
     const uint64_t count = mps2::instructions() - begin;

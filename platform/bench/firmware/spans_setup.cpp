@@ -18,16 +18,16 @@ struct SetupOnly : LUMI_BENCH_RECONSTRUCTION {
 template <>
 struct SpanDraw<bench::SetupOnly> {
     template <class Texel, class Pixel, class Background>
-    static void draw(SpanTarget<Background>& span)
+    static void draw(CellPiece<Background>& span)
     {
-        int32_t rows_left = span.rows();
+        int32_t scanlines_left = span.scanlines();
         span.go_to_first();
         do {
-            __asm volatile("" ::"r"(&span) : "memory");  // someone wants the row
-        } while (span.go_down(rows_left));
+            __asm volatile("" ::"r"(&span) : "memory");  // someone wants the scanline
+        } while (span.go_down(scanlines_left));
     }
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedTarget<Background>& span)
+    static void draw_checked(const CheckedPiece<Background>& span)
     {
         __asm volatile("" ::"r"(&span) : "memory");
     }

@@ -15,7 +15,7 @@ SurfaceFrame frame;
 SurfaceVertex vertices[format::kMaxSurfaceVertices];
 uint16_t links[surface_links(format::kMaxPatches)];
 uint16_t bands[surface_bands(kSidePx, kSurfaceBandLog2)];
-uint32_t samples[surface_stripe_bytes(kSidePx, kSurfaceStripeRows, SurfaceMode::two_by_two) / sizeof(uint32_t)];
+uint32_t samples[surface_stripe_bytes(kSidePx, kSurfaceStripeHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
 
 }  // namespace
 
@@ -31,8 +31,8 @@ void fill_alone(int32_t width_px, bool with_outlines)
     SurfaceFrame filled = frame;
     if (!with_outlines) filled.field.neighbours = nullptr;
     const int32_t margin = surfaces::blends_outlines(filled) ? 1 : 0;
-    for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeRows) {
-        const int32_t top = y - margin < 0 ? 0 : y - margin, end = y + kSurfaceStripeRows + margin;
+    for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeHeight) {
+        const int32_t top = y - margin < 0 ? 0 : y - margin, end = y + kSurfaceStripeHeight + margin;
         const int32_t rows = (end < kSidePx ? end : kSidePx) - top;
         const uint32_t count = static_cast<uint32_t>(width_px * rows) << (2 * frame.samples_log2);
         surfaces::rasterize(filled, {0, top, width_px, rows}, reinterpret_cast<uint16_t*>(samples + count), samples);
@@ -42,9 +42,9 @@ void fill_alone(int32_t width_px, bool with_outlines)
 void draw_surface(const SurfaceField& field, const SurfaceView& view, uint8_t* pixels)
 {
     prepare_alone(field, view);
-    for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeRows) {
+    for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeHeight) {
         uint8_t* const at = pixels + static_cast<uint32_t>(y) * kStrideBytes;
-        render_surface<Pixel>(frame, kBackground, {at, 0, y, kSidePx, kSurfaceStripeRows, kStrideBytes}, samples);
+        render_surface<Pixel>(frame, kBackground, {at, 0, y, kSidePx, kSurfaceStripeHeight, kStrideBytes}, samples);
     }
 }
 

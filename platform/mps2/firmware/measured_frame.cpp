@@ -12,7 +12,7 @@ namespace
 
 constexpr OverColour kBackground = {{24, 28, 36}};
 constexpr uint32_t kStrideBytes = kFrameWidth * PixelRgb565::kBytes;
-constexpr uint32_t kStripeBytes = kStrideBytes * kStripeRows;
+constexpr uint32_t kStripeBytes = kStrideBytes * kStripeHeight;
 
 uint8_t stripe_pixels[kStripeBytes];
 
@@ -71,8 +71,8 @@ DrawStripe choose_renderer(Mode mode, format::TexelFormat texels)
 FrameReport draw_measured_frame(const Field& field, const Camera& camera, DrawStripe draw, const StripeSink& sink)
 {
     FrameReport report = {};
-    for (int32_t y = 0; y < kFrameHeight; y += kStripeRows) {
-        const Stripe stripe = {stripe_pixels, 0, y, kFrameWidth, kStripeRows, kStrideBytes};
+    for (int32_t y = 0; y < kFrameHeight; y += kStripeHeight) {
+        const Stripe stripe = {stripe_pixels, 0, y, kFrameWidth, kStripeHeight, kStrideBytes};
         if (draw_measured_stripe(field, camera, draw, stripe, report) != RenderError::none) return report;
         report.crc = crc32(report.crc, stripe_pixels, kStripeBytes);
         report.covered_px += covered_pixels(camera, stripe);

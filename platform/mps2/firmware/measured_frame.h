@@ -12,14 +12,14 @@ namespace lumi::firmware
 
 inline constexpr int32_t kFrameWidth = 240;
 inline constexpr int32_t kFrameHeight = 240;
-inline constexpr int32_t kStripeRows = 16;
-static_assert(kFrameHeight % kStripeRows == 0, "every stripe is full");
+inline constexpr int32_t kStripeHeight = 16;
+static_assert(kFrameHeight % kStripeHeight == 0, "every stripe is full");
 
 // Draws a stripe as RGB565 with the policies that a field and a mode ask for.
 using DrawStripe = RenderError (*)(const Field&, const Camera&, const Stripe&);
 DrawStripe choose_renderer(Mode mode, format::TexelFormat texels);
 
-// Gets each finished stripe (RGB565, kFrameWidth × kStripeRows, no padding); false stops the frame.
+// Gets each finished stripe (RGB565, kFrameWidth × kStripeHeight, no padding); false stops the frame.
 struct StripeSink {
     bool (*flush)(void* context, const uint8_t* pixels, uint32_t bytes);
     void* context;

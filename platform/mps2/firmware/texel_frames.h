@@ -12,7 +12,7 @@
 namespace lumi::firmware
 {
 
-inline constexpr int32_t kStripeRows = 10;  // does not divide the height: the last stripe is shorter
+inline constexpr int32_t kStripeHeight = 10;  // does not divide the height: the last stripe is shorter
 inline constexpr uint32_t kMaxPixelBytes = 3;
 inline constexpr int32_t kSpanPx = 8;
 inline constexpr Rgb8 kBackground = {40, 96, 168};
@@ -64,7 +64,7 @@ inline constexpr Named<PixelRgb565Swapped> kPixelRgb565Swapped = {"rgb565-swappe
 inline constexpr Named<PixelRgb888> kPixelRgb888 = {"rgb888"};
 inline constexpr Named<PixelGrey8> kPixelGrey8 = {"grey8"};
 
-inline uint8_t stripe_pixels[kWidth * kStripeRows * kMaxPixelBytes];
+inline uint8_t stripe_pixels[kWidth * kStripeHeight * kMaxPixelBytes];
 
 // Draws a stripe over the background, then over itself, then, as RGB565, over black, where cores have loops of their
 // own; extends the CRC after each.
@@ -90,10 +90,10 @@ RenderError frame_crc(const Frame& frame, uint32_t& crc)
 {
     constexpr uint32_t kStride = kWidth * Pixel::kBytes;
     static_assert(Pixel::kBytes <= kMaxPixelBytes, "stripe_pixels must hold a stripe");
-    for (int32_t y = 0; y < kHeight; y += kStripeRows) {
-        const int32_t rows = kHeight - y < kStripeRows ? kHeight - y : kStripeRows;
+    for (int32_t y = 0; y < kHeight; y += kStripeHeight) {
+        const int32_t height = kHeight - y < kStripeHeight ? kHeight - y : kStripeHeight;
         const RenderError error =
-            draw_stripe<Renderer, Texel, Pixel>(frame, {stripe_pixels, 0, y, kWidth, rows, kStride}, crc);
+            draw_stripe<Renderer, Texel, Pixel>(frame, {stripe_pixels, 0, y, kWidth, height, kStride}, crc);
         if (error != RenderError::none) return error;
     }
     return RenderError::none;

@@ -3,8 +3,8 @@
 
 #include "image/srgb.h"
 #include "lumi/baker/reference.h"
-#include "lumi/reference/surface_picture.h"
 #include "lumi/surface_field.h"
+#include "lumi/twin/surface_picture.h"
 #include "math/frame.h"
 #include "surface/surface_scenes.h"
 
@@ -44,12 +44,12 @@ double worst_level(const SurfaceBake& bake, const Rgb8& truth)
 {
     double worst = 0;
     for (const Vec3& from : kViews) {
-        const reference::SurfacePicture p =
-            reference::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
+        const twin::SurfacePicture p =
+            twin::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
         size_t covered = 0;
         for (size_t k = 0; k < p.colours.size(); ++k) {
             if (p.coverage[k] == 1) {
-                const reference::Colour& c = p.colours[k];
+                const twin::Colour& c = p.colours[k];
                 worst = std::max({worst, std::abs(c.r - truth.r), std::abs(c.g - truth.g), std::abs(c.b - truth.b)});
                 ++covered;
             }
@@ -60,13 +60,13 @@ double worst_level(const SurfaceBake& bake, const Rgb8& truth)
 }
 
 // Over pixels that are covered whole.
-reference::Colour mean_colour(const SurfaceBake& bake)
+twin::Colour mean_colour(const SurfaceBake& bake)
 {
-    reference::Colour sum;
+    twin::Colour sum;
     double count = 0;
     for (const Vec3& from : kViews) {
-        const reference::SurfacePicture p =
-            reference::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
+        const twin::SurfacePicture p =
+            twin::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
         for (size_t k = 0; k < p.colours.size(); ++k) {
             if (p.coverage[k] == 1) {
                 sum = {sum.r + p.colours[k].r, sum.g + p.colours[k].g, sum.b + p.colours[k].b};
@@ -86,8 +86,8 @@ double squared_error(const Scene& scene, const SurfaceBake& bake)
         Camera camera;
         REQUIRE(make_camera(pose_from(from), picture_size(), camera) == CameraError::none);
         const RgbaImage truth = render_reference(scene, camera, {32, 1, 1, false});
-        const reference::SurfacePicture p =
-            reference::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
+        const twin::SurfacePicture p =
+            twin::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
         for (size_t k = 0; k < p.colours.size(); ++k) {
             if (p.coverage[k] == 1 && truth.rgba[4 * k + 3] == 255) {
                 const double d[] = {p.colours[k].r - truth.rgba[4 * k], p.colours[k].g - truth.rgba[4 * k + 1],
@@ -122,7 +122,7 @@ TEST_CASE("noise does not darken: a matt ball below an even sky has the colour o
 {
     const Rgb albedo = {0.5f, 0.25f, 0.1f};
     const SurfaceBake bake = surface_field(ball(diffuse(albedo), constant_environment(1)), tiny_surface());
-    const reference::Colour mean = mean_colour(bake);
+    const twin::Colour mean = mean_colour(bake);
     const Rgb8 truth = srgb_encode(albedo);
     CHECK(mean.r == Approx(truth.r).margin(0.7));
     CHECK(mean.g == Approx(truth.g).margin(0.7));

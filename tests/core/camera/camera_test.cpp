@@ -3,13 +3,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 #include "views.h"
 
 using namespace lumi;
 using namespace lumi::test;
-using reference::decoded;
+using twin::decoded;
 
 namespace
 {
@@ -25,7 +25,7 @@ double value(const AffineQ40& a, int32_t x, int32_t y)
 Vec3 viewing_vector(const Pose& pose, const Image& image, double x, double y)
 {
     const double longer = std::max(image.width_px, image.height_px);
-    const double pixel = 2 * std::tan(image.fov_turns32 / 4294967296.0 * reference::kPi) / longer;
+    const double pixel = 2 * std::tan(image.fov_turns32 / 4294967296.0 * twin::kPi) / longer;
     const double right = (x + 0.5 - image.width_px / 2.0 - image.shift_x_q8 / 256.0) * pixel;
     const double down = (y + 0.5 - image.height_px / 2.0 - image.shift_y_q8 / 256.0) * pixel;
     return decoded(pose.forward) + right * decoded(pose.right) + (-down) * decoded(pose.up);
@@ -35,7 +35,7 @@ Vec3 viewing_vector(const Pose& pose, const Image& image, double x, double y)
 Vec3 camera_vector(const Camera& camera, int32_t x, int32_t y)
 {
     const Vec3 p = {value(camera.offset()[0], x, y), value(camera.offset()[1], x, y), value(camera.offset()[2], x, y)};
-    return reference::from_q30(camera.inverse_distance_q30()) * p +
+    return twin::from_q30(camera.inverse_distance_q30()) * p +
            (-value(camera.facing(), x, y)) * decoded(camera.eye_direction());
 }
 
@@ -58,16 +58,16 @@ TEST_CASE("a camera's rays are those of its pose and image", "[camera]")
         Camera camera;
         INFO(view.name);
         REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        CHECK(reference::from_q30(camera.inverse_distance_q30()) ==
-              Approx(1 / reference::length(decoded(view.pose.eye))).epsilon(1e-5));
-        const double pixel = 2 * std::tan(view.image.fov_turns32 / 4294967296.0 * reference::kPi) /
+        CHECK(twin::from_q30(camera.inverse_distance_q30()) ==
+              Approx(1 / twin::length(decoded(view.pose.eye))).epsilon(1e-5));
+        const double pixel = 2 * std::tan(view.image.fov_turns32 / 4294967296.0 * twin::kPi) /
                              std::max(view.image.width_px, view.image.height_px);
         for (int32_t y = 0; y < view.image.height_px; y += 7) {
             for (int32_t x = 0; x < view.image.width_px; x += 5) {
                 const Vec3 d = camera_vector(camera, x, y);
-                const Vec3 truth = reference::normalised(viewing_vector(view.pose, view.image, x, y));
-                length.see(reference::length(d), where);
-                angle.see(reference::length(reference::normalised(d) - truth) / pixel, where++);
+                const Vec3 truth = twin::normalised(viewing_vector(view.pose, view.image, x, y));
+                length.see(twin::length(d), where);
+                angle.see(twin::length(twin::normalised(d) - truth) / pixel, where++);
             }
         }
     }
@@ -94,8 +94,8 @@ TEST_CASE("orbit looks at the centre from where its angles say", "[camera]")
     for (uint32_t k = 0; k < 4096; ++k) {
         const Pose p = orbit(k * 0x9E3779B9u, static_cast<int32_t>(k * 0x3C6EF372u) / 2, 5 * kOneQ20 / 2);
         const Vec3 eye = decoded(p.eye);
-        worst.see(reference::length(reference::normalised(eye) + decoded(p.forward)), k);
-        worst.see(std::fabs(reference::length(eye) - 2.5), k);
+        worst.see(twin::length(twin::normalised(eye) + decoded(p.forward)), k);
+        worst.see(std::fabs(twin::length(eye) - 2.5), k);
         REQUIRE(error_of(p, kImage) == CameraError::none);
     }
     worst.report("orbit, error of the eye");
@@ -108,8 +108,8 @@ TEST_CASE("a stereo pair moves along the camera's right axis", "[camera]")
     const Pose left = moved_right(middle, -kOneQ20 / 20);
     const Pose right = moved_right(middle, kOneQ20 / 20);
     const Vec3 between = decoded(right.eye) - decoded(left.eye);
-    CHECK(reference::length(between) == Approx(0.1).epsilon(1e-4));
-    CHECK(reference::dot(reference::normalised(between), decoded(middle.right)) == Approx(1).epsilon(1e-6));
+    CHECK(twin::length(between) == Approx(0.1).epsilon(1e-4));
+    CHECK(twin::dot(twin::normalised(between), decoded(middle.right)) == Approx(1).epsilon(1e-6));
     CHECK(left.forward.x == middle.forward.x);
 }
 

@@ -151,7 +151,7 @@ TEST_CASE("equal calls give equal answers, and fields alternate", "[quality]")
 namespace
 {
 
-// Weaves the frame from both halves, drawn by `draw`; whole rows of the image.
+// Weaves the frame from both halves, drawn by `draw`; whole scanlines of the image.
 template <class Draw>
 std::vector<uint8_t> woven_frame(const Camera& camera, Draw draw)
 {
@@ -160,9 +160,9 @@ std::vector<uint8_t> woven_frame(const Camera& camera, Draw draw)
     for (const int32_t parity : {0, 1}) {
         const Camera half = interlaced_half(camera, parity);
         if (half.height_px() == 0) continue;
-        const Stripe rows = {
+        const Stripe scanlines = {
             &woven[static_cast<uint32_t>(parity) * stride], 0, 0, half.width_px(), half.height_px(), 2 * stride};
-        REQUIRE(draw(half, rows) == RenderError::none);
+        REQUIRE(draw(half, scanlines) == RenderError::none);
     }
     return woven;
 }
@@ -171,7 +171,7 @@ std::vector<uint8_t> woven_frame(const Camera& camera, Draw draw)
 
 TEST_CASE("two interlaced halves make the frame", "[quality]")
 {
-    constexpr int32_t kSide = 33;  // odd: the first field has a row more
+    constexpr int32_t kSide = 33;  // odd: the first half has a scanline more
     TestLayout layout;
     layout.origins = 100;
     layout.used_origins = 100;
@@ -190,13 +190,13 @@ TEST_CASE("two interlaced halves make the frame", "[quality]")
         const Stripe stripe = {whole.data(), 0, 0, camera.width_px(), camera.height_px(), stride};
         REQUIRE(render<Linear, TexelLuma8, PixelGrey8>(field, camera, OverBlack{}, stripe) == RenderError::none);
         INFO(view.name);
-        const auto exact = [&](const Camera& half, const Stripe& rows) {
-            return render<Linear, TexelLuma8, PixelGrey8>(field, half, OverBlack{}, rows);
+        const auto exact = [&](const Camera& half, const Stripe& scanlines) {
+            return render<Linear, TexelLuma8, PixelGrey8>(field, half, OverBlack{}, scanlines);
         };
         CHECK(whole == woven_frame(camera, exact));
         // By spans a half covers what the frame covers, but for the outline's rounding.
-        const auto spans = [&](const Camera& half, const Stripe& rows) {
-            return render_spans<Linear, TexelLuma8, PixelGrey8>(field, half, OverBlack{}, rows, 16);
+        const auto spans = [&](const Camera& half, const Stripe& scanlines) {
+            return render_spans<Linear, TexelLuma8, PixelGrey8>(field, half, OverBlack{}, scanlines, 16);
         };
         const std::vector<uint8_t> woven = woven_frame(camera, spans);
         uint32_t differ = 0;
@@ -205,7 +205,7 @@ TEST_CASE("two interlaced halves make the frame", "[quality]")
     }
 }
 
-TEST_CASE("the outline of an interlaced half is that of its rows", "[quality]")
+TEST_CASE("the outline of an interlaced half is that of its scanlines", "[quality]")
 {
     for (const View& view : extreme_views(33)) {
         Camera camera;
@@ -214,9 +214,9 @@ TEST_CASE("the outline of an interlaced half is that of its rows", "[quality]")
             const Camera half = interlaced_half(camera, parity);
             OutlineTracker outline(half, {0, half.width_px()});
             for (int32_t y = 0; y < half.height_px(); ++y) {
-                const Extent span = outline.row(y);
+                const Extent span = outline.scanline(y);
                 const Extent exact = covered_extent(camera, 2 * y + parity, 0, camera.width_px());
-                INFO(view.name << " row " << y << " of parity " << parity);
+                INFO(view.name << " scanline " << y << " of parity " << parity);
                 REQUIRE(std::abs(span.begin - exact.begin) <= 1);
                 REQUIRE(std::abs(span.end - exact.end) <= 1);
             }

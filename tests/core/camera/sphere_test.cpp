@@ -3,36 +3,36 @@
 
 #include <catch2/catch.hpp>
 
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 #include "views.h"
 
 using namespace lumi;
 using namespace lumi::test;
-using reference::decoded;
+using twin::decoded;
 
 namespace
 {
 
 // The ray of a pixel as the camera's numbers describe it, and the plain quadratic equation for its hits.
-struct ReferenceRay {
+struct TwinRay {
     Vec3 eye, direction;
     bool covered;
     double margin;  // of the tangent rule: s²/q - 1/2^kTangentShift
     Vec3 front, back;
 };
 
-ReferenceRay reference_ray(const Camera& camera, int32_t x, int32_t y)
+TwinRay twin_ray(const Camera& camera, int32_t x, int32_t y)
 {
     const auto value = [&](const AffineQ40& a) { return std::ldexp(static_cast<double>(a.at(x, y)), -40); };
-    const double inverse = reference::from_q30(camera.inverse_distance_q30());
+    const double inverse = twin::from_q30(camera.inverse_distance_q30());
     const Vec3 axis = decoded(camera.eye_direction());
     const Vec3 p = {value(camera.offset()[0]), value(camera.offset()[1]), value(camera.offset()[2])};
-    ReferenceRay ray{};
+    TwinRay ray{};
     ray.eye = (1 / inverse) * axis;
-    ray.direction = reference::normalised(inverse * p + (-value(camera.facing())) * axis);
-    const double along = -reference::dot(ray.eye, ray.direction);
-    const double half2 = along * along - (reference::dot(ray.eye, ray.eye) - 1);
+    ray.direction = twin::normalised(inverse * p + (-value(camera.facing())) * axis);
+    const double along = -twin::dot(ray.eye, ray.direction);
+    const double half2 = along * along - (twin::dot(ray.eye, ray.eye) - 1);
     ray.margin = half2 - std::ldexp(1.0, -kTangentShift);
     ray.covered = ray.margin >= 0 && along > 0;
     const double half = std::sqrt(std::fmax(0.0, half2));
@@ -62,7 +62,7 @@ TEST_CASE("hits agree with the quadratic equation at every extreme", "[sphere]")
         uint32_t covered = 0;
         for (int32_t y = 0; y < view.image.height_px; ++y) {
             for (int32_t x = 0; x < view.image.width_px; ++x) {
-                const ReferenceRay truth = reference_ray(camera, x, y);
+                const TwinRay truth = twin_ray(camera, x, y);
                 SphereRay ray;
                 const bool drawn = ray_at(camera, x, y, ray);
                 covered += drawn;
@@ -73,8 +73,8 @@ TEST_CASE("hits agree with the quadratic equation at every extreme", "[sphere]")
                 } else if (drawn) {
                     const SphereHits hit = hits(camera, ray);
                     const uint64_t where = static_cast<uint64_t>(y) * 1000 + static_cast<uint64_t>(x);
-                    worst.see(reference::length(decoded(hit.front) - truth.front), where);
-                    worst.see(reference::length(decoded(hit.back) - truth.back), where);
+                    worst.see(twin::length(decoded(hit.front) - truth.front), where);
+                    worst.see(twin::length(decoded(hit.back) - truth.back), where);
                 }
             }
         }
@@ -87,7 +87,7 @@ TEST_CASE("hits agree with the quadratic equation at every extreme", "[sphere]")
     }
 }
 
-TEST_CASE("a row's span holds exactly the pixels that ray_at covers", "[sphere]")
+TEST_CASE("a scanline's span holds exactly the pixels that ray_at covers", "[sphere]")
 {
     for (const View& view : extreme_views(40)) {
         const Camera camera = camera_of(view);
@@ -104,7 +104,7 @@ TEST_CASE("a row's span holds exactly the pixels that ray_at covers", "[sphere]"
                     const bool is_hit = inside && ray_at(camera, x, y, ray);
                     if (is_hit != (x >= span.begin && x < span.end)) wrong.push_back(x);
                 }
-                INFO(view.name << " row " << y << " span " << span.begin << ".." << span.end);
+                INFO(view.name << " scanline " << y << " span " << span.begin << ".." << span.end);
                 REQUIRE(wrong == std::vector<int32_t>{});
             }
         }
@@ -120,6 +120,6 @@ TEST_CASE("a distant eye sees the sphere as the disc it is", "[sphere]")
         const Extent span = covered_extent(camera, y, 0, 200);
         covered += static_cast<uint32_t>(span.end - span.begin);
     }
-    const double radius_px = 100 * 0.001 / std::tan(reference::kPi / 360);
-    CHECK(covered == Approx(reference::kPi * radius_px * radius_px).epsilon(0.03));
+    const double radius_px = 100 * 0.001 / std::tan(twin::kPi / 360);
+    CHECK(covered == Approx(twin::kPi * radius_px * radius_px).epsilon(0.03));
 }

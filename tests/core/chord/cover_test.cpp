@@ -37,18 +37,18 @@ namespace lumi
 template <>
 struct SpanDraw<Marks> {
     template <class Texel, class Pixel, class Background>
-    static void draw(SpanTarget<Background>& span)
+    static void draw(CellPiece<Background>& span)
     {
         static_assert(Pixel::kBytes == 1);
-        int32_t rows_left = span.rows();
+        int32_t scanlines_left = span.scanlines();
         span.go_to_first();
         do {
             const uint8_t mark = span.tile != nullptr ? kOfTile : kOfSpan;
             for (int32_t k = 0; k < span.length; ++k) span.pixels[k] = static_cast<uint8_t>(span.pixels[k] + mark);
-        } while (span.go_down(rows_left));
+        } while (span.go_down(scanlines_left));
     }
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedTarget<Background>& span)
+    static void draw_checked(const CheckedPiece<Background>& span)
     {
         for (int32_t k = 0; k < span.length; ++k) span.pixels[k] = static_cast<uint8_t>(span.pixels[k] + kChecked);
     }
@@ -59,7 +59,7 @@ struct SpanDraw<Marks> {
 namespace
 {
 
-// Of all covered pixels those in tiles; every pixel is checked. Rows are drawn `height` at a time.
+// Of all covered pixels those in tiles; every pixel is checked. Scanlines are drawn `height` at a time.
 double share_of_tiles(const Field& field, const Camera& camera, int32_t height)
 {
     std::vector<uint8_t> pixels(static_cast<size_t>(kSide) * kSide);

@@ -57,7 +57,7 @@ LineChange random_down(std::minstd_rand& random)
 // Of three bytes, which show more of a sum than packed colours do.
 using Pixel = PixelRgb888;
 struct Pixels {
-    uint8_t row[kTileRows][kPixels * Pixel::kBytes] = {};
+    uint8_t scanline[kTileHeight][kPixels * Pixel::kBytes] = {};
 };
 
 template <bool kFlips, class Texel, class Background>
@@ -68,18 +68,19 @@ void compare(const Field& field, const Background& background, std::minstd_rand&
         CellLine directions = random_side(random, kFlips);
         const LineChange down[] = {random_down(random), random_down(random)};
         const int32_t length = between(random, 1, kPixels);
-        const int32_t first = between(random, 0, kTileRows - 1);
-        const TileRows tile = {first, between(random, 1, kTileRows - first), sizeof(Pixels::row[0]), down[0], down[1]};
+        const int32_t first = between(random, 0, kTileHeight - 1);
+        const TileScanlines tile = {first, between(random, 1, kTileHeight - first), sizeof(Pixels::scanline[0]),
+                                    down[0], down[1]};
         Pixels every, own;
-        const auto target = [&](Pixels& pixels) {
-            return SpanTarget<Background>{
-                field, background, pixels.row[0], length, 0, 0, origins, directions, k % 2 != 0 ? &tile : nullptr};
+        const auto piece = [&](Pixels& pixels) {
+            return CellPiece<Background>{field,   background, pixels.scanline[0],          length, 0, 0,
+                                         origins, directions, k % 2 != 0 ? &tile : nullptr};
         };
-        const TileRows* const all = can_follow_tile(target(every)) ? &tile : nullptr;
-        draw_pairs<kFlips, Texel, Pixel>(target(every), all);
-        draw_cells<Texel, Pixel>(target(own), all);
+        const TileScanlines* const all = can_follow_tile(piece(every)) ? &tile : nullptr;
+        draw_both_sides<kFlips, Texel, Pixel>(piece(every), all);
+        draw_cells<Texel, Pixel>(piece(own), all);
         INFO("span " << k);
-        REQUIRE(std::memcmp(every.row, own.row, sizeof(every.row)) == 0);
+        REQUIRE(std::memcmp(every.scanline, own.scanline, sizeof(every.scanline)) == 0);
     }
 }
 

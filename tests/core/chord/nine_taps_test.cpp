@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Nine taps by hand against the sums of rows, and colours packed by hand against pack_rgb565.
+// Nine taps against sums of one product a tap and channel, and colours packed by hand against pack_rgb565.
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "lumi/detail/chord/both_sides_steps.h"
 #include "lumi/detail/chord/nine_taps.h"
-#include "lumi/detail/chord/pair_steps.h"
 
 using namespace lumi;
 
@@ -26,9 +26,9 @@ public:
 
     // Three weights in halves of words that sum to one in each half.
     template <class Sum>
-    void weights(PairTaps& taps)
+    void weights(PixelTaps& taps)
     {
-        uint32_t rest = PairBits<Sum::kRowBits, Sum::kTapBits>::kOnes;
+        uint32_t rest = BothSidesBits<Sum::kRowBits, Sum::kTapBits>::kOnes;
         for (int k = 0; k < 3; ++k) {
             const uint32_t w = k == 2 ? rest : below((rest >> 16) + 1) << 16 | below((rest & 0xFFFF) + 1);
             rest -= w;
@@ -41,10 +41,23 @@ private:
     std::minstd_rand random_{1};
 };
 
-template <class Texel>
+// One product a tap and channel.
+struct PlainSum {
+    uint32_t r = 0, g = 0, b = 0, a = 0;
+
+    void add(const Rgba8& c, uint32_t weight)
+    {
+        r += c.r * weight;
+        g += c.g * weight;
+        b += c.b * weight;
+        a += c.a * weight;
+    }
+};
+
+template <class Texel, bool kCoverage>
 int wrong_sums(bool is_white)
 {
-    using Sum = TexelSum<Texel, false>;
+    using Sum = TexelSum<Texel, kCoverage>;
     constexpr uint32_t kTexelBytes = format::bytes_per_texel(Texel::kFormat);
     constexpr int32_t kBytes = static_cast<int32_t>(kTexelBytes);
     Draw draw;
@@ -56,25 +69,35 @@ int wrong_sums(bool is_white)
     field.palette = palette;
     int wrong = 0;
     for (int k = 0; k < kPixels; ++k) {
-        PairTaps taps;
+        PixelTaps taps;
         for (const uint8_t*& row : taps.row)
             row = texels + kBytes * static_cast<int32_t>(100 + draw.below(100)) + kBytes - Sum::kBefore;
         for (int32_t& offset : taps.offset) offset = kBytes * draw.signed_below(100);
         draw.weights<Sum>(taps);
-        const Sum by_hand = NineTaps<Sum>::sum(field, taps);
-        const Sum by_rows = sum_of_rows<Sum>(field, taps);
-        wrong += by_hand.r != by_rows.r || by_hand.g != by_rows.g || by_hand.b != by_rows.b;
+        PlainSum expected;
+        for (int m = 0; m < 3; ++m) {
+            const uint32_t row_weight = Sum::kUpperHalves ? taps.row_weight[m] >> 16 : taps.row_weight[m];
+            for (int t = 0; t < 3; ++t) {
+                const uint8_t* const texel = taps.row[m] + (t == 0 ? 0 : taps.offset[t - 1]) + Sum::kBefore;
+                expected.add(Texel::load(field, texel, 0), row_weight * taps.weight[t]);
+            }
+        }
+        const Sum sum = sum_of<Sum>(field, taps);
+        wrong += sum.r != expected.r || sum.g != expected.g || sum.b != expected.b;
+        wrong += kCoverage && sum.a != expected.a;
     }
     return wrong;
 }
 
 }  // namespace
 
-TEST_CASE("nine taps by hand are the sums of three rows", "[span]")
+TEST_CASE("nine taps sum to what each channel of each tap adds", "[span]")
 {
     for (const bool is_white : {false, true}) {
-        CHECK(wrong_sums<TexelPalette8>(is_white) == 0);
-        CHECK(wrong_sums<TexelRgb888>(is_white) == 0);
+        CHECK(wrong_sums<TexelPalette8, false>(is_white) == 0);
+        CHECK(wrong_sums<TexelPalette8, true>(is_white) == 0);
+        CHECK(wrong_sums<TexelRgb888, false>(is_white) == 0);
+        CHECK(wrong_sums<TexelRgb888, true>(is_white) == 0);
     }
 }
 

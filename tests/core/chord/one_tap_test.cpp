@@ -53,10 +53,10 @@ void compare(const Field& field)
         const int32_t x = between(random, 0, 8000);
         uint8_t fast[kPixels] = {};
         uint8_t checked[kPixels] = {};
-        SpanTarget<OverBlack> target = {field, black, fast, length, x, k, origins, directions, nullptr};
-        SpanDraw<Reconstruction>::template draw<TexelLuma8, PixelGrey8>(target);
+        CellPiece<OverBlack> piece = {field, black, fast, length, x, k, origins, directions, nullptr};
+        SpanDraw<Reconstruction>::template draw<TexelLuma8, PixelGrey8>(piece);
         SpanDraw<Reconstruction>::template draw_checked<TexelLuma8, PixelGrey8>(
-            CheckedTarget<OverBlack>{field, black, checked, length, x, k, checked_origins, checked_directions});
+            CheckedPiece<OverBlack>{field, black, checked, length, x, k, checked_origins, checked_directions});
         INFO("span " << k);
         REQUIRE(std::memcmp(fast, checked, sizeof(fast)) == 0);
     }

@@ -8,7 +8,7 @@
 #include "edges.h"
 #include "field_bytes.h"
 #include "lumi/render_spans_paper.h"
-#include "reference.h"
+#include "twin.h"
 
 using namespace lumi;
 using namespace lumi::test;
@@ -36,8 +36,8 @@ Bytes smooth_luma(uint32_t origins, uint32_t directions)
     layout.origins = layout.used_origins = origins;
     layout.directions = directions;
     layout.texel = TexelFormat::luma8;
-    const std::vector<Vec3> o = reference::points(origins);
-    const std::vector<Vec3> d = reference::points(directions);
+    const std::vector<Vec3> o = twin::points(origins);
+    const std::vector<Vec3> d = twin::points(directions);
     return file_of({layout_section(layout), texel_section(layout, [&](uint32_t i, uint32_t k) {
                         const Vec3& to = d[std::min(k, directions - 1)];
                         return static_cast<uint8_t>(128 + 60 * std::sin(2 * o[i].x + o[i].z) +

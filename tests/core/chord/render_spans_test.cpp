@@ -6,8 +6,8 @@
 #include <random>
 
 #include "field_bytes.h"
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 #include "views.h"
 
 using namespace lumi;
@@ -42,8 +42,8 @@ Bytes smooth_field(uint32_t origins, uint32_t used, uint32_t directions, TexelFo
     layout.directions = directions;
     layout.texel = texel;
     const uint32_t bytes = format::bytes_per_texel(texel);
-    const std::vector<Vec3> o = reference::points(origins);
-    const std::vector<Vec3> d = reference::points(directions);
+    const std::vector<Vec3> o = twin::points(origins);
+    const std::vector<Vec3> d = twin::points(directions);
     const auto value = [&](uint32_t i, uint32_t k) {
         const Vec3& from = o[i];
         const Vec3& to = d[std::min(k / bytes, directions - 1)];

@@ -25,20 +25,20 @@ struct Counts {
     double share() const { return taken / static_cast<double>(tried); }
 };
 
-void compare_rows(const Camera& camera, int32_t x, int32_t y, const HitEvaluator& nodes, LatticeTrack& track,
-                  const TileWalker& tile, Worst& worst)
+void compare_scanlines(const Camera& camera, int32_t x, int32_t y, const HitEvaluator& nodes, LatticeTrack& track,
+                       const TileWalker& tile, Worst& worst)
 {
     CellLine& line = track.line.cells;
-    for (int32_t row = 0; row < kTileRows; ++row) {
-        line.move_down(tile.down(), row == 0 ? 0 : 1);
-        const RayRow rays = nodes.row_at(x, y + row);
+    for (int32_t scanline = 0; scanline < kTileHeight; ++scanline) {
+        line.move_down(tile.down(), scanline == 0 ? 0 : 1);
+        const ScanlineRays rays = nodes.rays_from(x, y + scanline);
         for (int32_t k = 0; k < kWidth; ++k) {
             HitPair node;
             nodes.evaluate(rays, k, node);
             const LatticePoint at = {line.u_q16 + k * line.du_q16, line.v_q16 + k * line.dv_q16};
             const LatticePoint own = own_place(track, node, at);
             worst.see(std::hypot(at.u_q16 - own.u_q16, at.v_q16 - own.v_q16) / 65536.0,
-                      static_cast<uint64_t>((y + row) * camera.width_px() + x + k));
+                      static_cast<uint64_t>((y + scanline) * camera.width_px() + x + k));
         }
     }
 }
@@ -52,18 +52,18 @@ Counts count_tiles(const Camera& camera, const Lattice& points, Hit HitPair::*si
     const HitEvaluator nodes(camera);
     OutlineTracker outline(camera, {0, camera.width_px()});
     Counts counts;
-    for (int32_t y = 0; y + kTileRows + 4 < camera.height_px(); y += kTileRows) {
-        const Extent middle = outline.row(y);
-        const Extent inside = outline.columns(y > 4 ? y - 4 : 0, y + kTileRows + 4, middle, 2);
+    for (int32_t y = 0; y + kTileHeight + 4 < camera.height_px(); y += kTileHeight) {
+        const Extent middle = outline.scanline(y);
+        const Extent inside = outline.columns(y > 4 ? y - 4 : 0, y + kTileHeight + 4, middle, 2);
         for (int32_t x = (inside.begin + kWidth - 1) & -kWidth; x + kWidth < inside.end; x += kWidth) {
             HitPair node[5];
             const int32_t ahead[] = {0, kWidth, 0, kWidth, kWidth / 2};
-            const int32_t down[] = {0, 0, kTileRows, kTileRows, kTileRows / 2};
-            for (int k = 0; k < 5; ++k) nodes.evaluate(nodes.row_at(x, y + down[k]), ahead[k], node[k]);
+            const int32_t down[] = {0, 0, kTileHeight, kTileHeight, kTileHeight / 2};
+            for (int k = 0; k < 5; ++k) nodes.evaluate(nodes.rays_from(x, y + down[k]), ahead[k], node[k]);
             ++counts.tried;
             if (!tile.prepare({&node[0], &node[1], &node[2], &node[3], &node[4]}, kWidthLog2)) continue;
             ++counts.taken;
-            compare_rows(camera, x, y, nodes, track, tile, counts.worst);
+            compare_scanlines(camera, x, y, nodes, track, tile, counts.worst);
         }
     }
     return counts;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 
 using namespace lumi;
-using reference::Vec3;
+using twin::Vec3;
 
 namespace
 {
@@ -47,7 +47,7 @@ private:
     static Vec3 at(double z, double turns)
     {
         const double radius = std::sqrt(std::fmax(0.0, 1 - z * z));
-        return {radius * std::cos(2 * reference::kPi * turns), radius * std::sin(2 * reference::kPi * turns), z};
+        return {radius * std::cos(2 * twin::kPi * turns), radius * std::sin(2 * twin::kPi * turns), z};
     }
 
     Vec3 anywhere() { return at(2 * uniform() - 1, uniform()); }
@@ -57,10 +57,10 @@ private:
     Vec3 between_points()
     {
         const auto i = static_cast<uint32_t>(uniform() * n_);
-        const Vec3 a = reference::point(n_, i);
+        const Vec3 a = twin::point(n_, i);
         const Vec3 b = anywhere();
-        const Vec3 mixed = a + (reference::spacing(n_) * uniform()) * b;
-        return reference::length(mixed) > 0 ? reference::normalised(mixed) : a;
+        const Vec3 mixed = a + (twin::spacing(n_) * uniform()) * b;
+        return twin::length(mixed) > 0 ? twin::normalised(mixed) : a;
     }
 
     uint32_t n_;
@@ -72,7 +72,7 @@ std::vector<double> nearest_squares(const std::vector<Vec3>& all, const Vec3& q)
 {
     std::vector<double> squares;
     squares.reserve(all.size());
-    for (const Vec3& p : all) squares.push_back(reference::dot(p - q, p - q));
+    for (const Vec3& p : all) squares.push_back(twin::dot(p - q, p - q));
     const size_t wanted = std::min<size_t>(kMaxNeighbours, all.size());
     std::partial_sort(squares.begin(), squares.begin() + static_cast<std::ptrdiff_t>(wanted), squares.end());
     squares.resize(wanted);
@@ -83,7 +83,7 @@ std::vector<double> nearest_squares(const std::vector<Vec3>& all, const Vec3& q)
 double excess(const Lattice& lattice, const std::vector<Vec3>& all, const Vec3q30& query,
               const std::vector<double>& truth, uint32_t count)
 {
-    const Vec3 q = reference::decoded(query);
+    const Vec3 q = twin::decoded(query);
     const uint32_t expected = std::min<uint32_t>(count, lattice.size());
     Neighbour found[kMaxNeighbours];
     if (neighbours(lattice, query, count, found) != expected) return INFINITY;
@@ -91,8 +91,8 @@ double excess(const Lattice& lattice, const std::vector<Vec3>& all, const Vec3q3
     for (uint32_t k = 0; k < expected; ++k) {
         for (uint32_t m = 0; m < k; ++m)
             if (found[m].index == found[k].index) return INFINITY;
-        const double distance = reference::length(all[found[k].index] - q);
-        worst = std::max(worst, (distance - std::sqrt(truth[k])) / reference::spacing(lattice.size()));
+        const double distance = twin::length(all[found[k].index] - q);
+        worst = std::max(worst, (distance - std::sqrt(truth[k])) / twin::spacing(lattice.size()));
     }
     return worst;
 }
@@ -100,11 +100,11 @@ double excess(const Lattice& lattice, const std::vector<Vec3>& all, const Vec3q3
 void sweep(uint32_t n, uint32_t queries, const std::vector<uint32_t>& counts, Worst& worst)
 {
     const Lattice lattice(n);
-    const std::vector<Vec3> all = reference::points(n);
+    const std::vector<Vec3> all = twin::points(n);
     Directions directions(n);
     for (uint32_t k = 0; k < queries; ++k) {
-        const Vec3q30 query = reference::encoded(directions.next(k));
-        const std::vector<double> truth = nearest_squares(all, reference::decoded(query));
+        const Vec3q30 query = twin::encoded(directions.next(k));
+        const std::vector<double> truth = nearest_squares(all, twin::decoded(query));
         for (const uint32_t count : counts)
             worst.see(excess(lattice, all, query, truth, count), uint64_t{n} * 1000000 + k);
     }
@@ -142,8 +142,7 @@ TEST_CASE("points lie where the definition says, for every size", "[lattice]")
         const Lattice lattice(n);
         const uint32_t step = std::max<uint32_t>(1, n / 20000);
         for (uint32_t i = 0; i < n; i += step)
-            worst.see(reference::length(reference::decoded(point(lattice, i)) - reference::point(n, i)),
-                      uint64_t{n} * 2000000 + i);
+            worst.see(twin::length(twin::decoded(point(lattice, i)) - twin::point(n, i)), uint64_t{n} * 2000000 + i);
     });
     worst.report("point, distance from the definition");
     CHECK(worst.error < std::ldexp(1.0, -22));
@@ -178,7 +177,7 @@ TEST_CASE("kernel weights sum to one and fall with distance", "[lattice]")
         for (uint32_t k = 0; k < queries; ++k) {
             Neighbour near[kMaxNeighbours];
             uint32_t weight[kMaxNeighbours];
-            const uint32_t count = neighbours(lattice, reference::encoded(directions.next(k)), 1 + k % 9, near);
+            const uint32_t count = neighbours(lattice, twin::encoded(directions.next(k)), 1 + k % 9, near);
             kernel_weights(lattice, near, count, weight);
             uint32_t sum = 0;
             for (uint32_t m = 0; m < count; ++m) sum += weight[m];
@@ -200,16 +199,16 @@ TEST_CASE("a triangle's corners surround the query and reproduce its position", 
         Directions directions(n);
         for (uint32_t k = 0; k < queries; ++k) {
             const Vec3 q = directions.next(k);
-            const Triangle t = triangle(lattice, reference::encoded(q));
+            const Triangle t = triangle(lattice, twin::encoded(q));
             uint32_t sum = 0;
             Vec3 mean = {0, 0, 0};
             for (int m = 0; m < 3; ++m) {
                 REQUIRE(t.index[m] < n);
                 sum += t.weight_q12[m];
-                mean = mean + (t.weight_q12[m] / 4096.0) * reference::point(n, t.index[m]);
+                mean = mean + (t.weight_q12[m] / 4096.0) * twin::point(n, t.index[m]);
             }
             REQUIRE(sum == kWeightOneQ12);
-            worst.see(reference::length(mean - q) / reference::spacing(n), uint64_t{n} * 1000000 + k);
+            worst.see(twin::length(mean - q) / twin::spacing(n), uint64_t{n} * 1000000 + k);
         }
     });
     worst.report("triangle, error of the reproduced position in spacings");

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "lattice/polar.h"
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 
 using namespace lumi;
 
@@ -24,8 +24,8 @@ struct Plane {
 // Lambert's projection of point i of any Spherical Fibonacci set, scaled so that a point covers an area of π.
 Plane pattern_point(uint32_t i)
 {
-    const double turns = i / reference::kGolden;
-    const double angle = 2 * reference::kPi * (turns - std::floor(turns));
+    const double turns = i / twin::kGolden;
+    const double angle = 2 * twin::kPi * (turns - std::floor(turns));
     const double radius = std::sqrt(i + 0.5);
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
@@ -129,11 +129,11 @@ TEST_CASE("linear weights are continuous across a pole", "[polar]")
         for (int m = 0; m < 3; ++m) sum += t.index[m] == index ? t.weight_q12[m] : 0;
         return sum;
     };
-    const double step = reference::spacing(n) / 100;
+    const double step = twin::spacing(n) / 100;
     for (int k = -1000; k <= 1000; ++k) {
         const double angle = k * step * std::min(1.0, std::sqrt(n / 1000.0));
         const Triangle t =
-            triangle(lattice, reference::encoded({std::sin(angle), 0.001 * std::sin(angle), std::cos(angle)}));
+            triangle(lattice, twin::encoded({std::sin(angle), 0.001 * std::sin(angle), std::cos(angle)}));
         for (const Triangle* either : std::initializer_list<const Triangle*>{&t, &before}) {
             for (int m = 0; k > -1000 && m < 3; ++m) {
                 const uint32_t i = either->index[m];

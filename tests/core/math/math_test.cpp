@@ -5,11 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 
 using namespace lumi;
-using reference::kPi;
+using twin::kPi;
 
 namespace
 {
@@ -30,8 +30,8 @@ TEST_CASE("sin and cos stay within 2^-28 over the whole turn", "[math]")
         const uint32_t angle = k < 4096 ? k << 20 : static_cast<uint32_t>(uniform(random) * 4294967296.0);
         const SinCos value = sin_cos(angle);
         const double radians = 2 * kPi * angle / 4294967296.0;
-        worst.see(std::fabs(reference::from_q30(value.sin_q30) - std::sin(radians)), angle);
-        worst.see(std::fabs(reference::from_q30(value.cos_q30) - std::cos(radians)), angle);
+        worst.see(std::fabs(twin::from_q30(value.sin_q30) - std::sin(radians)), angle);
+        worst.see(std::fabs(twin::from_q30(value.cos_q30) - std::cos(radians)), angle);
     }
     worst.report("sin_cos, absolute error");
     CHECK(worst.error < std::ldexp(1.0, -28));
@@ -44,8 +44,8 @@ TEST_CASE("the angle of a vector stays within 2^-27 turn, axes and diagonals inc
     for (uint32_t k = 0; k < kSweep; ++k) {
         const double turns = k < 4096 ? k / 4096.0 : uniform(random);
         const double radius = std::ldexp(1.0, -static_cast<int>(k % 9));
-        const int32_t x = reference::to_q30(radius * std::cos(2 * kPi * turns));
-        const int32_t y = reference::to_q30(radius * std::sin(2 * kPi * turns));
+        const int32_t x = twin::to_q30(radius * std::cos(2 * kPi * turns));
+        const int32_t y = twin::to_q30(radius * std::sin(2 * kPi * turns));
         const double truth = std::atan2(static_cast<double>(y), static_cast<double>(x)) / (2 * kPi);
         const double error = angle_turns32(y, x) / 4294967296.0 - truth;
         worst.see(std::fabs(error - std::round(error)), k);

@@ -8,13 +8,13 @@
 #include "lumi/detail/stepping/outline.h"
 #include "lumi/math.h"
 #include "lumi/render_spans.h"
-#include "reference.h"
 #include "report.h"
+#include "twin.h"
 #include "views.h"
 
 using namespace lumi;
 using namespace lumi::test;
-using reference::decoded;
+using twin::decoded;
 
 namespace
 {
@@ -27,7 +27,7 @@ constexpr int32_t kSide = 96;
 
 }  // namespace
 
-TEST_CASE("the outline follows the exact covered span from row to row", "[span]")
+TEST_CASE("the outline follows the exact covered span from scanline to scanline", "[span]")
 {
     for (const View& view : extreme_views(kSide)) {
         Camera camera;
@@ -35,9 +35,10 @@ TEST_CASE("the outline follows the exact covered span from row to row", "[span]"
         OutlineTracker outline(camera, {0, view.image.width_px});
         uint32_t off = 0;
         for (int32_t y = 0; y < view.image.height_px; ++y) {
-            const Extent a = outline.row(y);
+            const Extent a = outline.scanline(y);
             const Extent b = covered_extent(camera, y, 0, view.image.width_px);
-            INFO(view.name << " row " << y << ": " << a.begin << ".." << a.end << " and " << b.begin << ".." << b.end);
+            INFO(view.name << " scanline " << y << ": " << a.begin << ".." << a.end << " and " << b.begin << ".."
+                           << b.end);
             if (a.begin != b.begin || a.end != b.end) ++off;
             REQUIRE(std::abs(a.begin - b.begin) <= 1);
             REQUIRE(std::abs(a.end - b.end) <= 1);
@@ -46,7 +47,7 @@ TEST_CASE("the outline follows the exact covered span from row to row", "[span]"
     }
 }
 
-TEST_CASE("the sphere covers all between the columns that two rows share", "[span]")
+TEST_CASE("the sphere covers all between the columns that two scanlines share", "[span]")
 {
     for (const View& view : extreme_views(kSide)) {
         Camera camera;
@@ -54,10 +55,10 @@ TEST_CASE("the sphere covers all between the columns that two rows share", "[spa
         const int32_t width = view.image.width_px;
         for (int32_t top = 0; top + 8 < view.image.height_px; top += 5) {
             OutlineTracker outline(camera, {0, width});
-            const Extent middle = outline.row(top + 4);
+            const Extent middle = outline.scanline(top + 4);
             const Extent columns = outline.columns(top, top + 8, middle, 2);
             if (columns.begin >= columns.end) continue;
-            INFO(view.name << " row " << top << ": " << columns.begin << ".." << columns.end);
+            INFO(view.name << " scanline " << top << ": " << columns.begin << ".." << columns.end);
             CHECK(columns.begin % 4 == 0);
             CHECK(columns.end % 4 == 0);
             for (int32_t y = top; y <= top + 8; ++y) {
@@ -110,7 +111,7 @@ TEST_CASE("a span's step leads to its end", "[span]")
     CHECK(error.error < std::ldexp(1.0, -10));
 }
 
-TEST_CASE("a row of rays begins where the camera's 64 bits say", "[span]")
+TEST_CASE("the rays of a scanline begin where the camera's 64 bits say", "[span]")
 {
     for (const View& view : extreme_views(kSide)) {
         Camera camera;
@@ -118,10 +119,10 @@ TEST_CASE("a row of rays begins where the camera's 64 bits say", "[span]")
         const HitEvaluator nodes(camera);
         for (int32_t y = 0; y < view.image.height_px; y += 7) {
             for (int32_t x = 0; x < view.image.width_px; x += 5) {
-                const RayRow row = nodes.row_at(x, y);
+                const ScanlineRays rays = nodes.rays_from(x, y);
                 const auto low_word = [](int64_t v) { return static_cast<int32_t>(static_cast<uint32_t>(v >> 12)); };
-                for (int k = 0; k < 3; ++k) REQUIRE(row.value_q28[k] == low_word(camera.offset()[k].at(x, y)));
-                REQUIRE(row.value_q28[3] == low_word(camera.facing().at(x, y)));
+                for (int k = 0; k < 3; ++k) REQUIRE(rays.value_q28[k] == low_word(camera.offset()[k].at(x, y)));
+                REQUIRE(rays.value_q28[3] == low_word(camera.facing().at(x, y)));
             }
         }
     }
@@ -138,20 +139,19 @@ TEST_CASE("coarse hits lie where the exact rays meet the sphere", "[span]")
         for (int32_t y = 0; y < view.image.height_px; ++y) {
             const Extent span = covered_extent(camera, y, 0, view.image.width_px);
             if (span.begin >= span.end) continue;
-            const RayRow row = nodes.row_at(span.begin, y);
+            const ScanlineRays rays = nodes.rays_from(span.begin, y);
             for (int32_t x = span.begin; x < span.end; ++x) {
                 SphereRay ray;
                 if (!ray_at(camera, x, y, ray) || ray.half_chord2_q60 < uint64_t{1} << 54) continue;  // s > 1/8
                 HitPair node;
-                nodes.evaluate(row, x - span.begin, node);
+                nodes.evaluate(rays, x - span.begin, node);
                 const SphereHits truth = hits(camera, ray);
                 const auto see = [&](const Hit& hit, const Vec3q30& t) {
                     const uint64_t where = static_cast<uint64_t>(y) * 1000 + static_cast<uint64_t>(x);
-                    height.see(std::fabs(reference::from_q30(hit.z_q30) - reference::from_q30(t.z)), where);
+                    height.see(std::fabs(twin::from_q30(hit.z_q30) - twin::from_q30(t.z)), where);
                     const Vec3 v = decoded(t);
-                    const double turns =
-                        hit.longitude_turns32 / 4294967296.0 - std::atan2(v.y, v.x) / (2 * reference::kPi);
-                    angle.see(std::fabs(turns - std::round(turns)) * 2 * reference::kPi * std::hypot(v.x, v.y), where);
+                    const double turns = hit.longitude_turns32 / 4294967296.0 - std::atan2(v.y, v.x) / (2 * twin::kPi);
+                    angle.see(std::fabs(turns - std::round(turns)) * 2 * twin::kPi * std::hypot(v.x, v.y), where);
                 };
                 see(node.front, truth.front);
                 see(node.back, truth.back);
@@ -177,7 +177,7 @@ TEST_CASE("coarse math keeps its stated errors", "[span]")
         reciprocal.see(std::fabs(std::ldexp(r.mantissa, -r.exponent) * k - 1), k);
         const int32_t x = static_cast<int32_t>(std::lround(32767 * std::cos(k * 0.37)));
         const int32_t y = static_cast<int32_t>(std::lround(32767 * std::sin(k * 0.37)));
-        const double turns = coarse_angle_turns32(y, x) / 4294967296.0 - std::atan2(y, x) / (2 * reference::kPi);
+        const double turns = coarse_angle_turns32(y, x) / 4294967296.0 - std::atan2(y, x) / (2 * twin::kPi);
         angle.see(std::fabs(turns - std::round(turns)), k);
         const uint32_t large = 1 + v % 100000;
         const uint32_t small = (v >> 7) % (large + 1);

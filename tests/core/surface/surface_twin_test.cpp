@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The renderer against double precision by other means: rays, triangle by triangle (reference/surface_picture.h).
+// The renderer against double precision by other means: rays, triangle by triangle (twin/surface_picture.h).
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "lumi/reference/surface_picture.h"
+#include "lumi/twin/surface_picture.h"
 #include "surface_bytes.h"
 #include "surface_drawing.h"
 
@@ -33,7 +33,7 @@ struct Difference {
 struct Around {
     double least = 1, most = 0;
 
-    Around(const reference::SurfacePicture& p, int32_t x, int32_t y)
+    Around(const twin::SurfacePicture& p, int32_t x, int32_t y)
     {
         for (int32_t v = y - 1; v <= y + 1; ++v) {
             for (int32_t u = x - 1; u <= x + 1; ++u) {
@@ -46,7 +46,7 @@ struct Around {
     }
 };
 
-Difference difference(const Bytes& drawn, const reference::SurfacePicture& exact)
+Difference difference(const Bytes& drawn, const twin::SurfacePicture& exact)
 {
     Difference d;
     for (int32_t y = 0; y < exact.height_px; ++y) {
@@ -83,9 +83,9 @@ Difference difference_of(const TestSurface& s, const View& view, SurfaceMode mod
     REQUIRE(opened.error() == FieldError::none);
     SurfaceScreen screen(opened.field(), view.pose, view.image, mode);
     const Bytes drawn = screen.picture(view.image.width_px, 16);
-    const reference::SurfaceDrawing drawing = {mode == SurfaceMode::two_by_two ? 2 : 1};
-    return difference(
-        drawn, reference::draw_surface(opened.bytes().data(), view.pose, view.image, drawing, kSurfaceBackground));
+    const twin::SurfaceDrawing drawing = {mode == SurfaceMode::two_by_two ? 2 : 1};
+    return difference(drawn,
+                      twin::draw_surface(opened.bytes().data(), view.pose, view.image, drawing, kSurfaceBackground));
 }
 
 // Texels that rise slowly and in even steps, where the palette is smooth.

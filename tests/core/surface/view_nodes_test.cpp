@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "reference.h"
+#include "twin.h"
 
 using namespace lumi;
-using reference::Vec3;
+using twin::Vec3;
 
 namespace
 {
@@ -23,7 +23,7 @@ constexpr int kDirections = 100000;
 Vec3 node(uint32_t k)
 {
     const double z = 1 - (2.0 * k + 1) / format::kViewLattice, r = std::sqrt(1 - z * z);
-    const double longitude = 2 * reference::kPi * std::fmod(k * 0.61803398874989485, 1.0);
+    const double longitude = 2 * twin::kPi * std::fmod(k * 0.61803398874989485, 1.0);
     return {r * std::cos(longitude), r * std::sin(longitude), z};
 }
 
@@ -39,7 +39,7 @@ Vec3 random_direction(std::minstd_rand& random, double lowest)
     const auto uniform = [&](double low, double high) {
         return low + (high - low) * std::generate_canonical<double, 32>(random);
     };
-    const double z = uniform(lowest, 1), angle = uniform(0, 2 * reference::kPi), r = std::sqrt(1 - z * z);
+    const double z = uniform(lowest, 1), angle = uniform(0, 2 * twin::kPi), r = std::sqrt(1 - z * z);
     return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
@@ -47,12 +47,12 @@ Vec3 mean_of_nodes(const ViewTaps& taps)
 {
     Vec3 sum = {0, 0, 0};
     for (int m = 0; m < 3; ++m) sum = sum + (taps.weight_q8[m] / 256.0) * node(taps.node[m]);
-    return reference::normalised(sum);
+    return twin::normalised(sum);
 }
 
 double degrees_between(const Vec3& a, const Vec3& b)
 {
-    return std::acos(std::fmin(1.0, dot(a, b))) * 180 / reference::kPi;
+    return std::acos(std::fmin(1.0, dot(a, b))) * 180 / twin::kPi;
 }
 
 // The largest change of any node's weight.
@@ -116,7 +116,7 @@ TEST_CASE("weights of nodes change little with the direction")
     for (int k = 0; k < kDirections; ++k) {
         const Vec3 d = random_direction(random, 0.2);
         const Vec3 step = 1e-3 * random_direction(random, -1);
-        worst = std::max(worst, largest_change(taps_at(d), taps_at(reference::normalised(d + step))));
+        worst = std::max(worst, largest_change(taps_at(d), taps_at(twin::normalised(d + step))));
     }
     CHECK(worst <= 16);
 }
@@ -127,12 +127,12 @@ TEST_CASE("half a turn takes a vertex's direction to the pole")
     double worst = 0;
     for (int k = 0; k < 2000; ++k) {
         const Vec3 normal = random_direction(random, -0.999);
-        const Vec3 h = reference::normalised(normal + Vec3{0, 0, 1});
+        const Vec3 h = twin::normalised(normal + Vec3{0, 0, 1});
         const auto s8 = [](double v) { return static_cast<int32_t>(std::lround(v * 127)); };
         const auto q = [](double v) { return static_cast<int32_t>(std::lround(v * kScale)); };
         const ViewDirection d = in_view_frame({q(normal.x), q(normal.y), q(normal.z)}, s8(h.x), s8(h.y), s8(h.z));
         const Vec3 turned =
-            reference::normalised(Vec3{static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z)});
+            twin::normalised(Vec3{static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z)});
         worst = std::max(worst, degrees_between(turned, {0, 0, 1}));
     }
     CHECK(worst < 2);

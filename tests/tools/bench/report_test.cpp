@@ -23,30 +23,30 @@ const std::string kSurfaceLine =
 // On the cores of RP2350, which has two.
 SurfaceResults some_surface()
 {
-    SurfaceRow row;
-    row.core = "m4";
-    row.pixel = "rgb565";
-    row.count = parse_surface_counts(kSurfaceLine).front();
-    row.accuracy = {INFINITY, INFINITY, 0};
-    return {{"a.lumi", 12345, 60, 50, 80, "0123"}, {row}};
+    SurfaceResult result;
+    result.core = "m4";
+    result.pixel = "rgb565";
+    result.count = parse_surface_counts(kSurfaceLine).front();
+    result.accuracy = {INFINITY, INFINITY, 0};
+    return {{"a.lumi", 12345, 60, 50, 80, "0123"}, {result}};
 }
 
-std::set<std::string> keys_of(const nlohmann::json& row)
+std::set<std::string> keys_of(const nlohmann::json& result)
 {
     std::set<std::string> keys;
-    for (const auto& [key, value] : row.items()) keys.insert(key);
+    for (const auto& [key, value] : result.items()) keys.insert(key);
     return keys;
 }
 
-Row some_row()
+Result some_result()
 {
-    Row row;
-    row.core = "m4";
-    row.mode = "linear";
-    row.texel = "luma8";
-    row.count = parse_counts(kLine).front();
-    row.accuracy = {INFINITY, 41.239, 7};
-    return row;
+    Result result;
+    result.core = "m4";
+    result.mode = "linear";
+    result.texel = "luma8";
+    result.count = parse_counts(kLine).front();
+    result.accuracy = {INFINITY, 41.239, 7};
+    return result;
 }
 
 }  // namespace
@@ -78,11 +78,11 @@ TEST_CASE("the bench reads parts of surface frames, and nothing else", "[bench]"
     CHECK_THROWS_AS(parse_surface_counts(kSurfaceLine.substr(0, kSurfaceLine.size() - 30)), lumi::tools::Failure);
 }
 
-TEST_CASE("a surface field's row of JSON has the documented keys", "[bench]")
+TEST_CASE("a surface field's result in JSON has the documented keys", "[bench]")
 {
-    const auto rows = nlohmann::json::parse(json_report({some_row()}, some_surface()));
-    REQUIRE(rows.size() == 2);
-    CHECK(rows[0]["layout"] == "chord");
+    const auto results = nlohmann::json::parse(json_report({some_result()}, some_surface()));
+    REQUIRE(results.size() == 2);
+    CHECK(results[0]["layout"] == "chord");
     std::set<std::string> expected = {"layout",        "core",
                                       "mode",          "pixel",
                                       "view",          "instructions_per_pixel",
@@ -101,19 +101,19 @@ TEST_CASE("a surface field's row of JSON has the documented keys", "[bench]")
         if (std::string(chip.core) == "m4") expected.insert(std::string("fps_") + chip.key);
         if (std::string(chip.core) == "m4" && chip.cores == 2) expected.insert(std::string("fps2_") + chip.key);
     }
-    CHECK(keys_of(rows[1]) == expected);
-    CHECK(rows[1]["layout"] == "surface");
-    CHECK(rows[1]["mode"] == "2x2");
-    CHECK(rows[1]["instructions_per_pixel"] == Approx(100));
-    CHECK(rows[1]["edges"] == Approx(30));
-    CHECK(rows[1]["triangles"] == 80);
-    CHECK(rows[1]["psnr_db"].is_null());
+    CHECK(keys_of(results[1]) == expected);
+    CHECK(results[1]["layout"] == "surface");
+    CHECK(results[1]["mode"] == "2x2");
+    CHECK(results[1]["instructions_per_pixel"] == Approx(100));
+    CHECK(results[1]["edges"] == Approx(30));
+    CHECK(results[1]["triangles"] == 80);
+    CHECK(results[1]["psnr_db"].is_null());
 }
 
-TEST_CASE("a row of JSON has the documented keys and adds up", "[bench]")
+TEST_CASE("a result in JSON has the documented keys and adds up", "[bench]")
 {
-    const auto rows = nlohmann::json::parse(json_report({some_row()}, {}));
-    REQUIRE(rows.size() == 1);
+    const auto results = nlohmann::json::parse(json_report({some_result()}, {}));
+    REQUIRE(results.size() == 1);
     std::set<std::string> expected = {"layout",
                                       "core",
                                       "mode",
@@ -134,12 +134,12 @@ TEST_CASE("a row of JSON has the documented keys and adds up", "[bench]")
         expected.insert(std::string("lines_") + chip.key);
         expected.insert(std::string("misses_") + chip.key);
     }
-    CHECK(keys_of(rows[0]) == expected);
-    CHECK(rows[0]["instructions_per_pixel"] == Approx(123.46));
-    CHECK(rows[0]["setup"] == Approx(23.46));
-    CHECK(rows[0]["inner"] == Approx(100.0));
-    CHECK(rows[0]["psnr_db"].is_null());
-    CHECK(rows[0]["psnr_all_db"] == Approx(41.24));
+    CHECK(keys_of(results[0]) == expected);
+    CHECK(results[0]["instructions_per_pixel"] == Approx(123.46));
+    CHECK(results[0]["setup"] == Approx(23.46));
+    CHECK(results[0]["inner"] == Approx(100.0));
+    CHECK(results[0]["psnr_db"].is_null());
+    CHECK(results[0]["psnr_all_db"] == Approx(41.24));
 }
 
 TEST_CASE("the slower of drawing and sending limits the frame rate", "[bench]")

@@ -26,18 +26,18 @@ TEST_CASE("lumi bench builds, runs and judges, and counts the same twice", "[ben
     REQUIRE(bench(folder / "b.json").code == 0);
     CHECK(content_of(folder / "a.json") == content_of(folder / "b.json"));
 
-    const auto rows = nlohmann::json::parse(content_of(folder / "a.json"));
-    REQUIRE(rows.size() == 4);  // two spans of two views
-    for (const auto& row : rows) {
-        CHECK(row["covered_pixels"] == 42272);
-        CHECK(row["instructions_per_pixel"].get<double>() > 10);
-        CHECK(row["setup"].get<double>() > 0);
-        CHECK(row["code_bytes"].get<uint32_t>() > 1000);
-        CHECK(row["stack_bytes"].get<uint32_t>() > 100);
-        CHECK(row["lines_rp2040"].get<uint64_t>() > 10);
-        CHECK(row["misses_rp2040"].get<uint64_t>() >= row["lines_rp2040"].get<uint64_t>());
+    const auto results = nlohmann::json::parse(content_of(folder / "a.json"));
+    REQUIRE(results.size() == 4);  // two spans of two views
+    for (const auto& result : results) {
+        CHECK(result["covered_pixels"] == 42272);
+        CHECK(result["instructions_per_pixel"].get<double>() > 10);
+        CHECK(result["setup"].get<double>() > 0);
+        CHECK(result["code_bytes"].get<uint32_t>() > 1000);
+        CHECK(result["stack_bytes"].get<uint32_t>() > 100);
+        CHECK(result["lines_rp2040"].get<uint64_t>() > 10);
+        CHECK(result["misses_rp2040"].get<uint64_t>() >= result["lines_rp2040"].get<uint64_t>());
     }
-    CHECK(rows[0]["psnr_db"].get<double>() > 60);  // the exact renderer, within rounding
+    CHECK(results[0]["psnr_db"].get<double>() > 60);  // the exact renderer, within rounding
 }
 
 // The same of a surface field that the user names.
@@ -50,18 +50,18 @@ TEST_CASE("lumi bench counts a given surface field, part by part", "[bench]")
                                                      folder / "work", "--json", folder / "a.json"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    const auto rows = nlohmann::json::parse(content_of(folder / "a.json"));
-    REQUIRE(rows.size() == 6);  // three modes of two kinds of pixels
-    for (const auto& row : rows) {
-        CHECK(row["layout"] == "surface");
-        CHECK(row["covered_pixels"] == 42272);
+    const auto results = nlohmann::json::parse(content_of(folder / "a.json"));
+    REQUIRE(results.size() == 6);  // three modes of two kinds of pixels
+    for (const auto& result : results) {
+        CHECK(result["layout"] == "surface");
+        CHECK(result["covered_pixels"] == 42272);
         double sum = 0;
         for (const char* part : {"palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"})
-            sum += row[part].get<double>();
-        CHECK(row["instructions_per_pixel"].get<double>() == Approx(sum).margin(0.1));
-        CHECK(row["fps2_rp2040"].get<double>() > row["fps_rp2040"].get<double>());
-        CHECK(row["file_bytes"] == lumi::tools::test::small_surface_bytes().size());
-        CHECK(row["sha256"].get<std::string>().size() == 64);
+            sum += result[part].get<double>();
+        CHECK(result["instructions_per_pixel"].get<double>() == Approx(sum).margin(0.1));
+        CHECK(result["fps2_rp2040"].get<double>() > result["fps_rp2040"].get<double>());
+        CHECK(result["file_bytes"] == lumi::tools::test::small_surface_bytes().size());
+        CHECK(result["sha256"].get<std::string>().size() == 64);
     }
-    CHECK(rows[0]["ram_bytes"].get<uint32_t>() < rows[2]["ram_bytes"].get<uint32_t>());
+    CHECK(results[0]["ram_bytes"].get<uint32_t>() < results[2]["ram_bytes"].get<uint32_t>());
 }

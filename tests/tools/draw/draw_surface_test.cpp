@@ -6,7 +6,7 @@
 
 #include "metrics/psnr.h"
 #include "quality/held_out.h"
-#include "quality/truths.h"
+#include "quality/references.h"
 #include "quality/twin.h"
 #include "support/small_surface.h"
 
@@ -60,12 +60,12 @@ TEST_CASE("surface pictures are at most 0.2 dB worse than the twin's")
 {
     const SurfaceField field = opened();
     const auto views = quality::held_out_views(quality::ViewSet::all, 4, 128);
-    const auto truths = quality::truths_of(test::cube_scene(), views, {8, 1, 0, false}, {});
+    const auto references = quality::references_of(test::cube_scene(), views, {8, 1, 0, false}, {});
     for (const SurfaceMode mode : kModes) {
         double drawn = 0, twin = 0;
         for (size_t v = 0; v < views.size(); ++v) {
-            drawn += psnr_db(draw_surface(field, views[v].eye, {mode}), truths[v].picture);
-            twin += psnr_db(quality::draw_twin(file_bytes(), views[v].eye, mode, {0, 0, 0}), truths[v].picture);
+            drawn += psnr_db(draw_surface(field, views[v].eye, {mode}), references[v].picture);
+            twin += psnr_db(quality::draw_twin(file_bytes(), views[v].eye, mode, {0, 0, 0}), references[v].picture);
         }
         INFO(name_of(mode) << ": " << drawn / 4 << " dB, twin " << twin / 4);
         CHECK(drawn / 4 > 24);

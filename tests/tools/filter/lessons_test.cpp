@@ -107,7 +107,7 @@ TEST_CASE("a surface field's view has depths and colours where it is covered, an
     CHECK(beside == 0);
 }
 
-TEST_CASE("truths are traced once and kept")
+TEST_CASE("references are traced once and kept")
 {
     const test::TemporaryFolder folder;
     const FieldFile field(write_surface(folder));
@@ -124,7 +124,7 @@ TEST_CASE("truths are traced once and kept")
     const Lessons again = lessons_of(field, test::cube_scene(), settings, count);
     CHECK(traced == 0);
     REQUIRE(first.training.size() == 2);
-    CHECK((first.training[1].truth.values == again.training[1].truth.values));
+    CHECK((first.training[1].reference.values == again.training[1].reference.values));
     CHECK((first.test.drawn[0].values == again.test.drawn[0].values));
 }
 

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int kSide = 8;
-constexpr uint8_t kTruth = 100;
+constexpr uint8_t kReference = 100;
 
 Planes flat(uint8_t value)
 {
@@ -27,7 +27,7 @@ Planes flat(uint8_t value)
 // Drawings are 10 levels off.
 std::vector<Pair> pairs(size_t count)
 {
-    return std::vector<Pair>(count, {flat(kTruth + 10), flat(kTruth)});
+    return std::vector<Pair>(count, {flat(kReference + 10), flat(kReference)});
 }
 
 // After epoch k its pictures are errors[k] levels off; its one number is k.
@@ -36,7 +36,7 @@ class ListedTrainer : public Trainer
 public:
     ListedTrainer(std::vector<int> errors, size_t pairs) : errors_(std::move(errors)), pairs_(pairs) {}
 
-    Planes filtered(const Planes&) override { return flat(static_cast<uint8_t>(kTruth + errors_.at(epoch()))); }
+    Planes filtered(const Planes&) override { return flat(static_cast<uint8_t>(kReference + errors_.at(epoch()))); }
     double step(const std::vector<Pair>& batch, Lesson lesson, double rate) override
     {
         seen_ += batch.size();

@@ -44,7 +44,7 @@ TEST_CASE("a view of a cube loads what its faces show")
     CHECK(corner.seen > 2.7 * front.seen);
     const SurfaceLoad fine = load_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two);
     CHECK(fine.samples == Approx(4 * corner.samples));
-    CHECK(fine.rows == Approx(2 * corner.rows));
+    CHECK(fine.scanlines == Approx(2 * corner.scanlines));
 }
 
 TEST_CASE("modes of surface fields cost more from one sample to four, and nearer eyes more than far ones")

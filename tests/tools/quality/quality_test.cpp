@@ -9,7 +9,7 @@
 #include "image/png.h"
 #include "lumi/baker/bake.h"
 #include "lumi/lattice.h"
-#include "lumi/reference/geometry.h"
+#include "lumi/twin/geometry.h"
 #include "quality/baselines.h"
 #include "quality/html.h"
 #include "quality/mode_costs.h"
@@ -40,17 +40,17 @@ size_t count_of(const std::string& text, const std::string& part)
     return count;
 }
 
-Measured some_field(const std::string& name, uint64_t bytes, const std::vector<Truth>& truths)
+Measured some_field(const std::string& name, uint64_t bytes, const std::vector<Reference>& references)
 {
     Measured m;
     m.name = name;
     m.layout = "surface";
     m.flash_bytes = bytes;
     m.sections = {{"SURF", true, 64, 32, 0}, {"SPAT", true, 96, 400, 0}};
-    for (const Truth& truth : truths) {
-        m.pictures.push_back(truth.picture);
-        m.figures.push_back(figures_of(truth.picture, truth));
-        m.worst.push_back(tools::worst_block(truth.picture, truth.picture));
+    for (const Reference& reference : references) {
+        m.pictures.push_back(reference.picture);
+        m.figures.push_back(figures_of(reference.picture, reference));
+        m.worst.push_back(tools::worst_block(reference.picture, reference.picture));
     }
     m.mean = mean_of(m.figures);
     return m;
@@ -62,17 +62,17 @@ TEST_CASE("held-out views lie where they should, all around the sphere")
 {
     const auto views = held_out_views(ViewSet::all, 12);
     REQUIRE(views.size() == 12);
-    reference::Vec3 sum = {0, 0, 0};
+    twin::Vec3 sum = {0, 0, 0};
     std::set<double> distances;
     for (const HeldOutView& view : views) {
         CHECK(view.distance >= 2.5);
         CHECK(view.distance <= 4);
         distances.insert(view.distance);
-        const reference::Vec3 eye = reference::decoded(view.eye.pose.eye);
-        CHECK(reference::length(eye) == Approx(view.distance).margin(1e-4));
-        sum = sum + reference::normalised(eye);
+        const twin::Vec3 eye = twin::decoded(view.eye.pose.eye);
+        CHECK(twin::length(eye) == Approx(view.distance).margin(1e-4));
+        sum = sum + twin::normalised(eye);
     }
-    CHECK(reference::length((1.0 / 12) * sum) < 0.1);
+    CHECK(twin::length((1.0 / 12) * sum) < 0.1);
     CHECK(distances.size() == 12);
     for (const HeldOutView& view : held_out_views(ViewSet::upper, 12)) CHECK(view.elevation_deg > 0);
     for (const HeldOutView& view : held_out_views(ViewSet::ring, 12)) {
@@ -84,19 +84,18 @@ TEST_CASE("held-out views lie where they should, all around the sphere")
 TEST_CASE("held-out views look from no origin of a field")
 {
     for (const uint32_t origins : {64u, 128u, 256u}) {
-        const auto points = reference::points(origins);
+        const auto points = twin::points(origins);
         for (const HeldOutView& view : held_out_views(ViewSet::all)) {
-            const reference::Vec3 direction = reference::normalised(reference::decoded(view.eye.pose.eye));
-            for (const reference::Vec3& p : points)
-                CHECK(reference::length(p - direction) > 0.05 * reference::spacing(origins));
+            const twin::Vec3 direction = twin::normalised(twin::decoded(view.eye.pose.eye));
+            for (const twin::Vec3& p : points) CHECK(twin::length(p - direction) > 0.05 * twin::spacing(origins));
         }
     }
 }
 
-TEST_CASE("figures of a picture that is its truth are finite and best")
+TEST_CASE("figures of a picture that is its reference are finite and best")
 {
-    const Truth truth = {tools::Picture(24, 20, {9, 80, 200}), {24, 20}};
-    const Figures figures = figures_of(truth.picture, truth);
+    const Reference reference = {tools::Picture(24, 20, {9, 80, 200}), {24, 20}};
+    const Figures figures = figures_of(reference.picture, reference);
     CHECK(figures.psnr_db == kIdenticalDb);
     CHECK(figures.mask_psnr_db == kIdenticalDb);  // an empty mask: the whole picture
     CHECK(figures.ssim == Approx(1));
@@ -106,22 +105,22 @@ TEST_CASE("figures of a picture that is its truth are finite and best")
     CHECK(mean.mask_ssim == Approx(0.5));
 }
 
-TEST_CASE("truths are traced once and then read from their folder")
+TEST_CASE("references are traced once and then read from their folder")
 {
     const TemporaryFolder folder;
     const baker::Scene scene = test_scene();
     const auto views = held_out_views(ViewSet::all, 2, 32);
     const baker::ReferenceSettings settings = {2, 1, 1};
-    const auto first = truths_of(scene, views, settings, folder.path());
+    const auto first = references_of(scene, views, settings, folder.path());
     REQUIRE(first.size() == 2);
     CHECK(std::any_of(first[0].mask.values.begin(), first[0].mask.values.end(), [](uint8_t m) { return m != 0; }));
     bool traced = false;
     const auto notice = [&](const baker::Progress&) { return traced = true; };
-    const auto again = truths_of(scene, views, settings, folder.path(), notice);
+    const auto again = references_of(scene, views, settings, folder.path(), notice);
     CHECK_FALSE(traced);
     CHECK(again[1].picture.rgb == first[1].picture.rgb);
     CHECK(again[1].mask.values == first[1].mask.values);
-    truths_of(scene, views, {3, 1, 1}, folder.path(), notice);
+    references_of(scene, views, {3, 1, 1}, folder.path(), notice);
     CHECK(traced);
     CHECK(one_ray_pictures(scene, views, settings, folder.path())[0].picture.rgb != first[0].picture.rgb);
 }
@@ -147,11 +146,11 @@ TEST_CASE("sprites need room for one")
     const baker::Scene scene = test_scene();
     CHECK(measured_sprites(scene, 5699, {}, {}, {}).empty());
     const auto views = held_out_views(ViewSet::all, 1);
-    const auto truths = truths_of(scene, views, {1, 1, 0}, {});
+    const auto references = references_of(scene, views, {1, 1, 0}, {});
     BaselineSettings settings;
     settings.sprite_samples = 1;
     constexpr uint64_t kRoom = 2 * 120 * 120;  // for one of 120 pixels a side, two of 80, or five of JPEG
-    const auto sheets = measured_sprites(scene, kRoom, settings, views, truths);
+    const auto sheets = measured_sprites(scene, kRoom, settings, views, references);
     REQUIRE(sheets.size() == 2);
     CHECK(sheets[0].flash_bytes <= kRoom);
     CHECK(sheets[0].flash_bytes >= 2 * 2 * 80 * 80);
@@ -212,13 +211,13 @@ TEST_CASE("the page holds every picture and asks the network for nothing")
     report.scene = "a <b> & \"c\".obj";
     report.views = held_out_views(ViewSet::all, 2, 24);
     for (uint8_t grey : {uint8_t{40}, uint8_t{90}})
-        report.truths.push_back({tools::Picture(24, 24, {grey, grey, grey}), {24, 24}});
-    report.fields = {some_field("x/small.lumi", 250000, report.truths),
-                     some_field("x/large.lumi", 500000, report.truths)};
-    report.one_ray = some_field("one ray", 0, report.truths);
+        report.references.push_back({tools::Picture(24, 24, {grey, grey, grey}), {24, 24}});
+    report.fields = {some_field("x/small.lumi", 250000, report.references),
+                     some_field("x/large.lumi", 500000, report.references)};
+    report.one_ray = some_field("one ray", 0, report.references);
     report.costs = {{"chord", "m4", "linear", "rgb565", 8, 190.4}, {"surface", "m4", "2x2", "", 0, 151}};
     const std::string page = page_of(report);
-    CHECK(count_of(page, "<img ") == 2 * (1 + 2 * 2));  // the truth, and a picture and its error a field
+    CHECK(count_of(page, "<img ") == 2 * (1 + 2 * 2));  // the reference, and a picture and its error a field
     CHECK(count_of(page, "data:image/png;base64,") == count_of(page, "<img "));
     CHECK(count_of(page, "src=\"") == count_of(page, "src=\"data:"));
     for (const char* external : {"href=", "<script", "@import", "url("}) CHECK(count_of(page, external) == 0);
@@ -234,8 +233,8 @@ TEST_CASE("the report for programs has the promised keys")
     report.scene = "s.obj";
     report.views = held_out_views(ViewSet::upper, 1, 24);
     report.set = ViewSet::upper;
-    report.truths = {{tools::Picture(24, 24), {24, 24}}};
-    report.fields = {some_field("f.lumi", 250000, report.truths)};
+    report.references = {{tools::Picture(24, 24), {24, 24}}};
+    report.fields = {some_field("f.lumi", 250000, report.references)};
     const auto json = nlohmann::json::parse(json_of(report));
     CHECK(json["view_set"] == "upper");
     CHECK(json["views"].size() == 1);

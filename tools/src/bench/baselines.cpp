@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr const char* kTexel = "rgb565";
-constexpr uint32_t kTruthSamples = 64;
+constexpr uint32_t kReferenceSamples = 64;
 constexpr int kSpan = 16;
 
 struct Baseline {
@@ -46,14 +46,14 @@ void measure_costs(const Settings& settings, const std::string& core, const std:
 
 using DrawView = std::function<tools::Picture(const View&)>;
 
-Likeness likeness(const std::string& title, uint64_t flash_bytes, const std::vector<tools::Picture>& truths,
+Likeness likeness(const std::string& title, uint64_t flash_bytes, const std::vector<tools::Picture>& references,
                   const DrawView& draw)
 {
     Likeness result = {title, flash_bytes, {}, {}};
-    for (size_t v = 0; v < truths.size(); ++v) {
+    for (size_t v = 0; v < references.size(); ++v) {
         const tools::Picture drawn = draw(kViews[v]);
-        result.psnr_db[v] = tools::psnr_db(truths[v], drawn);
-        result.ssim[v] = tools::ssim(truths[v], drawn);
+        result.psnr_db[v] = tools::psnr_db(references[v], drawn);
+        result.ssim[v] = tools::ssim(references[v], drawn);
     }
     return result;
 }
@@ -69,20 +69,20 @@ void compare_pictures(const Settings& settings, const tools::FieldFile& file, Ba
 {
     std::vector<std::string> warnings;
     const baker::Scene scene = baker::load_scene(settings.field.scene, {}, warnings);
-    std::vector<tools::Picture> truths;
+    std::vector<tools::Picture> references;
     for (const View& view : kViews) {
         const Pose pose = orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
-        truths.push_back(traced_view(scene, pose, {kSidePx, kSidePx, view.fov_turns32}, kTruthSamples));
+        references.push_back(traced_view(scene, pose, {kSidePx, kSidePx, view.fov_turns32}, kReferenceSamples));
     }
     constexpr uint64_t kSpriteBytes = uint64_t{kSidePx} * kSidePx * 2;
     const auto count = static_cast<uint32_t>(file.size() / kSpriteBytes);
     for (const std::string& mode : kModes)
-        out.pictures.push_back(likeness(mode + ", span 16", file.size(), truths,
+        out.pictures.push_back(likeness(mode + ", span 16", file.size(), references,
                                         [&](const View& view) { return field_picture(file, mode, kSpan, view); }));
     if (count == 0) return;  // the field is smaller than a single sprite
     out.pictures.push_back(
-        likeness(std::to_string(count) + " sprites, nearest", count * kSpriteBytes, truths, [&](const View& view) {
-            return sprite_picture(scene, {count, kTruthSamples}, view);
+        likeness(std::to_string(count) + " sprites, nearest", count * kSpriteBytes, references, [&](const View& view) {
+            return sprite_picture(scene, {count, kReferenceSamples}, view);
         }));
 }
 

@@ -18,7 +18,7 @@ struct BaselineCost {
     uint32_t code_bytes;
 };
 
-// How much a method's pictures look like the path-traced truth, per view of kViewNames.
+// How much a method's pictures look like the path-traced reference, per view of kViewNames.
 struct Likeness {
     std::string title;
     uint64_t flash_bytes;

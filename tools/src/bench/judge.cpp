@@ -14,8 +14,8 @@ namespace lumi::bench
 namespace
 {
 
-using reference::Vec3;
-using reference::Weights;
+using twin::Vec3;
+using twin::Weights;
 using Points = std::vector<Vec3>;
 
 constexpr uint32_t kPaperNeighbours = 5;
@@ -28,17 +28,17 @@ struct SideTaps {
     bool uncertain;
 };
 
-SideTaps single(const reference::CellPoint& point)
+SideTaps single(const twin::CellPoint& point)
 {
     return {{{point.index, 1.0}}, point.uncertain};
 }
 
 SideTaps taps_of_side(const std::string& rule, const Points& all, const Vec3& hit)
 {
-    if (rule == "nearest") return single(reference::nearest_point(all, hit, kBorderShare));
-    if (rule == kCells) return single(reference::cell_point(all, hit, kBorderShare));
-    if (rule == "paper") return {reference::paper_weights(all, hit, kPaperNeighbours), false};
-    return {reference::linear_weights(all, hit), false};
+    if (rule == "nearest") return single(twin::nearest_point(all, hit, kBorderShare));
+    if (rule == kCells) return single(twin::cell_point(all, hit, kBorderShare));
+    if (rule == "paper") return {twin::paper_weights(all, hit, kPaperNeighbours), false};
+    return {twin::linear_weights(all, hit), false};
 }
 
 // What a renderer is judged by: spans round lattice coordinates where the exact renderer asks for the nearest point.
@@ -78,7 +78,7 @@ uint32_t worst_difference(const tools::Picture& a, const tools::Picture& b)
 }  // namespace
 
 Judge::Judge(const Field& field)
-    : origins_(reference::points(field.origins.size())), directions_(reference::points(field.directions.size()))
+    : origins_(twin::points(field.origins.size())), directions_(twin::points(field.directions.size()))
 {
 }
 
@@ -93,7 +93,7 @@ const ViewTaps& Judge::taps_of(const std::string& rule, const View& view)
     for (int y = 0; y < kSidePx; ++y) {
         const Extent span = covered_extent(camera, y, 0, kSidePx);
         for (int x = span.begin; x < span.end; ++x) {
-            const reference::Hits hit = reference::hits_of_pixel(pose, image, x, y);
+            const twin::Hits hit = twin::hits_of_pixel(pose, image, x, y);
             SideTaps front = taps_of_side(rule, origins_, hit.front);
             SideTaps back = taps_of_side(rule, directions_, hit.back);
             at->second.pixels.push_back(
@@ -107,7 +107,7 @@ tools::Picture Judge::exact_picture(const std::string& rule, const Field& field,
 {
     tools::Picture picture(kSidePx, kSidePx, kBackgroundColour);
     for (const ViewTaps::Pixel& pixel : taps_of(rule, view).pixels) {
-        const reference::Colour c = reference::blended(field, pixel.origins, pixel.directions, kBackgroundColour);
+        const twin::Colour c = twin::blended(field, pixel.origins, pixel.directions, kBackgroundColour);
         uint8_t* at = picture.pixel(pixel.x, pixel.y);
         at[0] = rounded(c.r);
         at[1] = rounded(c.g);
@@ -122,10 +122,10 @@ Accuracy Judge::judge(const std::string& mode, int span, const Field& field, con
     const bool dither = mode == "dither";
     const std::string rule = rule_of(mode, span);
     const ViewTaps& taps = taps_of(rule, view);
-    const tools::Picture truth = exact_picture(rule, field, view);
-    const tools::Picture a = packed(dither ? blurred(truth) : truth, taps, false);
+    const tools::Picture exact = exact_picture(rule, field, view);
+    const tools::Picture a = packed(dither ? blurred(exact) : exact, taps, false);
     const tools::Picture b = packed(dither ? blurred(drawn) : drawn, taps, false);
-    return {tools::psnr_db(a, b), tools::psnr_db(packed(truth, taps, true), packed(drawn, taps, true)),
+    return {tools::psnr_db(a, b), tools::psnr_db(packed(exact, taps, true), packed(drawn, taps, true)),
             worst_difference(a, b)};
 }
 

@@ -10,7 +10,7 @@
 #include "image/picture.h"
 #include "lumi/bench/views.h"
 #include "lumi/field.h"
-#include "lumi/reference/picture.h"
+#include "lumi/twin/picture.h"
 
 namespace lumi::bench
 {
@@ -19,7 +19,7 @@ namespace lumi::bench
 struct ViewTaps {
     struct Pixel {
         int x, y;
-        reference::Weights origins, directions;
+        twin::Weights origins, directions;
         bool uncertain;  // one of its points was a close call
     };
     std::vector<Pixel> pixels;
@@ -44,7 +44,7 @@ private:
     tools::Picture exact_picture(const std::string& rule, const Field& field, const View& view);
     const ViewTaps& taps_of(const std::string& rule, const View& view);
 
-    std::vector<reference::Vec3> origins_, directions_;
+    std::vector<twin::Vec3> origins_, directions_;
     std::map<std::pair<std::string, std::string>, ViewTaps> taps_;  // by rule and view
 };
 

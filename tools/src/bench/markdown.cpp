@@ -33,15 +33,15 @@ std::string opening(const FieldSettings& field)
 }
 
 // The renderer with the best picture that reaches a rate on a part, by order of kModes, then by longer spans last.
-std::string best_at(const Rows& rows, size_t chip_at, double wanted_fps)
+std::string best_at(const Results& results, size_t chip_at, double wanted_fps)
 {
     const Chip& chip = kChipList[chip_at];
     for (const char* mode : {"paper", "linear", "dither", "nearest"}) {
         for (const int span : {4, 8, 16}) {
             for (const std::string& texel : kTexels) {
-                const Row* row = find_row(rows, chip.core, mode, texel, span, "generic");
-                if (row == nullptr) continue;
-                const double fps = frames_per_second(chip, row->count.instructions, row->traffic[chip_at].misses);
+                const Result* result = find_result(results, chip.core, mode, texel, span, "generic");
+                if (result == nullptr) continue;
+                const double fps = frames_per_second(chip, result->count.instructions, result->traffic[chip_at].misses);
                 if (fps >= wanted_fps)
                     return std::string(mode) + " " + texel + ", S = " + std::to_string(span) + " (" +
                            decimal_text(fps, 0) + ")";
@@ -51,19 +51,19 @@ std::string best_at(const Rows& rows, size_t chip_at, double wanted_fps)
     return "none";
 }
 
-std::string choice_table(const Rows& rows)
+std::string choice_table(const Results& results)
 {
     const std::vector<std::string> titles = {"part", "10 frames/s", "20 frames/s", "30 frames/s", "60 frames/s"};
     std::string text = table_row(titles) + table_rule(titles.size());
     for (size_t i = 0; i < kChips; ++i) {
         std::vector<std::string> cells = {kChipList[i].title};
-        for (const double fps : {10.0, 20.0, 30.0, 60.0}) cells.push_back(best_at(rows, i, fps));
+        for (const double fps : {10.0, 20.0, 30.0, 60.0}) cells.push_back(best_at(results, i, fps));
         text += table_row(cells);
     }
     return text;
 }
 
-std::string how_to_choose(const Rows& rows)
+std::string how_to_choose(const Results& results)
 {
     return "## How to choose\n\n"
            "1. **Reconstruction** decides the looks: *nearest* shows the lattice's cells as parallelograms, *voronoi* "
@@ -77,12 +77,12 @@ std::string how_to_choose(const Rows& rows)
            "them.\n\n"
            "The best reconstruction, then the shortest span, then the finest texel that reaches a rate in the model "
            "below (generic view;\nin brackets the modelled rate):\n\n" +
-           choice_table(rows) + "\n";
+           choice_table(results) + "\n";
 }
 
 std::string surface_section(const SurfaceResults& surface)
 {
-    if (surface.rows.empty()) return "";
+    if (surface.results.empty()) return "";
     const SurfaceFacts& field = surface.field;
     return "## Surface fields\n\n`" + field.name + "`, a surface field of " + std::to_string(field.bytes) + " bytes, " +
            std::to_string(field.triangles) + " triangles and " + std::to_string(field.vertices) +
@@ -122,7 +122,7 @@ std::string parts_model()
     return text + "\n";
 }
 
-std::string accuracy_section(const Rows& rows)
+std::string accuracy_section(const Results& results)
 {
     return "## Accuracy\n\n"
            "PSNR in dB over covered pixels / worst pixel in levels of 255, 8-bit RGB pictures against the same "
@@ -131,16 +131,16 @@ std::string accuracy_section(const Rows& rows)
            "more than 1/16 of the mean point spacing from\nthe true Voronoi border); *dither* against linear, both "
            "blurred over 3 × 3 pixels. ∞: no pixel differs. Every core draws the\nsame bits; the bench stops if a CRC "
            "differs.\n\n" +
-           accuracy_table(rows) + "\n";
+           accuracy_table(results) + "\n";
 }
 
-std::string baseline_section(const Rows& rows, const Baselines& baselines)
+std::string baseline_section(const Results& results, const Baselines& baselines)
 {
     return "## What one would do without it\n\n"
            "The same harness, our own code, generic view, RGB565 texels. The float version is the paper's algorithm "
            "pixel "
            "by pixel; the\nsprites are 240 × 240 pixels of RGB565 with a key colour.\n\n" +
-           baseline_cost_table(rows, baselines.costs) +
+           baseline_cost_table(results, baselines.costs) +
            "\nA sprite costs next to nothing to draw; what it lacks is the view. Against the path-traced truth (64 "
            "samples a pixel, over\nblack, whole picture), with as many sprites as fit into the field's flash, spread "
            "over the sphere, the nearest one turned and\nscaled onto the view:\n\n" +
@@ -150,7 +150,7 @@ std::string baseline_section(const Rows& rows, const Baselines& baselines)
            "it jumps.\n\n";
 }
 
-std::string method(const Rows& rows)
+std::string method(const Results& results)
 {
     return "## How it was measured\n\n"
            "- **Set-up and inner loop.** The frame is drawn a second time by a renderer whose inner loop is empty (the "
@@ -168,23 +168,23 @@ std::string method(const Rows& rows)
            "is "
            "known within 80.\n\n"
            "### Set-up and inner loop, instructions per covered pixel, generic view\n\n" +
-           split_table(rows) + "\n### Flash and stack\n\n" + memory_table(rows) +
-           "\n### From the generic to the polar view\n\n" + polar_table(rows);
+           split_table(results) + "\n### Flash and stack\n\n" + memory_table(results) +
+           "\n### From the generic to the polar view\n\n" + polar_table(results);
 }
 
 }  // namespace
 
-std::string markdown_page(const Rows& rows, const SurfaceResults& surface, const Baselines& baselines,
+std::string markdown_page(const Results& results, const SurfaceResults& surface, const Baselines& baselines,
                           const std::vector<std::string>& plots, const FieldSettings& field)
 {
-    std::string page = opening(field) + how_to_choose(rows);
+    std::string page = opening(field) + how_to_choose(results);
     for (const std::string& plot : plots) page += "![Cost and accuracy](" + plot + ")\n";
     page += "\n## At a glance\n\nInstructions per covered pixel, and PSNR against the exact picture.\n\n" +
-            glance_table(rows);
+            glance_table(results);
     page +=
-        "\n## Instructions per covered pixel, generic view\n\n" + cost_table(rows) + "\n" + surface_section(surface);
-    page += accuracy_section(rows) + parts_model() + chip_table(rows) + "\n";
-    return page + baseline_section(rows, baselines) + method(rows);
+        "\n## Instructions per covered pixel, generic view\n\n" + cost_table(results) + "\n" + surface_section(surface);
+    page += accuracy_section(results) + parts_model() + chip_table(results) + "\n";
+    return page + baseline_section(results, baselines) + method(results);
 }
 
 }  // namespace lumi::bench

@@ -12,7 +12,7 @@ namespace lumi::bench
 {
 
 // `plots` are paths of pictures, relative to the page.
-std::string markdown_page(const Rows& rows, const SurfaceResults& surface, const Baselines& baselines,
+std::string markdown_page(const Results& results, const SurfaceResults& surface, const Baselines& baselines,
                           const std::vector<std::string>& plots, const FieldSettings& field);
 
 }  // namespace lumi::bench

@@ -13,25 +13,25 @@ Matrix quick_matrix()
             {"rgb565"},           {16}};
 }
 
-const Row* find_row(const Rows& rows, const std::string& core, const std::string& mode, const std::string& texel,
-                    int span, const std::string& view)
+const Result* find_result(const Results& results, const std::string& core, const std::string& mode,
+                          const std::string& texel, int span, const std::string& view)
 {
-    const auto fits = [&](const Row& row) {
-        return row.core == core && row.mode == mode && row.texel == texel && row.count.span == span &&
-               row.count.view == view;
+    const auto fits = [&](const Result& result) {
+        return result.core == core && result.mode == mode && result.texel == texel && result.count.span == span &&
+               result.count.view == view;
     };
-    const auto found = std::find_if(rows.begin(), rows.end(), fits);
-    return found == rows.end() ? nullptr : &*found;
+    const auto found = std::find_if(results.begin(), results.end(), fits);
+    return found == results.end() ? nullptr : &*found;
 }
 
-const SurfaceRow* find_row(const SurfaceResults& results, const std::string& core, const std::string& mode,
-                           const std::string& pixel, const std::string& view)
+const SurfaceResult* find_result(const SurfaceResults& surface, const std::string& core, const std::string& mode,
+                                 const std::string& pixel, const std::string& view)
 {
-    const auto fits = [&](const SurfaceRow& row) {
-        return row.core == core && row.count.mode == mode && row.pixel == pixel && row.count.view == view;
+    const auto fits = [&](const SurfaceResult& result) {
+        return result.core == core && result.count.mode == mode && result.pixel == pixel && result.count.view == view;
     };
-    const auto found = std::find_if(results.rows.begin(), results.rows.end(), fits);
-    return found == results.rows.end() ? nullptr : &*found;
+    const auto found = std::find_if(surface.results.begin(), surface.results.end(), fits);
+    return found == surface.results.end() ? nullptr : &*found;
 }
 
 }  // namespace lumi::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured: one row per core, mode, texel format, span length and view.
+// What is measured: one result per core, mode, texel format, span length and view.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct Matrix {
     std::vector<int> spans = {0, 4, 8, 16};
 };
 
-// Few rows, soon done: two cores, the cheapest and the dearest of the usual modes.
+// Few results, soon done: two cores, the cheapest and the dearest of the usual modes.
 Matrix quick_matrix();
 
 // What a core executed for one frame.
@@ -54,7 +54,7 @@ struct HostFacts {
     uint32_t crc = 0;
 };
 
-struct Row {
+struct Result {
     std::string core, mode, texel;
     Count count;
     uint32_t code_bytes = 0;
@@ -72,7 +72,7 @@ private:
     }
 };
 
-using Rows = std::vector<Row>;
+using Results = std::vector<Result>;
 
 // Of a surface field's frame, with what its parts take: surface_main.cpp of the firmware says what they are.
 struct SurfaceCount {
@@ -86,7 +86,7 @@ struct SurfaceCount {
     uint64_t preparing() const { return palette + vertices + lists + lights; }
 };
 
-struct SurfaceRow {
+struct SurfaceResult {
     std::string core, pixel;
     SurfaceCount count;
     uint32_t code_bytes = 0;
@@ -103,13 +103,13 @@ struct SurfaceFacts {
 
 struct SurfaceResults {
     SurfaceFacts field;
-    std::vector<SurfaceRow> rows;
+    std::vector<SurfaceResult> results;
 };
 
-// The first row of these properties, or null.
-const SurfaceRow* find_row(const SurfaceResults& results, const std::string& core, const std::string& mode,
-                           const std::string& pixel, const std::string& view);
-const Row* find_row(const Rows& rows, const std::string& core, const std::string& mode, const std::string& texel,
-                    int span, const std::string& view);
+// The first result of these properties, or null.
+const SurfaceResult* find_result(const SurfaceResults& surface, const std::string& core, const std::string& mode,
+                                 const std::string& pixel, const std::string& view);
+const Result* find_result(const Results& results, const std::string& core, const std::string& mode,
+                          const std::string& texel, int span, const std::string& view);
 
 }  // namespace lumi::bench

@@ -52,7 +52,7 @@ class Measurement
 public:
     Measurement(const Settings& settings, const Announce& announce) : settings_(settings), announce_(announce) {}
 
-    Rows run()
+    Results run()
     {
         std::filesystem::create_directories(settings_.work);
         const std::vector<Program> programs = programs_of(settings_.matrix);
@@ -62,7 +62,7 @@ public:
             fields_.try_emplace(texel, require_field(settings_.field, texel, settings_.work).string());
         }
         for (const std::string& core : settings_.matrix.cores) run_core(core, programs);
-        return std::move(rows_);
+        return std::move(results_);
     }
 
 private:
@@ -89,7 +89,7 @@ private:
                                      core + " draws other bits than this machine, view " + count.view + ", span " +
                                          std::to_string(count.span),
                                      "build both from the same source");
-            rows_.push_back({core, program.mode, program.texel, count, code_bytes, host.accuracy, host.traffic});
+            results_.push_back({core, program.mode, program.texel, count, code_bytes, host.accuracy, host.traffic});
         }
     }
 
@@ -113,12 +113,12 @@ private:
     std::map<std::string, tools::FieldFile> fields_;
     std::map<std::string, HostFacts> facts_;
     std::unique_ptr<Judge> judge_;
-    Rows rows_;
+    Results results_;
 };
 
 }  // namespace
 
-Rows measure(const Settings& settings, const Announce& announce)
+Results measure(const Settings& settings, const Announce& announce)
 {
     return Measurement(settings, announce).run();
 }

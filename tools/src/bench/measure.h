@@ -23,8 +23,8 @@ struct Settings {
 // Told what is done next.
 using Announce = std::function<void(const std::string&)>;
 
-// Of chord fields: one row per existing combination of the matrix, in its order. Throws tools::Failure, also where a
+// Of chord fields: one result per existing combination of the matrix, in its order. Throws tools::Failure, also where a
 // board draws other bits than this machine.
-Rows measure(const Settings& settings, const Announce& announce);
+Results measure(const Settings& settings, const Announce& announce);
 
 }  // namespace lumi::bench

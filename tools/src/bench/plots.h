@@ -15,6 +15,6 @@ namespace lumi::bench
 std::string plot_name(const std::string& core);
 
 // Writes plot_name(core) of the generic view into `folder` (made if missing); returns the file names.
-std::vector<std::string> write_plots(const Rows& rows, const std::filesystem::path& folder);
+std::vector<std::string> write_plots(const Results& results, const std::filesystem::path& folder);
 
 }  // namespace lumi::bench

@@ -7,7 +7,7 @@
 #include "image/jpeg.h"
 #include "lumi/baker/reference.h"
 #include "lumi/lattice.h"
-#include "lumi/reference/geometry.h"
+#include "lumi/twin/geometry.h"
 #include "terminal/failure.h"
 
 namespace lumi::bench
@@ -15,9 +15,9 @@ namespace lumi::bench
 namespace
 {
 
-using reference::decoded;
-using reference::dot;
-using reference::kPi;
+using twin::decoded;
+using twin::dot;
+using twin::kPi;
 
 constexpr double kTurn = 4294967296.0;
 
@@ -37,7 +37,7 @@ Pose sprite_pose(const SpriteSheet& sheet, uint32_t index)
         const auto azimuth = static_cast<uint32_t>((uint64_t{index} << 32) / sheet.count);
         return orbit(azimuth, signed_turns32(kRingElevationDeg * kPi / 180), kFarQ20);
     }
-    const double z = reference::from_q30(Lattice(sheet.count).height_q30(index));
+    const double z = twin::from_q30(Lattice(sheet.count).height_q30(index));
     return orbit(longitude_turns32(index), signed_turns32(std::asin(z)), kFarQ20);
 }
 

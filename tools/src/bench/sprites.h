@@ -14,7 +14,7 @@
 namespace lumi::bench
 {
 
-// The path-traced truth of a view over kBackgroundColour.
+// The path-traced reference of a view over kBackgroundColour.
 tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Image& image, uint32_t samples);
 
 struct SpriteSheet {

@@ -11,7 +11,7 @@
 #include "draw/draw_surface.h"
 #include "lumi/crc32.h"
 #include "lumi/pixel.h"
-#include "lumi/reference/surface_picture.h"
+#include "lumi/twin/surface_picture.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
 
@@ -39,23 +39,23 @@ uint32_t crc_as(const tools::Picture& picture)
 }
 
 // Against what the mode stands for: a pixel's centre, or the mean of 2×2 samples.
-reference::SurfacePicture exact_picture(const tools::FieldFile& file, const View& view, SurfaceMode mode)
+twin::SurfacePicture exact_picture(const tools::FieldFile& file, const View& view, SurfaceMode mode)
 {
-    reference::SurfaceDrawing drawing;
+    twin::SurfaceDrawing drawing;
     drawing.grid = mode == SurfaceMode::one_sample ? 1 : 2;
-    return reference::draw_surface(file.bytes(), view_pose(view), view_image(view), drawing, kBackgroundColour);
+    return twin::draw_surface(file.bytes(), view_pose(view), view_image(view), drawing, kBackgroundColour);
 }
 
 // Over the pixels that the surface covers.
-Accuracy judge(const reference::SurfacePicture& exact, const tools::Picture& drawn)
+Accuracy judge(const twin::SurfacePicture& exact, const tools::Picture& drawn)
 {
     double squares = 0, worst = 0;
     size_t channels = 0;
     for (size_t k = 0; k < exact.colours.size(); ++k) {
         if (exact.coverage[k] <= 0) continue;
-        const double truth[3] = {exact.colours[k].r, exact.colours[k].g, exact.colours[k].b};
+        const double exact_rgb[3] = {exact.colours[k].r, exact.colours[k].g, exact.colours[k].b};
         for (size_t c = 0; c < 3; ++c) {
-            const double error = std::fabs(truth[c] - drawn.rgb[3 * k + c]);
+            const double error = std::fabs(exact_rgb[c] - drawn.rgb[3 * k + c]);
             squares += error * error;
             worst = std::max(worst, error);
             ++channels;
@@ -86,7 +86,7 @@ public:
     SurfaceResults run()
     {
         for (const std::string& core : settings_.matrix.cores) run_core(core);
-        return {facts_of(file_), std::move(rows_)};
+        return {facts_of(file_), std::move(results_)};
     }
 
 private:
@@ -111,7 +111,7 @@ private:
                 throw tools::Failure(
                     renderer, core + " draws other bits than this machine, view " + count.view + ", " + count.mode,
                     "build both from the same source");
-            rows_.push_back({core, pixel, count, code_bytes, host.accuracy, host.traffic});
+            results_.push_back({core, pixel, count, code_bytes, host.accuracy, host.traffic});
         }
     }
 
@@ -127,7 +127,7 @@ private:
     const Announce& announce_;
     const tools::FieldFile file_;
     std::map<std::string, HostFacts> facts_;
-    std::vector<SurfaceRow> rows_;
+    std::vector<SurfaceResult> results_;
 };
 
 const NamedSurfaceMode* find_mode(const std::string& name)

@@ -15,7 +15,7 @@ bool is_surface(const std::string& mode);
 // Precondition: is_surface(mode).
 SurfaceMode surface_mode(const std::string& mode);
 
-// One row per core, mode, kind of pixel and view of the matrix, in this order; none, and nothing is baked, where the
+// One result per core, mode, kind of pixel and view of the matrix, in this order; none, and nothing is baked, where the
 // matrix has no mode of surface fields. Throws as measure() does.
 SurfaceResults measure_surface(const Settings& settings, const Announce& announce);
 

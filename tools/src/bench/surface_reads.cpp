@@ -116,7 +116,7 @@ std::vector<Read> reads_of(const tools::FieldFile& file, const View& view, Surfa
     const std::vector<uint32_t> seen = texels_seen(file.surface(), eye);
     Reader reader(file);
     reader.prepare();
-    const auto stripe = static_cast<std::ptrdiff_t>(seen.size()) / (kSidePx / kSurfaceStripeRows);
+    const auto stripe = static_cast<std::ptrdiff_t>(seen.size()) / (kSidePx / kSurfaceStripeHeight);
     for (auto at = seen.begin(); at != seen.end(); at += stripe) {
         std::vector<uint32_t> texels(at, at + stripe);
         texels.erase(std::remove(texels.begin(), texels.end(), kNothing), texels.end());

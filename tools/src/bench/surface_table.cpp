@@ -7,54 +7,55 @@ namespace lumi::bench
 namespace
 {
 
-// Modes and kinds of pixels of which there is a row, in order.
+// Modes and kinds of pixels of which there is a result, in order.
 template <class Visit>
-void for_each_renderer(const SurfaceResults& results, const Visit& visit)
+void for_each_renderer(const SurfaceResults& surface, const Visit& visit)
 {
     for (const std::string& mode : surface_mode_names())
         for (const std::string& pixel : kPixels)
-            for (const SurfaceRow& row : results.rows) {
-                if (row.count.mode != mode || row.pixel != pixel) continue;
+            for (const SurfaceResult& result : surface.results) {
+                if (result.count.mode != mode || result.pixel != pixel) continue;
                 visit(mode, pixel);
                 break;
             }
 }
 
-std::string exactness(const SurfaceRow* row)
+std::string exactness(const SurfaceResult* result)
 {
-    if (row == nullptr) return kNotMeasured;
-    return decimal_text(row->accuracy.psnr_db) + " / " + std::to_string(row->accuracy.worst_pixel);
+    if (result == nullptr) return kNotMeasured;
+    return decimal_text(result->accuracy.psnr_db) + " / " + std::to_string(result->accuracy.worst_pixel);
 }
 
 // The dB of any core: all draw the same bits.
-const SurfaceRow* row_of_any(const SurfaceResults& results, const std::string& mode, const std::string& pixel,
-                             const std::string& view)
+const SurfaceResult* result_of_any(const SurfaceResults& surface, const std::string& mode, const std::string& pixel,
+                                   const std::string& view)
 {
     for (const std::string& core : kCores)
-        if (const SurfaceRow* row = find_row(results, core, mode, pixel, view)) return row;
+        if (const SurfaceResult* result = find_result(surface, core, mode, pixel, view)) return result;
     return nullptr;
 }
 
 }  // namespace
 
-std::string surface_table(const SurfaceResults& results)
+std::string surface_table(const SurfaceResults& surface)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const std::string& core : kCores) titles.push_back(core);
     for (const std::string& view : kViewNames) titles.push_back(view + ", dB / worst");
     titles.insert(titles.end(), {"RAM, bytes", "m0plus code / stack, bytes"});
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(results, [&](const std::string& mode, const std::string& pixel) {
+    for_each_renderer(surface, [&](const std::string& mode, const std::string& pixel) {
         std::vector<std::string> cells = {mode + " " + pixel};
         for (const std::string& core : kCores) {
-            const SurfaceRow* row = find_row(results, core, mode, pixel, "generic");
-            cells.push_back(row == nullptr ? kNotMeasured
-                                           : decimal_text(row->count.per_pixel(row->count.instructions)));
+            const SurfaceResult* result = find_result(surface, core, mode, pixel, "generic");
+            cells.push_back(result == nullptr ? kNotMeasured
+                                              : decimal_text(result->count.per_pixel(result->count.instructions)));
         }
-        for (const std::string& view : kViewNames) cells.push_back(exactness(row_of_any(results, mode, pixel, view)));
-        const SurfaceRow* any = row_of_any(results, mode, pixel, "generic");
+        for (const std::string& view : kViewNames)
+            cells.push_back(exactness(result_of_any(surface, mode, pixel, view)));
+        const SurfaceResult* any = result_of_any(surface, mode, pixel, "generic");
         cells.push_back(any == nullptr ? kNotMeasured : std::to_string(any->count.ram_bytes));
-        const SurfaceRow* small = find_row(results, "m0plus", mode, pixel, "generic");
+        const SurfaceResult* small = find_result(surface, "m0plus", mode, pixel, "generic");
         cells.push_back(small == nullptr
                             ? kNotMeasured
                             : std::to_string(small->code_bytes) + " / " + std::to_string(small->count.stack_bytes));
@@ -63,18 +64,18 @@ std::string surface_table(const SurfaceResults& results)
     return text;
 }
 
-std::string surface_split_table(const SurfaceResults& results)
+std::string surface_split_table(const SurfaceResults& surface)
 {
     const std::vector<std::string> titles = {"renderer", "vertices", "lists",   "view tables", "edges",
                                              "samples",  "outlines", "resolve", "palette"};
     std::string text = table_row(titles) + table_rule(titles.size());
     for (const char* core : {"m4", "m0plus"}) {
         for_each_renderer(
-            results,
+            surface,
             [&](const std::string& mode, const std::string& pixel) {
-                const SurfaceRow* row = find_row(results, core, mode, pixel, "generic");
-                if (row == nullptr) return;
-                const SurfaceCount& c = row->count;
+                const SurfaceResult* result = find_result(surface, core, mode, pixel, "generic");
+                if (result == nullptr) return;
+                const SurfaceCount& c = result->count;
                 std::vector<std::string> cells = {std::string(core) + " " + mode + " " + pixel};
                 for (const uint64_t part :
                      {c.vertices, c.lists, c.lights, c.edges, c.samples, c.outlines, c.resolve, c.palette})
@@ -85,22 +86,22 @@ std::string surface_split_table(const SurfaceResults& results)
     return text;
 }
 
-std::string surface_chip_table(const SurfaceResults& results)
+std::string surface_chip_table(const SurfaceResults& surface)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const Chip& chip : kChipList) titles.push_back(std::string(chip.title) + ": misses, frames/s");
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(results, [&](const std::string& mode, const std::string& pixel) {
+    for_each_renderer(surface, [&](const std::string& mode, const std::string& pixel) {
         std::vector<std::string> cells = {mode + " " + pixel};
         for (size_t i = 0; i < kChips; ++i) {
             const Chip& chip = kChipList[i];
-            const SurfaceRow* row = find_row(results, chip.core, mode, pixel, "generic");
-            if (row == nullptr) {
+            const SurfaceResult* result = find_result(surface, chip.core, mode, pixel, "generic");
+            if (result == nullptr) {
                 cells.push_back(kNotMeasured);
                 continue;
             }
-            const SurfaceCount& c = row->count;
-            const uint64_t misses = row->traffic[i].misses;
+            const SurfaceCount& c = result->count;
+            const uint64_t misses = result->traffic[i].misses;
             std::string cell =
                 std::to_string(misses) + ", **" + decimal_text(frames_per_second(chip, c.instructions, misses)) + "**";
             if (chip.cores == 2)

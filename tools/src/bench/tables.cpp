@@ -13,29 +13,29 @@ namespace
 
 constexpr int kFastSpan = 16;
 
-std::string per_pixel(const Row* row)
+std::string per_pixel(const Result* result)
 {
-    return row == nullptr ? kNotMeasured : decimal_text(row->instructions_per_pixel(), 0);
+    return result == nullptr ? kNotMeasured : decimal_text(result->instructions_per_pixel(), 0);
 }
 
 // Runs over the modes and texels that were measured.
-void for_each_renderer(const Rows& rows, const std::function<void(const std::string&, const std::string&)>& visit)
+void for_each_renderer(const Results& results, const std::function<void(const std::string&, const std::string&)>& visit)
 {
     for (const std::string& mode : kModes) {
         for (const std::string& texel : kTexels) {
-            const auto is_it = [&](const Row& row) { return row.mode == mode && row.texel == texel; };
-            if (std::any_of(rows.begin(), rows.end(), is_it)) visit(mode, texel);
+            const auto is_it = [&](const Result& result) { return result.mode == mode && result.texel == texel; };
+            if (std::any_of(results.begin(), results.end(), is_it)) visit(mode, texel);
         }
     }
 }
 
-// The spans of which there is a row.
-std::vector<int> spans_of(const Rows& rows)
+// The spans of which there is a result.
+std::vector<int> spans_of(const Results& results)
 {
     std::vector<int> spans;
     for (const int span : kSpans) {
-        const auto has_it = [&](const Row& row) { return row.count.span == span; };
-        if (std::any_of(rows.begin(), rows.end(), has_it)) spans.push_back(span);
+        const auto has_it = [&](const Result& result) { return result.count.span == span; };
+        if (std::any_of(results.begin(), results.end(), has_it)) spans.push_back(span);
     }
     return spans;
 }
@@ -50,14 +50,14 @@ constexpr Glance kGlances[] = {
     {"paper", "rgb888", 16},   {"linear", "luma8", 8},  {"linear", "palette8", 8},  {"linear", "rgb888", 8},
 };
 
-std::string cost_of(const Row* row)
+std::string cost_of(const Result* result)
 {
-    return row == nullptr ? kNotMeasured : decimal_text(row->instructions_per_pixel());
+    return result == nullptr ? kNotMeasured : decimal_text(result->instructions_per_pixel());
 }
 
-std::string quality_of(const Row* row)
+std::string quality_of(const Result* result)
 {
-    return row == nullptr ? kNotMeasured : decimal_text(row->accuracy.psnr_db);
+    return result == nullptr ? kNotMeasured : decimal_text(result->accuracy.psnr_db);
 }
 
 }  // namespace
@@ -84,51 +84,51 @@ std::string decimal_text(double value, int digits)
     return text;
 }
 
-std::string glance_table(const Rows& rows)
+std::string glance_table(const Results& results)
 {
     const std::vector<std::string> titles = {"renderer", "M4", "M0+ code", "dB generic", "dB pole"};
     std::string text = table_row(titles) + table_rule(titles.size());
     for (const Glance& g : kGlances) {
-        const Row* m4 = find_row(rows, "m4", g.mode, g.texel, g.span, "generic");
-        const Row* m0 = find_row(rows, "m0plus", g.mode, g.texel, g.span, "generic");
-        const Row* pole = find_row(rows, "m4", g.mode, g.texel, g.span, "pole");
+        const Result* m4 = find_result(results, "m4", g.mode, g.texel, g.span, "generic");
+        const Result* m0 = find_result(results, "m0plus", g.mode, g.texel, g.span, "generic");
+        const Result* pole = find_result(results, "m4", g.mode, g.texel, g.span, "pole");
         text += table_row({std::string(g.mode) + " " + g.texel + ", S = " + std::to_string(g.span), cost_of(m4),
                            cost_of(m0), quality_of(m4), quality_of(pole)});
     }
     return text;
 }
 
-std::string cost_table(const Rows& rows)
+std::string cost_table(const Results& results)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const std::string& core : kCores)
-        for (const int span : spans_of(rows))
+        for (const int span : spans_of(results))
             titles.push_back(core + (span == 0 ? " exact" : " S" + std::to_string(span)));
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+    for_each_renderer(results, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (const std::string& core : kCores)
-            for (const int span : spans_of(rows))
-                cells.push_back(per_pixel(find_row(rows, core, mode, texel, span, "generic")));
+            for (const int span : spans_of(results))
+                cells.push_back(per_pixel(find_result(results, core, mode, texel, span, "generic")));
         text += table_row(cells);
     });
     return text;
 }
 
-std::string split_table(const Rows& rows)
+std::string split_table(const Results& results)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const char* core : {"m4", "m0plus"})
         for (const char* span : {"8", "16"}) titles.push_back(std::string(core) + " S" + span + " set-up + inner");
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+    for_each_renderer(results, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (const char* core : {"m4", "m0plus"}) {
             for (const int span : {8, kFastSpan}) {
-                const Row* row = find_row(rows, core, mode, texel, span, "generic");
-                cells.push_back(row == nullptr ? kNotMeasured
-                                               : decimal_text(row->setup_per_pixel()) + " + " +
-                                                     decimal_text(row->inner_per_pixel()));
+                const Result* result = find_result(results, core, mode, texel, span, "generic");
+                cells.push_back(result == nullptr ? kNotMeasured
+                                                  : decimal_text(result->setup_per_pixel()) + " + " +
+                                                        decimal_text(result->inner_per_pixel()));
             }
         }
         text += table_row(cells);
@@ -136,23 +136,23 @@ std::string split_table(const Rows& rows)
     return text;
 }
 
-std::string accuracy_table(const Rows& rows)
+std::string accuracy_table(const Results& results)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const std::string& view : kViewNames)
-        for (const int span : spans_of(rows)) titles.push_back(view + " S" + std::to_string(span));
+        for (const int span : spans_of(results)) titles.push_back(view + " S" + std::to_string(span));
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+    for_each_renderer(results, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (const std::string& view : kViewNames) {
-            for (const int span : spans_of(rows)) {
-                const auto is_it = [&](const Row& r) {
+            for (const int span : spans_of(results)) {
+                const auto is_it = [&](const Result& r) {
                     return r.mode == mode && r.texel == texel && r.count.view == view && r.count.span == span;
                 };
-                const auto row = std::find_if(rows.begin(), rows.end(), is_it);
-                cells.push_back(row == rows.end() ? kNotMeasured
-                                                  : decimal_text(row->accuracy.psnr_db) + " / " +
-                                                        std::to_string(row->accuracy.worst_pixel));
+                const auto result = std::find_if(results.begin(), results.end(), is_it);
+                cells.push_back(result == results.end() ? kNotMeasured
+                                                        : decimal_text(result->accuracy.psnr_db) + " / " +
+                                                              std::to_string(result->accuracy.worst_pixel));
             }
         }
         text += table_row(cells);
@@ -160,60 +160,61 @@ std::string accuracy_table(const Rows& rows)
     return text;
 }
 
-std::string memory_table(const Rows& rows)
+std::string memory_table(const Results& results)
 {
     std::vector<std::string> titles = {"renderer"};
     for (const std::string& core : kCores) titles.push_back(core + " code / stack, bytes");
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+    for_each_renderer(results, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (const std::string& core : kCores) {
             uint32_t stack_bytes = 0;
-            for (const Row& row : rows)
-                if (row.core == core && row.mode == mode && row.texel == texel && row.count.span != 0)
-                    stack_bytes = std::max(stack_bytes, row.count.stack_bytes);
-            const Row* row = find_row(rows, core, mode, texel, kFastSpan, "generic");
-            cells.push_back(row == nullptr ? kNotMeasured
-                                           : std::to_string(row->code_bytes) + " / " + std::to_string(stack_bytes));
+            for (const Result& result : results)
+                if (result.core == core && result.mode == mode && result.texel == texel && result.count.span != 0)
+                    stack_bytes = std::max(stack_bytes, result.count.stack_bytes);
+            const Result* result = find_result(results, core, mode, texel, kFastSpan, "generic");
+            cells.push_back(result == nullptr
+                                ? kNotMeasured
+                                : std::to_string(result->code_bytes) + " / " + std::to_string(stack_bytes));
         }
         text += table_row(cells);
     });
     return text;
 }
 
-std::string chip_table(const Rows& rows)
+std::string chip_table(const Results& results)
 {
     std::vector<std::string> titles = {"renderer, S = 16"};
     for (const Chip& chip : kChipList) titles.push_back(std::string(chip.title) + ": lines, misses, frames/s");
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+    for_each_renderer(results, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (size_t i = 0; i < kChips; ++i) {
             const Chip& chip = kChipList[i];
-            const Row* row = find_row(rows, chip.core, mode, texel, kFastSpan, "generic");
-            if (row == nullptr) {
+            const Result* result = find_result(results, chip.core, mode, texel, kFastSpan, "generic");
+            if (result == nullptr) {
                 cells.push_back(kNotMeasured);
                 continue;
             }
-            const Traffic& traffic = row->traffic[i];
+            const Traffic& traffic = result->traffic[i];
             cells.push_back(std::to_string(traffic.lines) + ", " + std::to_string(traffic.misses) + ", **" +
-                            decimal_text(frames_per_second(chip, row->count.instructions, traffic.misses)) + "**");
+                            decimal_text(frames_per_second(chip, result->count.instructions, traffic.misses)) + "**");
         }
         text += table_row(cells);
     });
     return text;
 }
 
-std::string polar_table(const Rows& rows)
+std::string polar_table(const Results& results)
 {
     std::vector<std::string> titles = {"renderer, S = 16"};
     for (const std::string& core : kCores) titles.push_back(core + " generic → pole");
     std::string text = table_row(titles) + table_rule(titles.size());
-    for_each_renderer(rows, [&](const std::string& mode, const std::string& texel) {
+    for_each_renderer(results, [&](const std::string& mode, const std::string& texel) {
         std::vector<std::string> cells = {mode + " " + texel};
         for (const std::string& core : kCores) {
-            const Row* generic = find_row(rows, core, mode, texel, kFastSpan, "generic");
-            const Row* pole = find_row(rows, core, mode, texel, kFastSpan, "pole");
+            const Result* generic = find_result(results, core, mode, texel, kFastSpan, "generic");
+            const Result* pole = find_result(results, core, mode, texel, kFastSpan, "pole");
             if (generic == nullptr || pole == nullptr) {
                 cells.push_back(kNotMeasured);
                 continue;
@@ -227,7 +228,7 @@ std::string polar_table(const Rows& rows)
     return text;
 }
 
-std::string baseline_cost_table(const Rows& rows, const std::vector<BaselineCost>& costs)
+std::string baseline_cost_table(const Results& results, const std::vector<BaselineCost>& costs)
 {
     const std::vector<std::string> titles = {"method", "core", "instructions a covered pixel", "M instructions a frame",
                                              "code, bytes"};
@@ -239,11 +240,12 @@ std::string baseline_cost_table(const Rows& rows, const std::vector<BaselineCost
     }
     for (const char* mode : {"nearest", "linear", "paper"}) {
         for (const std::string& core : kCores) {
-            const Row* row = find_row(rows, core, mode, "rgb565", kFastSpan, "generic");
-            if (row == nullptr) continue;
-            text += table_row(
-                {std::string("this library, ") + mode + ", S = 16", core, decimal_text(row->instructions_per_pixel()),
-                 decimal_text(static_cast<double>(row->count.instructions) / 1e6, 2), std::to_string(row->code_bytes)});
+            const Result* result = find_result(results, core, mode, "rgb565", kFastSpan, "generic");
+            if (result == nullptr) continue;
+            text += table_row({std::string("this library, ") + mode + ", S = 16", core,
+                               decimal_text(result->instructions_per_pixel()),
+                               decimal_text(static_cast<double>(result->count.instructions) / 1e6, 2),
+                               std::to_string(result->code_bytes)});
         }
     }
     return text;

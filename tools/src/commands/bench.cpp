@@ -37,16 +37,16 @@ std::vector<std::string> seen_from(const std::filesystem::path& page, const std:
     return names;
 }
 
-void write_reports(const BenchOptions& options, const bench::Rows& rows, const bench::SurfaceResults& surface,
+void write_reports(const BenchOptions& options, const bench::Results& results, const bench::SurfaceResults& surface,
                    const bench::Announce& announce)
 {
-    if (!options.json.empty()) write_output(options.json, bench::json_report(rows, surface));
+    if (!options.json.empty()) write_output(options.json, bench::json_report(results, surface));
     std::vector<std::string> plots;
-    if (!options.plots.empty()) plots = bench::write_plots(rows, options.plots);
+    if (!options.plots.empty()) plots = bench::write_plots(results, options.plots);
     if (options.markdown.empty()) return;
     const bench::Baselines baselines = bench::measure_baselines(options.settings, announce);
     write_output(options.markdown,
-                 bench::markdown_page(rows, surface, baselines, seen_from(options.markdown, options.plots, plots),
+                 bench::markdown_page(results, surface, baselines, seen_from(options.markdown, options.plots, plots),
                                       options.settings.field));
 }
 
@@ -89,10 +89,10 @@ void run(BenchOptions& options)
     announce_files(options);
     read_scene(settings.field.scene);
     const bench::Announce announce = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
-    const bench::Rows rows = bench::measure(settings, announce);
+    const bench::Results results = bench::measure(settings, announce);
     const bench::SurfaceResults surface = bench::measure_surface(settings, announce);
-    std::fputs(bench::text_report(rows, surface).c_str(), stdout);
-    write_reports(options, rows, surface, announce);
+    std::fputs(bench::text_report(results, surface).c_str(), stdout);
+    write_reports(options, results, surface, announce);
 }
 
 // A list of words, separated by commas.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lumi filter train: a network that makes the pictures of one field more like their path-traced truths.
+// lumi filter train: a network that makes the pictures of one field more like their path-traced references.
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -200,8 +200,8 @@ filter::Trial trial_of(const JudgeOptions& options, const FieldFile& field, cons
     std::fprintf(stderr, "truths of %d views, kept in %s\n", options.views, options.cache.c_str());
     ProgressPrinter printer(stderr, stderr_is_terminal());
     filter::Trial trial;
-    trial.truths = quality::truths_of(scene, views, {options.samples, 1, options.scene.threads, false}, options.cache,
-                                      watch(printer));
+    trial.references = quality::references_of(scene, views, {options.samples, 1, options.scene.threads, false},
+                                              options.cache, watch(printer));
     for (const quality::HeldOutView& view : views) trial.drawn.push_back(filter::drawn_planes(field, view.eye));
     return trial;
 }

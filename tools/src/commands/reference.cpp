@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lumi reference: the path-traced truth for the views of lumi render.
+// lumi reference: path-traced pictures for the views of lumi render.
 #include <cstdio>
 #include <memory>
 

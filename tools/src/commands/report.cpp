@@ -26,7 +26,7 @@ struct ReportOptions {
     std::string output, json, bench, cache;
     quality::ViewSet set = quality::ViewSet::all;
     int views = quality::kHeldOutViews;
-    baker::ReferenceSettings truth = {256, 1, 0, false};
+    baker::ReferenceSettings reference = {256, 1, 0, false};
     std::vector<quality::DrawMode> modes;
     int size_px = bench::kSidePx;
     bool baselines = true, zoom = false;
@@ -66,25 +66,25 @@ void measure_baselines(const ReportOptions& options, const baker::Scene& scene, 
 {
     Steps step;
     quality::BaselineSettings settings;
-    settings.threads = options.truth.threads;
+    settings.threads = options.reference.threads;
     settings.views = options.set;
     for (const uint64_t size : sizes_of(report.fields)) {
         if (quality::chord_side(size) > 0)
             report.baselines.push_back(step("chord field of the same size", [&](const auto& progress) {
-                return quality::measured_chord(scene, size, settings, options.cache, report.views, report.truths,
+                return quality::measured_chord(scene, size, settings, options.cache, report.views, report.references,
                                                progress);
             }));
-        for (auto& sheet : quality::measured_sprites(scene, size, settings, report.views, report.truths))
+        for (auto& sheet : quality::measured_sprites(scene, size, settings, report.views, report.references))
             report.baselines.push_back(std::move(sheet));
     }
     if (options.set == quality::ViewSet::ring) return;  // as all around
     const auto one_ray = step("one exact ray a pixel", [&](const auto& progress) {
-        return quality::one_ray_pictures(scene, report.views, options.truth, options.cache, progress);
+        return quality::one_ray_pictures(scene, report.views, options.reference, options.cache, progress);
     });
     size_t next = 0;
     report.one_ray = quality::measured(
         "one exact ray a pixel", "one ray", 0, [&](const auto&) { return one_ray[next++].picture; }, report.views,
-        report.truths);
+        report.references);
 }
 
 // Opened before anything is traced, so that a wrong file costs no time.
@@ -105,15 +105,15 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     quality::ReportData report;
     report.scene = options.scene.path;
     report.set = options.set;
-    report.truth_samples = options.truth.samples;
+    report.reference_samples = options.reference.samples;
     report.views = quality::held_out_views(options.set, options.views, options.size_px);
-    report.truths = Steps()("references", [&](const auto& progress) {
-        return quality::truths_of(scene, report.views, options.truth, options.cache, progress);
+    report.references = Steps()("references", [&](const auto& progress) {
+        return quality::references_of(scene, report.views, options.reference, options.cache, progress);
     });
     for (const auto& field : fields) {
-        report.fields.push_back(quality::measured_field(*field, report.views, report.truths));
+        report.fields.push_back(quality::measured_field(*field, report.views, report.references));
         if (options.zoom && field->is_surface()) report.fields.back().flicker = quality::zoom_flicker(field->surface());
-        for (auto& variant : quality::measured_variants(*field, options.modes, report.views, report.truths))
+        for (auto& variant : quality::measured_variants(*field, options.modes, report.views, report.references))
             report.variants.push_back(std::move(variant));
     }
     if (options.baselines) measure_baselines(options, scene, report);
@@ -125,7 +125,7 @@ void run(ReportOptions& options)
     announce_outputs({options.output, options.json});
     std::vector<quality::ModeCost> costs;
     if (!options.bench.empty()) costs = quality::read_mode_costs(options.bench);
-    options.truth.threads = options.scene.threads;
+    options.reference.threads = options.scene.threads;
     const Files fields = open_all(options.fields);
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
@@ -178,7 +178,7 @@ void add_report(CLI::App& lumi)
         ->check(CLI::Range(1, kMaxViews))
         ->type_name("COUNT")
         ->capture_default_str();
-    command->add_option("--spp", options->truth.samples, "Light paths per pixel of the references")
+    command->add_option("--spp", options->reference.samples, "Light paths per pixel of the references")
         ->check(CLI::PositiveNumber)
         ->type_name("S")
         ->capture_default_str();

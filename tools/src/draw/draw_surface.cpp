@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr uint32_t kBandLog2 = 4;  // rows of a stripe: what firmware with some kilobytes to spare draws at once
-constexpr int kStripeRows = 1 << kBandLog2;
+constexpr int kStripeHeight = 1 << kBandLog2;
 
 SurfaceCamera camera_of(const Eye& eye)
 {
@@ -49,11 +49,11 @@ Picture draw_as(const SurfaceField& field, const Eye& eye, const SurfaceDrawSett
     prepare_surface<Pixel>(field, camera_of(eye), settings.mode, memory.borrowed(), frame);
     Picture picture(width, height);
     const uint32_t stride = static_cast<uint32_t>(width) * Pixel::kBytes;
-    std::vector<uint8_t> buffer(static_cast<size_t>(stride) * kStripeRows);
-    std::vector<uint32_t> samples(surface_stripe_bytes(width, kStripeRows, settings.mode) / sizeof(uint32_t) + 1);
-    for (int y = 0; y < height; y += kStripeRows) {
+    std::vector<uint8_t> buffer(static_cast<size_t>(stride) * kStripeHeight);
+    std::vector<uint32_t> samples(surface_stripe_bytes(width, kStripeHeight, settings.mode) / sizeof(uint32_t) + 1);
+    for (int y = 0; y < height; y += kStripeHeight) {
         leave_if_interrupted();
-        const Stripe stripe = {buffer.data(), 0, y, width, std::min(kStripeRows, height - y), stride};
+        const Stripe stripe = {buffer.data(), 0, y, width, std::min(kStripeHeight, height - y), stride};
         render_surface<Pixel>(frame, OverColour{settings.background}, stripe, samples.data());
         copy_stripe<Pixel>(stripe, picture);
     }

@@ -16,7 +16,7 @@
 namespace lumi::tools
 {
 
-inline constexpr int kSpanStripeRows = 16;  // what firmware with a few kilobytes to spare draws at once
+inline constexpr int kSpanStripeHeight = 16;  // what firmware with a few kilobytes to spare draws at once
 
 // Spans weigh at most five points a side, so larger kernels of the paper are the same there. They are compiled for the
 // exact renderer alone, which draws the fields that spans cannot.
@@ -46,11 +46,11 @@ Picture draw_as(const Field& field, const Camera& camera, const DrawSettings& se
 {
     Picture picture(camera.width_px(), camera.height_px());
     const uint32_t stride = static_cast<uint32_t>(camera.width_px()) * Pixel::kBytes;
-    std::vector<uint8_t> buffer(static_cast<size_t>(stride) * kSpanStripeRows);
-    for (int y = 0; y < camera.height_px(); y += kSpanStripeRows) {
+    std::vector<uint8_t> buffer(static_cast<size_t>(stride) * kSpanStripeHeight);
+    for (int y = 0; y < camera.height_px(); y += kSpanStripeHeight) {
         leave_if_interrupted();
-        const int rows = std::min(kSpanStripeRows, camera.height_px() - y);
-        const Stripe stripe = {buffer.data(), 0, y, camera.width_px(), rows, stride};
+        const int height = std::min(kSpanStripeHeight, camera.height_px() - y);
+        const Stripe stripe = {buffer.data(), 0, y, camera.width_px(), height, stride};
         const RenderError error = draw_stripe<Reconstruction, Texel, Pixel>(field, camera, settings, stripe);
         assert(error == RenderError::none);  // draw() chose the texel policy by the field's own format
         static_cast<void>(error);

@@ -108,11 +108,11 @@ Planes drawn_planes(const FieldFile& field, const Eye& eye)
     return planes;
 }
 
-Planes truth_planes(const quality::Truth& truth)
+Planes reference_planes(const quality::Reference& reference)
 {
-    Planes planes(kPicturePlanes, truth.picture.width_px, truth.picture.height_px);
-    put_colours(truth.picture, 0, planes);
-    std::copy(truth.mask.values.begin(), truth.mask.values.end(), planes.plane(kCoveragePlane));
+    Planes planes(kPicturePlanes, reference.picture.width_px, reference.picture.height_px);
+    put_colours(reference.picture, 0, planes);
+    std::copy(reference.mask.values.begin(), reference.mask.values.end(), planes.plane(kCoveragePlane));
     return planes;
 }
 

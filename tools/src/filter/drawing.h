@@ -17,8 +17,8 @@ uint32_t input_planes(const tools::FieldFile& field);
 // drawings of the picture, and of a surface field two cheap ones more. Leaves by Interrupted between stripes.
 Planes drawn_planes(const tools::FieldFile& field, const tools::Eye& eye);
 
-// The same of a path-traced truth over black.
-Planes truth_planes(const quality::Truth& truth);
+// The same of a path-traced reference over black.
+Planes reference_planes(const quality::Reference& reference);
 
 // The first kPicturePlanes over a background, black unless told otherwise.
 tools::Picture over(const Planes& planes, const Rgb8& background = {0, 0, 0});

@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include "lumi/reference/geometry.h"
+#include "lumi/twin/geometry.h"
 
 namespace lumi::filter
 {
@@ -16,7 +16,7 @@ namespace
 {
 
 using quality::HeldOutView;
-using quality::Truth;
+using quality::Reference;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kPaperTraining = 2220, kPaperValidation = 204, kPaperTest = 195;
@@ -80,19 +80,20 @@ public:
     {
     }
 
-    Truth truth(const HeldOutView& view, uint32_t samples)
+    Reference reference(const HeldOutView& view, uint32_t samples)
     {
-        const baker::ReferenceSettings reference = {samples, settings_.seed, settings_.threads, false};
-        Truth truth = std::move(quality::truths_of(scene_, {view}, reference, settings_.cache, course_.part()).front());
-        course_.end_part(truth.mask.values.size() * samples);
-        return truth;
+        const baker::ReferenceSettings settings = {samples, settings_.seed, settings_.threads, false};
+        Reference reference =
+            std::move(quality::references_of(scene_, {view}, settings, settings_.cache, course_.part()).front());
+        course_.end_part(reference.mask.values.size() * samples);
+        return reference;
     }
 
     std::vector<Pair> pairs(const std::vector<HeldOutView>& views, uint32_t samples)
     {
         std::vector<Pair> pairs;
         for (const HeldOutView& view : views)
-            pairs.push_back({drawn_planes(field_, view.eye), truth_planes(truth(view, samples))});
+            pairs.push_back({drawn_planes(field_, view.eye), reference_planes(reference(view, samples))});
         return pairs;
     }
 
@@ -101,7 +102,7 @@ public:
         Trial trial;
         for (const HeldOutView& view : views) {
             trial.drawn.push_back(drawn_planes(field_, view.eye));
-            trial.truths.push_back(truth(view, samples));
+            trial.references.push_back(reference(view, samples));
         }
         return trial;
     }
@@ -122,8 +123,8 @@ Views lesson_views(const LessonSettings& settings, double cap)
     std::vector<HeldOutView> all;
     for (int k = 0; k < settings.views; ++k) {
         const double z = 1 - 2 * cap * (k + 0.5) / settings.views;
-        const double elevation = std::asin(z) * kDegrees / (2 * reference::kPi);
-        const double azimuth = kDegrees * (k / reference::kGolden - std::floor(k / reference::kGolden));
+        const double elevation = std::asin(z) * kDegrees / (2 * twin::kPi);
+        const double azimuth = kDegrees * (k / twin::kGolden - std::floor(k / twin::kGolden));
         const double distance = kNearest + (kFarthest - kNearest) * uniform(random);
         all.push_back(quality::view_at(azimuth, elevation, distance, settings.side_px));
     }

@@ -4,17 +4,17 @@
 
 #include "filter/drawing.h"
 #include "lumi/baker/scene.h"
-#include "quality/truths.h"
+#include "quality/references.h"
 
 namespace lumi::filter
 {
 
 struct LessonSettings {
     int views = 300, side_px = 240;
-    uint32_t samples = 16;  // light paths a pixel of the truths to learn from; noise averages out in learning
+    uint32_t samples = 16;  // light paths a pixel of the references to learn from; noise averages out in learning
     uint64_t seed = 1;
     unsigned threads = 0;
-    std::string cache;  // folder of truths
+    std::string cache;  // folder of references
 };
 
 // Those that judge have so many times the light paths.
@@ -32,10 +32,10 @@ Views lesson_views(const LessonSettings& settings, double cap);
 // The share of the sphere that the field shows.
 double cap_of(const tools::FieldFile& field);
 
-// Views to be judged by: what is drawn of each, and its truth.
+// Views to be judged by: what is drawn of each, and its reference.
 struct Trial {
     std::vector<Planes> drawn;
-    std::vector<quality::Truth> truths;
+    std::vector<quality::Reference> references;
 };
 
 struct Lessons {
@@ -43,7 +43,7 @@ struct Lessons {
     Trial test;
 };
 
-// Traces the truths that the cache does not hold, and draws their views. Throws Cancelled; truths traced so far stay.
+// Traces the references that the cache does not hold, and draws their views. Throws Cancelled; those traced stay.
 Lessons lessons_of(const tools::FieldFile& field, const baker::Scene& scene, const LessonSettings& settings,
                    const baker::ProgressCallback& progress);
 

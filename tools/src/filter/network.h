@@ -83,14 +83,14 @@ public:
     virtual Planes filtered(const Planes& inputs) = 0;
 };
 
-// What is drawn, and the path-traced truth of it (kPicturePlanes).
+// What is drawn, and the path-traced reference of it (kPicturePlanes).
 struct Pair {
-    Planes inputs, truth;
+    Planes inputs, reference;
 };
 
 enum class Lesson : uint8_t {
     likeness,    // squared error, and 1 - SSIM
-    adversarial  // the same, and what a network says that learns to tell drawings from truths
+    adversarial  // the same, and what a network says that learns to tell drawings from references
 };
 
 class Trainer : public Network

@@ -121,12 +121,12 @@ private:
     Pair random_part(const Pair& pair)
     {
         constexpr int kTries = 8;
-        const int width = std::min(settings_.part_px, pair.truth.width_px);
-        const int height = std::min(settings_.part_px, pair.truth.height_px);
+        const int width = std::min(settings_.part_px, pair.reference.width_px);
+        const int height = std::min(settings_.part_px, pair.reference.height_px);
         Pair part;
         for (int k = 0; k < kTries; ++k) {
-            const int x = below(pair.truth.width_px - width + 1), y = below(pair.truth.height_px - height + 1);
-            part = {part_of(pair.inputs, x, y, width, height), part_of(pair.truth, x, y, width, height)};
+            const int x = below(pair.reference.width_px - width + 1), y = below(pair.reference.height_px - height + 1);
+            part = {part_of(pair.inputs, x, y, width, height), part_of(pair.reference, x, y, width, height)};
             if (shows_something(part.inputs)) break;
         }
         return part;
@@ -151,7 +151,7 @@ double mean_psnr_db(const std::vector<Pair>& pairs, Network* network)
     double sum = 0;
     for (const Pair& pair : pairs) {
         const tools::Picture picture = over(network != nullptr ? network->filtered(pair.inputs) : pair.inputs);
-        sum += std::min(quality::kIdenticalDb, tools::psnr_db(picture, over(pair.truth)));
+        sum += std::min(quality::kIdenticalDb, tools::psnr_db(picture, over(pair.reference)));
     }
     return sum / static_cast<double>(pairs.size());
 }

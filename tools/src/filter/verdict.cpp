@@ -56,10 +56,10 @@ Verdict verdict_on(Network* network, const Trial& trial)
     std::vector<quality::Figures> drawn, after;
     for (size_t k = 0; k < trial.drawn.size(); ++k) {
         const Planes& inputs = trial.drawn[k];
-        drawn.push_back(quality::figures_of(over(inputs), trial.truths[k]));
+        drawn.push_back(quality::figures_of(over(inputs), trial.references[k]));
         after.push_back(drawn.back());
         if (network != nullptr)
-            after.back() = quality::figures_of(over(filtered(*network, inputs, fastest_ms)), trial.truths[k]);
+            after.back() = quality::figures_of(over(filtered(*network, inputs, fastest_ms)), trial.references[k]);
         count_worse(drawn.back(), after.back(), verdict);
     }
     verdict.drawn = quality::mean_of(drawn);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lumi/reference/geometry.h"
+#include "lumi/twin/geometry.h"
 
 namespace lumi::planner
 {
@@ -23,27 +23,26 @@ public:
     {
         SurfaceCamera camera;
         if (make_surface_camera(eye.pose, eye.image, camera) != CameraError::none) return;
-        right_ = reference::decoded(camera.right);
-        up_ = reference::decoded(camera.up);
-        forward_ = reference::decoded(camera.forward);
-        position_ = reference::decoded(camera.position);
+        right_ = twin::decoded(camera.right);
+        up_ = twin::decoded(camera.up);
+        forward_ = twin::decoded(camera.forward);
+        position_ = twin::decoded(camera.position);
         focal_ = camera.focal_q12 / 4096.0;
     }
 
     Place operator()(const VertexQ14& v) const
     {
         constexpr double kOneQ14 = 16384, kNearest = 1e-3;
-        const reference::Vec3 p = {v.x / kOneQ14 - position_.x, v.y / kOneQ14 - position_.y,
-                                   v.z / kOneQ14 - position_.z};
-        const double scale = side_ * focal_ / std::max(kNearest, reference::dot(p, forward_));
-        return {reference::dot(p, right_) * scale, -reference::dot(p, up_) * scale};
+        const twin::Vec3 p = {v.x / kOneQ14 - position_.x, v.y / kOneQ14 - position_.y, v.z / kOneQ14 - position_.z};
+        const double scale = side_ * focal_ / std::max(kNearest, twin::dot(p, forward_));
+        return {twin::dot(p, right_) * scale, -twin::dot(p, up_) * scale};
     }
 
     double side() const { return side_; }
 
 private:
     double side_, focal_ = 1;
-    reference::Vec3 right_ = {1, 0, 0}, up_ = {0, 0, 1}, forward_ = {0, 1, 0}, position_ = {0, 0, 0};
+    twin::Vec3 right_ = {1, 0, 0}, up_ = {0, 0, 1}, forward_ = {0, 1, 0}, position_ = {0, 0, 0};
 };
 
 // Twice the area, positive for triangles that face the eye.
@@ -88,7 +87,7 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
         if (area <= 0 && !field.two_sided) return false;
         const auto [low, high] = std::minmax({places[a].y, places[b].y, places[c].y});
         load.seen += 1;
-        load.rows += high - low;
+        load.scanlines += high - low;
         load.samples += std::fabs(area) / 2;
         if (is_magnified(places[a], places[b], places[c], patch, most)) load.magnified += std::fabs(area) / 2;
         for (const uint32_t v : {a, b, c}) is_lit[v] = true;

@@ -12,7 +12,7 @@ struct SurfaceLoad {
     double vertices = 0, patches = 0;
     double seen = 0;       // triangles that face the eye
     double lit = 0;        // vertices of these that have a view table
-    double rows = 0;       // of samples that they span, one by one
+    double scanlines = 0;  // of samples that they span, one by one
     double samples = 0;    // that they fill, hidden ones too
     double magnified = 0;  // of these, those of textures that are read bilinearly
     double outline = 0;    // pixels along the edges between seen and unseen triangles

@@ -14,12 +14,12 @@ namespace
 // Instructions a frame and a unit of load, fitted part by part to counts of `lumi bench`: the clock in 120 and 245 kB,
 // gallery in 200 kB and a glass ball in 434 kB, each in two views.
 struct Costs {
-    double frame, vertex, patch, lit, seen, row, sample, magnified, outline, image;
+    double frame, vertex, patch, lit, seen, scanline, sample, magnified, outline, image;
 
     double of(const SurfaceLoad& load) const
     {
         return frame + vertex * load.vertices + patch * load.patches + lit * load.lit + seen * load.seen +
-               row * load.rows + sample * load.samples + magnified * load.magnified + outline * load.outline +
+               scanline * load.scanlines + sample * load.samples + magnified * load.magnified + outline * load.outline +
                image * load.image;
     }
 };
@@ -40,7 +40,7 @@ double surface_instructions(const std::string& core, SurfaceMode mode, const Sur
 }
 
 // Vertices and tables are read once, a patch once to be listed and once or twice to be filled; of texels, neighbours in
-// a row of the image share half of the lines.
+// a scanline share half of the lines.
 double surface_misses(const SurfaceLoad& load, double line_bytes)
 {
     constexpr double kPatchReads = 2.5, kTexelLines = 0.5;

@@ -36,13 +36,13 @@ uint32_t chord_side(uint64_t bytes)
 
 Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
                         const std::filesystem::path& cache, const std::vector<HeldOutView>& views,
-                        const std::vector<Truth>& truths, const baker::ProgressCallback& progress)
+                        const std::vector<Reference>& references, const baker::ProgressCallback& progress)
 {
     const uint32_t side = chord_side(bytes);
     const std::string name = "chord8-" + std::to_string(side) + "-spp" + std::to_string(settings.chord_samples);
     const std::filesystem::path file = cache / cache_key(scene) / (name + ".lumi");
     if (!std::filesystem::exists(file)) baker::bake_field(scene, chord_settings(side, settings), file, progress);
-    Measured result = measured_field(tools::FieldFile(file.string()), views, truths);
+    Measured result = measured_field(tools::FieldFile(file.string()), views, references);
     result.name = "chord field " + std::to_string(side) + " x " + std::to_string(side);
     return result;
 }
@@ -64,19 +64,19 @@ uint64_t bytes_of(const bench::SpriteSheet& sheet)
 
 // Nothing where not one fits.
 std::optional<Measured> measured_sheet(const baker::Scene& scene, bench::SpriteSheet sheet, uint64_t bytes,
-                                       const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+                                       const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
 {
     sheet.count = static_cast<uint32_t>(bytes / bytes_of(sheet));
     if (sheet.count == 0) return std::nullopt;
     const auto draw = [&](const HeldOutView& view) { return bench::sprite_picture(scene, sheet, view.view); };
     return measured(title_of(sheet), sheet.jpeg_bytes != 0 ? "JPEG sprites" : "sprites", sheet.count * bytes_of(sheet),
-                    draw, views, truths);
+                    draw, views, references);
 }
 
 }  // namespace
 
 std::vector<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
-                                       const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+                                       const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
 {
     constexpr uint32_t kJpegBytes = 5700;
     bench::SpriteSheet sheet;
@@ -85,14 +85,14 @@ std::vector<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes
     std::optional<Measured> best;
     for (const int side : {bench::kSidePx, bench::kSidePx / 2, bench::kSidePx / 3}) {
         sheet.side_px = side;
-        auto tried = measured_sheet(scene, sheet, bytes, views, truths);
+        auto tried = measured_sheet(scene, sheet, bytes, views, references);
         if (tried && (!best || tried->mean.psnr_db > best->mean.psnr_db)) best = std::move(tried);
     }
     sheet.side_px = bench::kSidePx;
     sheet.jpeg_bytes = kJpegBytes;
     std::vector<Measured> all;
     if (best) all.push_back(std::move(*best));
-    if (auto jpegs = measured_sheet(scene, sheet, bytes, views, truths)) all.push_back(std::move(*jpegs));
+    if (auto jpegs = measured_sheet(scene, sheet, bytes, views, references)) all.push_back(std::move(*jpegs));
     return all;
 }
 

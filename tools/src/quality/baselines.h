@@ -24,12 +24,12 @@ uint32_t chord_side(uint64_t bytes);
 // Baked into, or found in, `cache`.
 Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
                         const std::filesystem::path& cache, const std::vector<HeldOutView>& views,
-                        const std::vector<Truth>& truths, const baker::ProgressCallback& progress = {});
+                        const std::vector<Reference>& references, const baker::ProgressCallback& progress = {});
 
 // As many path-traced sprites as fit into `bytes`, the one nearest to the view turned and scaled onto the screen:
 // RGB565, few sharp ones or many coarse ones, whichever looks better; and JPEG of 5.7 kB and 240 × 240 pixels. Of
 // either none where not one fits.
 std::vector<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
-                                       const std::vector<HeldOutView>& views, const std::vector<Truth>& truths);
+                                       const std::vector<HeldOutView>& views, const std::vector<Reference>& references);
 
 }  // namespace lumi::quality

@@ -22,17 +22,17 @@ bool is_empty(const tools::Mask& mask)
 
 }  // namespace
 
-Figures figures_of(const tools::Picture& picture, const Truth& truth)
+Figures figures_of(const tools::Picture& picture, const Reference& reference)
 {
     Figures figures;
-    figures.psnr_db = std::min(kIdenticalDb, tools::psnr_db(picture, truth.picture));
-    figures.ssim = tools::ssim(picture, truth.picture);
-    figures.cw_ssim = tools::cw_ssim(picture, truth.picture);
-    figures.flip = tools::flip(truth.picture, picture);
-    const bool whole = is_empty(truth.mask);
+    figures.psnr_db = std::min(kIdenticalDb, tools::psnr_db(picture, reference.picture));
+    figures.ssim = tools::ssim(picture, reference.picture);
+    figures.cw_ssim = tools::cw_ssim(picture, reference.picture);
+    figures.flip = tools::flip(reference.picture, picture);
+    const bool whole = is_empty(reference.mask);
     figures.mask_psnr_db =
-        whole ? figures.psnr_db : std::min(kIdenticalDb, tools::psnr_db(picture, truth.picture, truth.mask));
-    figures.mask_ssim = whole ? figures.ssim : tools::ssim(picture, truth.picture, truth.mask);
+        whole ? figures.psnr_db : std::min(kIdenticalDb, tools::psnr_db(picture, reference.picture, reference.mask));
+    figures.mask_ssim = whole ? figures.ssim : tools::ssim(picture, reference.picture, reference.mask);
     return figures;
 }
 

@@ -9,13 +9,13 @@
 namespace lumi::quality
 {
 
-// The path-traced truth of a view, and where the scene covers it at all.
-struct Truth {
+// The path-traced reference of a view, and where the scene covers it at all.
+struct Reference {
     tools::Picture picture;
     tools::Mask mask;
 };
 
-// A picture that equals its truth counts as this many dB: means stay finite.
+// A picture that equals its reference counts as this many dB: means stay finite.
 inline constexpr double kIdenticalDb = 99;
 
 struct Figures {
@@ -23,8 +23,8 @@ struct Figures {
     double mask_psnr_db = 0, mask_ssim = 0;  // inside the mask; as the whole where it is empty
 };
 
-// Precondition: same_size(picture, truth.picture).
-Figures figures_of(const tools::Picture& picture, const Truth& truth);
+// Precondition: same_size(picture, reference.picture).
+Figures figures_of(const tools::Picture& picture, const Reference& reference);
 
 // The mean of each. Precondition: at least one.
 Figures mean_of(const std::vector<Figures>& all);

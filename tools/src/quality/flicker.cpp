@@ -28,7 +28,7 @@ Levels levels_of(const tools::Picture& picture)
 }
 
 // What a pixel should show, up to rounding.
-Levels truth_of(const SurfaceField& field, double distance, int side_px)
+Levels ideal_of(const SurfaceField& field, double distance, int side_px)
 {
     const tools::Picture fine = tools::draw_surface(field, eye_at(distance, kFiner * side_px));
     Levels mean(3 * static_cast<size_t>(side_px) * static_cast<size_t>(side_px));
@@ -44,12 +44,12 @@ Levels truth_of(const SurfaceField& field, double distance, int side_px)
 class Restlessness
 {
 public:
-    // The change from `before` to `now` beyond that of the truth.
-    void add(const Levels& before, const Levels& now, const Levels& truth_before, const Levels& truth_now)
+    // The change from `before` to `now` beyond that of the ideal.
+    void add(const Levels& before, const Levels& now, const Levels& ideal_before, const Levels& ideal_now)
     {
         for (size_t i = 0; i < now.size(); ++i) {
-            if (before[i] + now[i] + truth_before[i] + truth_now[i] <= 0) continue;
-            const double beyond = now[i] - before[i] - (truth_now[i] - truth_before[i]);
+            if (before[i] + now[i] + ideal_before[i] + ideal_now[i] <= 0) continue;
+            const double beyond = now[i] - before[i] - (ideal_now[i] - ideal_before[i]);
             sum_ += beyond * beyond;
             ++count_;
         }
@@ -67,16 +67,16 @@ std::vector<Flicker> zoom_flicker(const SurfaceField& field, int frames, int sid
 {
     std::array<Restlessness, kModes.size()> restlessness;
     std::array<Levels, kModes.size()> before;
-    Levels truth_before;
+    Levels ideal_before;
     for (int frame = 0; frame < frames; ++frame) {
         const double distance = kZoomNearest * std::pow(kZoomFarthest / kZoomNearest, 1.0 * frame / (frames - 1));
-        Levels truth = truth_of(field, distance, side_px);
+        Levels ideal = ideal_of(field, distance, side_px);
         for (size_t m = 0; m < kModes.size(); ++m) {
             Levels now = levels_of(tools::draw_surface(field, eye_at(distance, side_px), {kModes[m]}));
-            if (frame > 0) restlessness[m].add(before[m], now, truth_before, truth);
+            if (frame > 0) restlessness[m].add(before[m], now, ideal_before, ideal);
             before[m] = std::move(now);
         }
-        truth_before = std::move(truth);
+        ideal_before = std::move(ideal);
     }
     const double least = restlessness.back().rms();
     std::vector<Flicker> all;

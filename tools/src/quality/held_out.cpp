@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lumi/reference/geometry.h"
+#include "lumi/twin/geometry.h"
 #include "terminal/failure.h"
 
 namespace lumi::quality
@@ -23,7 +23,7 @@ double fraction(double v)
 
 double degrees(double radians)
 {
-    return radians * kDegrees / (2 * reference::kPi);
+    return radians * kDegrees / (2 * twin::kPi);
 }
 
 double elevation_deg(ViewSet set, int k, int count, double cap)
@@ -65,8 +65,7 @@ std::vector<HeldOutView> held_out_views(ViewSet set, int count, int side_px, dou
 {
     std::vector<HeldOutView> views;
     for (int k = 0; k < count; ++k) {
-        const double azimuth =
-            set == ViewSet::ring ? kDegrees * k / count : kDegrees * fraction(k / reference::kGolden);
+        const double azimuth = set == ViewSet::ring ? kDegrees * k / count : kDegrees * fraction(k / twin::kGolden);
         const double distance = kNearest + (kFarthest - kNearest) * fraction((k + 0.5) * 5 / 12);
         views.push_back(view_at(azimuth + kTurnDeg, elevation_deg(set, k, count, cap), distance, side_px));
     }

@@ -25,7 +25,7 @@ double processor_ms()
 }  // namespace
 
 Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
-                  const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+                  const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
 {
     Measured result;
     result.name = name;
@@ -35,8 +35,8 @@ Measured measured(const std::string& name, const std::string& layout, uint64_t f
         const double begin = processor_ms();
         result.pictures.push_back(draw(views[v]));
         result.draw_ms += (processor_ms() - begin) / static_cast<double>(views.size());
-        result.figures.push_back(figures_of(result.pictures.back(), truths[v]));
-        result.worst.push_back(tools::worst_block(result.pictures.back(), truths[v].picture));
+        result.figures.push_back(figures_of(result.pictures.back(), references[v]));
+        result.worst.push_back(tools::worst_block(result.pictures.back(), references[v].picture));
     }
     result.mean = mean_of(result.figures);
     return result;
@@ -67,10 +67,10 @@ const char* layout_of(const tools::FieldFile& file)
 }
 
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                        const std::vector<Truth>& truths)
+                        const std::vector<Reference>& references)
 {
     const auto draw = [&](const HeldOutView& view) { return drawn(file, view); };
-    Measured result = measured(file.path(), layout_of(file), file.size(), draw, views, truths);
+    Measured result = measured(file.path(), layout_of(file), file.size(), draw, views, references);
     result.sections = file.sections();
     if (file.is_surface()) result.triangles = tools::triangles_of(file.surface());
     return result;
@@ -80,14 +80,14 @@ namespace
 {
 
 std::vector<Measured> measured_modes(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                     const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+                                     const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
 {
     std::vector<Measured> all;
     for (const DrawMode& mode : modes) {
         const auto draw = [&](const HeldOutView& view) {
             return tools::draw(file.field(), view.eye.camera, mode.settings);
         };
-        all.push_back(measured(file.path(), mode.name, file.size(), draw, views, truths));
+        all.push_back(measured(file.path(), mode.name, file.size(), draw, views, references));
     }
     return all;
 }
@@ -95,16 +95,16 @@ std::vector<Measured> measured_modes(const tools::FieldFile& file, const std::ve
 }  // namespace
 
 std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                        const std::vector<HeldOutView>& views, const std::vector<Truth>& truths)
+                                        const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
 {
-    if (!file.is_surface()) return measured_modes(file, modes, views, truths);
+    if (!file.is_surface()) return measured_modes(file, modes, views, references);
     std::vector<Measured> variants;
     for (const auto& [mode, name] :
          {std::pair(SurfaceMode::antialiased, "antialiased"), {SurfaceMode::one_sample, "one sample"}}) {
         const auto draw = [&, mode = mode](const HeldOutView& view) {
             return tools::draw_surface(file.surface(), view.eye, {mode});
         };
-        variants.push_back(measured(file.path(), name, file.size(), draw, views, truths));
+        variants.push_back(measured(file.path(), name, file.size(), draw, views, references));
         variants.back().triangles = tools::triangles_of(file.surface());
     }
     return variants;

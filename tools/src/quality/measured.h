@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report knows: the truths of a scene's held-out views, and what fields and baselines show of them.
+// What a report knows: the references of a scene's held-out views, and what fields and baselines show of them.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 #include "quality/draw_modes.h"
 #include "quality/figures.h"
 #include "quality/flicker.h"
-#include "quality/truths.h"
+#include "quality/references.h"
 
 namespace lumi::quality
 {
@@ -39,17 +39,18 @@ using DrawView = std::function<tools::Picture(const HeldOutView&)>;
 
 // Draws and judges all views.
 Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
-                  const std::vector<HeldOutView>& views, const std::vector<Truth>& truths);
+                  const std::vector<HeldOutView>& views, const std::vector<Reference>& references);
 
 // A field by the best that it offers.
 tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view);
 // "chord", "surface", or "mean alone": a surface field whose colours do not depend on the direction of view.
 const char* layout_of(const tools::FieldFile& file);
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                        const std::vector<Truth>& truths);
+                        const std::vector<Reference>& references);
 
 // The cheaper modes of a surface field; a chord field by the modes that are given.
 std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                        const std::vector<HeldOutView>& views, const std::vector<Truth>& truths);
+                                        const std::vector<HeldOutView>& views,
+                                        const std::vector<Reference>& references);
 
 }  // namespace lumi::quality

@@ -13,14 +13,14 @@ namespace lumi::quality
 namespace
 {
 
-// Rows of early benches are of chord fields.
-ModeCost cost_of(const nlohmann::json& row)
+// Results of early benches are of chord fields.
+ModeCost cost_of(const nlohmann::json& result)
 {
-    ModeCost cost = {row.value("layout", "chord"),    row.at("core"), row.at("mode"), "", 0,
-                     row.at("instructions_per_pixel")};
+    ModeCost cost = {result.value("layout", "chord"),    result.at("core"), result.at("mode"), "", 0,
+                     result.at("instructions_per_pixel")};
     if (cost.layout != "chord") return cost;
-    cost.texel = row.at("texel");
-    cost.span = row.at("span");
+    cost.texel = result.at("texel");
+    cost.span = result.at("span");
     return cost;
 }
 
@@ -33,9 +33,9 @@ std::vector<ModeCost> read_mode_costs(const std::string& path)
     if (!file) throw tools::Failure(path, "cannot be read", "give the file that lumi bench --json wrote");
     std::vector<ModeCost> costs;
     try {
-        for (const auto& row : nlohmann::json::parse(file)) {
-            if (row.at("view") != "generic") continue;
-            costs.push_back(cost_of(row));
+        for (const auto& result : nlohmann::json::parse(file)) {
+            if (result.at("view") != "generic") continue;
+            costs.push_back(cost_of(result));
         }
     } catch (const nlohmann::json::exception&) {
         throw tools::Failure(path, "does not hold rows of a bench", "give the file that lumi bench --json wrote");

@@ -137,20 +137,20 @@ std::string figures_text(const Figures& f)
 }
 
 // A field's picture beside its error, with one caption.
-std::string pair(const Measured& field, size_t v, const Truth& truth)
+std::string pair(const Measured& field, size_t v, const Reference& reference)
 {
     const std::string name = file_name(field.name);
     return "<figure class=\"pair\">" + image_tag(field.pictures[v], name) +
-           image_tag(tools::error_picture(field.pictures[v], truth.picture), "error of " + name) + "<figcaption><b>" +
-           escaped(name) + "</b>: " + figures_text(field.figures[v]) + "</figcaption></figure>\n";
+           image_tag(tools::error_picture(field.pictures[v], reference.picture), "error of " + name) +
+           "<figcaption><b>" + escaped(name) + "</b>: " + figures_text(field.figures[v]) + "</figcaption></figure>\n";
 }
 
 std::string view_part(const ReportData& report, size_t v)
 {
-    const Truth& truth = report.truths[v];
+    const Reference& reference = report.references[v];
     std::string html = "<h3>View " + std::to_string(v + 1) + ": " + escaped(text_of(report.views[v])) +
-                       "</h3>\n<div class=\"views\">\n" + figure(truth.picture, "reference");
-    for (const Measured& field : report.fields) html += pair(field, v, truth);
+                       "</h3>\n<div class=\"views\">\n" + figure(reference.picture, "reference");
+    for (const Measured& field : report.fields) html += pair(field, v, reference);
     return html + "</div>\n";
 }
 
@@ -158,7 +158,7 @@ std::string introduction(const ReportData& report)
 {
     return "<p>" + std::to_string(report.views.size()) + " views that no bake aimed at (" + name_of(report.set) +
            "), 2.5 to 4 radii away, the sphere filling the frame, on black; references with " +
-           std::to_string(report.truth_samples) +
+           std::to_string(report.reference_samples) +
            " light paths a pixel. Means over the views. Fields are drawn as a microcontroller draws them. FLIP is an "
            "error, 0 is best; the mask is where the reference is covered. Beside the worst view stands its number, "
            "beside "

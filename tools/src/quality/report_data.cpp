@@ -124,7 +124,7 @@ std::string text_of(const ReportData& report)
 {
     std::string text =
         report.scene + ": means over " + std::to_string(report.views.size()) + " views (" + name_of(report.set) +
-        ") against " + std::to_string(report.truth_samples) +
+        ") against " + std::to_string(report.reference_samples) +
         " samples a pixel\n"
         "field                        layout           flash  PSNR dB   SSIM  CW-SSIM    FLIP  mask PSNR  "
         "mask SSIM  worst view worst block\n";
@@ -140,7 +140,7 @@ std::string json_of(const ReportData& report)
 {
     Json json = {{"scene", report.scene},
                  {"view_set", name_of(report.set)},
-                 {"reference_samples", report.truth_samples},
+                 {"reference_samples", report.reference_samples},
                  {"views", Json::array()}};
     for (const HeldOutView& view : report.views) json["views"].push_back(json_of(view));
     json["fields"] = json_of(report.fields);

@@ -15,9 +15,9 @@ namespace lumi::quality
 struct ReportData {
     std::string scene;
     ViewSet set = ViewSet::all;
-    uint32_t truth_samples = 0;
+    uint32_t reference_samples = 0;
     std::vector<HeldOutView> views;
-    std::vector<Truth> truths;
+    std::vector<Reference> references;
     std::vector<Measured> fields;     // as given
     std::vector<Measured> variants;   // cheaper modes of these
     std::vector<Measured> baselines;  // chord fields and sprites of the fields' sizes

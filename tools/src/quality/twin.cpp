@@ -3,15 +3,15 @@
 
 #include <cmath>
 
-#include "lumi/reference/surface_picture.h"
+#include "lumi/twin/surface_picture.h"
 
 namespace lumi::quality
 {
 
 tools::Picture draw_twin(const uint8_t* file, const tools::Eye& eye, SurfaceMode mode, const Rgb8& background)
 {
-    const reference::SurfaceDrawing drawing = {mode == SurfaceMode::one_sample ? 1 : 2};
-    const reference::SurfacePicture drawn = reference::draw_surface(file, eye.pose, eye.image, drawing, background);
+    const twin::SurfaceDrawing drawing = {mode == SurfaceMode::one_sample ? 1 : 2};
+    const twin::SurfacePicture drawn = twin::draw_surface(file, eye.pose, eye.image, drawing, background);
     tools::Picture picture(drawn.width_px, drawn.height_px);
     for (size_t i = 0; i < drawn.colours.size(); ++i) {
         const double rgb[3] = {drawn.colours[i].r, drawn.colours[i].g, drawn.colours[i].b};

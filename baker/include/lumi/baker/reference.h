@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The path-traced truth for a camera: what a field's picture is compared with.
+// Path-traced pictures for a camera: what a field's picture is compared with.
 #pragma once
 
 #include <cstdint>

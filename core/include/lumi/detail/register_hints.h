@@ -15,12 +15,4 @@ LUMI_ALWAYS_INLINE T settled(T value)
     return value;
 }
 
-// The same, and what comes before it in the program is done before it: fewer values in flight.
-template <class T>
-LUMI_ALWAYS_INLINE T settled_in_order(T value)
-{
-    asm volatile("" : "+r"(value));
-    return value;
-}
-
 }  // namespace lumi

@@ -110,21 +110,21 @@ SpanDistances::SpanDistances(const CellLine& side, const Lattice& lattice, int32
     last_ = static_cast<int32_t>(lattice.size() - 1) * unit;
     if (side.reflected()) {
         across_ = first;
-        next_row_ = second;
+        next_strand_ = second;
         at_ = fraction_q12(u_q16) | fraction_q12(v_q16) << 16;
         step_ = static_cast<uint32_t>(joined(rounded_q12(side.du_q16), rounded_q12(side.dv_q16)));
     } else {
         across_ = second;
-        next_row_ = first;
+        next_strand_ = first;
         at_ = fraction_q12(v_q16) | fraction_q12(u_q16) << 16;
         step_ = static_cast<uint32_t>(joined(rounded_q12(side.dv_q16), rounded_q12(side.du_q16)));
     }
-    index_ = pack(across_, next_row_);
+    index_ = pack(across_, next_strand_);
     bend(side, lattice, {u_q16, v_q16}, length);
 }
 
-// T changes by at most 0.12 over half a piece, and the shape is taken from the table's range: beyond that distances are
-// not right, but no sum overflows.
+// T changes by at most 0.12 over half a stretch, and the shape is taken from the table's range: beyond that distances
+// are not right, but no sum overflows.
 LUMI_ALWAYS_INLINE void SpanDistances::bend(const CellLine& side, const Lattice& lattice, const LatticePoint& from,
                                             int32_t length)
 {
@@ -134,7 +134,7 @@ LUMI_ALWAYS_INLINE void SpanDistances::bend(const CellLine& side, const Lattice&
     const int32_t way_q9 = (step_q16 >> 7) * (length - 1);
     const int32_t begin_q8 = hemisphere * (side.first * (from.u_q16 >> 8) + side.second * (from.v_q16 >> 8));
     const int32_t middle_q8 = begin_q8 + (way_q9 >> 2);
-    // Points lie up to a step across the rows and two along them away; three more for rounding.
+    // Points lie up to a step across the strands and two along them away; three more for rounding.
     const bool reflected = side.reflected();
     const int32_t first = magnitude(side.first);
     const int32_t second = magnitude(side.second);
@@ -188,7 +188,7 @@ int32_t SpanDistances::existing(int32_t corner, int32_t along_q26) const
     };
     const int32_t first = kept(corner, along_q26 < 0 ? -1 : 0);
     const bool behind = along_q26 >= 0 && static_cast<uint32_t>(along_q26) > most_along_q26();
-    return pack(first, kept(corner + next_row_, behind ? 1 : 0));
+    return pack(first, kept(corner + next_strand_, behind ? 1 : 0));
 }
 
 }  // namespace lumi

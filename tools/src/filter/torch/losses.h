@@ -34,7 +34,8 @@ inline Tensor squared_error(const Tensor& a, const Tensor& b, const Tensor& wher
     return ((a - b).square() * where).sum() / (where.sum().clamp_min(1) * kPicturePlanes);
 }
 
-// Tells drawings from truths, each beside what was drawn: seven blocks of a convolution, dropout and average pooling.
+// Tells drawings from references, each beside what was drawn: seven blocks of a convolution, dropout and average
+// pooling.
 struct DiscriminatorImpl : torch::nn::Module {
     DiscriminatorImpl()
     {

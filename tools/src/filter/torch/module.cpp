@@ -72,20 +72,20 @@ private:
 };
 
 struct Examples {
-    Tensor inputs, truth, where;
+    Tensor inputs, reference, where;
 };
 
 Examples examples_of(const std::vector<Pair>& batch)
 {
-    std::vector<Tensor> inputs, truths;
+    std::vector<Tensor> inputs, references;
     for (const Pair& pair : batch) {
         inputs.push_back(tensor_of(pair.inputs));
-        truths.push_back(tensor_of(pair.truth));
+        references.push_back(tensor_of(pair.reference));
     }
     const auto joined = [](const std::vector<Tensor>& all) {
         return torch::cat(all).contiguous(at::MemoryFormat::ChannelsLast);
     };
-    Examples examples = {joined(inputs), joined(truths), {}};
+    Examples examples = {joined(inputs), joined(references), {}};
     examples.where = reach(examples.inputs);
     return examples;
 }
@@ -124,8 +124,8 @@ private:
     {
         constexpr double kErrorScale = 100, kUnlikenessScale = 0.5;  // both losses begin between 0.01 and 1
         const auto colours = [](const Tensor& t) { return t.slice(1, 0, 3); };
-        return kErrorScale * squared_error(picture, examples.truth, examples.where) +
-               kUnlikenessScale * unlikeness(colours(picture), colours(examples.truth), examples.where);
+        return kErrorScale * squared_error(picture, examples.reference, examples.where) +
+               kUnlikenessScale * unlikeness(colours(picture), colours(examples.reference), examples.where);
     }
 
     // The judge learns first; then what it says of the picture.
@@ -134,9 +134,10 @@ private:
         constexpr double kScale = 0.01;
         const Tensor drawn = picture_of(examples.inputs);
         const Tensor judged =
-            relativistic(judge_->forward(drawn, examples.truth), judge_->forward(drawn, picture.detach()));
+            relativistic(judge_->forward(drawn, examples.reference), judge_->forward(drawn, picture.detach()));
         advance(judge_adam_, judge_->parameters(), judged, rate);
-        return kScale * relativistic(judge_->forward(drawn, picture), judge_->forward(drawn, examples.truth).detach());
+        return kScale *
+               relativistic(judge_->forward(drawn, picture), judge_->forward(drawn, examples.reference).detach());
     }
 
     static void advance(torch::optim::Adam& adam, const std::vector<Tensor>& parameters, const Tensor& loss,

@@ -2,84 +2,85 @@
 // 3×3 texels a pixel: the loops of Linear.
 #pragma once
 
+#include "lumi/detail/chord/both_sides.h"
 #include "lumi/detail/chord/linear_armv6m.h"
-#include "lumi/detail/chord/pairs.h"
+#include "lumi/detail/chord/piece.h"
 #include "lumi/detail/chord/side_taps.h"
 #include "lumi/detail/chord/sums.h"
-#include "lumi/detail/chord/target.h"
 #include "lumi/reconstruction.h"
 
 namespace lumi
 {
 
-// Through cells, both sides at once: all rows of a tile, or without one the span's.
+// Through cells, both sides at once: all scanlines of a tile, or without one the span's.
 template <bool kFlips, class Texel, class Pixel, class Background>
-void draw_pairs(const SpanTarget<Background>& span, const TileRows* tile)
+void draw_both_sides(const CellPiece<Background>& span, const TileScanlines* tile)
 {
     using Sum = TexelSum<Texel, !Background::kIsBlack>;
     const Field field = span.field;  // stores of pixels do not change it
-    PairSource<kFlips> source(
+    BothSidesWalk<kFlips> both(
         span.origins, span.directions, field.texels - Sum::kBefore,
         {static_cast<int32_t>(field.row_stride_bytes), static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat))});
-    PairRows rows(span, tile);
+    BothSidesScanlines scanlines(span, tile);
     for (;;) {
-        source.begin(rows);
-        WordPair<uint8_t*> pixels = {rows.pixels(), rows.pixels() + static_cast<uint32_t>(span.length) * Pixel::kBytes};
+        both.begin(scanlines);
+        DoubleWord<uint8_t*> pixels = {scanlines.pixels(),
+                                       scanlines.pixels() + static_cast<uint32_t>(span.length) * Pixel::kBytes};
         for (bool is_last = false; !is_last;) {
-            const Sum sum = NineTaps<Sum>::sum(field, source.template taps<Sum>());
-            const WordPair<uint8_t*> at = reload(pixels);
+            const Sum sum = sum_of<Sum>(field, both.template taps<Sum>());
+            const DoubleWord<uint8_t*> at = reload(pixels);
             sum.template store<Pixel>(span.background, at.a);
             pixels.a = at.a + Pixel::kBytes;
             is_last = pixels.a == at.b;
         }
-        if (!rows.go_down()) return;
+        if (!scanlines.go_down()) return;
     }
 }
 
-// The same by the core's own loop: the sums of a row, then its pixels.
+// The same by the core's own loop: the sums of a scanline, then its pixels.
 template <class Texel, class Pixel, class Background>
-void draw_assembled(const SpanTarget<Background>& span, const TileRows* tile)
+void draw_assembled(const CellPiece<Background>& span, const TileScanlines* tile)
 {
     using Sum = TexelSum<Texel, false>;
     using Loop = Armv6mLoop<Sum>;
     const uint8_t* const palette = span.field.palette;
     const uint32_t words = static_cast<uint32_t>(span.length) * Loop::kWords;
-    typename Loop::Rows cells(span.origins, span.directions, span.field, format::bytes_per_texel(Texel::kFormat),
-                              {Sum::kRowBits, Sum::kTapBits});
-    PairRows rows(span, tile);
+    typename Loop::Scanlines cells(span.origins, span.directions, span.field, format::bytes_per_texel(Texel::kFormat),
+                                   {Sum::kRowBits, Sum::kTapBits});
+    BothSidesScanlines scanlines(span, tile);
     do {
-        uint32_t sums[kMostPairPixels * Loop::kWords];
+        uint32_t sums[kMostSpanPixels * Loop::kWords];
         const uint32_t* const end = sums + words;
-        Loop::draw(sums, end, cells.before(rows), palette);
-        uint8_t* pixel = rows.pixels();
+        Loop::draw(sums, end, cells.before(scanlines), palette);
+        uint8_t* pixel = scanlines.pixels();
         for (const uint32_t* at = sums; at != end; at += Loop::kWords, pixel += Pixel::kBytes)
             Loop::sum(at).template store<Pixel>(span.background, pixel);
-    } while (rows.go_down());
+    } while (scanlines.go_down());
 }
 
 template <class Texel, class Pixel, class Background>
-void draw_cells(const SpanTarget<Background>& span, const TileRows* tile)
+void draw_cells(const CellPiece<Background>& span, const TileScanlines* tile)
 {
     if constexpr (Armv6mLoop<TexelSum<Texel, !Background::kIsBlack>>::kExists) {
         draw_assembled<Texel, Pixel>(span, tile);
     } else {
-        if (span.origins.uniform && span.directions.uniform) return draw_pairs<false, Texel, Pixel>(span, tile);
-        draw_pairs<true, Texel, Pixel>(span, tile);
+        if (span.origins.uniform && span.directions.uniform) return draw_both_sides<false, Texel, Pixel>(span, tile);
+        draw_both_sides<true, Texel, Pixel>(span, tile);
     }
 }
 
-// Whether a tile's rows are drawn at once, all of them or some.
+// Whether a tile's scanlines are drawn at once, all of them or some.
 template <class Background>
-bool can_follow_tile(const SpanTarget<Background>& span)
+bool can_follow_tile(const CellPiece<Background>& span)
 {
-    return span.tile != nullptr && span.length <= kMostPairPixels &&
-           PairRows::can_follow(span.origins, span.tile->origins, span.length) &&
-           PairRows::can_follow(span.directions, span.tile->directions, span.length);
+    return span.tile != nullptr && span.length <= kMostSpanPixels &&
+           BothSidesScanlines::can_follow(span.origins, span.tile->origins, span.length) &&
+           BothSidesScanlines::can_follow(span.directions, span.tile->directions, span.length);
 }
 
 // Side by side, every texel checked.
 template <class Texel, class Pixel, class Background>
-void draw_nine_checked(const CheckedTarget<Background>& span)
+void draw_nine_checked(const CheckedPiece<Background>& span)
 {
     using Sum = TexelSum<Texel, !Background::kIsBlack>;
     SideWalk origins(span.origins);
@@ -107,20 +108,20 @@ void draw_nine_checked(const CheckedTarget<Background>& span)
 template <>
 struct SpanDraw<Linear> {
     template <class Texel, class Pixel, class Background>
-    static void draw(SpanTarget<Background>& span)
+    static void draw(CellPiece<Background>& span)
     {
         if (can_follow_tile(span)) return draw_cells<Texel, Pixel>(span, span.tile);
-        int32_t rows_left = span.rows();
+        int32_t scanlines_left = span.scanlines();
         span.go_to_first();
         do {
             if (can_follow(span.origins, span.directions, span.length))
                 draw_cells<Texel, Pixel>(span, nullptr);
             else
                 draw_steep<Texel, Pixel>(span);
-        } while (span.go_down(rows_left));
+        } while (span.go_down(scanlines_left));
     }
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedTarget<Background>& span)
+    static void draw_checked(const CheckedPiece<Background>& span)
     {
         draw_nine_checked<Texel, Pixel>(span);
     }
@@ -128,12 +129,12 @@ struct SpanDraw<Linear> {
 private:
     // Steps that are too long for halves of words: side by side.
     template <class Texel, class Pixel, class Background>
-    static void draw_steep(const SpanTarget<Background>& span)
+    static void draw_steep(const CellPiece<Background>& span)
     {
         LatticeLine origins{span.origins, {}, false};
         LatticeLine directions{span.directions, {}, false};
-        draw_nine_checked<Texel, Pixel>(CheckedTarget<Background>{span.field, span.background, span.pixels, span.length,
-                                                                  span.x, span.y, origins, directions});
+        draw_nine_checked<Texel, Pixel>(CheckedPiece<Background>{span.field, span.background, span.pixels, span.length,
+                                                                 span.x, span.y, origins, directions});
     }
 };
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Spans of 3x3 texels in Armv6-M assembly (core/src/chord/armv6m), whose loops keep in eight registers what compilers
-// spill: a loop writes the weighted sums of a row's pixels, the same bits as PairSource and TexelSum have.
+// spill: a loop writes the weighted sums of a scanline's pixels, the same bits as BothSidesWalk and TexelSum have.
 //
 // A coordinate is kept as its fraction at the top of a word, so that an addition's carry tells a new cell and the
 // cell's offset moves by additions alone. Of an origin's word, what lies below its 12 bits is the direction's
-// coordinate, of which it takes carries as PairSource's halves do; it cannot change how a triangle is chosen but where
-// both choices weigh the same corners.
+// coordinate, of which it takes carries as BothSidesWalk's halves do; it cannot change how a triangle is chosen but
+// where both choices weigh the same corners.
 #pragma once
 
 #include <stddef.h>
 
-#include "lumi/detail/chord/pairs.h"
+#include "lumi/detail/chord/both_sides.h"
 #include "lumi/detail/chord/sums.h"
 
 namespace lumi
 {
 
-// Whether a sum has an assembled loop, and which: Rows of cells, draw(), and the sum of a pixel's kWords words.
+// Whether a sum has an assembled loop, and which: Scanlines of cells, draw(), and the sum of a pixel's kWords words.
 template <class Sum>
 struct Armv6mLoop {
     static constexpr bool kExists = false;
@@ -29,7 +29,7 @@ struct LinearSide {
     uint32_t* moving;        // the address of u
     uint32_t du, dv, drift;  // a pixel's steps; what the offset moves where neither addition carries
     uint32_t u, v, offset;   // of the pixel before; the offset of the cell
-    uint32_t one_or_mask;    // one as a weight; if cells may be flipped, PairFlip's mask
+    uint32_t one_or_mask;    // one as a weight; if cells may be flipped, SideFlip's mask
     uint32_t first, second, across;
 };
 
@@ -50,14 +50,15 @@ void lumi_linear_rgb565(uint32_t* sums, const uint32_t* end, LinearCells* cells)
 void lumi_linear_palette8(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t* palette);
 }
 
-// The cells of a span's rows.
-class LinearRows
+// The cells of a span's or a tile's scanlines.
+class LinearScanlines
 {
 public:
     struct Bits {
         int row, tap;
     };
-    LinearRows(const CellLine& origins, const CellLine& directions, const Field& field, uint32_t texel_bytes, Bits bits)
+    LinearScanlines(const CellLine& origins, const CellLine& directions, const Field& field, uint32_t texel_bytes,
+                    Bits bits)
     {
         const bool may_flip = !(origins.uniform && directions.uniform);
         const uint32_t row = begin(cells_.origins, origins, field.row_stride_bytes, may_flip ? 0 : 1u << bits.row);
@@ -69,19 +70,19 @@ public:
         direction_offset_ = cells_.directions.offset;
     }
 
-    // The cells before a row's first pixel.
-    LinearCells* before(const PairRows& pairs)
+    // The cells before a scanline's first pixel.
+    LinearCells* before(const BothSidesScanlines& scanlines)
     {
-        const WordPair<uint32_t>& step = pairs.step();
-        const WordPair<uint32_t> before = {pairs.at().a - step.a, pairs.at().b - step.b};
+        const DoubleWord<uint32_t>& step = scanlines.step();
+        const DoubleWord<uint32_t> before = {scanlines.at().a - step.a, scanlines.at().b - step.b};
         begin(cells_.origins, origin_offset_, before, step);
         begin(cells_.directions, direction_offset_, {before.a << 16, before.b << 16}, {step.a << 16, step.b << 16});
         return &cells_;
     }
 
 private:
-    // What all rows share, and the offset of the first one's cell; returns what all offsets are from. `one` is 0 if
-    // cells may be flipped.
+    // What all scanlines share, and the offset of the first one's cell; returns what all offsets are from. `one` is 0
+    // if cells may be flipped.
     static uint32_t begin(LinearSide& to, const CellLine& side, uint32_t bytes, uint32_t one)
     {
         const auto whole = [](int32_t q16) { return static_cast<uint32_t>(q16 >> 16); };
@@ -96,7 +97,7 @@ private:
     }
 
     // Coordinates and steps in the upper halves.
-    static void begin(LinearSide& to, uint32_t offset, const WordPair<uint32_t>& at, const WordPair<uint32_t>& step)
+    static void begin(LinearSide& to, uint32_t offset, const DoubleWord<uint32_t>& at, const DoubleWord<uint32_t>& step)
     {
         const auto whole = [](uint32_t q28) { return static_cast<uint32_t>(static_cast<int32_t>(q28) >> 28); };
         to.du = step.a << 4;
@@ -115,7 +116,7 @@ template <uint32_t kSumWords>
 struct Armv6mLoopOf {
     static constexpr bool kExists = true;
     static constexpr uint32_t kWords = kSumWords;
-    using Rows = LinearRows;
+    using Scanlines = LinearScanlines;
 };
 
 template <>

@@ -2,9 +2,9 @@
 // One texel a pixel: the loops of Nearest and Dither.
 #pragma once
 
+#include "lumi/detail/chord/piece.h"
 #include "lumi/detail/chord/side_taps.h"
 #include "lumi/detail/chord/sums.h"
-#include "lumi/detail/chord/target.h"
 #include "lumi/pixel.h"
 #include "lumi/reconstruction.h"
 
@@ -36,7 +36,7 @@ LUMI_ALWAYS_INLINE void store_single(const Field& field, const Background& backg
 
 // A texel that is null is transparent.
 template <class Texel, class Pixel, class Background>
-void store_checked(const CheckedTarget<Background>& span, const uint8_t* texel, uint8_t* pixel)
+void store_checked(const CheckedPiece<Background>& span, const uint8_t* texel, uint8_t* pixel)
 {
     if (texel != nullptr) return store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
     if (Background::kFills) Pixel::store(pixel, span.background.template under<Pixel>(pixel));
@@ -79,17 +79,17 @@ struct SpanOffsets {
     int32_t origins_q16, directions_q16;
 };
 
-// `Offsets`, of the row that begins at a pixel of the image, has at(pixel of the span) and kConstant: whether it is the
-// same for all of them.
+// `Offsets`, of the scanline that begins at a pixel of the image, has at(pixel of the span) and kConstant: whether it
+// is the same for all of them.
 template <class Texel, class Pixel, class Offsets, class Background>
-void draw_single(SpanTarget<Background>& span)
+void draw_single(CellPiece<Background>& span)
 {
     constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
     const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
     const CellIndex rows(span.origins, 1);
     const CellIndex texels(span.directions, kBytes);
     const uint8_t* const base = settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
-    int32_t rows_left = span.rows();
+    int32_t scanlines_left = span.scanlines();
     span.go_to_first();
     do {
         const Offsets offsets(span.x, span.y);
@@ -116,12 +116,12 @@ void draw_single(SpanTarget<Background>& span)
             ud += dud;
             vd += dvd;
         }
-    } while (span.go_down(rows_left));
+    } while (span.go_down(scanlines_left));
 }
 
 // The same where every texel is checked.
 template <class Texel, class Pixel, class Offsets, class Background>
-void draw_single_checked(const CheckedTarget<Background>& span)
+void draw_single_checked(const CheckedPiece<Background>& span)
 {
     const Offsets offsets(span.x, span.y);
     SideWalk origins(span.origins);
@@ -156,12 +156,12 @@ struct Rounding {
 template <>
 struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
-    static void draw(SpanTarget<Background>& span)
+    static void draw(CellPiece<Background>& span)
     {
         draw_single<Texel, Pixel, Rounding>(span);
     }
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedTarget<Background>& span)
+    static void draw_checked(const CheckedPiece<Background>& span)
     {
         draw_single_checked<Texel, Pixel, Rounding>(span);
     }
@@ -177,16 +177,16 @@ struct DitherMatrix {
     static constexpr SpanOffsets at(int32_t x, int32_t y) { return {threshold_q16(x, y), threshold_q16(y + 1, ~x)}; }
 };
 
-// The thresholds of a span's row.
-class DitherRow
+// The thresholds of a span, a part of a scanline.
+class DitherScanline
 {
 public:
     static constexpr bool kConstant = false;
-    DitherRow(int32_t x, int32_t y)
+    DitherScanline(int32_t x, int32_t y)
     {
-        for (int32_t k = 0; k < 4; ++k) row_[k] = DitherMatrix::at(x + k, y);
+        for (int32_t k = 0; k < 4; ++k) offsets_[k] = DitherMatrix::at(x + k, y);
     }
-    const SpanOffsets& at(int32_t pixel) const { return row_[pixel & 3]; }
+    const SpanOffsets& at(int32_t pixel) const { return offsets_[pixel & 3]; }
 
     static int pick(int32_t first_q16, int32_t second_q16, int32_t, int32_t threshold_q16)
     {
@@ -195,20 +195,20 @@ public:
     }
 
 private:
-    SpanOffsets row_[4];
+    SpanOffsets offsets_[4];
 };
 
 template <>
 struct SpanDraw<Dither> {
     template <class Texel, class Pixel, class Background>
-    static void draw(SpanTarget<Background>& span)
+    static void draw(CellPiece<Background>& span)
     {
-        draw_single<Texel, Pixel, DitherRow>(span);
+        draw_single<Texel, Pixel, DitherScanline>(span);
     }
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedTarget<Background>& span)
+    static void draw_checked(const CheckedPiece<Background>& span)
     {
-        draw_single_checked<Texel, Pixel, DitherRow>(span);
+        draw_single_checked<Texel, Pixel, DitherScanline>(span);
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The taps of one lattice under a pixel, through cells or over a pole, as points of the lattice: what the loops that
-// check every texel are made of. The fast loops through cells take the same taps (pairs.h).
+// check every texel are made of. The fast loops through cells take the same taps (both_sides.h).
 #pragma once
 
 #include "lumi/detail/cell_triangle.h"

@@ -8,7 +8,6 @@
 //   kUpperHalves        an origin's weight lies in the upper half of a word, and the lower one is ignored
 //   kLowerHalves        a tap's weight lies in the lower half of a word, and the upper one is ignored
 //   kBefore             a texel is given by the address so many bytes before it
-//   kRowByRow           loops run faster if a row is done before the next one is loaded
 #pragma once
 
 #include "lumi/detail/halves.h"
@@ -68,6 +67,39 @@ struct SpanHalves {
     uint32_t rb, ga;
 };
 
+// A row's texels: (r, b) and (g, a) in Q7, below 2^15 in each half.
+template <class Load, bool kCoverage, bool kByWords>
+struct HalvesRow {
+    uint32_t rb = 0, ga = 0;
+
+    void add(const Field& field, const uint8_t* texel, uint32_t weight)
+    {
+        const SpanHalves c = Load::template halves<kCoverage>(field, texel);
+        rb += c.rb * weight;
+        ga += c.ga * weight;
+    }
+    SpanHalves sum() const { return {rb, ga}; }
+};
+
+// The same by words as they are, modulo 2^32, and their odd bytes; what is left are the even ones. That spares an
+// instruction a texel.
+template <class Load, bool kCoverage>
+struct HalvesRow<Load, kCoverage, true> {
+    uint32_t all = 0, odd = 0;
+
+    void add(const Field& field, const uint8_t* texel, uint32_t weight)
+    {
+        const uint32_t v = Load::word(field, texel);
+        all += v * weight;
+        odd += odd_bytes(v) * weight;
+    }
+    SpanHalves sum() const
+    {
+        const uint32_t even = all - (odd << 8);
+        return Load::kGreenIsHigh ? SpanHalves{odd, even} : SpanHalves{even, odd};
+    }
+};
+
 template <class Load, bool kCoverage>
 struct TexelSumHalves {
     static constexpr int kRowBits = 7;
@@ -75,22 +107,13 @@ struct TexelSumHalves {
     static constexpr bool kUpperHalves = kHasHalfProducts;
     static constexpr bool kLowerHalves = false;
     static constexpr int kBefore = Load::kBefore;
-    static constexpr bool kRowByRow = Load::kRowByRow;
 
-    struct Row {
-        uint32_t rb = 0, ga = 0;  // Q7, below 2^15 in each half
-
-        void add(const Field& field, const uint8_t* texel, uint32_t weight)
-        {
-            const SpanHalves c = Load::template halves<kCoverage>(field, texel);
-            rb += c.rb * weight;
-            ga += c.ga * weight;
-        }
-    };
+    using Row = HalvesRow<Load, kCoverage, kHasHalfProducts && Load::kIsWord && !kCoverage>;
     uint32_t r = 0, g = 0, b = 0, a = 0;  // Q14
 
-    void add(const Row& row, uint32_t weight)
+    void add(const Row& texels, uint32_t weight)
     {
+        const SpanHalves row = texels.sum();
         r = add_product_low(row.rb, weight, r);
         b = add_product_high(row.rb, weight, b);
         if (Load::kGreenIsHigh)
@@ -102,8 +125,9 @@ struct TexelSumHalves {
     }
 
     // The same with the weight in the lower half.
-    void add_plain(const Row& row, uint32_t weight)
+    void add_plain(const Row& texels, uint32_t weight)
     {
+        const SpanHalves row = texels.sum();
         const auto add_product_top = [](uint32_t v, uint32_t w, uint32_t sum) {
             return static_cast<uint32_t>(
                 add_product_top_bottom(static_cast<int32_t>(v), static_cast<int32_t>(w), static_cast<int32_t>(sum)));
@@ -140,20 +164,26 @@ struct LoadRgb888 {
     // does not.
     static constexpr bool kGreenIsHigh = true;
     static constexpr int kBefore = 1;
-    static constexpr bool kRowByRow = true;
 
-    template <bool kCoverage>
-    LUMI_ALWAYS_INLINE static SpanHalves halves(const Field&, const uint8_t* texel)
+    static constexpr bool kIsWord = true;
+
+    LUMI_ALWAYS_INLINE static uint32_t word(const Field&, const uint8_t* texel)
     {
         uint32_t v;
         __builtin_memcpy(&v, texel, sizeof(v));
+        return v;
+    }
+    template <bool kCoverage>
+    LUMI_ALWAYS_INLINE static SpanHalves halves(const Field& field, const uint8_t* texel)
+    {
+        const uint32_t v = word(field, texel);
         if (!kCoverage) return {odd_bytes(v), even_bytes(v)};
         return {odd_bytes(v), (v & 0x00FF0000u) | (v >> 8 != 0 ? 255u : 0)};
     }
 #else
     static constexpr bool kGreenIsHigh = false;
     static constexpr int kBefore = 0;
-    static constexpr bool kRowByRow = true;
+    static constexpr bool kIsWord = false;
 
     template <bool kCoverage>
     static SpanHalves halves(const Field&, const uint8_t* texel)
@@ -169,12 +199,16 @@ struct LoadRgb888 {
 struct LoadPalette8 {
     static constexpr bool kGreenIsHigh = false;
     static constexpr int kBefore = 0;
-    static constexpr bool kRowByRow = false;
+    static constexpr bool kIsWord = true;
 
+    LUMI_ALWAYS_INLINE static uint32_t word(const Field& field, const uint8_t* texel)
+    {
+        return load_aligned<uint32_t>(field.palette + 4u * *texel);
+    }
     template <bool kCoverage>
     static SpanHalves halves(const Field& field, const uint8_t* texel)
     {
-        const uint32_t entry = load_aligned<uint32_t>(field.palette + 4u * *texel);
+        const uint32_t entry = word(field, texel);
         if (!kCoverage && !kHasHalfProducts) return {even_bytes(entry), (entry >> 8) & 0xFF};
         return {even_bytes(entry), odd_bytes(entry)};
     }
@@ -185,7 +219,7 @@ template <class Texel>
 struct LoadAny {
     static constexpr bool kGreenIsHigh = false;
     static constexpr int kBefore = 0;
-    static constexpr bool kRowByRow = false;
+    static constexpr bool kIsWord = false;
 
     template <bool kCoverage>
     static SpanHalves halves(const Field& field, const uint8_t* texel)
@@ -216,7 +250,6 @@ struct TexelSum<TexelLuma8, kCoverage> {
     static constexpr bool kUpperHalves = false;
     static constexpr bool kLowerHalves = kHasHalfProducts && !kCoverage;
     static constexpr int kBefore = 0;
-    static constexpr bool kRowByRow = false;
 
     struct Row {
         uint32_t y = 0, a = 0;
@@ -258,7 +291,6 @@ struct TexelSum<TexelRgb565, kCoverage> {
     static constexpr bool kUpperHalves = false;
     static constexpr bool kLowerHalves = false;
     static constexpr int kBefore = 0;
-    static constexpr bool kRowByRow = true;
     static constexpr uint32_t kFields = 0x07E0F81Fu;
 
     struct Row {

@@ -28,26 +28,26 @@ struct HitPair {
     int shift;
 };
 
-// A row's rays, from one of its pixels on: P and m there, Q28 modulo 16: in range where a pixel is covered.
-struct RayRow {
+// A scanline's rays, from one of its pixels on: P and m there, Q28 modulo 16: in range where a pixel is covered.
+struct ScanlineRays {
     int32_t value_q28[4];
 };
 
-// Evaluates the hits of rows. Along a row, rays advance by additions. Where a pixel is covered, P, m, s, ê and 1/e are
-// at most 1.25 in Q15; q, s² and |P|² at most 1.6 in Q30, and so are |P|²/e, s·m, s/e and each component of q·h.
+// Evaluates the hits of scanlines. Along one, rays advance by additions. Where a pixel is covered, P, m, s, ê and 1/e
+// are at most 1.25 in Q15; q, s² and |P|² at most 1.6 in Q30, and so are |P|²/e, s·m, s/e and each component of q·h.
 class HitEvaluator
 {
 public:
     explicit HitEvaluator(const Camera& camera);
 
-    // The row of rays that begins at pixel (x, y) of the image.
-    RayRow row_at(int32_t x, int32_t y) const;
+    // The rays of scanline y from pixel x of the image on.
+    ScanlineRays rays_from(int32_t x, int32_t y) const;
 
-    // The row that begins so many pixels to the right and below one's beginning: within 2^-19 of row_at's, and cheaper.
-    RayRow moved(const RayRow& row, int32_t right_px, int32_t down_px) const;
+    // The rays from so many pixels to the right and below on: within 2^-19 of rays_from's, and cheaper.
+    ScanlineRays moved(const ScanlineRays& rays, int32_t right_px, int32_t down_px) const;
 
     // Sets `out` to the hits `ahead` pixels on; that pixel is covered.
-    void evaluate(const RayRow& row, int32_t ahead, HitPair& out) const;
+    void evaluate(const ScanlineRays& rays, int32_t ahead, HitPair& out) const;
 
 private:
     // The ray of a pixel, without what cancels.
@@ -57,7 +57,7 @@ private:
         uint32_t half_chord2_q30;
     };
 
-    Ray ray(const RayRow& row, int32_t ahead) const;
+    Ray ray(const ScanlineRays& rays, int32_t ahead) const;
     const AffineQ40& source(int k) const { return k < 3 ? camera_.offset()[k] : camera_.facing(); }
 
     const Camera& camera_;

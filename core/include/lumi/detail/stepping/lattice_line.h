@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One lattice (origins or directions) under a row's pixels: a line through its cells, or over a pole.
+// One lattice (origins or directions) under a scanline's pixels: a line through its cells, or over a pole.
 #pragma once
 
 #include "lumi/detail/stepping/polar_line.h"
@@ -8,7 +8,7 @@
 namespace lumi
 {
 
-// How a line changes from one row to the next.
+// How a line changes from one scanline to the next.
 struct LineChange {
     int32_t u_q16, v_q16, du_q16, dv_q16;
 };
@@ -38,12 +38,12 @@ struct CellLine {
         // A floor takes up to one step off either coordinate, and a cell's corners lie up to both steps on.
         return (a > b ? a : b) + 2 * (magnitude(first) + magnitude(second));
     }
-    void move_down(const LineChange& down, int32_t rows)
+    void move_down(const LineChange& down, int32_t scanlines)
     {
-        u_q16 += rows * down.u_q16;
-        v_q16 += rows * down.v_q16;
-        du_q16 += rows * down.du_q16;
-        dv_q16 += rows * down.dv_q16;
+        u_q16 += scanlines * down.u_q16;
+        v_q16 += scanlines * down.v_q16;
+        du_q16 += scanlines * down.du_q16;
+        dv_q16 += scanlines * down.dv_q16;
     }
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A row's way over a pole: a straight line through the constant triangles of the polar pattern (src/lattice/polar.h).
+// A scanline's way over a pole: a straight line through the constant triangles of the polar pattern
+// (src/lattice/polar.h).
 //
-// In Lambert's plane a row is nearly a line, so the barycentric weights of a triangle advance by additions; where one
-// turns negative the line has crossed that edge and the triangle beyond takes over.
+// In Lambert's plane a scanline is nearly a line, so the barycentric weights of a triangle advance by additions; where
+// one turns negative the line has crossed that edge and the triangle beyond takes over.
 #pragma once
 
 #include <stdint.h>

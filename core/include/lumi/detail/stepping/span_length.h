@@ -40,13 +40,13 @@ public:
     {
     }
 
-    // The length of a span between two knots that begins `from_left` pixels from the row's first one, and `from_right`
-    // > 0 from its last one; at most `room` > 0.
+    // The length of a span between two knots that begins `from_left` pixels from the scanline's first one, and
+    // `from_right` > 0 from its last one; at most `room` > 0.
     int32_t length(int32_t from_left, int32_t from_right, int32_t room) const
     {
         const int32_t left = from_left < first_ ? first_ - from_left : second_ - from_left;
         const int32_t right = from_right - (from_right > second_ ? second_ : from_right > first_ ? first_ : 0);
-        const int32_t eighth = 1 + ((from_left + from_right) >> 3);  // of what the row covers: of a small sphere
+        const int32_t eighth = 1 + ((from_left + from_right) >> 3);  // of what the scanline covers: of a small sphere
         int32_t length = eighth < longest_ ? eighth : longest_;
         if (left > 0 && left < length) length = left;
         if (right < length) length = right;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One lattice along a row, where tiles do not go: coordinates at the ends of a span, stepped in between.
+// One lattice along a scanline, where tiles do not go: coordinates at the ends of a span, stepped in between.
 #pragma once
 
 #include "lumi/detail/stepping/span_length.h"
@@ -14,7 +14,7 @@ class LineWalker
 public:
     explicit LineWalker(LatticeTrack& track) : track_(track) {}
 
-    // Begins at a pixel: a row, or anew. Leaves the track's line as it is.
+    // Begins at a pixel: a scanline, or anew. Leaves the track's line as it is.
     void begin(const HitPair& at);
     // Sets the track's line for the span up to the pixel `length` on, 1 .. 16, and returns `length`; or returns how
     // long to make it at most, 0 .. length - 1, as it comes near a pole or leaves it, or turns by more than 1/16 turn.
@@ -35,7 +35,7 @@ private:
 
     LatticeTrack& track_;
     bool in_plane_ = false;                               // places are of the polar pattern's plane
-    int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the row
+    int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the scanline
     LatticePoint place_{}, next_place_{};
     int32_t z_q30_ = 0, next_z_q30_ = 0;  // of the prepared line's ends
 };

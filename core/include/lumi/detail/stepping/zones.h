@@ -2,7 +2,7 @@
 // The zones of one lattice as stepping needs them: where they begin, and how longitude and height become coordinates.
 //
 // Within a zone the coordinates (u, v) of a direction are linear in its longitude and its height (lattice.h evaluates
-// them for one direction), so that a row needs them at a few pixels only.
+// them for one direction), so that a scanline needs them at a few pixels only.
 #pragma once
 
 #include "lumi/lattice.h"

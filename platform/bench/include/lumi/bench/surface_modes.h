@@ -21,14 +21,14 @@ inline constexpr NamedSurfaceMode kSurfaceModes[] = {
 
 // As firmware does that feeds a panel from a small buffer: a band of the lists is a stripe.
 inline constexpr uint32_t kSurfaceBandLog2 = 4;
-inline constexpr int32_t kSurfaceStripeRows = 1 << kSurfaceBandLog2;
+inline constexpr int32_t kSurfaceStripeHeight = 1 << kSurfaceBandLog2;
 
 // Memory that drawing a frame takes, the stripe's pixels left out.
 constexpr uint32_t surface_ram_bytes(uint32_t vertices, uint32_t patches, SurfaceMode mode)
 {
     return static_cast<uint32_t>(sizeof(SurfaceFrame)) +
            surface_frame_bytes(vertices, patches, kSidePx, kSurfaceBandLog2) +
-           surface_stripe_bytes(kSidePx, kSurfaceStripeRows, mode);
+           surface_stripe_bytes(kSidePx, kSurfaceStripeHeight, mode);
 }
 
 }  // namespace lumi::bench

@@ -4,10 +4,11 @@
 // In a zone the steps F_k and F_k+1 lead (e, n) spacings across and along the meridian, (√X, 1/√X) and (-√X/Φ, Φ/√X),
 // all by 5^-1/4, where X = √5·π·n·(1 - z²)/Φ^2k in [1, Φ²] is the zone's shape. A point's squared distance is
 // e² + n² with X taken in the middle between pixel and point: (1 + T)·e² + (1 - T)·n², where T is how much larger than
-// the piece's own X it is there. T is linear along the span and in n, so that one form serves up to 16 pixels.
+// the stretch's own X it is there. T is linear along the span and in n, so that one form serves up to 16 pixels.
 //
-// Across the longer step lies the next row of points. The disc of one spacing reaches two rows, and of each the two
-// points around the pixel: what it holds beside these four weighs less than 1/80.
+// Points one shorter step apart make a strand (a parastichy of phyllotaxis); across the longer step lies the next one.
+// The disc of one spacing reaches two strands, and of each the two points around the pixel: what it holds beside these
+// four weighs less than 1/80.
 #pragma once
 
 #include "lumi/detail/halves.h"
@@ -18,13 +19,13 @@
 namespace lumi
 {
 
-// Four points near a pixel: two of each row, the second one `across` further than the first.
+// Four points near a pixel: two of each strand, the second one `across` further than the first.
 struct NearPoints {
-    int32_t row[2];        // offsets from SpanDistances::base()
+    int32_t strand[2];     // offsets from SpanDistances::base()
     int32_t below_q26[4];  // squared distances less one, 0 where they are more; spacings²
 };
 
-// Walks one side of a piece of a span through cells. Offsets count in `unit` bytes or points.
+// Walks one side of a stretch of a span through cells. Offsets count in `unit` bytes or points.
 class SpanDistances
 {
 public:
@@ -51,23 +52,24 @@ public:
         const int32_t n_q13 = dual_product(static_cast<int32_t>(fraction), n_) >> 12;
         const int32_t position = joined(e_q13, n_q13);
         const int32_t t_q16 = bend_q16_ - ((bend_n_q16_ * n_q13) >> 13);
-        Rows rows = {{corner, position, t_q16}, {corner + next_row_, less(position, long_), t_q16 + bend_long_}};
-        // How far along the row the pixel lies from the first point, times E: less than nothing if the point before it
-        // is nearer than the second one, beyond E + F if so is the point behind the next row's two.
+        Strands strands = {{corner, position, t_q16},
+                           {corner + next_strand_, less(position, long_), t_q16 + bend_long_}};
+        // How far along the strand the pixel lies from the first point, times E: less than nothing if the point before
+        // it is nearer than the second one, beyond E + F if so is the point behind the next strand's two.
         const int32_t along_q26 = dual_product(position, short_);
         if (__builtin_expect(static_cast<uint32_t>(along_q26) > most_along_q26_, false)) {
             if (!is_inside_) {
                 const int32_t points = existing(corner, along_q26);
-                move(rows.first, static_cast<int16_t>(points));
-                move(rows.second, points >> 16);
+                move(strands.first, static_cast<int16_t>(points));
+                move(strands.second, points >> 16);
             } else if (along_q26 < 0) {
-                move(rows.first, -1);
+                move(strands.first, -1);
             } else {
-                move(rows.second, 1);
+                move(strands.second, 1);
             }
         }
-        const Row& a = rows.first;
-        const Row& b = rows.second;
+        const Strand& a = strands.first;
+        const Strand& b = strands.second;
         return {{a.offset, b.offset},
                 {below_q26(a.e_n, a.t_q16), below_q26(less(a.e_n, short_), a.t_q16 + bend_short_),
                  below_q26(b.e_n, b.t_q16), below_q26(less(b.e_n, short_), b.t_q16 + bend_short_)}};
@@ -80,23 +82,23 @@ public:
     }
 
 private:
-    // Two points of a row: the first one's offset, the way (e, n) from it to the pixel, and T.
-    struct Row {
+    // Two points of a strand: the first one's offset, the way (e, n) from it to the pixel, and T.
+    struct Strand {
         int32_t offset, e_n, t_q16;
     };
-    struct Rows {
-        Row first, second;
+    struct Strands {
+        Strand first, second;
     };
 
-    // Goes on by `points` along a row.
-    LUMI_ALWAYS_INLINE void move(Row& row, int32_t points) const
+    // Goes on by `points` along a strand.
+    LUMI_ALWAYS_INLINE void move(Strand& strand, int32_t points) const
     {
-        row.offset += points * across_;
-        row.e_n = static_cast<int32_t>(static_cast<uint32_t>(row.e_n) -
-                                       static_cast<uint32_t>(points) * static_cast<uint32_t>(short_));
-        row.t_q16 += points * bend_short_;
+        strand.offset += points * across_;
+        strand.e_n = static_cast<int32_t>(static_cast<uint32_t>(strand.e_n) -
+                                          static_cast<uint32_t>(points) * static_cast<uint32_t>(short_));
+        strand.t_q16 += points * bend_short_;
     }
-    // Next to a pole, where a row may have ended: how far both rows are to be moved, in halves.
+    // Next to a pole, where a strand may have ended: how far both are to be moved, in halves.
     int32_t existing(int32_t corner, int32_t along_q26) const;
     uint32_t most_along_q26() const;
 
@@ -123,14 +125,14 @@ private:
     void bend(const CellLine& side, const Lattice& lattice, const LatticePoint& from, int32_t length);
 
     uint32_t at_, step_;  // halves: along the shorter step, along the longer one; cells, Q12
-    int32_t base_, index_, across_, next_row_;
+    int32_t base_, index_, across_, next_strand_;
     int32_t last_;                                   // the highest offset of all points from the first one
     int32_t e_, n_;                                  // of the shorter step and the longer one, in halves, Q13
     uint32_t most_along_q26_;                        // E + F, or 0 where not all points exist
     int32_t short_, long_;                           // the same, of each step e and n
     int32_t bend_q16_, bend_step_q16_, bend_n_q16_;  // T at the pixel, and how it falls along n
     int32_t bend_short_, bend_long_;
-    bool is_inside_;  // all points near the piece exist
+    bool is_inside_;  // all points near the stretch exist
 };
 
 }  // namespace lumi

@@ -35,8 +35,8 @@ struct PolarPoints {
 inline int32_t nearest_of(const NearPoints& at, int32_t across)
 {
     const int32_t* const below = at.below_q26;
-    const int32_t first = at.row[0] + (below[1] < below[0] ? across : 0);
-    const int32_t second = at.row[1] + (below[3] < below[2] ? across : 0);
+    const int32_t first = at.strand[0] + (below[1] < below[0] ? across : 0);
+    const int32_t second = at.strand[1] + (below[3] < below[2] ? across : 0);
     const auto least = [](int32_t a, int32_t b) { return a < b ? a : b; };
     return least(below[2], below[3]) < least(below[0], below[1]) ? second : first;
 }
@@ -59,15 +59,15 @@ struct KernelTaps {
 #pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
             if (of.weight[k] == 0) continue;
-            offset[count] = near.row[k >> 1] + ((k & 1) != 0 ? across : 0);
+            offset[count] = near.strand[k >> 1] + ((k & 1) != 0 ? across : 0);
             weight[count] = of.weight[k];
             ++count;
         }
     }
 };
 
-// One side of a piece of a span through cells. Offsets of origins are found in points: in bytes they need not fit into
-// 16 bits.
+// One side of a stretch of a span through cells. Offsets of origins are found in points: in bytes they need not fit
+// into 16 bits.
 template <bool kInPoints>
 class CellKernel
 {
@@ -80,13 +80,13 @@ public:
     }
 
     int32_t base() const { return in_bytes(distances_.base()); }
-    // From a row's first point to its second one.
+    // From a strand's first point to its second one.
     int32_t across() const { return across_; }
     LUMI_ALWAYS_INLINE NearPoints near() const
     {
         NearPoints near = distances_.near();
-        near.row[0] = in_bytes(near.row[0]);
-        near.row[1] = in_bytes(near.row[1]);
+        near.strand[0] = in_bytes(near.strand[0]);
+        near.strand[1] = in_bytes(near.strand[1]);
         return near;
     }
     int32_t nearest() const { return nearest_of(near(), across()); }
@@ -99,7 +99,7 @@ private:
     int32_t stride_, across_;
 };
 
-// A side of a piece whose texels are checked: through cells or over a pole.
+// A side of a stretch whose texels are checked: through cells or over a pole.
 class SideKernel
 {
 public:
@@ -135,18 +135,18 @@ private:
     SpanDistances distances_;
 };
 
-// How many pixels from `from` on make a piece that both sides can follow.
+// How many pixels from `from` on make a stretch that both sides can follow.
 template <class IsFollowed>
-int32_t piece_length(int32_t rest, IsFollowed is_followed)
+int32_t stretch_length(int32_t rest, IsFollowed is_followed)
 {
     int32_t length = rest < SpanDistances::kMostPixels ? rest : SpanDistances::kMostPixels;
     while (length > 1 && !is_followed(length)) length >>= 1;
     return length;
 }
 
-// Calls visit(origins, directions, base pointer, pixel pointer) for every pixel of a target through cells.
+// Calls visit(origins, directions, base pointer, pixel pointer) for every pixel of a piece through cells.
 template <class Texel, class Pixel, class Background, class Visit>
-void for_cell_pixels(SpanTarget<Background>& span, Visit visit)
+void for_cell_pixels(CellPiece<Background>& span, Visit visit)
 {
     const Field& field = span.field;
     const int32_t stride = static_cast<int32_t>(field.row_stride_bytes);
@@ -154,12 +154,12 @@ void for_cell_pixels(SpanTarget<Background>& span, Visit visit)
     const auto is_followed = [&](int32_t length) {
         return SpanDistances::is_followed(span.origins, length) && SpanDistances::is_followed(span.directions, length);
     };
-    int32_t rows_left = span.rows();
+    int32_t scanlines_left = span.scanlines();
     span.go_to_first();
     do {
         uint8_t* pixel = span.pixels;
         for (int32_t from = 0, length = 0; from < span.length; from += length) {
-            length = piece_length(span.length - from, is_followed);
+            length = stretch_length(span.length - from, is_followed);
             CellKernel<true> origins(span.origins, field.origins, stride, from, length);
             CellKernel<false> directions(span.directions, field.directions, bytes, from, length);
             const uint8_t* const base = settled(field.texels + origins.base() + directions.base());
@@ -170,12 +170,12 @@ void for_cell_pixels(SpanTarget<Background>& span, Visit visit)
                 directions.advance();
             }
         }
-    } while (span.go_down(rows_left));
+    } while (span.go_down(scanlines_left));
 }
 
-// Calls visit(origins, directions, pixel pointer) for every pixel of a target whose texels are checked.
+// Calls visit(origins, directions, pixel pointer) for every pixel of a piece whose texels are checked.
 template <class Pixel, class Background, class Visit>
-void for_checked_pixels(const CheckedTarget<Background>& span, Visit visit)
+void for_checked_pixels(const CheckedPiece<Background>& span, Visit visit)
 {
     const auto is_followed = [&](int32_t length) {
         return (span.origins.over_pole || SpanDistances::is_followed(span.origins.cells, length)) &&
@@ -183,7 +183,7 @@ void for_checked_pixels(const CheckedTarget<Background>& span, Visit visit)
     };
     uint8_t* pixel = span.pixels;
     for (int32_t from = 0, length = 0; from < span.length; from += length) {
-        length = piece_length(span.length - from, is_followed);
+        length = stretch_length(span.length - from, is_followed);
         SideKernel origins(span.origins, span.field.origins, from, length);
         SideKernel directions(span.directions, span.field.directions, from, length);
         for (int32_t k = 0; k < length; ++k, pixel += Pixel::kBytes) {
@@ -197,9 +197,9 @@ void for_checked_pixels(const CheckedTarget<Background>& span, Visit visit)
 template <uint32_t K>
 struct SpanDraw<Paper<K>> {
     template <class Texel, class Pixel, class Background>
-    static void draw(SpanTarget<Background>& span)
+    static void draw(CellPiece<Background>& span)
     {
-        // Rows without weight are left out: one in four.
+        // Rows of texels without weight are left out: one in four.
         using Sum = TexelSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const CellKernel<true>& origins, const CellKernel<false>& directions,
                                const uint8_t* base, uint8_t* pixel) {
@@ -207,16 +207,16 @@ struct SpanDraw<Paper<K>> {
             const NearPoints d = directions.near();
             const NearWeights rows = NearWeights::of<Sum::kRowBits, K>(o);
             const NearWeights taps = NearWeights::of<Sum::kTapBits, K>(d);
-            const uint8_t* const texels = base + d.row[0] - Sum::kBefore;
-            const uint8_t* const row_pair[2] = {settled(texels + o.row[0]), settled(texels + o.row[1])};
+            const uint8_t* const texels = base + d.strand[0] - Sum::kBefore;
+            const uint8_t* const row_of_strand[2] = {settled(texels + o.strand[0]), settled(texels + o.strand[1])};
             const int32_t across = directions.across();
-            const int32_t next = d.row[1] - d.row[0];
+            const int32_t next = d.strand[1] - d.strand[0];
             const int32_t last = settled(next + across);
             Sum sum;
 #pragma GCC unroll 4
             for (int m = 0; m < 4; ++m) {
                 if (rows.weight[m] == 0) continue;
-                const uint8_t* const row = row_pair[m >> 1] + ((m & 1) != 0 ? origins.across() : 0);
+                const uint8_t* const row = row_of_strand[m >> 1] + ((m & 1) != 0 ? origins.across() : 0);
                 typename Sum::Row of_row;
                 of_row.add(span.field, row, taps.weight[0]);
                 of_row.add(span.field, row + across, taps.weight[1]);
@@ -230,7 +230,7 @@ struct SpanDraw<Paper<K>> {
     }
 
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedTarget<Background>& span)
+    static void draw_checked(const CheckedPiece<Background>& span)
     {
         using Sum = TexelSum<Texel, !Background::kIsBlack>;
         const auto visit = [&](const SideKernel& o, const SideKernel& d, uint8_t* pixel) {
@@ -258,7 +258,7 @@ struct SpanDraw<Paper<K>> {
 template <>
 struct SpanDraw<NearestVoronoi> {
     template <class Texel, class Pixel, class Background>
-    static void draw(SpanTarget<Background>& span)
+    static void draw(CellPiece<Background>& span)
     {
         const auto visit = [&](const CellKernel<true>& o, const CellKernel<false>& d, const uint8_t* base,
                                uint8_t* pixel) {
@@ -268,7 +268,7 @@ struct SpanDraw<NearestVoronoi> {
     }
 
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedTarget<Background>& span)
+    static void draw_checked(const CheckedPiece<Background>& span)
     {
         const auto visit = [&](const SideKernel& o, const SideKernel& d, uint8_t* pixel) {
             store_checked<Texel, Pixel>(span, span.template texel<Texel>(o.nearest(), d.nearest()), pixel);

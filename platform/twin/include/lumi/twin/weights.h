@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Which lattice points a hit reads and with what weight, from the definitions in lumi/lattice.h and
+// lumi/reconstruction.h: core's policies without fixed point and without inverse maps. Slow: every point is looked at.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "lumi/twin/geometry.h"
+
+namespace lumi::twin
+{
+
+// Index and weight; weights sum to 1.
+using Weights = std::vector<std::pair<uint32_t, double>>;
+
+// `all` is points(n), q a unit vector.
+
+// The nearest `count` points (fewer if there are fewer), nearest first; in place of weights their squared distances.
+Weights sorted_by_distance(const std::vector<Vec3>& all, const Vec3& q, uint32_t count);
+
+// lumi::Nearest, lumi::Linear, lumi::Paper<count>.
+Weights nearest_weights(const std::vector<Vec3>& all, const Vec3& q);
+Weights linear_weights(const std::vector<Vec3>& all, const Vec3& q);
+Weights paper_weights(const std::vector<Vec3>& all, const Vec3& q, uint32_t count);
+
+// One point for a direction, and whether it lies so close to a border that rounding may decide for another.
+struct CellPoint {
+    uint32_t index;
+    bool uncertain;
+};
+
+// By Voronoi cells; uncertain within `border_share` mean point spacings of the cell's border.
+CellPoint nearest_point(const std::vector<Vec3>& all, const Vec3& q, double border_share);
+
+// By rounding the lattice coordinates, as spans do; uncertain within `border_share` of a cell's side, and where the
+// direction lies within kZoneShare of another zone whose cells decide otherwise: a span has one zone. In a pole's cap,
+// nearest_point.
+inline constexpr double kZoneShare = 0.25;
+CellPoint cell_point(const std::vector<Vec3>& all, const Vec3& q, double border_share);
+
+}  // namespace lumi::twin

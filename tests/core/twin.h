@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// The double-precision twin, which the bench shares (platform/twin).
+#pragma once
+
+#include "lumi/twin/geometry.h"
+#include "lumi/twin/weights.h"

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "quality/references.h"
+
+#include <cinttypes>
+#include <cstdio>
+
+#include "image/png.h"
+#include "terminal/failure.h"
+
+namespace lumi::quality
+{
+
+namespace
+{
+
+Reference traced(const baker::Scene& scene, const HeldOutView& view, const baker::ReferenceSettings& settings,
+                 const baker::ProgressCallback& progress)
+{
+    const baker::RgbaImage image = baker::render_reference(scene, view.eye.camera, settings, progress);
+    Reference reference = {{image.width, image.height}, {image.width, image.height}};
+    for (size_t i = 0; i < reference.mask.values.size(); ++i) {
+        for (size_t k = 0; k < 3; ++k) reference.picture.rgb[3 * i + k] = image.rgba[4 * i + k];  // over black
+        reference.mask.values[i] = image.rgba[4 * i + 3];
+    }
+    return reference;
+}
+
+// Everything that decides the pixels.
+std::string file_stem(const HeldOutView& view, const baker::ReferenceSettings& settings)
+{
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%d-spp%" PRIu32 "-%" PRIu64 "%s",
+                  view.view.azimuth_turns32, static_cast<uint32_t>(view.view.elevation_turns32),
+                  static_cast<uint32_t>(view.view.distance_q20), view.view.fov_turns32, view.eye.image.width_px,
+                  settings.samples, settings.seed, settings.through_centre ? "-centre" : "");
+    return text;
+}
+
+tools::Picture grey_picture(const tools::Mask& mask)
+{
+    tools::Picture picture(mask.width_px, mask.height_px);
+    for (size_t i = 0; i < mask.values.size(); ++i)
+        picture.rgb[3 * i] = picture.rgb[3 * i + 1] = picture.rgb[3 * i + 2] = mask.values[i];
+    return picture;
+}
+
+Reference read_reference(const std::string& picture, const std::string& mask)
+{
+    Reference reference = {tools::read_png(picture), {}};
+    reference.mask = tools::Mask(reference.picture.width_px, reference.picture.height_px);
+    const tools::Picture grey = tools::read_png(mask);
+    if (!tools::same_size(grey, reference.picture))
+        throw tools::Failure(mask, "has another size than its picture", "delete both");
+    for (size_t i = 0; i < reference.mask.values.size(); ++i) reference.mask.values[i] = grey.rgb[3 * i];
+    return reference;
+}
+
+}  // namespace
+
+std::string cache_key(const baker::Scene& scene)
+{
+    char text[40];
+    const auto value = scene.fingerprint();
+    std::snprintf(text, sizeof text, "%016" PRIx64, value[0] ^ value[1]);
+    return text;
+}
+
+std::vector<Reference> references_of(const baker::Scene& scene, const std::vector<HeldOutView>& views,
+                                     const baker::ReferenceSettings& settings, const std::filesystem::path& cache,
+                                     const baker::ProgressCallback& progress)
+{
+    const std::filesystem::path folder = cache.empty() ? cache : cache / cache_key(scene);
+    std::error_code ignored;  // what cannot be made is told by the write
+    if (!cache.empty()) std::filesystem::create_directories(folder, ignored);
+    std::vector<Reference> references;
+    for (const HeldOutView& view : views) {
+        const std::string stem = (folder / file_stem(view, settings)).string();
+        const std::string picture = stem + ".png", mask = stem + "-mask.png";
+        if (!cache.empty() && std::filesystem::exists(picture) && std::filesystem::exists(mask)) {
+            references.push_back(read_reference(picture, mask));
+            continue;
+        }
+        references.push_back(traced(scene, view, settings, progress));
+        if (cache.empty()) continue;
+        tools::write_png(mask, grey_picture(references.back().mask));
+        tools::write_png(picture, references.back().picture);  // last: it says that both are there
+    }
+    return references;
+}
+
+std::vector<Reference> one_ray_pictures(const baker::Scene& scene, const std::vector<HeldOutView>& views,
+                                        baker::ReferenceSettings settings, const std::filesystem::path& cache,
+                                        const baker::ProgressCallback& progress)
+{
+    settings.through_centre = true;
+    ++settings.seed;  // its noise is not that of the reference
+    return references_of(scene, views, settings, cache, progress);
+}
+
+}  // namespace lumi::quality
