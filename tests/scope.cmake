@@ -7,7 +7,7 @@
 set(LUMI_UNIT_TEST_CPUS cortex-m0plus cortex-m4)
 
 # Of core's unit tests boards leave these out: accuracy of frames that are in the list that every board draws.
-set(LUMI_UNIT_TEST_HOST_FILES chord/render_spans_test extreme_frames_test)
+set(LUMI_UNIT_TEST_HOST_FILES chord/render_spans_test chord/extreme_chord_test surface/extreme_surface_test)
 
 # Policies whose symbols and stacks the proof reads: all; every pair of two choices; each reconstruction once.
 set(LUMI_POLICIES_cortex-m0plus pairs)

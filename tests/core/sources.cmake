@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Core's tests, for the host and for the emulated boards alike.
 set(LUMI_CORE_TEST_SOURCES
-  extreme_frames_test.cpp
   render_test.cpp
   stripes_test.cpp
   camera/attitude_test.cpp
@@ -10,6 +9,7 @@ set(LUMI_CORE_TEST_SOURCES
   camera/quality_test.cpp
   camera/sphere_test.cpp
   chord/cover_test.cpp
+  chord/extreme_chord_test.cpp
   chord/linear_test.cpp
   chord/nine_taps_test.cpp
   chord/one_tap_test.cpp
@@ -25,6 +25,7 @@ set(LUMI_CORE_TEST_SOURCES
   math/math_test.cpp
   stepping/hits_test.cpp
   surface/coverage_test.cpp
+  surface/extreme_surface_test.cpp
   surface/render_surface_test.cpp
   surface/surface_field_test.cpp
   surface/surface_quality_test.cpp

@@ -5,8 +5,8 @@
 Runs bake (both layouts), merge and embed again and again, and makes one allocation, read, write, sync or rename fail
 each time (fault_shim.c). Each run must end with exit code 1 and a message that holds a mend, with the earlier output as
 it was; or with exit code 0 and the output of an undisturbed run. Then the same command, undisturbed, must give that
-output. A few calls of each kind; with --all every call, of allocations 300 spread over the run and the last 30 but one,
-which is TBB's when it ends. Prints what was tried.
+output. A few calls of each kind; with --all every call, of allocations 300 spread over the run and the last 30. Prints
+what was tried.
 """
 import os
 import shutil
@@ -58,7 +58,7 @@ def chosen(kind, count, every):
     if count <= most:
         return range(1, count + 1)
     spread = {1 + (2 * k + 1) * count // (2 * most) for k in range(most)}  # away from both ends
-    last = range(count - LAST_ALLOCATIONS, count) if kind == "alloc" and every else ()
+    last = range(count - LAST_ALLOCATIONS + 1, count + 1) if kind == "alloc" and every else ()
     return sorted(spread.union(last))
 
 

@@ -34,12 +34,14 @@ std::string help_call(const CLI::App& lumi)
 
 constexpr char kOutOfMemory[] = "out of memory; choose a smaller scene, field or picture, or raise `ulimit -v`";
 
-// CLI11 allocates in functions that promise not to throw: where memory ends there, the run-time library calls this.
+// CLI11 and TBB allocate in functions that promise not to throw: where memory ends there, the run-time library calls
+// this.
 [[noreturn]] void on_terminate()
 {
     try {
         if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {
+        if (is_work_done() && std::fflush(stdout) == 0) std::_Exit(kExitOk);
         report(kOutOfMemory, kExitFailed);
         std::_Exit(kExitFailed);
     } catch (...) {

@@ -151,6 +151,7 @@ public:
         const BakeSummary summary = {
             scene, job, warnings_, start, options_.fit.wanted_pace(), options_.layout != Layout::chord};
         json_ ? bake_for_machines(summary) : bake_for_people(summary);
+        work_is_done();
     }
 
 private:

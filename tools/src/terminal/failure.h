@@ -16,6 +16,11 @@ enum ExitCode : int {
     kExitInterrupted = 130,  // 128 + SIGINT, as a shell reports it
 };
 
+// From here on all work is done and told. What fails while libraries end (TBB allocates when Embree is released, where
+// nothing can be caught) no longer makes a failure of it.
+void work_is_done();
+bool is_work_done();
+
 // What went wrong with which file, and how to mend it: "FILE: PROBLEM; MEND".
 class Failure : public std::runtime_error
 {

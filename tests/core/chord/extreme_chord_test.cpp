@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <cstdio>
+
+#include "extreme_frames.h"
+#include "lumi/render_spans_paper.h"
+
+using namespace lumi;
+using namespace lumi::test;
+using format::TexelFormat;
+
+namespace
+{
+
+constexpr uint32_t kDrawnExactly = 64;  // `render` takes a hundred times as long
+
+template <class Reconstruction, class Texel>
+void draw_chord(const Field& field, const Camera& camera, const Stripe& stripe, uint32_t choice)
+{
+    const bool exactly = choice % kDrawnExactly == 0;
+    const RenderError error = exactly ? render<Reconstruction, Texel, PixelRgb565>(field, camera, OverBlack{}, stripe)
+                                      : render_spans<Reconstruction, Texel, PixelRgb565>(
+                                            field, camera, OverBlack{}, stripe, 2 << (choice >> 6) % 4);
+    REQUIRE(error == RenderError::none);
+}
+
+template <class Texel>
+void draw_chord(const Field& field, const Camera& camera, const Stripe& stripe, uint32_t choice)
+{
+    switch ((choice >> 8) % 6) {
+        case 0:
+            return draw_chord<Nearest, Texel>(field, camera, stripe, choice);
+        case 1:
+            return draw_chord<Dither, Texel>(field, camera, stripe, choice);
+        case 2:
+            return draw_chord<NearestVoronoi, Texel>(field, camera, stripe, choice);
+        case 3:
+            return draw_chord<Paper<9>, Texel>(field, camera, stripe, choice);
+        default:
+            return draw_chord<Linear, Texel>(field, camera, stripe, choice);
+    }
+}
+
+// From the smallest lattices that spans take to the largest, some with a cap.
+std::vector<Bytes> chord_fields()
+{
+    struct Size {
+        uint32_t origins, used, directions;
+        TexelFormat texel;
+    };
+    const Size sizes[] = {{64, 64, 64, TexelFormat::rgb565},
+                          {400, 210, 700, TexelFormat::palette8},
+                          {1000, 1, 64, TexelFormat::rgb888},
+#ifndef LUMI_TEST_LIGHT
+                          {64, 64, kMaxSpanLattice, TexelFormat::luma8},
+                          {kMaxSpanLattice, kMaxSpanLattice / 2, 64, TexelFormat::palette8},
+#endif
+                          {233, 233, 144, TexelFormat::luma8}};
+    std::vector<Bytes> fields;
+    for (const Size& size : sizes) {
+        TestLayout layout;
+        layout.origins = size.origins;
+        layout.used_origins = size.used;
+        layout.directions = size.directions;
+        layout.texel = size.texel;
+        fields.push_back(sample_field(layout));
+    }
+    return fields;
+}
+
+}  // namespace
+
+TEST_CASE("chord fields hold in random frames at every extreme")
+{
+    const std::vector<Bytes> files = chord_fields();
+    std::vector<Field> fields(files.size());
+    for (size_t k = 0; k < files.size(); ++k)
+        REQUIRE(open_field(files[k].data(), files[k].size(), fields[k]) == FieldError::none);
+    Extremes extremes(11);
+    uint64_t shown = 0;
+    for (uint32_t k = 0; k < kFrames; ++k) {
+        const Extreme e = extremes.next();
+        const Field& field = fields[extremes.below(static_cast<uint32_t>(fields.size()))];
+        Camera camera;
+        REQUIRE(make_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
+        if (e.choice % 16 == 1) camera = interlaced_half(camera, static_cast<int32_t>(e.choice >> 5 & 1));
+        shown += draw_frame(e.edge, PixelRgb565::kBytes, k % kDrawnTwice == 0, [&](const Stripe& stripe, uint8_t) {
+            with_texel(field.texel_format,
+                       [&](auto texel) { draw_chord<decltype(texel)>(field, camera, stripe, e.choice); });
+        });
+    }
+    std::printf("%u extreme frames of chord fields, %llu bytes show something\n", static_cast<unsigned>(kFrames),
+                static_cast<unsigned long long>(shown));
+    CHECK(shown > 50 * uint64_t{kFrames});
+}

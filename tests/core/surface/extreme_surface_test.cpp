@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "extreme_frames.h"
+#include "lumi/render_surface.h"
+#include "surface_bytes.h"
+#include "surface_drawing.h"
+
+using namespace lumi;
+using namespace lumi::test;
+
+namespace
+{
+
+// Vertices anywhere in the sphere and where axes leave it; triangles between any three, slivers and points among them.
+TestSurface wild_mesh(uint32_t seed)
+{
+    constexpr int32_t kRadius = 16384, kCorner = 9459;  // of the cube in the sphere
+    const auto chance = [&](uint32_t count) { return scattered(seed = seed * 31 + 1) % count; };
+    TestSurface s = bumpy_ball();
+    for (SurfacePoint& v : s.vertices) {
+        const uint32_t kind = chance(3);
+        if (kind == 0) continue;
+        for (int32_t& c : v) c = kind == 1 ? 0 : static_cast<int32_t>(chance(2 * kCorner + 1)) - kCorner;
+        if (kind == 1) v[chance(3)] = chance(2) == 0 ? -kRadius : kRadius;
+    }
+    for (TestPatch& p : s.patches)
+        if (chance(4) == 0) p.b = chance(static_cast<uint32_t>(s.vertices.size()));
+    return s;
+}
+
+uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
+{
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
+    const SurfaceMode mode = kSurfaceModes[e.choice % 3];
+    const uint32_t band_log2 = (e.choice >> 4) % 8;
+    std::vector<SurfaceVertex> vertices(field.vertex_count);
+    std::vector<uint16_t> links(surface_links(field.patch_count));
+    std::vector<uint16_t> bands(surface_bands(e.edge.image.height_px, band_log2));
+    SurfaceFrame frame;
+    prepare_surface<PixelRgb565>(field, camera, mode, {vertices.data(), links.data(), bands.data(), band_log2}, frame);
+    return draw_frame(e.edge, PixelRgb565::kBytes, twice, [&](const Stripe& stripe, uint8_t held) {
+        const uint32_t words = (surface_stripe_bytes(stripe.width_px, stripe.height_px, mode) + 3) / 4;
+        std::vector<uint32_t> samples(words, held * 0x01010101u);
+        render_surface<PixelRgb565>(frame, OverBlack{}, stripe, samples.data());
+    });
+}
+
+}  // namespace
+
+TEST_CASE("surface fields hold in random frames at every extreme")
+{
+    std::vector<std::unique_ptr<OpenedSurface>> surfaces;
+    surfaces.push_back(std::make_unique<OpenedSurface>(surface_file(bumpy_ball())));
+    surfaces.push_back(std::make_unique<OpenedSurface>(surface_file(wavy_sheet())));
+    for (uint32_t seed = 1; seed <= 6; ++seed)
+        surfaces.push_back(std::make_unique<OpenedSurface>(surface_file(wild_mesh(seed))));
+    for (const auto& surface : surfaces) REQUIRE(surface->error() == FieldError::none);
+    Extremes extremes(12);
+    uint64_t shown = 0;
+    for (uint32_t k = 0; k < kFrames; ++k) {
+        const Extreme e = extremes.next();
+        const auto& surface = surfaces[extremes.below(static_cast<uint32_t>(surfaces.size()))];
+        shown += draw_surface(surface->field(), e, k % kDrawnTwice == 0);
+    }
+    std::printf("%u extreme frames of surface fields, %llu bytes show something\n", static_cast<unsigned>(kFrames),
+                static_cast<unsigned long long>(shown));
+    CHECK(shown > 50 * uint64_t{kFrames});
+}
