@@ -248,7 +248,7 @@ TEST_CASE("the report for programs has the promised keys")
     CHECK_FALSE(json.contains("one_ray"));
 }
 
-TEST_CASE("mode costs are the generic view's rows of a bench")
+TEST_CASE("mode costs are the generic view's results of a bench")
 {
     const TemporaryFolder folder;
     tools::test::write_content(folder / "bench.json",
