@@ -30,9 +30,10 @@ test_packages=(
   libmgba-dev                                                               # a Game Boy Advance
   libsdl2-dev                                                               # the simulator's window
   slurm-wlm munge procps                                                    # a job array on this machine
+  clang-tidy                                                                # of what changed
   python3)                                                                  # the generator of the scenes, includes
 all_packages=(
-  clang-format clang-tidy cppcheck clang g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
+  clang-format cppcheck clang g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev)  # `lumi filter train`, `lumi render --filter`
 npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
 command -v npm >/dev/null || test_packages+=(nodejs npm)  # of whatever source

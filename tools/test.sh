@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # tools/test.sh [--all]
 # Builds everything with warnings as errors and runs the tests: on the host, on the host under AddressSanitizer and
-# UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards. Installs missing packages when run as root.
+# UndefinedBehaviorSanitizer, and cross-compiled on emulated Cortex-M boards; checks by clang-tidy what the last commits
+# changed. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test under sanitizers too, every policy, frame and unit test on every
 # board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing includes),
 # cppcheck, a minute of fuzzing a target, and the commands of the examples' pages. There a missing tool is an error.
@@ -29,14 +30,26 @@ join_trees() {
   printf 'subdirs(release host-sanitize)\n' >"$root/build/CTestTestfile.cmake"
 }
 
-# The sources of our own that the host's build compiles, checked by .clang-tidy; precompiled headers are GCC's.
+# check_with_clang_tidy [FILE...]: sources of our own that the host's build compiles, all if none is named, checked by
+# .clang-tidy; precompiled headers are GCC's.
 check_with_clang_tidy() {
+  local files="(core|baker|tools|platform|tests)/.*\.cpp"
+  if (($# > 0)); then files="($(IFS='|' && echo "$*"))"; fi
   command -v run-clang-tidy >/dev/null || die "clang-tidy is missing"
   (
     cd "$root" || exit
     cmake --preset tidy
-    run-clang-tidy -quiet -p build/tidy -j "$jobs" "$root/(core|baker|tools|platform|tests)/.*\.cpp$"
+    run-clang-tidy -quiet -p build/tidy -j "$jobs" "^$root/$files\$"
   )
+}
+
+# The same of what the last commits changed: those of four hours before the newest, and what is not committed.
+check_changes_with_clang_tidy() {
+  local base files
+  base=$(git -C "$root" rev-list -1 --before="$(($(git -C "$root" log -1 --format=%ct) - 4 * 3600))" HEAD)
+  [[ -n $base ]] || return 0
+  mapfile -t files < <(git -C "$root" diff --name-only --diff-filter=d "$base" -- '*.cpp')
+  ((${#files[@]} == 0)) || check_with_clang_tidy "${files[@]}"
 }
 
 check_format() {
@@ -101,6 +114,8 @@ main() {
     run_step "Fuzz, a minute a target" "$root/tools/fuzz.sh"
     run_step "Soak, a minute" "$root/tools/soak.sh"
     run_step "The pages' commands in an empty folder" "$root/tools/newcomer.sh"
+  elif [[ -e $root/.git ]]; then
+    run_step "clang-tidy of what changed last" check_changes_with_clang_tidy
   fi
   join_trees
   run_tests
