@@ -59,6 +59,7 @@ ProxyOutline::ProxyOutline(const SceneData& scene, const ProxyTracer& proxy, con
 std::vector<OutlinePoint> ProxyOutline::seen_from(const Vec3& eye, uint32_t seed) const
 {
     std::vector<OutlinePoint> result;
+    if (scene_.has_transparency || scene_.medium) return result;
     Sampler sampler(kOutlineSeed, seed, 0);
     for (auto begin = sides_.begin(), end = begin; begin != sides_.end(); begin = end) {
         const auto ends = ends_of(begin->from, begin->to);

@@ -24,7 +24,8 @@ public:
     ProxyOutline(const SceneData& scene, const ProxyTracer& proxy, const ViewCap& cap = {});
 
     // Seen in parallel rays, the eye far away in this direction (unit length): points spread along the outlines, of
-    // those that have an outline of the scene nearby. The random numbers are of `seed`. Thread-safe.
+    // those that have an outline of the scene nearby. None of scenes that light may pass: cut-outs would get holes. The
+    // random numbers are of `seed`. Thread-safe.
     std::vector<OutlinePoint> seen_from(const Vec3& eye, uint32_t seed) const;
 
 private:
