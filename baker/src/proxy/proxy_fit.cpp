@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "proxy/proxy_fit.h"
 
+#include "math/unit_vector.h"
+#include "proxy/proxy_outline.h"
+
 namespace lumi::baker
 {
 namespace
@@ -9,6 +12,7 @@ namespace
 // In shares of the rays that a vertex has on average.
 constexpr double kSmoothness = 0.02;  // of neighbours' displacements
 constexpr double kInertia = 0.005;    // of a displacement itself
+constexpr double kOutlineScale = 2;   // of a point of an outline: it counts as the square of that many hits
 constexpr int kFittingRounds = 4;
 constexpr int kSolverSteps = 40;
 constexpr float kMinTurn = 0.3f;  // cosine between a triangle's normals before and after all rounds
@@ -51,7 +55,7 @@ void add_scaled(Field& a, double s, const Field& b)
     for (size_t k = 0; k < a.size(); ++k) a[k] = a[k] + s * b[k];
 }
 
-// Σ weight·(normal·displacement) at a ray's hit should be `offset`.
+// Σ weight·(normal·displacement) should be `offset`: of a place on a triangle, or on an edge.
 struct Equation {
     Mesh::Corners corners;
     double weights[3];
@@ -71,6 +75,15 @@ std::vector<Equation> equations_of(const std::vector<SurveyRay>& rays, const Mes
             {proxy.corners[r.proxy->triangle], {1 - u - v, u, v}, wide(normal), static_cast<double>(offset)});
     }
     return result;
+}
+
+void add_outlines(const std::vector<OutlinePoint>& points, std::vector<Equation>& equations)
+{
+    for (const OutlinePoint& p : points) {
+        const double to = kOutlineScale * static_cast<double>(p.share);
+        const double offset = kOutlineScale * static_cast<double>(p.offset);
+        equations.push_back({{p.from, p.to, p.to}, {kOutlineScale - to, to, 0}, wide(p.outwards), offset});
+    }
 }
 
 class System
@@ -171,7 +184,12 @@ Mesh fitted(const Mesh& proxy, const Mesh& upright, bool two_sided, const Survey
 {
     const ProxyTracer tracer(proxy, two_sided);
     std::vector<std::vector<Equation>> parts(survey.origins());
-    job.run(survey.origins(), [&](uint32_t i) { parts[i] = equations_of(survey.look(i, tracer), proxy); });
+    const ProxyOutline outline(survey.scene(), tracer, survey.cap());
+    const Lattice eyes(survey.origins());
+    job.run(survey.origins(), [&](uint32_t i) {
+        parts[i] = equations_of(survey.look(i, tracer), proxy);
+        add_outlines(outline.seen_from(unit_vector(point(eyes, i)), i), parts[i]);
+    });
     Mesh result;
     job.run(1, [&](uint32_t) {
         std::vector<Equation> equations;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "proxy/proxy_loss.h"
 
-#include "proxy/proxy_fit.h"
-
 namespace lumi::baker
 {
 namespace

@@ -10,6 +10,9 @@
 namespace lumi::baker
 {
 
+// Of two depths that belong to the same surface, in radii.
+inline constexpr float kMaxDepthError = 0.05f;
+
 // What one ray meets; distances along it, infinite for a miss.
 struct SurveyRay {
     Ray ray;
@@ -23,6 +26,8 @@ public:
     // Of the rays, those along which eyes of the cap see.
     Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed, const ViewCap& cap = {});
 
+    const SceneData& scene() const { return scene_; }
+    const ViewCap& cap() const { return cap_; }
     uint32_t origins() const { return origins_; }
     // The same rays every time. Thread-safe.
     std::vector<SurveyRay> look(uint32_t origin, const ProxyTracer& proxy) const;

@@ -2,7 +2,7 @@
 #include "surface/surface_tracer.h"
 
 #include "math/warp.h"
-#include "proxy/proxy_fit.h"
+#include "proxy/proxy_survey.h"
 #include "trace/surface.h"
 
 namespace lumi::baker

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include "lumi/lattice.h"
+#include "math/frame.h"
+#include "math/unit_vector.h"
+#include "proxy/proxy_fit.h"
+#include "proxy/proxy_outline.h"
+#include "proxy/proxy_outside.h"
+#include "proxy/proxy_simplify.h"
+
+#include "support/shapes.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+const ProgressCallback kSilent;
+constexpr uint32_t kEyes = 50;  // none of the fit's
+
+Vec3 eye_at(uint32_t k)
+{
+    return unit_vector(lumi::point(Lattice(kEyes), k));
+}
+
+Mesh outside_mesh(const Scene& scene)
+{
+    Job job(1, 2, kSilent);
+    return outside_of(scene.data(), job).mesh;
+}
+
+Mesh scaled(Mesh mesh, float factor)
+{
+    for (Vec3& p : mesh.positions) p = p * factor;
+    return mesh;
+}
+
+// How far the outline of a mesh lies outside of the scene's, in the mean over all of it and all eyes, in radii: of the
+// areas that only one of them covers, the difference and the sum.
+struct OutlineError {
+    double bias, size;
+};
+
+OutlineError outline_error(const Scene& scene, const Mesh& mesh, float outline)
+{
+    constexpr int kSteps = 400;
+    const ProxyTracer tracer(mesh, false);
+    int added = 0, missing = 0;
+    for (uint32_t k = 0; k < kEyes; ++k) {
+        const Frame frame(eye_at(k));
+        for (int i = 0; i < kSteps * kSteps; ++i) {
+            const auto place = [](int step) { return (2 * static_cast<float>(step) + 1) / kSteps - 1; };
+            const Ray ray = {frame.to_world({place(i % kSteps), place(i / kSteps), 2}), -frame.normal};
+            const bool in_scene = scene.data().accelerator.blocked(ray), in_mesh = tracer.closest(ray).has_value();
+            added += in_mesh && !in_scene ? 1 : 0;
+            missing += in_scene && !in_mesh ? 1 : 0;
+        }
+    }
+    const double area = 4.0 / (kSteps * kSteps) / (kEyes * static_cast<double>(outline));
+    return {(added - missing) * area, (added + missing) * area};
+}
+
+}  // namespace
+
+TEST_CASE("Outlines of a larger or smaller box lie as far from the box's as they are long", "[proxy]")
+{
+    SceneMaker maker;
+    maker.box(maker.add(diffuse(grey(0.5f))), {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
+    const Scene scene = maker.make(constant_environment(1));
+    const Mesh box = outside_mesh(scene);
+    for (const float factor : {0.98f, 1.02f}) {
+        const ProxyTracer proxy(scaled(box, factor), false);
+        const ProxyOutline outline(scene.data(), proxy);
+        uint32_t points = 0;
+        float worst = 0;
+        for (uint32_t k = 0; k < kEyes; ++k) {
+            for (const OutlinePoint& p : outline.seen_from(eye_at(k), k)) {
+                const Vec3& from = proxy.mesh().positions[p.from];
+                const Vec3 along = proxy.mesh().positions[p.to] - from;
+                // Beside corners another edge may be nearer; along edges that lead away depth changes.
+                constexpr float kAcross = 0.7f, kEnd = 0.2f;
+                if (length(cross(along, eye_at(k))) < kAcross * length(along)) continue;
+                if (std::abs(p.share - 0.5f) > 0.5f - kEnd) continue;
+                const float truth = dot(p.outwards, from) * (1 / factor - 1);
+                worst = std::max(worst, std::abs(p.offset - truth));
+                ++points;
+            }
+        }
+        CHECK(points > 20 * kEyes);
+        CHECK(worst < 5e-4f);  // bisection ends below 0.02/64
+    }
+}
+
+TEST_CASE("Fitting brings the outline of a ball of few triangles onto the ball's", "[proxy]")
+{
+    constexpr float kRadius = 0.8f;
+    SceneMaker maker;
+    maker.ball(maker.add(diffuse(grey(0.5f))), {0, 0, 0}, kRadius, 48);
+    maker.span_unit_sphere();
+    const Scene scene = maker.make(constant_environment(1));
+    const Mesh rough = simplified(outside_mesh(scene), 200).mesh;
+    Job job(1, 2, kSilent);
+    const Mesh fine = fitted_in_rounds(scene.data(), rough, false, job);
+    const OutlineError before = outline_error(scene, rough, 2 * kPi * kRadius);
+    const OutlineError after = outline_error(scene, fine, 2 * kPi * kRadius);
+    UNSCOPED_INFO("before " << before.bias << " of " << before.size << ", after " << after.bias << " of "
+                            << after.size);
+    CHECK(before.bias < -0.01);
+    CHECK(std::abs(after.bias) < 0.002);  // 0.0038 by depths alone
+    CHECK(after.size < 0.5 * before.size);
+}
+
+}  // namespace lumi::baker::testing
