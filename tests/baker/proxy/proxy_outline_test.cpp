@@ -16,7 +16,7 @@ namespace lumi::baker::testing
 namespace
 {
 
-const ProgressCallback kSilent;
+const ProgressCallback kUnheard;
 constexpr uint32_t kEyes = 50;  // none of the fit's
 
 Vec3 eye_at(uint32_t k)
@@ -26,7 +26,7 @@ Vec3 eye_at(uint32_t k)
 
 Mesh outside_mesh(const Scene& scene)
 {
-    Job job(1, 2, kSilent);
+    Job job(1, 2, kUnheard);
     return outside_of(scene.data(), job).mesh;
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("Fitting brings the outline of a ball of few triangles onto the ball's
     maker.span_unit_sphere();
     const Scene scene = maker.make(constant_environment(1));
     const Mesh rough = simplified(outside_mesh(scene), 200).mesh;
-    Job job(1, 2, kSilent);
+    Job job(1, 2, kUnheard);
     const Mesh fine = fitted_in_rounds(scene.data(), rough, false, job);
     const OutlineError before = outline_error(scene, rough, 2 * kPi * kRadius);
     const OutlineError after = outline_error(scene, fine, 2 * kPi * kRadius);
