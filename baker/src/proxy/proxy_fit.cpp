@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "proxy/proxy_fit.h"
 
+#include "lumi/lattice.h"
 #include "math/unit_vector.h"
 #include "proxy/proxy_outline.h"
 
