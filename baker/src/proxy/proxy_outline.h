@@ -20,7 +20,7 @@ struct OutlinePoint {
 class ProxyOutline
 {
 public:
-    // Borrows all.
+    // Borrows scene and proxy.
     ProxyOutline(const SceneData& scene, const ProxyTracer& proxy, const ViewCap& cap = {});
 
     // Seen in parallel rays, the eye far away in this direction (unit length): points spread along the outlines, of
@@ -41,7 +41,7 @@ private:
 
     const SceneData& scene_;
     const ProxyTracer& proxy_;
-    const ViewCap& cap_;
+    const ViewCap cap_;
     Sides sides_;  // those of an edge lie together
 };
 
