@@ -164,7 +164,6 @@ struct LoadRgb888 {
     // does not.
     static constexpr bool kGreenIsHigh = true;
     static constexpr int kBefore = 1;
-
     static constexpr bool kIsWord = true;
 
     LUMI_ALWAYS_INLINE static uint32_t word(const Field&, const uint8_t* texel)
