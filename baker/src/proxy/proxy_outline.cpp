@@ -18,6 +18,11 @@ constexpr float kSpacing = 0.02f;                      // of points along an edg
 constexpr float kFirstStep = 0.0025f, kReach = 0.04f;  // of the search for the scene's outline
 constexpr int kHalvings = 6;
 
+bool is_covered(const std::optional<Hit>& hit)
+{
+    return hit && hit->distance < kBehind;
+}
+
 std::pair<uint32_t, uint32_t> ends_of(uint32_t from, uint32_t to)
 {
     return {std::min(from, to), std::max(from, to)};
@@ -95,16 +100,20 @@ std::optional<OutlinePoint> ProxyOutline::point(const Side& side, float share, c
     const Vec3 outwards = normalized(across);
     const auto ray = [&](float t) { return Ray{from + along * share + eye * kAway + outwards * t, -eye}; };
     if (!cap_.sees(ray(0)) || !is_outline(ray(-kBeside), ray(kBeside))) return std::nullopt;
-    const auto offset = border_of([&](float t) { return first_meeting(scene_, ray(t), sampler) < kBehind; });
-    if (!offset) return std::nullopt;
-    return OutlinePoint{side.from, side.to, share, outwards, *offset};
+    const auto in_scene = [&](float t) { return first_meeting(scene_, ray(t), sampler) < kBehind; };
+    if (const auto offset = border_of(in_scene)) return OutlinePoint{side.from, side.to, share, outwards, *offset};
+    if (!in_scene(0)) return std::nullopt;
+    // A gap in the proxy: what lies beyond it comes the other half of the way.
+    const auto gap = border_of([&](float t) { return t <= kBeside || !is_covered(proxy_.closest(ray(t))); });
+    if (!gap) return std::nullopt;
+    return OutlinePoint{side.from, side.to, share, outwards, 0.5f * *gap};
 }
 
 // Whether the proxy is there beside one of its edges and not on the edge's other side, and nothing lies before it.
 bool ProxyOutline::is_outline(const Ray& inside, const Ray& outside) const
 {
-    const std::optional<Hit> in = proxy_.closest(inside), out = proxy_.closest(outside);
-    return in && std::abs(in->distance - kAway) < kMaxDepthError && !(out && out->distance < kBehind);
+    const std::optional<Hit> in = proxy_.closest(inside);
+    return in && std::abs(in->distance - kAway) < kMaxDepthError && !is_covered(proxy_.closest(outside));
 }
 
 }  // namespace lumi::baker

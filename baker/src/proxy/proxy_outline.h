@@ -14,7 +14,7 @@ struct OutlinePoint {
     uint32_t from, to;  // vertices of the edge
     float share;        // of `to`; the rest is of `from`
     Vec3 outwards;      // across the edge, in the plane of the image; unit length
-    float offset;       // how far outwards the scene's outline lies, in radii
+    float offset;       // how far outwards the scene's outline lies, or half of a gap in the proxy; in radii
 };
 
 class ProxyOutline
@@ -24,8 +24,8 @@ public:
     ProxyOutline(const SceneData& scene, const ProxyTracer& proxy, const ViewCap& cap = {});
 
     // Seen in parallel rays, the eye far away in this direction (unit length): points spread along the outlines, of
-    // those that have an outline of the scene nearby. None of scenes that light may pass: cut-outs would get holes. The
-    // random numbers are of `seed`. Thread-safe.
+    // those that have an outline of the scene nearby, or where the scene goes on, another part of the proxy. None of
+    // scenes that light may pass: cut-outs would get holes. The random numbers are of `seed`. Thread-safe.
     std::vector<OutlinePoint> seen_from(const Vec3& eye, uint32_t seed) const;
 
 private:
