@@ -92,6 +92,33 @@ TEST_CASE("Outlines of a larger or smaller box lie as far from the box's as they
     }
 }
 
+TEST_CASE("Both sides of a gap in a mesh come half of the way where the scene goes on", "[proxy]")
+{
+    constexpr float kTop = 0.5f, kHalfGap = 0.01f;
+    SceneMaker maker;
+    maker.box(maker.add(diffuse(grey(0.5f))), {-kTop, -kTop, -kTop}, {kTop, kTop, kTop});
+    const Scene scene = maker.make(constant_environment(1));
+    Mesh halves;  // of the box's top
+    const auto add_half = [&](float left, float right) {
+        const uint32_t k = static_cast<uint32_t>(halves.positions.size());
+        for (const float x : {left, right})
+            for (const float y : {-kTop, kTop}) halves.positions.push_back({x, y, kTop});
+        halves.corners.push_back({k, k + 2, k + 3});
+        halves.corners.push_back({k, k + 3, k + 1});
+    };
+    add_half(-kTop, -kHalfGap);
+    add_half(kHalfGap, kTop);
+    const ProxyTracer proxy(halves, false);
+    uint32_t beside_gap = 0;
+    for (const OutlinePoint& p : ProxyOutline(scene.data(), proxy).seen_from({0, 0, 1}, 1)) {
+        const bool is_gap = std::abs(proxy.mesh().positions[p.from].x) < 2 * kHalfGap &&
+                            std::abs(proxy.mesh().positions[p.to].x) < 2 * kHalfGap;
+        CHECK(std::abs(p.offset - (is_gap ? kHalfGap : 0)) < 5e-4f);
+        beside_gap += is_gap ? 1 : 0;
+    }
+    CHECK(beside_gap > 80);  // 2 edges of length 1, a point every 0.02
+}
+
 TEST_CASE("Fitting brings the outline of a ball of few triangles onto the ball's", "[proxy]")
 {
     constexpr float kRadius = 0.8f;
