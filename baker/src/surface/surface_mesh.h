@@ -42,7 +42,7 @@ struct BuiltSurface {
 struct SurfaceMeshSettings {
     uint32_t triangles = 4000;   // about so many before edges are split
     float longest_edge = 0.2f;   // edges longer than this are split, in radii
-    float crease_cosine = 0.7f;  // faces that turn more than this at a vertex get vertices of their own
+    float crease_cosine = 0.2f;  // faces that turn more than this, 78°, get vertices of their own
     ViewCap cap = {};            // what cannot be seen from there is left out
 };
 
