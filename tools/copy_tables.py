@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 # tools/copy_tables.py [--check]
-# Copies rows of measured tables (docs/log) into README.md, core/README.md and docs/*.md, so that no page holds a figure
-# copied by hand.
+# Copies rows of measured tables (docs/log) into README.md, SECURITY.md, core/README.md and docs/*.md, so that no page
+# holds a figure copied by hand.
 # A page says what it wants in a comment: the first table below HEADING that has the columns (none named: all of them), and of it
 # the rows that match a regular expression.
 #     <!-- copied: docs/log/tradeoff.md; HEADING; ROWS; COLUMN | COLUMN -->
@@ -67,7 +67,8 @@ def printed(file):
 
 def main(check):
     stale = []
-    for page in [ROOT / 'README.md', ROOT / 'core' / 'README.md', *sorted((ROOT / 'docs').glob('*.md'))]:
+    pages = [ROOT / 'README.md', ROOT / 'SECURITY.md', ROOT / 'core' / 'README.md', *sorted((ROOT / 'docs').glob('*.md'))]
+    for page in pages:
         text = page.read_text(encoding='utf-8')
         new = BLOCK.sub(lambda found: found[1] + copied(found[2]) + found[3], text)
         new = VALUE.sub(lambda found: found[1] + value(found[2], found[3]) + found[4], new)

@@ -39,9 +39,10 @@ build_targets() {
   cmake --build "$work" --parallel "$jobs" --target lumi_make_fuzz_corpus lumi_make_baker_corpus "${programs[@]/%/_fuzz}"
 }
 
-# fuzz TARGET: leaves the fuzzer's words in build/fuzz/TARGET.log, and its CPU seconds in TARGET.cpu.
+# fuzz TARGET: leaves the fuzzer's words in build/fuzz/TARGET.log, and its seconds of CPU, user's and system's, in
+# TARGET.cpu.
 fuzz() {
-  local corpus=$work/corpus/$1 seeds=$work/seeds/$1 options=() TIMEFORMAT='%U'
+  local corpus=$work/corpus/$1 seeds=$work/seeds/$1 options=() TIMEFORMAT='%U %S'
   if [[ $1 == field ]]; then options=(-max_len=6144); fi  # small fields have every section and draw sixteen times as fast
   mkdir -p "$corpus" "$work/findings"
   {
@@ -66,7 +67,7 @@ figures_now() {
   local target
   for target in "${targets[@]}"; do
     printf '%s %d %d %d\n' "$target" "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$work/$target.log")" \
-      "$(cut -d . -f 1 "$work/$target.cpu")" "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$work/$target.log" | tail -n 1)"
+      "$(awk '{ print int($1 + $2) }' "$work/$target.cpu")" "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$work/$target.log" | tail -n 1)"
   done
 }
 figures_before() {
@@ -88,6 +89,7 @@ write_table() {
   if $write_docs; then
     { figures_before && figures_now; } | table_of >"$work/table.md"
     replace_between "$document" "$begin" "$end" "$work/table.md"
+    python3 -B "$root/tools/copy_tables.py"
   fi
 }
 

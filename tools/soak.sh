@@ -4,7 +4,7 @@
 # Draws random frames on an emulated Cortex-M0+ and Cortex-M4 at once, so long (a minute if not said): random orbits, image
 # sizes, stripes, pixel formats and modes of a surface and a chord field, with guard zones around every buffer and a painted
 # stack (tests/cross/soak.cpp). Each frame drawn in stripes must be the frame drawn whole. Sums up what was drawn; --docs
-# writes that into docs/log/tests.md. The first fault ends it and names the seed that shows it again.
+# writes that into docs/log/tests.md and SECURITY.md. The first fault ends it and names the seed that shows it again.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -76,6 +76,7 @@ write_table() {
   cat "$work/table.md"
   if $write_docs; then
     replace_between "$document" '<!-- soak: begin (tools/soak.sh --docs) -->' '<!-- soak: end -->' "$work/table.md"
+    python3 -B "$root/tools/copy_tables.py"
   fi
 }
 
