@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 # tools/fuzz.sh [--minutes N | --hours N] [--docs] [TARGET...]
 # Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, so long a target (a minute if not said), as many at once
-# as there are cores, and says executions and coverage; --docs adds them to the sums in docs/log/tests.md. A finding
-# ends its target; the input that shows it lies in build/fuzz/findings. What it learns stays in build/fuzz/corpus, so the
-# next run goes on from there. Needs clang. Targets: field, picture, obj, scene, nifti, shard, weights; all if none is
-# named.
+# as there are cores, and says executions and coverage; --docs adds them to the sums in docs/log/tests.md, of which
+# SECURITY.md has a copy. A finding ends the run, and nothing of it is added; the input that shows it lies in
+# build/fuzz/findings. What is learnt stays in build/fuzz/corpus, so the next run goes on from there. Needs clang.
+# Targets: field, picture, obj, scene, nifti, shard, weights; all if none is named.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -64,10 +64,12 @@ fuzz_all() {
 
 # TARGET EXECUTIONS SECONDS EDGES, a line a target: of this run, and as the document has them.
 figures_now() {
-  local target
+  local target log
   for target in "${targets[@]}"; do
-    printf '%s %d %d %d\n' "$target" "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$work/$target.log")" \
-      "$(awk '{ print int($1 + $2) }' "$work/$target.cpu")" "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$work/$target.log" | tail -n 1)"
+    log=$work/$target.log
+    printf '%s %d %d %d\n' "$target" "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$log")" \
+      "$(awk '{ print int($1 + $2) }' "$work/$target.cpu")" \
+      "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)"
   done
 }
 figures_before() {
@@ -79,9 +81,9 @@ figures_before() {
 
 # The sums as a table; of edges the last.
 table_of() {
-  printf '| target | executions | CPU minutes | edges | findings |\n|---|---:|---:|---:|---:|\n'
+  printf '| target | executions | CPU minutes | edges |\n|---|---:|---:|---:|\n'
   awk '{ executions[$1] += $2; seconds[$1] += $3; edges[$1] = $4 }
-    END { for (t in edges) printf "| %s | %d | %.1f | %d | 0 |\n", t, executions[t], seconds[t] / 60, edges[t] }' | sort
+    END { for (t in edges) printf "| %s | %d | %.1f | %d |\n", t, executions[t], seconds[t] / 60, edges[t] }' | sort
 }
 
 write_table() {

@@ -5,6 +5,7 @@
 
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
+#include "surface/surface_mesh.h"
 
 namespace lumi::baker::testing
 {
@@ -25,6 +26,24 @@ TEST_CASE("Where nothing is a crease, vertices stay, and normals point along the
     REQUIRE(mesh.positions.size() == 8);
     for (size_t v = 0; v < 8; ++v)
         CHECK(dot(mesh.normals[v], normalized(mesh.positions[v])) == Approx(1).epsilon(1e-5));
+}
+
+TEST_CASE("Right edges are creases of a surface field's mesh, facets of a coarse round body are not", "[surface]")
+{
+    const float crease_cosine = SurfaceMeshSettings{}.crease_cosine;
+    CHECK(with_creases(cube(0.5f), crease_cosine).positions.size() == 24);
+    Mesh octahedron;  // its faces turn 71 degrees
+    for (const float side : {-1.0f, 1.0f}) {
+        octahedron.positions.push_back({side, 0, 0});
+        octahedron.positions.push_back({0, side, 0});
+        octahedron.positions.push_back({0, 0, side});
+    }
+    for (uint32_t k = 0; k < 8; ++k) {
+        const uint32_t x = k & 1 ? 3 : 0, y = k & 2 ? 4 : 1, z = k & 4 ? 5 : 2;
+        const bool is_mirrored = (((k >> 2) ^ (k >> 1) ^ k) & 1) == 0;
+        octahedron.corners.push_back(is_mirrored ? Mesh::Corners{x, z, y} : Mesh::Corners{x, y, z});
+    }
+    CHECK(with_creases(octahedron, crease_cosine).positions.size() == 6);
 }
 
 TEST_CASE("Two sides of one sheet share no vertices", "[surface]")

@@ -43,6 +43,15 @@ TEST_CASE("a surface plan fills its size, and a larger one has more of everythin
     }
 }
 
+TEST_CASE("edges get longer where the mesh would take half of the bytes")
+{
+    for (const uint64_t bytes : {30'000u, 90'000u}) {
+        const SurfacePlan plan = planned(surface_task_of(bytes));
+        INFO(bytes << " bytes: " << options_of(plan));
+        CHECK(plan.draft->most_bytes(1) <= bytes / 2);
+    }
+}
+
 TEST_CASE("what is set by hand stays in a surface plan")
 {
     SurfaceTask task = surface_task_of(30'000);
