@@ -14,7 +14,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 all_scenes=(smoke head skull)
 scenes=("${all_scenes[@]}")
-budgets=(60kB)
+budgets=(60kB 250kB)
 paths=10   # light paths a texel of surface fields
 spp=16     # of chord fields
 reference_spp=128
