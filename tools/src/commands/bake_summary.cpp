@@ -61,7 +61,7 @@ std::string file_line(const BakeSummary& summary, const BakeOutcome& outcome)
     const std::string savings = saved > 0 ? " (" + count_text(saved) + " of them saved)" : "";
     return summary.job.name + ": " + byte_text(std::filesystem::file_size(summary.job.target)) + ", " +
            count_text(outcome.rays) + " rays" + savings + " in " + duration_text(seconds_since(summary.start)) + ", " +
-           std::to_string(summary.warnings) + " warnings\n";
+           std::to_string(summary.warnings) + (summary.warnings == 1 ? " warning\n" : " warnings\n");
 }
 
 std::string check_line(double psnr_db)
