@@ -3,14 +3,15 @@
 # tools/bench_filter.sh [--docs] NAME=FIELD...
 # Trains a filter for each field of the desk clock, unless build/filter/NAME.filter is there, judges it on the views of
 # `lumi report`, and prints a table. --docs also writes it to docs/log/filter.md. LUMI_TRAIN and LUMI_JUDGE hold further
-# options of the two commands. A training takes about ten minutes of CPU.
+# options of the two commands. A training takes about ten minutes of CPU. With LUMI in the environment that program is
+# taken as it is.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
 work=$root/build/filter
-lumi=$root/build/release/tools/lumi
+lumi=${LUMI:-$root/build/release/tools/lumi}
 page=$root/docs/log/filter.md
 docs=no
 fields=()

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # tools/paper.sh [--minutes MIN] [--views COUNT] [--spp S] [--scene NAME]... [--beam parallel|converging] [--docs] [--quick]
 # The evaluation of the LumiPath paper (MICCAI 2019) at its size, on the scenes testcard and product: M = 12,288, of
-# which the upper half is kept, N = 24,576, with as many light paths a ray as MIN minutes of this machine allow for all
-# scenes together [120; at least 1 path]. COUNT held-out views of the upper half [12] are compared with references of S
+# which the upper half is kept, N = 24,576, with as many light paths a ray as MIN minutes of all cores allow for all
+# scenes together [120; at least 1 path]. COUNT held-out views of the upper half [48] are compared with references of S
 # light paths a pixel [128]:
 # nearest, 3×3, 5×5 and 9×9, exact and by spans; a surface field beside them. Then what drawing costs: seconds of a
 # reference, share of time in texel reads, frames a second of one and two eyes at the HoloLens's 1268×720 pixels.
@@ -21,17 +21,19 @@ origins=12288 cap=50% directions=24576
 beam=parallel  # the paper's directions d(i,j), as we read them
 minutes=120
 surface_budget=150kB surface_paths=60
-views=12 reference_spp=128
+views=48 reference_spp=128
 modes=nearest,linear,paper5,paper9,nearest/8,linear/8,paper5/8
 eye_size=(1268 720)
-probe_shards=256  # a bake of one of them tells the speed
+probe_shards=512 probe_spp=64  # a bake of one of them tells the speed
 lumi=${LUMI:-$root/build/release/tools/lumi}
 bench=${LUMI_TOOLS_BENCH:-$root/build/release/tools/bench/lumi_tools_bench}
 work=$root/build/paper
 
-# now_ms: milliseconds by the clock.
-now_ms() {
-  echo $(($(date +%s%N) / 1000000))
+# processor_s FILE COMMAND...: runs COMMAND; its seconds of processor stand in FILE then, whatever else the machine does.
+processor_s() {
+  local file=$1 TIMEFORMAT='%U'
+  shift
+  { time "$@" 2>&3; } 3>&2 2>"$file"
 }
 
 bake_config() {
@@ -39,38 +41,27 @@ bake_config() {
     --directions "$directions" --texel rgb565 --beam "$beam" "${@:2}"
 }
 
-# Sets `spp` to what this scene's share of the minutes allows for.
+# Prints how many light paths a ray this scene's share of the minutes allows for. The middle shard stands for all.
 choose_spp() {
-  local begin took_ms budget_ms=$((minutes * 60000 / ${#scenes[@]}))
-  begin=$(now_ms)
-  bake_config "$1" -o "$work/probe.lumi" --spp 1 --shard "1/$probe_shards" --restart >/dev/null
-  took_ms=$(($(now_ms) - begin))
+  processor_s "$work/probe.s" bake_config "$1" -o "$work/probe.lumi" --spp "$probe_spp" \
+    --shard "$((probe_shards / 2))/$probe_shards" --restart >/dev/null
+  awk -v budget="$((minutes * 60 * $(nproc) / ${#scenes[@]}))" -v shards="$probe_shards" -v spp="$probe_spp" \
+    '{ paths = int(budget * spp / ($1 * shards + 1e-9)); print paths < 1 ? 1 : paths }' "$work/probe.s"
   rm -f "$work"/probe.lumi*
-  spp=$((budget_ms / (took_ms * probe_shards)))
-  if ((spp < 1)); then spp=1; fi
 }
 
 # Bakes SCENE unless it is there; what it took stands in SCENE.bake.json. The number of light paths is kept, so that a
-# bake that was stopped goes on.
+# bake that was stopped goes on; its seconds are those after the stop.
 bake_scene() {
-  local scene=$1 begin spp
+  local scene=$1
   if [[ ! -f $work/$scene.lumi ]]; then
-    [[ -f $work/$scene.spp ]] || { choose_spp "$scene" && echo "$spp" >"$work/$scene.spp"; }
-    spp=$(<"$work/$scene.spp")
-    begin=$(now_ms)
-    bake_config "$scene" -o "$work/$scene.lumi" --spp "$spp"
-    printf '{"spp": %d, "minutes": %d, "seconds": %d, "beam": "%s"}\n' "$spp" "$minutes" \
-      $((($(now_ms) - begin) / 1000)) "$beam" >"$work/$scene.bake.json"
+    [[ -f $work/$scene.spp ]] || { choose_spp "$scene" >"$work/$scene.new" && mv "$work/$scene.new" "$work/$scene.spp"; }
+    processor_s "$work/$scene.bake_s" bake_config "$scene" -o "$work/$scene.lumi" --spp "$(<"$work/$scene.spp")"
+    printf '{"spp": %d, "minutes": %d, "processor_s": %.0f, "beam": "%s"}\n' "$(<"$work/$scene.spp")" "$minutes" \
+      "$(<"$work/$scene.bake_s")" "$beam" >"$work/$scene.bake.json"
   fi
   [[ -f $work/$scene-surface.lumi ]] || "$lumi" bake "$root/baker/scenes/${scene_files[$scene]}" \
     -o "$work/$scene-surface.lumi" --layout surface --paths "$surface_paths" --fit "$surface_budget"
-}
-
-# Processor seconds of one reference.
-time_reference() {
-  local TIMEFORMAT='%U'
-  { time "$lumi" reference "$root/baker/scenes/${scene_files[$1]}" -o "$work/timed.png" --spp "$reference_spp" \
-    >/dev/null 2>&1; } 2>&1
 }
 
 measure_scene() {
@@ -79,7 +70,10 @@ measure_scene() {
   [[ -f $work/$scene.report.json ]] || "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$work/$scene.lumi" \
     "$work/$scene-surface.lumi" --no-baselines --views upper --count "$views" --spp "$reference_spp" \
     --cache "$work/cache" --mode "$modes" --json "$work/$scene.report.json"
-  [[ -f $work/$scene.reference_s ]] || { time_reference "$scene" >"$work/$scene.new" && mv "$work/$scene.new" "$work/$scene.reference_s"; }
+  [[ -f $work/$scene.reference_s ]] || {
+    processor_s "$work/$scene.new" "$lumi" reference "$root/baker/scenes/${scene_files[$scene]}" -o "$work/timed.png" \
+      --spp "$reference_spp" >/dev/null && mv "$work/$scene.new" "$work/$scene.reference_s"
+  }
   [[ -f $work/$scene.draw.json ]] || {
     "$bench" draw "$work/$scene.lumi" "${eye_size[@]}" >"$work/$scene.new" && mv "$work/$scene.new" "$work/$scene.draw.json"
   }
@@ -96,7 +90,7 @@ main() {
       --beam) beam=${2:?"--beam needs a word"} && shift ;;
       --docs) docs=true ;;
       --quick) origins=256 directions=512 minutes=0 views=1 reference_spp=1 surface_budget=60kB surface_paths=4 \
-        eye_size=(64 48) probe_shards=2 work=$root/build/paper-quick scenes=(testcard) quick=true ;;
+        eye_size=(64 48) probe_shards=2 probe_spp=1 work=$root/build/paper-quick scenes=(testcard) quick=true ;;
       --help) help "$0" && exit ;;
       *) wrong_call "unknown option '$1'" ;;
     esac

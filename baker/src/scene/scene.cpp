@@ -244,6 +244,11 @@ size_t Scene::light_count() const
     return data_->lights.count();
 }
 
+bool Scene::mesh_is_shell() const
+{
+    return data_->mesh_is_shell;
+}
+
 std::array<uint64_t, 2> Scene::fingerprint() const
 {
     return scene_fingerprint(*data_);

@@ -19,12 +19,13 @@ std::string percent(double share)
 
 }  // namespace
 
-std::vector<std::string> mesh_warnings(const ProxyLoss& loss, size_t asked, size_t got)
+std::vector<std::string> mesh_warnings(const ProxyLoss& loss, size_t asked, size_t got, bool of_volume)
 {
     std::vector<std::string> warnings;
     if (loss.missed > kMaxMissed) {
-        warnings.push_back("the mesh misses " + percent(loss.missed) +
-                           " of what can be seen: ask for more triangles, or thicken parts thinner than a pixel");
+        warnings.push_back("the mesh misses " + percent(loss.missed) + " of what can be seen: " +
+                           (of_volume ? "what is soft or half transparent; a chord field shows that, but blurs the rest"
+                                      : "ask for more triangles, or thicken parts thinner than a pixel"));
     }
     if (loss.rough) {
         warnings.push_back(

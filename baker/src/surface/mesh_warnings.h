@@ -11,7 +11,7 @@ namespace lumi::baker
 {
 
 // `asked` and `got` are triangles that can be seen; ask for no more than the scene has. Sentences for the user: what
-// is wrong, and what mends it.
-std::vector<std::string> mesh_warnings(const ProxyLoss& loss, size_t asked, size_t got);
+// is wrong, and what mends it. `of_volume`: the mesh is a volume's shell.
+std::vector<std::string> mesh_warnings(const ProxyLoss& loss, size_t asked, size_t got, bool of_volume);
 
 }  // namespace lumi::baker

@@ -124,7 +124,7 @@ BuiltSurface build_surface_mesh(const SceneData& scene, const SurfaceMeshSetting
                 "loss", [&] { return loss_of(scene, ProxyTracer(shape, outside.two_sided), s.cap, draft.rough, job); },
                 s.triangles, s.longest_edge, s.cap.lowest());
             result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
-                                            shape.triangle_count());
+                                            shape.triangle_count(), scene.mesh_is_shell);
             return result;
         }
     }

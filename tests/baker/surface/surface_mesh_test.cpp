@@ -74,14 +74,17 @@ TEST_CASE("Leaves that are cut out of larger faces have a mesh", "[surface]")
 
 TEST_CASE("Rough and leaky meshes come with a warning each", "[surface]")
 {
-    CHECK(mesh_warnings({}, 1000, 1000).empty());
+    CHECK(mesh_warnings({}, 1000, 1000, false).empty());
     ProxyLoss loss;
     loss.missed = 0.0123;
-    CHECK_THAT(mesh_warnings(loss, 1000, 1000).at(0), Catch::Contains("misses 1.2 %"));
+    CHECK_THAT(mesh_warnings(loss, 1000, 1000, false).at(0),
+               Catch::Contains("misses 1.2 %") && Catch::Contains("triangles"));
+    CHECK_THAT(mesh_warnings(loss, 1000, 1000, true).at(0),
+               Catch::Contains("misses 1.2 %") && Catch::Contains("chord"));
     loss.rough = true;
     loss.holes = 3;
-    CHECK(mesh_warnings(loss, 1000, 1000).size() == 3);
-    CHECK_THAT(mesh_warnings(loss, 1000, 300).at(2), Catch::Contains("300 triangles where 1000"));
+    CHECK(mesh_warnings(loss, 1000, 1000, false).size() == 3);
+    CHECK_THAT(mesh_warnings(loss, 1000, 300, false).at(2), Catch::Contains("300 triangles where 1000"));
 }
 
 TEST_CASE("The rough simplifier does not step in silently", "[surface]")

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What `lumi bake` chooses where the user does not.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "../../baker/support/nifti_bytes.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"
@@ -34,6 +36,21 @@ std::string write_specks(const std::string& folder)
     }
     test::write_content(folder + "/specks.obj", obj.str());
     return folder + "/specks.obj";
+}
+
+// A ball of 10 mm whose extinction by mm is `density`.
+std::string write_ball(const std::string& folder, const std::string& density)
+{
+    constexpr int kSide = 12;  // voxels of 2 mm
+    const auto value = [](int x, int y, int z) {
+        const double dx = x - 5.5, dy = y - 5.5, dz = z - 5.5;
+        return 100 - 20 * std::sqrt(dx * dx + dy * dy + dz * dz);
+    };
+    test::write_content(folder + "/ball.nii", baker::testing::nifti_int16({kSide, kSide, kSide}, value));
+    test::write_content(folder + "/ball.json", R"({"volume": {"file": "ball.nii", "transfer": [)"
+                                               R"({"value": 0, "density": 0}, {"value": 1, "density": )" +
+                                                   density + "}]}}");
+    return folder + "/ball.json";
 }
 
 }  // namespace
@@ -89,6 +106,21 @@ TEST_CASE("where light paths miss the mesh, bake takes a chord field and says wh
     CHECK(surface.code == 0);
     CHECK_THAT(surface.out, Catch::StartsWith("layout surface: "));
     CHECK_THAT(surface.err, Catch::Contains("warning: of the light paths"));
+}
+
+TEST_CASE("of a volume, bake takes a surface field where it looks solid, a chord field of smoke")
+{
+    const test::TemporaryFolder folder;
+    const auto plan = [&](const char* density) {
+        const std::string scene = write_ball(folder.path(), density);
+        const Outcome outcome = lumi({"bake", scene, "-o", folder / "f.lumi", "--fit", "20kB", "--plan-only"});
+        INFO(outcome.err);
+        CHECK(outcome.code == 0);
+        return outcome;
+    };
+    const Outcome soft = plan("1.5"), smoke = plan("0.5");
+    CHECK_THAT(soft.out, Catch::StartsWith("layout surface: "));
+    CHECK_THAT(smoke.out, Catch::StartsWith("layout chord: ") && Catch::Contains("limit 25 %"));
 }
 
 TEST_CASE("a bake counts what it warns of, the mesh's faults among it")

@@ -15,15 +15,15 @@ namespace lumi::tools
 namespace
 {
 
-std::string reason(const planner::SurfacePlan& plan)
+std::string reason(const planner::SurfacePlan& plan, double limit)
 {
     const baker::ProxyLoss& loss = plan.draft->loss();
-    if (loss.missed <= kMostMissed) return "";
+    if (loss.missed <= limit) return "";
     char text[160];
     std::snprintf(text, sizeof text,
                   "of the light paths that meet the scene %.1f %% miss a mesh of %u triangles (limit %.0f %%), %.1f %% "
                   "meet it elsewhere",
-                  100 * loss.missed, plan.draft->triangles(), 100 * kMostMissed, 100 * loss.displaced);
+                  100 * loss.missed, plan.draft->triangles(), 100 * limit, 100 * loss.displaced);
     return text;
 }
 
@@ -35,7 +35,7 @@ SurfaceChoice surface_choice(const baker::Scene& scene, const planner::SurfaceTa
     try {
         planner::SurfacePlan plan = planner::plan_surface(scene, task, progress);
         if (plan.draft->triangles() == 0) return {{}, "no light path meets a surface"};
-        return {plan, reason(plan)};
+        return {plan, reason(plan, scene.mesh_is_shell() ? kMostMissedOfVolume : kMostMissed)};
     } catch (const planner::NoPlan& none) {
         return {{}, none.what()};
     } catch (const baker::BakeError& error) {

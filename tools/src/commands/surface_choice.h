@@ -9,8 +9,9 @@
 namespace lumi::tools
 {
 
-// Of the light paths that meet a scene: where more miss its mesh, --layout auto takes a chord field.
-inline constexpr double kMostMissed = 0.05;
+// Of the light paths that meet a scene: where more miss its mesh, --layout auto takes a chord field. The edge of a
+// volume is soft, so many of its paths stop off the mesh and no hole is seen (docs/log/volumes.md).
+inline constexpr double kMostMissed = 0.05, kMostMissedOfVolume = 0.25;
 
 struct SurfaceChoice {
     planner::SurfacePlan plan;  // without a draft where there can be no surface field

@@ -84,6 +84,7 @@ public:
     size_t triangle_count() const;
     size_t material_count() const;
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
+    bool mesh_is_shell() const;  // of a volume without objects: LoadOptions::solid_volume made the mesh
 
     // Of all that decides light paths: the same files and options give the same value on every machine and in every
     // version of this program. Cost: one pass over the scene.
