@@ -24,6 +24,7 @@ SceneParts read_volume_file(const std::filesystem::path& file, const std::option
 SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings)
 {
     if (is_volume_file(file)) return read_volume_file(file, options.iso);
+    refuse_foreign_volume(file);
     if (options.iso) {
         throw SceneError(at({file.string()},
                             "this is no volume, and only volumes have iso-surfaces; leave out --iso, or "

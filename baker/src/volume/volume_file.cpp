@@ -25,8 +25,21 @@ bool is_volume_file(const std::filesystem::path& file)
     return is_vdb(file) || inner.extension() == ".nii";
 }
 
+void refuse_foreign_volume(const std::filesystem::path& file)
+{
+    const std::filesystem::path end = file.extension();
+    const bool dicom = end == ".dcm";
+    if (!dicom && end != ".nrrd" && end != ".nhdr" && end != ".mha" && end != ".mhd") return;
+    const std::string whole = dicom ? "FOLDER" : file.filename().string();
+    throw SceneError(
+        at({file.string()}, "volumes are read from .nii, .nii.gz and .vdb; Debian's plastimatch converts this " +
+                                std::string(dicom ? "series" : "file") + ": plastimatch convert --input " + whole +
+                                " --output-img volume.nii.gz"));
+}
+
 Grid read_grid(const std::filesystem::path& file)
 {
+    refuse_foreign_volume(file);
     return is_vdb(file) ? read_vdb(file) : read_nifti(file);
 }
 
