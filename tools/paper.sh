@@ -24,6 +24,8 @@ surface_budget=150kB surface_paths=60
 views=48 reference_spp=128
 modes=nearest,linear,paper5,paper9,nearest/8,linear/8,paper5/8
 eye_size=(1268 720)
+eye_orbit=40,82,6  # every ray enters through the upper half of the sphere
+eye_fovs=(33.2 61.5 99.9)  # the sphere fills the height of such a picture, a half of it, a quarter
 probe_shards=512 probe_spp=64  # a bake of one of them tells the speed
 lumi=${LUMI:-$root/build/release/tools/lumi}
 bench=${LUMI_TOOLS_BENCH:-$root/build/release/tools/bench/lumi_tools_bench}
@@ -64,12 +66,33 @@ bake_scene() {
     -o "$work/$scene-surface.lumi" --layout surface --paths "$surface_paths" --fit "$surface_budget"
 }
 
+# What the background around a small object does to likeness: SCENE.background.json has what `lumi compare` says of each.
+measure_background() {
+  local scene=$1 size=${eye_size[0]}x${eye_size[1]} fov separator=
+  {
+    printf '['
+    for fov in "${eye_fovs[@]}"; do
+      "$lumi" reference "$root/baker/scenes/${scene_files[$scene]}" -o "$work/truth.png" --spp "$reference_spp" \
+        --orbit "$eye_orbit" --size "$size" --fov "$fov" >/dev/null
+      "$lumi" render "$work/$scene.lumi" -o "$work/drawn.png" --mode paper --orbit "$eye_orbit" --size "$size" \
+        --fov "$fov" >/dev/null
+      printf '%s{"fov": %s' "$separator" "$fov"
+      "$lumi" compare "$work/drawn.png" "$work/truth.png" | awk '{ printf ", \"%s\": %s", $1, $2 }'
+      printf '}'
+      separator=,
+    done
+    printf ']\n'
+  } >"$work/$scene.new"
+  mv "$work/$scene.new" "$work/$scene.background.json"
+}
+
 measure_scene() {
   local scene=$1
   bake_scene "$scene"
   [[ -f $work/$scene.report.json ]] || "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$work/$scene.lumi" \
     "$work/$scene-surface.lumi" --no-baselines --views upper --count "$views" --spp "$reference_spp" \
     --cache "$work/cache" --mode "$modes" --json "$work/$scene.report.json"
+  [[ -f $work/$scene.background.json ]] || measure_background "$scene"
   [[ -f $work/$scene.reference_s ]] || {
     processor_s "$work/$scene.new" "$lumi" reference "$root/baker/scenes/${scene_files[$scene]}" -o "$work/timed.png" \
       --spp "$reference_spp" >/dev/null && mv "$work/$scene.new" "$work/$scene.reference_s"
