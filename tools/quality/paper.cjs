@@ -87,8 +87,11 @@ function networkEstimate() {
   return {hidden, products, fps: (hz / (products * pixels)).toFixed(1)};
 }
 
+// Pixels between neighbours of 12,288 points on a sphere of 240 pixels, each with an equal area to itself.
+const nearPoints = (120 * Math.sqrt(4 * Math.PI / 12288)).toFixed(1);
 const network = networkEstimate();
-const bakes = data.map(d => `${d.scene}: ${d.bake.spp} light path${d.bake.spp === 1 ? '' : 's'} a ray, ${Math.round(d.bake.processor_s / 60)} minutes`);
+const minutes = d => Math.round(d.bake.processor_s / 60);
+const bakes = data.map(d => `${d.scene}: ${d.bake.spp} light path${d.bake.spp === 1 ? '' : 's'} a ray, ${minutes(d)} minutes`);
 const first = data[0];
 process.stdout.write(`# The paper's evaluation, at its size
 
@@ -97,7 +100,8 @@ process.stdout.write(`# The paper's evaluation, at its size
 **Configuration.** The paper counts 0.5 · 12288 · 23576 · 4 bytes: M = 12,288 origins, of which the upper half is kept. With
 N = 23,576 that is 552.6 MiB, with N = 24,576 exactly the 576 MiB that it states, so 23,576 is probably a slip. Baked as
 \`--origins 12288 --cap 50% --directions 24576 --texel rgb565 --beam ${first.bake.beam}\`: two bytes a texel where the paper has four.
-Light paths at most (a ray whose mean is known well enough gets fewer, from 16 on), and processor time of one core: ${bakes.join('; ')}.
+${bakes.join('; ')}. Paths are the most that a ray gets (from 16 on fewer where the mean is
+known well enough), minutes those of one core.
 
 ## Likeness
 
@@ -139,8 +143,11 @@ ${table(['drawn', 'computing, ms', 'waiting for flash, ms', 'share'], m4Rows())}
 
 ## Where ours and theirs differ
 
-- **Light paths.** The time allowed for those above. Few paths a ray leave noise, which PSNR and SSIM count in full.
-- **Scenes and views.** Ours are the project's. SSIM depends on how much of a picture is background, and on its size.
+- **Light paths.** As many as the time allowed. What noise they leave counts in full in PSNR and SSIM.
+- **Scenes and views.** Ours are the project's. SSIM depends on how much of a picture is background (the table above): a
+  smaller object scores higher.
+- **Resolution.** ${nearPoints} pixels lie between neighbouring origins of this lattice where the sphere fills 240 pixels. Patterns
+  finer than that blur.
 - **CW-SSIM.** 16 orientations and up to 6 levels, as many as a picture has room for; the paper has 8 levels. K and windows
   are those of Sampat et al.
 - **Kernel.** The radius is the paper's, r² = 4π/n; that weights fall off as (1 − d²/r²)² is ours. That radius holds five
