@@ -4,9 +4,9 @@
 # The evaluation of the LumiPath paper (MICCAI 2019) at its size, on the scenes testcard and product: M = 12,288, of
 # which the upper half is kept, N = 24,576, with as many light paths a ray as MIN minutes of all cores allow for all
 # scenes together [120; at least 1 path]. COUNT held-out views of the upper half [48] are compared with references of S
-# light paths a pixel [128]:
-# nearest, 3×3, 5×5 and 9×9, exact and by spans; a surface field beside them. Then what drawing costs: seconds of a
-# reference, share of time in texel reads, frames a second of one and two eyes at the HoloLens's 1268×720 pixels.
+# light paths a pixel [128]: nearest, 3×3, 5×5 and 9×9, exact and by spans; a surface field beside them; one view with
+# more and more background. Then what drawing costs: seconds of a reference, share of time in texel reads, frames a
+# second of one and two eyes at the HoloLens's 1268×720 pixels.
 # --docs: write docs/log/paper.md, of all scenes measured so far. --quick: tiny lattices, to try it. What lies in
 # build/paper is not made again, and a bake that was stopped goes on. With LUMI and LUMI_TOOLS_BENCH in the environment
 # those programs are taken as they are.
@@ -25,7 +25,7 @@ views=48 reference_spp=128
 modes=nearest,linear,paper5,paper9,nearest/8,linear/8,paper5/8
 eye_size=(1268 720)
 eye_orbit=40,82,6  # every ray enters through the upper half of the sphere
-eye_fovs=(33.2 61.5 99.9)  # the sphere fills the height of such a picture, a half of it, a quarter
+eye_fovs=("33.2 1" "61.5 1/2" "99.9 1/4")  # degrees over the width; what the sphere then fills of the height
 probe_shards=512 probe_spp=64  # a bake of one of them tells the speed
 lumi=${LUMI:-$root/build/release/tools/lumi}
 bench=${LUMI_TOOLS_BENCH:-$root/build/release/tools/bench/lumi_tools_bench}
@@ -68,15 +68,16 @@ bake_scene() {
 
 # What the background around a small object does to likeness: SCENE.background.json has what `lumi compare` says of each.
 measure_background() {
-  local scene=$1 size=${eye_size[0]}x${eye_size[1]} fov separator=
+  local scene=$1 size=${eye_size[0]}x${eye_size[1]} fov share separator=
   {
     printf '['
     for fov in "${eye_fovs[@]}"; do
+      read -r fov share <<<"$fov"
       "$lumi" reference "$root/baker/scenes/${scene_files[$scene]}" -o "$work/truth.png" --spp "$reference_spp" \
         --orbit "$eye_orbit" --size "$size" --fov "$fov" >/dev/null
       "$lumi" render "$work/$scene.lumi" -o "$work/drawn.png" --mode paper --orbit "$eye_orbit" --size "$size" \
         --fov "$fov" >/dev/null
-      printf '%s{"fov": %s' "$separator" "$fov"
+      printf '%s{"share": "%s"' "$separator" "$share"
       "$lumi" compare "$work/drawn.png" "$work/truth.png" | awk '{ printf ", \"%s\": %s", $1, $2 }'
       printf '}'
       separator=,

@@ -17,7 +17,8 @@ const bytesText = bytes => bytes >= 1e6 ? (bytes / 1e6).toFixed(1) + ' MB' : Mat
 const scenes = fs.readdirSync(folder).filter(name => name.endsWith('.draw.json')).map(name => name.split('.')[0]).sort();
 const data = scenes.map(scene => ({
   scene, bake: JSON.parse(read(scene + '.bake.json')), report: JSON.parse(read(scene + '.report.json')),
-  draw: JSON.parse(read(scene + '.draw.json')), background: JSON.parse(read(scene + '.background.json')), reference_s: Number(read(scene + '.reference_s'))}));
+  draw: JSON.parse(read(scene + '.draw.json')), background: JSON.parse(read(scene + '.background.json')),
+  reference_s: Number(read(scene + '.reference_s'))}));
 
 const modeText = word => {
   const [mode, span] = word.split('/');
@@ -42,11 +43,9 @@ function likenessRows({scene, report}) {
     [scene, 'surface field, 2×2 samples', bytesText(surface.flash_bytes), ...figures(surface)]];
 }
 
-const SHARES = ['all', 'a half', 'a quarter'];  // of the height, by the fields of view of tools/paper.sh
-
 function backgroundRows({scene, background}) {
-  return background.map((b, k) => [
-    scene, SHARES[k], b.PSNR.toFixed(2), b.SSIM.toFixed(3), b['CW-SSIM'].toFixed(3), b.FLIP.toFixed(3)]);
+  return background.map(b => [
+    scene, b.share, b.PSNR.toFixed(2), b.SSIM.toFixed(3), b['CW-SSIM'].toFixed(3), b.FLIP.toFixed(3)]);
 }
 
 function timeRows({scene, report, reference_s}) {
@@ -100,8 +99,8 @@ process.stdout.write(`# The paper's evaluation, at its size
 **Configuration.** The paper counts 0.5 · 12288 · 23576 · 4 bytes: M = 12,288 origins, of which the upper half is kept. With
 N = 23,576 that is 552.6 MiB, with N = 24,576 exactly the 576 MiB that it states, so 23,576 is probably a slip. Baked as
 \`--origins 12288 --cap 50% --directions 24576 --texel rgb565 --beam ${first.bake.beam}\`: two bytes a texel where the paper has four.
-${bakes.join('; ')}. Paths are the most that a ray gets (from 16 on fewer where the mean is
-known well enough), minutes those of one core.
+${bakes.join('; ')}.
+Paths are the most that a ray gets (from 16 on fewer where the mean is known well enough), minutes those of one core, ${data.reduce((sum, d) => sum + minutes(d), 0)} together.
 
 ## Likeness
 
