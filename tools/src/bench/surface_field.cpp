@@ -10,10 +10,7 @@
 
 namespace lumi::bench
 {
-namespace
-{
 
-// What `lumi bake product.obj --fit 250kB` plans, with fewer light paths: noise costs nothing to draw.
 baker::SurfaceSettings surface_settings()
 {
     baker::SurfaceSettings settings;
@@ -23,6 +20,9 @@ baker::SurfaceSettings surface_settings()
     settings.paths_per_texel = 20;
     return settings;
 }
+
+namespace
+{
 
 void bake(const std::filesystem::path& scene_file, const std::filesystem::path& path)
 {

@@ -7,9 +7,13 @@
 
 #include "bench/measure.h"
 #include "files/field_file.h"
+#include "lumi/baker/surface.h"
 
 namespace lumi::bench
 {
+
+// What `lumi bake product.obj --fit 250kB` plans, with fewer light paths: noise costs nothing to draw.
+baker::SurfaceSettings surface_settings();
 
 // Opens Settings::surface_file, or the field of the scene, which is baked now unless it lies in the work folder. Throws
 // tools::Failure for a field that is not a surface field.
