@@ -30,7 +30,7 @@ void refuse_foreign_volume(const std::filesystem::path& file)
     const std::filesystem::path end = file.extension();
     const bool dicom = end == ".dcm";
     if (!dicom && end != ".nrrd" && end != ".nhdr" && end != ".mha" && end != ".mhd") return;
-    const std::string whole = dicom ? "FOLDER" : file.filename().string();
+    const std::string whole = dicom ? "FOLDER" : file.string();
     throw SceneError(
         at({file.string()}, "volumes are read from .nii, .nii.gz and .vdb; Debian's plastimatch converts this " +
                                 std::string(dicom ? "series" : "file") + ": plastimatch convert --input " + whole +

@@ -188,14 +188,16 @@ TEST_CASE("volumes of other formats are refused with the command that converts t
     LoadOptions options;
     for (const std::optional<IsoSurface> iso : {std::optional<IsoSurface>(), std::optional<IsoSurface>({300, 0.05})}) {
         options.iso = iso;
-        CHECK_THROWS_WITH(load_scene(folder.write("a.nrrd", "NRRD0004"), options, warnings),
-                          Catch::Contains("a.nrrd: volumes are read from .nii") && Catch::Contains("--input a.nrrd "));
+        const std::filesystem::path nrrd = folder.write("a.nrrd", "NRRD0004");
+        CHECK_THROWS_WITH(load_scene(nrrd, options, warnings),
+                          Catch::Contains("a.nrrd: volumes are read from .nii") &&
+                              Catch::Contains("--input " + nrrd.string() + " --output-img"));
         CHECK_THROWS_WITH(load_scene(folder.write("a.dcm", ""), options, warnings),
                           Catch::Contains("this series: plastimatch convert --input FOLDER "));
     }
     folder.write("b.nrrd", "NRRD0004");
     const std::filesystem::path scene = folder.write("s.json", R"({"objects": [{"volume": "b.nrrd", "iso": 1}]})");
-    CHECK_THROWS_WITH(load_scene(scene, {}, warnings), Catch::Contains("--input b.nrrd "));
+    CHECK_THROWS_WITH(load_scene(scene, {}, warnings), Catch::Contains("b.nrrd --output-img volume.nii.gz"));
 }
 
 TEST_CASE("a scene file takes iso-surfaces as objects", "[iso]")
