@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lumi/baker/scene.h"
 #include "util/text_lines.h"
 #include "volume/nifti_file.h"
 #include "volume/openvdb.h"

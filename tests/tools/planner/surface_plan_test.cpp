@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "bench/surface_field.h"
+#include "lumi/baker/scene.h"
 #include "planner/no_plan.h"
 #include "support/small_surface.h"
 
