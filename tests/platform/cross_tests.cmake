@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Builds the project for every CPU, once per ctest run and only if a test of that CPU runs, and tests what was built.
-foreach(program arm-none-eabi-gcc arm-none-eabi-g++ arm-none-eabi-nm qemu-system-arm)
-  string(MAKE_C_IDENTIFIER "LUMI_FOUND_${program}" lumi_found)
-  find_program(${lumi_found} ${program})
-  if(NOT ${lumi_found})
+foreach(program IN LISTS LUMI_CROSS_PROGRAMS)
+  lumi_find_program(${program} lumi_found)
+  if(NOT lumi_found)
     message(FATAL_ERROR "The cross tests need ${program}. On Debian:\n"
       "  apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm\n"
       "Or configure with -DLUMI_CROSS_TESTS=OFF to test on the host alone.")
