@@ -111,9 +111,9 @@ main() {
     run_step "clang-format" check_format
     run_step "cppcheck" check_with_cppcheck
     run_step "clang-tidy" check_with_clang_tidy
-    run_step "Fuzz, a minute a target" "$root/tools/fuzz.sh"
-    run_step "Soak, a minute" "$root/tools/soak.sh"
-    run_step "The pages' commands in an empty folder" "$root/tools/newcomer.sh"
+    run_step "Fuzz, a minute a target" "$root/tools/lab/fuzz.sh"
+    run_step "Soak, a minute" "$root/tools/lab/soak.sh"
+    run_step "The pages' commands in an empty folder" "$root/tools/lab/newcomer.sh"
   elif [[ -e $root/.git ]]; then
     run_step "clang-tidy of what changed last" check_changes_with_clang_tidy
   fi

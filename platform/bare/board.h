@@ -15,7 +15,7 @@ bool next_view(lumi::Orbit& orbit);
 // the call before, so two stripes in turn are enough.
 void send(const uint8_t* pixels, uint32_t bytes);
 
-// The frames that every example draws, where nobody turns the object: tools/devices.sh compares their pictures.
+// The frames that every example draws, where nobody turns the object: tools/lab/devices.sh compares their pictures.
 constexpr int kFrames = 2;
 inline lumi::Orbit view_of_frame(int frame)
 {

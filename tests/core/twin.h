@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The double-precision twin, which the bench shares (platform/twin).
+// The double-precision twin, which the bench shares (tools/lab/twin).
 #pragma once
 
 #include "lumi/twin/geometry.h"

@@ -3,7 +3,7 @@
 // What a device of platform/ shows, drawn on the host by the free functions in one piece: the pixels of its display, in
 // FORMAT bgr555, grey4 (two pixels a byte), rgb565, rgb565-swapped, or coverage (a byte a pixel). ROWS of the device's
 // stripes decide the bands: where triangles touch, their order shows. Angles in 2^-32 turns, 3 radii away.
-// tools/devices.sh compares the emulated displays with it.
+// tools/lab/devices.sh compares the emulated displays with it.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

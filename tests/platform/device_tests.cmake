@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# The examples of platform/ on emulated devices: tools/devices.sh builds each, runs it and compares its pictures, bit by
+# The examples of platform/ on emulated devices: tools/lab/devices.sh builds each, runs it and compares its pictures, bit by
 # bit. Without an emulator its test is skipped; `tools/test.sh --all` fails instead.
 add_executable(lumi_device_picture device_picture.cpp)
 target_link_libraries(lumi_device_picture PRIVATE lumi::core lumi::host lumi_options)
 
-set(lumi_devices ${PROJECT_SOURCE_DIR}/tools/devices.sh --built)
+set(lumi_devices ${PROJECT_SOURCE_DIR}/tools/lab/devices.sh --built)
 if(NOT LUMI_TEST_ALL)
   list(APPEND lumi_devices --may-skip)
 endif()
@@ -18,5 +18,5 @@ endforeach()
 set_tests_properties(devices.overlay PROPERTIES DEPENDS "devices.riscv;devices.simulator")  # which build its programs
 
 # RAM and stack that docs/boards.md states for README's firmware, measured.
-add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/board_memory.sh --check ${LUMI_MPS2_CPUS})
+add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/lab/board_memory.sh --check ${LUMI_MPS2_CPUS})
 set_tests_properties(devices.memory PROPERTIES FIXTURES_REQUIRED lumi_device_field)

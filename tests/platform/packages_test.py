@@ -179,7 +179,7 @@ def tagging(build):
     git = ["git", "-C", folder, "-c", "user.name=test", "-c", "user.email=test@example.invalid"]
     for command in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "all"]):
         build.run("release", [*git, *command])
-    release = [sys.executable, "-B", folder / "tools/release.py", "--tag", build.folder / "tagged"]
+    release = [sys.executable, "-B", folder / "tools/packaging/release.py", "--tag", build.folder / "tagged"]
     for name in ("user.name", "user.email"):
         build.run("release", [*git, "config", name, "test"])
     build.run("release", release)
@@ -245,7 +245,7 @@ def main(arguments):
     lumi, field, folder = (pathlib.Path(a).resolve() for a in arguments[-3:])
     build = Build(folder, makes_code, lumi, field)
     archives = build.fresh("archives")
-    build.run("release", [sys.executable, "-B", ROOT / "tools/release.py", archives])
+    build.run("release", [sys.executable, "-B", ROOT / "tools/packaging/release.py", archives])
     unpacked = build.fresh("core")
     tarfile.open(next(archives.glob("lumi-core-*.tar.xz"))).extractall(unpacked)
     core = next(unpacked.iterdir())

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Stands for the parts of LVGL 9 that its image decoders see, so that ours is tested where LVGL is not. Names and types
- * are LVGL's; lvgl_double.c does what its functions promise. tools/devices.sh --lvgl takes the true ones. */
+ * are LVGL's; lvgl_double.c does what its functions promise. tools/lab/devices.sh --lvgl takes the true ones. */
 #pragma once
 
 #include <stdbool.h>

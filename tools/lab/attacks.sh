@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/attacks.sh [--docs]
+# Repeats the attacks that SECURITY.md lists, each by the tests that try it, and writes the table: what each found first,
+# and whether it finds anything now. Ends with 1 if one does. Builds what is missing. --docs writes it into SECURITY.md.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+
+table=$root/build/attacks.md
+failures=0
+
+# Attack | what it found, at 420e9fe where nothing else is said | regular expression of the tests' names.
+attacks() {
+  cat <<'TABLE'
+stripes left of the image and beyond column 32767|`render_spans` wrote outside|core\.(no renderer writes beside its stripe|stripes beside the image|pixels beside the stripe)
+interlaced frames through a derived camera|wrong in 29 of 30 views; signed overflow|core\.(two interlaced halves|the outline of an interlaced half)
+images one pixel wide, poses moved beyond all numbers|signed overflow|core\.(a pose moved further|hits agree with the quadratic equation|.*at every extreme)
+outputs that name an input: itself, its MTL, a picture, a link|destroyed, exit code 0|tools\.(own files|a file guard|a symbolic link)
+field: every truncation, every single-byte change|nothing|core\.(every truncation and one|every single-byte change)
+surface field whose sliver takes depths for an outline's mark (fuzzing)|read beside the stripe's samples|fuzz\.field
+weights of a filter: every truncation, every byte|nothing|tools\.weights (that are cut short|with any byte)|fuzz\.weights
+picture of 38 bytes (16-bit PNM); TGA of 18 bytes that claims 23,000²|read beyond the heap; 3.6 GB, 42 s|baker\.picture file: (other formats|sizes are checked)
+PNG, JPEG, HDR, EXR: every truncation|`.hdr` never ended|baker\.(picture file: every truncation|sky picture: every truncation)
+EXR of 430 bytes (fuzzing); sparse PNG of 6 GB|gigabytes; read whole|fuzz\.picture|baker\.picture file: a sparse file
+volume of a few bytes that claims 10^12 voxels; NIfTI cut short|nothing|baker\.(every truncation is refused, packed|a small file that claims)|fuzz\.nifti
+OBJ, MTL, scene files, damaged at random and cut short|nothing|baker\.(mutation|obj: every truncation)|fuzz\.(obj|scene)
+library named 2,000 times; 100,000 materials|4 minutes; 3 minutes|baker\.obj: (a library is read once|of many materials)
+shards and checkpoints: every truncation, damaged bytes|nothing|baker\.(merge: every truncation|checkpoint: every truncation|stage file)|fuzz\.shard
+bakes killed before random writes, or each life before its fifth|a surface bake began again and again|tools\.(a bake that was killed ten|a surface bake of which each)
+an allocation, a read, write, sync or rename fails, one after the other|`terminate`; no mend; `embed` left one file of two|faults\.fail_on_purpose
+full disk behind standard output|exit code 0, JSON cut|tools\.(a full disk behind|a failure keeps its own)
+Ctrl-C while a scene loads; field cut short while it is mapped|nothing happened; SIGBUS|tools\.(Ctrl-C|a mapped file that is cut)
+UTF-16, numbers below 0, pipes; `int.lumi`|poor words; waited for ever; the symbol `int`|tools\.(numbers below 0|symbols are C|words of C)
+wrong field, section, address, buffer, stripe on emulated boards|nothing|cortex-.*(bad_input|wild_read)
+host of big-endian bytes|neither supported nor refused|machines\.s390x
+TABLE
+}
+
+# try_attack WHAT FOUND TESTS
+try_attack() {
+  local log=$root/build/attack.log count
+  if ctest --test-dir "$root/build/release" --parallel "$jobs" --tests-regex "^($3)" </dev/null >"$log" 2>&1; then
+    count=$(sed --quiet 's/^100% tests passed, 0 tests failed out of //p' "$log")
+    [[ -n $count ]] || die "no test is named ^($3): mend the list in tools/lab/attacks.sh"
+    printf '| %s | %s | nothing | %d |\n' "$1" "$2" "$count" >>"$table"
+  else
+    printf '| %s | %s | **a fault** | |\n' "$1" "$2" >>"$table"
+    cat "$log"
+    failures=$((failures + 1))
+  fi
+}
+
+main() {
+  local write_docs=false what found tests
+  while (($#)); do
+    case $1 in
+      --docs) write_docs=true ;;
+      --help) help "$0" && exit ;;
+      *) wrong_call "unknown argument '$1'" ;;
+    esac
+    shift
+  done
+  run_step "Build for the host" build_preset host
+  printf '| attack | found first | found now | tests |\n|---|---|---|---:|\n' >"$table"
+  while IFS='|' read -r what found tests; do
+    try_attack "$what" "$found" "$tests"
+  done < <(attacks)
+  cat "$table"
+  if $write_docs; then
+    replace_between "$root/SECURITY.md" '<!-- attacks: begin (tools/lab/attacks.sh --docs) -->' '<!-- attacks: end -->' "$table"
+  fi
+  ((failures == 0)) || die "$failures attacks found something; the messages above say what"
+}
+
+main "$@"

@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/bench_baker.sh [--smoke] [speed] [adaptive] [footprint]
+# Measures the baker and writes the tables of docs/log/baker.md, each between two marker comments; without a name, all of
+# them. speed: against Embree alone, convergence, threads and memory; times are of this machine: leave it alone for the two
+# minutes. adaptive: what adaptive sampling leaves out. footprint: what footprints and beams show. The last two are the same
+# on every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+
+scenes=(cornell.obj testcard.obj product.obj gallery.json)
+matt_scenes=(testcard.obj product.obj)
+share_rows=30        # of 1448 texels at 16 paths
+convergence_rows=10  # of 64 texels
+thread_rows=200
+triangles=500000
+adaptive_scenes=(cornell.obj product.obj gallery.json)
+adaptive_texels=2000
+footprint_scenes=(product.obj testcard.obj)
+footprint_size=724  # origins and directions
+footprints=(point origin 'origin --beam parallel' both 'both --beam parallel')
+modes=(nearest linear)
+orbit=30,20,3
+views=4
+picture=240x240
+reference_spp=256
+bench=${LUMI_BAKER_BENCH:-$root/build/release/tools/lab/src/baking/lumi_baker_bench}
+lumi=${LUMI:-$root/build/release/tools/lumi}
+page=$root/docs/log/baker.md
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# for_scenes COMMAND COUNT SCENE...
+for_scenes() {
+  local command=$1 count=$2 scene
+  shift 2
+  for scene; do
+    "$bench" "$command" "$root/baker/scenes/$scene" "$count"
+  done
+}
+
+processor() {
+  awk -F': ' '/^model name/ { print $2; exit }' /proc/cpuinfo
+}
+
+print_speed() {
+  printf 'One thread of %s; millions a CPU second, the best of five runs. A path is a light path from the eye, a ray\nwhat Embree is asked for.\n\n' "$(processor)"
+  printf '| scene | triangles | rays a path | paths | rays | rays, Embree alone | share of Embree |\n|---|---|---|---|---|---|---|\n'
+  for_scenes share "$share_rows" "${scenes[@]}"
+  for_scenes matt "$share_rows" "${matt_scenes[@]}"
+  printf '\nRms error in steps of 255 against 4,096 paths, over 640 texels, and the exponent of the number of paths by which it falls\n(independent samples: -0.5).\n\n'
+  printf '| scene | 4 paths | 16 | 64 | 256 | exponent |\n|---|---|---|---|---|---|\n'
+  for_scenes convergence "$convergence_rows" "${scenes[@]}"
+  printf '\nMillions of paths a second by the clock.\n\n| scene | threads | paths | times one thread |\n|---|---|---|---|\n'
+  "$bench" threads "$root/baker/scenes/product.obj" "$thread_rows"
+  printf '\nMemory of a mesh with texture coordinates and smooth normals, for each million triangles.\n\n'
+  printf '| triangles | OBJ file | held while baking | most, while loading |\n|---|---|---|---|\n'
+  "$bench" memory "$triangles"
+}
+
+print_adaptive() {
+  printf '| scene | paths | levels | error, all | error, adaptive | paths taken | shift |\n|---|---|---|---|---|---|---|\n'
+  for_scenes adaptive "$adaptive_texels" "${adaptive_scenes[@]}"
+}
+
+# draw NAME COMMAND...: the pictures of a turntable, NAME-000.png and so on.
+draw() {
+  local name=$1
+  shift
+  "$@" -o "$work/$name.png" --orbit "$orbit" --size "$picture" --turntable "$views" >/dev/null
+}
+
+# Mean PSNR and SSIM of the turntable NAME against the reference's.
+figures() {
+  local name=$1 view number
+  for ((view = 0; view < views; ++view)); do
+    printf -v number '%03d' "$view"
+    "$lumi" compare "$work/$name-$number.png" "$work/reference-$number.png"
+  done | awk -v count="$views" '{ sum[$1] += $2 }
+    END { printf " %.1f dB / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count }'
+}
+
+print_footprint() {
+  local scene footprint mode words
+  printf '| scene | footprint | nearest | linear |\n|---|---|---|---|\n'
+  for scene in "${footprint_scenes[@]}"; do
+    draw reference "$lumi" reference "$root/baker/scenes/$scene" --spp "$reference_spp"
+    for footprint in "${footprints[@]}"; do
+      read -ra words <<<"$footprint"
+      "$lumi" bake "$root/baker/scenes/$scene" -o "$work/field.lumi" --origins "$footprint_size" \
+        --directions "$footprint_size" --spp 16 --footprint "${words[@]}" >/dev/null
+      printf '| %s | %s |' "\`$scene\`" "\`$footprint\`"
+      for mode in "${modes[@]}"; do
+        draw "$mode" "$lumi" render "$work/field.lumi" --mode "$mode"
+        figures "$mode"
+      done
+      printf '\n'
+    done
+  done
+}
+
+# A part's measurement goes where the smoke test or the page wants it.
+measure() {
+  "print_$1" >"$work/$1"
+  cat "$work/$1"
+  "$smoke" || replace_between "$page" "<!-- baker $1: begin (tools/lab/bench_baker.sh $1) -->" "<!-- baker $1: end -->" "$work/$1"
+}
+
+smoke=false
+parts=()
+for word; do
+  case $word in
+    speed | adaptive | footprint) parts+=("$word") ;;
+    --smoke)
+      smoke=true share_rows=1 convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj) matt_scenes=(cornell.obj)
+      adaptive_scenes=(cornell.obj) adaptive_texels=20
+      footprint_scenes=(cornell.obj) footprint_size=64 picture=32x32 views=1 reference_spp=4
+      ;;
+    --help) help "$0" && exit ;;
+    *) wrong_call "unknown option '$word'" ;;
+  esac
+done
+((${#parts[@]} > 0)) || parts=(speed adaptive footprint)
+for program in "$bench" "$lumi"; do
+  [[ -x $program ]] || die "$program is missing: build it with 'cmake --preset release && cmake --build --preset release'"
+done
+for part in "${parts[@]}"; do
+  measure "$part"
+done

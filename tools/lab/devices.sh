@@ -1,0 +1,311 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/devices.sh [--docs] [--only EXAMPLE] [--lvgl PATH] [--pico-sdk PATH] [--built] [--may-skip]
+# Builds the examples of platform/, runs each on its emulator and compares what the emulated display shows, bit by bit,
+# with what `lumi render` or, in pixels that it does not write, the host's library draws. Ends with 0 only if all agree and
+# nothing was left out but LVGL and the Pico SDK, of which it says so.
+#   --docs          writes the table and the pictures of docs/boards.md
+#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay, lvgl,
+#                   pico_sdk, table (of what was run last)
+#   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out
+#   --pico-sdk PATH the Pico SDK: platform/pico_st7789 is built against it, too, and run
+#   --built         `lumi` and the tests' programs are built already, in build/release
+#   --may-skip      ends with 77 where an emulator is missing
+# Results, and a PNG of every display, lie in build/devices.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=devices/table.sh
+source "$root/tools/lab/devices/table.sh"
+
+devices=$root/build/devices
+lumi=$root/build/release/tools/lumi
+field=$devices/desk_clock.lumi
+declare -A sources_of=([pico_sdk]=pico_st7789)  # where the folder has another name
+examples=(riscv lm3s_oled gba pico_st7789 simulator overlay)
+lvgl='' pico_sdk='' only='' built='' may_skip='' docs=''
+frames=2
+npm_folder=$root/build/npm
+
+parse_arguments() {
+  while (($# > 0)); do
+    case $1 in
+      --docs) docs=yes ;;
+      --only) only=${2:?--only takes the name of an example} && shift ;;
+      --lvgl) lvgl=${2:?--lvgl takes a folder} && shift ;;
+      --pico-sdk) pico_sdk=$(realpath "${2:?--pico-sdk takes a folder}") && shift ;;
+      --built) built=yes ;;
+      --may-skip) may_skip=yes ;;
+      --help) help "$0" && exit ;;
+      *) wrong_call "unknown argument '$1'" ;;
+    esac
+    shift
+  done
+  if [[ -n $only && " field table lvgl pico_sdk ${examples[*]} " != *" $only "* ]]; then
+    wrong_call "no example is called '$only'"
+  fi
+}
+
+# require EXAMPLE PROGRAM...: ends the script where a program is missing.
+require() {
+  local example=$1 program
+  shift
+  for program in "$@"; do
+    command -v "$program" >/dev/null && continue
+    echo "SKIPPED $example: $program is missing; tools/install_packages.sh tests installs it" >&2
+    [[ -z $may_skip ]] || exit 77
+    exit 1
+  done
+}
+
+# What every example draws: a desk clock in some 90 kB, the same bytes on every machine.
+bake_field() {
+  mkdir -p "$devices"
+  "$lumi" bake "$root/baker/scenes/product.obj" -o "$field" --triangles 1200 --longest-edge 0.5 --texel-density 44 --paths 20 \
+    --restart
+}
+
+# build EXAMPLE TOOLCHAIN [OPTION...]: a project of its own, as a user would have it.
+build() {
+  local folder=$devices/$1/build options=(-DLUMI_TOOL="$lumi" -DLUMI_EXAMPLE_FIELD="$field" "${@:3}")
+  [[ $2 == host ]] || options+=(--toolchain "$root/toolchains/$2.cmake")
+  cmake -S "$root/platform/${sources_of[$1]:-$1}" -B "$folder" -G Ninja "${options[@]}" >"$devices/$1/configure.log" ||
+    die "platform/$1 cannot be configured: $devices/$1/configure.log"
+  cmake --build "$folder" --parallel 1
+}
+
+# check EXAMPLE FORMAT SIZE FRAME [EXPECTED EXPECTED_FORMAT]: a display's picture as PNG, and that it is the expected one,
+# by default what `lumi render` draws.
+check() {
+  local folder=$devices/$1 format=$2 size=$3 frame=$4 expected=${5:-} expected_format=${6:-png}
+  local pixels=$folder/frame-$frame.raw
+  if [[ -z $expected ]]; then
+    expected=$folder/expected-$frame.png
+    "$lumi" render "$field" -o "$expected" --size "$size" --orbit $((30 + 300 * frame)),$((20 + 15 * frame)),3 \
+      --mode antialiased --pixel rgb565 >/dev/null
+  fi
+  [[ $format != png ]] || pixels=$folder/frame-$frame.png
+  python3 -B "$root/tools/lab/devices/picture.py" "$format" "$size" "$pixels" -o "$folder/frame-$frame.png" \
+    --same-as "$expected" "$expected_format"
+}
+
+# Clocks an instruction that are assumed where an emulator counts instructions alone, in tenths.
+tenths_an_instruction=13
+
+# emulate_riscv FOLDER PROGRAM: the frames go to the folder.
+emulate_riscv() {
+  (
+    cd "$1" || exit
+    qemu-system-riscv32 -M virt -cpu lowrisc-ibex -m 64M -bios none -display none -serial none -monitor none \
+      -chardev stdio,id=console -semihosting-config enable=on,target=native,chardev=console -icount shift=0 -kernel "$2"
+  )
+}
+
+run_riscv() {
+  require riscv riscv64-unknown-elf-g++ qemu-system-riscv32
+  build riscv rv32imc
+  local folder=$devices/riscv frame
+  emulate_riscv "$folder" "$folder/build/lumi_riscv.elf" | tee "$folder/log"
+  for ((frame = 0; frame < frames; ++frame)); do check riscv rgb565-swapped 240x240 "$frame"; done
+  local clocks=$(($(value instructions "$folder/log") * tenths_an_instruction / 10))
+  write_row riscv main riscv64-unknown-elf-size "$(value stack "$folder/log")" "$(rate 160000000 "$clocks")" – "instructions × 1.3, 160 MHz"
+}
+
+run_lm3s_oled() {
+  require lm3s_oled arm-none-eabi-g++ qemu-system-arm python3
+  build lm3s_oled cortex-m3
+  local folder=$devices/lm3s_oled frame
+  python3 -B "$root/tools/lab/devices/run_oled.py" "$folder/build/lumi_lm3s_oled.elf" "$folder" | tee "$folder/log"
+  for ((frame = 0; frame < frames; ++frame)); do
+    draw_expected lm3s_oled grey4 128 64 16 "$frame" "$(turns $((30 + 300 * frame)))" "$(turns $((20 + 15 * frame)))"
+    check lm3s_oled grey4 128x64 "$frame" "$folder/expected-$frame.raw" grey4
+  done
+  local clocks=$(($(value instructions "$folder/log") * tenths_an_instruction / 10))
+  write_row lm3s_oled main arm-none-eabi-size "$(value stack "$folder/log")" "$(rate 50000000 "$clocks")" – "instructions × 1.3, 50 MHz"
+}
+
+# Degrees in 2^-32 turns.
+turns() {
+  awk -v degrees="$1" 'BEGIN { printf "%.0f", degrees * 4294967296 / 360 }'
+}
+
+# draw_expected EXAMPLE FORMAT WIDTH HEIGHT STRIPE_ROWS FRAME AZIMUTH ELEVATION
+draw_expected() {
+  "$root/build/release/tests/platform/lumi_device_picture" "$field" "$2" "$3" "$4" "$5" "$7" "$8" \
+    "$devices/$1/expected-$6.raw"
+}
+
+run_gba() {
+  require gba arm-none-eabi-g++ cc python3
+  build gba arm7tdmi
+  local folder=$devices/gba word frame azimuth elevation
+  if ! cc -O1 -Wall "$root/tools/lab/devices/run_gba.c" -o "$folder/run_gba" -lmgba 2>"$folder/run_gba.log"; then
+    cat "$folder/run_gba.log" >&2
+    require gba "libmgba (libmgba-dev)"
+  fi
+  "$folder/run_gba" "$folder/build/lumi_gba.gba" "$folder" 3 | tee "$folder/log"
+  while read -r word frame _ _ _ _ _ _ _ azimuth _ elevation; do
+    [[ $word == frame ]] || die "gba: not the report of a frame: $word"
+    draw_expected gba bgr555 240 160 8 "$frame" "$azimuth" "$elevation"
+    check gba rgb888 240x160 "$frame" "$folder/expected-$frame.raw" bgr555
+  done <"$folder/log"
+  write_row gba main arm-none-eabi-size "$(value stack "$folder/log")" \
+    "$(rate 16777216 "$(value cycles "$folder/log")")" – "mGBA's clocks, 16.8 MHz"
+}
+
+# run_pico EXAMPLE NAME COUNTED: a program of one or two cores, with and without modelled flash misses, and its row.
+run_pico() {
+  local folder=$devices/$1 frame option stack
+  for option in --flash-misses ''; do
+    # shellcheck disable=SC2086
+    NODE_PATH=$npm_folder/node_modules node "$root/tools/lab/devices/pico/run.cjs" "$folder/build/lumi_pico_$2.bin" "$folder" \
+      $option | tee "$folder/log-$2$option"
+    for ((frame = 0; frame < frames; ++frame)); do check "$1" rgb565-swapped 240x240 "$frame"; done
+    rm "$folder"/*.raw
+  done
+  stack=$(value stack "$folder/log-$2")
+  [[ $2 == st7789 ]] || stack="$stack + $(value core1-stack "$folder/log-$2")"
+  write_row "$1" "$3" arm-none-eabi-size "$stack" "$(rate 1000000 "$(value microseconds "$folder/log-$2")")" \
+    "$(rate 1000000 "$(value microseconds "$folder/log-$2--flash-misses")")" "$4"
+}
+
+require_rp2040js() {
+  require "$1" arm-none-eabi-g++ node python3
+  [[ -d $npm_folder/node_modules/rp2040js ]] || require "$1" "rp2040js (of npm)"
+}
+
+run_pico_st7789() {
+  require_rp2040js pico_st7789
+  build pico_st7789 cortex-m0plus -DPICO_SDK_PATH=
+  run_pico pico_st7789 st7789 main "rp2040js's clocks, 125 MHz"
+  run_pico pico_st7789 two_cores two_cores "the same; core 1 modelled"
+}
+
+# The same programs behind the SDK's start-up, with the SDK's drivers and its launch of core 1.
+run_pico_sdk() {
+  [[ -n $pico_sdk ]] || die "name the Pico SDK: --pico-sdk PATH"
+  require_rp2040js pico_sdk
+  build pico_sdk host -DPICO_SDK_PATH="$pico_sdk"
+  run_pico pico_sdk st7789 main "the same; Pico SDK $(pico_sdk_version)"
+  run_pico pico_sdk two_cores two_cores "the same; Pico SDK $(pico_sdk_version), core 1 modelled"
+}
+
+pico_sdk_version() {
+  sed --quiet 's/^ *set(PICO_SDK_VERSION_\(MAJOR\|MINOR\|REVISION\) \([0-9]*\))/\2/p' "$pico_sdk/pico_sdk_version.cmake" |
+    paste --serial --delimiters=.
+}
+
+# require_simulator EXAMPLE
+require_simulator() {
+  local package
+  require "$1" c++ pkg-config
+  for package in sdl2 libpng; do
+    pkg-config --exists "$package" || require "$1" "$package"
+  done
+}
+
+run_simulator() {
+  require_simulator simulator
+  build simulator host
+  local folder=$devices/simulator frame
+  mkdir -p "$folder/dragged"
+  "$folder/build/lumi_simulator" --frames "$folder"
+  for ((frame = 0; frame < frames; ++frame)); do check simulator png 240x240 "$frame"; done
+  SDL_VIDEODRIVER=dummy "$folder/build/lumi_simulator" --frames "$folder/dragged" --drag 20,-10 --chip rp2040
+  "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
+  python3 -B "$root/tools/lab/devices/picture.py" png 240x240 "$folder/dragged/frame-1.png" \
+    --same-as "$folder/expected-dragged.png" png
+  mkdir -p "$folder/threads"
+  "$folder/build/lumi_simulator_two_cores" --frames "$folder/threads"
+  for ((frame = 0; frame < frames; ++frame)); do
+    python3 -B "$root/tools/lab/devices/picture.py" png 240x240 "$folder/threads/frame-$frame.png" \
+      --same-as "$folder/frame-$frame.png" png
+  done
+}
+
+# What is drawn over a baked face, on an emulated device and on the host.
+run_overlay() {
+  require overlay riscv64-unknown-elf-g++ qemu-system-riscv32
+  require_simulator overlay
+  mkdir -p "$devices"/{riscv,simulator} "$devices/overlay/host"
+  build riscv rv32imc
+  build simulator host
+  local folder=$devices/overlay frame
+  emulate_riscv "$folder" "$devices/riscv/build/lumi_riscv_overlay.elf"
+  "$devices/simulator/build/lumi_simulator_overlay" --frames "$folder/host"
+  for ((frame = 0; frame < frames; ++frame)); do
+    check overlay rgb565-swapped 240x240 "$frame" "$folder/host/frame-$frame.png" png
+  done
+}
+
+# Under labels and a slider: LVGL blends outlines itself, all else has our bits.
+run_lvgl() {
+  [[ -n $lvgl ]] || die "name a source tree of LVGL 9: --lvgl PATH"
+  local folder=$devices/lvgl frame side rows azimuth elevation format
+  build lvgl host -DLVGL_DIR="$lvgl"
+  "$folder/build/lumi_lvgl" "$folder" | tee "$folder/log"
+  while read -r _ frame _ _ _ _ side _ rows _ azimuth _ elevation _; do
+    for format in rgb565 coverage; do
+      draw_expected lvgl "$format" "$side" "$side" "$rows" "$frame" "$azimuth" "$elevation"
+      mv "$folder/expected-$frame.raw" "$folder/$format-$frame.expected"
+    done
+    python3 -B "$root/tools/lab/devices/compare_lvgl.py" "$folder/log" "$frame" "$folder/frame-$frame.raw" \
+      "$folder/rgb565-$frame.expected" "$folder/coverage-$frame.expected"
+    python3 -B "$root/tools/lab/devices/picture.py" rgb565 320x240 "$folder/frame-$frame.raw" -o "$folder/frame-$frame.png"
+  done < <(grep '^frame' "$folder/log")
+  # The first view has whole degrees: `lumi render` draws it.
+  side=$(value side "$folder/log")
+  "$lumi" render "$field" -o "$folder/rendered.png" --size "${side}x$side" --orbit 30,20,3 --mode antialiased \
+    --pixel rgb565 >/dev/null
+  python3 -B "$root/tools/lab/devices/picture.py" rgb565 "${side}x$side" "$folder/rgb565-0.expected" \
+    --same-as "$folder/rendered.png" png
+  # shellcheck disable=SC2016
+  printf '| `lvgl/main.c` | %s | – | – | – | – | – | on the host, LVGL %s | but for outlines, which LVGL blends |\n' \
+    "$(lines_of lvgl/main.c)" "$(lvgl_version)" >"$folder/row"
+}
+
+lvgl_version() {
+  awk '$2 ~ /^LVGL_VERSION_(MAJOR|MINOR|PATCH)$/ { version = version separator $3; separator = "." } END { print version }' \
+    "$lvgl/lv_version.h"
+}
+
+run_example() {
+  mkdir -p "$devices/$1"
+  rm -f "$devices/$1"/{log*,row,*.raw,*.png}
+  "run_$1"
+  echo "$1: agrees"
+}
+
+publish() {
+  print_table | tee "$devices/table"
+  [[ -z $docs ]] || write_docs
+  [[ -n $pico_sdk ]] || echo "pico_sdk was not run: it needs the SDK: --pico-sdk PATH"
+  [[ -n $lvgl ]] || echo "SKIPPED lvgl: it needs LVGL's source: --lvgl PATH"
+}
+
+main() {
+  parse_arguments "$@"
+  if [[ -z $built ]]; then
+    run_step "Packages" "$root/tools/install_packages.sh" tests
+    (
+      cd "$root" || exit
+      cmake --preset host
+      cmake --build --preset host --parallel "$jobs" --target lumi lumi_device_picture
+    )
+  fi
+  case $only in
+    '')
+      bake_field
+      rm -f "$devices"/{lvgl,pico_sdk}/row
+      [[ -z $lvgl ]] || examples+=(lvgl)
+      [[ -z $pico_sdk ]] || examples+=(pico_sdk)
+      for example in "${examples[@]}"; do run_step "$example" run_example "$example"; done
+      publish
+      ;;
+    field) bake_field ;;
+    table) publish ;;
+    *) run_example "$only" ;;
+  esac
+}
+
+main "$@"

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/failure_scenes.sh [--paths P] [--scene NAME]...
+# Bakes scenes that are hard for surface fields (tools/lab/scenes/write_failures.py says which) as `lumi bake` does without
+# options, draws turntables beside path-traced ones, and reports them, worst view and worst block included. Everything
+# lands in build/failures: NAME-sheet.png, NAME-truth-sheet.png, NAME.html, NAME.json. --scene: that one alone (may be
+# repeated). --paths: light paths a texel [100]. Look at the pictures: means hide what is ugly.
+# With LUMI in the environment that program is taken as it is, and nothing is built.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+
+scenes=(wires plant mirror glass mouth terrain)
+paths=100
+truth=(--spp 32)
+view=(--orbit 20,12,3 --size 240x240 --turntable 8)
+lumi=${LUMI:-$root/build/release/tools/lumi}
+work=$root/build/failures
+
+show_scene() {
+  local name=$1 scene=$work/scenes/$1.obj
+  "$lumi" bake "$scene" -o "$work/$name.lumi" --paths "$paths" >"$work/$name.txt"
+  cat "$work/$name.txt"
+  "$lumi" render "$work/$name.lumi" -o "$work/$name.png" "${view[@]}" >/dev/null
+  [[ -f $work/$name-truth-sheet.png ]] ||
+    "$lumi" reference "$scene" -o "$work/$name-truth.png" "${view[@]}" "${truth[@]}" >/dev/null
+  "$lumi" report "$scene" "$work/$name.lumi" "${truth[@]}" --no-baselines --cache "$work/cache" -o "$work/$name.html" \
+    --json "$work/$name.json"
+}
+
+main() {
+  local chosen=() scene
+  while (($#)); do
+    case $1 in
+      --scene) chosen+=("${2:?"--scene needs a name"}") && shift ;;
+      --paths) paths=${2:?"--paths needs a number"} && shift ;;
+      --help) help "$0" && exit ;;
+      *) wrong_call "unknown option '$1'" ;;
+    esac
+    shift
+  done
+  if ((${#chosen[@]})); then scenes=("${chosen[@]}"); fi
+  mkdir -p "$work"
+  if [[ -z ${LUMI:-} ]]; then run_step "Build" build_lumi; fi
+  run_step "Write the scenes" python3 "$root/tools/lab/scenes/write_failures.py" "$work/scenes"
+  for scene in "${scenes[@]}"; do
+    run_step "$scene" show_scene "$scene"
+  done
+  print_step_times
+}
+
+main "$@"

@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/fuzz.sh [--minutes N | --hours N] [--docs] [TARGET...]
+# Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, so long a target (a minute if not said), as many at once
+# as there are cores, and says executions and coverage; --docs adds them to the sums in docs/log/tests.md, of which
+# SECURITY.md has a copy. A finding ends the run, and nothing of it is added; the input that shows it lies in
+# build/fuzz/findings. What is learnt stays in build/fuzz/corpus, so the next run goes on from there. Needs clang.
+# Targets: field, picture, obj, scene, nifti, shard, weights; all if none is named.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+
+minutes=1
+targets=()
+write_docs=false
+work=$root/build/fuzz
+document=$root/docs/log/tests.md
+begin='<!-- fuzzing: begin (tools/lab/fuzz.sh --docs) -->'
+end='<!-- fuzzing: end -->'
+
+parse_arguments() {
+  while (($#)); do
+    case $1 in
+      --minutes) minutes=${2:?"--minutes needs a number"} && shift ;;
+      --docs) write_docs=true ;;
+      --help) help "$0" && exit ;;
+      --hours) minutes=$((60 * ${2:?"--hours needs a number"})) && shift ;;
+      field | picture | obj | scene | nifti | shard | weights) targets+=("$1") ;;
+      *) wrong_call "unknown argument '$1'" ;;
+    esac
+    shift
+  done
+  if ((${#targets[@]} == 0)); then targets=(field picture obj scene nifti shard weights); fi
+}
+
+build_targets() {
+  cmake --preset fuzz
+  local programs=("${targets[@]/#/lumi_}")
+  cmake --build "$work" --parallel "$jobs" --target lumi_make_fuzz_corpus lumi_make_baker_corpus "${programs[@]/%/_fuzz}"
+}
+
+# fuzz TARGET: leaves the fuzzer's words in build/fuzz/TARGET.log, and its seconds of CPU, user's and system's, in
+# TARGET.cpu.
+fuzz() {
+  local corpus=$work/corpus/$1 seeds=$work/seeds/$1 options=() TIMEFORMAT='%U %S'
+  if [[ $1 == field ]]; then options=(-max_len=6144); fi  # small fields have every section and draw sixteen times as fast
+  mkdir -p "$corpus" "$work/findings"
+  {
+    time "$work/tests/fuzz/lumi_$1_fuzz" "$corpus" "$seeds" "${options[@]}" -max_total_time=$((60 * minutes)) \
+      -print_final_stats=1 -artifact_prefix="$work/findings/" -timeout=20 -rss_limit_mb=4096 2>&1 |
+      tee "$work/$1.log" | grep --line-buffered -E 'ERROR|SUMMARY|pulse|DONE'
+  } 2>"$work/$1.cpu" || die "a finding: see $work/$1.log and $work/findings"
+}
+
+fuzz_all() {
+  local target pids=() pid status=0
+  for target in "${targets[@]}"; do
+    while (($(jobs -rp | wc -l) >= jobs)); do sleep 1; done
+    fuzz "$target" & pids+=($!)
+  done
+  for pid in "${pids[@]}"; do wait "$pid" || status=1; done
+  return "$status"
+}
+
+# TARGET EXECUTIONS SECONDS EDGES, a line a target: of this run, and as the document has them.
+figures_now() {
+  local target log
+  for target in "${targets[@]}"; do
+    log=$work/$target.log
+    printf '%s %d %d %d\n' "$target" "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$log")" \
+      "$(awk '{ print int($1 + $2) }' "$work/$target.cpu")" \
+      "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)"
+  done
+}
+figures_before() {
+  awk -F '[| ]+' -v begin="$begin" -v end="$end" '
+    $0 == begin { inside = 1 }
+    $0 == end { inside = 0 }
+    inside && $3 ~ /^[0-9]/ { print $2, $3, 60 * $4, $5 }' "$document"
+}
+
+# The sums as a table; of edges the last.
+table_of() {
+  printf '| target | executions | CPU minutes | edges |\n|---|---:|---:|---:|\n'
+  awk '{ executions[$1] += $2; seconds[$1] += $3; edges[$1] = $4 }
+    END { for (t in edges) printf "| %s | %d | %.1f | %d |\n", t, executions[t], seconds[t] / 60, edges[t] }' | sort
+}
+
+write_table() {
+  figures_now | table_of
+  if $write_docs; then
+    { figures_before && figures_now; } | table_of >"$work/table.md"
+    replace_between "$document" "$begin" "$end" "$work/table.md"
+    python3 -B "$root/tools/lab/copy_tables.py"
+  fi
+}
+
+main() {
+  parse_arguments "$@"
+  command -v clang++ >/dev/null || die "clang++ is missing: apt-get install clang"
+  build_targets
+  "$work/tests/fuzz/lumi_make_fuzz_corpus" "$work/seeds/field"
+  "$work/tests/fuzz/lumi_make_baker_corpus" "$work/seeds"
+  run_step "Fuzz ${targets[*]}, $minutes minutes each" fuzz_all
+  printf '\n'
+  write_table
+}
+
+main "$@"

@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/lab/soak.sh [--minutes N] [--docs]
+# Draws random frames on an emulated Cortex-M0+ and Cortex-M4 at once, so long (a minute if not said): random orbits, image
+# sizes, stripes, pixel formats and modes of a surface and a chord field, with guard zones around every buffer and a painted
+# stack (tests/cross/soak.cpp). Each frame drawn in stripes must be the frame drawn whole. Sums up what was drawn; --docs
+# writes that into docs/log/tests.md and SECURITY.md. The first fault ends it before anything is written, and names the
+# seed that shows it again.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+
+minutes=1
+write_docs=false
+work=$root/build/soak
+frames=4000  # of a batch; each begins with another seed
+cpus=(cortex-m0plus cortex-m4)
+document=$root/docs/log/tests.md
+
+parse_arguments() {
+  while (($#)); do
+    case $1 in
+      --minutes) minutes=${2:?"--minutes needs a number"} && shift ;;
+      --docs) write_docs=true ;;
+      --help) help "$0" && exit ;;
+      *) wrong_call "unknown argument '$1'" ;;
+    esac
+    shift
+  done
+}
+
+build_programs() {
+  local cpu
+  for cpu in "${cpus[@]}"; do
+    (cd "$root" && cmake --preset "$cpu" >/dev/null && cmake --build --preset "$cpu" --target lumi_soak)
+  done
+}
+
+bake_fields() {
+  local lumi=$root/build/release/tools/lumi scene=$root/baker/scenes/product.obj
+  [[ -x $lumi ]] || (cd "$root" && cmake --preset release && cmake --build --preset release --target lumi)
+  [[ -f $work/surface.lumi ]] || "$lumi" bake "$scene" -o "$work/surface.lumi" --layout surface --fit 60kB --paths 10
+  [[ -f $work/chord.lumi ]] ||
+    "$lumi" bake "$scene" -o "$work/chord.lumi" --origins 256 --directions 512 --texel rgb565 --spp 2
+}
+
+# soak CPU: batches until the minutes are over, their lines into CPU.txt.
+soak() {
+  local seed
+  : >"$work/$1.txt"
+  for ((seed = 1; SECONDS < end; ++seed)); do
+    cmake -D CPU="$1" -D PROGRAM="$root/build/$1/tests/cross/lumi_soak.elf" -D "ARGUMENTS=$seed;$frames" \
+      -D "FIELDS=$work/surface.lumi;$work/chord.lumi" -P "$root/platform/mps2/run.cmake" >>"$work/$1.txt" ||
+      die "$1, seed $seed: $(tail -n 1 "$work/$1.txt")"
+  done
+}
+
+soak_all() {
+  local cpu pids=() pid
+  end=$((SECONDS + 60 * minutes))
+  for cpu in "${cpus[@]}"; do soak "$cpu" & pids+=($!); done
+  for pid in "${pids[@]}"; do wait "$pid"; done
+}
+
+sum_up() {
+  local cpu
+  printf '| emulated | minutes | frames | stripes | views refused | deepest stack, bytes |\n|---|---:|---:|---:|---:|---:|\n'
+  for cpu in "${cpus[@]}"; do
+    awk -v cpu="$cpu" -v minutes="$minutes" '
+      { frames += $2; refused += $4; stripes += $6; if ($8 > stack) stack = $8 }
+      END { printf "| %s | %d | %d | %d | %d | %d |\n", cpu, minutes, frames, stripes, refused, stack }' "$work/$cpu.txt"
+  done
+}
+
+write_table() {
+  sum_up >"$work/table.md"
+  cat "$work/table.md"
+  if $write_docs; then
+    replace_between "$document" '<!-- soak: begin (tools/lab/soak.sh --docs) -->' '<!-- soak: end -->' "$work/table.md"
+    python3 -B "$root/tools/lab/copy_tables.py"
+  fi
+}
+
+main() {
+  parse_arguments "$@"
+  mkdir -p "$work"
+  run_step "Fields" bake_fields
+  run_step "Build for the boards" build_programs
+  run_step "Soak, $minutes minutes" soak_all
+  printf '\n'
+  write_table
+}
+
+main "$@"
