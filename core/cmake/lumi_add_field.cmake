@@ -3,7 +3,7 @@
 #
 # Makes a field part of a program, an executable or a library of this folder: its bytes, and a header that tells all
 # else, NAME.h (the file's name without .lumi). Written again when the field changes. SECTION: where the linker script
-# wants the bytes, .rodata if not given.
+# wants the bytes, .rodata if not given. The C++ compiler takes the bytes in: project(... LANGUAGES C CXX) is enough.
 #
 # Needs the `lumi` command: of this build where it is for the host, else found by -DLUMI_TOOL=PATH or in PATH.
 function(lumi_add_field target)
@@ -13,9 +13,8 @@ function(lumi_add_field target)
   elseif(NOT arg_FIELD OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "lumi_add_field: write lumi_add_field(TARGET FIELD FILE [SYMBOL NAME] [SECTION NAME])")
   endif()
-  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
-  if(NOT "ASM" IN_LIST languages)
-    message(FATAL_ERROR "lumi_add_field: the bytes are included by the assembler: write project(... LANGUAGES C CXX ASM)")
+  if(NOT CMAKE_CXX_COMPILE_OBJECT)
+    message(FATAL_ERROR "lumi_add_field: this project does not enable C++. Write\n  project(NAME LANGUAGES C CXX)")
   endif()
   if(TARGET lumi::lumi)
     set(tool $<TARGET_FILE:lumi::lumi>)
@@ -40,13 +39,15 @@ function(lumi_add_field target)
     set(section --section ${arg_SECTION})
   endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/lumi_fields/${target})
-  set(source ${folder}/${arg_SYMBOL}.S)
+  set(source ${folder}/${arg_SYMBOL}.cpp)
   file(MAKE_DIRECTORY ${folder})
   add_custom_command(OUTPUT ${source} ${folder}/${arg_SYMBOL}.h
     COMMAND ${tool} embed ${field} -o ${source} --symbol ${arg_SYMBOL} --incbin ${field} ${section}
     DEPENDS ${field} ${tool_file} COMMENT "Embedding ${arg_FIELD}" VERBATIM)
-  # The object depends on the bytes too: no compiler sees what an assembler includes.
-  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${field})
+  # The object depends on the bytes too: no compiler sees what an assembler includes. Link-time optimisation would lose
+  # its symbols.
+  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${field} COMPILE_OPTIONS -fno-lto
+    SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE ${source} ${folder}/${arg_SYMBOL}.h)
   target_include_directories(${target} PRIVATE ${folder})
 endfunction()

@@ -46,17 +46,22 @@ TEST_CASE("a host program finds the field's very bytes, aligned to 8, through th
 {
     const Embedded embedded;
     const std::string program = embedded.folder / "main";
+    REQUIRE(lumi({"embed", embedded.folder / "a field.lumi", "-o", embedded.folder / "my-field.cpp", "--symbol",
+                  "demo_field"})
+                .code == 0);
     for (const std::string suffix : {".c", ".cpp"}) {
         test::write_content(program + suffix,
                             "#include <stdio.h>\n#include \"my-field.h\"\n"
                             "int main(void) { if ((uintptr_t)demo_field % 8 != 0) return 1;\n"
                             "return fwrite(demo_field, 1, demo_field_size(), stdout) != demo_field_size(); }\n");
         const std::string compiler = suffix == ".c" ? LUMI_C_COMPILER : LUMI_CXX_COMPILER;
-        require_success({compiler, "-Wall", "-Wextra", "-Werror", "-I", LUMI_CORE_INCLUDE, "-I", embedded.folder.path(),
-                         program + suffix, embedded.folder / "my-field.S", "-o", program});
-        const Outcome outcome = run_program({program});
-        CHECK(outcome.code == 0);
-        CHECK((outcome.out == embedded.bytes));
+        for (const char* bytes : {"my-field.S", "my-field.cpp"}) {
+            require_success({compiler, "-Wall", "-Wextra", "-pedantic", "-Werror", "-I", LUMI_CORE_INCLUDE, "-I",
+                             embedded.folder.path(), program + suffix, embedded.folder / bytes, "-o", program});
+            const Outcome outcome = run_program({program});
+            CHECK(outcome.code == 0);
+            CHECK((outcome.out == embedded.bytes));
+        }
     }
 }
 
@@ -130,6 +135,91 @@ TEST_CASE("a UF2 file holds the field page by page from its address on, which th
     }
     CHECK((test::content_of(uf2) == file));
     CHECK(lumi({"embed", field, "-o", folder / "a.c", "--address", "0x10100000"}).code == 2);
+}
+
+TEST_CASE("a field's address lies in the flash of its board, behind the program's first sector")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = folder / "a.lumi", uf2 = folder / "a.uf2";
+    test::write_content(field, test::field_bytes({}));
+    const auto embed = [&](const std::string& address, const std::string& family) {
+        return lumi({"embed", field, "-o", uf2, "--address", address, "--family", family});
+    };
+    for (const char* family : {"rp2040", "rp2350"}) {
+        CAPTURE(family);
+        CHECK_THAT(embed("0x10000000", family).err,
+                   Catch::Contains("the program lies there and would be lost") && Catch::Contains("from 0x10001000"));
+        for (const char* address : {"0x0", "0x08000000", "0x0FFFF000", "0x12000000", "0x20000000", "0xFFFF0000"}) {
+            CAPTURE(address);
+            const Outcome outcome = embed(address, family);
+            CHECK(outcome.code == 2);
+            CHECK_THAT(outcome.err, Catch::Contains("the board's flash is 0x10000000 to 0x1"));
+        }
+        CHECK(embed("0x10001000", family).code == 0);
+    }
+    CHECK_THAT(embed("0x11000000", "rp2040").err, Catch::Contains("flash is 0x10000000 to 0x10FFFFFF"));
+    CHECK(embed("0x11000000", "rp2350").code == 0);
+    CHECK(lumi({"embed", field, "-o", folder / "b.bin", "--address", "0x08000000"}).code == 0);
+}
+
+TEST_CASE("the last address of a field leaves room for its whole sectors")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = folder / "a.lumi", uf2 = folder / "a.uf2";
+    test::TestField large;
+    large.origins = large.used_origins = large.directions = 64;
+    const std::string bytes = test::field_bytes(large);
+    REQUIRE(bytes.size() > 3 * 4096);
+    REQUIRE(bytes.size() < 4 * 4096);
+    test::write_content(field, bytes);
+    CHECK(lumi({"embed", field, "-o", uf2, "--address", "0x10FFC000"}).code == 0);
+    CHECK_THAT(lumi({"embed", field, "-o", uf2, "--address", "0x10FFD000"}).err, Catch::Contains("to 0x10FFC000"));
+}
+
+TEST_CASE("outputs that share a header agree, or the second is refused and nothing is written")
+{
+    const test::TemporaryFolder folder;
+    for (const char* name : {"a.lumi", "b.lumi"}) test::write_content(folder / name, test::field_bytes({}));
+    const std::string header = folder / "a.h";
+    const auto embed = [&](const std::string& field, const std::string& output, const test::Arguments& more = {}) {
+        test::Arguments arguments = {"embed", folder / field, "-o", folder / output};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return lumi(arguments);
+    };
+    const auto refused = [&](const Outcome& outcome, const std::string& kept, const std::string& unwritten) {
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains("a.h: serves") && Catch::Contains("remove " + (folder / kept)));
+        CHECK_FALSE(std::filesystem::exists(folder / unwritten));
+    };
+    REQUIRE(embed("a.lumi", "a.c").code == 0);
+    const std::string of_array = test::content_of(header);
+    refused(embed("a.lumi", "a.bin"), "a.c", "a.bin");
+    refused(embed("a.lumi", "a.S"), "a.c", "a.S");
+    CHECK(test::content_of(header) == of_array);
+    CHECK(embed("b.lumi", "a.c", {"--symbol", "other"}).code == 0);  // the same output, anew
+    std::filesystem::remove(folder / "a.c");
+    CHECK(embed("a.lumi", "a.bin", {"--address", "0x10100000"}).code == 0);
+    CHECK(embed("a.lumi", "a.uf2", {"--address", "0x10100000"}).code == 0);
+    refused(embed("a.lumi", "a.cpp"), "a.bin", "a.cpp");
+    for (const auto& [field, more] : std::vector<std::pair<std::string, test::Arguments>>{
+             {"a.lumi", {"--address", "0x10200000"}},
+             {"b.lumi", {"--address", "0x10100000"}},
+             {"a.lumi", {"--address", "0x10100000", "--symbol", "other"}}}) {
+        const Outcome outcome = embed(field, "a.bin", more);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains("remove " + (folder / "a.uf2")));
+    }
+}
+
+TEST_CASE("a header that somebody wrote is not replaced")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "main.lumi", test::field_bytes({}));
+    test::write_content(folder / "main.h", "#define MINE 1\n");
+    const Outcome outcome = lumi({"embed", folder / "main.lumi", "-o", folder / "main.S", "--symbol", "f"});
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("main.h: `lumi embed` did not write it"));
+    CHECK(test::content_of(folder / "main.h") == "#define MINE 1\n");
 }
 
 TEST_CASE("header and inspect name the view of exactly this field")

@@ -10,11 +10,13 @@
 #include "commands/choice.h"
 #include "commands/commands.h"
 #include "files/embed.h"
+#include "files/embed_purpose.h"
 #include "files/field_file.h"
 #include "files/output_file.h"
 #include "files/symbol.h"
 #include "files/uf2.h"
 #include "terminal/failure.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -36,9 +38,10 @@ EmbedKind kind_of(const EmbedOptions& options)
 {
     const std::filesystem::path extension = std::filesystem::path(options.output).extension();
     if (extension == ".S" || extension == ".s") return EmbedKind::assembler;
+    if (extension == ".cpp") return EmbedKind::cpp;
     if (extension == ".c") return EmbedKind::array;
     if (extension == ".bin" || extension == ".uf2") return EmbedKind::flashed;
-    throw UsageError("--output takes a name that ends in .S, .c, .bin or .uf2, such as field.S");
+    throw UsageError("--output takes a name that ends in .S, .cpp, .c, .bin or .uf2, such as field.S");
 }
 
 std::string symbol_of(const EmbedOptions& options)
@@ -62,23 +65,53 @@ void check_options(const EmbedOptions& options, EmbedKind kind)
         throw UsageError("--address is for a .bin or .uf2 alone");
     if (options.address.empty() && is_uf2(options))
         throw UsageError("a .uf2 needs --address, where its bytes are flashed, such as 0x10100000");
-    if (!options.incbin.empty() && kind != EmbedKind::assembler) throw UsageError("--incbin is for a .S alone");
+    if (!options.incbin.empty() && kind != EmbedKind::assembler && kind != EmbedKind::cpp)
+        throw UsageError("--incbin is for a .S or .cpp alone");
+}
+
+// A number divisible by `alignment`, with room for the field below 2^32.
+uint32_t parsed_address(const std::string& text, unsigned alignment, size_t bytes)
+{
+    char* end = nullptr;
+    errno = 0;
+    const unsigned long long address = std::strtoull(text.c_str(), &end, 0);
+    const bool fits = std::isdigit(static_cast<unsigned char>(text.front())) && *end == 0 && errno == 0 &&
+                      address <= UINT32_MAX && bytes <= UINT32_MAX - address;
+    if (!fits || address % alignment != 0)
+        throw UsageError("--address takes a number divisible by " + std::to_string(alignment) +
+                         ", with room for the field below 2^32, such as 0x10100000, not \"" + text + "\"");
+    return static_cast<uint32_t>(address);
+}
+
+// The boot loader writes to the family's flash alone, in whole sectors, and a program begins in the first of them.
+void require_in_flash(const EmbedOptions& options, uint32_t address, size_t bytes)
+{
+    const FlashRange flash = flash_of(options.family);
+    const size_t sectors = (bytes + kUf2SectorBytes - 1) / kUf2SectorBytes,
+                 room = (flash.end - flash.begin) / kUf2SectorBytes - 1;
+    const std::string where = "--address " + options.address + ": ";
+    if (sectors > room)
+        throw UsageError(where + "the field has " + byte_text(bytes) +
+                         ", more than the board's flash behind a program");
+    const auto last = static_cast<uint32_t>(flash.end - sectors * kUf2SectorBytes);
+    const std::string mend = "; the field goes behind the program, from " +
+                             address_text(flash.begin + kUf2SectorBytes) + " to " + address_text(last) +
+                             ", such as 0x10100000";
+    if (address == flash.begin) throw UsageError(where + "the program lies there and would be lost" + mend);
+    if (address < flash.begin || address > last)
+        throw UsageError(where + "the board's flash is " + address_text(flash.begin) + " to " +
+                         address_text(flash.end - 1) + mend + ". For another chip write a .bin");
 }
 
 // Where the bytes are flashed; nothing if that is not said.
 std::optional<uint32_t> address_of(const EmbedOptions& options, size_t bytes)
 {
+    constexpr unsigned kFieldAlignment = 8;
     if (options.address.empty()) return std::nullopt;
-    char* end = nullptr;
-    errno = 0;
-    const unsigned long long address = std::strtoull(options.address.c_str(), &end, 0);
-    const unsigned alignment = is_uf2(options) ? kUf2SectorBytes : 8;
-    const bool fits = std::isdigit(static_cast<unsigned char>(options.address.front())) && *end == 0 && errno == 0 &&
-                      address <= UINT32_MAX && bytes <= UINT32_MAX - address;
-    if (!fits || address % alignment != 0)
-        throw UsageError("--address takes a number divisible by " + std::to_string(alignment) +
-                         ", with room for the field below 2^32, such as 0x10100000, not \"" + options.address + "\"");
-    return static_cast<uint32_t>(address);
+    const uint32_t address =
+        parsed_address(options.address, is_uf2(options) ? kUf2SectorBytes : kFieldAlignment, bytes);
+    if (is_uf2(options)) require_in_flash(options, address, bytes);
+    return address;
 }
 
 // How the assembler file names the field: from its own folder, so that both can move together.
@@ -95,6 +128,7 @@ std::string source_of(const EmbedOptions& options, EmbedKind kind, const EmbedNa
                       std::optional<uint32_t> address)
 {
     if (kind == EmbedKind::assembler) return embed_assembler(name, incbin_of(options));
+    if (kind == EmbedKind::cpp) return embed_cpp(name, incbin_of(options));
     if (kind == EmbedKind::array) return embed_array(name, field.bytes(), field.size());
     if (is_uf2(options)) return uf2_of(field.bytes(), field.size(), *address, options.family);
     return {reinterpret_cast<const char*>(field.bytes()), field.size()};
@@ -111,7 +145,10 @@ void run(const EmbedOptions& options)
     field.require_intact();
     const std::optional<uint32_t> address = address_of(options, field.size());
     const std::string source = source_of(options, kind, name, field, address);
-    const std::string declarations = embed_header(name.symbol, kind, field, address);
+    const std::string purpose =
+        embed_purpose(std::filesystem::path(options.field).filename().string(), name.symbol, kind, address);
+    require_same_purpose(header, options.output, purpose);
+    const std::string declarations = embed_header(name.symbol, kind, field, address, purpose);
     write_outputs({{options.output, source}, {header, declarations}});
     std::printf("%s, %s: symbol %s, %zu bytes\n", options.output.c_str(), header.c_str(), name.symbol.c_str(),
                 field.size());
@@ -127,8 +164,8 @@ void add_embed(CLI::App& lumi)
     command->add_option("FIELD", options->field, "A field file")->required();
     command
         ->add_option("-o,--output", options->output,
-                     "File to write: .S for an assembler, .c for a compiler that has none (Arduino, MSVC), .bin or "
-                     ".uf2 to be flashed on its own; the header goes beside it as .h")
+                     "File to write: .S for an assembler, .cpp for GCC or clang without one, .c for other compilers "
+                     "and Arduino, .bin or .uf2 to be flashed on its own; the header goes beside it as .h")
         ->type_name("FIELD.S")
         ->required();
     command->add_option("--symbol", options->symbol, "Name of the bytes in C [the output's name without .S]")

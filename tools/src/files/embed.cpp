@@ -2,9 +2,9 @@
 #include "files/embed.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "files/renderer_name.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -59,13 +59,14 @@ bool is_section(std::string_view text)
            std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || is_digit(c) || is_sign(c); });
 }
 
+namespace
+{
+
 // %progbits, not @progbits: in ARM assembler @ begins a comment. The path goes in last: it may hold any text.
-std::string embed_assembler(const EmbedName& name, const std::string& path)
+std::string bytes_in_assembler(const EmbedName& name, const std::string& path)
 {
     const std::string text =
-        R"(/* Written by `lumi embed`. Change the field, not this file. A relative path below is looked up in the compiler's
-   folder and in those of -I: give it this file's. */
-    .section @SECTION@, "a", %progbits
+        R"(    .section @SECTION@, "a", %progbits
     .balign 8
     .global @SYMBOL@
     .global @SYMBOL@_end
@@ -74,10 +75,30 @@ std::string embed_assembler(const EmbedName& name, const std::string& path)
     .incbin "@PATH@"
 @SYMBOL@_end:
     .size @SYMBOL@, @SYMBOL@_end - @SYMBOL@
-    .section .note.GNU-stack, "", %progbits
+    .previous
 )";
     const std::string section = name.section.empty() ? ".rodata." + name.symbol : name.section;
     return replaced(replaced(replaced(text, "@SECTION@", section), "@SYMBOL@", name.symbol), "@PATH@", quoted(path));
+}
+
+}  // namespace
+
+std::string embed_assembler(const EmbedName& name, const std::string& path)
+{
+    return R"(/* Written by `lumi embed`. Change the field, not this file. A relative path below is looked up in the compiler's
+   folder and in those of -I: give it this file's. */
+)" + bytes_in_assembler(name, path) +
+           "    .section .note.GNU-stack, \"\", %progbits\n";
+}
+
+// quoted() leaves no quotation mark without a backslash before it, so a path cannot end the raw string.
+std::string embed_cpp(const EmbedName& name, const std::string& path)
+{
+    return R"(/* Written by `lumi embed`. Change the field, not this file. A relative path below is looked up in the compiler's
+   folder and in those of -I: give it this file's. Compile it without -flto, which loses the symbols of assembler. */
+__asm__(R"lumi(
+)" + bytes_in_assembler(name, path) +
+           ")lumi\");\n";
 }
 
 std::string embed_array(const EmbedName& name, const uint8_t* bytes, size_t size)
@@ -123,6 +144,7 @@ static inline size_t @SYMBOL@_size(void)
 )";
     switch (kind) {
         case EmbedKind::assembler:
+        case EmbedKind::cpp:
             return R"(/* The bytes of the field, aligned to 8. */
 extern const uint8_t @SYMBOL@[];
 extern const uint8_t @SYMBOL@_end[];
@@ -155,9 +177,10 @@ static inline size_t @SYMBOL@_size(void)
 }  // namespace
 
 std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
-                         std::optional<uint32_t> address)
+                         std::optional<uint32_t> address, const std::string& purpose)
 {
-    const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. */
+    const std::string text = R"(/* Written by `lumi embed`. Change the field, not this file.
+   @PURPOSE@ */
 #ifndef LUMI_EMBEDDED_@SYMBOL@
 #define LUMI_EMBEDDED_@SYMBOL@
 
@@ -186,16 +209,14 @@ using @SYMBOL@_view = @VIEW@;
 )";
     const RendererName renderer = renderer_of(field);
     std::string result = replaced(text, "@DECLARATION@", declaration_of(kind, address.has_value()));
-    char hexadecimal[16];
-    std::snprintf(hexadecimal, sizeof hexadecimal, "0x%08X", static_cast<unsigned>(address.value_or(0)));
-    result = replaced(result, "@ADDRESS@", hexadecimal);
+    result = replaced(result, "@ADDRESS@", address_text(address.value_or(0)));
     result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
     result = replaced(result, "@OPENER@", renderer.opener);
     const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
     result = replaced(result, "@VERTICES@", std::to_string(counted.vertex_count));
     result = replaced(result, "@PATCHES@", std::to_string(counted.patch_count));
     result = replaced(replaced(result, "@VIEW@", renderer.view), "@BYTES@", std::to_string(field.size()));
-    return replaced(result, "@SYMBOL@", symbol);
+    return replaced(replaced(result, "@SYMBOL@", symbol), "@PURPOSE@", purpose);
 }
 
 }  // namespace lumi::tools

@@ -20,6 +20,18 @@ void put(std::string& text, uint32_t word)
 
 }  // namespace
 
+// The windows of the datasheets: 16 MB behind one chip select, of which an RP2350 has two.
+FlashRange flash_of(Uf2Family family)
+{
+    switch (family) {
+        case Uf2Family::rp2040:
+            return {0x10000000, 0x11000000};
+        case Uf2Family::rp2350:
+            return {0x10000000, 0x12000000};
+    }
+    return {};
+}
+
 std::string uf2_of(const uint8_t* bytes, size_t size, uint32_t address, Uf2Family family)
 {
     const size_t blocks = (size + kPayloadBytes - 1) / kPayloadBytes;

@@ -15,6 +15,12 @@ enum class Uf2Family : uint32_t {
     rp2350 = 0xE48BFF57,  // "absolute": data at any address
 };
 
+// Where the boot loader of a family flashes bytes, as the processor sees them.
+struct FlashRange {
+    uint32_t begin, end;
+};
+FlashRange flash_of(Uf2Family family);
+
 // What a boot loader erases at once. Bytes of other programs in a file's last sector are lost.
 inline constexpr uint32_t kUf2SectorBytes = 4096;
 

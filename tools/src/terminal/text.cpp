@@ -148,6 +148,13 @@ std::string byte_text(uint64_t bytes)
     return with_unit(static_cast<double>(bytes), {" bytes", " kB", " MB", " GB"});
 }
 
+std::string address_text(uint32_t address)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "0x%08X", static_cast<unsigned>(address));
+    return text;
+}
+
 std::string count_text(double count)
 {
     return with_unit(count, {"", " k", " M", " G"});

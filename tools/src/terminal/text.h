@@ -45,6 +45,8 @@ std::optional<uint64_t> parse_bytes(std::string_view text);
 
 // "4.20 MB": units of 1000, three digits.
 std::string byte_text(uint64_t bytes);
+// "0x10100000": eight digits.
+std::string address_text(uint32_t address);
 // "33.6 M": three digits.
 std::string count_text(double count);
 // "1:42" or "2:03:09".
