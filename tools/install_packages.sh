@@ -15,7 +15,7 @@ build_packages=(
   libpng-dev libturbojpeg0-dev     # PNG and JPEG, read
   libstb-dev                       # PNG, written
   libopenexr-dev                   # EXR
-  libmeshoptimizer-dev             # proxy meshes
+  libmeshoptimizer-dev             # meshes of few triangles
   libnifti2-dev zlib1g-dev         # volumes
   libopenvdb-dev                   # more of them, and their iso-surfaces
   libboost-dev                     # headers, which those of libopenvdb-dev include and its package does not name

@@ -10,7 +10,7 @@
 #include "support/bake_scenes.h"
 #include "support/nifti_bytes.h"
 #include "support/picture_bytes.h"
-#include "surface/surface_codec.h"
+#include "surface/fit_basis.h"
 
 namespace
 {
@@ -115,17 +115,17 @@ void write_shards(Seeds seeds)
 {
     write_rows(seeds, lumi::format::TexelFormat::rgb888);
     write_rows(seeds, lumi::format::TexelFormat::palette8);
-    SurfaceBasis basis = {};
+    FitBasis basis = {};
     basis.mesh.positions = {{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}, {0.5f, 0.5f, 0}};
     basis.mesh.normals.assign(4, {0, 0, 1});
-    basis.mesh.patches = {{0, 1, 2, 3}, {0, 1, 3, SurfaceMesh::kNone}};
+    basis.mesh.patches = {{0, 1, 2, 3}, {0, 1, 3, PatchMesh::kNone}};
     basis.mesh.longest_edge = 1;
     basis.densities = {4, 6};
     basis.sphere.radius = 1;
     const std::vector<uint8_t> head = encode(basis);
-    const SurfaceShape shape(basis.mesh, basis.densities);
+    const FitShape shape(basis.mesh, basis.densities);
     const EncodedTone tone(basis.tone);
-    const SurfaceState state(shape, tone);
+    const FitState state(shape, tone);
     const std::vector<uint8_t> sums = encode(state);
     std::string bytes = {1, static_cast<char>(head.size()), static_cast<char>(head.size() >> 8)};
     seeds.add(bytes + std::string(head.begin(), head.end()) + std::string(sums.begin(), sums.end()));

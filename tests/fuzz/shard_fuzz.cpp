@@ -9,7 +9,7 @@
 #include "lumi/baker/merge.h"
 #include "lumi/crc32.h"
 #include "store/block_file.h"
-#include "surface/surface_codec.h"
+#include "surface/fit_basis.h"
 
 namespace
 {
@@ -37,11 +37,11 @@ void decode(const uint8_t* data, size_t size)
 {
     if (size < 2) return;
     const size_t end = std::min<size_t>(2 + data[0] + 256u * data[1], size);
-    std::optional<SurfaceBasis> basis = decode_basis({data + 2, data + end});
+    std::optional<FitBasis> basis = decode_basis({data + 2, data + end});
     if (!basis) return;
-    const SurfaceShape shape(std::move(basis->mesh), basis->densities);
+    const FitShape shape(std::move(basis->mesh), basis->densities);
     const EncodedTone tone(basis->tone);
-    SurfaceState state(shape, tone);
+    FitState state(shape, tone);
     const std::vector<uint8_t> bytes(data + end, data + size);
     static_cast<void>(is_complete(bytes));
     static_cast<void>(add_encoded(bytes, state) && add_encoded(bytes, state));

@@ -67,7 +67,9 @@ baker/src/volume
 baker/src/scene
 baker/src/trace
 baker/src/store
-baker/src/proxy
+baker/src/mesh
+baker/src/fit
+baker/src/pack
 baker/src/chord
 baker/src/surface
 baker/src

@@ -39,4 +39,13 @@ struct Mesh {
     float area(size_t triangle) const { return 0.5f * length(area_vector(triangle)); }
 };
 
+// Positions and corners, for files of a bake (byte_stream.h).
+template <class Io>
+void fields(Io& io, Mesh& mesh)
+{
+    io(mesh.positions, mesh.corners);
+    for (const Mesh::Corners& triangle : mesh.corners)
+        for (const uint32_t corner : triangle) io.require(corner < mesh.positions.size());
+}
+
 }  // namespace lumi::baker

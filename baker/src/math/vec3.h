@@ -110,4 +110,16 @@ constexpr bool is_black(const Rgb& c)
     return c.r <= 0 && c.g <= 0 && c.b <= 0;
 }
 
+// What files of a bake hold of them (byte_stream.h).
+template <class Io>
+void fields(Io& io, Vec3& v)
+{
+    io(v.x, v.y, v.z);
+}
+template <class Io>
+void fields(Io& io, Rgb& c)
+{
+    io(c.r, c.g, c.b);
+}
+
 }  // namespace lumi::baker

@@ -4,15 +4,15 @@
 #include <chrono>
 
 #include "chord/tracing_fingerprint.h"
+#include "fit/light_fit.h"
+#include "fit/texel_density.h"
+#include "store/bake_stages.h"
 #include "store/checkpoint.h"
 #include "store/new_file.h"
 #include "store/output_names.h"
-#include "surface/bake_stages.h"
 #include "surface/surface_draft.h"
 #include "surface/surface_file_store.h"
-#include "surface/surface_fit.h"
 #include "surface/surface_settings.h"
-#include "surface/texel_density.h"
 #include "trace/catcher.h"
 
 namespace lumi::baker
@@ -32,14 +32,14 @@ public:
     SurfaceFileStore& store() { return store_; }
     Checkpoint& checkpoint() { return checkpoint_; }
 
-    void keep(const SurfaceState& state)
+    void keep(const FitState& state)
     {
         if (state.has_pilot && state.batches != kept_) {
             store_.write_state(encode(state));
             kept_ = state.batches;
         }
     }
-    void keep_now_and_then(const SurfaceState& state)
+    void keep_now_and_then(const FitState& state)
     {
         const Clock::time_point start = Clock::now();
         if (start >= next_) {
@@ -60,10 +60,10 @@ private:
     uint32_t kept_ = UINT32_MAX;  // batches
 };
 
-SurfaceBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const SurfaceSettings& settings,
-                      const ProgressCallback& progress)
+FitBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const SurfaceSettings& settings,
+                  const ProgressCallback& progress)
 {
-    const BuiltSurface& built = draft.contents().built;
+    const BuiltMesh& built = draft.contents().built;
     if (built.mesh.patches.empty())
         throw BakeError("the scene has no surface that could be seen; choose --layout chord");
     return {built.mesh,
@@ -110,12 +110,12 @@ public:
     SurfaceBake field()
     {
         SurfaceBake bake;
-        const SurfaceParts parts = solution();
+        const FieldParts parts = solution();
         bake.file = surface_file(shape_, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
         for (const ViewCode& view : parts.views) bake.viewed_vertices += view.gain != 0 ? 1u : 0u;
-        for (const SurfaceMesh::Patch& patch : shape_.mesh.patches)
-            bake.triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
+        for (const PatchMesh::Patch& patch : shape_.mesh.patches)
+            bake.triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
         bake.texels = shape_.layout.texels;
         bake.two_sided = shape_.mesh.two_sided;
         bake.loss = basis_.loss;
@@ -123,7 +123,7 @@ public:
         return bake;
     }
 
-    const SurfaceState& state() const { return state_; }
+    const FitState& state() const { return state_; }
 
 private:
     // Reads what the checkpoint has.
@@ -135,22 +135,21 @@ private:
         return fit_.work_in(state_);
     }
 
-    SurfaceParts solution()
+    FieldParts solution()
     {
         if (keeper_ != nullptr) keeper_->keep(state_);
-        SurfaceParts parts = solved(state_, settings_.view_tables, basis_.sphere, stages_, job_);
+        FieldParts parts = solved(state_, settings_.view_tables, basis_.sphere, stages_, job_);
         job_.finish();
         return parts;
     }
 
-    SurfaceBasis basis_for(const Scene& scene, const std::filesystem::path& output, const SurfaceDraft* draft) const
+    FitBasis basis_for(const Scene& scene, const std::filesystem::path& output, const SurfaceDraft* draft) const
     {
-        if (std::optional<SurfaceBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt)
+        if (std::optional<FitBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt)
             return std::move(*kept);
-        SurfaceBasis basis =
-            draft != nullptr
-                ? basis_of(scene.data(), *draft, settings_, progress_)
-                : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_, output), settings_, progress_);
+        FitBasis basis = draft != nullptr ? basis_of(scene.data(), *draft, settings_, progress_)
+                                          : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_, output),
+                                                     settings_, progress_);
         if (keeper_ != nullptr) keeper_->store().write_basis(basis);
         return basis;
     }
@@ -158,12 +157,12 @@ private:
     const SurfaceSettings settings_;
     const ProgressCallback& progress_;
     Keeper* const keeper_;
-    const SurfaceBasis basis_;
+    const FitBasis basis_;
     BakeStages stages_;  // after the draft's, which has the same file
-    const SurfaceShape shape_;
+    const FitShape shape_;
     const EncodedTone tone_;
-    SurfaceState state_;
-    SurfaceFit fit_;
+    FitState state_;
+    LightFit fit_;
     Job job_;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "surface/surface_draft.h"
 
+#include "fit/texel_layout.h"
 #include "lumi/surface_format.h"
+#include "store/bake_stages.h"
 #include "store/output_names.h"
 #include "store/section_writer.h"
-#include "surface/bake_stages.h"
-#include "surface/surface_layout.h"
 #include "trace/catcher.h"
 
 namespace lumi::baker
@@ -15,7 +15,7 @@ namespace
 
 constexpr size_t kMostSections = 7;
 
-uint64_t file_bytes(const SurfaceMesh& mesh, uint64_t texels)
+uint64_t file_bytes(const PatchMesh& mesh, uint64_t texels)
 {
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
     uint64_t bytes = aligned(format::kHeaderBytes + kMostSections * format::kEntryBytes);
@@ -33,13 +33,13 @@ SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, 
                            const std::filesystem::path& output)
 {
     require_partial_coverage(scene.data(), false);
-    SurfaceMeshSettings mesh;
+    MeshSettings mesh;
     mesh.triangles = settings.triangles;
     mesh.longest_edge = settings.longest_edge;
     mesh.cap = ViewCap(settings.cap);
     Job job(mesh_work(scene.data(), mesh), settings.threads, progress);
     BakeStages stages(output.empty() ? output : stages_of(output), scene.fingerprint());
-    contents_ = std::make_unique<Contents>(Contents{build_surface_mesh(scene.data(), mesh, stages, job)});
+    contents_ = std::make_unique<Contents>(Contents{build_mesh(scene.data(), mesh, stages, job)});
 }
 
 SurfaceDraft::~SurfaceDraft() = default;
@@ -49,12 +49,12 @@ SurfaceDraft& SurfaceDraft::operator=(SurfaceDraft&&) noexcept = default;
 uint32_t SurfaceDraft::triangles() const
 {
     uint32_t triangles = 0;
-    for (const SurfaceMesh::Patch& patch : contents_->built.mesh.patches)
-        triangles += patch.d == SurfaceMesh::kNone ? 1u : 2u;
+    for (const PatchMesh::Patch& patch : contents_->built.mesh.patches)
+        triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
     return triangles;
 }
 
-const ProxyLoss& SurfaceDraft::loss() const
+const MeshLoss& SurfaceDraft::loss() const
 {
     return contents_->built.loss;
 }
@@ -66,7 +66,7 @@ const std::vector<std::string>& SurfaceDraft::warnings() const
 
 uint64_t SurfaceDraft::most_bytes(float texels_per_radius) const
 {
-    const SurfaceMesh& mesh = contents_->built.mesh;
+    const PatchMesh& mesh = contents_->built.mesh;
     return file_bytes(mesh, layout_of(mesh, texels_per_radius).texels);
 }
 

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "lumi/baker/surface.h"
-#include "surface/surface_mesh.h"
+#include "mesh/patch_mesh.h"
 
 namespace lumi::baker
 {
 
 struct SurfaceDraft::Contents {
-    BuiltSurface built;
+    BuiltMesh built;
 };
 
 }  // namespace lumi::baker

@@ -39,7 +39,7 @@ Block SurfaceFileStore::state_block(const Place& place) const
     return {place.offset, kStateNumber, place.size};
 }
 
-std::optional<SurfaceBasis> SurfaceFileStore::read_basis()
+std::optional<FitBasis> SurfaceFileStore::read_basis()
 {
     std::vector<uint8_t> bytes;
     if (!file_.read(kSizeBlock, bytes)) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<SurfaceBasis> SurfaceFileStore::read_basis()
     return file_.read(basis_block(), bytes) ? decode_basis(bytes) : std::nullopt;
 }
 
-void SurfaceFileStore::write_basis(const SurfaceBasis& basis)
+void SurfaceFileStore::write_basis(const FitBasis& basis)
 {
     const std::vector<uint8_t> bytes = encode(basis);
     basis_size_ = bytes.size();

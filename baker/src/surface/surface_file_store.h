@@ -8,7 +8,7 @@
 #pragma once
 
 #include "store/block_file.h"
-#include "surface/surface_codec.h"
+#include "surface/fit_basis.h"
 
 namespace lumi::baker
 {
@@ -19,8 +19,8 @@ public:
     explicit SurfaceFileStore(BlockFile& file) : file_(file) {}  // borrows
 
     // Nothing where it is not there or damaged.
-    std::optional<SurfaceBasis> read_basis();
-    void write_basis(const SurfaceBasis& basis);
+    std::optional<FitBasis> read_basis();
+    void write_basis(const FitBasis& basis);
 
     // After the basis is read or written. False where no whole state is there.
     bool read_state(std::vector<uint8_t>& bytes);

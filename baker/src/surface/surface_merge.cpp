@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/surface_merge.h"
 
+#include "store/bake_stages.h"
 #include "store/new_file.h"
-#include "surface/bake_stages.h"
 #include "surface/surface_file_store.h"
 
 namespace lumi::baker
@@ -11,11 +11,11 @@ namespace
 {
 
 // The first basis; says of which shards it is missing or another one.
-std::optional<SurfaceBasis> common_basis(ShardSet& set)
+std::optional<FitBasis> common_basis(ShardSet& set)
 {
-    std::optional<SurfaceBasis> first;
+    std::optional<FitBasis> first;
     for (const auto& [index, file] : set.shards()) {
-        std::optional<SurfaceBasis> basis = SurfaceFileStore(*file).read_basis();
+        std::optional<FitBasis> basis = SurfaceFileStore(*file).read_basis();
         if (!basis)
             set.say(file->path(), "is not finished or damaged; run its bake again");
         else if (!first)
@@ -26,7 +26,7 @@ std::optional<SurfaceBasis> common_basis(ShardSet& set)
     return first;
 }
 
-void add_shards(ShardSet& set, SurfaceState& state, const std::function<void()>& leave_if_cancelled)
+void add_shards(ShardSet& set, FitState& state, const std::function<void()>& leave_if_cancelled)
 {
     for (const auto& [index, file] : set.shards()) {
         leave_if_cancelled();
@@ -46,12 +46,12 @@ void add_shards(ShardSet& set, SurfaceState& state, const std::function<void()>&
 MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
                           const std::function<void()>& leave_if_cancelled)
 {
-    std::optional<SurfaceBasis> basis = common_basis(set);
+    std::optional<FitBasis> basis = common_basis(set);
     set.throw_problems();
     const SurfaceSettings settings = std::get<SurfaceSettings>(set.shards().begin()->second->identity().settings);
-    const SurfaceShape shape(std::move(basis->mesh), basis->densities);
+    const FitShape shape(std::move(basis->mesh), basis->densities);
     const EncodedTone tone(basis->tone);
-    SurfaceState state(shape, tone);
+    FitState state(shape, tone);
     add_shards(set, state, leave_if_cancelled);
     set.throw_problems();
     const ProgressCallback go_on = [&](const Progress&) {

@@ -6,7 +6,7 @@
 #include "lumi/baker/bake.h"
 #include "material/lobes.h"
 #include "math/warp.h"
-#include "trace/surface.h"
+#include "trace/hit_point.h"
 
 namespace lumi::baker
 {
@@ -104,7 +104,7 @@ float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
     const float u = sampler.next_1d();
     if (candidates.dark()) return 0;
     const LightSample& light = candidates.draw(u);
-    const Surface floor = {{}, position, kZAxis, Frame(kZAxis), nullptr, {}, {}};
+    const HitPoint floor = {{}, position, kZAxis, Frame(kZAxis), nullptr, {}, {}};
     return 1 - transmittance(scene, floor.ray_to_light(light.direction, light.distance), sampler);
 }
 

@@ -2,7 +2,7 @@
 #include "trace/path_tracer.h"
 
 #include "trace/catcher.h"
-#include "trace/surface.h"
+#include "trace/hit_point.h"
 
 namespace lumi::baker
 {
@@ -31,12 +31,12 @@ struct Walk {
     int scatterings = 0;              // in the medium
 };
 
-Rgb emitted(const SceneData& scene, const Walk& walk, const Surface& surface)
+Rgb emitted(const SceneData& scene, const Walk& walk, const HitPoint& point)
 {
-    if (!surface.material->emits()) return {};
-    const Rgb light = walk.throughput * surface.emission;
+    if (!point.material->emits()) return {};
+    const Rgb light = walk.throughput * point.emission;
     if (walk.at_eye) return light;
-    const float other = scene.lights.emitter_pdf(surface.hit.triangle, walk.ray.direction, surface.hit.distance);
+    const float other = scene.lights.emitter_pdf(point.hit.triangle, walk.ray.direction, point.hit.distance);
     return light * power_weight(walk.pdf, other);
 }
 
@@ -57,32 +57,32 @@ Rgb from_fixtures(const SceneData& scene, const Walk& walk, float end)
 }
 
 // A direction must lie on the same side of the shading normal and of the face itself.
-bool leaks(const Surface& surface, const Vec3& direction, const Vec3& local)
+bool leaks(const HitPoint& point, const Vec3& direction, const Vec3& local)
 {
-    return (dot(direction, surface.geometric_normal) > 0) != (local.z > 0);
+    return (dot(direction, point.geometric_normal) > 0) != (local.z > 0);
 }
 
 // Light that arrives at the surface straight from a light and is scattered towards the viewer.
-Rgb direct_light(const SceneData& scene, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+Rgb direct_light(const SceneData& scene, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
 {
     if (scene.lights.empty()) return {};
     const Vec2 choice = sampler.next_2d();
-    const LightSample light = scene.lights.sample(surface.position, choice.x, choice.y, sampler.next_2d());
-    const Vec3 wi = surface.frame.to_local(light.direction);
-    if (!(light.pdf > 0) || leaks(surface, light.direction, wi)) return {};
+    const LightSample light = scene.lights.sample(point.position, choice.x, choice.y, sampler.next_2d());
+    const Vec3 wi = point.frame.to_local(light.direction);
+    if (!(light.pdf > 0) || leaks(point, light.direction, wi)) return {};
     const Rgb scattered = bsdf.eval(wo, wi) * light.radiance;
     if (is_black(scattered)) return {};
-    const float through = transmittance(scene, surface.ray_to_light(light.direction, light.distance), sampler);
+    const float through = transmittance(scene, point.ray_to_light(light.direction, light.distance), sampler);
     const float weight = light.dirac ? 1 : power_weight(light.pdf, bsdf.pdf(wo, wi));
     return scattered * (through * weight / light.pdf);
 }
 
 // Takes the walk through a boundary of glass. Bodies of glass neither overlap nor lie in each other.
-void cross(Walk& walk, const Surface& surface)
+void cross(Walk& walk, const HitPoint& point)
 {
-    const bool enters = surface.values.outside;
-    walk.glass = enters ? surface.material : nullptr;
-    walk.index2 = enters ? surface.material->index * surface.material->index : 1;
+    const bool enters = point.values.outside;
+    walk.glass = enters ? point.material : nullptr;
+    walk.index2 = enters ? point.material->index * point.material->index : 1;
 }
 
 // Draws a number, or only passes over it where nobody looks at it.
@@ -93,24 +93,24 @@ float needed_1d(bool needed, Sampler& sampler)
     return 0;
 }
 
-Bsdf bsdf_at(const Surface& surface, Sampler& sampler)
+Bsdf bsdf_at(const HitPoint& point, Sampler& sampler)
 {
-    const float metalness = surface.values.metalness;
+    const float metalness = point.values.metalness;
     const bool undecided = metalness > 0 && metalness < 1;
-    return surface.material->bsdf(surface.values, needed_1d(undecided, sampler));
+    return point.material->bsdf(point.values, needed_1d(undecided, sampler));
 }
 
 // Turns the walk at the surface; false where the light is lost.
-bool scatter(Walk& walk, const Surface& surface, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+bool scatter(Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
 {
     const float u_lobe = needed_1d(bsdf.has_lobes(), sampler);
     const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, sampler.next_2d());
     if (!sample) return false;
-    const Vec3 direction = normalized(surface.frame.to_world(sample->wi));
-    if (leaks(surface, direction, sample->wi)) return false;
-    if (sample->wi.z < 0) cross(walk, surface);
+    const Vec3 direction = normalized(point.frame.to_world(sample->wi));
+    if (leaks(point, direction, sample->wi)) return false;
+    if (sample->wi.z < 0) cross(walk, point);
     walk.throughput = walk.throughput * sample->weight;
-    walk.ray = surface.ray_towards(direction);
+    walk.ray = point.ray_towards(direction);
     walk.pdf = sample->pdf;
     walk.at_eye = false;
     return !is_black(walk.throughput);
@@ -195,14 +195,14 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         }
         result.covered = true;
         if (walk.glass) walk.throughput = walk.throughput * walk.glass->absorbed(way);
-        const Surface surface = surface_at(scene_, walk.ray, *hit);
-        result.radiance = result.radiance + emitted(scene_, walk, surface);
+        const HitPoint point = hit_point_at(scene_, walk.ray, *hit);
+        result.radiance = result.radiance + emitted(scene_, walk, point);
 
-        const Vec3 wo = surface.frame.to_local(-walk.ray.direction);
+        const Vec3 wo = point.frame.to_local(-walk.ray.direction);
         if (wo.z <= 0) break;
-        const Bsdf bsdf = bsdf_at(surface, sampler);
-        result.radiance = result.radiance + walk.throughput * direct_light(scene_, surface, bsdf, wo, sampler);
-        if (!scatter(walk, surface, bsdf, wo, sampler)) break;
+        const Bsdf bsdf = bsdf_at(point, sampler);
+        result.radiance = result.radiance + walk.throughput * direct_light(scene_, point, bsdf, wo, sampler);
+        if (!scatter(walk, point, bsdf, wo, sampler)) break;
         if (bounce++ >= kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) break;
     }
     return result;

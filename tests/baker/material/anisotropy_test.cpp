@@ -7,7 +7,7 @@
 #include "math/warp.h"
 #include "support/bsdf_checks.h"
 #include "support/scratch_folder.h"
-#include "trace/surface.h"
+#include "trace/hit_point.h"
 
 namespace lumi::baker
 {
@@ -67,11 +67,11 @@ double value(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi)
 }
 
 // Looking straight down, the light's fall-off as it leans the same way along x and along y.
-double stretch(const Surface& surface, const Vec3& along, const Vec3& across)
+double stretch(const HitPoint& point, const Vec3& along, const Vec3& across)
 {
-    const Bsdf bsdf = surface.material->bsdf(surface.values, 0);
+    const Bsdf bsdf = point.material->bsdf(point.values, 0);
     const auto lit_from = [&](const Vec3& towards) {
-        const Vec3 wi = surface.frame.to_local(normalized(towards * 0.5f + surface.frame.normal));
+        const Vec3 wi = point.frame.to_local(normalized(towards * 0.5f + point.frame.normal));
         return value(bsdf, {0, 0, 1}, wi);
     };
     return lit_from(along) / lit_from(across);
@@ -95,12 +95,12 @@ Scene brushed_square(const std::string& obj, const std::string& mtl)
     return scene;
 }
 
-Surface seen(const Scene& scene, const Vec3& from)
+HitPoint seen(const Scene& scene, const Vec3& from)
 {
     const Ray ray = {from * 0.9f, -from};
     const std::optional<Hit> hit = scene.data().accelerator.closest(ray);
     REQUIRE(hit);
-    return surface_at(scene.data(), ray, *hit);
+    return hit_point_at(scene.data(), ray, *hit);
 }
 
 constexpr Vec3 kX = {1, 0, 0}, kY = {0, 1, 0}, kZ = {0, 0, 1};

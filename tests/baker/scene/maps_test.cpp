@@ -41,12 +41,12 @@ Ray down_at(const Scene& scene, float x)
     return {{x / scene.radius(), 0, 0.9f}, {0, 0, -1}};
 }
 
-Surface surface_below(const Scene& scene, float x)
+HitPoint point_below(const Scene& scene, float x)
 {
     const Ray ray = down_at(scene, x);
     const std::optional<Hit> hit = scene.data().accelerator.closest(ray);
     REQUIRE(hit);
-    return surface_at(scene.data(), ray, *hit);
+    return hit_point_at(scene.data(), ray, *hit);
 }
 
 double coverage(const Scene& scene, float x)
@@ -65,8 +65,8 @@ double coverage(const Scene& scene, float x)
 TEST_CASE("maps: map_Ke shines where the picture does, and is found by aiming and by looking alike")
 {
     const Scene scene = square("Kd 0 0 0\nKe 2 2 2\nmap_Ke t.png\n", {255, 255, 255, 0, 0, 0}, constant_environment(0));
-    CHECK(static_cast<double>(surface_below(scene, -0.5f).emission.g) == Approx(2));
-    CHECK(static_cast<double>(surface_below(scene, 0.5f).emission.g) == Approx(0).margin(1e-6));
+    CHECK(static_cast<double>(point_below(scene, -0.5f).emission.g) == Approx(2));
+    CHECK(static_cast<double>(point_below(scene, 0.5f).emission.g) == Approx(0).margin(1e-6));
     const Vec3 from = {0.1f, 0.05f, 0.3f};
     Mean aimed, looked;
     for (uint32_t k = 0; k < 100000; ++k) {
@@ -76,7 +76,7 @@ TEST_CASE("maps: map_Ke shines where the picture does, and is found by aiming an
         aimed.add(s.pdf > 0 ? static_cast<double>(s.radiance.g / s.pdf) : 0);
         const Ray ray = {from, square_to_sphere(sampler.next_2d())};
         const std::optional<Hit> hit = scene.data().accelerator.closest(ray);
-        const double seen = hit ? static_cast<double>(surface_at(scene.data(), ray, *hit).emission.g) : 0;
+        const double seen = hit ? static_cast<double>(hit_point_at(scene.data(), ray, *hit).emission.g) : 0;
         looked.add(seen * 4 * static_cast<double>(kPi));
     }
     CHECK(std::abs(aimed.value() - looked.value()) < kSigmas * std::hypot(aimed.error(), looked.error()));
@@ -96,13 +96,13 @@ TEST_CASE("maps: map_Pr and map_Pm multiply their numbers, read as plain bytes")
 {
     const Scene scene = square("Kd 1 1 1\nPr 1\nPm 0.5\nmap_Pr t.png\nmap_Pm t.png\n", {255, 255, 255, 51, 51, 51},
                                studio_environment());
-    CHECK(static_cast<double>(surface_below(scene, 0.5f).values.roughness) == Approx(0.2));
-    CHECK(static_cast<double>(surface_below(scene, 0.5f).values.metalness) == Approx(0.1));
-    CHECK(static_cast<double>(surface_below(scene, -0.5f).values.metalness) == Approx(0.5));
+    CHECK(static_cast<double>(point_below(scene, 0.5f).values.roughness) == Approx(0.2));
+    CHECK(static_cast<double>(point_below(scene, 0.5f).values.metalness) == Approx(0.1));
+    CHECK(static_cast<double>(point_below(scene, -0.5f).values.metalness) == Approx(0.5));
     // The rougher side spreads a mirror's light further.
     const Vec3 wo = normalized(Vec3{0.3f, 0, 1}), mirror = {-wo.x, -wo.y, wo.z};
-    const Material& m = *surface_below(scene, 0.5f).material;
-    const auto peak = [&](float x) { return m.bsdf(surface_below(scene, x).values, 0).eval(wo, mirror).g; };
+    const Material& m = *point_below(scene, 0.5f).material;
+    const auto peak = [&](float x) { return m.bsdf(point_below(scene, x).values, 0).eval(wo, mirror).g; };
     CHECK(peak(0.5f) > 20 * peak(-0.5f));
 }
 
@@ -110,15 +110,15 @@ TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stan
 {
     const Scene scene = square("Kd 1 1 1\nPr 0.5\nPs 0.5\nmap_Ps t.png\naniso 0.6\nanisor 0.25\n",
                                {255, 255, 255, 51, 51, 51}, studio_environment());
-    const Surface left = surface_below(scene, -0.5f), right = surface_below(scene, 0.5f);
+    const HitPoint left = point_below(scene, -0.5f), right = point_below(scene, 0.5f);
     CHECK(left.material->anisotropy == 0.6f);
     CHECK(left.material->anisotropy_turns == 0.25f);
     CHECK(left.material->brushed());
     CHECK(static_cast<double>(left.values.sheen) == Approx(0.5));
     CHECK(static_cast<double>(right.values.sheen) == Approx(0.1));
     const Scene alone = square("Kd 0 0 0\nmap_Ps t.png\n", {255, 255, 255, 0, 0, 0}, studio_environment());
-    CHECK(static_cast<double>(surface_below(alone, -0.5f).values.sheen) == Approx(1));
-    const Surface bald = surface_below(alone, 0.5f);
+    CHECK(static_cast<double>(point_below(alone, -0.5f).values.sheen) == Approx(1));
+    const HitPoint bald = point_below(alone, 0.5f);
     const float sent = bald.material->bsdf(bald.values, 0).eval({0, 0.6f, 0.8f}, {0, 0.8f, 0.6f}).g;
     CHECK(static_cast<double>(sent) == Approx(0).margin(1e-6));
 }
@@ -126,12 +126,12 @@ TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stan
 TEST_CASE("maps: a normal map bends towards u and v on either side, a flat one not at all")
 {
     const Scene scene = square("Kd 1 1 1\nnorm t.png\n", {128, 128, 255, 218, 128, 218}, studio_environment());
-    CHECK(static_cast<double>(surface_below(scene, -0.5f).frame.normal.z) == Approx(1).epsilon(1e-3));
-    const Vec3 bent = surface_below(scene, 0.5f).frame.normal;
+    CHECK(static_cast<double>(point_below(scene, -0.5f).frame.normal.z) == Approx(1).epsilon(1e-3));
+    const Vec3 bent = point_below(scene, 0.5f).frame.normal;
     CHECK(static_cast<double>(bent.x) == Approx(std::sqrt(0.5)).epsilon(0.01));
     CHECK(static_cast<double>(bent.y) == Approx(0).margin(0.01));
     const Ray up = {{0.5f / scene.radius(), 0, -0.9f}, {0, 0, 1}};
-    const Surface below = surface_at(scene.data(), up, *scene.data().accelerator.closest(up));
+    const HitPoint below = hit_point_at(scene.data(), up, *scene.data().accelerator.closest(up));
     CHECK(static_cast<double>(below.frame.normal.x) == Approx(static_cast<double>(-bent.x)).margin(1e-4));
     CHECK(below.frame.normal.z < 0);
 }
@@ -154,8 +154,8 @@ TEST_CASE("maps: MTL's scale and offset move a picture")
     const Scene scene =
         square("Kd 1 1 1\nmap_Kd -s 0.25 1 1 -o 0.5 0 0 t.png\n", {255, 0, 0, 0, 255, 0}, studio_environment());
     // u runs from 0.5 to 0.75: the right pixel's left half.
-    CHECK(surface_below(scene, 0.98f).values.base.g > 0.95f);
-    CHECK(surface_below(scene, -0.98f).values.base.g == Approx(0.5).margin(0.05));
+    CHECK(point_below(scene, 0.98f).values.base.g > 0.95f);
+    CHECK(point_below(scene, -0.98f).values.base.g == Approx(0.5).margin(0.05));
 }
 
 TEST_CASE("maps: what MTL calls glass is glass, and thin paint is not")

@@ -5,8 +5,8 @@
 #include "math/warp.h"
 #include "support/shapes.h"
 #include "support/statistics.h"
+#include "trace/hit_point.h"
 #include "trace/path_tracer.h"
-#include "trace/surface.h"
 
 namespace lumi::baker::testing
 {
@@ -48,16 +48,16 @@ public:
             }
             result.covered = true;
             throughput = medium ? throughput * medium->absorbed(hit->distance) : throughput;
-            const Surface surface = surface_at(scene_, ray, *hit);
-            result.radiance = result.radiance + throughput * surface.emission;
-            const Vec3 wo = surface.frame.to_local(-ray.direction);
-            const Bsdf bsdf = surface.material->bsdf(surface.values, sampler.next_1d());
+            const HitPoint point = hit_point_at(scene_, ray, *hit);
+            result.radiance = result.radiance + throughput * point.emission;
+            const Vec3 wo = point.frame.to_local(-ray.direction);
+            const Bsdf bsdf = point.material->bsdf(point.values, sampler.next_1d());
             const float u = sampler.next_1d();
             const std::optional<BsdfSample> s = bsdf.sample(wo, u, sampler.next_2d());
             if (!s) break;
             throughput = throughput * s->weight;
-            if (s->wi.z < 0) medium = surface.values.outside ? surface.material : nullptr;
-            ray = surface.ray_towards(normalized(surface.frame.to_world(s->wi)));
+            if (s->wi.z < 0) medium = point.values.outside ? point.material : nullptr;
+            ray = point.ray_towards(normalized(point.frame.to_world(s->wi)));
         }
         return result;
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include "fit/fit_model.h"
 #include "lumi/baker/merge.h"
-#include "surface/bake_stages.h"
+#include "store/bake_stages.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing
@@ -69,7 +70,7 @@ TEST_CASE("what a stopped surface bake has traced is not traced again", "[repeat
 TEST_CASE("a stage is done once for a scene, a name and settings, and what it gave is found")
 {
     const ScratchFolder folder;
-    SurfaceModel model;
+    FitModel model;
     model.texels = {{1, 2, 3}, {4.5f, -5, 6}};
     model.nodes = {{7, 8, 9}};
     int made = 0;
@@ -78,7 +79,7 @@ TEST_CASE("a stage is done once for a scene, a name and settings, and what it ga
             ++made;
             return model;
         };
-        const auto result = BakeStages(folder.at("f.stages"), scene).get<SurfaceModel>(name, make, setting);
+        const auto result = BakeStages(folder.at("f.stages"), scene).once<FitModel>(name, make, setting);
         CHECK((result.texels == model.texels && result.nodes == model.nodes));
     };
     for (int twice = 0; twice < 2; ++twice) {

@@ -10,7 +10,7 @@
 #include "scene/scene_fingerprint.h"
 #include "support/bake_scenes.h"
 #include "support/statistics.h"
-#include "trace/surface.h"
+#include "trace/hit_point.h"
 
 namespace lumi::baker
 {

@@ -15,7 +15,7 @@ using testing::kSigmas;
 using testing::Mean;
 
 // A frame that is turned, moved and three times as large as the volume's own.
-const Affine kTurned = {{{0, 3, 0, 0.1}, {1.8, 0, -2.4, 0.2}, {-2.4, 0, -1.8, -0.3}}};
+const Affine kTurnedGrid = {{{0, 3, 0, 0.1}, {1.8, 0, -2.4, 0.2}, {-2.4, 0, -1.8, -0.3}}};
 constexpr double kTurnedRadius = 3;
 
 Vec3 out_of(const Affine& m, const Vec3& p)
@@ -107,10 +107,10 @@ TEST_CASE("flight: through fog what passes falls by Beer and Lambert's law")
 {
     for (const float density : {0.2f, 2.0f, 9.0f}) {
         const Volume volume = testing::fog(density, grey(1), {-0.5f, -0.4f, -0.3f}, {0.5f, 0.4f, 0.3f});
-        const Medium medium(volume, kTurned, kTurnedRadius);
+        const Medium medium(volume, kTurnedGrid, kTurnedRadius);
         // From outside to outside, straight through the middle; the slanted way meets two neighbouring faces.
         const auto passing = [&](const Vec3& from, const Vec3& to, double inside) {
-            const Flights flights = fly(medium, ray_between(kTurned, from, to), 20000);
+            const Flights flights = fly(medium, ray_between(kTurnedGrid, from, to), 20000);
             INFO("density " << density);
             check_exact_mean(flights.passed, std::exp(-static_cast<double>(density) * inside));
             check_exact_mean(flights.through, std::exp(-static_cast<double>(density) * inside));
@@ -124,13 +124,13 @@ TEST_CASE("flight: through fog what passes falls by Beer and Lambert's law")
 TEST_CASE("flight: through smoke what passes is what quadrature says, to the end and to the middle")
 {
     const Volume volume = testing::smoke();
-    const Medium medium(volume, kTurned, kTurnedRadius);
+    const Medium medium(volume, kTurnedGrid, kTurnedRadius);
     double least = 1;
     for (uint32_t r = 0; r < 12; ++r) {
         Sampler aim(6, r, 0);
         const Vec3 from = square_to_sphere(aim.next_2d()) * 0.9f;
         const Vec3 to = from * -0.9f + square_to_sphere(aim.next_2d()) * 0.3f;
-        const Flights flights = fly(medium, ray_between(kTurned, from, to), 10000);
+        const Flights flights = fly(medium, ray_between(kTurnedGrid, from, to), 10000);
         const double expected = std::exp(-depth_between(volume, from, to));
         check_exact_mean(flights.passed, expected);
         check_exact_mean(flights.through, expected);

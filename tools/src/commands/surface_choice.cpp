@@ -17,7 +17,7 @@ namespace
 
 std::string reason(const planner::SurfacePlan& plan, double limit)
 {
-    const baker::ProxyLoss& loss = plan.draft->loss();
+    const baker::MeshLoss& loss = plan.draft->loss();
     if (loss.missed <= limit) return "";
     char text[160];
     std::snprintf(text, sizeof text,

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "lumi/baker/bake.h"
-#include "lumi/baker/proxy.h"
+#include "lumi/baker/mesh_loss.h"
 
 namespace lumi::baker
 {
@@ -35,7 +35,7 @@ struct SurfaceBake {
     std::vector<uint8_t> file;
     uint32_t vertices = 0, viewed_vertices = 0, triangles = 0, texels = 0;
     bool two_sided = false;
-    ProxyLoss loss;
+    MeshLoss loss;
     uint64_t paths = 0;  // that meet the mesh where the scene is
 };
 
@@ -53,7 +53,7 @@ public:
     SurfaceDraft& operator=(SurfaceDraft&&) noexcept;
 
     uint32_t triangles() const;  // 0: there is no surface
-    const ProxyLoss& loss() const;
+    const MeshLoss& loss() const;
     const std::vector<std::string>& warnings() const;  // what is wrong with the mesh, and what mends it
     // Of the file: as many if every vertex gets a view table. Throws BakeError for more texels than the format holds.
     uint64_t most_bytes(float texels_per_radius) const;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "fit/fit_model.h"
+
+#include "lumi/surface_format.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr int kOneQ12 = 4096;
+
+}  // namespace
+
+FitModel empty_model(const FitShape& shape)
+{
+    return {std::vector<LevelColour>(shape.layout.texels),
+            std::vector<LevelColour>(shape.mesh.positions.size() * format::kViewNodes)};
+}
+
+SampleTaps taps_of(const FitShape& shape, const FitSample& s)
+{
+    SampleTaps result;
+    const int weights[3] = {kOneQ12 - s.second_q12 - s.third_q12, s.second_q12, s.third_q12};
+    for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t corner = FitShape::patch_corner(s.triangle, k);
+        const ViewTaps seen = shape.taps(shape.vertex(s.triangle / 2, corner), s.eye);
+        for (int tap = 0; tap < 3; ++tap) {
+            const int weight = (std::max(weights[k], 0) * seen.weight_q8[tap] + 128) >> 8;
+            if (weight != 0) {
+                result.taps[result.count++] = {static_cast<uint16_t>(corner * format::kViewNodes + seen.node[tap]),
+                                               static_cast<int16_t>(weight)};
+            }
+        }
+    }
+    return result;
+}
+
+LevelColour predicted(const FitModel& model, const std::vector<LevelColour>& nodes, const FitSample& sample,
+                      const SampleTaps& taps)
+{
+    constexpr float kUnit = 1.0f / kOneQ12;
+    LevelColour sum = model.texels[sample.texel];
+    for (uint32_t k = 0; k < taps.count; ++k) {
+        const LevelColour& node = nodes[taps.taps[k].node];
+        const float weight = kUnit * static_cast<float>(taps.taps[k].weight_q12);
+        for (size_t c = 0; c < 3; ++c) sum[c] += weight * node[c];
+    }
+    return sum;
+}
+
+std::vector<LevelColour> patch_nodes(const FitShape& shape, const FitModel& model, uint32_t patch)
+{
+    std::vector<LevelColour> nodes(kPatchNodes);
+    for (uint32_t corner = 0; corner < 4; ++corner) {
+        const uint32_t v = shape.vertex(patch, corner);
+        if (v != PatchMesh::kNone) {
+            std::copy_n(model.nodes.begin() + v * format::kViewNodes, format::kViewNodes,
+                        nodes.begin() + corner * format::kViewNodes);
+        }
+    }
+    return nodes;
+}
+
+bool is_of(const FitModel& model, const FitShape& shape)
+{
+    const FitModel empty = empty_model(shape);
+    return model.texels.size() == empty.texels.size() && model.nodes.size() == empty.nodes.size();
+}
+
+}  // namespace lumi::baker

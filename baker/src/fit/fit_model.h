@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The colours of a surface field before they are quantised, and where a sample lies among them.
+#pragma once
+
+#include "fit/encoded_tone.h"
+#include "fit/sample_tracer.h"
+
+namespace lumi::baker
+{
+
+inline constexpr uint32_t kPatchNodes = 4 * format::kViewNodes;  // of a patch's corners
+
+struct FitModel {
+    std::vector<LevelColour> texels;
+    std::vector<LevelColour> nodes;  // kViewNodes a vertex
+};
+
+template <class Io>
+void fields(Io& io, FitModel& model)
+{
+    io(model.texels, model.nodes);
+}
+
+FitModel empty_model(const FitShape& shape);
+bool is_of(const FitModel& model, const FitShape& shape);
+
+// The nodes that a sample sees, and their weights; those of no weight are left out.
+struct SampleTaps {
+    struct Tap {
+        uint16_t node;  // corner · kViewNodes + node, < kPatchNodes
+        int16_t weight_q12;
+    };
+    std::array<Tap, 9> taps;
+    uint32_t count = 0;
+};
+SampleTaps taps_of(const FitShape& shape, const FitSample& sample);
+
+// What the model shows of a sample; `nodes` are those of its patch, kPatchNodes of them.
+LevelColour predicted(const FitModel& model, const std::vector<LevelColour>& nodes, const FitSample& sample,
+                      const SampleTaps& taps);
+// Of a patch's corners, in order; those of a missing corner are 0.
+std::vector<LevelColour> patch_nodes(const FitShape& shape, const FitModel& model, uint32_t patch);
+
+}  // namespace lumi::baker

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The mesh of a surface field as its file holds it: what tracing, fitting and writing have in common.
+#pragma once
+
+#include "fit/texel_layout.h"
+#include "lumi/detail/surface/view_nodes.h"
+
+namespace lumi::baker
+{
+
+// Half a turn about h = (x, y, z)/127 takes +z to the vertex's direction.
+struct ViewTurn {
+    int8_t x, y, z;
+};
+
+ViewTurn view_turn(const Vec3& normal);
+
+// Points and eyes of the fit, Q12.
+inline constexpr float kEyeScale = 4096;
+struct EyePoint {
+    int16_t x, y, z;
+};
+
+struct FitShape {
+    FitShape(PatchMesh mesh, const std::vector<float>& densities);  // texels a radius, by patch
+
+    // Where an eye lies between the nodes of a vertex's view table.
+    ViewTaps taps(uint32_t vertex, const EyePoint& eye) const;
+    // Corner 0, 1 or 2 of triangle 2p or 2p + 1, as a corner of its patch: 0 .. 3.
+    static uint32_t patch_corner(uint32_t triangle, uint32_t corner) { return triangle % 2 == 0 ? corner : 3 - corner; }
+    // kNone for the fourth corner of a lone triangle.
+    uint32_t vertex(uint32_t patch, uint32_t corner) const
+    {
+        const PatchMesh::Patch& p = mesh.patches[patch];
+        return corner == 0 ? p.a : corner == 1 ? p.b : corner == 2 ? p.c : p.d;
+    }
+
+    PatchMesh mesh;
+    TexelLayout layout;
+    std::vector<EyePoint> points;  // by vertex
+    std::vector<ViewTurn> turns;   // by vertex
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "fit/fit_solver.h"
+
+#include <cmath>
+
+namespace lumi::baker
+{
+namespace
+{
+
+using format::kViewNodes;
+
+constexpr uint32_t kPatchesATask = 16;
+constexpr double kGoodEnough = 1e-4;  // of the first residual
+
+std::array<double, 3> dots(const std::vector<double>& a, const std::vector<double>& b)
+{
+    std::array<double, 3> sums{};
+    for (size_t k = 0; k < a.size(); ++k) sums[k % 3] += a[k] * b[k];
+    return sums;
+}
+
+// What the texel's samples see of the nodes in the mean, times their count.
+std::array<double, 3> seen(const uint32_t* crossed, const std::vector<double>& nodes)
+{
+    std::array<double, 3> sums{};
+    for (uint32_t j = 0; j < kPatchNodes; ++j) {
+        const double weight = kWeightUnit * crossed[j];
+        for (size_t c = 0; c < 3; ++c) sums[c] += weight * nodes[3 * j + c];
+    }
+    return sums;
+}
+
+void subtract(const uint32_t* crossed, const std::array<double, 3>& colour, std::vector<double>& result)
+{
+    for (uint32_t j = 0; j < kPatchNodes; ++j) {
+        const double weight = kWeightUnit * crossed[j];
+        for (size_t c = 0; c < 3; ++c) result[3 * j + c] -= weight * colour[c];
+    }
+}
+
+}  // namespace
+
+FitSolver::FitSolver(const FitSums& sums, const ViewSmoothness& smoothness, std::vector<uint8_t> viewed, Job& job)
+    : sums_(sums), smoothness_(smoothness), viewed_(std::move(viewed)), job_(job), parts_(sums.patches().size())
+{
+}
+
+FitSolver::Numbers FitSolver::local(uint32_t patch, const Numbers& nodes) const
+{
+    Numbers result(3 * kPatchNodes);
+    for (uint32_t corner = 0; corner < 4; ++corner) {
+        const uint32_t v = sums_.shape().vertex(patch, corner);
+        if (v != PatchMesh::kNone)
+            std::copy_n(nodes.begin() + 3 * v * kViewNodes, 3 * kViewNodes, result.begin() + 3 * corner * kViewNodes);
+    }
+    return result;
+}
+
+template <class Function>
+void FitSolver::gather(Numbers& result, Function f)
+{
+    const uint32_t patches = static_cast<uint32_t>(parts_.size());
+    job_.run((patches + kPatchesATask - 1) / kPatchesATask, [&](uint32_t task) {
+        const uint32_t end = std::min(patches, (task + 1) * kPatchesATask);
+        for (uint32_t p = task * kPatchesATask; p < end; ++p) {
+            parts_[p].assign(3 * kPatchNodes, 0);
+            f(p, parts_[p]);
+        }
+    });
+    for (uint32_t p = 0; p < patches; ++p) {
+        for (uint32_t corner = 0; corner < 4; ++corner) {
+            const uint32_t v = sums_.shape().vertex(p, corner);
+            for (uint32_t k = 0; v != PatchMesh::kNone && k < 3 * kViewNodes; ++k)
+                result[3 * v * kViewNodes + k] += parts_[p][3 * corner * kViewNodes + k];
+        }
+    }
+}
+
+void FitSolver::mask(Numbers& numbers) const
+{
+    for (size_t v = 0; v < viewed_.size(); ++v)
+        if (viewed_[v] == 0)
+            std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(3 * v * kViewNodes), 3 * kViewNodes, 0.0);
+}
+
+FitSolver::Numbers FitSolver::right_side()
+{
+    Numbers result(3 * kViewNodes * sums_.shape().mesh.positions.size());
+    gather(result, [&](uint32_t p, Numbers& part) {
+        const PatchSums& sums = sums_.patches()[p];
+        for (uint32_t j = 0; j < kPatchNodes; ++j)
+            for (size_t c = 0; c < 3; ++c)
+                part[3 * j + c] = kWeightUnit * kLevelUnit * static_cast<double>(sums.targets[j][c]);
+        for (size_t t = 0; t < sums.texels.size(); ++t) {
+            const TexelSums& texel = sums.texels[t];
+            const double unit = kLevelUnit / std::max(texel.count, 1u);
+            subtract(&sums.crossed[t * kPatchNodes],
+                     {unit * static_cast<double>(texel.target[0]), unit * static_cast<double>(texel.target[1]),
+                      unit * static_cast<double>(texel.target[2])},
+                     part);
+        }
+    });
+    mask(result);
+    return result;
+}
+
+FitSolver::Numbers FitSolver::diagonal()
+{
+    Numbers result(3 * kViewNodes * sums_.shape().mesh.positions.size());
+    gather(result, [&](uint32_t p, Numbers& part) {
+        const PatchSums& sums = sums_.patches()[p];
+        const auto add = [&](uint32_t node, double value) {
+            for (size_t c = 0; c < 3; ++c) part[3 * node + c] += value;
+        };
+        sums.pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
+            if (a == b) add(a, kWeightUnit * kWeightUnit * static_cast<double>(sum));
+        });
+        for (size_t t = 0; t < sums.texels.size(); ++t) {
+            for (uint32_t j = 0; j < kPatchNodes; ++j) {
+                const double weight = kWeightUnit * sums.crossed[t * kPatchNodes + j];
+                add(j, -weight * weight / std::max(sums.texels[t].count, 1u));
+            }
+        }
+    });
+    smoothness_.add_diagonal(result);
+    return result;
+}
+
+void FitSolver::apply(const Numbers& nodes, Numbers& result)
+{
+    std::fill(result.begin(), result.end(), 0.0);
+    gather(result, [&](uint32_t p, Numbers& part) {
+        const PatchSums& sums = sums_.patches()[p];
+        const Numbers own = local(p, nodes);
+        sums.pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
+            const double weight = kWeightUnit * kWeightUnit * static_cast<double>(sum);
+            for (size_t c = 0; c < 3; ++c) {
+                part[3 * a + c] += weight * own[3 * b + c];
+                part[3 * b + c] += a == b ? 0 : weight * own[3 * a + c];
+            }
+        });
+        for (size_t t = 0; t < sums.texels.size(); ++t) {
+            if (sums.texels[t].count != 0) {
+                const uint32_t* crossed = &sums.crossed[t * kPatchNodes];
+                std::array<double, 3> mean = seen(crossed, own);
+                for (double& channel : mean) channel /= sums.texels[t].count;
+                subtract(crossed, mean, part);
+            }
+        }
+    });
+    smoothness_.add_gradient(nodes, result);
+    mask(result);
+}
+
+FitSolver::Numbers FitSolver::preconditioned(const Numbers& residual)
+{
+    if (scale_.empty()) scale_ = diagonal();
+    Numbers z(residual.size());
+    for (size_t k = 0; k < z.size(); ++k) z[k] = residual[k] / scale_[k];
+    return z;
+}
+
+ConjugateGradients FitSolver::begun(const FitModel& model)
+{
+    ConjugateGradients d;
+    for (const LevelColour& node : model.nodes)
+        for (const float channel : node) d.x.push_back(static_cast<double>(channel));
+    mask(d.x);
+    Numbers product(d.x.size());
+    apply(d.x, product);
+    d.residual = right_side();
+    for (size_t k = 0; k < product.size(); ++k) d.residual[k] -= product[k];
+    d.direction = preconditioned(d.residual);
+    d.size = d.first = dots(d.residual, d.direction);
+    return d;
+}
+
+void FitSolver::advance(ConjugateGradients& d, int iterations)
+{
+    Numbers product(d.x.size());
+    for (int k = 0; k < iterations && !d.done; ++k) {
+        apply(d.direction, product);
+        const std::array<double, 3> along = dots(d.direction, product);
+        std::array<double, 3> step{}, turn{};
+        for (size_t c = 0; c < 3; ++c) step[c] = along[c] > 0 ? d.size[c] / along[c] : 0;
+        for (size_t i = 0; i < product.size(); ++i) {
+            d.x[i] += step[i % 3] * d.direction[i];
+            d.residual[i] -= step[i % 3] * product[i];
+        }
+        const Numbers z = preconditioned(d.residual);
+        const std::array<double, 3> next = dots(d.residual, z);
+        d.done = true;
+        for (size_t c = 0; c < 3; ++c) {
+            turn[c] = d.size[c] > 0 ? next[c] / d.size[c] : 0;
+            d.done = d.done && next[c] <= kGoodEnough * kGoodEnough * d.first[c];
+        }
+        d.size = next;
+        for (size_t i = 0; i < z.size(); ++i) d.direction[i] = z[i] + turn[i % 3] * d.direction[i];
+    }
+}
+
+void FitSolver::take(const ConjugateGradients& gradients, FitModel& model)
+{
+    for (size_t k = 0; k < gradients.x.size(); ++k) model.nodes[k / 3][k % 3] = static_cast<float>(gradients.x[k]);
+    fit_texels(model);
+}
+
+void FitSolver::solve(FitModel& model, int iterations)
+{
+    ConjugateGradients gradients = begun(model);
+    advance(gradients, iterations);
+    take(gradients, model);
+}
+
+void FitSolver::fit_texels(FitModel& model)
+{
+    const FitShape& shape = sums_.shape();
+    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        const PatchSums& sums = sums_.patches()[p];
+        Numbers own;
+        for (const LevelColour& node : patch_nodes(shape, model, p)) own.insert(own.end(), node.begin(), node.end());
+        for (size_t t = 0; t < sums.texels.size(); ++t) {
+            const TexelSums& texel = sums.texels[t];
+            if (texel.count == 0) continue;
+            const std::array<double, 3> tables = seen(&sums.crossed[t * kPatchNodes], own);
+            LevelColour& colour = model.texels[shape.layout.rectangles[p].begin + t];
+            for (size_t c = 0; c < 3; ++c) {
+                colour[c] =
+                    static_cast<float>((kLevelUnit * static_cast<double>(texel.target[c]) - tables[c]) / texel.count);
+            }
+        }
+    }
+}
+
+bool is_of(const ConjugateGradients& d, const FitShape& shape)
+{
+    const size_t numbers = 3 * empty_model(shape).nodes.size();
+    return d.x.size() == numbers && d.residual.size() == numbers && d.direction.size() == numbers;
+}
+
+}  // namespace lumi::baker

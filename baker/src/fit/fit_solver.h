@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The texels and view tables that fit best what the sums hold.
+//
+// Texels are eliminated: each is the mean of its targets less what the view tables add. The rest, one equation a node,
+// is solved by conjugate gradients, preconditioned by the diagonal. The result does not depend on threads.
+#pragma once
+
+#include "fit/fit_sums.h"
+#include "fit/view_smoothness.h"
+#include "util/job.h"
+
+namespace lumi::baker
+{
+
+// Where conjugate gradients stand. Numbers: 3 a node; sums are of each channel.
+struct ConjugateGradients {
+    std::vector<double> x, residual, direction;
+    std::array<double, 3> size{}, first{};  // of the residual, now and at the begin
+    bool done = false;                      // the residual is small enough
+};
+
+template <class Io>
+void fields(Io& io, ConjugateGradients& d)
+{
+    io(d.x, d.residual, d.direction, d.size, d.first, d.done);
+}
+bool is_of(const ConjugateGradients& gradients, const FitShape& shape);
+
+class FitSolver
+{
+public:
+    // Borrows the others. Nodes of vertices that are not `viewed` stay 0; empty: all are.
+    FitSolver(const FitSums& sums, const ViewSmoothness& smoothness, std::vector<uint8_t> viewed, Job& job);
+
+    // From the nodes of `model`, so many iterations, to nodes and texels. In parts, for who keeps what is done: begun,
+    // advance, take.
+    void solve(FitModel& model, int iterations);
+    ConjugateGradients begun(const FitModel& model);
+    void advance(ConjugateGradients& gradients, int iterations);
+    void take(const ConjugateGradients& gradients, FitModel& model);
+    // The texels alone, for the nodes as they are.
+    void fit_texels(FitModel& model);
+
+private:
+    using Numbers = std::vector<double>;  // 3 a node
+
+    Numbers right_side();
+    Numbers diagonal();
+    Numbers preconditioned(const Numbers& residual);
+    void apply(const Numbers& nodes, Numbers& result);
+    void mask(Numbers& numbers) const;
+
+    // f(patch, local numbers of its nodes) for all patches, whose results are then summed.
+    template <class Function>
+    void gather(Numbers& result, Function f);
+    Numbers local(uint32_t patch, const Numbers& nodes) const;
+
+    const FitSums& sums_;
+    const ViewSmoothness& smoothness_;
+    const std::vector<uint8_t> viewed_;
+    Job& job_;
+    std::vector<Numbers> parts_;  // by patch
+    Numbers scale_;               // the diagonal, once it is needed
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "fit/fit_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lumi/baker/bake.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kWhite = 255;
+
+std::array<int64_t, 3> fixed(const LevelColour& levels)
+{
+    constexpr float kPerLevel = 64, kMost = 32767 * kPerLevel;
+    const auto step = [](float v) { return int64_t{std::lround(std::clamp(v * kPerLevel, -kMost, +kMost))}; };
+    return {step(levels[0]), step(levels[1]), step(levels[2])};
+}
+
+}  // namespace
+
+int64_t& NodePairs::sum(uint32_t a, uint32_t b)
+{
+    constexpr uint32_t kScatter = 40503;  // 2^16/Φ
+    const uint16_t key = static_cast<uint16_t>(a * kPatchNodes + b);
+    const size_t mask = keys_.size() - 1;
+    for (size_t k = (key * kScatter >> 4) & mask;; k = (k + 1) & mask) {
+        if (keys_[k] == key) return sums_[k];
+        if (keys_[k] == kEmpty) {
+            if (4 * (used_ + 1) > 3 * keys_.size()) {
+                grow();
+                return sum(a, b);
+            }
+            ++used_;
+            keys_[k] = key;
+            return sums_[k];
+        }
+    }
+}
+
+void NodePairs::grow()
+{
+    NodePairs larger;
+    larger.keys_.assign(2 * keys_.size(), kEmpty);
+    larger.sums_.assign(2 * keys_.size(), 0);
+    each([&](uint32_t a, uint32_t b, int64_t value) { larger.sum(a, b) = value; });
+    *this = std::move(larger);
+}
+
+void NodePairs::sort()
+{
+    std::vector<std::pair<uint16_t, int64_t>> all;
+    each([&](uint32_t a, uint32_t b, int64_t value) {
+        all.push_back({static_cast<uint16_t>(a * kPatchNodes + b), value});
+    });
+    std::sort(all.begin(), all.end());
+    NodePairs ordered;
+    ordered.keys_.assign(keys_.size(), kEmpty);
+    ordered.sums_.assign(keys_.size(), 0);
+    for (const auto& [key, value] : all) ordered.sum(key / kPatchNodes, key % kPatchNodes) = value;
+    *this = std::move(ordered);
+}
+
+FitSums::FitSums(const FitShape& shape, const EncodedTone& tone, const FitModel& expected, White white)
+    : shape_(shape), tone_(tone), expected_(expected), white_(white), patches_(shape.mesh.patches.size())
+{
+    for (size_t p = 0; p < patches_.size(); ++p) {
+        const uint32_t texels = shape.layout.rectangles[p].size();
+        patches_[p].texels.resize(texels);
+        patches_[p].crossed.resize(size_t{texels} * kPatchNodes);
+        patches_[p].targets.resize(kPatchNodes);
+    }
+}
+
+void require_few_enough(uint32_t texel_samples)
+{
+    if (texel_samples >= kMaxTexelSamples)
+        throw BakeError("a texel got a million light paths, more than sums can hold; choose fewer --paths");
+}
+
+LevelColour FitSums::target_of(const FitSample& sample, const LevelColour& expected) const
+{
+    LevelColour target = tone_.line_at(expected)(sample.radiance);
+    for (size_t c = 0; c < 3; ++c) target[c] = white_ == White::clips && expected[c] > kWhite ? kWhite : target[c];
+    return target;
+}
+
+void FitSums::add(uint32_t patch, const FitSample* begin, const FitSample* end)
+{
+    PatchSums& sums = patches_[patch];
+    const uint32_t first = shape_.layout.rectangles[patch].begin;
+    const std::vector<LevelColour> nodes = patch_nodes(shape_, expected_, patch);
+    for (const FitSample* s = begin; s != end; ++s) {
+        const SampleTaps taps = taps_of(shape_, *s);
+        const LevelColour expected = predicted(expected_, nodes, *s, taps);
+        const std::array<int64_t, 3> target = fixed(target_of(*s, expected)), p = fixed(expected);
+        TexelSums& texel = sums.texels[s->texel - first];
+        uint32_t* crossed = &sums.crossed[size_t{s->texel - first} * kPatchNodes];
+        require_few_enough(++texel.count);
+        for (size_t c = 0; c < 3; ++c) {
+            texel.target[c] += target[c];
+            texel.predicted[c] += p[c];
+            const int64_t off = (target[c] - p[c]) >> kScatterShift;
+            texel.scatter += static_cast<uint64_t>(off * off);
+        }
+        for (uint32_t i = 0; i < taps.count; ++i) {
+            const SampleTaps::Tap& a = taps.taps[i];
+            crossed[a.node] += static_cast<uint32_t>(a.weight_q12);
+            for (size_t c = 0; c < 3; ++c) sums.targets[a.node][c] += a.weight_q12 * target[c];
+            for (uint32_t j = i; j < taps.count; ++j)
+                sums.pairs.add(a.node, taps.taps[j].node, int64_t{a.weight_q12} * taps.taps[j].weight_q12);
+        }
+    }
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "fit/light_fit.h"
+
+#include <numeric>
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr uint64_t kPilotSeedOffset = 0x70696C6F, kShareSeedOffset = 0x73686172;
+constexpr uint32_t kShareBatches = 16;
+constexpr double kPilotPaths = 65;        // a texel; more gain nothing
+constexpr double kMaxPilotPaths = 1.6e7;  // of all texels together: they are kept in memory
+constexpr int kPilotRounds = 4;           // each linear around the one before
+constexpr int kPilotIterations = 12;
+// Of a round of the pilot, in light paths a texel that take as long: sums of 65 paths, and iterations.
+constexpr double kRoundWork = 25;
+constexpr uint32_t kRoundRuns = kPilotIterations + 4;
+constexpr uint32_t kMostAtOnce = 512, kRounds = 16;  // batches between two calls of `keep`, and calls at least
+
+// The levels of each texel's mean light; of those with few paths nearly their patch's.
+void start_from_means(const FitShape& shape, const SortedSamples& samples, const EncodedTone& tone, FitModel& model)
+{
+    constexpr float kPatchPaths = 4;
+    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        const PatchRectangle& r = shape.layout.rectangles[p];
+        std::vector<Rgb> sums(r.size());
+        std::vector<float> counts(r.size());
+        Rgb all;
+        for (const FitSample* s = samples.begin(p); s != samples.end(p); ++s) {
+            sums[s->texel - r.begin] = sums[s->texel - r.begin] + s->radiance;
+            counts[s->texel - r.begin] += 1;
+            all = all + s->radiance;
+        }
+        const auto paths = static_cast<float>(samples.end(p) - samples.begin(p));
+        const Rgb mean = all * (1 / std::max(paths, 1.0f));
+        for (size_t t = 0; t < sums.size(); ++t)
+            model.texels[r.begin + t] = tone.encoded((sums[t] + mean * kPatchPaths) * (1 / (counts[t] + kPatchPaths)));
+    }
+}
+
+}  // namespace
+
+LightFit::LightFit(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, const Shard& shard)
+    : shape_(shape), settings_(settings), shard_(shard), tracer_(scene, shape, ViewCap(settings.cap))
+{
+    uint32_t lines = 0;
+    for (uint32_t k = 0; k < kShareBatches; ++k) lines += tracer_.meeting(settings.seed + kShareSeedOffset, k).scene;
+    paths_per_batch_ = std::max(1.0, lines / static_cast<double>(kShareBatches));
+}
+
+uint32_t LightFit::batches_for(double paths) const
+{
+    return static_cast<uint32_t>(std::ceil(paths / paths_per_batch_));
+}
+
+uint32_t LightFit::pilot_batches() const
+{
+    return batches_for(std::min(kPilotPaths * shape_.layout.texels, kMaxPilotPaths));
+}
+
+uint32_t LightFit::shard_batches() const
+{
+    const uint32_t all = batches_for(static_cast<double>(settings_.paths_per_texel) * shape_.layout.texels);
+    return (all + shard_.count - shard_.index) / shard_.count;
+}
+
+// Shards take turns.
+std::vector<uint32_t> LightFit::next_batches(uint32_t first, uint32_t count) const
+{
+    std::vector<uint32_t> result;
+    for (uint32_t k = first; k < first + count; ++k) result.push_back(k * shard_.count + shard_.index - 1);
+    return result;
+}
+
+SampleBatches LightFit::traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const
+{
+    SampleBatches samples(batches.size());
+    job.run(static_cast<uint32_t>(batches.size()), [&](uint32_t k) {
+        samples[k] = tracer_.samples(seed, batches[k]);
+        job.add_rays(SampleTracer::kLines);
+    });
+    return samples;
+}
+
+SortedSamples LightFit::by_patch(const SampleBatches& batches) const
+{
+    return sorted(batches, static_cast<uint32_t>(shape_.mesh.patches.size()));
+}
+
+// The same in all shards.
+SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
+{
+    SampleBatches all;
+    const uint32_t count = pilot_batches();
+    for (uint32_t first = 0; first < count; first += kMostAtOnce) {
+        std::vector<uint32_t> batches(std::min(kMostAtOnce, count - first));
+        std::iota(batches.begin(), batches.end(), first);
+        const uint64_t end = job.part_of_rest(0) + uint64_t{SampleTracer::kLines} * batches.size();
+        SampleBatches some = stages.once<SampleBatches>(
+            "pilot light", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, job); }, first);
+        job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
+        stages.require_shape(are_of(some, shape_));
+        std::move(some.begin(), some.end(), std::back_inserter(all));
+    }
+    return by_patch(all);
+}
+
+void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
+{
+    const SortedSamples samples = pilot_samples(stages, job);
+    const ViewSmoothness smoothness(shape_);
+    start_from_means(shape_, samples, state.tone, state.expected);
+    for (int round = 0; round < kPilotRounds; ++round) {
+        const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
+        const auto next = [&] {
+            FitSums sums(shape_, state.tone, state.expected, White::goes_on);
+            for_patches(shape_, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
+            FitModel model = state.expected;
+            FitSolver(sums, smoothness, {}, job).solve(model, kPilotIterations);
+            return model;
+        };
+        state.expected = stages.once<FitModel>("pilot round", next, round);
+        stages.require_shape(is_of(state.expected, shape_));
+    }
+    state.has_pilot = true;
+}
+
+uint64_t LightFit::pilot_work() const
+{
+    return static_cast<uint64_t>(kPilotRounds * kRoundWork * shape_.layout.texels);
+}
+
+uint64_t LightFit::work() const
+{
+    return uint64_t{SampleTracer::kLines} * (uint64_t{pilot_batches()} + shard_batches()) + pilot_work();
+}
+
+uint64_t LightFit::work_in(const FitState& state) const
+{
+    const uint64_t pilot = uint64_t{SampleTracer::kLines} * pilot_batches() + pilot_work();
+    return state.has_pilot ? pilot + uint64_t{SampleTracer::kLines} * state.batches : 0;
+}
+
+void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::function<void()>& keep)
+{
+    const uint32_t batches = shard_batches();
+    state.wanted = batches;
+    const uint32_t at_once = std::clamp(batches / kRounds, 1u, kMostAtOnce);
+    if (!state.has_pilot) {
+        pilot(state, stages, job);
+        keep();
+    }
+    const ProgressCallback quiet;
+    while (state.batches < batches) {
+        const uint32_t count = std::min(at_once, batches - state.batches);
+        const SortedSamples samples = by_patch(traced(settings_.seed, next_batches(state.batches, count), job));
+        Job whole(1, settings_.threads, quiet);  // sums hold all of a batch or nothing
+        for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
+        state.batches += count;
+        state.paths += samples.samples.size();
+        keep();
+        job.finish();  // reports, as it does at the end
+    }
+    job.finish();
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Traces the light of a surface field into sums.
+//
+// A pilot of few paths, kept one by one, finds about which levels each sample shows; then every further path is added
+// to sums that are linear around those.
+#pragma once
+
+#include <functional>
+
+#include "fit/fit_solver.h"
+#include "fit/fit_state.h"
+#include "lumi/baker/surface.h"
+#include "store/bake_stages.h"
+
+namespace lumi::baker
+{
+
+class LightFit
+{
+public:
+    // Borrows all.
+    LightFit(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, const Shard& shard);
+
+    // All work up to the solution, in light paths that take as long.
+    uint64_t work() const;
+    // Of it, what is in a state.
+    uint64_t work_in(const FitState& state) const;
+
+    // Goes on from `state` until all paths of the shard are in it; `keep` is called when some more are. Throws
+    // Cancelled, with what is whole in the state.
+    void trace(FitState& state, BakeStages& stages, Job& job, const std::function<void()>& keep);
+
+private:
+    uint32_t batches_for(double paths) const;
+    uint32_t pilot_batches() const;
+    uint32_t shard_batches() const;
+    uint64_t pilot_work() const;
+    void pilot(FitState& state, BakeStages& stages, Job& job) const;
+    SortedSamples pilot_samples(BakeStages& stages, Job& job) const;
+    SampleBatches traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const;
+    SortedSamples by_patch(const SampleBatches& batches) const;
+    std::vector<uint32_t> next_batches(uint32_t first, uint32_t count) const;
+
+    const FitShape& shape_;
+    const SurfaceSettings& settings_;
+    const Shard shard_;
+    const SampleTracer tracer_;
+    double paths_per_batch_;
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/edge_split.h"
+
+#include <queue>
+#include <unordered_map>
+
+namespace lumi::baker
+{
+namespace
+{
+
+class EdgeSplitter
+{
+public:
+    EdgeSplitter(Mesh& mesh, float longest, const PlaceMiddle& place) : mesh_(mesh), longest_(longest), place_(place)
+    {
+        for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
+            const Mesh::Corners& c = mesh.corners[k];
+            for (size_t side = 0; side < 3; ++side) add(c[side], c[(side + 1) % 3], k);
+        }
+    }
+
+    void run()
+    {
+        while (!queue_.empty()) {
+            const Key key = queue_.top().second;
+            queue_.pop();
+            split(static_cast<uint32_t>(key >> 32), static_cast<uint32_t>(key));
+        }
+    }
+
+private:
+    using Key = uint64_t;  // the lower vertex above the higher one
+    using Triangles = std::vector<uint32_t>;
+
+    static Key key(uint32_t a, uint32_t b) { return Key{std::min(a, b)} << 32 | std::max(a, b); }
+    float edge_length(uint32_t a, uint32_t b) const { return length(mesh_.positions[a] - mesh_.positions[b]); }
+
+    void add(uint32_t a, uint32_t b, uint32_t triangle)
+    {
+        const auto [edge, is_new] = triangles_.try_emplace(key(a, b));
+        edge->second.push_back(triangle);
+        if (is_new && edge_length(a, b) > longest_) queue_.emplace(edge_length(a, b), edge->first);
+    }
+
+    void split(uint32_t a, uint32_t b)
+    {
+        const Triangles around = triangles_.at(key(a, b));
+        triangles_.erase(key(a, b));
+        const uint32_t middle = add_middle(a, b, around);
+        for (const uint32_t k : around) split_triangle(k, a, b, middle);
+    }
+
+    uint32_t add_middle(uint32_t a, uint32_t b, const Triangles& around)
+    {
+        Vec3 middle = (mesh_.positions[a] + mesh_.positions[b]) * 0.5f;
+        Vec3 facing;
+        for (const uint32_t k : around) facing = facing + mesh_.area_vector(k);
+        if (around.size() > 1 && length(facing) > 0) middle = place_(middle, normalized(facing), edge_length(a, b));
+        mesh_.positions.push_back(middle);
+        return static_cast<uint32_t>(mesh_.positions.size() - 1);
+    }
+
+    // The triangle keeps corner a; a new one gets corner b.
+    void split_triangle(uint32_t triangle, uint32_t a, uint32_t b, uint32_t middle)
+    {
+        const uint32_t added = static_cast<uint32_t>(mesh_.triangle_count());
+        Mesh::Corners kept = mesh_.corners[triangle], moved = kept;
+        std::replace(kept.begin(), kept.end(), b, middle);
+        std::replace(moved.begin(), moved.end(), a, middle);
+        const uint32_t apex =
+            *std::find_if(kept.begin(), kept.end(), [&](uint32_t v) { return v != a && v != middle; });
+        mesh_.corners[triangle] = kept;
+        mesh_.corners.push_back(moved);
+        Triangles& beyond = triangles_.at(key(b, apex));
+        std::replace(beyond.begin(), beyond.end(), triangle, added);
+        add(a, middle, triangle);
+        add(middle, b, added);
+        add(middle, apex, triangle);
+        add(middle, apex, added);
+    }
+
+    Mesh& mesh_;
+    float longest_;
+    const PlaceMiddle& place_;
+    std::unordered_map<Key, Triangles> triangles_;
+    std::priority_queue<std::pair<float, Key>> queue_;  // edges that are too long
+};
+
+}  // namespace
+
+Mesh with_short_edges(Mesh mesh, float longest, const PlaceMiddle& place)
+{
+    EdgeSplitter(mesh, longest, place).run();
+    return mesh;
+}
+
+}  // namespace lumi::baker

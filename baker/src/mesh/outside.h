@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What of a scene can be seen from outside: the part of it that a mesh has to follow.
+#pragma once
+
+#include "geometry/view_cap.h"
+#include "scene/scene_data.h"
+#include "util/job.h"
+
+namespace lumi::baker
+{
+
+struct Outside {
+    Mesh mesh;  // positions and corners; vertices welded; triangles turned towards the side that is seen more
+    bool two_sided = false;  // too much is seen from both sides to cull back faces
+};
+
+template <class Io>
+void fields(Io& io, Outside& outside)
+{
+    io(outside.two_sided, outside.mesh);
+}
+
+Outside outside_of(const SceneData& scene, Job& job, const ViewCap& cap = {});
+
+}  // namespace lumi::baker

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/patch_mesh.h"
+
+#include "lumi/surface_format.h"
+#include "mesh/edge_split.h"
+#include "mesh/mesh_draft.h"
+#include "mesh/mesh_fit.h"
+#include "mesh/mesh_loss.h"
+#include "mesh/mesh_warnings.h"
+#include "mesh/patch_pairs.h"
+#include "mesh/rounded_mesh.h"
+#include "mesh/seen_part.h"
+#include "mesh/silhouettes.h"
+#include "mesh/smooth_groups.h"
+#include "store/bake_stages.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kFewerTriangles = 0.8f;
+constexpr float kLongerEdges = 1.1f;
+
+// Work of the stages, in light paths that take as long: of a triangle of the scene, of one that is asked for, and of
+// the pictures and rays that judge the result. Estimates: they decide how evenly progress moves.
+constexpr double kLookWork = 6, kSimplifyWork = 3, kShapeWork = 60, kCheckWork = 2e5;
+constexpr uint32_t kLookRuns = 2, kSimplifyRuns = 3, kShapeRuns = 9, kCheckRuns = 2;
+
+struct MeshWork {
+    double look, simplify, shape, check;
+};
+
+MeshWork work_of(const SceneData& scene, const MeshSettings& s)
+{
+    const auto triangles = static_cast<double>(scene.mesh.triangle_count());
+    return {kLookWork * triangles, kSimplifyWork * triangles, kShapeWork * s.triangles, kCheckWork};
+}
+
+// Near the scene, in steps of the format.
+Mesh shaped(const SceneData& scene, Mesh draft, bool two_sided, const MeshSettings& s, Job& job)
+{
+    const Mesh fit = fitted_in_rounds(scene, std::move(draft), two_sided, job, s.cap);
+    const Mesh mesh = seen_part(MeshTracer(fit, two_sided), job, s.cap);
+    return rounded(
+        with_short_edges(mesh, s.longest_edge, [](const Vec3& middle, const Vec3&, float) { return middle; }));
+}
+
+PatchMesh assembled(const Mesh& shape, float crease_cosine)
+{
+    Mesh mesh = with_creases(shape, crease_cosine);
+    PatchMesh result;
+    result.patches = paired(mesh);
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
+        for (size_t i = 0; i < 3; ++i) {
+            const float edge = length(mesh.position(k, i) - mesh.position(k, (i + 1) % 3));
+            result.longest_edge = std::max(result.longest_edge, edge);
+        }
+    }
+    result.positions = std::move(mesh.positions);
+    result.normals = std::move(mesh.normals);
+    return result;
+}
+
+bool fits(const PatchMesh& mesh)
+{
+    return mesh.positions.size() <= format::kMaxSurfaceVertices && mesh.patches.size() <= format::kMaxPatches;
+}
+
+// What asks for a smaller mesh: fewer triangles, or longer edges where most triangles come from splitting.
+MeshSettings smaller(MeshSettings s)
+{
+    if (s.triangles > format::kMaxPatches / 2)
+        s.triangles = static_cast<uint32_t>(kFewerTriangles * static_cast<float>(s.triangles));
+    else
+        s.longest_edge *= kLongerEdges;
+    return s;
+}
+
+MeshLoss loss_of(const SceneData& scene, const MeshTracer& shape, const ViewCap& cap, bool rough, Job& job)
+{
+    MeshLoss loss = loss_of(scene, shape, job, cap);
+    const MissingPixels pixels = missing_pixels(scene, shape, job, cap);
+    loss.rough = rough;
+    loss.holes = pixels.regions;
+    loss.largest_hole = pixels.largest;
+    return loss;
+}
+
+}  // namespace
+
+BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
+{
+    const MeshWork work = work_of(scene, settings);
+    const double later = work.simplify + work.shape + work.check;
+    const Outside outside = [&] {
+        const JobStage stage(job, Stage::mesh, job.part_of_rest(work.look / (work.look + later)), kLookRuns);
+        return stages.once<Outside>(
+            "outside", [&] { return outside_of(scene, job, settings.cap); }, settings.cap.lowest());
+    }();
+    BuiltMesh result;
+    MeshSettings s = settings;
+    s.triangles = std::min(s.triangles, 2 * format::kMaxPatches);
+    for (;; s = smaller(s)) {
+        MeshDraft draft = [&] {
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(work.simplify / later), kSimplifyRuns);
+            return stages.once<MeshDraft>(
+                "draft", [&] { return drafted(scene, outside, s, job); }, s.triangles, s.longest_edge, s.cap.lowest());
+        }();
+        if (!draft.fits) continue;
+        const Mesh shape = [&] {
+            const double share = work.shape / (work.shape + work.check);
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);
+            return stages.once<Mesh>(
+                "shape", [&] { return shaped(scene, std::move(draft.mesh), outside.two_sided, s, job); }, s.triangles,
+                s.longest_edge, s.cap.lowest());
+        }();
+        result.mesh = assembled(shape, settings.crease_cosine);
+        if (fits(result.mesh)) {
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
+            result.mesh.two_sided = outside.two_sided;
+            result.loss = stages.once<MeshLoss>(
+                "loss", [&] { return loss_of(scene, MeshTracer(shape, outside.two_sided), s.cap, draft.rough, job); },
+                s.triangles, s.longest_edge, s.cap.lowest());
+            result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
+                                            shape.triangle_count(), scene.mesh_is_shell);
+            return result;
+        }
+    }
+}
+
+uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings)
+{
+    const MeshWork work = work_of(scene, settings);
+    return static_cast<uint64_t>(work.look + work.simplify + work.shape + work.check);
+}
+
+}  // namespace lumi::baker

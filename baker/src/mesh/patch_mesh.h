@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The mesh that carries a surface field's radiance (lumi/surface_format.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/view_cap.h"
+#include "lumi/baker/mesh_loss.h"
+#include "math/vec3.h"
+#include "scene/scene_data.h"
+#include "util/job.h"
+
+namespace lumi::baker
+{
+
+class BakeStages;
+
+struct PatchMesh {
+    static constexpr uint32_t kNone = UINT32_MAX;
+
+    // Triangle (a, b, c), counter-clockwise seen from outside, and unless d is kNone (d, c, b).
+    struct Patch {
+        uint32_t a, b, c, d;
+    };
+
+    std::vector<Vec3> positions;  // of the unit sphere's frame, rounded to steps of 2^-14
+    std::vector<Vec3> normals;    // unit length: about where the surface around a vertex faces; view tables turn by it
+    std::vector<Patch> patches;
+    bool two_sided = false;
+    float longest_edge = 0;  // of any triangle
+};
+
+struct BuiltMesh {
+    PatchMesh mesh;
+    MeshLoss loss;
+    std::vector<std::string> warnings;  // sentences for the user: what is wrong, and what mends it
+};
+
+struct MeshSettings {
+    uint32_t triangles = 4000;   // about so many before edges are split
+    float longest_edge = 0.2f;   // edges longer than this are split, in radii
+    float crease_cosine = 0.2f;  // faces that turn more than this, 78°, get vertices of their own
+    ViewCap cap = {};            // what cannot be seen from there is left out
+};
+
+// About as much work as tracing so many light paths.
+uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);
+
+// At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface_format.h); none where nothing can be seen.
+// Takes all of the job's work, less what `stages` have of it.
+BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job);
+
+}  // namespace lumi::baker

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "pack/solution.h"
+
+#include "fit/fit_solver.h"
+#include "fit/starved_patches.h"
+#include "fit/texel_noise.h"
+#include "pack/texel_palette.h"
+#include "pack/view_quantiser.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr int kMostIterations = 60, kIterationsAtOnce = 10;
+constexpr double kSolveWork = 60;  // light paths a texel that take as long
+
+// Of a texel's mean, a channel. A texel's own scatter is known badly where it has few paths: its patch's helps out.
+std::vector<double> texel_variances(const PatchSums& sums)
+{
+    constexpr double kPatchPaths = 16;
+    TexelSums all;
+    for (const TexelSums& texel : sums.texels) {
+        all.count += texel.count;
+        all.scatter += texel.scatter;
+    }
+    std::vector<double> result;
+    for (const TexelSums& texel : sums.texels) {
+        const double scatter = texel.variance() * texel.count + all.variance() * kPatchPaths;
+        result.push_back(texel.count == 0 ? -1 : scatter / (texel.count + kPatchPaths) / texel.count);
+    }
+    return result;
+}
+
+// Takes the line back: the mean light that it stands for, encoded.
+void finish_texels(const FitState& state, FitModel& model)
+{
+    std::vector<uint32_t> counts(model.texels.size(), 0);
+    for (uint32_t p = 0; p < state.shape.mesh.patches.size(); ++p) {
+        const PatchRectangle& r = state.shape.layout.rectangles[p];
+        const PatchSums& sums = state.sums.patches()[p];
+        for (size_t t = 0; t < r.size(); ++t) {
+            const TexelSums& texel = sums.texels[t];
+            counts[r.begin + t] = texel.count;
+            const double unit = kLevelUnit / std::max(texel.count, 1u);
+            LevelColour expected, target;
+            for (size_t c = 0; c < 3; ++c) {
+                expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(texel.predicted[c])));
+                target[c] = static_cast<float>(unit * static_cast<double>(texel.target[c]));
+            }
+            const LevelColour shown = state.tone.encoded(state.tone.line_at(expected).inverse(target));
+            for (size_t c = 0; c < 3 && texel.count != 0; ++c) model.texels[r.begin + t][c] += shown[c] - target[c];
+        }
+        smooth_noise(&model.texels[r.begin], texel_variances(sums), r.n);
+    }
+    fill_starved_patches(state.shape, counts, model.texels);
+}
+
+class Solution
+{
+public:
+    Solution(const FitState& state, BakeStages& stages, Job& job)
+        : state_(state), smoothness_(state.shape), stages_(stages), job_(job)
+    {
+    }
+
+    // From `model` on. Nodes of vertices that are not `viewed` are 0; empty: all are viewed.
+    void solve(FitModel& model, const std::vector<uint8_t>& viewed, const char* name) const
+    {
+        FitSolver solver(state_.sums, smoothness_, viewed, job_);
+        ConjugateGradients gradients;
+        for (int done = 0; done < kMostIterations && !gradients.done; done += kIterationsAtOnce) {
+            const auto next = [&] {
+                ConjugateGradients d = done == 0 ? solver.begun(model) : std::move(gradients);
+                solver.advance(d, kIterationsAtOnce);
+                return d;
+            };
+            gradients = stages_.once<ConjugateGradients>(name, next, done);
+            stages_.require_shape(is_of(gradients, state_.shape));
+        }
+        solver.take(gradients, model);
+    }
+    // The texels that go with these nodes.
+    void refit_texels(FitModel& model) const
+    {
+        FitSolver(state_.sums, smoothness_, {}, job_).fit_texels(model);
+        finish_texels(state_, model);
+    }
+
+private:
+    const FitState& state_;
+    const ViewSmoothness smoothness_;
+    BakeStages& stages_;
+    Job& job_;
+};
+
+}  // namespace
+
+uint64_t solution_work(const FitShape& shape)
+{
+    return static_cast<uint64_t>(kSolveWork * shape.layout.texels);
+}
+
+FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, BakeStages& stages, Job& job)
+{
+    const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kMostIterations);
+    for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
+    const Solution solution(state, stages, job);
+    std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
+    FitModel model = state.expected;
+    if (view_tables) {
+        solution.solve(model, {}, "all tables");
+        job.run(1, [&](uint32_t) { viewed = viewed_vertices(state.sums, model); });
+    }
+    solution.solve(model, viewed, "tables");
+    QuantisedViews views;
+    job.run(1, [&](uint32_t) { views = quantised(state.sums, model, viewed); });
+    model.nodes = decoded(views);
+    PalettedTexels texels;
+    job.run(1, [&](uint32_t) {
+        solution.refit_texels(model);
+        texels = paletted(model.texels);
+    });
+    return {sphere.centre, sphere.radius,         texels.palette, std::move(texels.texels),
+            views.colours, std::move(views.views)};
+}
+
+}  // namespace lumi::baker

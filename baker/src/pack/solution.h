@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// From the sums of a surface bake to what its file holds.
+#pragma once
+
+#include "fit/fit_state.h"
+#include "pack/surface_writer.h"
+#include "store/bake_stages.h"
+
+namespace lumi::baker
+{
+
+// Of a file: its sphere, in scene units.
+struct FieldSphere {
+    std::array<double, 3> centre;
+    double radius;
+};
+
+// About as much work as tracing so many light paths.
+uint64_t solution_work(const FitShape& shape);
+
+// The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work,
+// less what `stages` have of it.
+FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, BakeStages& stages, Job& job);
+
+}  // namespace lumi::baker

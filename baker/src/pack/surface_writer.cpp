@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "pack/surface_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "pack/neighbours.h"
+#include "store/section_writer.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+struct Contents {
+    uint32_t type;
+    std::vector<uint8_t> bytes;
+};
+
+// Vertices in the file's order, those with view tables first, and their numbers in it.
+struct VertexOrder {
+    std::vector<uint32_t> vertices, numbers;
+    uint32_t viewed;
+};
+
+VertexOrder order_of(const std::vector<ViewCode>& views)
+{
+    VertexOrder order;
+    order.vertices.resize(views.size());
+    std::iota(order.vertices.begin(), order.vertices.end(), 0u);
+    const auto end = std::stable_partition(order.vertices.begin(), order.vertices.end(),
+                                           [&](uint32_t v) { return views[v].gain != 0; });
+    order.viewed = static_cast<uint32_t>(end - order.vertices.begin());
+    order.numbers.resize(views.size());
+    for (uint32_t k = 0; k < order.vertices.size(); ++k) order.numbers[order.vertices[k]] = k;
+    return order;
+}
+
+uint8_t edge_steps(float longest_edge)
+{
+    constexpr float kSteps = 64;
+    return static_cast<uint8_t>(std::clamp(std::ceil(longest_edge * kSteps), 1.0f, 2 * kSteps));
+}
+
+std::vector<uint8_t> surface_section(const FitShape& shape, const FieldParts& parts, uint32_t viewed)
+{
+    namespace at = format::surface;
+    Bytes b(format::kSurfaceBytes);
+    b.put16(at::kVerticesAt, static_cast<uint16_t>(shape.mesh.positions.size()));
+    b.put16(at::kViewedAt, static_cast<uint16_t>(viewed));
+    b.put16(at::kPatchesAt, static_cast<uint16_t>(shape.mesh.patches.size()));
+    b.put16(at::kFlagsAt, shape.mesh.two_sided ? format::kSurfaceTwoSided : 0);
+    b.put32(at::kTexelsAt, shape.layout.texels);
+    b.put8(at::kColourSpaceAt, static_cast<uint8_t>(format::ColourSpace::srgb));
+    b.put8(at::kLongestEdgeAt, edge_steps(shape.mesh.longest_edge));
+    for (size_t axis = 0; axis < 3; ++axis)
+        b.put_float(at::kCentreAt + 4 * axis, static_cast<float>(parts.centre[axis]));
+    b.put_float(at::kRadiusAt, static_cast<float>(parts.radius));
+    return b.take();
+}
+
+std::vector<uint8_t> vertex_section(const FitShape& shape, const VertexOrder& order)
+{
+    constexpr float kOne = 16384;  // Q14
+    Bytes b(order.vertices.size() * format::kVertexBytes);
+    size_t at = 0;
+    for (const uint32_t v : order.vertices) {
+        const Vec3& p = shape.mesh.positions[v];
+        for (const float c : {p.x, p.y, p.z}) {
+            b.put16(at, static_cast<uint16_t>(std::lround(c * kOne)));
+            at += 2;
+        }
+    }
+    return b.take();
+}
+
+std::vector<uint8_t> patch_section(const FitShape& shape, const VertexOrder& order)
+{
+    namespace at = format::patch;
+    Bytes b(shape.mesh.patches.size() * format::kPatchBytes);
+    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        const size_t entry = p * format::kPatchBytes;
+        for (uint32_t corner = 0; corner < 4; ++corner) {
+            const uint32_t v = shape.vertex(p, corner);
+            const uint32_t number = v == PatchMesh::kNone ? format::kNoVertex : order.numbers[v];
+            b.put16(entry + at::kCornersAt + 2 * corner, static_cast<uint16_t>(number));
+        }
+        const PatchRectangle& r = shape.layout.rectangles[p];
+        b.put32(entry + at::kTexelsAt, r.begin | r.n << 20 | r.m << 26);
+    }
+    return b.take();
+}
+
+std::vector<uint8_t> neighbour_section(const FitShape& shape)
+{
+    Bytes b(shape.mesh.patches.size() * format::kNeighbourBytes);
+    size_t at = 0;
+    for (const std::array<uint16_t, 4>& across : neighbours_of(shape.mesh)) {
+        for (const uint16_t triangle : across) {
+            b.put16(at, triangle);
+            at += 2;
+        }
+    }
+    return b.take();
+}
+
+std::vector<uint8_t> palette_section(const FieldParts& parts)
+{
+    Bytes b(3 * parts.palette.size());
+    for (size_t k = 0; k < parts.palette.size(); ++k) {
+        b.put8(3 * k, parts.palette[k].r);
+        b.put8(3 * k + 1, parts.palette[k].g);
+        b.put8(3 * k + 2, parts.palette[k].b);
+    }
+    return b.take();
+}
+
+void put_view(Bytes& b, size_t at, const ViewTurn& turn, const ViewCode& view)
+{
+    b.put8(at + format::view::kTurnAt, static_cast<uint8_t>(turn.x));
+    b.put8(at + format::view::kTurnAt + 1, static_cast<uint8_t>(turn.y));
+    b.put8(at + format::view::kTurnAt + 2, static_cast<uint8_t>(turn.z));
+    b.put8(at + format::view::kGainAt, view.gain);
+    for (size_t k = 0; k < format::kViewNodes; k += 2)
+        b.put8(at + format::view::kNodesAt + k / 2, static_cast<uint8_t>(view.colours[k] | view.colours[k + 1] << 4));
+}
+
+std::vector<uint8_t> view_section(const FitShape& shape, const FieldParts& parts, const VertexOrder& order)
+{
+    Bytes b(format::kViewColoursBytes + order.viewed * format::kViewBytes);
+    size_t at = 0;
+    for (const auto& node : parts.node_colours.colours) {
+        for (const NodeColours::Colour& colour : node)
+            for (const int8_t channel : colour) b.put8(at++, static_cast<uint8_t>(channel));
+    }
+    for (uint32_t k = 0; k < order.viewed; ++k) {
+        const uint32_t v = order.vertices[k];
+        put_view(b, at + k * format::kViewBytes, shape.turns[v], parts.views[v]);
+    }
+    return b.take();
+}
+
+std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
+{
+    std::vector<Section> sections;
+    for (const Contents& part : contents) sections.push_back({part.type, part.bytes.size(), crc_of(part.bytes)});
+    std::vector<uint8_t> file = file_head(sections);
+    for (const Contents& part : contents) {
+        file.insert(file.end(), part.bytes.begin(), part.bytes.end());
+        file.resize(aligned(file.size()));
+    }
+    return file;
+}
+
+}  // namespace
+
+std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts)
+{
+    const VertexOrder order = order_of(parts.views);
+    std::vector<Contents> contents = {{format::kSurfaceSection, surface_section(shape, parts, order.viewed)},
+                                      {format::kVertexSection, vertex_section(shape, order)},
+                                      {format::kPatchSection, patch_section(shape, order)},
+                                      {format::kColourSection, parts.texels},
+                                      {format::kPaletteRgb, palette_section(parts)},
+                                      {format::kNeighbourSection, neighbour_section(shape)}};
+    if (order.viewed != 0) contents.push_back({format::kViewSection, view_section(shape, parts, order)});
+    return file_of(contents);
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The file of a surface field (lumi/surface_format.h).
+#pragma once
+
+#include <array>
+
+#include "fit/fit_shape.h"
+#include "lumi/color.h"
+#include "lumi/surface_format.h"
+
+namespace lumi::baker
+{
+
+// A vertex's view table.
+struct ViewCode {
+    uint8_t gain = 0;  // 0: none
+    std::array<uint8_t, format::kViewNodes> colours{};
+};
+
+// Of all view tables: 16 colours a node.
+struct NodeColours {
+    using Colour = std::array<int8_t, 3>;
+    std::array<std::array<Colour, format::kNodeColours>, format::kViewNodes> colours{};
+};
+
+struct FieldParts {
+    std::array<double, 3> centre;
+    double radius;
+    std::array<Rgb8, format::kPaletteEntries> palette;
+    std::vector<uint8_t> texels;
+    NodeColours node_colours;
+    std::vector<ViewCode> views;  // by vertex
+};
+
+std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts);
+
+}  // namespace lumi::baker

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What a ray meets: position, normals and material, looked at from the ray's side.
+#pragma once
+
+#include <optional>
+
+#include "material/texture_slot.h"
+#include "math/frame.h"
+#include "math/sampler.h"
+#include "scene/scene_data.h"
+
+namespace lumi::baker
+{
+
+struct HitPoint {
+    Hit hit;
+    Vec3 position;
+    Vec3 geometric_normal;  // on the viewer's side
+    Frame frame;            // around the shading normal, on the viewer's side
+    const Material* material;
+    PointValues values;  // of the material here
+    Rgb emission;
+
+    // A ray from just above (or, for directions through the surface, below) this point.
+    Ray ray_towards(const Vec3& direction) const;
+    Ray ray_to_light(const Vec3& direction, float distance) const;
+};
+
+// The surface at a hit.
+HitPoint hit_point_at(const SceneData& scene, const Ray& ray, const Hit& hit);
+
+// The nearest hit that does not let the ray pass: each surface on the way is opaque with the probability of its
+// opacity.
+std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler);
+
+// How far the ray gets: to the nearest hit that does not let it pass, or to where the volume scatters or absorbs it.
+// Draws what a path draws there. Infinite if nothing stops it.
+float first_meeting(const SceneData& scene, const Ray& ray, Sampler& sampler);
+
+// The share of light that surfaces let through, between 0 and 1.
+float transmittance(const SceneData& scene, const Ray& ray);
+// An estimate of what surfaces and the volume together let through.
+float transmittance(const SceneData& scene, const Ray& ray, Sampler& sampler);
+
+// From a point that lies on no surface to just before a light.
+Ray ray_to_light(const Vec3& position, const Vec3& direction, float distance);
+
+}  // namespace lumi::baker

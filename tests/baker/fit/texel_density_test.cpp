@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "fit/texel_density.h"
+
+#include <catch2/catch.hpp>
+
+#include "fit/texel_layout.h"
+#include "surface/surface_scenes.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+// Two squares side by side, a patch each, facing up.
+PatchMesh two_squares()
+{
+    PatchMesh mesh;
+    for (uint32_t k = 0; k < 2; ++k) {
+        const float left = k == 0 ? -0.7f : 0.1f;
+        const uint32_t first = 4 * k;
+        mesh.positions.insert(mesh.positions.end(),
+                              {{left, -0.3f, 0}, {left + 0.6f, -0.3f, 0}, {left, 0.3f, 0}, {left + 0.6f, 0.3f, 0}});
+        mesh.patches.push_back({first, first + 1, first + 2, first + 3});
+    }
+    mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
+    mesh.two_sided = true;
+    return mesh;
+}
+
+// The left one is even, the right one has stripes.
+Scene one_of_them_striped()
+{
+    SceneMaker maker;
+    const uint32_t light = maker.add(lamp(grey(0.6f))), dark = maker.add(lamp(grey(0.1f)));
+    maker.quad(light, {-0.7f, -0.3f, 0}, {-0.1f, -0.3f, 0}, {-0.1f, 0.3f, 0}, {-0.7f, 0.3f, 0});
+    for (int k = 0; k < 6; ++k) {
+        const float left = 0.1f + 0.1f * static_cast<float>(k), right = left + 0.1f;
+        maker.quad(k % 2 == 0 ? light : dark, {left, -0.3f, 0}, {right, -0.3f, 0}, {right, 0.3f, 0}, {left, 0.3f, 0});
+    }
+    maker.span_unit_sphere();
+    return maker.make(constant_environment(0));
+}
+
+}  // namespace
+
+TEST_CASE("texels lie densest where colours change, and are no more in all")
+{
+    const Scene scene = one_of_them_striped();
+    SurfaceSettings settings = tiny_surface();
+    settings.texels_per_radius = 20;
+    const ProgressCallback quiet;
+    const PatchMesh mesh = two_squares();
+    const std::vector<float> densities = texel_densities(scene.data(), mesh, settings, quiet);
+    REQUIRE(densities.size() == 2);
+    CHECK(densities[0] < 15);
+    CHECK(densities[1] > 24);
+    CHECK(layout_of(mesh, densities).texels <= layout_of(mesh, settings.texels_per_radius).texels);
+}
+
+}  // namespace lumi::baker::testing

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/patch_mesh.h"
+
+#include <catch2/catch.hpp>
+
+#include "lumi/surface_format.h"
+#include "math/warp.h"
+#include "mesh/mesh_warnings.h"
+#include "support/bake_scenes.h"
+#include "support/surfaces.h"
+
+namespace lumi::baker::testing
+{
+TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[surface]")
+{
+    const Scene scene = ball_over_floor(32, constant_environment(1));
+    const BuiltMesh surface = built_mesh(scene, {600, 0.2f, 0.7f});
+    const PatchMesh& mesh = surface.mesh;
+    CHECK(mesh.longest_edge <= 0.2f * 1.001f);
+    CHECK(mesh.longest_edge > 0.1f);
+    CHECK(surface.loss.missed < 0.005);
+    CHECK(surface.loss.displaced < 0.005);
+    REQUIRE(mesh.normals.size() == mesh.positions.size());
+    std::vector<bool> used(mesh.positions.size(), false);
+    const Mesh triangles = triangles_of(mesh);
+    for (size_t k = 0; k < triangles.triangle_count(); ++k) {
+        CHECK(triangles.area(k) > 0);
+        for (const uint32_t corner : triangles.corners[k]) {
+            used[corner] = true;
+            CHECK(dot(mesh.normals[corner], normalized(triangles.area_vector(k))) > 0.4f);
+        }
+    }
+    CHECK(std::count(used.begin(), used.end(), false) == 0);
+    for (const Vec3& n : mesh.normals) CHECK(length(n) == Approx(1));
+    CHECK(surface.loss.holes == 0);
+    CHECK_FALSE(surface.loss.rough);
+}
+
+TEST_CASE("Meshes that would be too large for the format are made smaller", "[surface][statistics]")
+{
+    const PatchMesh mesh = built_mesh(ball_over_floor(24, constant_environment(1)), {300, 0.05f, 0.7f}).mesh;
+    CHECK(mesh.positions.size() <= format::kMaxSurfaceVertices);
+    CHECK(mesh.patches.size() <= format::kMaxPatches);
+    CHECK(mesh.patches.size() > format::kMaxPatches / 2);
+}
+
+TEST_CASE("Hidden triangles take nothing from those that can be seen", "[surface][statistics]")
+{
+    SceneMaker maker;
+    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+    maker.ball(matter, {0, 0, 0}, 0.8f, 40);
+    maker.ball(matter, {0, 0, 0}, 0.6f, 40);
+    maker.quad(matter, {0, 0, 0.8f}, {0.05f, 0, 0.7f}, {0, 0, 0.6f}, {-0.05f, 0, 0.7f});  // joins them
+    const size_t triangles =
+        triangles_of(built_mesh(maker.make(constant_environment(1)), {1000, 2, 0.7f}).mesh).triangle_count();
+    CHECK(triangles > 900);
+    CHECK(triangles < 1100);
+}
+
+TEST_CASE("Leaves that are cut out of larger faces have a mesh", "[surface]")
+{
+    SceneMaker maker;
+    Material leaf = diffuse({0.1f, 0.5f, 0.1f});
+    leaf.opacity = 0.4f;
+    leaf.finish();
+    const uint32_t leaves = maker.add(leaf);
+    for (const float x : {-0.4f, 0.0f, 0.4f})
+        maker.quad(leaves, {x, -0.5f, -0.5f}, {x + 0.3f, -0.5f, 0.4f}, {x + 0.3f, 0.5f, 0.4f}, {x, 0.5f, -0.5f});
+    maker.ball(maker.add(diffuse(grey(0.5f))), {0, 0, 0.6f}, 0.2f, 12);
+    const BuiltMesh surface = built_mesh(maker.make(constant_environment(1)), {500, 0.2f, 0.7f});
+    CHECK(surface.mesh.patches.size() > 100);
+    CHECK(surface.loss.holes == 0);
+}
+
+TEST_CASE("Rough and leaky meshes come with a warning each", "[surface]")
+{
+    CHECK(mesh_warnings({}, 1000, 1000, false).empty());
+    MeshLoss loss;
+    loss.missed = 0.0123;
+    CHECK_THAT(mesh_warnings(loss, 1000, 1000, false).at(0),
+               Catch::Contains("misses 1.2 %") && Catch::Contains("triangles"));
+    CHECK_THAT(mesh_warnings(loss, 1000, 1000, true).at(0),
+               Catch::Contains("misses 1.2 %") && Catch::Contains("chord"));
+    loss.rough = true;
+    loss.holes = 3;
+    CHECK(mesh_warnings(loss, 1000, 1000, false).size() == 3);
+    CHECK_THAT(mesh_warnings(loss, 1000, 300, false).at(2), Catch::Contains("300 triangles where 1000"));
+}
+
+TEST_CASE("The rough simplifier does not step in silently", "[surface]")
+{
+    SceneMaker maker;  // bricks: most edges have more than two triangles
+    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+    for (int k = 0; k < 216; ++k) {
+        const Vec3 p =
+            Vec3{static_cast<float>(k % 6), static_cast<float>(k / 6 % 6), static_cast<float>(k / 36)} * 0.15f;
+        maker.box(matter, p, p + Vec3{0.15f, 0.15f, 0.15f});
+    }
+    const BuiltMesh surface = built_mesh(maker.make(constant_environment(1)), {60, 2, 0.7f});
+    CHECK(surface.loss.rough);
+    CHECK_FALSE(surface.warnings.empty());
+}
+
+}  // namespace lumi::baker::testing
