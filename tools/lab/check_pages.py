@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""check_pages.py [--self-test] [FOLDER]
+
+Checks the documents: each page has at most MOST_WORDS words, and every relative link leads to a file or folder of the
+repository, and its anchor to a heading or an <a id> of that page. FOLDER: the repository's root, by default the one
+that holds this file. --self-test plants such faults in a made-up tree, and fails if one is not found.
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+MOST_WORDS = 1500
+# Pages with one purpose each. Logs of measurements and the changelog may be longer; their links are checked too.
+SHORT_PAGES = ["README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "core/README.md", "platform/README.md",
+               "platform/*/README.md"]
+OTHER_PAGES = ["CHANGELOG.md", "docs/log/*.md"]
+
+CODE = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
+INLINE_CODE = re.compile(r"`[^`\n]*`")
+LINK = re.compile(r"\]\(([^()\s]+)\)")
+HEADING = re.compile(r"^#+ +(.*?)\s*$", re.MULTILINE)
+ANCHOR = re.compile(r'<a id="([^"]+)">')
+
+
+def anchors(text):
+    """What a page's headings and <a id> are called in links, by GitHub's rule."""
+    text = CODE.sub("", text)
+    names = set(ANCHOR.findall(text))
+    for heading in HEADING.findall(text):
+        plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading)
+        slug = re.sub(r"[^\w\- ]", "", plain.lower()).replace(" ", "-")
+        count = 0
+        while (name := slug if count == 0 else f"{slug}-{count}") in names:
+            count += 1
+        names.add(name)
+    return names
+
+
+def broken_links(root, page):
+    text = INLINE_CODE.sub("", CODE.sub("", page.read_text(encoding="utf-8")))
+    for link in LINK.findall(text):
+        if re.match(r"[a-z]+:", link):
+            continue
+        path, _, anchor = link.partition("#")
+        target = (page.parent / path).resolve() if path else page
+        if not target.is_relative_to(root) or not target.exists():
+            yield f"{link} leads nowhere"
+        elif anchor and (target.suffix != ".md" or anchor not in anchors(target.read_text(encoding="utf-8"))):
+            yield f"{link}: {target.relative_to(root)} has no such heading"
+
+
+def pages(root, patterns):
+    return sorted(page for pattern in patterns for page in root.glob(pattern))
+
+
+def faults(root):
+    """A line for each fault of the pages below `root`."""
+    root = root.resolve()
+    short = pages(root, SHORT_PAGES)
+    if not short:
+        return [f"{root} holds no pages"]
+    found = []
+    for page in short + pages(root, OTHER_PAGES):
+        name = page.relative_to(root)
+        words = len(page.read_text(encoding="utf-8").split())
+        if page in short and words > MOST_WORDS:
+            found.append(f"{name} has {words} words; a page has one purpose and at most {MOST_WORDS}: divide it")
+        found += [f"{name}: {fault}" for fault in broken_links(root, page)]
+    return found
+
+
+def self_test():
+    """Faults that a made-up tree holds, and what tells each."""
+    tree = {
+        "README.md": "# One\n[a](docs/a.md#part-two-x) [b](#one) [c](docs) [d](https://example.org/none) `[e](none.md)`\n",
+        "docs/a.md": "# A\n## Part two: `x`\n[up](../README.md)\n```\n[f](none.md)\n```\n",
+    }
+    planted = {
+        "lost file": ("README.md", "[x](docs/none.md)", "leads nowhere"),
+        "lost heading": ("README.md", "[x](docs/a.md#part-three)", "no such heading"),
+        "heading in code": ("README.md", "[x](#no)\n```\n# No\n```", "no such heading"),
+        "outside": ("docs/a.md", "[x](../../etc)", "leads nowhere"),
+        "log": ("docs/log/b.md", "[x](../b.md)", "leads nowhere"),
+        "long page": ("docs/long.md", "word " * (MOST_WORDS + 1), "divide it"),
+    }
+    for what, (page, text, message) in [("nothing", ("README.md", "", None)), *planted.items()]:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "docs" / "log").mkdir(parents=True)
+            for name, content in tree.items():
+                (root / name).write_text(content, encoding="utf-8")
+            with open(root / page, "a", encoding="utf-8") as file:
+                file.write("\n" + text + "\n")
+            found = faults(root)
+            if len(found) != (message is not None) or (message and message not in found[0]):
+                return [f"self-test, {what}: {found}"]
+    return []
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        found = self_test()
+    elif len(arguments) <= 1:
+        found = faults(pathlib.Path(arguments[0] if arguments else pathlib.Path(__file__).resolve().parents[2]))
+    else:
+        found = [__doc__.strip()]
+    for fault in found:
+        print(fault, file=sys.stderr)
+    return bool(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
