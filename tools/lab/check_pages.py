@@ -23,8 +23,6 @@ INLINE_CODE = re.compile(r"`[^`\n]*`")
 LINK = re.compile(r"\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*?)\s*$", re.MULTILINE)
 ANCHOR = re.compile(r'<a id="([^"]+)">')
-
-
 COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
