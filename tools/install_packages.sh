@@ -12,8 +12,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtbb-dev         # ray queries
   libtinyobjloader-dev             # OBJ and MTL
-  libpng-dev libturbojpeg0-dev     # PNG and JPEG, read
-  libstb-dev                       # PNG, written
+  libpng-dev libturbojpeg0-dev     # PNG and JPEG
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # meshes of few triangles
   libnifti2-dev zlib1g-dev         # volumes

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "png_file.h"
 #include "simulator.h"
 #include "window.h"
 
@@ -36,8 +35,8 @@ void write_frame()
     static uint8_t rgb[kSidePx * kSidePx * 3];
     for (int k = 0; k < kSidePx * kSidePx; ++k)
         lumi::PixelRgb888::store(rgb + 3 * k, PixelRgb565Swapped::load(display + 2 * k));
-    const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".png";
-    if (!simulator::write_png(path, kSidePx, rgb)) fail(path + " cannot be written");
+    const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".bmp";
+    if (!simulator::write_bmp(path, rgb)) fail(path + " cannot be written");
 }
 
 void show_frame()

@@ -54,6 +54,15 @@ void open_window()
     if (texture == nullptr) fail("no texture");
 }
 
+bool write_bmp(const std::string& path, uint8_t* rgb)
+{
+    SDL_Surface* picture =
+        SDL_CreateRGBSurfaceWithFormatFrom(rgb, kSidePx, kSidePx, 24, 3 * kSidePx, SDL_PIXELFORMAT_RGB24);
+    const bool is_written = picture != nullptr && SDL_SaveBMP(picture, path.c_str()) == 0;
+    SDL_FreeSurface(picture);
+    return is_written;
+}
+
 void show(const uint16_t* pixels)
 {
     SDL_UpdateTexture(texture, nullptr, pixels, kSidePx * static_cast<int>(sizeof(*pixels)));

@@ -5,6 +5,7 @@
 #include <lumi/orbit.h>
 
 #include <cstdint>
+#include <string>
 
 namespace simulator
 {
@@ -13,6 +14,8 @@ constexpr int kSidePx = 240;
 
 // Opens the window; ends the program where it cannot.
 void open_window();
+// Red, green and blue of every pixel, which stay as they are. False: the file could not be written.
+bool write_bmp(const std::string& path, uint8_t* rgb);
 // RGB565 in the CPU's order.
 void show(const uint16_t* pixels);
 // Waits until somebody turns the object; false: the window was closed.

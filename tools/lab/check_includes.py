@@ -3,8 +3,9 @@
 """check_includes.py [--self-test] [FOLDER]
 
 Counts #include lines between the folders of core, platform, baker and tools, and prints a table for each area. Fails
-where an area includes from one that it must not know, where includes go back up the order of folders more often than
-allowed, and where folders or files include each other in a circle. --self-test plants such faults in a made-up tree.
+where an area includes from one that it must not know, where a second file includes a third party, where includes go back
+up the order of folders more often than allowed, and where folders or files include each other in a circle. --self-test
+plants such faults in a made-up tree.
 """
 import collections
 import os
@@ -97,6 +98,24 @@ tests
 # How many includes may go back up that order.
 ALLOWED_BACK_UP = {"core": 8}
 
+# Third parties by what their headers' names begin with, and the one file that may include them. Tests may include all.
+THIRD_PARTIES = {
+    "embree3/": "baker/src/geometry/accelerator.cpp",
+    "tiny_obj_loader.h": "baker/src/scene/obj_parser.cpp",
+    "png.h": "baker/src/image/png_file.cpp",
+    "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
+    "Imf": "baker/src/image/exr_file.cpp",
+    "meshoptimizer.h": "baker/src/mesh/simplify.cpp",
+    "nifti": "baker/src/volume/nifti_header.cpp",
+    "openvdb/": "baker/src/volume/openvdb.cpp",
+    "zlib.h": "baker/src/util/gzip.cpp",
+    "kissfft": "tools/src/metrics/spectrum.cpp",
+    "torch/": "tools/src/filter/torch/unet.h",
+    "SDL": "platform/simulator/window.cpp",
+}
+# Stands between the baker and Embree, to time Embree alone.
+THIRD_PARTY_EXCEPTIONS = {"embree3/": ["tools/lab/src/baking/ray_log.cpp"]}
+
 SOURCES = (".h", ".cpp", ".c", ".S", ".inc")
 # By lumi_add_field, in a build's own folder.
 WRITTEN_BY_BUILDS = ["desk_clock.h", "rates.inc"]
@@ -151,6 +170,15 @@ def include_roots(files):
     return sorted(roots)
 
 
+def third_party_problems(path, names):
+    """What a file includes of third parties that another file is there for."""
+    if area_of(path) == "tests":
+        return []
+    return [f"{path}: includes <{name}>, which only {only} may"
+            for name in names for start, only in THIRD_PARTIES.items()
+            if name.startswith(start) and path not in [only] + THIRD_PARTY_EXCEPTIONS.get(start, [])]
+
+
 class Tree:
     """All includes of our own files, as pairs of paths."""
 
@@ -164,6 +192,7 @@ class Tree:
         for path in self.files:
             with open(os.path.join(root, path), encoding="utf-8") as source:
                 found = INCLUDE.findall(source.read())
+            self.problems += third_party_problems(path, [name for quote, name in found if quote == "<"])
             for quote, name in found:
                 target = self.resolve(path, name, known, roots, by_name if quote == '"' else {})
                 if target:
@@ -290,6 +319,8 @@ def self_test():
         ("an include back up that is allowed", {"core/include/lumi/other.h": '#include "lumi/door.h"\n'}, 1, None),
         ("an arrow against the areas", {"core/src/x.cpp": '#include "low/low.h"\n'}, 8, "must not know"),
         ("an include of nothing", {"core/src/x.cpp": '#include "gone.h"\n'}, 8, "no folder of ours has"),
+        ("a third party in a second file", {"tools/src/x.cpp": "#include <png.h>\n"}, 0, "which only"),
+        ("a third party in its file", {"baker/src/image/png_file.cpp": "#include <png.h>\n"}, 0, None),
         ("a folder without a place", {"platform/new/x.h": ""}, 8, "no place"),
     ]
     for title, planted, allowed, expected in cases:

@@ -84,7 +84,7 @@ check() {
     "$lumi" render "$field" -o "$expected" --size "$size" --orbit $((30 + 300 * frame)),$((20 + 15 * frame)),3 \
       --mode antialiased --pixel rgb565 >/dev/null
   fi
-  [[ $format != png ]] || pixels=$folder/frame-$frame.png
+  [[ $format != bmp ]] || pixels=$folder/frame-$frame.bmp
   python3 -B "$root/tools/lab/devices/picture.py" "$format" "$size" "$pixels" -o "$folder/frame-$frame.png" \
     --same-as "$expected" "$expected_format"
 }
@@ -197,11 +197,8 @@ pico_sdk_version() {
 
 # require_simulator EXAMPLE
 require_simulator() {
-  local package
   require "$1" c++ pkg-config
-  for package in sdl2 libpng; do
-    pkg-config --exists "$package" || require "$1" "$package"
-  done
+  pkg-config --exists sdl2 || require "$1" sdl2
 }
 
 run_simulator() {
@@ -210,16 +207,16 @@ run_simulator() {
   local folder=$devices/simulator frame
   mkdir -p "$folder/dragged"
   "$folder/build/lumi_simulator" --frames "$folder"
-  for ((frame = 0; frame < frames; ++frame)); do check simulator png 240x240 "$frame"; done
+  for ((frame = 0; frame < frames; ++frame)); do check simulator bmp 240x240 "$frame"; done
   SDL_VIDEODRIVER=dummy "$folder/build/lumi_simulator" --frames "$folder/dragged" --drag 20,-10 --chip rp2040
   "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
-  python3 -B "$root/tools/lab/devices/picture.py" png 240x240 "$folder/dragged/frame-1.png" \
+  python3 -B "$root/tools/lab/devices/picture.py" bmp 240x240 "$folder/dragged/frame-1.bmp" \
     --same-as "$folder/expected-dragged.png" png
   mkdir -p "$folder/threads"
   "$folder/build/lumi_simulator_two_cores" --frames "$folder/threads"
   for ((frame = 0; frame < frames; ++frame)); do
-    python3 -B "$root/tools/lab/devices/picture.py" png 240x240 "$folder/threads/frame-$frame.png" \
-      --same-as "$folder/frame-$frame.png" png
+    python3 -B "$root/tools/lab/devices/picture.py" bmp 240x240 "$folder/threads/frame-$frame.bmp" \
+      --same-as "$folder/frame-$frame.bmp" bmp
   done
 }
 
@@ -234,7 +231,7 @@ run_overlay() {
   emulate_riscv "$folder" "$devices/riscv/build/lumi_riscv_overlay.elf"
   "$devices/simulator/build/lumi_simulator_overlay" --frames "$folder/host"
   for ((frame = 0; frame < frames; ++frame)); do
-    check overlay rgb565-swapped 240x240 "$frame" "$folder/host/frame-$frame.png" png
+    check overlay rgb565-swapped 240x240 "$frame" "$folder/host/frame-$frame.bmp" bmp
   done
 }
 

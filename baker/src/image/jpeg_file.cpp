@@ -13,16 +13,15 @@ namespace lumi::baker
 namespace
 {
 
-using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
+using Handle = std::unique_ptr<void, int (*)(tjhandle)>;
 
-Decoder make_decoder()
+Handle owned(tjhandle handle)
 {
-    Decoder decoder(tjInitDecompress(), tjDestroy);
-    if (!decoder) throw std::bad_alloc();
-    return decoder;
+    if (!handle) throw std::bad_alloc();
+    return {handle, tjDestroy};
 }
 
-[[noreturn]] void fail(const Decoder& decoder)
+[[noreturn]] void fail(const Handle& decoder)
 {
     throw PictureError(std::string("it is damaged: ") + tjGetErrorStr2(decoder.get()));
 }
@@ -36,7 +35,7 @@ bool is_jpeg(const std::string& bytes)
 
 DecodedPicture decode_jpeg(const std::string& bytes)
 {
-    const Decoder decoder = make_decoder();
+    const Handle decoder = owned(tjInitDecompress());
     const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
     DecodedPicture picture;
     int subsampling = 0, colours = 0;
@@ -52,6 +51,18 @@ DecodedPicture decode_jpeg(const std::string& bytes)
                       kFlags) != 0)
         fail(decoder);
     return picture;
+}
+
+std::string jpeg_bytes(const PictureView& picture, int quality)
+{
+    const Handle encoder = owned(tjInitCompress());
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+    const int failed = tjCompress2(encoder.get(), picture.rgb, picture.width, 0, picture.height, TJPF_RGB, &bytes,
+                                   &size, TJSAMP_420, quality, TJFLAG_ACCURATEDCT);
+    const std::unique_ptr<unsigned char, void (*)(unsigned char*)> freed(bytes, tjFree);
+    if (failed != 0) throw std::length_error(tjGetErrorStr2(encoder.get()));
+    return {reinterpret_cast<const char*>(bytes), size};
 }
 
 }  // namespace lumi::baker

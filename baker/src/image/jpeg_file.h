@@ -11,7 +11,4 @@ namespace lumi::baker
 
 bool is_jpeg(const std::string& bytes);
 
-// Grey or colour, sequential or progressive; not CMYK. What is damaged or cut short is refused. Throws PictureError.
-DecodedPicture decode_jpeg(const std::string& bytes);
-
 }  // namespace lumi::baker

@@ -6,13 +6,24 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kMaxIndex = 4;           // of diamond 2.4, of germanium 4
-constexpr float kMinGlassIndex = 1.01f;  // closer to 1, facets and directions can no longer be told apart
 constexpr size_t kRoughnessSteps = 64;
 
+constexpr size_t bytes_of_parameters()
+{
+    size_t bytes = 0;
+    for (const MaterialParameter& parameter : kMaterialParameters)
+        bytes += parameter.member.index() == 0 ? sizeof(Rgb) : sizeof(float);
+    return bytes;
+}
+static_assert(bytes_of_parameters() == sizeof(MaterialNumbers), "a material's number has no row among the parameters");
+
+float clamped(float v, float low, float high)
+{
+    return std::clamp(v, low, high);
+}
 Rgb clamped(const Rgb& c, float low, float high)
 {
-    return {std::clamp(c.r, low, high), std::clamp(c.g, low, high), std::clamp(c.b, low, high)};
+    return {clamped(c.r, low, high), clamped(c.g, low, high), clamped(c.b, low, high)};
 }
 
 float clamped_alpha(float alpha)
@@ -92,19 +103,16 @@ Bsdf opaque(const Material& m, const PointValues& at, float u, const Skins& skin
 
 void Material::finish()
 {
-    base = clamped(base, 0, 1);
-    emission = clamped(emission, 0, kMaxRadiance);
-    metalness = std::clamp(metalness, 0.0f, 1.0f);
-    const bool smooth = alpha < kMinAlpha;
-    alpha = smooth && glass ? 0 : clamped_alpha(alpha);
-    opacity = std::clamp(opacity, 0.0f, 1.0f);
-    index = index > 1 ? std::min(index, kMaxIndex) : kDefaultIndex;
-    coat = std::clamp(coat, 0.0f, 1.0f);
+    const float given_index = index > 1 ? std::min(index, static_cast<float>(kMaxIndex)) : kDefaultIndex;
+    for (const MaterialParameter& p : kMaterialParameters) {
+        const auto clamp = [&, this](auto member) {
+            this->*member = clamped(this->*member, static_cast<float>(p.low), static_cast<float>(p.high));
+        };
+        std::visit(clamp, p.member);
+    }
+    alpha = glass && alpha < kMinAlpha ? 0 : clamped_alpha(alpha);
     coat_alpha = clamped_alpha(coat_alpha);
-    anisotropy = std::clamp(anisotropy, 0.0f, 1.0f);
-    sheen = std::clamp(sheen, 0.0f, 1.0f);
-    sheen_colour = clamped(sheen_colour, 0, 1);
-    sheen_roughness = std::clamp(sheen_roughness, static_cast<float>(kMinSheenRoughness), 1.0f);
+    index = glass ? std::max(given_index, static_cast<float>(kMinIndex)) : given_index;
     skins.clear();
     facets.clear();
     brushed_skins.clear();
@@ -113,8 +121,6 @@ void Material::finish()
     coat_skin = nullptr;
     fibres = nullptr;
     if (glass) {
-        index = std::max(index, kMinGlassIndex);
-        transmittance = clamped(transmittance, 0, 1);
         absorption = {absorption_of(transmittance.r, transmittance_length),
                       absorption_of(transmittance.g, transmittance_length),
                       absorption_of(transmittance.b, transmittance_length)};
@@ -156,6 +162,11 @@ float alpha_from_phong_exponent(float exponent)
 float alpha_from_roughness(float roughness)
 {
     return roughness * roughness;
+}
+
+float stated(const MaterialParameter& parameter, float value)
+{
+    return parameter.stated == Stated::as_roughness ? alpha_from_roughness(value) : value;
 }
 
 }  // namespace lumi::baker

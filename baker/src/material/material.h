@@ -25,8 +25,10 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "material/bsdf.h"
@@ -37,6 +39,8 @@ namespace lumi::baker
 inline constexpr int32_t kNoTexture = -1;
 inline constexpr float kMinAlpha = 0.01f;  // sharper facets than this no field resolves, and binary32 begins to suffer
 inline constexpr float kDefaultIndex = 1.5f;
+// Of diamond 2.4, of germanium 4. Closer to 1, facets and directions of glass can no longer be told apart.
+inline constexpr double kMinIndex = 1.01, kMaxIndex = 4;
 inline constexpr float kDefaultSheenRoughness = 0.3f;  // cloth
 
 // A picture on a surface: read at uv·scale + offset.
@@ -59,22 +63,61 @@ struct PointValues {
     float sheen;
 };
 
-struct Material {
-    std::string name;
-    Rgb base = grey(0.6f);  // reflectance of the diffuse body, or of the metal at normal incidence; <= 1
+// What a user can set: a member here, its row in kMaterialParameters, and its use in one lobe.
+struct MaterialNumbers {
+    Rgb base = grey(0.6f);  // reflectance of the diffuse body, or of the metal at normal incidence
     Rgb emission;
+    Rgb sheen_colour = grey(1);
+    Rgb transmittance = grey(1);  // of glass along `transmittance_length`
     float metalness = 0;
-    bool specular = false;  // a dielectric skin where the surface is not metal
-    float alpha = 1;        // GGX width
+    float alpha = 1;  // GGX width
     float index = kDefaultIndex;
     float opacity = 1;
     float anisotropy = 0, anisotropy_turns = 0;
     float coat = 0, coat_alpha = kMinAlpha;
     float sheen = 0, sheen_roughness = kDefaultSheenRoughness;
-    Rgb sheen_colour = grey(1);
-    bool glass = false;           // clear inside; the triangles' winding faces outwards
-    Rgb transmittance = grey(1);  // of glass along `transmittance_length`
     float transmittance_length = 1;
+};
+
+// How the numbers of files become those of a material.
+enum class Stated : uint8_t {
+    plainly,
+    as_roughness,  // the width is its square
+    as_turns,      // in MTL; degrees in scene files
+};
+
+struct MaterialParameter {
+    const char* json;  // a material's member in scene files; null: not there, or within "glass"
+    const char* mtl;   // keyword of MTL, or null
+    double low, high;  // what lies outside is refused in scene files, and clamped with a warning in MTL
+    std::variant<Rgb MaterialNumbers::*, float MaterialNumbers::*> member;
+    Stated stated = Stated::plainly;
+    bool shines = false;  // who sets it in a scene file asks for a specular skin
+};
+
+// In the order in which scenes are fingerprinted: new rows go to the end.
+inline constexpr MaterialParameter kMaterialParameters[] = {
+    {"colour", "Kd", 0, 1, &MaterialNumbers::base},
+    {"emission", "Ke", 0, kMaxRadiance, &MaterialNumbers::emission},
+    {"sheen_colour", nullptr, 0, 1, &MaterialNumbers::sheen_colour},
+    {nullptr, "Tf", 0, 1, &MaterialNumbers::transmittance},
+    {"metalness", "Pm", 0, 1, &MaterialNumbers::metalness, Stated::plainly, true},
+    {"roughness", "Pr", 0, 1, &MaterialNumbers::alpha, Stated::as_roughness, true},
+    {"index", "Ni", kMinIndex, kMaxIndex, &MaterialNumbers::index},
+    {"opacity", "d", 0, 1, &MaterialNumbers::opacity},
+    {"anisotropy", "aniso", 0, 1, &MaterialNumbers::anisotropy, Stated::plainly, true},
+    {"anisotropy_rotation", "anisor", -1, 1, &MaterialNumbers::anisotropy_turns, Stated::as_turns},
+    {"coat", "Pc", 0, 1, &MaterialNumbers::coat},
+    {"coat_roughness", "Pcr", 0, 1, &MaterialNumbers::coat_alpha, Stated::as_roughness},
+    {"sheen", "Ps", 0, 1, &MaterialNumbers::sheen},
+    {"sheen_roughness", nullptr, kMinSheenRoughness, 1, &MaterialNumbers::sheen_roughness},
+    {nullptr, nullptr, 0, std::numeric_limits<float>::max(), &MaterialNumbers::transmittance_length},
+};
+
+struct Material : MaterialNumbers {
+    std::string name;
+    bool specular = false;  // a dielectric skin where the surface is not metal
+    bool glass = false;     // clear inside; the triangles' winding faces outwards
     TextureSlots maps;
 
     // Clamps what must be in range and derives what is derived. Call after filling in or changing.
@@ -103,5 +146,7 @@ struct Material {
 
 float alpha_from_phong_exponent(float exponent);
 float alpha_from_roughness(float roughness);
+// A file's number as a material keeps it.
+float stated(const MaterialParameter& parameter, float value);
 
 }  // namespace lumi::baker

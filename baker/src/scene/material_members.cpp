@@ -24,13 +24,16 @@ constexpr Metal kMetals[] = {
     {"silver", {0.972f, 0.960f, 0.915f}},    {"titanium", {0.542f, 0.497f, 0.449f}},
 };
 
-void take_metal(JsonMembers& members, Material& m)
+const Metal* metal_of(JsonMembers& members)
 {
     std::vector<std::string> names;
     std::transform(std::begin(kMetals), std::end(kMetals), std::back_inserter(names),
                    [](const Metal& metal) { return metal.name; });
-    if (!members.find("metal")) return;
-    m.base = kMetals[members.choice("metal", names, 0)].f0;
+    return members.find("metal") ? &kMetals[members.choice("metal", names, 0)] : nullptr;
+}
+
+void make_metal(Material& m)
+{
     m.maps.base = {};
     m.metalness = 1;
     m.specular = true;
@@ -52,38 +55,19 @@ void take_glass(const std::string& file, JsonMembers& members, Material& m)
     glass.finish();
 }
 
-void take_roughness(JsonMembers& members, Material& m)
+void take(JsonMembers& members, const MaterialParameter& p, Material& m)
 {
-    if (!members.find("roughness")) return;
-    double roughness = 0;
-    members.number("roughness", kShare, roughness);
-    m.alpha = alpha_from_roughness(static_cast<float>(roughness));
-    m.specular = true;
-}
-
-// Turns are given in degrees here.
-void take_anisotropy(JsonMembers& members, Material& m)
-{
-    if (members.find("anisotropy")) {
-        members.number("anisotropy", kShare, m.anisotropy);
-        m.specular = true;
+    if (!p.json || !members.find(p.json)) return;
+    const double unit = p.stated == Stated::as_turns ? 360 : 1;  // degrees of a turn
+    const NumberRange range = {unit * p.low, unit * p.high};
+    if (const auto* colour = std::get_if<Rgb MaterialNumbers::*>(&p.member)) {
+        members.colour(p.json, range, m.**colour);
+    } else {
+        double value = 0;
+        members.number(p.json, range, value);
+        m.*std::get<float MaterialNumbers::*>(p.member) = stated(p, static_cast<float>(value / unit));
     }
-    if (members.find("anisotropy_rotation")) {
-        double degrees = 0;
-        members.number("anisotropy_rotation", {-360, 360}, degrees);
-        m.anisotropy_turns = static_cast<float>(degrees / 360);
-    }
-}
-
-// A colour alone asks for all of the sheen.
-void take_sheen(JsonMembers& members, Material& m)
-{
-    if (members.find("sheen_colour")) {
-        members.colour("sheen_colour", kShare, m.sheen_colour);
-        m.sheen = m.sheen > 0 ? m.sheen : 1;
-    }
-    members.number("sheen", kShare, m.sheen);
-    members.number("sheen_roughness", {kMinSheenRoughness, 1}, m.sheen_roughness);
+    m.specular = m.specular || p.shines;
 }
 
 }  // namespace
@@ -91,23 +75,13 @@ void take_sheen(JsonMembers& members, Material& m)
 void apply_material_members(const std::string& file, const JsonValue& value, Material& m)
 {
     JsonMembers members(file, value, "a material");
-    if (members.find("colour")) members.colour("colour", kShare, m.base);
-    take_metal(members, m);
+    const Metal* metal = metal_of(members);
+    if (metal) make_metal(m);
     take_glass(file, members, m);
-    take_roughness(members, m);
-    if (members.find("metalness")) {
-        members.number("metalness", kShare, m.metalness);
-        m.specular = true;
-    }
-    take_anisotropy(members, m);
-    members.number("index", {1.01, 4}, m.index);
-    members.number("coat", kShare, m.coat);
-    double coat_roughness = -1;
-    members.number("coat_roughness", kShare, coat_roughness);
-    m.coat_alpha = coat_roughness < 0 ? m.coat_alpha : alpha_from_roughness(static_cast<float>(coat_roughness));
-    take_sheen(members, m);
-    members.colour("emission", {0, 1e9}, m.emission);
-    members.number("opacity", kShare, m.opacity);
+    const bool had_sheen = m.sheen > 0;
+    for (const MaterialParameter& parameter : kMaterialParameters) take(members, parameter, m);
+    if (metal) m.base = metal->f0;
+    if (members.find("sheen_colour") && !members.find("sheen") && !had_sheen) m.sheen = 1;
     members.finish();
     m.finish();
 }

@@ -21,9 +21,11 @@ public:
     {
     }
 
-    TextureSlot slot(const std::filesystem::path& mtl, const MtlMap& map, PictureUse use)
+    // None where `map` is null.
+    TextureSlot slot(const std::filesystem::path& mtl, const MtlMap* named, PictureUse use)
     {
-        if (map.name.empty()) return {};
+        if (!named) return {};
+        const MtlMap& map = *named;
         const Place place = {mtl.string(), map.line};
         const std::filesystem::path file = find_beside(mtl, map.name);
         if (file.empty()) {
@@ -39,13 +41,13 @@ public:
     }
 
     // A grey picture holds heights, any other one normals.
-    TextureSlot normal_slot(const std::filesystem::path& mtl, const MtlMap& map)
+    TextureSlot normal_slot(const std::filesystem::path& mtl, const MtlMap* map)
     {
         TextureSlot found = slot(mtl, map, PictureUse::data);
         if (!found.used() || !is_grey(textures_[static_cast<size_t>(found.texture)])) return found;
-        const auto [entry, fresh] = normals_.try_emplace({found.texture, map.strength}, kNoTexture);
+        const auto [entry, fresh] = normals_.try_emplace({found.texture, map->strength}, kNoTexture);
         if (fresh) {
-            textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map.strength));
+            textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map->strength));
             entry->second = static_cast<int32_t>(textures_.size() - 1);
         }
         found.texture = entry->second;
@@ -87,17 +89,16 @@ bool is_glass(const MtlMaterial& mtl)
 {
     const bool refracts = mtl.illum == 6 || mtl.illum == 7;
     const bool clear = mtl.illum == 4 || mtl.illum == 9;
-    if (mtl.ni <= 1 || (mtl.has_tf && is_black(mtl.tf))) return false;
+    if (mtl.number("Ni", 1) <= 1 || (mtl.has("Tf") && is_black(mtl.colour("Tf")))) return false;
     constexpr float kMostlyClear = 0.5f;
-    const bool transmits = mtl.has_pr && mtl.has_tf && max_component(mtl.tf) >= kMostlyClear;
-    return refracts || transmits || (clear && (mtl.has_tf || mtl.dissolve >= 1));
+    const bool transmits = mtl.has("Pr") && max_component(mtl.colour("Tf")) >= kMostlyClear;
+    return refracts || transmits || (clear && (mtl.has("Tf") || mtl.opacity >= 1));
 }
 
 void make_glass(const MtlMaterial& mtl, Material& m)
 {
     m.glass = true;
-    m.alpha = alpha_from_roughness(mtl.roughness);
-    m.transmittance = mtl.has_tf ? mtl.tf : grey(1);
+    m.alpha = alpha_from_roughness(mtl.number("Pr", 0));
     m.opacity = 1;
     m.metalness = 0;
 }
@@ -105,52 +106,71 @@ void make_glass(const MtlMaterial& mtl, Material& m)
 // A number that only a picture gives counts as 1.
 void open_for_maps(const MtlMaterial& mtl, Material& m)
 {
-    if (!mtl.map_ke.name.empty() && is_black(m.emission)) m.emission = grey(1);
-    if (!mtl.map_pm.name.empty() && !(mtl.metalness > 0)) m.metalness = 1;
-    if (!mtl.map_ps.name.empty() && !(mtl.sheen > 0)) m.sheen = 1;
-    if (!mtl.map_pr.name.empty() && !(mtl.roughness > 0)) m.alpha = 1;
+    if (mtl.map("map_Ke") && is_black(m.emission)) m.emission = grey(1);
+    if (mtl.map("map_Pm") && !(m.metalness > 0)) m.metalness = 1;
+    if (mtl.map("map_Ps") && !(m.sheen > 0)) m.sheen = 1;
+    if (mtl.map("map_Pr") && !(mtl.number("Pr", 0) > 0)) m.alpha = 1;
 }
 
-void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
+// White where only a picture gives it.
+Rgb colour_of(const MtlMaterial& mtl, const char* keyword, const char* map)
 {
-    const bool metal = m.metalness > 0 && mtl.map_kd.name.empty();
-    m.maps.base = textures.slot(mtl.file, metal ? mtl.map_ks : mtl.map_kd, PictureUse::colour);
-    m.maps.emission = textures.slot(mtl.file, mtl.map_ke, PictureUse::colour);
-    m.maps.roughness = textures.slot(mtl.file, mtl.map_pr, PictureUse::data);
-    m.maps.metalness = textures.slot(mtl.file, mtl.map_pm, PictureUse::data);
-    m.maps.sheen = textures.slot(mtl.file, mtl.map_ps, PictureUse::data);
-    m.maps.opacity = textures.slot(mtl.file, mtl.map_d, PictureUse::alpha);
-    m.maps.normal = textures.normal_slot(mtl.file, mtl.map_bump);
+    return mtl.map(map) && !mtl.has(keyword) ? grey(1) : mtl.colour(keyword);
 }
 
-}  // namespace
-
+// Not yet finished, and without textures.
 Material to_material(const MtlMaterial& mtl)
 {
     Material m;
     m.name = mtl.name;
-    m.base = mtl.kd;
-    m.emission = mtl.ke;
-    m.index = mtl.ni;
-    m.opacity = mtl.dissolve;
-    m.coat = mtl.coat;
-    m.coat_alpha = alpha_from_roughness(mtl.coat_roughness);
-    m.sheen = mtl.sheen;
-    m.anisotropy = mtl.anisotropy;
-    m.anisotropy_turns = mtl.anisotropy_turns;
-    const bool mapped = !mtl.map_pr.name.empty() || !mtl.map_pm.name.empty();
-    const bool physical = mtl.has_pr || mtl.metalness > 0 || mapped;
-    m.alpha = physical ? alpha_from_roughness(mtl.roughness) : alpha_from_phong_exponent(mtl.ns);
-    m.specular = physical || !is_black(mtl.ks);
-    m.metalness = mtl.metalness;
-    if (!physical && m.specular && is_black(mtl.kd) && mtl.map_kd.name.empty()) {
+    for (const MaterialParameter& p : kMaterialParameters) {
+        if (!p.mtl || !mtl.has(p.mtl)) continue;
+        if (const auto* colour = std::get_if<Rgb MaterialNumbers::*>(&p.member))
+            m.** colour = mtl.colour(p.mtl);
+        else
+            m.*std::get<float MaterialNumbers::*>(p.member) = stated(p, mtl.number(p.mtl, 0));
+    }
+    m.base = colour_of(mtl, "Kd", "map_Kd");
+    m.opacity = mtl.opacity;
+    const bool physical = mtl.has("Pr") || m.metalness > 0 || mtl.map("map_Pr") || mtl.map("map_Pm");
+    m.alpha = physical ? alpha_from_roughness(mtl.number("Pr", 0)) : alpha_from_phong_exponent(mtl.number("Ns", 1));
+    const Rgb ks = colour_of(mtl, "Ks", "map_Ks");
+    m.specular = physical || !is_black(ks);
+    if (!physical && m.specular && is_black(m.base) && !mtl.map("map_Kd")) {
         m.metalness = 1;
-        m.base = mtl.ks;
+        m.base = ks;
     }
     open_for_maps(mtl, m);
-    if (is_glass(mtl)) make_glass(mtl, m);
+    if (is_glass(mtl))
+        make_glass(mtl, m);
+    else
+        m.transmittance = grey(1);  // says nothing of other materials
     return m;
 }
+
+struct MapUse {
+    const char* keyword;
+    TextureSlot TextureSlots::*slot;
+    PictureUse use;
+};
+constexpr MapUse kMaps[] = {
+    {"map_Ke", &TextureSlots::emission, PictureUse::colour}, {"map_Pr", &TextureSlots::roughness, PictureUse::data},
+    {"map_Pm", &TextureSlots::metalness, PictureUse::data},  {"map_Ps", &TextureSlots::sheen, PictureUse::data},
+    {"map_d", &TextureSlots::opacity, PictureUse::alpha},
+};
+
+void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
+{
+    const bool metal = m.metalness > 0 && !mtl.map("map_Kd");
+    m.maps.base = textures.slot(mtl.file, mtl.map(metal ? "map_Ks" : "map_Kd"), PictureUse::colour);
+    for (const MapUse& use : kMaps) m.maps.*use.slot = textures.slot(mtl.file, mtl.map(use.keyword), use.use);
+    const MtlMap* normals = nullptr;
+    for (const char* keyword : {"bump", "map_bump", "map_Bump", "norm"})
+        if (mtl.map(keyword)) normals = mtl.map(keyword);
+    m.maps.normal = textures.normal_slot(mtl.file, normals);
+}
+
+}  // namespace
 
 std::filesystem::path find_beside(const std::filesystem::path& beside, const std::string& name)
 {

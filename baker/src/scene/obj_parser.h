@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The faces of an OBJ text and the materials of an MTL text as plain data: tinyobjloader behind a wall.
+// The faces of an OBJ text as plain data: tinyobjloader behind a wall.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "scene/materials.h"
 
 namespace lumi::baker
 {
@@ -30,8 +29,5 @@ struct ObjContent {
 
 // `text` comes from prepare_obj, with `material_count` materials. Throws SceneError, with `file` in its message.
 ObjContent parse_obj(const std::string& file, const std::string& text, size_t material_count);
-
-// `text` comes from prepare_mtl; lines and files of the result are still to be filled in.
-std::vector<MtlMaterial> parse_mtl(const std::string& text);
 
 }  // namespace lumi::baker

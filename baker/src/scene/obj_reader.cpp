@@ -5,7 +5,7 @@
 #include <set>
 
 #include "geometry/polygon.h"
-#include "scene/mtl_text.h"
+#include "scene/materials.h"
 #include "scene/obj_parser.h"
 #include "scene/obj_text.h"
 #include "scene/smoothing.h"
@@ -37,41 +37,6 @@ std::vector<std::filesystem::path> libraries_of(const std::filesystem::path& obj
     return files;
 }
 
-// What the parser forgets: where pictures are named, and whether numbers were.
-void name_lines(const MtlText::Lines& lines, MtlMaterial& material)
-{
-    const auto line_of = [&](const char* keyword) {
-        const auto found = lines.maps.find(keyword);
-        return found == lines.maps.end() ? material.line : found->second;
-    };
-    material.map_kd.line = line_of("map_Kd");
-    material.map_ks.line = line_of("map_Ks");
-    material.map_ke.line = line_of("map_Ke");
-    material.map_pr.line = line_of("map_Pr");
-    material.map_pm.line = line_of("map_Pm");
-    material.map_ps.line = line_of("map_Ps");
-    material.map_d.line = line_of("map_d");
-    material.map_bump.line = std::max({line_of("norm"), line_of("map_Bump"), line_of("map_bump"), line_of("bump")});
-    material.has_tf = lines.has_tf;
-    material.has_pr = lines.has_pr;
-    if (!material.map_kd.name.empty() && !lines.has_kd) material.kd = grey(1);
-    if (!material.map_ks.name.empty() && !lines.has_ks) material.ks = grey(1);
-}
-
-void append_library(const std::filesystem::path& file, std::vector<MtlMaterial>& known,
-                    std::vector<std::string>& warnings)
-{
-    const MtlText mtl = prepare_mtl(file.string(), read_text(file), warnings);
-    for (MtlMaterial& material : parse_mtl(mtl.text)) {
-        const auto lines = mtl.lines.find(material.name);
-        if (lines == mtl.lines.end() || material.name.empty()) continue;
-        material.file = file;
-        material.line = lines->second.newmtl;
-        name_lines(lines->second, material);
-        known.push_back(std::move(material));
-    }
-}
-
 // Of all libraries, each read once however often the OBJ names it.
 std::vector<MtlMaterial> materials_of(const std::filesystem::path& file, const ObjText& obj,
                                       std::vector<std::string>& warnings)
@@ -82,7 +47,7 @@ std::vector<MtlMaterial> materials_of(const std::filesystem::path& file, const O
         if (!names.insert(library.name).second) continue;
         for (const std::filesystem::path& mtl : libraries_of(file, library, warnings))
             if (read.insert(std::filesystem::weakly_canonical(mtl).string()).second)
-                append_library(mtl, known, warnings);
+                for (MtlMaterial& material : read_mtl(mtl, warnings)) known.push_back(std::move(material));
     }
     return known;
 }

@@ -31,28 +31,14 @@ void add(Digest& digest, const TextureSlots& slots)
     }
 }
 
+// The name does not count: materials are found by number. What finish() makes of the rest does not, either.
 void add(Digest& digest, const Material& material)
 {
-    const auto& [name, base, emission, metalness, specular, alpha, index, opacity, anisotropy, anisotropy_turns, coat,
-                 coat_alpha, sheen, sheen_roughness, sheen_colour, glass, transmittance, transmittance_length, maps,
-                 skins, facets, brushed_skins, brushed_facets, frost, coat_skin, fibres, absorption] = material;
-    static_cast<void>(name);  // materials are found by number
-    // Made by finish() from the others.
-    static_cast<void>(skins);
-    static_cast<void>(facets);
-    static_cast<void>(brushed_skins);
-    static_cast<void>(brushed_facets);
-    static_cast<void>(frost);
-    static_cast<void>(coat_skin);
-    static_cast<void>(fibres);
-    static_cast<void>(absorption);
-    for (const Rgb& colour : {base, emission, sheen_colour, transmittance}) digest.add(colour);
-    for (const float value : {metalness, alpha, index, opacity, anisotropy, anisotropy_turns, coat, coat_alpha, sheen,
-                              sheen_roughness, transmittance_length})
-        digest.add(value);
-    digest.add(specular);
-    digest.add(glass);
-    add(digest, maps);
+    for (const MaterialParameter& parameter : kMaterialParameters)
+        std::visit([&](auto member) { digest.add(material.*member); }, parameter.member);
+    digest.add(material.specular);
+    digest.add(material.glass);
+    add(digest, material.maps);
 }
 
 void add(Digest& digest, const Texture& texture)

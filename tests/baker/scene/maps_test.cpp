@@ -149,13 +149,16 @@ TEST_CASE("maps: a grey bump map is a height map whose slopes face downhill")
     CHECK(static_cast<int>(normals_from_heights(heights, 0).rgb[3]) == Approx(127.5).margin(1));
 }
 
-TEST_CASE("maps: MTL's scale and offset move a picture")
+TEST_CASE("maps: MTL's scale and offset move a picture, with as many numbers as are given")
 {
-    const Scene scene =
-        square("Kd 1 1 1\nmap_Kd -s 0.25 1 1 -o 0.5 0 0 t.png\n", {255, 0, 0, 0, 255, 0}, studio_environment());
-    // u runs from 0.5 to 0.75: the right pixel's left half.
-    CHECK(point_below(scene, 0.98f).values.base.g > 0.95f);
-    CHECK(point_below(scene, -0.98f).values.base.g == Approx(0.5).margin(0.05));
+    for (const char* options : {"-s 0.25 1 1 -o 0.5 0 0", "-s 0.25 -o 0.5", "-clamp off -s 0.25 1 -mm 0 1 -o 0.5 0"}) {
+        CAPTURE(options);
+        const Scene scene = square("Kd 1 1 1\nmap_Kd " + std::string(options) + " t.png\n", {255, 0, 0, 0, 255, 0},
+                                   studio_environment());
+        // u runs from 0.5 to 0.75: the right pixel's left half.
+        CHECK(point_below(scene, 0.98f).values.base.g > 0.95f);
+        CHECK(point_below(scene, -0.98f).values.base.g == Approx(0.5).margin(0.05));
+    }
 }
 
 TEST_CASE("maps: what MTL calls glass is glass, and thin paint is not")

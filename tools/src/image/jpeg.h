@@ -9,8 +9,7 @@
 namespace lumi::tools
 {
 
-// Baseline JPEG, as decoders of firmware read it, with chroma of half the resolution. Quality 1 to 100. Precondition:
-// at least one pixel.
+// As lumi/baker/picture_file.h says.
 std::string jpeg_bytes(const Picture& picture, int quality);
 
 // The picture as it looks after the best quality whose file takes at most `bytes`, or after quality 1.

@@ -10,31 +10,8 @@
 #include "lumi/baker/picture_file.h"
 #include "terminal/failure.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb_image_write.h>
-#pragma GCC diagnostic pop
-
 namespace lumi::tools
 {
-
-namespace
-{
-
-constexpr int kChannels = 3;
-
-void append(void* context, void* data, int size)
-{
-    static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<size_t>(size));
-}
-
-}  // namespace
 
 std::string wrong_png_name(const std::string& path)
 {
@@ -63,12 +40,7 @@ Picture read_png(const std::string& path)
 
 std::string png_bytes(const Picture& picture)
 {
-    std::string bytes;
-    const int row_bytes = kChannels * picture.width_px;
-    if (!stbi_write_png_to_func(append, &bytes, picture.width_px, picture.height_px, kChannels, picture.rgb.data(),
-                                row_bytes))
-        throw std::length_error("the picture could not be packed");
-    return bytes;
+    return baker::png_bytes({picture.width_px, picture.height_px, picture.rgb.data()});
 }
 
 void write_png(const std::string& path, const Picture& picture)

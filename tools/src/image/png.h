@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG files. png.cpp is the only file that sees stb, which writes them; the baker's reader reads them.
+// PNG files as the tools handle pictures (lumi/baker/picture_file.h).
 #pragma once
 
 #include <string>

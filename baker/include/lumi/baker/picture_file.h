@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Pictures from files that strangers may have made. Formats: PNG and JPEG with 8 bits a channel, Radiance .hdr and
-// OpenEXR for radiance. Everything else is refused by name. The size is checked before a pixel is decoded.
+// The one reader and the one writer of PNG and of JPEG, with 8 bits a channel; for radiance the baker also reads
+// Radiance .hdr and OpenEXR. Strangers may have made the files: the size is checked before a pixel is decoded.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace lumi::baker
@@ -29,5 +30,20 @@ struct DecodedPicture {
 
 // A PNG file; alpha is ignored. Notes the file as an input (file_guard.h). Throws PictureError.
 DecodedPicture read_png(const std::filesystem::path& file);
+
+// The bytes of a JPEG file, grey or colour, sequential or progressive; not CMYK. What is damaged or cut short is
+// refused. Throws PictureError.
+DecodedPicture decode_jpeg(const std::string& bytes);
+
+// Borrowed pixels: 3 bytes each, top row first, without gaps. At least one.
+struct PictureView {
+    int width, height;
+    const uint8_t* rgb;
+};
+
+// The bytes of files. Throw std::length_error for a picture that no such file can hold. JPEG: baseline, as decoders of
+// firmware read it, with chroma of half the resolution; quality 1 to 100.
+std::string png_bytes(const PictureView& picture);
+std::string jpeg_bytes(const PictureView& picture, int quality);
 
 }  // namespace lumi::baker
