@@ -2,7 +2,7 @@
 # Core's source files: the one list, for every build system that is written in CMake. src/c/lumi.cpp is not among them:
 # programs in C compile it with their own macros.
 set(LUMI_CORE_SOURCES
-  src/math/coarse_math.cpp
+  src/chord/stepping/coarse_math.cpp
   src/math/math.cpp
   src/math/reciprocal.cpp
   src/lattice/lattice.cpp
@@ -17,15 +17,15 @@ set(LUMI_CORE_SOURCES
   src/camera/attitude.cpp
   src/camera/camera.cpp
   src/camera/orbit.cpp
-  src/camera/quality.cpp
-  src/camera/quality_ladder.cpp
-  src/camera/sphere.cpp
-  src/stepping/zone_map.cpp
-  src/stepping/hits.cpp
-  src/stepping/outline.cpp
-  src/stepping/polar_line.cpp
-  src/stepping/walker.cpp
-  src/stepping/zones.cpp
+  src/chord/quality.cpp
+  src/control/quality_ladder.cpp
+  src/chord/sphere.cpp
+  src/chord/stepping/zone_map.cpp
+  src/chord/stepping/hits.cpp
+  src/chord/stepping/outline.cpp
+  src/chord/stepping/polar_line.cpp
+  src/chord/stepping/walker.cpp
+  src/chord/stepping/zones.cpp
   src/chord/kernel/distances.cpp
   src/chord/kernel/kernel.cpp
   src/chord/armv6m/linear_luma8.S
@@ -42,10 +42,10 @@ set(LUMI_CORE_SOURCES
   src/surface/rasterize.cpp
   src/surface/silhouette.cpp
   src/surface/split.cpp
-  src/surface/surface_camera.cpp
-  src/surface/surface_field.cpp
+  src/surface/camera.cpp
+  src/surface/field.cpp
   src/surface/view_nodes.cpp
   src/view/check_stripe.cpp
-  src/view/gesture.cpp
-  src/view/pack.cpp
+  src/control/gesture.cpp
+  src/pixel/pack.cpp
   src/view/view_error.cpp)

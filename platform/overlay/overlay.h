@@ -4,7 +4,7 @@
 #pragma once
 
 #include <lumi/stripe.h>
-#include <lumi/surface_frame.h>
+#include <lumi/surface/frame.h>
 
 namespace overlay
 {

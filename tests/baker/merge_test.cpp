@@ -5,8 +5,8 @@
 #include <set>
 
 #include "chord/row_file.h"
-#include "lumi/crc32.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
+#include "lumi/detail/crc32.h"
 #include "store/shard_rows.h"
 #include "support/bake_scenes.h"
 #include "support/merge_problems.h"

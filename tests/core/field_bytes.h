@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "lumi/field_format.h"
 
 namespace lumi::test

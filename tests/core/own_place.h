@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lumi/detail/stepping/zone_map.h"
+#include "lumi/chord/detail/stepping/zone_map.h"
 
 namespace lumi::test
 {

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # Core's tests, for the host and for the emulated boards alike.
 set(LUMI_CORE_TEST_SOURCES
-  render_test.cpp
+  chord/render_test.cpp
   stripes_test.cpp
   camera/attitude_test.cpp
   camera/camera_test.cpp
   camera/orbit_test.cpp
-  camera/quality_test.cpp
-  camera/sphere_test.cpp
+  chord/quality_test.cpp
+  chord/sphere_test.cpp
   chord/cover_test.cpp
   chord/extreme_chord_test.cpp
   chord/linear_test.cpp
@@ -23,17 +23,17 @@ set(LUMI_CORE_TEST_SOURCES
   lattice/lattice_test.cpp
   lattice/polar_test.cpp
   math/math_test.cpp
-  stepping/hits_test.cpp
+  chord/stepping/hits_test.cpp
   surface/coverage_test.cpp
   surface/extreme_surface_test.cpp
-  surface/render_surface_test.cpp
-  surface/surface_field_test.cpp
-  surface/surface_quality_test.cpp
+  surface/render_test.cpp
+  surface/field_test.cpp
+  surface/quality_test.cpp
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp
   view/c_api_test.cpp
-  view/gesture_test.cpp
-  view/pack_test.cpp
+  control/gesture_test.cpp
+  pixel/pack_test.cpp
   view/view_test.cpp
   ../../core/src/c/lumi.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

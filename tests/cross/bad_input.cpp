@@ -7,11 +7,11 @@
 #include <initializer_list>
 
 #include "guarded_memory.h"
-#include "lumi/chord_view.h"
-#include "lumi/crc32.h"
+#include "lumi/chord/view.h"
+#include "lumi/detail/crc32.h"
 #include "lumi/lumi.h"
 #include "lumi/mps2/semihosting.h"
-#include "lumi/surface_view.h"
+#include "lumi/surface/view.h"
 
 namespace
 {

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "lumi/render_spans_paper.h"
-#include "lumi/render_surface.h"
-#include "lumi/surface_view.h"
+#include "lumi/chord/render_spans_paper.h"
+#include "lumi/surface/render.h"
+#include "lumi/surface/view.h"
 
 namespace lumi::policies
 {

@@ -5,12 +5,12 @@
 // counts; the first fault ends it with 1.
 #include <cstring>
 
+#include "lumi/chord/render_spans.h"
 #include "lumi/mps2/loaded_field.h"
 #include "lumi/mps2/semihosting.h"
 #include "lumi/mps2/stack_meter.h"
 #include "lumi/orbit.h"
-#include "lumi/render_spans.h"
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 #include "text_line.h"
 
 namespace

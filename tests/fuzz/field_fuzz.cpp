@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "lumi/crc32.h"
-#include "lumi/render_spans_paper.h"
-#include "lumi/render_surface.h"
+#include "lumi/chord/render_spans_paper.h"
+#include "lumi/detail/crc32.h"
+#include "lumi/surface/render.h"
 
 namespace
 {

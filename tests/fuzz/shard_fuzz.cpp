@@ -7,7 +7,7 @@
 #include "fuzz_folder.h"
 #include "lumi/baker/bake.h"
 #include "lumi/baker/merge.h"
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "store/block_file.h"
 #include "surface/fit_basis.h"
 

@@ -13,7 +13,7 @@
 #include "lumi/host/mapped_file.h"
 #include "lumi/orbit.h"
 #include "lumi/pack.h"
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 
 namespace
 {

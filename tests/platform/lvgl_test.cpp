@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "lumi/surface_view.h"
+#include "lumi/surface/view.h"
 #include "lv_lumi_image.h"
 #include "surface/surface_bytes.h"
 

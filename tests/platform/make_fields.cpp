@@ -6,7 +6,7 @@
 #include <exception>
 
 #include "chord/field_writer.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 #include "surface/surface_bytes.h"
 #include "synthetic_ray.h"
 

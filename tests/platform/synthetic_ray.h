@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lumi/color.h"
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi::test
 {

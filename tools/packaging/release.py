@@ -43,7 +43,7 @@ includes=lumi/view.h
 """
 ARDUINO_SKETCH = """// Draws one frame of a field. Write product.c and product.h into this folder first:
 //     lumi embed product.lumi -o product.c
-#include <lumi/surface_view.h>
+#include <lumi/surface/view.h>
 #include "product.h"
 
 static product_view<lumi::Screen<240, 240, 8>> view;

@@ -2,7 +2,7 @@
 #include "chord/bake_layout.h"
 
 #include "chord/tracing_fingerprint.h"
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 #include "store/require.h"
 #include "store/shard_rows.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "geometry/accelerator.h"
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 #include "math/frame.h"
 
 namespace lumi::baker

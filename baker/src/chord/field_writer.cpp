@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "chord/field_writer.h"
 
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "store/section_writer.h"
 
 namespace lumi::baker

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "chord/texel_encoder.h"
 
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 
 namespace lumi::baker
 {

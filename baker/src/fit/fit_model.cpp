@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/fit_model.h"
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::baker
 {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fit/texel_layout.h"
-#include "lumi/detail/surface/view_nodes.h"
+#include "lumi/surface/detail/view_nodes.h"
 
 namespace lumi::baker
 {

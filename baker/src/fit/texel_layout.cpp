@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "lumi/baker/bake.h"
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the texels of each patch lie (lumi/surface_format.h).
+// Where the texels of each patch lie (lumi/surface/format.h).
 #pragma once
 
 #include "mesh/patch_mesh.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi::baker
 {

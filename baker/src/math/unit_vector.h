@@ -2,7 +2,7 @@
 // Points of core's lattices as the baker's vectors.
 #pragma once
 
-#include "lumi/math.h"
+#include "lumi/detail/math.h"
 #include "math/vec3.h"
 
 namespace lumi::baker

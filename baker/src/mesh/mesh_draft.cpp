@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/mesh_draft.h"
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 #include "mesh/edge_split.h"
 #include "mesh/seen_part.h"
 #include "mesh/simplify.h"

@@ -11,7 +11,7 @@ namespace lumi::baker
 struct MeshDraft {
     Mesh mesh;
     bool rough = false;  // the shape's topology was given up
-    bool fits = false;   // what can be seen of it may fit the format (lumi/surface_format.h)
+    bool fits = false;   // what can be seen of it may fit the format (lumi/surface/format.h)
 };
 
 template <class Io>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh that carries a surface field's radiance (lumi/surface_format.h).
+// The mesh that carries a surface field's radiance (lumi/surface/format.h).
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ struct MeshSettings {
 // About as much work as tracing so many light paths.
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);
 
-// At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface_format.h); none where nothing can be seen.
+// At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface/format.h); none where nothing can be seen.
 // Takes all of the job's work, less what `stages` have of it.
 BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/survey.h"
 
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 #include "math/frame.h"
 #include "math/unit_vector.h"
 #include "math/warp.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which triangle lies across each side of a patch (kNeighbourSection of lumi/surface_format.h).
+// Which triangle lies across each side of a patch (kNeighbourSection of lumi/surface/format.h).
 #pragma once
 
 #include <array>

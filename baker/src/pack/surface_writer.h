@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The file of a surface field (lumi/surface_format.h).
+// The file of a surface field (lumi/surface/format.h).
 #pragma once
 
 #include <array>
 
 #include "fit/fit_shape.h"
 #include "lumi/color.h"
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::baker
 {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstring>
 
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 
 namespace lumi::baker
 {

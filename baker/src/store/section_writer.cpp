@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 
 namespace lumi::baker
 {

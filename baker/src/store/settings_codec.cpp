@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <sstream>
 
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 namespace lumi::baker
 {
 namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "store/shard_rows.h"
 
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi::baker
 {

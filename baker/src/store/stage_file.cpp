@@ -3,7 +3,7 @@
 
 #include "lumi/baker/bake.h"
 #include "lumi/baker/file_guard.h"
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "util/byte_stream.h"
 
 namespace lumi::baker

@@ -2,7 +2,7 @@
 #include "surface/surface_draft.h"
 
 #include "fit/texel_layout.h"
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 #include "store/bake_stages.h"
 #include "store/output_names.h"
 #include "store/section_writer.h"

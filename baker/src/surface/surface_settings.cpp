@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/surface_settings.h"
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 #include "store/require.h"
 
 namespace lumi::baker

@@ -9,8 +9,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "lumi/detail/lattice.h"
 #include "lumi/field_format.h"
-#include "lumi/lattice.h"
 
 namespace lumi
 {

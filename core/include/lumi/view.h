@@ -8,8 +8,8 @@
 //     view.draw({pixels, 0, y, 240, 16, 480});                 // each stripe
 //
 // Every call returns a ViewError (view_error.h) and checks what it is given. The pixels are those of the free functions
-// (render_surface.h, render_spans.h), which a view calls and which stay. Their rules hold: stripes in any order and of
-// any shape, as long as the part of them that lies in the image has no more pixels than the screen's stripe.
+// (surface/render.h, chord/render_spans.h), which a view calls and which stay. Their rules hold: stripes in any order
+// and of any shape, as long as the part of them that lies in the image has no more pixels than the screen's stripe.
 #pragma once
 
 #include "lumi/background.h"
@@ -49,7 +49,7 @@ ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pi
 
 }  // namespace views
 
-// Drawing: SurfaceDrawing (surface_view.h) or ChordDrawing (chord_view.h). `lumi embed` names the one of a field.
+// Drawing: SurfaceDrawing (surface/view.h) or ChordDrawing (chord/view.h). `lumi embed` names the one of a field.
 template <class Drawing, class ScreenOf = Screen<>>
 class View
 {

@@ -3,9 +3,9 @@
 #include "lumi/lumi.h"
 
 #ifdef LUMI_C_TEXEL
-#include "lumi/chord_view.h"
+#include "lumi/chord/view.h"
 #else
-#include "lumi/surface_view.h"
+#include "lumi/surface/view.h"
 #endif
 
 #ifndef LUMI_C_PIXEL

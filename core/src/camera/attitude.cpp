@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/attitude.h"
 
-#include "lumi/math.h"
+#include "lumi/detail/math.h"
 
 namespace lumi
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/camera.h"
 
-#include "lumi/detail/stepping/outline.h"
-#include "lumi/math.h"
+#include "lumi/chord/detail/stepping/outline.h"
+#include "lumi/detail/math.h"
 
 namespace lumi
 {

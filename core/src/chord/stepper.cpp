@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/chord/stepper.h"
+#include "lumi/chord/detail/stepper.h"
 
 namespace lumi
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/chord/tile.h"
+#include "lumi/chord/detail/tile.h"
 
 #include "lumi/detail/register_hints.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 
 namespace lumi
 {

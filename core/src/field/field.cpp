@@ -2,8 +2,8 @@
 #include "lumi/field.h"
 
 #include "field/sections.h"
-#include "lumi/crc32.h"
-#include "lumi/surface_format.h"
+#include "lumi/detail/crc32.h"
+#include "lumi/surface/format.h"
 
 namespace lumi
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "field/sections.h"
 
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 
 namespace lumi::container
 {

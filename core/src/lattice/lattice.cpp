@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
-#include "lumi/math.h"
+#include "lumi/detail/math.h"
 
 namespace lumi
 {

@@ -2,7 +2,7 @@
 #include "lattice/lattice_query.h"
 
 #include "lattice/zone_tables.h"
-#include "lumi/math.h"
+#include "lumi/detail/math.h"
 
 namespace lumi
 {

@@ -2,7 +2,7 @@
 // What neighbours and triangles share: a direction as the lattice sees it.
 #pragma once
 
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/lattice_query.h"
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi
 {

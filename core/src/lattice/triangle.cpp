@@ -2,8 +2,8 @@
 #include "lattice/lattice_query.h"
 #include "lattice/polar.h"
 #include "lumi/detail/cell_triangle.h"
-#include "lumi/lattice.h"
-#include "lumi/math.h"
+#include "lumi/detail/lattice.h"
+#include "lumi/detail/math.h"
 
 namespace lumi
 {

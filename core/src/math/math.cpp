@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/math.h"
+#include "lumi/detail/math.h"
 
 #include "math/generate.h"
 

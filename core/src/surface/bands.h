@@ -3,7 +3,7 @@
 // next after each, the last one itself. A link's upper bits tell how many bands further a triangle reaches.
 #pragma once
 
-#include "lumi/surface_frame.h"
+#include "lumi/surface/frame.h"
 
 namespace lumi::surfaces
 {

@@ -6,7 +6,7 @@
 // neither a sample nor leave one out.
 #pragma once
 
-#include "lumi/detail/hot.h"
+#include "lumi/surface/detail/hot.h"
 #include "surface/projection.h"
 
 namespace lumi::surfaces
@@ -23,7 +23,7 @@ struct Target {
     int32_t magnified_q10;
 };
 
-// A rectangle of texels, see surface_format.h.
+// A rectangle of texels, see surface/format.h.
 struct Texture {
     const uint8_t* texels;
     uint32_t columns, rows;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A frame's vertices and lists of triangles.
-#include "lumi/detail/surface/view_nodes.h"
-#include "lumi/render_surface.h"
+#include "lumi/surface/detail/view_nodes.h"
+#include "lumi/surface/render.h"
 #include "surface/projection.h"
 #include "surface/sides.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/surface/packed_colour.h"
+#include "lumi/surface/detail/packed_colour.h"
 
 namespace lumi
 {

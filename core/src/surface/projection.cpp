@@ -2,7 +2,7 @@
 // A frame's constants: from a vertex's numbers to the grid of samples and to depths.
 #include "surface/projection.h"
 
-#include "lumi/math.h"
+#include "lumi/detail/math.h"
 
 namespace lumi::surfaces
 {

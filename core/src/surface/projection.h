@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lumi/detail/register_hints.h"
-#include "lumi/surface_frame.h"
+#include "lumi/surface/frame.h"
 #include "math/reciprocal.h"
 
 namespace lumi::surfaces

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 #include "surface/bands.h"
 #include "surface/sides.h"
 #include "surface/silhouette.h"

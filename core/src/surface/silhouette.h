@@ -3,13 +3,13 @@
 // marked with the share of them that the edge cuts off (Persson, "Geometric Post-process Anti-Aliasing", 2011).
 #pragma once
 
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 #include "surface/fill.h"
 
 namespace lumi::surfaces
 {
 
-// Marks the pixels of an edge, after all triangles are filled; see kMarkedColour in render_surface.h. The edge lies on
+// Marks the pixels of an edge, after all triangles are filled; see kMarkedColour in surface/render.h. The edge lies on
 // a triangle that is counter-clockwise on the screen, in its order.
 void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/surface/view_nodes.h"
+#include "lumi/surface/detail/view_nodes.h"
 
 #include "lumi/fixed.h"
 #include "math/generate.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lumi/bench/views.h"
-#include "lumi/render.h"
+#include "lumi/chord/render.h"
 
 namespace lumi::bench
 {

@@ -2,7 +2,7 @@
 // The renderer under test: each bench program links exactly one.
 #pragma once
 
-#include "lumi/render.h"
+#include "lumi/chord/render.h"
 
 namespace lumi::bench
 {

@@ -6,10 +6,10 @@
 #include <cstring>
 
 #include "lumi/bench/views.h"
+#include "lumi/chord/sphere.h"
 #include "lumi/field.h"
 #include "lumi/mps2/loaded_field.h"
 #include "lumi/mps2/semihosting.h"
-#include "lumi/sphere.h"
 
 namespace lumi::bench
 {

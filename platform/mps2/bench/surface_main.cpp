@@ -6,7 +6,7 @@
 // of triangles; what vertices show of the eye; triangles and rows without their samples; samples; outlines; pixels. The
 // field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none: all).
 #include "loaded_view.h"
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "lumi/mps2/instruction_counter.h"
 #include "lumi/mps2/stack_meter.h"
 #include "surface_instance.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "frame_list.h"
-#include "lumi/render.h"
+#include "lumi/chord/render.h"
 #include "text_line.h"
 #include "views.h"
 

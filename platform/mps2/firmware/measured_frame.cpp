@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measured_frame.h"
 
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "lumi/mps2/instruction_counter.h"
 #include "lumi/mps2/stack_meter.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "demo_options.h"
-#include "lumi/render.h"
+#include "lumi/chord/render.h"
 
 namespace lumi::firmware
 {

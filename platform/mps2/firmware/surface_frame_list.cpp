@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The surface part of the frame list.
 #include "frame_list.h"
-#include "lumi/crc32.h"
-#include "lumi/render_surface.h"
+#include "lumi/detail/crc32.h"
+#include "lumi/surface/render.h"
 #include "surface_views.h"
 #include "text_line.h"
 

@@ -3,7 +3,7 @@
 // some by chance.
 #pragma once
 
-#include "lumi/surface_frame.h"
+#include "lumi/surface/frame.h"
 #include "views.h"
 
 namespace lumi::firmware

@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include "listed_frame.h"
-#include "lumi/crc32.h"
-#include "lumi/render.h"
-#include "lumi/render_spans_paper.h"
+#include "lumi/chord/render.h"
+#include "lumi/chord/render_spans_paper.h"
+#include "lumi/detail/crc32.h"
 
 namespace lumi::firmware
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One reconstruction and one texel format, named by the build: LUMI_SIZE_RECONSTRUCTION, LUMI_SIZE_TEXEL.
-#include "lumi/render.h"
+#include "lumi/chord/render.h"
 
 #include "probe.h"
 

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "lumi/chord/texel.h"
 #include "lumi/field.h"
-#include "lumi/texel.h"
 #include "support/bake_scenes.h"
 
 namespace lumi::baker

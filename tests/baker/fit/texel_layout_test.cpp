@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/baker/bake.h"
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::baker::testing
 {

@@ -3,7 +3,7 @@
 
 #include "chord/texel_encoder.h"
 #include "image/texture.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 #include "trace/estimate.h"
 
 namespace lumi::baker

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 #include "math/frame.h"
 #include "math/unit_vector.h"
 #include "mesh/mesh_fit.h"

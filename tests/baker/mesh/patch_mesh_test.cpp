@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 #include "math/warp.h"
 #include "mesh/mesh_warnings.h"
 #include "support/bake_scenes.h"

@@ -5,7 +5,7 @@
 
 #include "chord/row_file.h"
 #include "image/radiance_picture.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 #include "scene/scene_fingerprint.h"
 #include "support/bake_scenes.h"
 

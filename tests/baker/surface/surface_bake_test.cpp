@@ -3,7 +3,7 @@
 
 #include "image/srgb.h"
 #include "lumi/baker/reference.h"
-#include "lumi/surface_field.h"
+#include "lumi/surface/field.h"
 #include "lumi/twin/surface_picture.h"
 #include "math/frame.h"
 #include "surface/surface_scenes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing

@@ -5,7 +5,7 @@
 
 #include "lumi/baker/bake.h"
 #include "lumi/baker/reference.h"
-#include "lumi/sphere.h"
+#include "lumi/chord/sphere.h"
 #include "support/shapes.h"
 
 namespace lumi::baker

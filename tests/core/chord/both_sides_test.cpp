@@ -5,9 +5,9 @@
 #include <random>
 
 #include "lumi/background.h"
-#include "lumi/detail/chord/both_sides.h"
-#include "lumi/detail/chord/side_taps.h"
-#include "lumi/detail/chord/tile.h"
+#include "lumi/chord/detail/both_sides.h"
+#include "lumi/chord/detail/side_taps.h"
+#include "lumi/chord/detail/tile.h"
 
 using namespace lumi;
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "field_bytes.h"
-#include "lumi/render_spans.h"
+#include "lumi/chord/render_spans.h"
 #include "views.h"
 
 using namespace lumi;

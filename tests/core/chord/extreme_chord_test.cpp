@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "extreme_frames.h"
-#include "lumi/render_spans_paper.h"
+#include "lumi/chord/render_spans_paper.h"
 
 using namespace lumi;
 using namespace lumi::test;

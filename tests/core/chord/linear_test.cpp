@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lumi/background.h"
-#include "lumi/detail/chord/linear.h"
-#include "lumi/detail/chord/one_tap.h"
+#include "lumi/chord/detail/linear.h"
+#include "lumi/chord/detail/one_tap.h"
 
 using namespace lumi;
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "lumi/detail/chord/both_sides_steps.h"
-#include "lumi/detail/chord/nine_taps.h"
+#include "lumi/chord/detail/both_sides_steps.h"
+#include "lumi/chord/detail/nine_taps.h"
 
 using namespace lumi;
 

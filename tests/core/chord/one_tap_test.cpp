@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The fast loops of one tap against the loop that asks for every texel: the same texels.
-#include "lumi/detail/chord/one_tap.h"
+#include "lumi/chord/detail/one_tap.h"
 
 #include <catch2/catch.hpp>
 #include <cstring>

@@ -7,7 +7,7 @@
 
 #include "edges.h"
 #include "field_bytes.h"
-#include "lumi/render_spans_paper.h"
+#include "lumi/chord/render_spans_paper.h"
 #include "twin.h"
 
 using namespace lumi;

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "field_bytes.h"
-#include "lumi/render_spans_paper.h"
+#include "lumi/chord/render_spans_paper.h"
 #include "views.h"
 
 using namespace lumi;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/render_spans_paper.h"
+#include "lumi/chord/render_spans_paper.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/chord/tile.h"
+#include "lumi/chord/detail/tile.h"
 
 #include <catch2/catch.hpp>
 
-#include "lumi/detail/stepping/outline.h"
+#include "lumi/chord/detail/stepping/outline.h"
 #include "own_place.h"
 #include "report.h"
 #include "views.h"

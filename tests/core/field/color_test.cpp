@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/background.h"
+#include "lumi/chord/texel.h"
 #include "lumi/pixel.h"
-#include "lumi/texel.h"
 
 using namespace lumi;
 

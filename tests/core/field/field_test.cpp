@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "field_bytes.h"
-#include "lumi/render.h"
-#include "lumi/surface_field.h"
+#include "lumi/chord/render.h"
+#include "lumi/surface/field.h"
 #include "truncation.h"
 
 using namespace lumi;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

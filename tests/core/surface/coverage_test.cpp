@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "lumi/surface_view.h"
+#include "lumi/surface/view.h"
 #include "surface_bytes.h"
 #include "surface_drawing.h"
 

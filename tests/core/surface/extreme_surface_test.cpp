@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "extreme_frames.h"
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 #include "surface_bytes.h"
 #include "surface_drawing.h"
 

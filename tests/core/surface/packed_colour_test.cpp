@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "lumi/detail/surface/packed_colour.h"
+#include "lumi/surface/detail/packed_colour.h"
 
 using namespace lumi;
 

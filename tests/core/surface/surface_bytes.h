@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Composes surface field files for tests, valid or not: written from surface_format.h, not from the baker's writer.
+// Composes surface field files for tests, valid or not: written from surface/format.h, not from the baker's writer.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "field_bytes.h"
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::test
 {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "field_bytes.h"
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 #include "views.h"
 
 namespace lumi::test

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lumi/lumi.h"
-#include "lumi/surface_view.h"
+#include "lumi/surface/view.h"
 #include "surface/surface_bytes.h"
 
 using namespace lumi;

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "lumi/chord_view.h"
-#include "lumi/surface_view.h"
+#include "lumi/chord/view.h"
+#include "lumi/surface/view.h"
 #include "surface/surface_bytes.h"
 
 using namespace lumi;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
 
-#include <lumi/render.h>
+#include <lumi/chord/render.h>
 
 namespace
 {

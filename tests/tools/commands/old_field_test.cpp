@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "image/png.h"
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 

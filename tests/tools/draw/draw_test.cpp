@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "lumi/chord/render.h"
+#include "lumi/chord/render_spans_paper.h"
 #include "lumi/host/camera.h"
-#include "lumi/render.h"
-#include "lumi/render_spans_paper.h"
 #include "metrics/psnr.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"

@@ -8,7 +8,7 @@
 #include "bench/sprites.h"
 #include "image/png.h"
 #include "lumi/baker/bake.h"
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 #include "lumi/twin/geometry.h"
 #include "quality/baselines.h"
 #include "quality/html.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "lumi/field_format.h"
 
 namespace lumi::tools::test

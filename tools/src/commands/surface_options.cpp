@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::tools
 {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "draw/draw.h"
+#include "lumi/chord/render.h"
 #include "lumi/pixel.h"
-#include "lumi/render.h"
 
 namespace lumi::tools
 {

@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-#include "lumi/render_spans.h"
+#include "lumi/chord/render_spans.h"
 
 namespace lumi::tools
 {

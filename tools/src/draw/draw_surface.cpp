@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "draw/display.h"
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
 

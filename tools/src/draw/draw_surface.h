@@ -5,7 +5,7 @@
 #include "draw/draw.h"
 #include "draw/views.h"
 #include "image/plane.h"
-#include "lumi/surface_frame.h"
+#include "lumi/surface/frame.h"
 
 namespace lumi::tools
 {
@@ -23,7 +23,7 @@ const char* name_of(SurfaceMode mode);
 // for an eye that core refuses.
 Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings = {});
 
-// The depths of the pixels' centres, as the renderer has them (surface_frame.h). Throws UsageError likewise.
+// The depths of the pixels' centres, as the renderer has them (surface/frame.h). Throws UsageError likewise.
 Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye);
 
 }  // namespace lumi::tools

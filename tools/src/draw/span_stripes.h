@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draw/display.h"
-#include "lumi/render_spans_paper.h"
+#include "lumi/chord/render_spans_paper.h"
 #include "terminal/interrupt.h"
 
 namespace lumi::tools

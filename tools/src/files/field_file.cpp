@@ -5,7 +5,7 @@
 #include <map>
 
 #include "lumi/baker/file_guard.h"
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools

@@ -9,7 +9,7 @@
 #include "files/cut_short.h"
 #include "lumi/field.h"
 #include "lumi/host/mapped_file.h"
-#include "lumi/surface_field.h"
+#include "lumi/surface/field.h"
 
 namespace lumi::tools
 {

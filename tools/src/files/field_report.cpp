@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/renderer_name.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 #include "terminal/text.h"
 
 namespace lumi::tools

@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-#include "lumi/render_spans.h"
+#include "lumi/chord/render_spans.h"
 
 namespace lumi::tools
 {
@@ -33,12 +33,12 @@ RendererName renderer_of(const FieldFile& field)
     if (field.is_surface()) {
         const SurfaceField& surface = field.surface();
         return named(
-            "lumi/surface_view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
+            "lumi/surface/view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
             "lumi::SurfaceDrawing<" + std::to_string(surface.vertex_count) + ", " + std::to_string(surface.patch_count),
             "Finest");
     }
     const std::string drawing = fits_spans(field.field()) ? "ChordDrawing" : "ExactChordDrawing";
-    return named("lumi/chord_view.h", "open_field", "class Reconstruction = lumi::Linear",
+    return named("lumi/chord/view.h", "open_field", "class Reconstruction = lumi::Linear",
                  "lumi::" + drawing + "<" + texel_policy(field.field().texel_format), "Reconstruction");
 }
 

@@ -11,7 +11,7 @@ namespace lumi::tools
 
 // How a C++ program names the view of a field.
 struct RendererName {
-    std::string header;      // "lumi/surface_view.h"
+    std::string header;      // "lumi/surface/view.h"
     std::string opener;      // "open_surface"
     std::string parameters;  // of the template alias, before which a program writes the screen
     std::string view;        // "lumi::View<lumi::SurfaceDrawing<2500, 2400, Finest>, Screen>"

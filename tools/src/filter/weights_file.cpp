@@ -8,7 +8,7 @@
 
 #include "field/sections.h"
 #include "lumi/baker/file_guard.h"
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "store/section_writer.h"
 #include "terminal/failure.h"
 #include "util/byte_stream.h"

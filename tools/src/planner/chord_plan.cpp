@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "planner/chord_plan.h"
 
-#include "lumi/lattice.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
+#include "lumi/detail/lattice.h"
 #include "planner/no_plan.h"
 #include "terminal/text.h"
 

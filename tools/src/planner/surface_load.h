@@ -3,7 +3,7 @@
 #pragma once
 
 #include "draw/views.h"
-#include "lumi/surface_frame.h"
+#include "lumi/surface/frame.h"
 
 namespace lumi::planner
 {

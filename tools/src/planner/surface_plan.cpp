@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "lumi/baker/bake.h"
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 #include "planner/no_plan.h"
 
 namespace lumi::planner

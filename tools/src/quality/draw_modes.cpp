@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi::quality
 {

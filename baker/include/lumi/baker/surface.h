@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bakes a scene into a surface field (lumi/surface_format.h): radiance kept where rays meet the surface.
+// Bakes a scene into a surface field (lumi/surface/format.h): radiance kept where rays meet the surface.
 //
 // Random lines through the unit sphere, uniform over all lines, meet a mesh that follows the scene; the light along
 // each is one sample of a model that is linear in texels and view tables. What is kept of the samples are integer sums,

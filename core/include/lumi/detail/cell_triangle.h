@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which triangle of a lattice cell a point lies in: the one definition. Loops that draw both sides at once choose the
-// same triangles by the halves of words (chord/both_sides_steps.h) or by branches (src/chord/armv6m); tests compare
-// them.
+// same triangles by the halves of words (chord/detail/both_sides_steps.h) or by branches (src/chord/armv6m); tests
+// compare them.
 #pragma once
 
 #include <stdint.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What holds a frame rate, for any renderer whose pictures come in steps from coarse to fine. quality.h and
-// surface_quality.h name the steps.
+// surface/quality.h name the steps.
 #pragma once
 
 #include <stdint.h>

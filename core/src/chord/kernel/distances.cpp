@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/chord/kernel/distances.h"
+#include "lumi/chord/detail/kernel/distances.h"
 
 #include "math/generate.h"
 

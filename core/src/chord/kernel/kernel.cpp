@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/chord/kernel/kernel.h"
+#include "lumi/chord/detail/kernel/kernel.h"
 
 #include "lattice/polar.h"
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "lumi/baker/scene.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "lumi/bench/views.h"
-#include "lumi/crc32.h"
-#include "lumi/render_spans_paper.h"
+#include "lumi/chord/render_spans_paper.h"
+#include "lumi/detail/crc32.h"
 
 namespace lumi::bench
 {

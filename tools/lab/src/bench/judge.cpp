@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "lumi/sphere.h"
+#include "lumi/chord/sphere.h"
 #include "metrics/psnr.h"
 
 namespace lumi::bench

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/chips.h"
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 
 namespace lumi::bench
 {

@@ -6,7 +6,7 @@
 
 #include "image/jpeg.h"
 #include "lumi/baker/reference.h"
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 #include "lumi/twin/geometry.h"
 #include "terminal/failure.h"
 

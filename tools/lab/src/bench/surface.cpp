@@ -9,7 +9,7 @@
 #include "bench/surface_field.h"
 #include "bench/surface_reads.h"
 #include "draw/draw_surface.h"
-#include "lumi/crc32.h"
+#include "lumi/detail/crc32.h"
 #include "lumi/pixel.h"
 #include "lumi/twin/surface_picture.h"
 #include "terminal/failure.h"

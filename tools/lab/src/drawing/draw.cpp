@@ -9,8 +9,8 @@
 
 #include "commands.h"
 #include "files/field_file.h"
+#include "lumi/chord/render_spans_paper.h"
 #include "lumi/host/camera.h"
-#include "lumi/render_spans_paper.h"
 
 namespace lumi::tools::bench
 {

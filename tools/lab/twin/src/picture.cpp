@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/twin/picture.h"
 
-#include "lumi/texel.h"
+#include "lumi/chord/texel.h"
 #include "viewing.h"
 
 namespace lumi::twin

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface_file.h"
 
-#include "lumi/surface_format.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::twin
 {

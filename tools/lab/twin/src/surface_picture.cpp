@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lumi/detail/surface/view_nodes.h"
+#include "lumi/surface/detail/view_nodes.h"
 #include "surface_file.h"
 #include "viewing.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "lumi/render.h"
+#include "lumi/chord/render.h"
 
 namespace lumi::bench
 {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lumi/bench/views.h"
-#include "lumi/render_surface.h"
+#include "lumi/surface/render.h"
 
 namespace lumi::bench
 {

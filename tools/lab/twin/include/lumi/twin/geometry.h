@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lumi/camera.h"
-#include "lumi/lattice.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi::twin
 {

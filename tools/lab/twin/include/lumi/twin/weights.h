@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which lattice points a hit reads and with what weight, from the definitions in lumi/lattice.h and
-// lumi/reconstruction.h: core's policies without fixed point and without inverse maps. Slow: every point is looked at.
+// Which lattice points a hit reads and with what weight, from the definitions in lumi/detail/lattice.h and
+// lumi/chord/reconstruction.h: core's policies without fixed point and without inverse maps. Slow: every point is
+// looked at.
 #pragma once
 
 #include <cstdint>

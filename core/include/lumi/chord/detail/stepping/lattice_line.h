@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// One lattice (origins or directions) under a scanline's pixels: a line through its cells, or over a pole.
+#pragma once
+
+#include "lumi/chord/detail/stepping/polar_line.h"
+#include "lumi/chord/detail/stepping/zones.h"
+
+namespace lumi
+{
+
+// How a line changes from one scanline to the next.
+struct LineChange {
+    int32_t u_q16, v_q16, du_q16, dv_q16;
+};
+
+// Coordinates of the first pixel and their steps, Q16, in a basis whose steps form an obtuse angle, so that the
+// triangle of a cell is decided by fu > fv.
+struct CellLine {
+    int32_t u_q16, v_q16, du_q16, dv_q16;
+    int32_t first, second;  // index steps of u and v, negative where mirrored or reflected
+    int32_t base;           // index of (0, 0)
+    // The cells whose diagonal is not the sum of both steps: those whose lowest corner, first·a + second·b, is below
+    // `flip` where flip_mask is 0, and at `flip` or above where it is -1. Decided cell by cell, as the exact renderer
+    // does.
+    int32_t flip, flip_mask;
+    const Zone* zone;
+    bool uniform;  // no flipped cell lies under the line
+
+    // Whether `first` runs against the zone's step.
+    bool reflected() const { return (first ^ second) < 0; }
+    bool is_flipped(int32_t corner) const { return ((corner - flip) ^ flip_mask) < 0; }
+    // The highest index that the corners under `length` pixels can have.
+    int32_t highest(int32_t length) const
+    {
+        const auto index = [&](int32_t u, int32_t v) { return base + first * (u >> 16) + second * (v >> 16); };
+        const int32_t a = index(u_q16, v_q16);
+        const int32_t b = index(u_q16 + length * du_q16, v_q16 + length * dv_q16);
+        // A floor takes up to one step off either coordinate, and a cell's corners lie up to both steps on.
+        return (a > b ? a : b) + 2 * (magnitude(first) + magnitude(second));
+    }
+    void move_down(const LineChange& down, int32_t scanlines)
+    {
+        u_q16 += scanlines * down.u_q16;
+        v_q16 += scanlines * down.v_q16;
+        du_q16 += scanlines * down.du_q16;
+        dv_q16 += scanlines * down.dv_q16;
+    }
+};
+
+struct LatticeLine {
+    CellLine cells;
+    PolarLine polar;
+    bool over_pole;  // which of both counts
+};
+
+}  // namespace lumi

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Reconstructions: which lattice points a hit reads, and with what weight.
+//
+// A reconstruction policy has `kTaps`, the number of taps a side, and `taps(lattice, direction)`. A pixel's colour is
+// the sum over both sides' taps of w(i)·w(j)·L(i,j): the product kernel of LumiPath, section 2.3.
+#pragma once
+
+#include "lumi/chord/texel.h"
+#include "lumi/detail/lattice.h"
+
+namespace lumi
+{
+
+// Weights sum to kWeightOneQ12. Unused taps have weight zero and a valid index.
+template <uint32_t Count>
+struct Taps {
+    uint32_t index[Count];
+    uint32_t weight_q12[Count];
+};
+
+// The nearest lattice point of each side: one texel a pixel.
+struct Nearest {
+    static constexpr uint32_t kTaps = 1;
+    static Taps<kTaps> taps(const Lattice& lattice, const Vec3q30& direction)
+    {
+        return {{nearest(lattice, direction)}, {kWeightOneQ12}};
+    }
+};
+
+// On spans Nearest rounds lattice coordinates, the cheapest cell; this one compares distances, as the exact renderer
+// does.
+struct NearestVoronoi : Nearest {
+};
+
+// One tap a pixel, chosen by an ordered dither so that neighbouring pixels together show the linear picture. It needs
+// the pixel's place: the span renderer dithers, the exact one draws its nearest point.
+struct Dither : Nearest {
+};
+
+// Barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel, continuous.
+struct Linear {
+    static constexpr uint32_t kTaps = 3;
+    static Taps<kTaps> taps(const Lattice& lattice, const Vec3q30& direction)
+    {
+        const Triangle t = triangle(lattice, direction);
+        return {{t.index[0], t.index[1], t.index[2]}, {t.weight_q12[0], t.weight_q12[1], t.weight_q12[2]}};
+    }
+};
+
+// The paper's kernel over the K nearest points of each side: K × K texels a pixel.
+template <uint32_t K = 5>
+struct Paper {
+    static_assert(K >= 1 && K <= kMaxNeighbours, "the paper's kernel takes 1 to 9 neighbours a side");
+    static constexpr uint32_t kTaps = K;
+    static Taps<kTaps> taps(const Lattice& lattice, const Vec3q30& direction)
+    {
+        Neighbour near[K];
+        const uint32_t count = neighbours(lattice, direction, K, near);
+        Taps<K> result{};
+        for (uint32_t k = 0; k < count; ++k) result.index[k] = near[k].index;
+        kernel_weights(lattice, near, count, result.weight_q12);
+        return result;
+    }
+};
+
+// Sums of weighted texels, Q24: at most 255·2^24 each, since the weights of both sides sum to 2^12 and r, g, b <= a.
+struct Gathered {
+    uint32_t r = 0, g = 0, b = 0, a = 0;
+
+    void add(uint32_t weight_q24, const Rgba8& texel)
+    {
+        r += weight_q24 * texel.r;
+        g += weight_q24 * texel.g;
+        b += weight_q24 * texel.b;
+        a += weight_q24 * texel.a;
+    }
+
+    // Premultiplied over a background.
+    Rgb8 over(const Rgb8& background) const
+    {
+        constexpr uint32_t kOneQ24 = 1u << 24;
+        const uint32_t transparency_q24 = kOneQ24 - a / 255u;
+        return {blended<24>(r, transparency_q24, background.r), blended<24>(g, transparency_q24, background.g),
+                blended<24>(b, transparency_q24, background.b)};
+    }
+};
+
+// The seam for other ways of finding texels: a pixel's hits in, its sums out. Origins outside the cap count as misses.
+template <class Reconstruction, class Texel>
+Gathered gather(const Field& field, const Vec3q30& front, const Vec3q30& back)
+{
+    constexpr uint32_t kTaps = Reconstruction::kTaps;
+    const Taps<kTaps> origins = Reconstruction::taps(field.origins, front);
+    const Taps<kTaps> directions = Reconstruction::taps(field.directions, back);
+    Gathered sums;
+    for (uint32_t m = 0; m < kTaps; ++m) {
+        const uint8_t* row = field.row(origins.index[m]);
+        if (row == nullptr) continue;
+        for (uint32_t k = 0; k < kTaps; ++k)
+            sums.add(origins.weight_q12[m] * directions.weight_q12[k], Texel::load(field, row, directions.index[k]));
+    }
+    return sums;
+}
+
+}  // namespace lumi

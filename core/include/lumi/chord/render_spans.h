@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The fast renderer: exact hits every few pixels, lattice coordinates linear in between.
+//
+//     render_spans<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverBlack{}, stripe, 16);
+//
+// The same contract as render(): any rectangle, any order, re-entrant. `span_px` (2, 4, 8 or 16) is the most pixels
+// between exact hits: the trade of speed for accuracy that docs/tradeoff.md measures. From 8 on, the inside of the
+// sphere is drawn in tiles of span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter.
+// Paper<K> and NearestVoronoi need <lumi/chord/render_spans_paper.h>, too.
+#pragma once
+
+#include "lumi/chord/detail/linear.h"
+#include "lumi/chord/detail/one_tap.h"
+
+namespace lumi
+{
+
+// What render_spans() draws, and render() draws all else: lattices of kMinSpanLattice to kMaxSpanLattice points, whose
+// texels and palette entries lie at multiples of their size, as they are read in one access each. Any field at an
+// address divisible by 4 has that, if its row stride is even.
+inline bool fits_spans(const Field& field)
+{
+    const auto has_zones = [](const Lattice& l) { return l.size() >= kMinSpanLattice && l.size() <= kMaxSpanLattice; };
+    const auto aligned = [](const uint8_t* p, uintptr_t to) { return reinterpret_cast<uintptr_t>(p) % to == 0; };
+    if (!has_zones(field.origins) || !has_zones(field.directions)) return false;
+    if (field.texel_format == format::TexelFormat::rgb565)
+        return aligned(field.texels, 2) && field.row_stride_bytes % 2 == 0;
+    return field.texel_format != format::TexelFormat::palette8 || aligned(field.palette, 4);
+}
+
+// The loops, each with a frame of its own: what they keep on the stack ends before the next piece is set up.
+template <class Reconstruction, class Texel, class Pixel, class Background>
+struct PieceLoops {
+    __attribute__((noinline)) static void draw(CellPiece<Background> piece)
+    {
+        SpanDraw<Reconstruction>::template draw<Texel, Pixel>(piece);
+    }
+    __attribute__((noinline)) static void draw_checked(const CheckedPiece<Background>& piece)
+    {
+        SpanDraw<Reconstruction>::template draw_checked<Texel, Pixel>(piece);
+    }
+};
+
+template <class Reconstruction, class Texel, class Pixel, class Background>
+RenderError render_spans(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe,
+                         int32_t span_px)
+{
+    if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
+    if (!fits_spans(field)) return RenderError::unfit_for_spans;
+    int span_log2 = 1;
+    while (span_log2 < kMaxSpanLog2 && (2 << span_log2) <= span_px) ++span_log2;
+    using Loops = PieceLoops<Reconstruction, Texel, Pixel, Background>;
+    ChordStepper stepper(field, camera, stripe, span_log2);
+    LatticeLine& origins = stepper.origins();
+    LatticeLine& directions = stepper.directions();
+    for (Piece piece; stepper.next(piece);) {
+        if (piece.kind == Piece::Kind::scanline) {
+            fill_beside<Pixel>(background, stripe, {piece.x, piece.x + piece.width}, piece.y);
+            continue;
+        }
+        uint8_t* const pixels = pixel_of<Pixel>(stripe, piece.x, piece.y);
+        if (piece.kind == Piece::Kind::cells) {
+            Loops::draw({field, background, pixels, piece.width, piece.x, piece.y, origins.cells, directions.cells,
+                         piece.tile});
+        } else {
+            Loops::draw_checked({field, background, pixels, piece.width, piece.x, piece.y, origins, directions});
+        }
+    }
+    return RenderError::none;
+}
+
+}  // namespace lumi

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// For render_spans(): the reconstructions that compare distances, Paper<K> and NearestVoronoi. What a firmware does not
+// include is not linked.
+#pragma once
+
+#include "lumi/chord/detail/kernel/kernel.h"
+#include "lumi/chord/render_spans.h"

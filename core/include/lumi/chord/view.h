@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// A view of a chord field (view.h). Besides the stripe it needs no memory.
+#pragma once
+
+#include "lumi/chord/render_spans.h"
+#include "lumi/view.h"
+
+namespace lumi
+{
+
+namespace views
+{
+
+// Opens a field for render_spans() with texels of this format. `out` stays as it was on failure.
+inline ViewError open_for_spans(const uint8_t* bytes, size_t size, format::TexelFormat texels, Field& out)
+{
+    Field opened;
+    if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none) return view_error(error);
+    if (opened.texel_format != texels) return ViewError::other_renderer;
+    if (!fits_spans(opened)) {
+        const bool is_aligned = reinterpret_cast<uintptr_t>(bytes) % 4 == 0;
+        return is_aligned ? ViewError::other_renderer : ViewError::unaligned_field;
+    }
+    out = opened;
+    return ViewError::none;
+}
+
+// Field and camera, which every renderer of chord fields takes.
+template <class Texel>
+struct ChordState {
+    Field field{};
+    Camera camera{};
+
+    ViewError open(const uint8_t* bytes, size_t size)
+    {
+        Field opened;
+        if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none)
+            return view_error(error);
+        if (opened.texel_format != Texel::kFormat) return ViewError::other_renderer;
+        field = opened;
+        return ViewError::none;
+    }
+
+    ViewError look(const Pose& pose, const Image& image) { return view_error(make_camera(pose, image, camera)); }
+};
+
+}  // namespace views
+
+// By spans, render_spans(). The mode is how many pixels may lie between exact hits: 2, 4, 8 or 16.
+template <class Texel, class Reconstruction = Linear>
+struct ChordDrawing {
+    using Mode = int32_t;
+    static constexpr Mode kDefaultMode = 16;
+
+    template <class ScreenOf>
+    struct Samples {
+    };
+
+    template <class ScreenOf>
+    class State
+    {
+    public:
+        ViewError open(const uint8_t* bytes, size_t size)
+        {
+            return views::open_for_spans(bytes, size, Texel::kFormat, state_.field);
+        }
+
+        ViewError look(const Pose& pose, const Image& image, Mode span_px)
+        {
+            const ViewError error = state_.look(pose, image);
+            if (error == ViewError::none) span_px_ = span_px;
+            return error;
+        }
+
+        template <class Background>
+        ViewError draw(const Stripe& stripe, const views::StripePart&, const Background& background,
+                       Samples<ScreenOf>&) const
+        {
+            const RenderError error = render_spans<Reconstruction, Texel, typename ScreenOf::Pixel>(
+                state_.field, state_.camera, background, stripe, span_px_);
+            return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
+        }
+
+    private:
+        views::ChordState<Texel> state_{};
+        Mode span_px_ = 0;
+    };
+};
+
+// Every pixel by itself, render(): for fields that spans do not draw, at any address.
+template <class Texel, class Reconstruction = Linear>
+struct ExactChordDrawing {
+    struct Mode {
+    };
+    static constexpr Mode kDefaultMode = {};
+
+    template <class ScreenOf>
+    struct Samples {
+    };
+
+    template <class ScreenOf>
+    class State
+    {
+    public:
+        ViewError open(const uint8_t* bytes, size_t size) { return state_.open(bytes, size); }
+        ViewError look(const Pose& pose, const Image& image, Mode) { return state_.look(pose, image); }
+
+        template <class Background>
+        ViewError draw(const Stripe& stripe, const views::StripePart&, const Background& background,
+                       Samples<ScreenOf>&) const
+        {
+            const RenderError error = render<Reconstruction, Texel, typename ScreenOf::Pixel>(
+                state_.field, state_.camera, background, stripe);
+            return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
+        }
+
+    private:
+        views::ChordState<Texel> state_{};
+    };
+};
+
+}  // namespace lumi

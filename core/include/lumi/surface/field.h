@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// A surface field, read in place: sections of surface/format.h. The caller owns the bytes and keeps them alive and
+// unchanged. open_surface() checks everything that decides where bytes are read, so no later call can leave the buffer.
+#pragma once
+
+#include "lumi/field.h"
+#include "lumi/surface/format.h"
+
+namespace lumi
+{
+
+struct SurfaceField {
+    const uint8_t* vertices = nullptr;      // vertex_count × kVertexBytes
+    const uint8_t* patches = nullptr;       // patch_count × kPatchBytes
+    const uint8_t* texels = nullptr;        // every byte that 6-bit coordinates of any patch can name is there
+    const uint8_t* palette = nullptr;       // 256 × (r, g, b)
+    const uint8_t* node_colours = nullptr;  // kViewColoursBytes, or null
+    const uint8_t* views = nullptr;         // of vertices 0 .. viewed_count - 1
+    const uint8_t* neighbours = nullptr;    // patch_count × kNeighbourBytes, or null
+    uint32_t vertex_count = 0, viewed_count = 0, patch_count = 0, texel_bytes = 0;
+    uint32_t longest_edge_q6 = 0;  // radii
+    bool two_sided = false;
+    format::ColourSpace colour_space = format::ColourSpace::srgb;
+    uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
+    uint32_t radius_bits = 0;
+};
+
+// Checks `size` bytes and fills `out`, which stays untouched on failure. Cost: a CRC over header and table, one pass
+// over vertices and patches. verify_field() (field.h) checks the CRC of every section.
+FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out);
+
+struct VertexQ14 {
+    int32_t x, y, z;
+};
+
+inline VertexQ14 surface_vertex(const SurfaceField& field, uint32_t k)
+{
+    const uint8_t* p = field.vertices + k * format::kVertexBytes;
+    const auto number = [&](int at) {
+        return static_cast<int32_t>(static_cast<int16_t>(static_cast<uint16_t>(p[at] | p[at + 1] << 8)));
+    };
+    return {number(0), number(2), number(4)};
+}
+
+struct SurfacePatch {
+    uint32_t corner[4];  // a, b, c, d; d may be kNoVertex
+    uint32_t texels, columns, rows;
+};
+
+inline SurfacePatch surface_patch(const SurfaceField& field, uint32_t k)
+{
+    const uint8_t* p = field.patches + k * format::kPatchBytes;
+    const auto u16 = [&](int at) { return static_cast<uint32_t>(p[at]) | static_cast<uint32_t>(p[at + 1]) << 8; };
+    const uint32_t place = u16(8) | u16(10) << 16;
+    return {{u16(0), u16(2), u16(4), u16(6)}, place & 0xFFFFF, (place >> 20) & 63, place >> 26};
+}
+
+}  // namespace lumi

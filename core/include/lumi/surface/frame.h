@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// A surface field seen by a camera: vertices on the image's grid of samples, lit for the eye; the triangles that are
+// seen, in lists by bands of scanlines; the palette in the display's format. Made once a frame, read by every stripe
+// (surface/render.h), also from several cores at once.
+//
+//     SurfaceCamera camera; make_surface_camera(pose, {240, 240, fov}, camera);
+//     SurfaceFrame frame;   prepare_surface<PixelRgb565>(field, camera, SurfaceMode::one_sample, memory, frame);
+//
+// Depth is measured along the camera's forward axis. A buffer of depths holds kEmptyDepth, or a number from kFarDepth
+// to kNearDepth that is affine in 1/depth and therefore in the image. The sphere makes the range, so several meshes in
+// one sphere share it.
+#pragma once
+
+#include "lumi/camera.h"
+#include "lumi/surface/detail/packed_colour.h"
+#include "lumi/surface/field.h"
+
+namespace lumi
+{
+
+enum class SurfaceMode : uint8_t {
+    one_sample,   // a pixel's centre
+    antialiased,  // the same, with two taps of the texture, and outlines blended by coverage where the field has
+                  // neighbours
+    two_by_two,   // the mean light of four, at 1/4 and 3/4 of a pixel's sides
+    // Where a texel is larger than two pixels, the last two read four texels and blend between their middles.
+};
+
+struct SurfaceCamera {
+    Vec3q20 position;  // of the eye, in the frame of the sphere
+    Vec3q20 eye;       // the same along right, up and forward
+    Vec3q30 right, up, forward;
+    int32_t width_px, height_px;
+    uint32_t focal_q12;                // pixels per unit of tangent, 0.28 .. 469,364
+    int32_t centre_x_q8, centre_y_q8;  // where the optical axis meets the image, pixels
+};
+
+// Fills `out`, which stays untouched on failure. Takes what make_camera takes.
+CameraError make_surface_camera(const Pose& pose, const Image& image, SurfaceCamera& out);
+
+inline constexpr uint32_t kEmptyDepth = 0;
+inline constexpr uint32_t kFarDepth = 256;
+inline constexpr uint32_t kNearDepth = 65279;  // rounding on the way never wraps 16 bits
+
+// A vertex on the grid of samples: 24 bits of x and y in 1/64 sample, and 16 bits of depth below them, 0 for a vertex
+// nearer than the near plane or beside the guard band. The view's share of its colour in 3 × 10 bits, see lit_colour.
+struct SurfaceVertex {
+    int32_t x, y;
+    uint32_t colour;
+};
+
+// The caller's memory for a frame. It belongs to the frame as long as it is used; so do the field's bytes.
+struct SurfaceMemory {
+    SurfaceVertex* vertices;  // of every vertex
+    uint16_t* links;          // surface_links(): of every triangle, then a bit for each that has an outline
+    uint16_t* bands;          // surface_bands()
+    // Scanlines a band: best those of a stripe, 2^0 .. 2^8. Of triangles at one depth another may show with
+    // others.
+    uint32_t band_log2;
+};
+
+constexpr uint32_t surface_links(uint32_t patches)
+{
+    return 2 * patches + (2 * patches + 15) / 16;
+}
+
+constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
+{
+    return ((static_cast<uint32_t>(height_px) - 1) >> band_log2) + 2;
+}
+
+// The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher.
+constexpr uint32_t surface_band_log2(int32_t stripe_height_px)
+{
+    uint32_t log2 = 0;
+    while (log2 < 8 && (2 << log2) <= stripe_height_px) ++log2;
+    return log2;
+}
+
+// Bytes that a frame needs besides sizeof(SurfaceFrame).
+constexpr uint32_t surface_frame_bytes(uint32_t vertices, uint32_t patches, int32_t height_px, uint32_t band_log2)
+{
+    return vertices * static_cast<uint32_t>(sizeof(SurfaceVertex)) +
+           static_cast<uint32_t>(sizeof(uint16_t)) * (surface_links(patches) + surface_bands(height_px, band_log2));
+}
+
+// From a vertex's numbers to the grid of samples; shifts and scales are chosen so that all fits 32 bits.
+struct SurfaceProjection {
+    int32_t axis[3][3];   // rows x, y, z: per unit of a vertex's number, kAxisBits
+    int32_t shift[3];     // right, after the sum
+    int32_t eye[3];       // added after the shift
+    int32_t place_shift;  // of x and y after the division
+    int32_t centre_x_q6, centre_y_q6;
+    int32_t near_z, far_z;  // of the range of depths, as z
+    int32_t depth_bits;     // fraction bits of z
+    int32_t ahead_shift;    // of far_z - z, to 16 bits
+    uint32_t depth_factor;  // 16 bits
+    int32_t depth_shift;
+    uint32_t depth_offset;  // a depth's number + this is proportional to 1/z
+    uint32_t curved_from;   // edges that come nearer than this depth may look bent along their texture
+    VertexQ14 viewer;       // the eye in the vertices' format, shifted right
+    int32_t viewer_shift;
+};
+
+struct PixelRange {
+    int32_t begin, end;
+};
+
+struct SurfaceFrame {
+    SurfaceField field;
+    SurfaceMemory memory;
+    SurfaceProjection projection;
+    int32_t width_px, height_px;
+    SurfaceMode mode;
+    uint32_t samples_log2;          // a side of a pixel: 0 or 1
+    PixelRange columns, scanlines;  // beside them all is background
+    bool is_whole;                  // no vertex is missing
+    bool is_narrow;                 // areas of triangles fit 32 bits
+    uint32_t other_list;            // the last of the bands' lists: triangles that are cut, large or tall
+    PackedColour palette[256];
+};
+
+namespace surfaces
+{
+void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
+             SurfaceFrame& out);
+}
+
+// Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
+// docs/log/tradeoff.md, surface fields.
+template <class Pixel>
+void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                     const SurfaceMemory& memory, SurfaceFrame& out)
+{
+    surfaces::prepare(field, camera, mode, memory, out);
+    const uint8_t* entry = field.palette;
+    for (PackedColour& c : out.palette) {
+        c = palette_colour<Pixel>({entry[0], entry[1], entry[2]});
+        if (mode == SurfaceMode::antialiased) c = mean_of(c, 0);
+        entry += 3;
+    }
+}
+
+}  // namespace lumi

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/surface/field.h"
+
+#include "field/sections.h"
+
+namespace lumi
+{
+namespace
+{
+
+using namespace format;
+using namespace container;
+
+constexpr uint32_t kSurfaceTypes[] = {kSurfaceSection, kVertexSection, kPatchSection,    kColourSection,
+                                      kPaletteRgb,     kViewSection,   kNeighbourSection};
+constexpr int32_t kOneQ14 = 1 << 14;
+
+FieldError read_counts(const uint8_t* b, SurfaceField& out)
+{
+    out.vertex_count = load_u16(b + surface::kVerticesAt);
+    out.viewed_count = load_u16(b + surface::kViewedAt);
+    out.patch_count = load_u16(b + surface::kPatchesAt);
+    out.texel_bytes = load_u32(b + surface::kTexelsAt);
+    out.longest_edge_q6 = b[surface::kLongestEdgeAt];
+    const bool counts_fit = out.vertex_count >= 3 && out.vertex_count <= kMaxSurfaceVertices &&
+                            out.viewed_count <= out.vertex_count && out.patch_count >= 1 &&
+                            out.patch_count <= kMaxPatches && out.texel_bytes >= 1 &&
+                            out.texel_bytes <= kMaxSurfaceTexels;
+    const bool edge_fits = out.longest_edge_q6 >= 1 && out.longest_edge_q6 <= 128;
+    return counts_fit && edge_fits ? FieldError::none : FieldError::bad_surface;
+}
+
+FieldError read_surface(const uint8_t* b, SurfaceField& out)
+{
+    const uint32_t flags = load_u16(b + surface::kFlagsAt);
+    if ((flags & ~kSurfaceTwoSided) != 0 || load_u16(b + surface::kReservedAt) != 0) return FieldError::bad_surface;
+    if (b[surface::kColourSpaceAt] >= kColourSpaces) return FieldError::bad_colour_space;
+    out.two_sided = (flags & kSurfaceTwoSided) != 0;
+    out.colour_space = static_cast<ColourSpace>(b[surface::kColourSpaceAt]);
+    BoundsBits bounds;
+    if (!read_bounds(b + surface::kCentreAt, b + surface::kRadiusAt, bounds)) return FieldError::bad_bounds;
+    for (uint32_t k = 0; k < 3; ++k) out.centre_bits[k] = bounds.centre[k];
+    out.radius_bits = bounds.radius;
+    return read_counts(b, out);
+}
+
+// Sets `at` where the section lies, which has to be `size` bytes long.
+bool find_bytes(const uint8_t* bytes, uint32_t type, uint32_t size, const uint8_t*& at)
+{
+    Section section{};
+    if (!find_section(bytes, type, section) || section.size != size) return false;
+    at = bytes + section.offset;
+    return true;
+}
+
+FieldError read_sections(const uint8_t* bytes, SurfaceField& out)
+{
+    if (!find_bytes(bytes, kVertexSection, out.vertex_count * kVertexBytes, out.vertices))
+        return FieldError::bad_vertices;
+    if (!find_bytes(bytes, kPatchSection, out.patch_count * kPatchBytes, out.patches)) return FieldError::bad_patches;
+    if (!find_bytes(bytes, kColourSection, out.texel_bytes, out.texels)) return FieldError::bad_texel_size;
+    if (!find_bytes(bytes, kPaletteRgb, 3 * kPaletteEntries, out.palette)) return FieldError::bad_palette;
+    if (has_section(bytes, kNeighbourSection) &&
+        !find_bytes(bytes, kNeighbourSection, out.patch_count * kNeighbourBytes, out.neighbours))
+        return FieldError::bad_neighbours;
+    const uint32_t view_bytes = kViewColoursBytes + out.viewed_count * kViewBytes;
+    if (out.viewed_count == 0) return has_section(bytes, kViewSection) ? FieldError::bad_views : FieldError::none;
+    if (!find_bytes(bytes, kViewSection, view_bytes, out.node_colours)) return FieldError::bad_views;
+    out.views = out.node_colours + kViewColoursBytes;
+    return FieldError::none;
+}
+
+bool lies_in_sphere(const VertexQ14& v)
+{
+    const auto fits = [](int32_t c) { return -kOneQ14 <= c && c <= kOneQ14; };
+    return fits(v.x) && fits(v.y) && fits(v.z) && v.x * v.x + v.y * v.y + v.z * v.z <= (kOneQ14 + 4) * (kOneQ14 + 4);
+}
+
+bool fits(const SurfacePatch& patch, const SurfaceField& field)
+{
+    const uint32_t* corner = patch.corner;
+    const bool corners_fit = corner[0] < field.vertex_count && corner[1] < field.vertex_count &&
+                             corner[2] < field.vertex_count &&
+                             (corner[3] < field.vertex_count || corner[3] == kNoVertex);
+    return corners_fit && patch.columns >= 1 && patch.rows >= 1 &&
+           patch.texels + patch_reach(patch.columns) <= field.texel_bytes;
+}
+
+bool has_fitting_neighbours(const SurfaceField& field)
+{
+    if (field.neighbours == nullptr) return true;
+    for (uint32_t k = 0; k < 4 * field.patch_count; ++k) {
+        const uint32_t triangle = load_u16(field.neighbours + 2 * k);
+        if (triangle >= 2 * field.patch_count && triangle != kNoNeighbour) return false;
+    }
+    return true;
+}
+
+FieldError check_mesh(const SurfaceField& field)
+{
+    for (uint32_t k = 0; k < field.vertex_count; ++k)
+        if (!lies_in_sphere(surface_vertex(field, k))) return FieldError::bad_vertices;
+    for (uint32_t k = 0; k < field.patch_count; ++k)
+        if (!fits(surface_patch(field, k), field)) return FieldError::bad_patches;
+    return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
+}
+
+}  // namespace
+
+FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
+{
+    if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
+    if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
+    if (has_section(bytes, kLayoutSection)) return FieldError::chord_field;
+    constexpr uint32_t kTypes = sizeof kSurfaceTypes / sizeof kSurfaceTypes[0];
+    if (const FieldError error = check_sections(bytes, {kSurfaceTypes, kTypes}); error != FieldError::none)
+        return error;
+    Section header{};
+    if (!find_section(bytes, kSurfaceSection, header)) return FieldError::missing_surface;
+    if (header.size != kSurfaceBytes) return FieldError::bad_surface;
+    SurfaceField field;
+    if (const FieldError error = read_surface(bytes + header.offset, field); error != FieldError::none) return error;
+    if (const FieldError error = read_sections(bytes, field); error != FieldError::none) return error;
+    if (const FieldError error = check_mesh(field); error != FieldError::none) return error;
+    out = field;
+    return FieldError::none;
+}
+
+}  // namespace lumi
