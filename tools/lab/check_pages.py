@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """check_pages.py [--self-test] [FOLDER]
 
-Checks the documents: each page has at most MOST_WORDS words (a log of measurements: beside its tables), and every
-relative link leads to a file or folder of the repository, and its anchor to a heading or an <a id> of that page. FOLDER: the repository's root, by default the one
+Checks the documents: each page has at most MOST_WORDS words (a log of measurements: beside its tables). Every relative
+link leads to a file or folder of the repository, and its anchor to a heading or an <a id> of that page. A path in
+`code`, from one of the repository's folders, is there. FOLDER: the repository's root, by default the one
 that holds this file. --self-test plants such faults in a made-up tree, and fails if one is not found.
 """
 import pathlib
@@ -12,7 +13,7 @@ import sys
 import tempfile
 
 MOST_WORDS = 1500
-# Pages with one purpose each. The changelog may be longer.
+# Pages with one purpose each. The changelog may be longer, and names files of former days.
 SHORT_PAGES = ["README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "core/README.md", "platform/README.md",
                "platform/*/README.md"]
 LOGS = ["docs/log/*.md"]
@@ -20,6 +21,7 @@ OTHER_PAGES = ["CHANGELOG.md"]
 
 CODE = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 INLINE_CODE = re.compile(r"`[^`\n]*`")
+PATH = re.compile(r"`((?:baker|core|docs|platform|tests|toolchains|tools)/[^`\s]*)[^`\n]*`")
 LINK = re.compile(r"\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*?)\s*$", re.MULTILINE)
 ANCHOR = re.compile(r'<a id="([^"]+)">')
@@ -59,6 +61,12 @@ def broken_links(root, page):
             yield f"{link}: {target.relative_to(root)} has no such heading"
 
 
+def lost_paths(root, text):
+    for path in PATH.findall(CODE.sub("", text)):
+        if not re.search(r"[*…<>{}$]", path) and not (root / path).exists():
+            yield f"{path} is not there"
+
+
 def pages(root, patterns):
     return sorted(page for pattern in patterns for page in root.glob(pattern))
 
@@ -77,6 +85,8 @@ def faults(root):
         if page in short + logs and words > MOST_WORDS:
             found.append(f"{name} has {words} words; a page has one purpose and at most {MOST_WORDS}: divide it")
         found += [f"{name}: {fault}" for fault in broken_links(root, page)]
+        if page in short + logs:
+            found += [f"{name}: {fault}" for fault in lost_paths(root, text)]
     return found
 
 
@@ -90,6 +100,8 @@ def self_test():
         "lost file": ("README.md", "[x](docs/none.md)", "leads nowhere"),
         "lost heading": ("README.md", "[x](docs/a.md#part-three)", "no such heading"),
         "heading in code": ("README.md", "[x](#no)\n```\n# No\n```", "no such heading"),
+        "lost path": ("README.md", "`docs/none.md --option`", "is not there"),
+        "path of many": ("README.md", "`docs/*.md` `docs/a.md`", None),
         "outside": ("docs/a.md", "[x](../../etc)", "leads nowhere"),
         "log": ("docs/log/b.md", "[x](../b.md)", "leads nowhere"),
         "long page": ("docs/long.md", "word " * (MOST_WORDS + 1), "divide it"),
