@@ -43,8 +43,8 @@ set(LUMI_PLAIN_FILES
   tools/metrics/ssim_test.cpp
   tools/metrics/steerable_pyramid_test.cpp
   lab/bench/cache_model_test.cpp
-  lab/bench/report_test.cpp
   lab/bench/surface_reads_test.cpp
+  lab/comparison/baselines_test.cpp
   tools/draw/draw_surface_test.cpp
   tools/quality/quality_test.cpp
   tools/filter/lessons_test.cpp

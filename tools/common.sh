@@ -21,26 +21,6 @@ help() {
   sed -n '3,/^[^#]/{s/^# \{0,1\}//p}' "$1"
 }
 
-# check_markers DOCUMENT BEGIN END: ends the script unless the document has both marker lines, once each.
-check_markers() {
-  local marker
-  for marker in "$2" "$3"; do
-    [[ $(grep --count --line-regexp --fixed-strings -e "$marker" "$1") == 1 ]] ||
-      die "$1 has lost the marker of a table: put back '$marker', once"
-  done
-}
-
-# replace_between DOCUMENT BEGIN END FILE: what lies between the two marker lines becomes what FILE holds.
-replace_between() {
-  local new
-  check_markers "$1" "$2" "$3"
-  new=$(awk -v begin="$2" -v end="$3" -v table="$4" '
-    $0 == end { inside = 0 }
-    !inside { print }
-    $0 == begin { inside = 1; while ((getline line < table) > 0) print line }' "$1")
-  printf '%s\n' "$new" >"$1"
-}
-
 # run_step TITLE COMMAND...: runs a command and notes how long it took. Where it fails the script ends, and says so.
 run_step() {
   local begin=$SECONDS

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/attacks.sh [--docs]
-# Repeats the attacks that SECURITY.md lists, each by the tests that try it, and writes the table: what each found first,
-# and whether it finds anything now. Ends with 1 if one does. Builds what is missing. --docs writes it into SECURITY.md.
+# Repeats the attacks that SECURITY.md lists, each by the tests that try it, and tells what each found first, and
+# whether it finds anything now. Ends with 1 if one does. Builds what is missing. --docs writes the table of SECURITY.md.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-table=$root/build/attacks.md
+rows=$root/build/attacks.json
 failures=0
 
 # Attack | what it found, at 420e9fe where nothing else is said | regular expression of the tests' names.
@@ -43,9 +43,9 @@ try_attack() {
   if ctest --test-dir "$root/build/release" --parallel "$jobs" --tests-regex "^($3)" </dev/null >"$log" 2>&1; then
     count=$(sed --quiet 's/^100% tests passed, 0 tests failed out of //p' "$log")
     [[ -n $count ]] || die "no test is named ^($3): mend the list in tools/lab/attacks.sh"
-    printf '| %s | %s | nothing | %d |\n' "$1" "$2" "$count" >>"$table"
+    json_row attack "$1" first "$2" now nothing tests "$count" >>"$rows"
   else
-    printf '| %s | %s | **a fault** | |\n' "$1" "$2" >>"$table"
+    json_row attack "$1" first "$2" now '**a fault**' tests '""' >>"$rows"
     cat "$log"
     failures=$((failures + 1))
   fi
@@ -62,14 +62,12 @@ main() {
     shift
   done
   run_step "Build for the host" build_preset host
-  printf '| attack | found first | found now | tests |\n|---|---|---|---:|\n' >"$table"
+  : >"$rows"
   while IFS='|' read -r what found tests; do
     try_attack "$what" "$found" "$tests"
   done < <(attacks)
-  cat "$table"
-  if $write_docs; then
-    replace_between "$root/SECURITY.md" '<!-- attacks: begin (tools/lab/attacks.sh --docs) -->' '<!-- attacks: end -->' "$table"
-  fi
+  cat "$rows"
+  if $write_docs; then put attacks attacks <"$rows"; fi
   ((failures == 0)) || die "$failures attacks found something; the messages above say what"
 }
 

@@ -6,8 +6,8 @@
 # minutes. adaptive: what adaptive sampling leaves out. footprint: what footprints and beams show. The last two are the same
 # on every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scenes=(cornell.obj testcard.obj product.obj gallery.json)
 matt_scenes=(testcard.obj product.obj)
@@ -25,9 +25,6 @@ orbit=30,20,3
 views=4
 picture=240x240
 reference_spp=256
-bench=${LUMI_BAKER_BENCH:-$root/build/release/tools/lab/src/baking/lumi_baker_bench}
-lumi=${LUMI:-$root/build/release/tools/lumi}
-page=$root/docs/log/baker.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -36,7 +33,7 @@ for_scenes() {
   local command=$1 count=$2 scene
   shift 2
   for scene; do
-    "$bench" "$command" "$root/baker/scenes/$scene" "$count"
+    "$lab" "$command" "$root/baker/scenes/$scene" "$count"
   done
 }
 
@@ -44,23 +41,28 @@ processor() {
   awk -F': ' '/^model name/ { print $2; exit }' /proc/cpuinfo
 }
 
-print_speed() {
-  printf 'One thread of %s; millions a CPU second, the best of five runs. A path is a light path from the eye, a ray\nwhat Embree is asked for.\n\n' "$(processor)"
-  printf '| scene | triangles | rays a path | paths | rays | rays, Embree alone | share of Embree |\n|---|---|---|---|---|---|---|\n'
+print_machine() {
+  json_row processor "$(processor)"
+}
+
+print_share() {
   for_scenes share "$share_rows" "${scenes[@]}"
   for_scenes matt "$share_rows" "${matt_scenes[@]}"
-  printf '\nRms error in steps of 255 against 4,096 paths, over 640 texels, and the exponent of the number of paths by which it falls\n(independent samples: -0.5).\n\n'
-  printf '| scene | 4 paths | 16 | 64 | 256 | exponent |\n|---|---|---|---|---|---|\n'
+}
+
+print_convergence() {
   for_scenes convergence "$convergence_rows" "${scenes[@]}"
-  printf '\nMillions of paths a second by the clock.\n\n| scene | threads | paths | times one thread |\n|---|---|---|---|\n'
-  "$bench" threads "$root/baker/scenes/product.obj" "$thread_rows"
-  printf '\nMemory of a mesh with texture coordinates and smooth normals, for each million triangles.\n\n'
-  printf '| triangles | OBJ file | held while baking | most, while loading |\n|---|---|---|---|\n'
-  "$bench" memory "$triangles"
+}
+
+print_threads() {
+  "$lab" threads "$root/baker/scenes/product.obj" "$thread_rows"
+}
+
+print_memory() {
+  "$lab" memory "$triangles"
 }
 
 print_adaptive() {
-  printf '| scene | paths | levels | error, all | error, adaptive | paths taken | shift |\n|---|---|---|---|---|---|---|\n'
   for_scenes adaptive "$adaptive_texels" "${adaptive_scenes[@]}"
 }
 
@@ -71,40 +73,38 @@ draw() {
   "$@" -o "$work/$name.png" --orbit "$orbit" --size "$picture" --turntable "$views" >/dev/null
 }
 
-# Mean PSNR and SSIM of the turntable NAME against the reference's.
+# Mean figures of the turntable NAME against the reference's.
 figures() {
   local name=$1 view number
   for ((view = 0; view < views; ++view)); do
     printf -v number '%03d' "$view"
     "$lumi" compare "$work/$name-$number.png" "$work/reference-$number.png"
-  done | awk -v count="$views" '{ sum[$1] += $2 }
-    END { printf " %.1f dB / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count }'
+  done | mean_figures "$views"
 }
 
 print_footprint() {
-  local scene footprint mode words
-  printf '| scene | footprint | nearest | linear |\n|---|---|---|---|\n'
+  local scene footprint mode words row
   for scene in "${footprint_scenes[@]}"; do
     draw reference "$lumi" reference "$root/baker/scenes/$scene" --spp "$reference_spp"
     for footprint in "${footprints[@]}"; do
       read -ra words <<<"$footprint"
       "$lumi" bake "$root/baker/scenes/$scene" -o "$work/field.lumi" --origins "$footprint_size" \
         --directions "$footprint_size" --spp 16 --footprint "${words[@]}" >/dev/null
-      printf '| %s | %s |' "\`$scene\`" "\`$footprint\`"
+      row=(scene "$scene" footprint "$footprint")
       for mode in "${modes[@]}"; do
         draw "$mode" "$lumi" render "$work/field.lumi" --mode "$mode"
-        figures "$mode"
+        row+=("$mode" "$(figures "$mode")")
       done
-      printf '\n'
+      json_row "${row[@]}"
     done
   done
 }
 
-# A part's measurement goes where the smoke test or the page wants it.
+# The smoke test prints a part's rows; else the pages take them.
 measure() {
   "print_$1" >"$work/$1"
   cat "$work/$1"
-  "$smoke" || replace_between "$page" "<!-- baker $1: begin (tools/lab/bench_baker.sh $1) -->" "<!-- baker $1: end -->" "$work/$1"
+  "$smoke" || put baker "$1" <"$work/$1"
 }
 
 smoke=false
@@ -122,9 +122,10 @@ for word; do
   esac
 done
 ((${#parts[@]} > 0)) || parts=(speed adaptive footprint)
-for program in "$bench" "$lumi"; do
-  [[ -x $program ]] || die "$program is missing: build it with 'cmake --preset release && cmake --build --preset release'"
+parts=("${parts[@]/#speed/machine share convergence threads memory}")
+for program in "$lab" "$lumi"; do
+  [[ -x $program ]] || die "$program is missing: build it with 'cmake --preset release && cmake --build --preset release --target lumi lumi-lab'"
 done
-for part in "${parts[@]}"; do
+for part in ${parts[*]}; do
   measure "$part"
 done

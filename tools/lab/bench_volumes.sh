@@ -9,8 +9,8 @@
 # again. Scenes, seeds and views are fixed, so the figures are the same on every run. With LUMI in the environment that
 # program is taken as it is, and nothing is built. Needs python3; head and skull also apt-get and a network.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 all_scenes=(smoke head skull)
 scenes=("${all_scenes[@]}")
@@ -22,10 +22,6 @@ orbits=("10,12,3" "70,40,3")  # two rings
 views=2                       # a ring
 size=120x120
 background=808080
-docs=$root/docs/log/volumes.md
-begin_marker='<!-- volumes: begin (tools/lab/bench_volumes.sh --docs) -->'
-end_marker='<!-- volumes: end -->'
-lumi=${LUMI:-$root/build/release/tools/lumi}
 work=$root/build/volumes
 
 fetch() {
@@ -77,7 +73,7 @@ rings() {
   done
 }
 
-# figures SCENE PICTURE: cells of a table, means over all views.
+# figures SCENE PICTURE: means over all views.
 figures() {
   local ring view name
   for ring in "${!orbits[@]}"; do
@@ -85,8 +81,7 @@ figures() {
       name=$ring-$(printf '%03d' "$view").png
       "$lumi" compare "$work/$2-$name" "$work/$1-truth-$name"
     done
-  done | awk -v count=$((${#orbits[@]} * views)) '{ sum[$1] += $2 }
-    END { printf " %.1f dB · %.3f · %.4f |", sum["PSNR"] / count, sum["SSIM"] / count, sum["FLIP"] / count }'
+  done | mean_figures $((${#orbits[@]} * views))
 }
 
 # row SCENE BUDGET LAYOUT MODE [OPTION...]: bakes, draws, measures.
@@ -95,12 +90,8 @@ row() {
   [[ -f $work/$name.lumi ]] || "$lumi" bake "$work/$scene.json" -o "$work/$name.lumi" --layout "$layout" --fit "$budget" \
     "${@:5}"
   rings "$name" "$lumi" render "$work/$name.lumi" --mode "$mode"
-  {
-    printf '| %s | %s, %s | %s |' "$scene" "$layout" "$mode" \
-      "$(stat --format=%s "$work/$name.lumi" | awk '{ printf "%.0f kB", $1 / 1e3 }')"
-    figures "$scene" "$name"
-    printf '\n'
-  } >"$work/$name.row"
+  json_row scene "$scene" layout "$layout" mode "$mode" flash_bytes "$(stat --format=%s "$work/$name.lumi")" \
+    figures "$(figures "$scene" "$name")" >"$work/$name.row"
 }
 
 # What --layout auto takes and why; the bake itself is stopped before it starts.
@@ -119,9 +110,8 @@ measure() {
   done
 }
 
-print_table() {
+print_rows() {
   local scene budget layout
-  printf '| scene | field, drawn | flash | PSNR · SSIM · FLIP (less is better) |\n|---|---|---|---|\n'
   for scene in "${all_scenes[@]}"; do
     for budget in "${budgets[@]}"; do
       for layout in chord surface; do
@@ -129,13 +119,13 @@ print_table() {
       done
     done
   done
-  printf '\nWhat `lumi bake --fit %s` takes by itself:\n\n' "${budgets[0]}"
+}
+
+print_choices() {
+  local scene
   for scene in "${all_scenes[@]}"; do
-    [[ ! -f $work/$scene.choice ]] || printf -- '- %s: %s\n' "$scene" "$(cat "$work/$scene.choice")"
+    [[ ! -f $work/$scene.choice ]] || json_row scene "$scene" choice "$(cat "$work/$scene.choice")"
   done
-  printf '\nMeans over %d views of %s over grey. Chord fields have %d light paths a texel, surface fields %d, references\n' \
-    $((${#orbits[@]} * views)) "$size" "$spp" "$paths"
-  printf '%d a pixel.\n' "$reference_spp"
 }
 
 main() {
@@ -157,10 +147,13 @@ main() {
   for scene in "${scenes[@]}"; do
     run_step "Measure $scene" measure "$scene"
   done
-  print_table >"$work/table.md"
   printf '\n'
-  cat "$work/table.md"
-  [[ -z $to_docs ]] || replace_between "$docs" "$begin_marker" "$end_marker" "$work/table.md"
+  print_rows
+  print_choices
+  if [[ -n $to_docs ]]; then
+    print_rows | put volumes rows
+    print_choices | put volumes choices
+  fi
 }
 
 main "$@"

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/board_memory.sh [--check CPU...]
-# RAM and stack of README's firmware, compiled as it is printed for every core: writes the table of docs/boards.md, or with
+# RAM and stack of README's firmware, compiled as it is printed for every core: writes docs/log/data/devices.json, or with
 # --check compares the rows of these cores with it. It takes the field that tools/lab/devices.sh bakes, the same bytes on every
 # machine. Stack is the deepest chain of calls in GCC's call graph (tests/platform/check_stack.cmake), from the snippet's
 # functions down; RAM its static data.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
-lumi=${LUMI_TOOL:-$root/build/release/tools/lumi}
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+lumi=${LUMI_TOOL:-$lumi}
 cpus=(cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33)
-document=$root/docs/boards.md
+data=$root/docs/log/data/devices.json
 check=
 case ${1:-} in
 --help) help "$0" && exit ;;
@@ -31,15 +31,10 @@ stack() {
         sed -n 's/.*chain takes \([0-9]*\) bytes.*/\1/p'
 }
 
-table="$work/table"
-{
-    "$lumi" inspect "$field" | awk '
-        $1 == "vertices" { vertices = $2 + 0 }
-        $1 == "mesh" { for (k = 2; k < NF; ++k) if ($(k + 1) ~ /^patches/) patches = $k }
-        END { printf "A field of %d vertices and %d patches:\n\n", vertices, patches }'
-    echo "| core | RAM: view and stripe | stack of \`open\` | stack of \`look\` and \`draw\` |"
-    echo "|---|---:|---:|---:|"
-} >"$table"
+"$lumi" inspect "$field" | awk '
+    $1 == "vertices" { vertices = $2 + 0 }
+    $1 == "mesh" { for (k = 2; k < NF; ++k) if ($(k + 1) ~ /^patches/) patches = $k }
+    END { printf "{\"vertices\": %d, \"patches\": %d}\n", vertices, patches }' >"$work/field"
 for cpu in "${cpus[@]}"; do
     mkdir "$work/$cpu"
     for source in $(sed -n 's/^  \(src[^)]*\).*/\1/p' "$root/core/sources.cmake") readme.cpp; do
@@ -55,14 +50,15 @@ for cpu in "${cpus[@]}"; do
     ram=$(arm-none-eabi-size "$work/$cpu/readme.cpp.o" | awk 'NR == 2 { print $2 + $3 }')
     # The flush is a call through a pointer, which a chain cannot follow: measured without it.
     sed -i '/__indirect_call/d' "$work/$cpu"/readme.cpp*.ci
-    echo "| $cpu | $ram | $(stack '^_Z5startv') | $(stack '^_Z10draw_frame') |" >>"$table"
+    json_row cpu "$cpu" ram_bytes "$ram" open_stack_bytes "$(stack '^_Z5startv')" \
+        draw_stack_bytes "$(stack '^_Z10draw_frame')" >>"$work/rows"
 done
-cat "$table"
+cat "$work/field" "$work/rows"
 if [ -n "$check" ]; then
     while read -r row; do
-        grep --quiet --line-regexp --fixed-strings -e "$row" "$document" ||
-            die "not in docs/boards.md: '$row'; run tools/lab/board_memory.sh"
-    done < <(grep '^. cortex-\|^A field' "$table")
+        grep --quiet --fixed-strings -e "$row" "$data" || die "not in $data: '$row'; run tools/lab/board_memory.sh"
+    done < <(cat "$work/field" "$work/rows")
 else
-    replace_between "$document" '<!-- board memory: begin (tools/lab/board_memory.sh) -->' '<!-- board memory: end -->' "$table"
+    put devices field <"$work/field"
+    put devices memory <"$work/rows"
 fi

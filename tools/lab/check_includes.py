@@ -19,8 +19,13 @@ ARROWS = {
     "platform": ["core"],
     "baker": ["core"],
     "tools": ["baker", "platform", "core"],
-    "tests": ["tools", "baker", "platform", "core"],
+    "lab": ["tools", "baker", "platform", "core"],
+    "tests": ["lab", "tools", "baker", "platform", "core"],
 }
+# Areas that lie in a folder of another one: what only we run is no part of what users run.
+WITHIN = {"tools/lab": "lab", "platform/mps2/bench": "lab"}
+# Folders that register themselves with the program: nothing else includes them, but for tests.
+PLUGINS = ["tools/src/filter"]
 
 # The order of folders: each includes from those above it in this list, or from itself. A folder that is not listed
 # takes the place of the nearest one around it. "FOLDER: FILES" places some files of a folder on their own: the doors
@@ -80,21 +85,24 @@ baker/src/chord
 baker/src/surface
 baker/src
 
-tools/lab/twin
 tools/src/terminal
 tools/src/files
 tools/src/image
 tools/src/metrics
 tools/src/draw
-tools/lab/src/bench
+tools/src/program
 tools/src/quality
-tools/src/filter
 tools/src/planner
 tools/src/commands
-tools/lab/src/baking
-tools/lab/src/drawing
-tools/lab/src/commands
+tools/src/filter
 tools/src
+
+tools/lab/twin
+tools/lab/src/comparison
+tools/lab/src/bench
+tools/lab/src/baking
+tools/lab/src/measure
+tools/lab/src
 tools/lab/devices
 
 tests
@@ -128,8 +136,12 @@ WRITTEN_BY_BUILDS = ["desk_clock.h", "rates.inc"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
 
+def lies_in(path, folder):
+    return path == folder or path.startswith(folder + "/")
+
+
 def area_of(path):
-    return path.split("/")[0]
+    return next((area for folder, area in WITHIN.items() if lies_in(path, folder)), path.split("/")[0])
 
 
 class Order:
@@ -155,7 +167,7 @@ class Order:
 
 def source_files(root):
     files = []
-    for area in ARROWS:
+    for area in sorted({area_of(path).split("/")[0] for path in os.listdir(root)} & set(ARROWS)):
         for folder, _, names in os.walk(os.path.join(root, area)):
             files += [os.path.relpath(os.path.join(folder, name), root) for name in names if name.endswith(SOURCES)]
     return sorted(files)
@@ -210,7 +222,7 @@ class Tree:
         candidates = [os.path.normpath(os.path.join(folder, name)) for folder in [os.path.dirname(path)] + roots]
         candidates = list(dict.fromkeys(c for c in candidates if c in known))
         # Firmware and tests also name folders of programs as include paths.
-        if not candidates and "/" not in name and area_of(path) in ("platform", "tests"):
+        if not candidates and "/" not in name and path.split("/")[0] in ("platform", "tests"):
             candidates = by_name.get(name, [])
         own = [c for c in candidates if area_of(c) == area_of(path)]
         return (own or candidates or [None])[0]
@@ -273,6 +285,9 @@ def check(root, order, allowed, quiet=False):
         row, other = order.row_of(a), order.row_of(b)
         counts[row, other] += 1
         between[area_of(a), area_of(b)] += 1
+        for plugin in PLUGINS:
+            if lies_in(b, plugin) and not lies_in(a, plugin) and area_of(a) != "tests":
+                problems.append(f"{a}: includes {b}, which belongs to a plug-in")
         if area_of(a) != area_of(b):
             if area_of(b) not in ARROWS[area_of(a)]:
                 problems.append(f"{a}: includes {b}, and {area_of(a)} must not know {area_of(b)}")
@@ -306,7 +321,7 @@ def check(root, order, allowed, quiet=False):
 
 
 def self_test():
-    order = Order("core/include/lumi\ncore/include/lumi: door.h\ncore/src\nbaker/src\nbaker/src/high\ntools/src")
+    order = Order("core/include/lumi\ncore/include/lumi: door.h\ncore/src\nbaker/src\nbaker/src/high\ntools/src\ntools/lab/src\ntools/src/filter")
     sound = {
         "core/include/lumi/word.h": "",
         "core/include/lumi/door.h": '#include "lumi/word.h"\n',
@@ -323,6 +338,11 @@ def self_test():
         ("an include back up", {"core/include/lumi/other.h": '#include "lumi/door.h"\n'}, 0, "back up"),
         ("an include back up that is allowed", {"core/include/lumi/other.h": '#include "lumi/door.h"\n'}, 1, None),
         ("an arrow against the areas", {"core/src/x.cpp": '#include "low/low.h"\n'}, 8, "must not know"),
+        ("a program that includes the laboratory", {"tools/lab/src/judge.h": "", "tools/src/x.cpp": '#include "judge.h"\n'}, 8,
+         "must not know"),
+        ("the laboratory includes a program", {"tools/lab/src/x.cpp": '#include "x.h"\n', "tools/src/x.h": ""}, 0, None),
+        ("a plug-in that another folder includes", {"tools/src/filter/f.h": "", "tools/src/x.cpp": '#include "filter/f.h"\n'}, 8,
+         "belongs to a plug-in"),
         ("an include of nothing", {"core/src/x.cpp": '#include "gone.h"\n'}, 8, "no folder of ours has"),
         ("a third party in a second file", {"tools/src/x.cpp": "#include <png.h>\n"}, 0, "which only"),
         ("a third party in its file", {"baker/src/image/png_file.cpp": "#include <png.h>\n"}, 0, None),

@@ -13,8 +13,8 @@
 #   --may-skip      ends with 77 where an emulator is missing
 # Results, and a PNG of every display, lie in build/devices.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 # shellcheck source-path=SCRIPTDIR source=devices/table.sh
 source "$root/tools/lab/devices/table.sh"
 
@@ -256,9 +256,8 @@ run_lvgl() {
     --pixel rgb565 >/dev/null
   python3 -B "$root/tools/lab/devices/picture.py" rgb565 "${side}x$side" "$folder/rgb565-0.expected" \
     --same-as "$folder/rendered.png" png
-  # shellcheck disable=SC2016
-  printf '| `lvgl/main.c` | %s | – | – | – | – | – | on the host, LVGL %s | but for outlines, which LVGL blends |\n' \
-    "$(lines_of lvgl/main.c)" "$(lvgl_version)" >"$folder/row"
+  json_row source lvgl/main.c glue_lines "$(lines_of lvgl/main.c)" counted_by "on the host, LVGL $(lvgl_version)" \
+    same_bits 'but for outlines, which LVGL blends' >"$folder/row"
 }
 
 lvgl_version() {
@@ -274,7 +273,7 @@ run_example() {
 }
 
 publish() {
-  print_table | tee "$devices/table"
+  print_rows | tee "$devices/rows"
   [[ -z $docs ]] || write_docs
   [[ -n $pico_sdk ]] || echo "pico_sdk was not run: it needs the SDK: --pico-sdk PATH"
   [[ -n $lvgl ]] || echo "SKIPPED lvgl: it needs LVGL's source: --lvgl PATH"

@@ -7,14 +7,13 @@
 # repeated). --paths: light paths a texel [100]. Look at the pictures: means hide what is ugly.
 # With LUMI in the environment that program is taken as it is, and nothing is built.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scenes=(wires plant mirror glass mouth terrain)
 paths=100
 truth=(--spp 32)
 view=(--orbit 20,12,3 --size 240x240 --turntable 8)
-lumi=${LUMI:-$root/build/release/tools/lumi}
 work=$root/build/failures
 
 show_scene() {
@@ -24,7 +23,7 @@ show_scene() {
   "$lumi" render "$work/$name.lumi" -o "$work/$name.png" "${view[@]}" >/dev/null
   [[ -f $work/$name-truth-sheet.png ]] ||
     "$lumi" reference "$scene" -o "$work/$name-truth.png" "${view[@]}" "${truth[@]}" >/dev/null
-  "$lumi" report "$scene" "$work/$name.lumi" "${truth[@]}" --no-baselines --cache "$work/cache" -o "$work/$name.html" \
+  "$lumi" report "$scene" "$work/$name.lumi" "${truth[@]}" --cache "$work/cache" -o "$work/$name.html" \
     --json "$work/$name.json"
 }
 

@@ -7,16 +7,13 @@
 # build/fuzz/findings. What is learnt stays in build/fuzz/corpus, so the next run goes on from there. Needs clang.
 # Targets: field, picture, obj, scene, nifti, shard, weights; all if none is named.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 minutes=1
 targets=()
 write_docs=false
 work=$root/build/fuzz
-document=$root/docs/log/tests.md
-begin='<!-- fuzzing: begin (tools/lab/fuzz.sh --docs) -->'
-end='<!-- fuzzing: end -->'
 
 parse_arguments() {
   while (($#)); do
@@ -62,37 +59,20 @@ fuzz_all() {
   return "$status"
 }
 
-# TARGET EXECUTIONS SECONDS EDGES, a line a target: of this run, and as the document has them.
+# A row a target, of this run.
 figures_now() {
   local target log
   for target in "${targets[@]}"; do
     log=$work/$target.log
-    printf '%s %d %d %d\n' "$target" "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$log")" \
-      "$(awk '{ print int($1 + $2) }' "$work/$target.cpu")" \
+    json_row target "$target" executions "$(sed --quiet 's/^stat::number_of_executed_units: *//p' "$log")" \
+      cpu_s "$(awk '{ print int($1 + $2) }' "$work/$target.cpu")" edges \
       "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)"
   done
 }
-figures_before() {
-  awk -F '[| ]+' -v begin="$begin" -v end="$end" '
-    $0 == begin { inside = 1 }
-    $0 == end { inside = 0 }
-    inside && $3 ~ /^[0-9]/ { print $2, $3, 60 * $4, $5 }' "$document"
-}
 
-# The sums as a table; of edges the last.
-table_of() {
-  printf '| target | executions | CPU minutes | edges |\n|---|---:|---:|---:|\n'
-  awk '{ executions[$1] += $2; seconds[$1] += $3; edges[$1] = $4 }
-    END { for (t in edges) printf "| %s | %d | %.1f | %d |\n", t, executions[t], seconds[t] / 60, edges[t] }' | sort
-}
-
-write_table() {
-  figures_now | table_of
-  if $write_docs; then
-    { figures_before && figures_now; } | table_of >"$work/table.md"
-    replace_between "$document" "$begin" "$end" "$work/table.md"
-    python3 -B "$root/tools/lab/copy_tables.py"
-  fi
+write_rows() {
+  figures_now | tee "$work/rows.json"
+  if $write_docs; then python3 -B "$root/tools/lab/pages.py" fuzzing <"$work/rows.json"; fi
 }
 
 main() {
@@ -103,7 +83,7 @@ main() {
   "$work/tests/fuzz/lumi_make_baker_corpus" "$work/seeds"
   run_step "Fuzz ${targets[*]}, $minutes minutes each" fuzz_all
   printf '\n'
-  write_table
+  write_rows
 }
 
 main "$@"

@@ -6,8 +6,8 @@
 # "```sh" run; in the Pico's page "```sh sdk" in place of the one before it where --sdk names the Pico SDK.
 # FOLDER: new or empty; without it, one in /tmp, which is removed.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 pages=(platform/README.md platform/simulator/README.md platform/pico_st7789/README.md)
 sdk='' folder=''

@@ -7,12 +7,12 @@
 # light paths a pixel [128]: nearest, 3×3, 5×5 and 9×9, exact and by spans; a surface field beside them; one view with
 # more and more background. Then what drawing costs: seconds of a reference, share of time in texel reads, frames a
 # second of one and two eyes at the HoloLens's 1268×720 pixels.
-# --docs: write docs/log/paper.md, of all scenes measured so far. --quick: tiny lattices, to try it. What lies in
-# build/paper is not made again, and a bake that was stopped goes on. With LUMI and LUMI_TOOLS_BENCH in the environment
-# those programs are taken as they are.
+# --docs: write docs/log/data/paper.json and the pages, of all scenes measured so far. --quick: tiny lattices, to try it. What lies in
+# build/paper is not made again, and a bake that was stopped goes on. With LUMI and LUMI_LAB in the environment those
+# programs are taken as they are.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 declare -A scene_files=([testcard]=testcard.obj [product]=product.obj)
 all_scenes=(testcard product)
@@ -27,8 +27,6 @@ eye_size=(1268 720)
 eye_orbit=40,82,6  # every ray enters through the upper half of the sphere
 eye_fovs=("33.2 1" "61.5 1/2" "99.9 1/4")  # degrees over the width; what the sphere then fills of the height
 probe_shards=512 probe_spp=64  # a bake of one of them tells the speed
-lumi=${LUMI:-$root/build/release/tools/lumi}
-bench=${LUMI_TOOLS_BENCH:-$root/build/release/tools/lab/src/drawing/lumi_tools_bench}
 work=$root/build/paper
 
 # processor_s FILE COMMAND...: runs COMMAND; its seconds of processor stand in FILE then, whatever else the machine does.
@@ -91,7 +89,7 @@ measure_scene() {
   local scene=$1
   bake_scene "$scene"
   [[ -f $work/$scene.report.json ]] || "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$work/$scene.lumi" \
-    "$work/$scene-surface.lumi" --no-baselines --views upper --count "$views" --spp "$reference_spp" \
+    "$work/$scene-surface.lumi" --views upper --count "$views" --spp "$reference_spp" \
     --cache "$work/cache" --mode "$modes" --json "$work/$scene.report.json"
   [[ -f $work/$scene.background.json ]] || measure_background "$scene"
   [[ -f $work/$scene.reference_s ]] || {
@@ -99,7 +97,7 @@ measure_scene() {
       --spp "$reference_spp" >/dev/null && mv "$work/$scene.new" "$work/$scene.reference_s"
   }
   [[ -f $work/$scene.draw.json ]] || {
-    "$bench" draw "$work/$scene.lumi" "${eye_size[@]}" >"$work/$scene.new" && mv "$work/$scene.new" "$work/$scene.draw.json"
+    "$lab" draw "$work/$scene.lumi" "${eye_size[@]}" >"$work/$scene.new" && mv "$work/$scene.new" "$work/$scene.draw.json"
   }
 }
 
@@ -126,11 +124,9 @@ main() {
   if $quick; then rm -rf "$work"; fi
   mkdir -p "$work"
   [[ -n ${LUMI:-} ]] || run_step "Build" build_lumi
-  [[ -n ${LUMI_TOOLS_BENCH:-} ]] || run_step "Build the bench" cmake --build --preset release --target lumi_tools_bench
+  [[ -n ${LUMI_LAB:-} ]] || run_step "Build the laboratory" build_lab
   for scene in "${scenes[@]}"; do run_step "Measure the $scene" measure_scene "$scene"; done
-  printf '\n'
-  node "$root/tools/lab/paper.cjs" "$work" "$root/docs/log/tradeoff.md" | tee "$work/paper.md"
-  if $docs; then cp "$work/paper.md" "$root/docs/log/paper.md"; fi
+  python3 -B "$root/tools/lab/pages.py" "$($docs && echo collect || echo show)" paper "$work"
   print_step_times
 }
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/quality_table.sh [--check]
-# Measures surface and chord fields of the demo scene against path-traced references and writes the table of README.md,
-# between its two marker comments. With --check it leaves README.md alone and fails if the table there differs.
+# Measures surface and chord fields of the demo scene against path-traced references for the table of README.md. With
+# --check it leaves docs/log/data/readme_quality.json alone and fails if the figures there differ.
 # Scene, seeds, views and samples are fixed, so the figures are the same on every run.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scene=$root/baker/scenes/product.obj
 # A row's name and what it bakes. Chord fields: as many origins as directions shows most per byte.
@@ -20,10 +20,6 @@ orbits=("30,20,3" "75,50,3")  # two rings around the clock, one from nearly leve
 views=4                   # a ring
 reference_spp=256
 size=240x240
-lumi=$root/build/release/tools/lumi
-readme=$root/README.md
-begin_marker='<!-- quality table: begin (tools/lab/quality_table.sh) -->'
-end_marker='<!-- quality table: end -->'
 work=$root/build/quality
 
 draw_rings() {
@@ -38,49 +34,31 @@ trace_references() {
   draw_rings "$lumi" reference "$scene" --spp "$reference_spp"
 }
 
-# Mean PSNR and SSIM over all views of $drawing, as cells of a table.
-mean_figures() {
+# Mean figures over all views of $drawing.
+figures() {
   local ring view picture
   for ring in "${!orbits[@]}"; do
     for ((view = 0; view < views; ++view)); do
       picture=$ring-$(printf '%03d' "$view").png
       "$lumi" compare "$work/$drawing-$picture" "$work/reference-$picture"
     done
-  done | awk -v count=$((${#orbits[@]} * views)) '{ sum[$1] += $2 }
-    END { printf " %.1f dB / %.3f |", sum["PSNR"] / count, sum["SSIM"] / count }'
+  done | mean_figures $((${#orbits[@]} * views))
 }
 
-# Row k, printed to a file of its own.
+# Row k, into a file of its own.
 measure_row() {
-  local k=$1 mode drawing bake layout=${names[$1]%%,*}
+  local k=$1 kind mode drawing bake row layout=${names[$1]%%,*}
   local field=$work/$k.lumi
   read -ra bake <<<"${options[$k]}"
   "$lumi" bake "$scene" -o "$field" "${bake[@]}"
-  {
-    printf '| %s | %s |' "${names[$k]}" "$(stat --format=%s "$field" | awk '{ printf "%.2f MB", $1 / 1e6 }')"
-    for mode in "${fast[$layout]}" "${good[$layout]}"; do
-      drawing=$k-$mode
-      draw_rings "$lumi" render "$field" --mode "$mode"
-      mean_figures
-    done
-    printf '\n'
-  } >"$work/$k.row"
-}
-
-print_table() {
-  local k
-  printf '| field | flash | antialiased; nearest | 2×2; linear |\n|---|---|---|---|\n'
-  for k in "${!names[@]}"; do
-    cat "$work/$k.row"
+  row=(field "${names[$k]}" flash_bytes "$(stat --format=%s "$field")")
+  for kind in fast good; do
+    declare -n modes=$kind
+    mode=${modes[$layout]} drawing=$k-${modes[$layout]}
+    draw_rings "$lumi" render "$field" --mode "$mode"
+    row+=("$kind" "$(figures)")
   done
-  printf '\nMeans over %d views of %s. Surface fields have 100 light paths a texel, chord fields 16 and a byte a texel;\n' \
-    $((${#orbits[@]} * views)) "$size"
-  printf 'references with %d samples a pixel.\n' "$reference_spp"
-}
-
-table_in_readme() {
-  awk -v begin="$begin_marker" -v end="$end_marker" '$0 == end { inside = 0 } inside { print } $0 == begin { inside = 1 }' \
-    "$readme"
+  json_row "${row[@]}" >"$work/$k.row"
 }
 
 main() {
@@ -89,7 +67,6 @@ main() {
     --help) help "$0" && exit ;;
     *) wrong_call "unknown option '$1'" ;;
   esac
-  check_markers "$readme" "$begin_marker" "$end_marker"
   mkdir -p "$work"
   run_step "Packages" "$root/tools/install_packages.sh" build
   run_step "Build" build_lumi
@@ -98,16 +75,15 @@ main() {
   for k in "${!names[@]}"; do
     run_step "Measure ${names[$k]}" measure_row "$k"
   done
-  print_table >"$work/table.md"
   printf '\n'
-  cat "$work/table.md"
+  cat "$work"/[0-9].row | tee "$work/rows.json"
   if [[ ${1:-} != --check ]]; then
-    replace_between "$readme" "$begin_marker" "$end_marker" "$work/table.md"
-    printf '\nREADME.md holds this table now.\n'
-  elif diff -u <(table_in_readme) "$work/table.md"; then
-    printf '\nThe table in README.md is current.\n'
+    put readme_quality rows <"$work/rows.json"
   else
-    die "the table in README.md is out of date: run tools/lab/quality_table.sh and commit README.md"
+    while read -r k; do
+      grep --quiet --fixed-strings -e "$k" "$root/docs/log/data/readme_quality.json" ||
+        die "not in docs/log/data/readme_quality.json: '$k'; run tools/lab/quality_table.sh"
+    done <"$work/rows.json"
   fi
 }
 

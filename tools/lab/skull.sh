@@ -7,18 +7,16 @@
 # All else lands in build/skull; fields that are there are not made again. With LUMI in the environment that program is
 # taken as it is, and nothing is built.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 sizes=(250kB 500kB)
 pictured_view=oblique
 declare -A views=([front]='90,5,2.6' [oblique]='45,15,2.6' [side]='0,10,2.6' [below]='120,-50,2.6')
 paths=100
 spp=128
-lumi=${LUMI:-$root/build/release/tools/lumi}
 work=$root/build/skull
 scene=$work/skull.json
-page=$root/docs/log/skull.md
 
 bake_fields() {
   local size
@@ -37,15 +35,14 @@ draw_pictures() {
   "$lumi" reference "$scene" -o "$root/docs/img/skull-truth.png" --orbit "${views[$pictured_view]}" --spp "$spp" >/dev/null
 }
 
-# What bakes have printed, between the page's two marker comments.
+# What bakes have printed, their progress left out.
 write_page() {
   local size
   for size in "${sizes[@]}"; do
-    printf '%s light paths a texel, at most %s:\n\n    ' "$paths" "$size"
-    grep --invert-match ' left$' "$work/$size.txt" | sed "s|$work/||; 2,\$s/^/    /"
-    printf '\n'
-  done >"$work/figures.md"
-  replace_between "$page" '<!-- figures: begin (tools/lab/skull.sh) -->' '<!-- figures: end -->' "$work/figures.md"
+    grep --invert-match ' left$' "$work/$size.txt" | sed "s|$work/||" | python3 -c 'import json, sys
+print(json.dumps({"size": sys.argv[1], "paths": int(sys.argv[2]), "lines": sys.stdin.read().splitlines()}, ensure_ascii=False))' \
+      "$size" "$paths"
+  done | put skull bakes
 }
 
 main() {

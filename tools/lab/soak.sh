@@ -7,15 +7,14 @@
 # writes that into docs/log/tests.md and SECURITY.md. The first fault ends it before anything is written, and names the
 # seed that shows it again.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 minutes=1
 write_docs=false
 work=$root/build/soak
 frames=4000  # of a batch; each begins with another seed
 cpus=(cortex-m0plus cortex-m4)
-document=$root/docs/log/tests.md
 
 parse_arguments() {
   while (($#)); do
@@ -37,7 +36,7 @@ build_programs() {
 }
 
 bake_fields() {
-  local lumi=$root/build/release/tools/lumi scene=$root/baker/scenes/product.obj
+  local scene=$root/baker/scenes/product.obj
   [[ -x $lumi ]] || (cd "$root" && cmake --preset release && cmake --build --preset release --target lumi)
   [[ -f $work/surface.lumi ]] || "$lumi" bake "$scene" -o "$work/surface.lumi" --layout surface --fit 60kB --paths 10
   [[ -f $work/chord.lumi ]] ||
@@ -64,21 +63,17 @@ soak_all() {
 
 sum_up() {
   local cpu
-  printf '| emulated | minutes | frames | stripes | views refused | deepest stack, bytes |\n|---|---:|---:|---:|---:|---:|\n'
   for cpu in "${cpus[@]}"; do
     awk -v cpu="$cpu" -v minutes="$minutes" '
       { frames += $2; refused += $4; stripes += $6; if ($8 > stack) stack = $8 }
-      END { printf "| %s | %d | %d | %d | %d | %d |\n", cpu, minutes, frames, stripes, refused, stack }' "$work/$cpu.txt"
+      END { printf "{\"cpu\": \"%s\", \"minutes\": %d, \"frames\": %d, \"stripes\": %d, \"refused\": %d, \"stack_bytes\": %d}\n",
+        cpu, minutes, frames, stripes, refused, stack }' "$work/$cpu.txt"
   done
 }
 
-write_table() {
-  sum_up >"$work/table.md"
-  cat "$work/table.md"
-  if $write_docs; then
-    replace_between "$document" '<!-- soak: begin (tools/lab/soak.sh --docs) -->' '<!-- soak: end -->' "$work/table.md"
-    python3 -B "$root/tools/lab/copy_tables.py"
-  fi
+write_rows() {
+  sum_up | tee "$work/rows.json"
+  if $write_docs; then put tests soak <"$work/rows.json"; fi
 }
 
 main() {
@@ -88,7 +83,7 @@ main() {
   run_step "Build for the boards" build_programs
   run_step "Soak, $minutes minutes" soak_all
   printf '\n'
-  write_table
+  write_rows
 }
 
 main "$@"

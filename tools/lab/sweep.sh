@@ -4,12 +4,13 @@
 # The trade of a chord field, against path-traced references: lattices M × N, texel formats, reconstructions, and the
 # paper's K neighbours, on the scenes product, testcard and finishes; surface fields beside them. Then what a pixel costs
 # on a Cortex-M4 for lattices of 256 to 65,536 points. --scene: that one alone (may be repeated). --no-cost: leave the
-# last part out. --docs: write docs/log/sweep.md and docs/img/sweep.svg, of all that was measured so far. --quick: one
-# small lattice of one scene, to try it. Whatever lies in build/sweep is not made again. With LUMI in the environment
-# that program is taken as it is. Scenes, seeds and views are fixed, so the figures are the same on every run.
+# last part out. --docs: write docs/log/data/sweep.json and the pages, of all that was measured so far. --quick: one
+# small lattice of one scene, to try it. Whatever lies in build/sweep is not made again. With LUMI and LUMI_LAB in the
+# environment those programs are taken as they are. Scenes, seeds and views are fixed, so the figures are the same on
+# every run.
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 declare -A scene_files=([product]=product.obj [testcard]=testcard.obj [finishes]=finishes.json)
 all_scenes=(product testcard finishes)
@@ -24,8 +25,6 @@ spp=8             # light paths a ray of chord fields
 reference_spp=64
 views=4
 cost_lattices=(256x256 1024x256 4096x256 16384x256 65536x128 256x1024 256x4096 256x16384 128x65536)
-lumi=${LUMI:-$root/build/release/tools/lumi}
-bench=${LUMI_TOOLS_BENCH:-$root/build/release/tools/lab/src/drawing/lumi_tools_bench}
 work=$root/build/sweep
 
 # bake_chord SCENE MxN TEXEL: unless it is there.
@@ -51,7 +50,7 @@ bake_scene() {
 report() {
   local scene=$1 name=$2 modes=$3
   shift 3
-  [[ -f $work/$name.json ]] || "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$@" --no-baselines \
+  [[ -f $work/$name.json ]] || "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$@" \
     --count "$views" --spp "$reference_spp" --cache "$work/cache" --mode "$modes" --json "$work/$name.json"
 }
 
@@ -70,7 +69,7 @@ measure_scene() {
 count_instructions() {
   local lattice
   for lattice in "${cost_lattices[@]}"; do
-    [[ -f $work/$lattice.cost.json ]] || "$lumi" bench --core m4 --mode nearest,linear --texel palette8 --span 0,16 \
+    [[ -f $work/$lattice.cost.json ]] || "$lab" bench --core m4 --mode nearest,linear --texel palette8 --span 0,16 \
       --view generic --origins "${lattice%x*}" --directions "${lattice#*x}" --spp 1 --work "$work/bench" \
       --json "$work/$lattice.cost.json" >/dev/null
   done
@@ -97,15 +96,11 @@ main() {
   mkdir -p "$work"
   [[ -n ${LUMI:-} ]] || run_step "Build" build_lumi
   for scene in "${scenes[@]}"; do run_step "Measure the $scene" measure_scene "$scene"; done
-  if $costs; then run_step "Count instructions" count_instructions; fi
-  local page=(node "$root/tools/lab/sweep.cjs" "$work" "$root/docs/log/tradeoff.md")
-  "${page[@]}" --markdown | tee "$work/sweep.md"
-  "${page[@]}" --plot >"$work/plot.json"
-  if $docs; then
-    cmake --build --preset release --target lumi_tools_bench
-    cp "$work/sweep.md" "$root/docs/log/sweep.md"
-    "$bench" plot "$work/plot.json" "$root/docs/img/sweep.svg"
+  if $costs; then
+    [[ -n ${LUMI_LAB:-} ]] || run_step "Build the laboratory" build_lab
+    run_step "Count instructions" count_instructions
   fi
+  python3 -B "$root/tools/lab/pages.py" "$($docs && echo collect || echo show)" sweep "$work"
   print_step_times
 }
 

@@ -4,6 +4,7 @@
 #include "bench/cache_model.h"
 
 using namespace lumi::bench;
+using lumi::planner::CacheShape;
 
 namespace
 {

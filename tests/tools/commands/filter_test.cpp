@@ -108,7 +108,7 @@ TEST_CASE("a filter takes pictures of the best mode only")
 {
     const FilterShop shop;
     shop.write_weights(false);
-    for (const Arguments& more : {Arguments{"--mode", "one-sample"}, {"--pixel", "rgb565"}, {"--twin"}}) {
+    for (const Arguments& more : {Arguments{"--mode", "one-sample"}, {"--pixel", "rgb565"}}) {
         Arguments call = {"--filter", shop.weights};
         call.insert(call.end(), more.begin(), more.end());
         const Outcome outcome = shop.render(call);

@@ -196,11 +196,11 @@ TEST_CASE("own files: compare keeps both pictures and the mask")
         check_input_kept("compare a.png b.png --mask mask.png --error-picture " + std::string(name), name);
 }
 
-TEST_CASE("own files: report keeps scene, fields and the bench's figures, and its two outputs apart")
+TEST_CASE("own files: report keeps scene and fields, and its two outputs apart")
 {
-    const std::string call = "report s.obj f.lumi --spp 1 --count 1 --no-baselines --bench rows.json";
+    const std::string call = "report s.obj f.lumi --spp 1 --count 1";
     for (const char* option : {" -o ", " --json "})
-        for (const char* name : {"s.obj", "s.mtl", "t.png", "f.lumi", "hard.lumi", "rows.json"})
+        for (const char* name : {"s.obj", "s.mtl", "t.png", "f.lumi", "hard.lumi"})
             check_input_kept(call + option + name, name);
     check_twins_refused(call + " -o r.out --json r.out", "r.out");
     check_twins_refused(call + " -o r.out --json deep/r.out", "deep/r.out");
@@ -211,24 +211,6 @@ TEST_CASE("own files: embed keeps its field and does not write source and header
     check_input_kept("embed e.S -o e.S", "e.S");
     check_input_kept("embed e.h -o e.S", "e.h");
     check_twins_refused("embed f.lumi -o two.S", "two.h");
-}
-
-TEST_CASE("own files: bench keeps its scene, and its outputs apart")
-{
-    const std::string call = "bench --quick --work w --scene s.obj";
-    for (const char* name : {"s.obj", "s.mtl", "link.png"}) {
-        check_input_kept(call + " --json " + name, name);
-        check_input_kept(call + " --markdown " + name, name);
-    }
-    check_twins_refused(call + " --json b.out --markdown b.out", "b.out");
-    const Workshop shop;
-    fs::create_directory(shop.folder / "plots");
-    fs::create_symlink("../s.obj", shop.folder / "plots/tradeoff-m4.svg");
-    const Outcome outcome = shop.run(call + " --plot plots");
-    INFO(outcome.err);
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("plots/tradeoff-m4.svg: leads to the same file as s.obj"));
-    CHECK(test::content_of(shop.folder / "s.obj") == kObj);
 }
 
 TEST_CASE("own files: outputs may replace earlier outputs, be new, or be a device twice")

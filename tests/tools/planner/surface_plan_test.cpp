@@ -3,10 +3,7 @@
 #include "planner/surface_plan.h"
 
 #include <catch2/catch.hpp>
-#include <filesystem>
 
-#include "bench/surface_field.h"
-#include "lumi/baker/scene.h"
 #include "planner/no_plan.h"
 #include "support/small_surface.h"
 
@@ -29,18 +26,6 @@ SurfaceTask surface_task_of(uint64_t bytes)
 }
 
 }  // namespace
-
-TEST_CASE("the bench draws the surface field that 250 kB of the desk clock plan")
-{
-    std::vector<std::string> warnings;
-    const auto file = std::filesystem::path(LUMI_TEST_SCENE).parent_path() / "product.obj";
-    const SurfacePlan plan = plan_surface(baker::load_scene(file, {}, warnings), surface_task_of(250'000), {});
-    const baker::SurfaceSettings drawn = bench::surface_settings();
-    INFO(options_of(plan));
-    CHECK(drawn.triangles == plan.settings.triangles);
-    CHECK(drawn.longest_edge == Approx(plan.settings.longest_edge).margin(0.005));
-    CHECK(drawn.texels_per_radius == Approx(plan.settings.texels_per_radius).margin(0.05));
-}
 
 TEST_CASE("a surface plan fills its size, and a larger one has more of everything")
 {

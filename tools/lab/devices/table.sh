@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2154
-# The table of docs/boards.md: figures from the examples' logs and programs. Sourced by tools/lab/devices.sh.
+# The rows of docs/log/data/devices.json: figures from the examples' logs and programs. Sourced by tools/lab/devices.sh.
 
 # value NAME FILE: the number after a word, the greatest of all lines.
 value() {
@@ -12,10 +12,6 @@ bytes_of() {
   local size=$1 elf=$2
   shift 2
   "$size" -A "$elf" | awk -v wanted=" $* " 'index(wanted, " " $1 " ") { sum += $2 } END { print sum + 0 }'
-}
-
-thousands() {
-  awk -v n="$1" 'BEGIN { printf "%.1f kB", n / 1000 }'
 }
 
 # Sections that take flash and RAM, by our linker scripts and the Pico SDK's.
@@ -34,10 +30,9 @@ write_row() {
   [[ $2 == main ]] || name=lumi_${folder%%_*}_$2
   local elf=$devices/$1/build/$name.elf
   flash=$(($(bytes_of "$3" "$elf" "${flash_sections[@]}") - $(wc -c <"$field")))
-  # shellcheck disable=SC2016
-  printf '| `%s/%s.cpp` | %s | %s | %s | %s B | %s | %s | %s | yes |\n' "$folder" "$2" "$(lines_of "$folder/$2.cpp")" \
-    "$(thousands "$flash")" "$(thousands "$(bytes_of "$3" "$elf" "${ram_sections[@]}")")" "$4" "$5" "$6" "$7" \
-    >>"$devices/$1/row"
+  json_row source "$folder/$2.cpp" glue_lines "$(lines_of "$folder/$2.cpp")" flash_bytes "$flash" \
+    ram_bytes "$(bytes_of "$3" "$elf" "${ram_sections[@]}")" stack "$4" fps "$5" fps_with_misses "$6" counted_by "$7" \
+    same_bits yes >>"$devices/$1/row"
 }
 
 # rate HZ CLOCKS
@@ -45,21 +40,16 @@ rate() {
   awk -v hz="$1" -v clocks="$2" 'BEGIN { printf "%.1f", hz / clocks }'
 }
 
-print_table() {
+print_rows() {
   local example
-  # shellcheck disable=SC2016
-  echo '| `platform/` | glue lines | flash | RAM | stack | frames a second | with flash misses | counted by | same bits |'
-  echo '|---|---:|---:|---:|---:|---:|---:|---|---|'
   for example in riscv lm3s_oled gba pico_st7789 pico_sdk lvgl; do
     [[ ! -f $devices/$example/row ]] || cat "$devices/$example/row"
   done
-  # shellcheck disable=SC2016
-  [[ -f $devices/lvgl/row ]] || echo '| `lvgl/main.c` | SKIPPED: no `--lvgl PATH` | – | – | – | – | – | – | – |'
+  [[ -f $devices/lvgl/row ]] || json_row source lvgl/main.c glue_lines 'SKIPPED: no `--lvgl PATH`' counted_by – same_bits –
 }
 
 write_docs() {
-  replace_between "$root/docs/boards.md" '<!-- devices table: begin (tools/lab/devices.sh --docs) -->' \
-    '<!-- devices table: end -->' "$devices/table"
+  put devices rows <"$devices/rows"
   for example in gba lm3s_oled overlay pico_st7789 lvgl; do
     [[ ! -f $devices/$example/frame-0.png ]] || cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
   done

@@ -78,7 +78,7 @@ struct RatedMode {
 };
 
 // Best and dearest first.
-std::vector<RatedMode> rated_modes(const BakeSummary& summary, const bench::Chip& chip)
+std::vector<RatedMode> rated_modes(const BakeSummary& summary, const planner::Chip& chip)
 {
     std::vector<RatedMode> modes;
     if (!summary.job.surface) {

@@ -16,7 +16,5 @@ void add_compare(CLI::App& lumi);
 void add_report(CLI::App& lumi);
 void add_inspect(CLI::App& lumi);
 void add_embed(CLI::App& lumi);
-void add_filter(CLI::App& lumi);
-void add_bench(CLI::App& lumi);
 
 }  // namespace lumi::tools

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "commands/choice.h"
 #include "commands/commands.h"
 #include "files/embed.h"
 #include "files/embed_purpose.h"
@@ -15,6 +14,7 @@
 #include "files/output_file.h"
 #include "files/symbol.h"
 #include "files/uf2.h"
+#include "program/choice.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "commands/choice.h"
+#include "program/choice.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
 

@@ -15,7 +15,7 @@ namespace
 std::vector<planner::PartRate> chord_rates(const planner::ChordMode& mode)
 {
     std::vector<planner::PartRate> rates;
-    for (const bench::Chip& chip : bench::kChipList) {
+    for (const planner::Chip& chip : planner::kChipList) {
         const double rate = planner::modelled_rate(chip, mode);
         rates.push_back({&chip, rate, rate});
     }

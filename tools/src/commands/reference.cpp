@@ -5,9 +5,9 @@
 
 #include "commands/camera_options.h"
 #include "commands/commands.h"
-#include "commands/parse_problem.h"
 #include "commands/scene_options.h"
 #include "lumi/baker/reference.h"
+#include "program/parse_problem.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
 

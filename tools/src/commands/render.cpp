@@ -4,15 +4,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "../filter/drawing.h"
-#include "../filter/module.h"
-#include "../filter/weights_file.h"
-#include "../quality/twin.h"
 #include "commands/camera_options.h"
-#include "commands/choice.h"
 #include "commands/commands.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
+#include "program/choice.h"
+#include "program/plugin.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -20,16 +17,6 @@ namespace lumi::tools
 
 namespace
 {
-
-struct RenderOptions {
-    std::string field, output;
-    ViewOptions views;
-    std::string mode = "best";
-    DrawSettings drawing;  // its mode is that of a chord field
-    bool twin = false;
-    std::string filter;  // its weights
-    bool force_filter = false;
-};
 
 const Choices<Mode> kChordModes = {{"nearest", Mode::nearest},
                                    {"voronoi", Mode::voronoi},
@@ -60,10 +47,6 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
 {
     if (options.drawing.span_px > 1) refuse(options, "--span", "chord");
     const SurfaceMode mode = mode_of(options, kSurfaceModes, SurfaceMode::two_by_two, "surface");
-    if (options.twin)
-        return [&file, mode](const Eye& eye, const Rgb8& background) {
-            return quality::draw_twin(file.bytes(), eye, mode, background);
-        };
     const DisplayFormat display = options.drawing.display;
     return [&file, mode, display](const Eye& eye, const Rgb8& background) {
         return draw_surface(file.surface(), eye, {mode, display, background});
@@ -72,7 +55,6 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
 
 Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
 {
-    if (options.twin) refuse(options, "--twin", "surface");
     DrawSettings drawing = options.drawing;
     drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
     return [&file, drawing](const Eye& eye, const Rgb8& background) mutable {
@@ -81,41 +63,14 @@ Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
     };
 }
 
-// A filter has learned from pictures of the best mode, as they are before a display takes them.
-void require_filterable(const RenderOptions& options, const FieldFile& file)
-{
-    constexpr int kMostSide = 2048;  // the network needs some hundred bytes a pixel
-    const std::string best = file.is_surface() ? name_of(SurfaceMode::two_by_two) : "linear";
-    if (options.mode != "best" && options.mode != best)
-        throw UsageError("--filter takes --mode best, not " + options.mode);
-    const bool twin_or_photo = options.twin || !options.views.photo.empty();
-    if (twin_or_photo || options.drawing.span_px > 1 || options.drawing.display != DisplayFormat::rgb888)
-        throw UsageError("--filter goes with none of --span, --pixel, --over and --twin");
-    if (options.views.width_px > kMostSide || options.views.height_px > kMostSide)
-        throw UsageError("--filter takes a --size of at most " + std::to_string(kMostSide) + "x" +
-                         std::to_string(kMostSide));
-}
+using Stages = std::vector<std::shared_ptr<PictureStage>>;
 
-// `drawer`, or what a filter makes of its pictures.
-Drawer filtered_drawer(const RenderOptions& options, const FieldFile& file, Drawer drawer)
-{
-    require_filterable(options, file);
-    const filter::Weights weights = filter::read_weights(options.filter);
-    filter::require_fitting(weights, options.filter, file, options.force_filter);
-    if (!weights.gains) return drawer;
-    const std::shared_ptr<filter::Network> network =
-        filter::load_module().network(weights.input_planes, weights.numbers);
-    return [&file, network](const Eye& eye, const Rgb8& background) {
-        return filter::over(network->filtered(filter::drawn_planes(file, eye)), background);
-    };
-}
-
-void run(const RenderOptions& options)
+void run(const RenderOptions& options, const Stages& stages)
 {
     const FieldFile file(options.field);
     file.require_intact();
     Drawer drawer = file.is_surface() ? surface_drawer(options, file) : chord_drawer(options, file);
-    if (!options.filter.empty()) drawer = filtered_drawer(options, file, drawer);
+    for (const auto& stage : stages) drawer = stage->changed(options, file, drawer);
     for (const std::string& path : write_views(options.views, options.output, drawer))
         std::printf("%s\n", path.c_str());
 }
@@ -156,14 +111,6 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         command, "--pixel", options.drawing.display,
         {{"rgb888", DisplayFormat::rgb888}, {"rgb565", DisplayFormat::rgb565}, {"grey8", DisplayFormat::grey8}},
         "FORMAT", "Display to preview: rgb888, rgb565 or grey8 [rgb888]");
-    command.add_flag("--twin", options.twin,
-                     "Surface fields, for checking: the same picture in double precision, by other means");
-    command
-        .add_option("--filter", options.filter,
-                    "Weights that lumi filter train wrote for this field: what they make of the picture")
-        ->type_name("WEIGHTS");
-    command.add_flag("--force-filter", options.force_filter,
-                     "Use them for another field too, though they harm other scenes");
 }
 
 }  // namespace
@@ -177,15 +124,20 @@ void add_render(CLI::App& lumi)
     add_picture_output(*command, options->output);
     add_camera_options(*command, options->views);
     add_drawing_options(*command, *options);
+    Stages stages;
+    for (const Plugin& plugin : plugins()) {
+        stages.push_back(plugin.make_stage());
+        stages.back()->add_options(*command);
+    }
     command->footer("Example:\n  lumi render product.lumi -o product.png --turntable 24 --background 202428");
-    command->callback([options, command] {
+    command->callback([options, stages, command] {
         if (command->count("--neighbours") > 0 && options->mode != "paper")
             throw UsageError("--neighbours belongs to --mode paper");
         if (options->mode == "dither" && options->drawing.span_px < 2)
             throw UsageError("--mode dither needs --span 2 or more: exact drawing does not dither");
         if (command->count("--over") > 0 && options->drawing.display != DisplayFormat::rgb888)
             throw UsageError("--over draws with --pixel rgb888 only: a photograph has more colours than the display");
-        run(*options);
+        run(*options, stages);
     });
 }
 

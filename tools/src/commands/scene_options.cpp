@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "commands/choice.h"
+#include "program/choice.h"
 #include "terminal/interrupt.h"
 
 namespace lumi::tools

@@ -51,7 +51,7 @@ std::optional<Pace> parse_pace(const std::string& text)
     const auto [stop, error] = std::from_chars(text.data() + at + 1, text.data() + end, rate);
     if (error != std::errc() || stop != text.data() + end || text.substr(end) != kUnit) return std::nullopt;
     if (!(rate > 0) || rate > 1e6) return std::nullopt;
-    for (const bench::Chip& chip : bench::kChipList)
+    for (const Chip& chip : kChipList)
         if (text.substr(0, at) == chip.key) return Pace{&chip, rate};
     return std::nullopt;
 }
@@ -59,8 +59,8 @@ std::optional<Pace> parse_pace(const std::string& text)
 std::string chip_names()
 {
     std::string text;
-    for (size_t k = 0; k < bench::kChips; ++k)
-        text += (k == 0 ? "" : k + 1 == bench::kChips ? " or " : ", ") + std::string(bench::kChipList[k].key);
+    for (size_t k = 0; k < kChips; ++k)
+        text += (k == 0 ? "" : k + 1 == kChips ? " or " : ", ") + std::string(kChipList[k].key);
     return text;
 }
 
@@ -68,14 +68,14 @@ FrameCost frame_cost(const std::string& core, const ChordMode& mode)
 {
     const bool m0plus = core == "m0plus";
     const size_t kind = chord_kind(mode.mode);
-    const double background = bench::kDisplayBits / 16 * kBackground.of(m0plus);
+    const double background = kDisplayBits / 16 * kBackground.of(m0plus);
     return {kSpherePx * kChord[kind].of(m0plus) + background, kSpherePx * kMisses[kind]};
 }
 
-double modelled_rate(const bench::Chip& chip, const ChordMode& mode)
+double modelled_rate(const Chip& chip, const ChordMode& mode)
 {
     const FrameCost cost = frame_cost(chip.core, mode);
-    return bench::frames_per_second(chip, static_cast<uint64_t>(cost.instructions), static_cast<uint64_t>(cost.misses));
+    return frames_per_second(chip, static_cast<uint64_t>(cost.instructions), static_cast<uint64_t>(cost.misses));
 }
 
 }  // namespace lumi::planner

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/chips.h"
 #include "draw/draw.h"
+#include "planner/chips.h"
 
 namespace lumi::planner
 {
@@ -23,7 +23,7 @@ const std::vector<ChordMode>& chord_modes();
 
 // What --for asks for.
 struct Pace {
-    const bench::Chip* chip;
+    const Chip* chip;
     double frames_per_second;
 };
 
@@ -40,7 +40,7 @@ struct FrameCost {
 // figures and their sources: docs/log/tradeoff.md.
 FrameCost frame_cost(const std::string& core, const ChordMode& mode);
 
-// Frames per second by the model of `lumi bench`.
-double modelled_rate(const bench::Chip& chip, const ChordMode& mode);
+// Frames per second by the model of chips.h.
+double modelled_rate(const Chip& chip, const ChordMode& mode);
 
 }  // namespace lumi::planner

@@ -4,13 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lumi/twin/geometry.h"
-
 namespace lumi::planner
 {
 
 namespace
 {
+
+struct Vector {
+    double x, y, z;
+};
+
+// Of core's fixed point.
+template <class Fixed>
+Vector decoded(const Fixed& v, double one)
+{
+    return {v.x / one, v.y / one, v.z / one};
+}
+
+double dot(const Vector& a, const Vector& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 struct Place {
     double x, y;  // samples
@@ -23,26 +37,26 @@ public:
     {
         SurfaceCamera camera;
         if (make_surface_camera(eye.pose, eye.image, camera) != CameraError::none) return;
-        right_ = twin::decoded(camera.right);
-        up_ = twin::decoded(camera.up);
-        forward_ = twin::decoded(camera.forward);
-        position_ = twin::decoded(camera.position);
+        right_ = decoded(camera.right, kOneQ30);
+        up_ = decoded(camera.up, kOneQ30);
+        forward_ = decoded(camera.forward, kOneQ30);
+        position_ = decoded(camera.position, kOneQ20);
         focal_ = camera.focal_q12 / 4096.0;
     }
 
     Place operator()(const VertexQ14& v) const
     {
         constexpr double kOneQ14 = 16384, kNearest = 1e-3;
-        const twin::Vec3 p = {v.x / kOneQ14 - position_.x, v.y / kOneQ14 - position_.y, v.z / kOneQ14 - position_.z};
-        const double scale = side_ * focal_ / std::max(kNearest, twin::dot(p, forward_));
-        return {twin::dot(p, right_) * scale, -twin::dot(p, up_) * scale};
+        const Vector p = {v.x / kOneQ14 - position_.x, v.y / kOneQ14 - position_.y, v.z / kOneQ14 - position_.z};
+        const double scale = side_ * focal_ / std::max(kNearest, dot(p, forward_));
+        return {dot(p, right_) * scale, -dot(p, up_) * scale};
     }
 
     double side() const { return side_; }
 
 private:
     double side_, focal_ = 1;
-    twin::Vec3 right_ = {1, 0, 0}, up_ = {0, 0, 1}, forward_ = {0, 1, 0}, position_ = {0, 0, 0};
+    Vector right_ = {1, 0, 0}, up_ = {0, 0, 1}, forward_ = {0, 1, 0}, position_ = {0, 0, 0};
 };
 
 // Twice the area, positive for triangles that face the eye.

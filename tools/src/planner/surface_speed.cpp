@@ -11,7 +11,7 @@ namespace lumi::planner
 namespace
 {
 
-// Instructions a frame and a unit of load, fitted part by part to counts of `lumi bench`: the clock in 120 and 245 kB,
+// Instructions a frame and a unit of load, fitted part by part to counts of `lumi-lab bench`: the clock in 120 and 245 kB,
 // gallery in 200 kB and a glass ball in 434 kB, each in two views.
 struct Costs {
     double frame, vertex, patch, lit, seen, scanline, sample, magnified, outline, image;
@@ -55,12 +55,12 @@ std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode)
     for (const quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, kRatedPoses))
         loads.push_back(load_of(field, view.eye, mode));
     std::vector<PartRate> rates;
-    for (const bench::Chip& chip : bench::kChipList) {
+    for (const Chip& chip : kChipList) {
         PartRate rate = {&chip, 0, 1e9};
         for (const SurfaceLoad& load : loads) {
             const auto instructions = static_cast<uint64_t>(surface_instructions(chip.core, mode, load));
             const auto misses = static_cast<uint64_t>(surface_misses(load, 1.0 * chip.cache.line_bytes));
-            const double fps = bench::frames_per_second(chip, instructions, misses);
+            const double fps = frames_per_second(chip, instructions, misses);
             rate.mean += fps / static_cast<double>(loads.size());
             rate.worst = std::min(rate.worst, fps);
         }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How fast parts draw a surface field: a model over what a view shows, of instructions that `lumi bench` counted.
+// How fast parts draw a surface field: a model over what a view shows, of instructions that `lumi-lab bench` counted.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "bench/chips.h"
+#include "planner/chips.h"
 #include "planner/surface_load.h"
 
 namespace lumi::planner
@@ -21,7 +21,7 @@ double surface_misses(const SurfaceLoad& load, double line_bytes);
 
 // Frames of 240 × 240 pixels a second by one core, over poses all around the sphere.
 struct PartRate {
-    const bench::Chip* chip;
+    const Chip* chip;
     double mean, worst;
 };
 std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode);

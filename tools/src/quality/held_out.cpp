@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lumi/twin/geometry.h"
 #include "terminal/failure.h"
 
 namespace lumi::quality
@@ -15,6 +14,8 @@ namespace
 
 constexpr double kNearest = 2.5, kFarthest = 4;
 constexpr double kTurnDeg = 77, kDegrees = 360;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kGolden = 1.61803398874989484820;
 
 double fraction(double v)
 {
@@ -23,7 +24,7 @@ double fraction(double v)
 
 double degrees(double radians)
 {
-    return radians * kDegrees / (2 * twin::kPi);
+    return radians * kDegrees / (2 * kPi);
 }
 
 double elevation_deg(ViewSet set, int k, int count, double cap)
@@ -51,11 +52,9 @@ const char* name_of(ViewSet set)
 
 HeldOutView view_at(double azimuth_deg, double elevation_deg, double distance, int side_px)
 {
-    HeldOutView v = {azimuth_deg, elevation_deg, distance, {}, {}};
+    HeldOutView v = {azimuth_deg, elevation_deg, distance, {}};
     v.eye.pose = host::make_pose({azimuth_deg, elevation_deg, distance});
     v.eye.image = host::make_image(side_px, side_px, host::framing_fov_deg(side_px, side_px, distance));
-    v.view = {"held-out", host::turns32_from_degrees(azimuth_deg), host::signed_turns32_from_degrees(elevation_deg),
-              host::q20_from_radii(distance), v.eye.image.fov_turns32};
     if (const CameraError error = make_camera(v.eye.pose, v.eye.image, v.eye.camera); error != CameraError::none)
         throw tools::UsageError(std::string("a view cannot be drawn: ") + describe(error) + "; change --size");
     return v;
@@ -65,7 +64,7 @@ std::vector<HeldOutView> held_out_views(ViewSet set, int count, int side_px, dou
 {
     std::vector<HeldOutView> views;
     for (int k = 0; k < count; ++k) {
-        const double azimuth = set == ViewSet::ring ? kDegrees * k / count : kDegrees * fraction(k / twin::kGolden);
+        const double azimuth = set == ViewSet::ring ? kDegrees * k / count : kDegrees * fraction(k / kGolden);
         const double distance = kNearest + (kFarthest - kNearest) * fraction((k + 0.5) * 5 / 12);
         views.push_back(view_at(azimuth + kTurnDeg, elevation_deg(set, k, count, cap), distance, side_px));
     }

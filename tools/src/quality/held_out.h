@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "draw/views.h"
-#include "lumi/bench/views.h"
 
 namespace lumi::quality
 {
@@ -15,10 +14,10 @@ enum class ViewSet : uint8_t { all, upper, ring };
 const char* name_of(ViewSet set);
 
 inline constexpr int kHeldOutViews = 12;
+inline constexpr int kViewSidePx = 240;
 
 struct HeldOutView {
     double azimuth_deg, elevation_deg, distance;
-    bench::View view;
     tools::Eye eye;
 };
 
@@ -26,7 +25,7 @@ struct HeldOutView {
 // all: a Spherical Fibonacci set over the whole sphere, turned by kTurnDeg so that it is no field's set of origins;
 // upper: the same over the upper half; ring: around the clock, 15 to 25 degrees high. `cap`: of all, that uppermost
 // share of the sphere.
-std::vector<HeldOutView> held_out_views(ViewSet set, int count = kHeldOutViews, int side_px = bench::kSidePx,
+std::vector<HeldOutView> held_out_views(ViewSet set, int count = kHeldOutViews, int side_px = kViewSidePx,
                                         double cap = 1);
 
 // The view of one orbit, the sphere filling the frame. Throws UsageError where it cannot be drawn.

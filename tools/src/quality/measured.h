@@ -10,7 +10,6 @@
 #include "metrics/worst_block.h"
 #include "quality/draw_modes.h"
 #include "quality/figures.h"
-#include "quality/flicker.h"
 #include "quality/references.h"
 
 namespace lumi::quality
@@ -18,15 +17,14 @@ namespace lumi::quality
 
 // A kind of picture, drawn for every view.
 struct Measured {
-    std::string name;    // of the file, or what the baseline is
-    std::string layout;  // "chord", "surface", "mean alone", "sprites", "JPEG sprites", "one ray", ...
+    std::string name;    // of the file
+    std::string layout;  // "chord", "surface", "mean alone", "antialiased", ...
     uint64_t flash_bytes = 0;
     std::vector<tools::Section> sections;
     std::vector<tools::Picture> pictures;
     std::vector<Figures> figures;  // of each view
     Figures mean;
     uint32_t triangles = 0;           // of a surface field
-    std::vector<Flicker> flicker;     // likewise, where it was asked for
     std::vector<tools::Block> worst;  // block of each view
     double draw_ms = 0;               // processor time of one view on this machine, the mean
 };

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "quality/page.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 
-#include "bench/svg.h"
 #include "metrics/error_picture.h"
 #include "quality/html.h"
 #include "quality/page_style.h"
@@ -57,36 +54,7 @@ std::string mean_table(const ReportData& report)
         "<th>mask PSNR<th>mask SSIM<th>worst view<th>worst block</tr>\n";
     for (const Measured& m : report.fields) html += mean_row(m);
     for (const Measured& m : report.variants) html += mean_row(m);
-    for (const Measured& m : report.baselines) html += mean_row(m);
-    if (report.one_ray) html += mean_row(*report.one_ray);
     return html + "</table></div>\n";
-}
-
-// Quality against flash, a line a layout.
-bench::Plot plot_of(const ReportData& report)
-{
-    std::map<std::string, std::vector<const Measured*>> layouts;
-    for (const auto* list : {&report.fields, &report.baselines})
-        for (const Measured& m : *list) layouts[m.layout].push_back(&m);
-    bench::Plot plot = {"", "flash, kB", "mean PSNR, dB", {}, true};
-    for (auto& [layout, all] : layouts) {
-        std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->flash_bytes < b->flash_bytes; });
-        bench::PlotSeries series = {layout, {}};
-        for (const Measured* m : all)
-            series.points.push_back(
-                {static_cast<double>(m->flash_bytes) / 1000, m->mean.psnr_db, number(m->mean.psnr_db, 1)});
-        plot.series.push_back(series);
-    }
-    if (report.one_ray && !report.fields.empty()) {
-        bench::PlotSeries ceiling = {"one exact ray a pixel, " + number(report.one_ray->mean.psnr_db, 1) + " dB", {}};
-        const auto [low, high] =
-            std::minmax_element(report.fields.begin(), report.fields.end(),
-                                [](const Measured& a, const Measured& b) { return a.flash_bytes < b.flash_bytes; });
-        for (const uint64_t bytes : {low->flash_bytes, high->flash_bytes})
-            ceiling.points.push_back({static_cast<double>(bytes) / 1000, report.one_ray->mean.psnr_db, ""});
-        plot.series.push_back(ceiling);
-    }
-    return plot;
 }
 
 // Where a field's bytes go.
@@ -104,25 +72,6 @@ std::string section_bar(const Measured& field)
     }
     return "<h3>" + escaped(file_name(field.name)) + ", " + flash_text(field) + "</h3><div class=\"bar\">" + bar +
            "</div><div class=\"key\">" + key + "</div>\n";
-}
-
-std::string span_text(const ModeCost& cost)
-{
-    if (cost.layout != "chord") return "";
-    return cost.span == 0 ? "exact" : std::to_string(cost.span);
-}
-
-std::string cost_table(const ReportData& report)
-{
-    if (report.costs.empty()) return "";
-    std::string html =
-        "<h2>Cost of drawing</h2>\n<p>Instructions per covered pixel, as <code>lumi bench</code> counted them.</p>\n"
-        "<div class=\"wide\"><table><tr><th>layout<th>mode<th>texel<th>span<th>core<th>instructions</tr>\n";
-    for (const ModeCost& cost : report.costs)
-        html += "<tr>" + cell(escaped(cost.layout)) + cell(escaped(cost.mode)) + cell(escaped(cost.texel)) +
-                cell(span_text(cost)) + cell(escaped(cost.core)) + cell(number(cost.instructions_per_pixel, 0)) +
-                "</tr>\n";
-    return html + "</table></div>\n";
 }
 
 std::string figure(const tools::Picture& picture, const std::string& caption)
@@ -161,9 +110,7 @@ std::string introduction(const ReportData& report)
            std::to_string(report.reference_samples) +
            " light paths a pixel. Means over the views. Fields are drawn as a microcontroller draws them. FLIP is an "
            "error, 0 is best; the mask is where the reference is covered. Beside the worst view stands its number, "
-           "beside "
-           "the worst block of 16 × 16 pixels view, x and y. Chord fields and sprites are baselines of the same flash. "
-           "One exact ray a pixel is what could be shown without antialiasing.</p>\n";
+           "beside the worst block of 16 × 16 pixels view, x and y.</p>\n";
 }
 
 }  // namespace
@@ -175,11 +122,9 @@ std::string page_of(const ReportData& report)
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
         title + "</title>\n<style>" + kPageStyle + "</style></head><body>\n<h1>" + title + "</h1>\n" +
-        introduction(report) + mean_table(report) + "<h2>Quality against flash</h2>\n<div class=\"wide plot\">" +
-        bench::svg_of(plot_of(report)) + "</div>\n<h2>Where the bytes go</h2>\n";
+        introduction(report) + mean_table(report) + "<h2>Where the bytes go</h2>\n";
     for (const Measured& field : report.fields) html += section_bar(field);
-    html += cost_table(report) +
-            "<h2>Views</h2>\n<p>Each field's picture, and beside it its error, 4 times as bright.</p>\n";
+    html += "<h2>Views</h2>\n<p>Each field's picture, and beside it its error, 4 times as bright.</p>\n";
     for (size_t v = 0; v < report.views.size(); ++v) html += view_part(report, v);
     return html + "</body></html>\n";
 }

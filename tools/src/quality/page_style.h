@@ -17,7 +17,6 @@ table { border-collapse: separate; border-spacing: 0; font-variant-numeric: tabu
 th, td { padding: 0.25rem 0.6rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: Canvas; }
 td:first-child { white-space: normal; overflow-wrap: anywhere; min-width: 7rem; max-width: 16rem; }
-.plot svg { display: block; width: 100%; max-width: 640px; height: auto; border-radius: 6px; }
 .views { display: grid; grid-template-columns: repeat(auto-fill, minmax(160px, 1fr)); gap: 0.5rem; align-items: start; }
 .views .pair { grid-column: span 2; display: grid; grid-template-columns: 1fr 1fr; }
 .pair figcaption { grid-column: 1 / -1; }

@@ -31,9 +31,9 @@ std::string file_stem(const HeldOutView& view, const baker::ReferenceSettings& s
     char text[160];
     std::snprintf(text, sizeof text,
                   "%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%d-spp%" PRIu32 "-%" PRIu64 "%s",
-                  view.view.azimuth_turns32, static_cast<uint32_t>(view.view.elevation_turns32),
-                  static_cast<uint32_t>(view.view.distance_q20), view.view.fov_turns32, view.eye.image.width_px,
-                  settings.samples, settings.seed, settings.through_centre ? "-centre" : "");
+                  host::turns32_from_degrees(view.azimuth_deg), host::turns32_from_degrees(view.elevation_deg),
+                  static_cast<uint32_t>(host::q20_from_radii(view.distance)), view.eye.image.fov_turns32,
+                  view.eye.image.width_px, settings.samples, settings.seed, settings.through_centre ? "-centre" : "");
     return text;
 }
 

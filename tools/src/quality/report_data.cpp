@@ -25,21 +25,6 @@ std::string row_text(const Measured& m)
     return text;
 }
 
-std::string zoom_text(const Measured& m)
-{
-    if (m.flicker.empty()) return "";
-    char words[120];
-    std::snprintf(words, sizeof words,
-                  ": flicker of a zoom from %.2f to %.0f radii, levels of 255 (times 2x2's):", kZoomNearest,
-                  kZoomFarthest);
-    std::string text = m.name + words;
-    for (const Flicker& f : m.flicker) {
-        std::snprintf(words, sizeof words, " %s %.2f (%.2f)", tools::name_of(f.mode), f.rms_levels, f.ratio);
-        text += words;
-    }
-    return text + "\n";
-}
-
 // Four digits after the point are more than any figure's noise.
 double rounded(double value)
 {
@@ -54,6 +39,13 @@ Json json_of(const Figures& f)
             {"mask_psnr_db", rounded(f.mask_psnr_db)}, {"mask_ssim", rounded(f.mask_ssim)}};
 }
 
+Json json_of(const HeldOutView& view)
+{
+    return {{"azimuth_deg", rounded(view.azimuth_deg)},
+            {"elevation_deg", rounded(view.elevation_deg)},
+            {"distance", rounded(view.distance)}};
+}
+
 Json json_of(const Measured& m)
 {
     Json json = {{"name", m.name}, {"layout", m.layout}, {"flash_bytes", m.flash_bytes}};
@@ -61,8 +53,6 @@ Json json_of(const Measured& m)
     for (const tools::Section& section : m.sections) json["sections"][section.type] = section.bytes;
     json["draw_ms"] = rounded(m.draw_ms);
     if (m.triangles != 0) json["triangles"] = m.triangles;
-    for (const Flicker& f : m.flicker)
-        json["zoom"][tools::name_of(f.mode)] = {{"rms_levels", rounded(f.rms_levels)}, {"ratio", rounded(f.ratio)}};
     if (!m.figures.empty()) {
         const size_t v = worst_view(m), b = worst_block_view(m);
         json["worst_view"] = {{"view", v}, {"psnr_db", rounded(m.figures[v].psnr_db)}};
@@ -78,25 +68,6 @@ Json json_of(const std::vector<Measured>& all)
 {
     Json json = Json::array();
     for (const Measured& m : all) json.push_back(json_of(m));
-    return json;
-}
-
-Json json_of(const HeldOutView& view)
-{
-    return {{"azimuth_deg", rounded(view.azimuth_deg)},
-            {"elevation_deg", rounded(view.elevation_deg)},
-            {"distance", rounded(view.distance)}};
-}
-
-Json json_of(const ModeCost& cost)
-{
-    Json json = {{"layout", cost.layout},
-                 {"core", cost.core},
-                 {"mode", cost.mode},
-                 {"instructions_per_pixel", cost.instructions_per_pixel}};
-    if (cost.layout != "chord") return json;
-    json["texel"] = cost.texel;
-    json["span"] = cost.span;
     return json;
 }
 
@@ -130,9 +101,6 @@ std::string text_of(const ReportData& report)
         "mask SSIM  worst view worst block\n";
     for (const Measured& field : report.fields) text += row_text(field);
     for (const Measured& variant : report.variants) text += row_text(variant);
-    for (const Measured& baseline : report.baselines) text += row_text(baseline);
-    if (report.one_ray) text += row_text(*report.one_ray);
-    for (const Measured& field : report.fields) text += zoom_text(field);
     return text;
 }
 
@@ -145,10 +113,6 @@ std::string json_of(const ReportData& report)
     for (const HeldOutView& view : report.views) json["views"].push_back(json_of(view));
     json["fields"] = json_of(report.fields);
     json["variants"] = json_of(report.variants);
-    json["baselines"] = json_of(report.baselines);
-    if (report.one_ray) json["one_ray"] = json_of(*report.one_ray);
-    json["costs"] = Json::array();
-    for (const ModeCost& cost : report.costs) json["costs"].push_back(json_of(cost));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

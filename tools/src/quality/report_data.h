@@ -2,12 +2,10 @@
 // Everything that a report shows.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "quality/measured.h"
-#include "quality/mode_costs.h"
 
 namespace lumi::quality
 {
@@ -18,11 +16,8 @@ struct ReportData {
     uint32_t reference_samples = 0;
     std::vector<HeldOutView> views;
     std::vector<Reference> references;
-    std::vector<Measured> fields;     // as given
-    std::vector<Measured> variants;   // cheaper modes of these
-    std::vector<Measured> baselines;  // chord fields and sprites of the fields' sizes
-    std::optional<Measured> one_ray;
-    std::vector<ModeCost> costs;
+    std::vector<Measured> fields;    // as given
+    std::vector<Measured> variants;  // cheaper modes of these
 };
 
 // "31.2 (7)": of the view of least PSNR, and which it is, from 1 on.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
-#include "commands.h"
-#include "texels.h"
+#include "baking/measurements.h"
+#include "baking/texels.h"
 
 namespace lumi::baker::bench
 {
@@ -71,18 +70,24 @@ Difference difference(const Texels& found, const Texels& truth)
 
 }  // namespace
 
-void print_adaptive(const char* scene_file, unsigned count)
+Json adaptive(const char* scene_file, unsigned count)
 {
     const Scene scene = load(scene_file);
     const std::string name = std::filesystem::path(scene_file).filename();
     const Texels truth = traced(scene, count, kTruth, 0, kTruthSeed);
+    Json rows = Json::array();
     for (const Setup& setup : kSetups) {
         const Texels all = traced(scene, count, setup.paths, 0, 1);
-        const Texels adaptive = traced(scene, count, setup.paths, setup.levels, 1);
-        std::printf("| `%s` | %u | %.0f | %.2f | %.2f | %.0f | %+.2f |\n", name.c_str(), setup.paths,
-                    static_cast<double>(setup.levels), difference(all, truth).rms, difference(adaptive, truth).rms,
-                    static_cast<double>(adaptive.paths) / count, difference(adaptive, all).mean);
+        const Texels some = traced(scene, count, setup.paths, setup.levels, 1);
+        rows.push_back({{"scene", name},
+                        {"paths", setup.paths},
+                        {"levels", setup.levels},
+                        {"error_all", difference(all, truth).rms},
+                        {"error_adaptive", difference(some, truth).rms},
+                        {"paths_taken", static_cast<double>(some.paths) / count},
+                        {"shift", difference(some, all).mean}});
     }
+    return rows;
 }
 
 }  // namespace lumi::baker::bench

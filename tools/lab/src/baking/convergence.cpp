@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
+#include <iterator>
 
-#include "commands.h"
-#include "texels.h"
+#include "baking/measurements.h"
+#include "baking/texels.h"
 
 namespace lumi::baker::bench
 {
@@ -45,22 +44,21 @@ double rms_levels(const std::vector<std::optional<Rgb8>>& found, const std::vect
 
 }  // namespace
 
-void print_convergence(const char* scene_file, unsigned count)
+Json convergence(const char* scene_file, unsigned count)
 {
     const Scene scene = load(scene_file);
     Rows rows = {{}, count};
     rows.settings.origins = 4096;
     rows.settings.directions = 64;
     const auto truth = colours(scene, rows, kTruth, kTruthSeed);
-    std::array<double, std::size(kSteps)> errors{};
-    std::printf("| `%s` |", std::filesystem::path(scene_file).filename().c_str());
-    for (size_t k = 0; k < errors.size(); ++k) {
-        errors[k] = rms_levels(colours(scene, rows, kSteps[k], 1), truth);
-        std::printf(" %.2f |", errors[k]);
-    }
-    const double slope =
-        std::log(errors.back() / errors.front()) / std::log(1.0 * kSteps[errors.size() - 1] / kSteps[0]);
-    std::printf(" %.2f |\n", slope);
+    std::vector<double> errors;
+    for (const uint32_t paths : kSteps) errors.push_back(rms_levels(colours(scene, rows, paths, 1), truth));
+    const double slope = std::log(errors.back() / errors.front()) / std::log(1.0 * *std::rbegin(kSteps) / kSteps[0]);
+    const Json row = {{"scene", std::filesystem::path(scene_file).filename()},
+                      {"paths", kSteps},
+                      {"errors", errors},
+                      {"exponent", slope}};
+    return Json::array({row});
 }
 
 }  // namespace lumi::baker::bench

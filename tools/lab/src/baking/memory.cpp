@@ -2,13 +2,12 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include "commands.h"
-#include "texels.h"
+#include "baking/measurements.h"
+#include "baking/texels.h"
 
 namespace lumi::baker::bench
 {
@@ -48,7 +47,7 @@ void write_waves(const std::filesystem::path& file, unsigned triangles)
 
 }  // namespace
 
-void print_memory(unsigned triangles)
+Json memory(unsigned triangles)
 {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / ("lumi-bench-" + std::to_string(getpid()) + ".obj");
@@ -57,8 +56,11 @@ void print_memory(unsigned triangles)
     const Scene scene = load(file.c_str());
     std::filesystem::remove(file);
     const double millions = 1e-6 * static_cast<double>(scene.triangle_count());
-    std::printf("| %.2f M | %.0f MB | %.0f MB | %.0f MB |\n", millions, 1e-6 * bytes_of_file,
-                1e-6 * (status_bytes("VmRSS") - before) / millions, 1e-6 * (status_bytes("VmHWM") - before) / millions);
+    const Json row = {{"triangles", scene.triangle_count()},
+                      {"file_bytes", bytes_of_file},
+                      {"held_bytes_a_million", (status_bytes("VmRSS") - before) / millions},
+                      {"most_bytes_a_million", (status_bytes("VmHWM") - before) / millions}};
+    return Json::array({row});
 }
 
 }  // namespace lumi::baker::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ray_log.h"
+#include "baking/ray_log.h"
 
 #include <dlfcn.h>
 #include <embree3/rtcore.h>
@@ -36,7 +36,7 @@ Function* library_function(const char* name)
 {
     void* found = dlsym(RTLD_NEXT, name);
     if (!found) {
-        std::fprintf(stderr, "lumi_baker_bench: Embree has no %s; install libembree-dev\n", name);
+        std::fprintf(stderr, "lumi-lab: Embree has no %s; install libembree-dev\n", name);
         std::abort();
     }
     return reinterpret_cast<Function*>(found);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
-#include "commands.h"
-#include "ray_log.h"
+#include "baking/measurements.h"
+#include "baking/ray_log.h"
+#include "baking/texels.h"
 #include "scene/obj_reader.h"
-#include "texels.h"
 
 namespace lumi::baker::bench
 {
@@ -47,7 +46,7 @@ Scene load_matt(const char* obj)
     return build_scene(std::move(parts), {});
 }
 
-void print_share(const Scene& scene, const std::string& name, unsigned count)
+Json share_of(const Scene& scene, const std::string& name, unsigned count)
 {
     Rows rows = {{}, count};
     rows.settings.origins = rows.settings.directions = 1448;
@@ -58,25 +57,31 @@ void print_share(const Scene& scene, const std::string& name, unsigned count)
     const double bake = least([&] { return seconds_to_trace(scene, rows); });
     const double embree = least([] { return replay_ray_log().seconds; });
     const auto paths = static_cast<double>(rows.paths()), all = static_cast<double>(rays.all());
-    std::printf("| %s | %zu | %.1f | %.2f | %.2f | %.2f | %.0f %% |\n", name.c_str(), scene.triangle_count(),
-                all / paths, 1e-6 * paths / bake, 1e-6 * all / bake, 1e-6 * all / embree, 100 * embree / bake);
+    const Json row = {{"scene", name},
+                      {"triangles", scene.triangle_count()},
+                      {"rays_a_path", all / paths},
+                      {"paths_per_s", paths / bake},
+                      {"rays_per_s", all / bake},
+                      {"embree_rays_per_s", all / embree},
+                      {"embree_share", embree / bake}};
+    return Json::array({row});
 }
 
-std::string quoted_name(const char* file)
+std::string name_of(const char* file)
 {
-    return "`" + std::filesystem::path(file).filename().string() + "`";
+    return std::filesystem::path(file).filename();
 }
 
 }  // namespace
 
-void print_share(const char* scene_file, unsigned count)
+Json share(const char* scene_file, unsigned count)
 {
-    print_share(load(scene_file), quoted_name(scene_file), count);
+    return share_of(load(scene_file), name_of(scene_file), count);
 }
 
-void print_matt_share(const char* obj_file, unsigned count)
+Json matt_share(const char* obj_file, unsigned count)
 {
-    print_share(load_matt(obj_file), quoted_name(obj_file) + ", all matt", count);
+    return share_of(load_matt(obj_file), name_of(obj_file) + ", all matt", count);
 }
 
 }  // namespace lumi::baker::bench

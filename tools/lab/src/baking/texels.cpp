@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "texels.h"
+#include "baking/texels.h"
 
 #include <cstdio>
 
@@ -10,8 +10,7 @@ Scene load(const char* file)
 {
     std::vector<std::string> warnings;
     Scene scene = load_scene(file, {}, warnings);
-    for (const std::string& warning : warnings)
-        std::fprintf(stderr, "lumi_baker_bench: warning: %s\n", warning.c_str());
+    for (const std::string& warning : warnings) std::fprintf(stderr, "lumi-lab: warning: %s\n", warning.c_str());
     return scene;
 }
 

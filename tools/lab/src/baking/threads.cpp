@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <thread>
 
-#include "commands.h"
-#include "texels.h"
+#include "baking/measurements.h"
+#include "baking/texels.h"
 #include "util/job.h"
 
 namespace lumi::baker::bench
@@ -30,18 +29,18 @@ double seconds_with(const Scene& scene, const Rows& rows, unsigned threads)
 
 }  // namespace
 
-void print_threads(const char* scene_file, unsigned count)
+Json thread_rates(const char* scene_file, unsigned count)
 {
     const Scene scene = load(scene_file);
     Rows rows = {{}, count};
     rows.settings.origins = rows.settings.directions = 1448;
     const std::string name = std::filesystem::path(scene_file).filename();
-    double alone = 0;
+    Json result = Json::array();
     for (unsigned threads = 1; threads <= std::max(std::thread::hardware_concurrency(), 1u); threads *= 2) {
         const double pace = static_cast<double>(rows.paths()) / seconds_with(scene, rows, threads);
-        alone = threads == 1 ? pace : alone;
-        std::printf("| `%s` | %u | %.2f | %.2f |\n", name.c_str(), threads, 1e-6 * pace, pace / alone);
+        result.push_back({{"scene", name}, {"threads", threads}, {"paths_per_s", pace}});
     }
+    return result;
 }
 
 }  // namespace lumi::baker::bench

@@ -12,7 +12,8 @@ constexpr uint32_t kEmpty = 0xFFFFFFFF;  // no line has this number: addresses a
 
 }  // namespace
 
-CacheModel::CacheModel(const CacheShape& shape) : shape_(shape), lines_(size_t{shape.bytes / shape.line_bytes}, kEmpty)
+CacheModel::CacheModel(const planner::CacheShape& shape)
+    : shape_(shape), lines_(size_t{shape.bytes / shape.line_bytes}, kEmpty)
 {
 }
 
@@ -34,6 +35,17 @@ void CacheModel::touch(uint32_t line)
     }
     std::copy_backward(set, found, found + 1);
     *set = line;
+}
+
+AllTraffic traffic_of(const std::vector<Read>& reads)
+{
+    AllTraffic traffic;
+    for (size_t i = 0; i < traffic.size(); ++i) {
+        CacheModel cache(planner::kChipList[i].cache);
+        for (const Read& read : reads) cache.read(read);
+        traffic[i] = {cache.lines_touched(), cache.misses()};
+    }
+    return traffic;
 }
 
 }  // namespace lumi::bench

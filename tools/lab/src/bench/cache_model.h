@@ -7,15 +7,10 @@
 #include <unordered_set>
 #include <vector>
 
+#include "planner/chips.h"
+
 namespace lumi::bench
 {
-
-// ways = lines makes it fully associative. All powers of two; line_bytes · ways divides bytes.
-struct CacheShape {
-    uint32_t bytes, ways, line_bytes;
-
-    uint32_t sets() const { return bytes / (line_bytes * ways); }
-};
 
 // A read of `bytes` bytes at `address`.
 struct Read {
@@ -25,7 +20,7 @@ struct Read {
 class CacheModel
 {
 public:
-    explicit CacheModel(const CacheShape& shape);
+    explicit CacheModel(const planner::CacheShape& shape);
 
     // A read that crosses into another line counts for both.
     void read(const Read& read);
@@ -37,10 +32,17 @@ public:
 private:
     void touch(uint32_t line);
 
-    CacheShape shape_;
+    planner::CacheShape shape_;
     std::vector<uint32_t> lines_;  // per set, most recently used first
     std::unordered_set<uint32_t> touched_;
     uint64_t misses_ = 0;
 };
+
+struct Traffic {
+    uint64_t lines = 0, misses = 0;
+};
+// Through the caches of planner::kChipList.
+using AllTraffic = std::array<Traffic, planner::kChips>;
+AllTraffic traffic_of(const std::vector<Read>& reads);
 
 }  // namespace lumi::bench

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/matrix.h"
 #include "image/picture.h"
 #include "lumi/bench/views.h"
 #include "lumi/field.h"
@@ -25,6 +24,12 @@ struct ViewTaps {
     std::vector<Pixel> pixels;
 };
 
+struct Accuracy {
+    double psnr_db = 0;        // nearest: outside cell borders; dither: both pictures blurred; over covered pixels
+    double psnr_all_db = 0;    // over all covered pixels as they are
+    uint32_t worst_pixel = 0;  // levels of 255, over the pixels of psnr_db
+};
+
 // A hit this close to a cell's border, in mean point spacings, may fall to either side without being wrong.
 inline constexpr double kBorderShare = 1.0 / 16;
 
@@ -34,8 +39,8 @@ public:
     // The lattices of `field`; all fields judged must have the same.
     explicit Judge(const Field& field);
 
-    // `drawn` is the picture of `field` from `view` by `mode` and `span`. Dither is judged by the picture of linear
-    // that it stands for, both blurred over 3 × 3 pixels, as an eye does at a distance.
+    // `drawn` is the picture of `field` from `view` by `mode` and `span`, as draw_on_host names them. Dither is judged
+    // by the picture of linear that it stands for, both blurred over 3 × 3 pixels, as an eye does at a distance.
     Accuracy judge(const std::string& mode, int span, const Field& field, const View& view,
                    const tools::Picture& drawn);
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/cache_model.h"
-#include "bench/surface.h"
 #include "files/field_file.h"
+#include "lumi/bench/surface_modes.h"
 
 namespace lumi::bench
 {

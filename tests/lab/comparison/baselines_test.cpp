@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What fields are compared with, and how restless they look.
+#include "comparison/baselines.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "comparison/flicker.h"
+#include "comparison/sprites.h"
+#include "lumi/baker/bake.h"
+#include "support/small_surface.h"
+
+namespace lumi::quality
+{
+
+namespace
+{
+
+baker::Scene test_scene()
+{
+    std::vector<std::string> warnings;
+    return baker::load_scene(LUMI_TEST_SCENE, {}, warnings);
+}
+
+}  // namespace
+
+TEST_CASE("the chord baseline is the largest that fits")
+{
+    for (const uint64_t bytes : {100000ull, 524288ull, 4000000ull}) {
+        const auto size = [](uint32_t side) {
+            baker::BakeSettings settings;
+            settings.origins = settings.directions = side;
+            settings.texel = format::TexelFormat::palette8;
+            return baker::field_file_bytes(settings);
+        };
+        const uint32_t side = chord_side(bytes);
+        CHECK(size(side) <= bytes);
+        CHECK(size(side + 1) > bytes);
+    }
+    CHECK(chord_side(10) == 0);
+}
+
+TEST_CASE("sprites need room for one")
+{
+    const baker::Scene scene = test_scene();
+    CHECK(measured_sprites(scene, 5699, {}, {}, {}).empty());
+    const auto views = held_out_views(ViewSet::all, 1);
+    const auto references = references_of(scene, views, {1, 1, 0}, {});
+    BaselineSettings settings;
+    settings.sprite_samples = 1;
+    constexpr uint64_t kRoom = 2 * 120 * 120;  // for one of 120 pixels a side, two of 80, or five of JPEG
+    const auto sheets = measured_sprites(scene, kRoom, settings, views, references);
+    REQUIRE(sheets.size() == 2);
+    CHECK(sheets[0].flash_bytes <= kRoom);
+    CHECK(sheets[0].flash_bytes >= 2 * 2 * 80 * 80);
+    CHECK(sheets[0].pictures.size() == 1);
+    CHECK(sheets[1].layout == "JPEG sprites");
+    CHECK(sheets[1].flash_bytes == 5 * 5700);
+}
+
+TEST_CASE("sprites of a ring lie nearer to views of that ring than those of a sphere")
+{
+    const bench::SpriteSheet ring = {48, 1, bench::kSidePx, true, 0}, sphere = {48, 1, bench::kSidePx, false, 0};
+    for (const HeldOutView& view : held_out_views(ViewSet::ring)) {
+        const double turns = view.azimuth_deg / 360 - std::floor(view.azimuth_deg / 360);
+        const double away = std::fabs(std::remainder(nearest_sprite(ring, bench_view(view)) / 48.0 - turns, 1));
+        CHECK(away <= 0.5 / 48 + 1e-6);
+        CHECK(nearest_sprite(sphere, bench_view(view)) < 48);
+    }
+}
+
+TEST_CASE("in a zoom one sample a pixel flickers more than four, and a drawing of 64 is the measure of both")
+{
+    SurfaceField field;
+    const auto& file = tools::test::small_surface().file;
+    REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
+    const std::vector<Flicker> all = zoom_flicker(field, 12, 48);
+    REQUIRE(all.size() == 3);
+    CHECK(all[0].mode == SurfaceMode::one_sample);
+    CHECK(all[0].ratio > 1.2);
+    CHECK(all[1].ratio < all[0].ratio);
+    CHECK(all[2].ratio == 1);
+    CHECK(all[2].rms_levels > 0);
+    CHECK(all[2].rms_levels < 20);
+}
+
+}  // namespace lumi::quality

@@ -1,0 +1,294 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""lumi-lab bench: counts what drawing costs on emulated microcontrollers, and how exact the pictures are.
+
+Builds the firmware of platform/mps2/bench with the toolchain files of the project, runs it on QEMU, where an
+instruction takes one virtual nanosecond, and compares every frame's CRC with the one that `lumi-lab frames` draws. A
+row is a core, mode, texel or pixel format, span and view.
+"""
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+from figures.table import save
+
+CORES = ["m0plus", "m3", "m4", "m7"]
+CHORD_MODES = ["nearest", "voronoi", "dither", "linear", "paper"]
+SURFACE_MODES = ["one-sample", "antialiased", "2x2"]
+TEXELS = ["rgb888", "rgb565", "palette8", "luma8"]
+PIXELS = ["rgb565", "rgb888"]
+VIEWS = ["generic", "pole", "close"]
+SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel exact; it has no dither and no voronoi
+QUICK = {"core": ["m0plus", "m4"], "mode": ["nearest", "linear", *SURFACE_MODES], "texel": ["rgb565", "rgb888"],
+         "view": ["generic"], "pixel": ["rgb565"], "span": [16]}
+CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
+PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
+SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, "stack", "ram", "crc"]
+# What one would do without this library: a title, the firmware, and the cores that it is counted on.
+BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
+             ("paper 5×5 in float, FPU", "baseline_float_fpu", ["m4", "m7"]),
+             ("sprite, copied", "baseline_copy", CORES),
+             ("sprite, turned and scaled", "baseline_affine", CORES)]
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build/release/tools"
+
+
+class BenchError(Exception):
+    pass
+
+
+def announce(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def run(*command, stdin=None):
+    """What the command wrote to standard output."""
+    command = [str(word) for word in command]
+    try:
+        result = subprocess.run(command, input=stdin, capture_output=True, text=True)
+    except FileNotFoundError:
+        raise BenchError(f"{command[0]} is missing: install it, or put it into PATH") from None
+    if result.returncode != 0:
+        raise BenchError(f"{command[0]} failed; it said:\n{(result.stdout + result.stderr)[-2000:]}")
+    return result.stdout
+
+
+def program(name, path):
+    return os.environ.get(name, str(BUILD / path))
+
+
+def lumi(*words):
+    return run(program("LUMI", "lumi"), *words)
+
+
+def lab(*words, stdin=None):
+    return json.loads(run(program("LUMI_LAB", "lab/lumi-lab"), *words, stdin=stdin))
+
+
+def parse_counts(text, names):
+    """Lines of the firmware, as its main.cpp and surface_main.cpp state them."""
+    counts = []
+    for line in text.splitlines():
+        words = line.split()
+        if words[::2] != names or "0" in (words[names.index("covered") * 2 + 1], words[names.index("instructions") * 2 + 1]):
+            raise BenchError(f'the firmware wrote "{line}": clear the work folder and build anew')
+        count = dict(zip(names, words[1::2]))
+        count["crc"] = int(count["crc"], 16)
+        counts.append({name: value if name in ("view", "mode", "crc") else int(value) for name, value in count.items()})
+    return counts
+
+
+class Board:
+    """The firmware for one core."""
+
+    def __init__(self, core, work):
+        self.core, self.folder = core, work / f"cortex-{core}"
+        run("cmake", "-S", ROOT, "-B", self.folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
+            f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/toolchains/cortex-{core}.cmake", "-DLUMI_BUILD_FIRMWARE=ON",
+            "-DLUMI_BUILD_TESTS=OFF")
+        self.programs = self.folder / "platform/mps2/bench"
+        self.machine, self.field_address = (self.programs / "board.txt").read_text().split()
+
+    def build(self, renderers):
+        targets = ["lumi_bench_size_empty"]
+        for renderer in renderers:
+            targets += [f"lumi_bench_{renderer}", f"lumi_bench_size_{renderer}"]
+        run("cmake", "--build", self.folder, "--target", *targets)
+
+    def flash_bytes(self, name):
+        text, data = run("arm-none-eabi-size", self.programs / f"lumi_bench_size_{name}.elf").splitlines()[1].split()[:2]
+        return int(text) + int(data)
+
+    def code_bytes(self, renderer):
+        """Flash that the renderer takes: instructions, constants and library routines."""
+        return self.flash_bytes(renderer) - self.flash_bytes("empty")
+
+    def count(self, renderer, field, words, names):
+        announce(f"{self.core}: {renderer}")
+        semihosting = "enable=on,target=native,chardev=console,arg=bench" + "".join(f",arg={word}" for word in words)
+        loader = f"loader,file={str(field).replace(',', ',,')},addr={self.field_address},force-raw=on"
+        return parse_counts(run("qemu-system-arm", "-M", self.machine, "-display", "none", "-serial", "none", "-monitor",
+                                "none", "-chardev", "stdio,id=console", "-semihosting-config", semihosting, "-icount",
+                                "shift=0", "-device", loader, "-kernel", self.programs / f"lumi_bench_{renderer}.elf"),
+                            names)
+
+
+def bake(field, *words):
+    """Fields lie in the work folder from run to run."""
+    if not field.exists():
+        announce(f"field {field.name}")
+        lumi("bake", *words, "-o", field)
+    return field
+
+
+def chord_field(options, texel):
+    """Noise is part of any field; what is judged is how it is drawn."""
+    lattices = f"{options.origins}x{options.directions}-{options.spp}"
+    return bake(options.work / f"{options.scene.stem}-{lattices}.{texel}.lumi", options.scene, "--layout", "chord",
+                "--origins", options.origins, "--directions", options.directions, "--spp", options.spp, "--texel", texel)
+
+
+def surface_field(options):
+    """With few light paths: noise costs nothing to draw."""
+    if options.field:
+        return options.field
+    return bake(options.work / f"{options.scene.stem}.surface.lumi", options.scene, "--layout", "surface", "--fit", "250kB",
+                "--paths", 20)
+
+
+def hundredths(value):
+    return round(value, 2)
+
+
+def with_facts(row, count, frames):
+    """The row with what the host says of that frame; no board may draw other bits."""
+    keys = [key for key in ("texel", "pixel", "mode", "span", "view") if key in row]
+    facts = next(frame for frame in frames if all(frame.get(key) == row[key] for key in keys))
+    if facts["crc"] != count["crc"]:
+        raise BenchError(f"{row['core']} draws other bits than this machine: {row}; build both from the same source")
+    row.update({key: value for key, value in facts.items() if key not in (*keys, "crc", "triangles", "vertices")})
+    return row
+
+
+def chord_rows(options, boards):
+    modes = [mode for mode in options.mode if mode in CHORD_MODES]
+    if not modes or options.field:
+        return []
+    fields = {texel: chord_field(options, texel) for texel in options.texel}
+    frames = lab("frames", *fields.values(), "--mode", ",".join(modes), "--span", ",".join(map(str, options.span)),
+                 "--view", ",".join(options.view))
+    spans = [span for span in options.span if span]
+    kinds = [("exact", [0])] * (0 in options.span) + [("spans", spans)] * bool(spans)
+    programs = [(f"{kind}_{mode}_{texel}", mode, texel, of_kind) for mode in modes for texel in options.texel
+                for kind, of_kind in kinds if kind == "spans" or mode not in ("dither", "voronoi")]
+    rows = []
+    for board in boards:
+        board.build([renderer for renderer, *_ in programs])
+        for renderer, mode, texel, of_kind in programs:
+            code_bytes = board.code_bytes(renderer)
+            for count in board.count(renderer, fields[texel], [*options.view, *of_kind], CHORD_COUNTS):
+                whole, setup = count["instructions"] / count["covered"], count["setup"] / count["covered"]
+                rows.append(with_facts({
+                    "layout": "chord", "core": board.core, "mode": mode, "texel": texel, "span": count["span"],
+                    "view": count["view"], "instructions_per_pixel": hundredths(whole), "setup": hundredths(setup),
+                    "inner": hundredths(whole - setup), "instructions_per_frame": count["instructions"],
+                    "covered_pixels": count["covered"], "code_bytes": code_bytes, "stack_bytes": count["stack"]},
+                    count, frames))
+    return rows
+
+
+def surface_rows(options, boards):
+    modes = [mode for mode in options.mode if mode in SURFACE_MODES]
+    if not modes:
+        return [], None
+    field = surface_field(options)
+    content = field.read_bytes()
+    frames = lab("frames", field, "--mode", ",".join(modes), "--pixel", ",".join(options.pixel), "--view",
+                 ",".join(options.view))
+    facts = {"file": field.name, "file_bytes": len(content), "triangles": frames[0]["triangles"],
+             "sha256": hashlib.sha256(content).hexdigest()}
+    rows = []
+    for board in boards:
+        board.build([f"surface_{pixel}" for pixel in options.pixel])
+        for pixel in options.pixel:
+            code_bytes = board.code_bytes(f"surface_{pixel}")
+            for count in board.count(f"surface_{pixel}", field, [*options.view, *modes], SURFACE_COUNTS):
+                row = {"layout": "surface", "core": board.core, "mode": count["mode"], "pixel": pixel,
+                       "view": count["view"], "instructions_per_pixel": hundredths(count["instructions"] / count["covered"])}
+                row.update({part: hundredths(count[part] / count["covered"]) for part in PARTS})
+                row.update({"instructions_per_frame": count["instructions"], "covered_pixels": count["covered"],
+                            "code_bytes": code_bytes, "stack_bytes": count["stack"], "ram_bytes": count["ram"]})
+                rows.append({**with_facts(row, count, frames), **facts})
+    return rows, {**facts, "vertices": frames[0]["vertices"]}
+
+
+def baseline_rows(options, boards):
+    field = chord_field(options, "rgb565")
+    rows = []
+    for board in boards:
+        for title, renderer, cores in BASELINES:
+            if board.core in cores:
+                board.build([renderer])
+                for count in board.count(renderer, field, ["generic", 0], CHORD_COUNTS):
+                    rows.append({"method": title, "core": board.core,
+                                 "instructions_per_pixel": hundredths(count["instructions"] / count["covered"]),
+                                 "instructions_per_frame": count["instructions"],
+                                 "code_bytes": board.code_bytes(renderer)})
+    return rows
+
+
+def measure(options):
+    boards = [Board(core, options.work) for core in options.core]
+    chord = chord_rows(options, boards)
+    surface, facts = surface_rows(options, boards)
+    rows = lab("parts", "--rate", stdin=json.dumps(chord + surface))
+    if options.json:
+        pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
+    if options.docs:
+        data = {"field": {"scene": options.scene.name, "origins": options.origins, "directions": options.directions,
+                          "spp": options.spp}, "parts": lab("parts"), "rows": rows, "surface_field": facts,
+                "baselines": baseline_rows(options, boards),
+                "pictures": lab("likeness", options.scene, chord_field(options, "rgb565"))}
+        save("tradeoff", data)
+    return rows
+
+
+def print_rows(rows):
+    columns = ["core", "mode", "texel", "pixel", "span", "view", "instructions_per_pixel", "code_bytes", "stack_bytes",
+               "psnr_db", "worst_pixel"]
+    for row in rows:
+        rates = [f"{key[4:]} {value:.1f} frames/s" for key, value in row.items() if key.startswith("fps_")]
+        print("  ".join([f"{str(row[key]):>8}" for key in columns if key in row] + rates))
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="lumi-lab bench", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="Needs cmake, ninja, the arm-none-eabi toolchain and qemu-system-arm.\n"
+               "Example:\n  lumi-lab bench --core m4,m0plus --mode linear --span 8,16 --json bench.json")
+
+    def add_list(name, words, what):
+        def parsed(text):
+            found = [type(words[0])(word) for word in text.split(",")]
+            if not set(found) <= set(words):
+                raise argparse.ArgumentTypeError(f"takes words of {', '.join(map(str, words))}, not '{text}'")
+            return found
+        default = [word for word in words if word != 2]  # spans of 2 pixels pay nowhere
+        parser.add_argument(name, type=parsed, metavar="LIST", default=default, help=f"{what} [{','.join(map(str, default))}]")
+    parser.add_argument("--quick", action="store_true", help="a few rows only")
+    add_list("--core", CORES, "cores")
+    add_list("--mode", CHORD_MODES + SURFACE_MODES, "reconstructions of chord fields, modes of surface fields")
+    add_list("--texel", TEXELS, "texel formats of chord fields")
+    add_list("--pixel", PIXELS, "pixels of surface fields")
+    add_list("--view", VIEWS, "views")
+    add_list("--span", SPANS, "pixels between exact ones, 0 for the exact renderer")
+    parser.add_argument("--json", metavar="FILE", help="write the rows here")
+    parser.add_argument("--docs", action="store_true",
+                        help="write rows, parts and baselines into docs/log/data/tradeoff.json; pages.py writes the pages")
+    parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
+    parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
+    parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's")
+    parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
+    parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
+    parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")
+    options = parser.parse_args(arguments)
+    if options.quick:
+        vars(options).update(QUICK)
+    options.work = options.work.absolute()
+    options.work.mkdir(parents=True, exist_ok=True)
+    return options
+
+
+def main(arguments):
+    try:
+        print_rows(measure(parse(arguments)))
+    except BenchError as error:
+        sys.exit(f"lumi-lab: {error}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2034
+# What the shell scripts of the laboratory share; sourced, after `set -euo pipefail`. With LUMI or LUMI_LAB in the
+# environment those programs are taken as they are.
+# shellcheck source-path=SCRIPTDIR source=../common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
+
+lumi=${LUMI:-$root/build/release/tools/lumi}
+lab=${LUMI_LAB:-$root/build/release/tools/lab/lumi-lab}
+
+build_lab() {
+  cmake --build "$root/build/release" --parallel "$jobs" --target lumi-lab
+}
+
+# json_row KEY VALUE...: a line of JSON; numbers and JSON stay what they are, other values are text.
+json_row() {
+  python3 -c 'import json, sys
+def value(text):
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
+words = sys.argv[1:]
+print(json.dumps({key: value(text) for key, text in zip(words[::2], words[1::2])}, ensure_ascii=False))' "$@"
+}
+
+# mean_figures COUNT: the means of what `lumi compare` said of so many pictures, from standard input, as JSON.
+mean_figures() {
+  awk -v count="$1" '{ sum[$1] += $2 }
+    END { printf "{\"psnr_db\": %.4f, \"ssim\": %.5f, \"flip\": %.5f}", sum["PSNR"] / count, sum["SSIM"] / count, sum["FLIP"] / count }'
+}
+
+# put NAME PART: rows from standard input become that part of docs/log/data/NAME.json, and the pages follow.
+put() {
+  python3 -B "$root/tools/lab/pages.py" put "$1" "$2"
+}

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""Plots of docs/img, by matplotlib (Debian: python3-matplotlib). The same bytes of the same data."""
+from . import sweep
+from .table import ROOT, load
+from .tradeoff import CORES, Tradeoff
+
+FOLDER = ROOT / "docs/img"
+
+
+def draw(name, title, x_title, y_title, series, log=True):
+    """`series`: name to points (x, y, label)."""
+    import matplotlib  # needed only here
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    matplotlib.rcParams.update({"svg.hashsalt": "lumi", "svg.fonttype": "none", "font.size": 9})
+    figure, axes = pyplot.subplots(figsize=(9, 5), layout="constrained")
+    styles = [(colour, dash) for dash in ("-", "--", ":") for colour in pyplot.colormaps["tab10"].colors]
+    for (label, points), (colour, dash) in zip(series.items(), styles):
+        axes.plot([p[0] for p in points], [p[1] for p in points], dash, color=colour, marker="o", markersize=3.5, label=label)
+        for x, y, text in points:
+            axes.annotate(text, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
+    axes.set(title=title, xlabel=x_title, ylabel=y_title, xscale="log" if log else "linear")
+    axes.grid(True, which="both", color="#dddddd")
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), fontsize=7)
+    figure.savefig(FOLDER / name, metadata={"Date": None})
+    pyplot.close(figure)
+
+
+def draw_tradeoff():
+    """A plot a core; exact pictures, which do not differ, have no place on it."""
+    trade = Tradeoff(load("tradeoff"))
+    for core in CORES:
+        series = {}
+        for mode, texel in trade.renderers:
+            rows = [trade.chord_row(core, mode, texel, span) for span in trade.spans]
+            points = [(row["instructions_per_pixel"], row["psnr_db"], str(row["span"] or "exact")) for row in rows
+                      if row and row["psnr_db"] is not None]
+            if points:
+                series[f"{mode} {texel}"] = points
+        draw(f"tradeoff-{core}.svg", f"Cost and accuracy on {core}, generic view; labels are span lengths in pixels",
+             "instructions per covered pixel", "PSNR against exact, dB", series)
+
+
+def draw_sweep():
+    rows = sweep.means()
+
+    def points(keep):
+        return [(row["bytes"] / 1e3, row["psnr_db"], "") for row in rows if keep(row)]
+
+    def chord(mode, texel, shape):
+        def keep(row):
+            if row["kind"] != "chord" or (row["mode"], row["texel"]) != (mode, texel):
+                return False
+            return shape(*map(int, row["lattice"].split("x")))
+        return points(keep)
+
+    def is_best(row):
+        return row["kind"] == "chord" and not any(
+            other["kind"] == "chord" and other["bytes"] <= row["bytes"] and other["psnr_db"] > row["psnr_db"] for other in rows)
+    series = {f"{mode} palette8, M = N": chord(mode, "palette8", lambda m, n: m == n)
+              for mode in ("nearest", "linear", "paper5")}
+    series |= {f"linear {texel}, M = N": chord("linear", texel, lambda m, n: m == n) for texel in ("luma8", "rgb565", "rgb888")}
+    series["linear palette8, N = 4 M"] = chord("linear", "palette8", lambda m, n: n == 4 * m)
+    series["linear palette8, M = 4 N"] = chord("linear", "palette8", lambda m, n: m == 4 * n)
+    series["front of chord fields"] = points(is_best)  # whatever they cost to draw
+    series |= {f"surface, {mode}": points(lambda row, mode=mode: row["kind"] == "surface" and row["mode"] == mode)
+               for mode in ("2x2", "antialiased", "one sample")}
+    draw("sweep.svg", "Bytes and PSNR against path-traced references, means over the scenes", "kB", "PSNR, dB",
+         {name: of_name for name, of_name in series.items() if of_name})
+
+
+def draw_all():
+    draw_tradeoff()
+    draw_sweep()

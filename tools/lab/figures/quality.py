@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""Quality for the flash: what tools/lab/bench_quality.sh and tools/lab/quality_table.sh measured."""
+import json
+import pathlib
+
+from .table import Table, byte_text, decimal, load, or_none, whole
+
+MODES = {"surface": "2x2", "antialiased": "antialiased", "one sample": "one-sample"}  # by what a row shows
+ORDER = ["surface", "antialiased", "one sample", "mean alone", "chord", "sprites", "JPEG sprites", "one ray"]
+MOST_BELOW_MEAN_DB = 2  # of the worst view
+KEPT = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "flip", "mask_psnr_db", "worst_view",
+        "worst_block"]
+
+
+def counted(measured, core):
+    """Of a frame of this file in RGB565, from FIELD.bench.json; nothing where it was not counted."""
+    counts = pathlib.Path(measured["name"] + ".bench.json")
+    if measured["layout"] not in MODES or not counts.exists():
+        return None
+    for row in json.loads(counts.read_text()):
+        if (row["core"], row["mode"], row["pixel"]) == (core, MODES[measured["layout"]], "rgb565"):
+            return whole(row["instructions_per_pixel"])
+    return None
+
+
+def rows_of(report):
+    """Rows of a report, or of what `lumi-lab baselines` writes in its form."""
+    ring = report["view_set"] == "ring"
+    rows = []
+    for measured in [*report["fields"], *report.get("variants", [])]:
+        rows.append({"scene": pathlib.Path(report["scene"]).stem, "views": report["view_set"],
+                     "reference_samples": report["reference_samples"],
+                     **{key: measured[key] for key in KEPT if key in measured},
+                     **({} if ring else {"m4": counted(measured, "m4"), "m0plus": counted(measured, "m0plus")})})
+    return rows
+
+
+def collect(folder, *scenes):
+    """The data, of the scenes that were measured so far."""
+    folder, rows = pathlib.Path(folder), []
+    for scene in scenes:
+        for names in (["report", "others"], ["ring", "ring-others"]):
+            files = [folder / f"{scene}.{name}.json" for name in names]
+            if all(file.exists() for file in files):
+                found = [row for file in files for row in rows_of(json.loads(file.read_text()))]
+                rows += sorted(found, key=lambda row: (ORDER.index(row["layout"]), row["flash_bytes"]))
+    return {"rows": rows}
+
+
+def flash(row):
+    return byte_text(row["flash_bytes"]) if row["flash_bytes"] else "–"
+
+
+def flash_table():
+    def place(block):
+        return f"{decimal(block['psnr_db'])} ({block['view'] + 1}: {block['x']}, {block['y']})"
+    return Table(
+        ["scene", "layout", "flash", "triangles", "PSNR dB", "SSIM", "CW-SSIM", "FLIP", "mask PSNR", "worst view",
+         "worst block", "instructions a pixel, M4 · M0+"],
+        [[row["scene"], row["layout"] + (", turntable" if row["views"] == "ring" else ""), flash(row),
+          or_none(row.get("triangles")), decimal(row["psnr_db"], 2), decimal(row["ssim"], 4), decimal(row["cw_ssim"], 4),
+          decimal(row["flip"], 4), decimal(row["mask_psnr_db"], 2),
+          f"{decimal(row['worst_view']['psnr_db'])} ({row['worst_view']['view'] + 1})", place(row["worst_block"]),
+          f"{or_none(row.get('m4'))} · {or_none(row.get('m0plus'))}"] for row in load("quality")["rows"]])
+
+
+def low_rows():
+    """Which rows have a view far below their mean."""
+    def below(row):
+        return row["worst_view"]["psnr_db"] - row["psnr_db"]
+    low = [f"{row['scene']}, {row['layout']}, {flash(row)} ({below(row):.1f} dB)" for row in load("quality")["rows"]
+           if row["layout"] in MODES and below(row) < -MOST_BELOW_MEAN_DB]
+    return f"Rows whose worst view lies more than {MOST_BELOW_MEAN_DB} dB below the mean: {'; '.join(low) or 'none'}.\n"
+
+
+def readme_table():
+    def text(mode):
+        return f"{decimal(mode['psnr_db'])} dB / {decimal(mode['ssim'], 3)}"
+    return Table(["field", "flash", "antialiased; nearest", "2×2; linear"],
+                 [[row["field"], f"{row['flash_bytes'] / 1e6:.2f} MB", text(row["fast"]), text(row["good"])]
+                  for row in load("readme_quality")["rows"]])

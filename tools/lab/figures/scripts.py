@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""What shell scripts of the laboratory measured: each puts rows into a part of docs/log/data/NAME.json."""
+import json
+
+from .table import DATA, NONE, Table, byte_text, decimal, load, or_none, save
+
+
+def rows_of(text):
+    """Rows of JSON one after the other, or lists of them."""
+    decoder, rows = json.JSONDecoder(), []
+    while text := text.lstrip():
+        value, end = decoder.raw_decode(text)
+        rows += value if isinstance(value, list) else [value]
+        text = text[end:]
+    return rows
+
+
+def put(name, part, text):
+    """The rows become that part of the data."""
+    data = load(name) if (DATA / f"{name}.json").exists() else {}
+    save(name, {**data, part: rows_of(text)})
+
+
+def add_fuzzing(text):
+    """The sums of all runs; of edges the last."""
+    data = load("tests")
+    sums = {row["target"]: row for row in data["fuzzing"]}
+    for row in rows_of(text):
+        before = sums.get(row["target"], {"executions": 0, "cpu_s": 0})
+        sums[row["target"]] = {**row, **{key: before[key] + row[key] for key in ("executions", "cpu_s")}}
+    save("tests", {**data, "fuzzing": [sums[target] for target in sorted(sums)]})
+
+
+def table(columns, rows, texts):
+    return Table(columns, [texts(row) for row in rows])
+
+
+def soak():
+    return table(["emulated", "minutes", "frames", "stripes", "views refused", "deepest stack, bytes"], load("tests")["soak"],
+                 lambda row: [row[key] for key in ("cpu", "minutes", "frames", "stripes", "refused", "stack_bytes")])
+
+
+def fuzzing():
+    return table(["target", "executions", "CPU minutes", "edges"], load("tests")["fuzzing"],
+                 lambda row: [row["target"], row["executions"], decimal(row["cpu_s"] / 60), row["edges"]])
+
+
+def attacks():
+    return table(["attack", "found first", "found now", "tests"], load("attacks")["attacks"],
+                 lambda row: [row["attack"], row["first"], row["now"], row["tests"]])
+
+
+def volumes():
+    def figures(found):
+        return f"{decimal(found['psnr_db'])} dB · {decimal(found['ssim'], 3)} · {decimal(found['flip'], 4)}"
+    return table(["scene", "field, drawn", "flash", "PSNR · SSIM · FLIP (less is better)"], load("volumes")["rows"],
+                 lambda row: [row["scene"], f"{row['layout']}, {row['mode']}", byte_text(row["flash_bytes"]),
+                              figures(row["figures"])])
+
+
+def volume_choices():
+    return "".join(f"- {row['scene']}: {row['choice']}\n" for row in load("volumes")["choices"])
+
+
+def filters():
+    def texts(row):
+        def figure(key):
+            return decimal(row[key], 4) + (f" ({row['worse'][key]})" if "worse" in row else "")
+        return [row["picture"], f"{row['bytes']:,}" if "bytes" in row else "", decimal(row["psnr_db"], 2),
+                decimal(row["mask_psnr_db"], 2), figure("ssim"), figure("cw_ssim"), figure("flip")]
+    return table(["picture", "bytes", "PSNR, dB", "covered part", "SSIM", "CW-SSIM", "FLIP (less is better)"],
+                 load("filter")["rows"], texts)
+
+
+def skull():
+    """What `lumi bake` printed."""
+    return "\n".join(f"{row['paths']} light paths a texel, at most {row['size']}:\n\n"
+                     + "".join(f"    {line}\n" for line in row["lines"]) for row in load("skull")["bakes"])
+
+
+def devices():
+    def kilobytes(row, key):
+        return f"{row[key] / 1e3:.1f} kB" if key in row else NONE
+    return table(
+        ["`platform/`", "glue lines", "flash", "RAM", "stack", "frames a second", "with flash misses", "counted by",
+         "same bits"], load("devices")["rows"],
+        lambda row: [f"`{row['source']}`", row["glue_lines"], kilobytes(row, "flash_bytes"), kilobytes(row, "ram_bytes"),
+                     f"{row['stack']} B" if "stack" in row else NONE, or_none(row.get("fps")),
+                     or_none(row.get("fps_with_misses")), row["counted_by"], row["same_bits"]])
+
+
+def board_memory():
+    return table(["core", "RAM: view and stripe", "stack of `open`", "stack of `look` and `draw`"],
+                 load("devices")["memory"],
+                 lambda row: [row[key] for key in ("cpu", "ram_bytes", "open_stack_bytes", "draw_stack_bytes")])
+
+
+def quoted(scene):
+    """`cornell.obj`, all matt"""
+    name, comma, rest = scene.partition(",")
+    return f"`{name}`{comma}{rest}"
+
+
+def baker_adaptive():
+    return table(["scene", "paths", "levels", "error, all", "error, adaptive", "paths taken", "shift"],
+                 load("baker")["adaptive"],
+                 lambda row: [quoted(row["scene"]), row["paths"], decimal(row["levels"], 0), decimal(row["error_all"], 2),
+                              decimal(row["error_adaptive"], 2), decimal(row["paths_taken"], 0), f"{row['shift']:+.2f}"])
+
+
+def baker_footprint():
+    def figures(mode):
+        return f"{decimal(mode['psnr_db'])} dB / {decimal(mode['ssim'], 3)}"
+    return table(["scene", "footprint", "nearest", "linear"], load("baker")["footprint"],
+                 lambda row: [quoted(row["scene"]), f"`{row['footprint']}`", figures(row["nearest"]), figures(row["linear"])])
+
+
+def baker_share():
+    return table(["scene", "triangles", "rays a path", "paths", "rays", "rays, Embree alone", "share of Embree"],
+                 load("baker")["share"],
+                 lambda row: [quoted(row["scene"]), row["triangles"], decimal(row["rays_a_path"]),
+                              *(decimal(row[key] / 1e6, 2) for key in ("paths_per_s", "rays_per_s", "embree_rays_per_s")),
+                              f"{100 * row['embree_share']:.0f} %"])
+
+
+def baker_convergence():
+    rows = load("baker")["convergence"]
+    paths = [f"{count} paths" if k == 0 else str(count) for k, count in enumerate(rows[0]["paths"])]
+    return table(["scene", *paths, "exponent"], rows,
+                 lambda row: [quoted(row["scene"]), *(decimal(error, 2) for error in row["errors"]),
+                              decimal(row["exponent"], 2)])
+
+
+def baker_threads():
+    rows = load("baker")["threads"]
+    return table(["scene", "threads", "paths", "times one thread"], rows,
+                 lambda row: [quoted(row["scene"]), row["threads"], decimal(row["paths_per_s"] / 1e6, 2),
+                              decimal(row["paths_per_s"] / rows[0]["paths_per_s"], 2)])
+
+
+def baker_memory():
+    def megabytes(count):
+        return f"{count / 1e6:.0f} MB"
+    return table(["triangles", "OBJ file", "held while baking", "most, while loading"], load("baker")["memory"],
+                 lambda row: [f"{row['triangles'] / 1e6:.2f} M", megabytes(row["file_bytes"]),
+                              megabytes(row["held_bytes_a_million"]), megabytes(row["most_bytes_a_million"])])

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: MIT
+"""Speed against accuracy: what `lumi-lab bench --docs` counted."""
+from .table import NONE, Table, decimal, load, whole
+
+CORES = ["m0plus", "m3", "m4", "m7"]
+VIEWS = ["generic", "pole", "close"]
+SPLIT = ["vertices", "lists", "lights", "edges", "samples", "outlines", "resolve", "palette"]
+# What a reader looks for first.
+GLANCES = [("nearest", "rgb565", 16), ("linear", "luma8", 16), ("linear", "palette8", 16), ("linear", "rgb888", 16),
+           ("paper", "rgb888", 16), ("linear", "luma8", 8), ("linear", "palette8", 8), ("linear", "rgb888", 8)]
+
+
+def distinct(rows, *keys):
+    return list(dict.fromkeys(tuple(row[key] for key in keys) for row in rows))
+
+
+def find(rows, **wanted):
+    return next((row for row in rows if all(row[key] == value for key, value in wanted.items())), None)
+
+
+def cell(row, text):
+    return NONE if row is None else text(row)
+
+
+def per_pixel(digits=1):
+    return lambda row: decimal(row["instructions_per_pixel"], digits)
+
+
+def psnr(row):
+    return decimal(row["psnr_db"])
+
+
+def exactness(row):
+    return f"{psnr(row)} / {row['worst_pixel']}"
+
+
+class Tradeoff:
+    def __init__(self, data):
+        self.data = data
+        self.chord = [row for row in data["rows"] if row["layout"] == "chord"]
+        self.surface = [row for row in data["rows"] if row["layout"] == "surface"]
+        self.renderers = distinct(self.chord, "mode", "texel")
+        self.spans = sorted({row["span"] for row in self.chord})
+
+    def by_renderer(self, title, columns, texts):
+        """A row for each mode and texel; `texts` makes its cells."""
+        return Table([title, *columns], [[f"{mode} {texel}", *texts(mode, texel)] for mode, texel in self.renderers])
+
+    def chord_row(self, core, mode, texel, span, view="generic"):
+        return find(self.chord, core=core, mode=mode, texel=texel, span=span, view=view)
+
+    def choice(self):
+        """The best reconstruction, then the shortest span, then the finest texel that reaches a rate on a part."""
+        def best(part, wanted):
+            key = f"fps_{part['key']}"
+            for mode in ("paper", "linear", "dither", "nearest"):
+                for span in (4, 8, 16):
+                    for _, texel in [pair for pair in self.renderers if pair[0] == mode]:
+                        row = self.chord_row(part["core"], mode, texel, span)
+                        if row and row.get(key, 0) >= wanted:
+                            return f"{mode} {texel}, S = {span} ({row[key]:.0f})"
+            return "none"
+        rates = (10, 20, 30, 60)
+        return Table(["part", *(f"{rate} frames/s" for rate in rates)],
+                     [[part["title"], *(best(part, rate) for rate in rates)] for part in self.data["parts"]])
+
+    def glance(self):
+        return Table(["renderer", "M4", "M0+ code", "dB generic", "dB pole"],
+                     [[f"{mode} {texel}, S = {span}", cell(self.chord_row("m4", mode, texel, span), per_pixel()),
+                       cell(self.chord_row("m0plus", mode, texel, span), per_pixel()),
+                       cell(self.chord_row("m4", mode, texel, span), psnr),
+                       cell(self.chord_row("m4", mode, texel, span, "pole"), psnr)] for mode, texel, span in GLANCES])
+
+    def cost(self):
+        keys = [(core, span) for core in CORES for span in self.spans]
+        return self.by_renderer("renderer", [f"{core} exact" if span == 0 else f"{core} S{span}" for core, span in keys],
+                                lambda mode, texel: [cell(self.chord_row(core, mode, texel, span), per_pixel(0))
+                                                     for core, span in keys])
+
+    def split(self):
+        keys = [(core, span) for core in ("m4", "m0plus") for span in (8, 16)]
+        return self.by_renderer("renderer", [f"{core} S{span} set-up + inner" for core, span in keys],
+                                lambda mode, texel: [cell(self.chord_row(core, mode, texel, span), lambda row:
+                                                          f"{decimal(row['setup'])} + {decimal(row['inner'])}")
+                                                     for core, span in keys])
+
+    def accuracy(self):
+        """The same for every core: all draw the same bits."""
+        keys = [(view, span) for view in VIEWS for span in self.spans]
+        return self.by_renderer("renderer", [f"{view} S{span}" for view, span in keys], lambda mode, texel: [
+            cell(find(self.chord, mode=mode, texel=texel, view=view, span=span), exactness) for view, span in keys])
+
+    def memory(self):
+        def text(core, mode, texel):
+            rows = [row for row in self.chord if (row["core"], row["mode"], row["texel"]) == (core, mode, texel)]
+            stack = max((row.get("stack_bytes", 0) for row in rows if row["span"]), default=0)
+            return cell(find(rows, span=16, view="generic"), lambda row: f"{row['code_bytes']} / {stack}")
+        return self.by_renderer("renderer", [f"{core} code / stack, bytes" for core in CORES],
+                                lambda mode, texel: [text(core, mode, texel) for core in CORES])
+
+    def polar(self):
+        def text(core, mode, texel):
+            generic, pole = (self.chord_row(core, mode, texel, 16, view) for view in ("generic", "pole"))
+            if not generic or not pole:
+                return NONE
+            change = 100 * (pole["instructions_per_pixel"] / generic["instructions_per_pixel"] - 1)
+            return f"{per_pixel(0)(generic)} → {per_pixel(0)(pole)} ({change:+.1f} %)"
+        return self.by_renderer("renderer, S = 16", [f"{core} generic → pole" for core in CORES],
+                                lambda mode, texel: [text(core, mode, texel) for core in CORES])
+
+    def rates(self):
+        def text(part, mode, texel):
+            key = part["key"]
+            return cell(self.chord_row(part["core"], mode, texel, 16), lambda row:
+                        f"{row['lines_' + key]}, {row['misses_' + key]}, **{decimal(row['fps_' + key])}**")
+        parts = self.data["parts"]
+        return self.by_renderer("renderer, S = 16", [f"{part['title']}: lines, misses, frames/s" for part in parts],
+                                lambda mode, texel: [text(part, mode, texel) for part in parts])
+
+    def parts(self):
+        def shape(cache):
+            return f"{cache['bytes']} B, {cache['ways']}, {cache['line_bytes']} B"
+        return Table(["part", "code", "MHz", "clocks/instruction", "cache, ways, line", "miss, ns", "remark"],
+                     [[part["title"], part["core"], decimal(part["clock_mhz"], 0),
+                       decimal(part["clocks_per_instruction"], 2), shape(part["cache"]), decimal(part["miss_ns"], 0),
+                       part["remark"]] for part in self.data["parts"]])
+
+    def surface_renderers(self):
+        return distinct(sorted(self.surface, key=lambda row: row["pixel"]), "mode", "pixel")
+
+    def surface_row(self, core, mode, pixel, view="generic"):
+        return find(self.surface, core=core, mode=mode, pixel=pixel, view=view)
+
+    def by_surface_renderer(self, columns, texts, cores=("",)):
+        order = [mode for mode, in distinct(self.surface, "mode")]
+        renderers = sorted(self.surface_renderers(), key=lambda renderer: order.index(renderer[0]))
+        return Table(["renderer", *columns], [[f"{core} {mode} {pixel}".strip(), *texts(core, mode, pixel)]
+                                              for core in cores for mode, pixel in renderers])
+
+    def surface_cost(self):
+        def texts(_, mode, pixel):
+            small = self.surface_row("m0plus", mode, pixel)
+            return [*(cell(self.surface_row(core, mode, pixel), per_pixel()) for core in CORES),
+                    *(cell(find(self.surface, mode=mode, pixel=pixel, view=view), exactness) for view in VIEWS),
+                    cell(find(self.surface, mode=mode, pixel=pixel), lambda row: row["ram_bytes"]),
+                    cell(small, lambda row: f"{row['code_bytes']} / {row['stack_bytes']}")]
+        return self.by_surface_renderer([*CORES, *(f"{view}, dB / worst" for view in VIEWS), "RAM, bytes",
+                                         "m0plus code / stack, bytes"], texts)
+
+    def surface_split(self):
+        return self.by_surface_renderer(
+            ["view tables" if part == "lights" else part for part in SPLIT],
+            lambda core, mode, pixel: [cell(self.surface_row(core, mode, pixel), lambda row: decimal(row[part]))
+                                       for part in SPLIT], ("m4", "m0plus"))
+
+    def surface_rates(self):
+        def text(part, mode, pixel):
+            row, key = self.surface_row(part["core"], mode, pixel), part["key"]
+            if row is None:
+                return NONE
+            both = f", both cores **{decimal(row['fps2_' + key])}**" if part["cores"] == 2 else ""
+            return f"{row['misses_' + key]}, **{decimal(row['fps_' + key])}**{both}"
+        parts = self.data["parts"]
+        return self.by_surface_renderer([f"{part['title']}: misses, frames/s" for part in parts],
+                                        lambda _, mode, pixel: [text(part, mode, pixel) for part in parts])
+
+    def baselines(self):
+        def ours(mode, core):
+            row = self.chord_row(core, mode, "rgb565", 16)
+            return row and {**row, "method": f"this library, {mode}, S = 16"}
+        rows = self.data["baselines"] + [ours(mode, core) for mode in ("nearest", "linear", "paper") for core in CORES]
+        return Table(["method", "core", "instructions a covered pixel", "M instructions a frame", "code, bytes"],
+                     [[row["method"], row["core"], per_pixel()(row), decimal(row["instructions_per_frame"] / 1e6, 2),
+                       row["code_bytes"]] for row in rows if row])
+
+    def pictures(self):
+        return Table(["method", "flash, MB", *(f"{view}, dB / SSIM" for view in VIEWS)],
+                     [[row["method"], decimal(row["flash_bytes"] / 1e6, 2),
+                       *(f"{decimal(row[view]['psnr_db'])} / {decimal(row[view]['ssim'], 3)}" for view in VIEWS)]
+                      for row in self.data["pictures"]])
+
+
+def table(name):
+    return getattr(Tradeoff(load("tradeoff")), name)()
+
+
+def surface_cost_of(mode, core):
+    """Instructions a covered pixel of the desk clock's surface field in RGB565, as the page has them."""
+    row = find(load("tradeoff")["rows"], layout="surface", mode=mode, core=core, pixel="rgb565", view="generic")
+    return row and whole(row["instructions_per_pixel"])

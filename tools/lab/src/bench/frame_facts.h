@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What this machine can say about a frame of the bench; the same for every core.
+#pragma once
+
+#include <string>
+
+#include "bench/cache_model.h"
+#include "bench/judge.h"
+#include "files/field_file.h"
+#include "lumi/bench/surface_modes.h"
+
+namespace lumi::bench
+{
+
+struct FrameFacts {
+    Accuracy accuracy;
+    AllTraffic traffic;
+    uint32_t crc = 0;
+};
+
+// Of a chord field, in RGB565. `judge` is of the field's lattices.
+FrameFacts chord_facts(Judge& judge, const tools::FieldFile& file, const std::string& mode, int span, const View& view);
+
+// Of a surface field; `pixel` is rgb565 or rgb888.
+FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
+                         const View& view);
+
+}  // namespace lumi::bench

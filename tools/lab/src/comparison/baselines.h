@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What a field is compared with at its own size: the paper's chord field, and what firmware does without a field.
+#pragma once
+
+#include <vector>
+
+#include "lumi/baker/scene.h"
+#include "lumi/bench/views.h"
+#include "quality/measured.h"
+
+namespace lumi::quality
+{
+
+struct BaselineSettings {
+    uint32_t chord_samples = 16;   // light paths a texel
+    uint32_t sprite_samples = 16;  // light paths a pixel: their noise is far below the error of a wrong view
+    ViewSet views = ViewSet::all;  // ring: sprites stand in a ring too
+    unsigned threads = 0;
+};
+
+// As the bench names views.
+bench::View bench_view(const HeldOutView& view);
+
+// M and N of the largest palette8 chord field with as many origins as directions (what shows most per byte) whose file
+// takes at most `bytes`; 0 where none fits.
+uint32_t chord_side(uint64_t bytes);
+
+// Baked into, or found in, `cache`.
+Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
+                        const std::filesystem::path& cache, const std::vector<HeldOutView>& views,
+                        const std::vector<Reference>& references, const baker::ProgressCallback& progress = {});
+
+// As many path-traced sprites as fit into `bytes`, the one nearest to the view turned and scaled onto the screen:
+// RGB565, few sharp ones or many coarse ones, whichever looks better; and JPEG of 5.7 kB and 240 × 240 pixels. Of
+// either none where not one fits.
+std::vector<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
+                                       const std::vector<HeldOutView>& views, const std::vector<Reference>& references);
+
+}  // namespace lumi::quality

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Named parts, and the model that turns instructions and cache misses into frames per second. Instructions are counted;
+// clocks per instruction, miss costs and the display are assumptions, stated here and printed with every report.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace lumi::planner
+{
+
+// ways = lines makes it fully associative. All powers of two; line_bytes · ways divides bytes.
+struct CacheShape {
+    uint32_t bytes, ways, line_bytes;
+
+    uint32_t sets() const { return bytes / (line_bytes * ways); }
+};
+
+struct Chip {
+    const char* key;    // in JSON keys: lines_<key>, misses_<key>
+    const char* title;  // what people call it
+    const char* core;   // whose code is counted for it
+    double clock_mhz;
+    double clocks_per_instruction;
+    CacheShape cache;
+    double miss_ns;
+    const char* remark;
+    int cores = 1;  // remark and rates are of one
+};
+
+inline constexpr size_t kChips = 5;
+extern const std::array<Chip, kChips> kChipList;
+
+// A panel of 240 × 240 pixels of 16 bits behind SPI at 62.5 MHz, fed by DMA while the next stripe is drawn.
+inline constexpr double kDisplayHz = 62.5e6;
+inline constexpr double kDisplayBits = 240.0 * 240.0 * 16.0;
+
+// Whichever of drawing and sending takes longer limits the rate.
+double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses);
+
+// Where two cores draw alternate stripes after one of them has prepared the frame. They share cache and flash, so they
+// wait as long as one does.
+double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t instructions, uint64_t misses);
+
+}  // namespace lumi::planner

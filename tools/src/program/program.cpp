@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "program/program.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <system_error>
+
+#include "lumi/baker/file_guard.h"
+#include "program/help_formatter.h"
+#include "program/parse_problem.h"
+#include "terminal/failure.h"
+#include "terminal/interrupt.h"
+#include "terminal/standard_streams.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+const char* program_name = "lumi";  // in messages
+
+int report(const char* message, ExitCode code)
+{
+    std::fprintf(stderr, "%s: %s\n", program_name, message);
+    return code;
+}
+
+// Which help to read after a wrong call.
+std::string help_call(const CLI::App& app)
+{
+    const auto chosen = app.get_subcommands();
+    const std::string name = program_name;
+    return chosen.empty() ? name + " --help" : name + " " + chosen.front()->get_name() + " --help";
+}
+
+constexpr char kOutOfMemory[] = "out of memory; choose a smaller scene, field or picture, or raise `ulimit -v`";
+
+// CLI11 and TBB allocate in functions that promise not to throw: where memory ends there, the run-time library calls
+// this.
+[[noreturn]] void on_terminate()
+{
+    try {
+        if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        if (is_work_done() && std::fflush(stdout) == 0) std::_Exit(kExitOk);
+        report(kOutOfMemory, kExitFailed);
+        std::_Exit(kExitFailed);
+    } catch (...) {
+        // a defect: what follows says so
+    }
+    std::abort();
+}
+
+int report_parse_error(const CLI::App& app, const CLI::ParseError& error)
+{
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+        return app.exit(error);  // --help or --version: prints to stdout
+    const auto rest = app.remaining();
+    const bool unknown = app.get_subcommands().empty() && !rest.empty();
+    const std::string problem = unknown ? "there is no subcommand \"" + rest.front() + "\"" : parse_problem(error);
+    report((problem + "; see `" + help_call(app) + "`").c_str(), kExitUsage);
+    return kExitUsage;
+}
+
+int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
+{
+    CLI::App app;
+    app.name(program_name);
+    app.require_subcommand(1);
+    app.formatter(std::make_shared<HelpFormatter>());
+    describe(app);
+    const baker::FileGuard guard;
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return report_parse_error(app, error);
+    } catch (const UsageError& error) {
+        return report((std::string(error.what()) + "; see `" + help_call(app) + "`").c_str(), kExitUsage);
+    } catch (const Interrupted& error) {
+        return report(error.what(), kExitInterrupted);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::system_error& error) {
+        if (error.code() != std::errc::resource_unavailable_try_again) return report(error.what(), kExitFailed);
+        return report(
+            "the system gives no further thread; choose fewer --threads, or raise `ulimit -v` and `ulimit -u`",
+            kExitFailed);
+    } catch (const std::exception& error) {
+        return report(error.what(), kExitFailed);
+    }
+    return kExitOk;
+}
+
+}  // namespace
+
+int run_program(const char* name, const std::function<void(CLI::App&)>& describe, int argc, char** argv)
+{
+    program_name = name;
+    std::set_terminate(on_terminate);
+    occupy_standard_streams();
+    catch_interrupts();
+    int code = kExitFailed;
+    try {
+        code = run(describe, argc, argv);
+        finish_standard_output();
+    } catch (const Failure& error) {
+        report(error.what(), kExitFailed);
+        return code == kExitOk ? kExitFailed : code;
+    } catch (const std::bad_alloc&) {
+        return report(kOutOfMemory, kExitFailed);
+    }
+    return code;
+}
+
+}  // namespace lumi::tools
