@@ -4,7 +4,7 @@
 
 Checks the documents: each page has at most MOST_WORDS words (a log of measurements: beside its tables). Every relative
 link leads to a file or folder of the repository, and its anchor to a heading or an <a id> of that page. A path in
-`code`, from one of the repository's folders, is there. FOLDER: the repository's root, by default the one
+`code`, from one of the repository's folders, is there. No page has a heading twice. FOLDER: the repository's root, by default the one
 that holds this file. --self-test plants such faults in a made-up tree, and fails if one is not found.
 """
 import pathlib
@@ -67,6 +67,12 @@ def lost_paths(root, text):
             yield f"{path} is not there"
 
 
+def double_headings(text):
+    headings = HEADING.findall(CODE.sub("", text))
+    for heading in sorted({h for h in headings if headings.count(h) > 1}):
+        yield f"the heading '{heading}' occurs twice"
+
+
 def pages(root, patterns):
     return sorted(page for pattern in patterns for page in root.glob(pattern))
 
@@ -86,7 +92,7 @@ def faults(root):
             found.append(f"{name} has {words} words; a page has one purpose and at most {MOST_WORDS}: divide it")
         found += [f"{name}: {fault}" for fault in broken_links(root, page)]
         if page in short + logs:
-            found += [f"{name}: {fault}" for fault in lost_paths(root, text)]
+            found += [f"{name}: {fault}" for fault in [*lost_paths(root, text), *double_headings(text)]]
     return found
 
 
@@ -102,6 +108,7 @@ def self_test():
         "heading in code": ("README.md", "[x](#no)\n```\n# No\n```", "no such heading"),
         "lost path": ("README.md", "`docs/none.md --option`", "is not there"),
         "path of many": ("README.md", "`docs/*.md` `docs/a.md`", None),
+        "heading twice": ("docs/a.md", "## Part\n## Part", "occurs twice"),
         "outside": ("docs/a.md", "[x](../../etc)", "leads nowhere"),
         "log": ("docs/log/b.md", "[x](../b.md)", "leads nowhere"),
         "long page": ("docs/long.md", "word " * (MOST_WORDS + 1), "divide it"),
