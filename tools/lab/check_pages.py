@@ -4,8 +4,8 @@
 
 Checks the documents: each page has at most MOST_WORDS words (a log of measurements: beside its tables). Every relative
 link leads to a file or folder of the repository, and its anchor to a heading or an <a id> of that page. A path in
-`code`, from one of the repository's folders, is there. No page has a heading twice. FOLDER: the repository's root, by default the one
-that holds this file. --self-test plants such faults in a made-up tree, and fails if one is not found.
+`code`, from one of the repository's folders, is there. No page has a heading twice. FOLDER: the repository's root, by
+default the one that holds this file. --self-test plants such faults in a made-up tree, and fails if one is not found.
 """
 import pathlib
 import re
