@@ -28,6 +28,7 @@ test_packages=(
   g++-s390x-linux-gnu qemu-user                                             # a big-endian machine
   libmgba-dev                                                               # a Game Boy Advance
   libsdl2-dev                                                               # the simulator's window
+  arduino-builder                                                           # the Arduino library, as its IDE builds it
   slurm-wlm munge procps                                                    # a job array on this machine
   clang-tidy                                                                # of what changed
   python3)                                                                  # the generator of the scenes, includes

@@ -138,6 +138,17 @@ add_test(NAME platform.packages
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/packages_test.py $<$<BOOL:${LUMI_TEST_ALL}>:--all>
     $<TARGET_FILE:lumi> ${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi ${CMAKE_CURRENT_BINARY_DIR}/packages
     COMMAND_EXPAND_LISTS)
+set_tests_properties(platform.packages PROPERTIES FIXTURES_SETUP lumi_archives)
+
+# Arduino's library by arduino-builder, its sketches on an emulated board; `tools/test.sh --all` fails without the builder.
+add_test(NAME platform.arduino
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/arduino_test.py $<TARGET_FILE:lumi>
+    ${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi ${CMAKE_CURRENT_BINARY_DIR}/packages/archives
+    ${CMAKE_CURRENT_BINARY_DIR}/arduino)
+set_tests_properties(platform.arduino PROPERTIES FIXTURES_REQUIRED lumi_archives COST 60)
+if(NOT LUMI_TEST_ALL)
+  set_tests_properties(platform.arduino PROPERTIES SKIP_RETURN_CODE 77)
+endif()
 
 # The proof finds what is planted for it. These need the build of one CPU.
 set(lumi_planted ${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross)

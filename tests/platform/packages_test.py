@@ -3,8 +3,9 @@
 """packages_test.py [--all] LUMI FIELD FOLDER
 
 Unpacks core's archives into empty folders and compiles them as each ecosystem would: its file globs, include paths and
-flags. The ecosystems' own tools (arduino-cli, idf.py, west, pio, the Pico SDK, packchk) are not used: their part is
-played by the functions that they call and by their flags. LUMI embeds FIELD, a surface field, into Arduino's sketch.
+flags. The ecosystems' own tools (idf.py, west, pio, the Pico SDK, packchk) are not used: their part is played by the
+functions that they call and by their flags. LUMI embeds FIELD, a surface field, into Arduino's library, which
+arduino_test.py then builds; the archives stay in FOLDER/archives.
 Without --all sources are checked, but no code is made.
 """
 import hashlib
@@ -174,12 +175,13 @@ def tagging(build):
         print("git is not installed, so tags were not tried")
         return
     folder = build.fresh("repository")
-    for name in ["core", "tools", "LICENSE", "CITATION.cff"]:
+    for name in ["core", "tools", "platform/arduino", "LICENSE", "CITATION.cff"]:
         (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, folder / name)
     git = ["git", "-C", folder, "-c", "user.name=test", "-c", "user.email=test@example.invalid"]
     for command in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "all"]):
         build.run("release", [*git, *command])
-    release = [sys.executable, "-B", folder / "tools/packaging/release.py", "--tag", build.folder / "tagged"]
+    release = [sys.executable, "-B", folder / "tools/packaging/release.py", "--tag", "--lumi", build.lumi,
+               "--field", build.field, build.folder / "tagged"]
     for name in ("user.name", "user.email"):
         build.run("release", [*git, "config", name, "test"])
     build.run("release", release)
@@ -192,25 +194,15 @@ def tagging(build):
     print("release: tags what is committed, once")
 
 
-def arduino(build, archives):
-    folder = build.fresh("arduino")
-    zipfile.ZipFile(next(archives.glob("lumi-arduino-*.zip"))).extractall(folder)
-    library = folder / "Lumi"
-    properties = dict(line.split("=", 1) for line in (library / "library.properties").read_text().splitlines())
-    check_version("arduino", properties["version"])
-    sources = [p for p in sorted((library / "src").rglob("*")) if p.suffix in (".c", ".cpp", ".S")]
-    flags = [*M0, "-Os", "-w", "-ffunction-sections", "-fdata-sections", "-DARDUINO=10819", f"-I{library / 'src'}"]
-    # All of src and the sketch as the IDE makes them a program, beside what `lumi embed` writes.
-    sketch = library / "examples/OneFrame/OneFrame.ino"
-    stub = ("#include <stdint.h>\nstruct { void begin(long) {} void println(const char*) {} } Serial;\n"
-            "void setup();\nvoid loop();\nint main() { setup(); for (;;) loop(); }\n#line 1 \"sketch\"\n")
-    build.run("arduino sketch", [build.lumi, "embed", build.field, "-o", folder / "product.c"])
-    (folder / "sketch.cpp").write_text(stub + sketch.read_text())
-    own = [folder / "sketch.cpp", folder / "product.c"]
-    build.run("arduino", [CROSS + "g++", *flags, f"-I{folder}", "-std=gnu++17", "-fno-exceptions", "-fno-rtti",
-                          "-fno-threadsafe-statics", *own, *sources, "--specs=nosys.specs", "-Wl,--gc-sections",
-                          "-o", folder / "sketch.elf"])
-    print(f"arduino: {len(sources)} sources and the sketch, linked")
+def old_standard(build, core):
+    """To a compiler of an older C++ each header says what to do, before anything else."""
+    headers = [h for h in sorted((core / "include").rglob("*.h")) if "detail" not in h.parts and h.name != "lumi.h"]
+    for header in headers:
+        command = ["c++", "-std=c++14", "-x", "c++", "-fsyntax-only", f"-I{core / 'include'}", header]
+        errors = re.findall(r"error: .*", subprocess.run(command, capture_output=True, text=True).stderr)
+        if len(errors) != 2 or "C++17: compile with" not in errors[0]:
+            sys.exit(f"error: {header.name} under C++14: {errors[:3]}")
+    print(f"C++14: {len(headers)} headers say what to do")
 
 
 def platformio(build, core):
@@ -245,14 +237,15 @@ def main(arguments):
     lumi, field, folder = (pathlib.Path(a).resolve() for a in arguments[-3:])
     build = Build(folder, makes_code, lumi, field)
     archives = build.fresh("archives")
-    build.run("release", [sys.executable, "-B", ROOT / "tools/packaging/release.py", archives])
+    build.run("release", [sys.executable, "-B", ROOT / "tools/packaging/release.py", "--lumi", lumi,
+                          "--field", field, archives])
     unpacked = build.fresh("core")
     tarfile.open(next(archives.glob("lumi-core-*.tar.xz"))).extractall(unpacked)
     core = next(unpacked.iterdir())
     manifests(core)
     bills(archives)
     tagging(build)
-    arduino(build, archives)
+    old_standard(build, core)
     platformio(build, core)
     cmsis_pack(build, archives)
     cxx = ["-std=gnu++2b", "-fno-exceptions", "-fno-rtti", "-Wall", "-Werror=all", "-Wno-error=unused-function"]
@@ -262,7 +255,7 @@ def main(arguments):
             ("pico", PICO, CROSS, M0, ["-std=gnu++17", *COMMON[2:], "-Wall"])):
         sources, flags = listed(build, name, core, stub)
         build.compile(name, sources, [*cpu, "-Os", *COMMON[:2], *flags], std, prefix)
-    print("not installed, so not run: arduino-cli, idf.py, west, pio, the Pico SDK, packchk")
+    print("not installed, so not run: idf.py, west, pio, the Pico SDK, packchk")
 
 
 if __name__ == "__main__":

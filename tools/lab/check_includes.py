@@ -31,6 +31,7 @@ PLUGINS = ["tools/src/filter"]
 # takes the place of the nearest one around it. "FOLDER: FILES" places some files of a folder on their own: the doors
 # among core's public headers, which lead to whole renderers; the others are the words that all else speaks in.
 ORDER = """
+core/include/lumi/detail: cpp17.h
 core/include/lumi: fixed.h
 core/include/lumi/detail
 core/include/lumi
@@ -66,6 +67,7 @@ platform/gba
 platform/pico_st7789
 platform/simulator
 platform/lvgl
+platform/arduino
 
 baker/include/lumi/baker
 baker/src/math

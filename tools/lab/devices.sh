@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/devices.sh [--docs] [--only EXAMPLE] [--lvgl PATH] [--pico-sdk PATH] [--built] [--may-skip]
+# tools/lab/devices.sh [--docs] [--only EXAMPLE] [--lvgl PATH] [--pico-sdk PATH] [--tft-espi PATH]
+#     [--lovyangfx PATH] [--built] [--may-skip]
 # Builds the examples of platform/, runs each on its emulator and compares what the emulated display shows, bit by bit,
 # with what `lumi render` or, in pixels that it does not write, the host's library draws. Ends with 0 only if all agree and
-# nothing was left out but LVGL and the Pico SDK, of which it says so.
+# nothing was left out but LVGL, the Pico SDK, TFT_eSPI and LovyanGFX, of which it says so.
 #   --docs          writes the table and the pictures of docs/boards.md
 #   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay, lvgl,
-#                   pico_sdk, table (of what was run last)
+#                   pico_sdk, tft_espi, lovyangfx, table (of what was run last)
 #   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out
 #   --pico-sdk PATH the Pico SDK: platform/pico_st7789 is built against it, too, and run
+#   --tft-espi PATH, --lovyangfx PATH  these libraries for Arduino: their headers take the calls of our sketches
 #   --built         `lumi` and the tests' programs are built already, in build/release
 #   --may-skip      ends with 77 where an emulator is missing
 # Results, and a PNG of every display, lie in build/devices.
@@ -23,7 +25,7 @@ lumi=$root/build/release/tools/lumi
 field=$devices/desk_clock.lumi
 declare -A sources_of=([pico_sdk]=pico_st7789)  # where the folder has another name
 examples=(riscv lm3s_oled gba pico_st7789 simulator overlay)
-lvgl='' pico_sdk='' only='' built='' may_skip='' docs=''
+lvgl='' pico_sdk='' tft_espi='' lovyangfx='' only='' built='' may_skip='' docs=''
 frames=2
 npm_folder=$root/build/npm
 
@@ -34,6 +36,8 @@ parse_arguments() {
       --only) only=${2:?--only takes the name of an example} && shift ;;
       --lvgl) lvgl=${2:?--lvgl takes a folder} && shift ;;
       --pico-sdk) pico_sdk=$(realpath "${2:?--pico-sdk takes a folder}") && shift ;;
+      --tft-espi) tft_espi=$(realpath "${2:?--tft-espi takes a folder}") && shift ;;
+      --lovyangfx) lovyangfx=$(realpath "${2:?--lovyangfx takes a folder}") && shift ;;
       --built) built=yes ;;
       --may-skip) may_skip=yes ;;
       --help) help "$0" && exit ;;
@@ -41,7 +45,7 @@ parse_arguments() {
     esac
     shift
   done
-  if [[ -n $only && " field table lvgl pico_sdk ${examples[*]} " != *" $only "* ]]; then
+  if [[ -n $only && " field table lvgl pico_sdk tft_espi lovyangfx ${examples[*]} " != *" $only "* ]]; then
     wrong_call "no example is called '$only'"
   fi
 }
@@ -265,6 +269,31 @@ lvgl_version() {
     "$lvgl/lv_version.h"
 }
 
+# check_sketch EXAMPLE SKETCH HEADERS LINE...: a library's own headers take the sketch's calls; the lines come before it.
+# Arduino's core is names alone.
+check_sketch() {
+  local folder=$devices/$1 arduino=$root/tests/platform/arduino sketch=$root/platform/arduino/examples/$2/$2.ino
+  require "$1" arm-none-eabi-g++
+  mkdir -p "$folder/lumi_fields"
+  "$lumi" embed "$field" -o "$folder/lumi_fields/desk_clock.c" >/dev/null
+  printf '%s\n' '#include <Print.h>' '#include <SPI.h>' "${@:4}" "#include \"$sketch\"" >"$folder/sketch.cpp"
+  arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -std=gnu++17 -fsyntax-only -w -DARDUINO=10819 \
+    -I"$arduino"/hardware/lumi/rp2040/cores/emulated -I"$arduino/real_headers" -I"$root/platform/arduino/src" \
+    -I"$root/core/include" -I"$folder" -isystem "$3" "$folder/sketch.cpp"
+}
+
+run_tft_espi() {
+  [[ -n $tft_espi ]] || die "name the library TFT_eSPI: --tft-espi PATH"
+  check_sketch tft_espi DeskClockTFT_eSPI "$tft_espi"
+}
+
+# Its autodetection knows no emulated board: a device without a panel stands in.
+run_lovyangfx() {
+  [[ -n $lovyangfx ]] || die "name the library LovyanGFX: --lovyangfx PATH"
+  check_sketch lovyangfx DeskClockLovyanGFX "$lovyangfx/src" '#include <LovyanGFX.hpp>' \
+    'class LGFX : public lgfx::LGFX_Device {};'
+}
+
 run_example() {
   mkdir -p "$devices/$1"
   rm -f "$devices/$1"/{log*,row,*.raw,*.png}
@@ -277,6 +306,8 @@ publish() {
   [[ -z $docs ]] || write_docs
   [[ -n $pico_sdk ]] || echo "pico_sdk was not run: it needs the SDK: --pico-sdk PATH"
   [[ -n $lvgl ]] || echo "SKIPPED lvgl: it needs LVGL's source: --lvgl PATH"
+  [[ -n $tft_espi ]] || echo "SKIPPED tft_espi: it needs the library TFT_eSPI: --tft-espi PATH"
+  [[ -n $lovyangfx ]] || echo "SKIPPED lovyangfx: it needs the library LovyanGFX: --lovyangfx PATH"
 }
 
 main() {
@@ -295,6 +326,8 @@ main() {
       rm -f "$devices"/{lvgl,pico_sdk}/row
       [[ -z $lvgl ]] || examples+=(lvgl)
       [[ -z $pico_sdk ]] || examples+=(pico_sdk)
+      [[ -z $tft_espi ]] || examples+=(tft_espi)
+      [[ -z $lovyangfx ]] || examples+=(lovyangfx)
       for example in "${examples[@]}"; do run_step "$example" run_example "$example"; done
       publish
       ;;

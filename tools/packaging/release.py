@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""release.py [--check | --set-version X.Y.Z | --tag] [OUT]
+"""release.py [--check | --set-version X.Y.Z | --tag] [--lumi COMMAND] [--field FILE.lumi] [OUT]
 
 Writes core's archives for firmware ecosystems, bills of materials (SPDX 2.3) and SHA256SUMS into OUT (out/release): the
 same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. core/VERSION is
 the version; --set-version writes it wherever a tool wants to read it, --check finds where it differs. --tag also tags
 the commit vX.Y.Z, of a tree without changes, before it writes. Archives: core for CMake, ESP-IDF, Zephyr, the Pico SDK
 and PlatformIO; the Arduino library; the CMSIS-Pack.
+
+COMMAND (build/release/tools/lumi) bakes the field of Arduino's sketches, which takes minutes; with --field it only embeds
+that file.
 """
+import argparse
 import hashlib
 import io
 import json
@@ -18,6 +22,7 @@ import sys
 import tarfile
 import zipfile
 
+import arduino
 import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -30,39 +35,6 @@ COPIES = {
     CORE / "library.json": r'"version": "([^"]+)"',
     ROOT / "CITATION.cff": r"^version: (\S+)",
 }
-ARDUINO_PROPERTIES = """name=Lumi
-version={version}
-author=The LumiPath developers
-maintainer=The LumiPath developers
-sentence=Path-traced objects, drawn from flash by integers.
-paragraph=Draws fields that the lumi tool baked, on displays of any size, without floating point or heap.
-category=Display
-url={home}
-architectures=rp2040,esp32,esp8266,stm32,renesas_uno,renesas_portenta,teensy
-includes=lumi/view.h
-"""
-ARDUINO_SKETCH = """// Draws one frame of a field. Write product.c and product.h into this folder first:
-//     lumi embed product.lumi -o product.c
-#include <lumi/surface/view.h>
-#include "product.h"
-
-static product_view<lumi::Screen<240, 240, 8>> view;
-alignas(4) static uint8_t stripe[240 * 8 * 2];
-
-void setup()
-{
-  Serial.begin(115200);
-  lumi::ViewError error = view.open(product, product_size());
-  if (error == lumi::ViewError::none) error = view.look({lumi::degrees(30), lumi::degrees(20), lumi::radii(3)});
-  for (int y = 0; y < 240 && error == lumi::ViewError::none; y += 8) {
-    error = view.draw({stripe, 0, y, 240, 8, 480});
-    // here send the stripe to the display
-  }
-  Serial.println(lumi::error_text(error));
-}
-
-void loop() {}
-"""
 
 
 def version():
@@ -93,18 +65,6 @@ def core_files():
         if path.is_file():
             files[path.relative_to(CORE).as_posix()] = path.read_bytes()
     files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
-    return files
-
-
-def arduino_files():
-    """Arduino compiles all of src and has src alone in its include path: headers and sources lie there together."""
-    files = {"LICENSE": (ROOT / "LICENSE").read_bytes(),
-             "library.properties": ARDUINO_PROPERTIES.format(version=version(), home=HOME).encode(),
-             "examples/OneFrame/OneFrame.ino": ARDUINO_SKETCH.encode()}
-    for name, content in core_files().items():
-        for folder in ("include/", "src/"):
-            if name.startswith(folder):
-                files["src/" + name[len(folder):]] = content
     return files
 
 
@@ -169,12 +129,13 @@ def write_bills(out, core):
         (out / f"lumi-{version()}.spdx.json").write_bytes(bill)
 
 
-def write_archives(out):
+def write_archives(out, fields):
     out.mkdir(parents=True, exist_ok=True)
     core = core_files()
     top = f"lumi-core-{version()}/"
     write_tar(out / f"lumi-core-{version()}.tar.xz", core, top)
-    write_zip(out / f"lumi-arduino-{version()}.zip", arduino_files(), "Lumi/")
+    library = arduino.library(core, {"VERSION": version(), "HOME": HOME}, fields)
+    write_zip(out / f"lumi-arduino-{version()}.zip", library, "Lumi/")
     pack = dict(core)
     pack["Lumi.lumi.pdsc"] = pack_description(sorted(core)).encode()
     write_zip(out / f"Lumi.lumi.{version()}.pack", pack)
@@ -192,29 +153,42 @@ def git(*arguments):
     return result.stdout
 
 
-def tag_commit():
+def require_committed():
     changes = git("status", "--porcelain")
     if changes:
         sys.exit(f"error: what is released is not committed; commit or remove\n{changes.rstrip()}")
-    git("tag", "--annotate", f"v{version()}", "--message", f"LumiPath {version()}")
+
+
+def parsed(arguments):
+    parser = argparse.ArgumentParser(usage=__doc__, add_help=False, allow_abbrev=False)
+    what = parser.add_mutually_exclusive_group()
+    for flag in ("--check", "--tag"):
+        what.add_argument(flag, action="store_true")
+    what.add_argument("--set-version")
+    parser.add_argument("--lumi", type=pathlib.Path, default=ROOT / "build/release/tools/lumi")
+    parser.add_argument("--field", type=pathlib.Path)
+    parser.add_argument("out", nargs="?", type=pathlib.Path, default=ROOT / "out/release")
+    return parser.parse_args(arguments)
 
 
 def main(arguments):
-    if arguments[:1] == ["--set-version"] and len(arguments) == 2:
-        set_version(arguments[1])
+    options = parsed(arguments)
+    if options.set_version:
+        set_version(options.set_version)
         return
     wrong = [f"error: {path}: version {held} is not {version()} of core/VERSION; mend it by tools/packaging/release.py "
              f"--set-version {version()}" for path, held in copies() if held != version()]
     json.loads((CORE / "library.json").read_text())
     if wrong:
         sys.exit("\n".join(wrong))
-    if arguments[:1] == ["--tag"]:
-        tag_commit()
-        arguments = arguments[1:]
-    elif arguments and arguments[0].startswith("-") and arguments[0] != "--check":
-        sys.exit(__doc__)
-    if arguments[:1] != ["--check"]:
-        write_archives(pathlib.Path(arguments[0]) if arguments else ROOT / "out" / "release")
+    if options.check:
+        return
+    if options.tag:
+        require_committed()
+    fields = arduino.field_files(options.lumi, options.field)
+    if options.tag:
+        git("tag", "--annotate", f"v{version()}", "--message", f"LumiPath {version()}")
+    write_archives(options.out, fields)
 
 
 if __name__ == "__main__":

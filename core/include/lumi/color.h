@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "lumi/detail/cpp17.h"
+
 namespace lumi
 {
 

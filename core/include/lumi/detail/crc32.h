@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "lumi/detail/cpp17.h"
+
 namespace lumi
 {
 

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// All of lumi that a sketch needs: include this file alone.
+#pragma once
+
+#include <lumi/gesture.h>
+#include <lumi/surface/quality.h>
+#include <lumi/view.h>
