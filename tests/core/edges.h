@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    // An axis, or anywhere; never shorter than 1 once rounded to Q20.
+    // An axis, or anywhere.
     Vec3 direction()
     {
         const Vec3 axes[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
@@ -60,7 +60,7 @@ private:
         const double z = uniform(-1, 1);
         const double angle = uniform(0, 2 * twin::kPi);
         const double r = std::sqrt(1 - z * z);
-        return 1.000002 * Vec3{r * std::cos(angle), r * std::sin(angle), z};
+        return {r * std::cos(angle), r * std::sin(angle), z};
     }
 
     // Where a ray from the eye touches the sphere.

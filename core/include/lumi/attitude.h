@@ -7,8 +7,8 @@
 namespace lumi
 {
 
-// A turn from the device's axes to those of the sphere, of any length: Q14 as sensors give it, or up to 2^30. Of the
-// device, x is to the right of the display, y up along it, z out of it towards its user.
+// A turn from the device's axes to those of the sphere, of any length: Q14 as sensors give it, or any other numbers. Of
+// the device, x is to the right of the display, y up along it, z out of it towards its user.
 struct Quaternion {
     int32_t w, x, y, z;
 };

@@ -13,8 +13,8 @@ namespace lumi
 
 enum class [[nodiscard]] CameraError : uint8_t{
     none = 0,
-    eye_inside_sphere,     // |eye| < 1: a field holds no radiance inside its sphere
-    eye_too_far,           // |eye| > kMaxEyeDistance
+    eye_inside_sphere,     // |eye| < 1 - kEyeTolerance: a field holds no radiance inside its sphere
+    eye_too_far,           // |eye| > 2047·(1 + kEyeTolerance)
     field_of_view_range,   // outside kMinFov .. kMaxFov
     image_size_range,      // a side is < 1 or > kMaxImageSide, or the shift is more than a side
     axes_not_orthonormal,  // right, up, forward differ from an orthonormal basis by more than 2^-12
@@ -23,6 +23,9 @@ enum class [[nodiscard]] CameraError : uint8_t{
 const char* describe(CameraError error);
 
 inline constexpr int32_t kMaxEyeDistanceQ20 = 2047 * kOneQ20;
+// An eye may lie by this share of its distance, 1/131072, beyond either end, 1 and 2047 radii: a pose's rounding, here
+// or from single precision, moves it by less than an eighth of that. Chord fields are drawn as from 1 radius then.
+inline constexpr int kEyeToleranceShift = 17;
 inline constexpr uint32_t kMinFovTurns32 = 11930464;    // 1 degree
 inline constexpr uint32_t kMaxFovTurns32 = 1431655766;  // 120 degrees
 inline constexpr int32_t kMaxImageSide = 8192;

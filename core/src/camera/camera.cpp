@@ -30,11 +30,12 @@ int64_t dot_q46(const Vec3q46& a, const Vec3q30& unit)
     return multiply_shift(a.x, unit.x, 30) + multiply_shift(a.y, unit.y, 30) + multiply_shift(a.z, unit.z, 30);
 }
 
-bool is_near(int32_t value_q30, int32_t target_q30)
+// Whether the product of two vectors in unit range is `whole`, 0 or 1: up to 3, which Q30 does not hold.
+bool has_product(const Vec3q30& a, const Vec3q30& b, int32_t whole)
 {
-    constexpr int32_t kToleranceQ30 = kOneQ30 >> 12;
-    const int64_t difference = static_cast<int64_t>(value_q30) - target_q30;
-    return -kToleranceQ30 <= difference && difference <= kToleranceQ30;
+    constexpr int64_t kOneQ60 = int64_t{1} << 60, kToleranceQ60 = kOneQ60 >> 12;
+    const int64_t difference = dot_q60(a, b) - whole * kOneQ60;
+    return -kToleranceQ60 <= difference && difference <= kToleranceQ60;
 }
 
 bool in_unit_range(const Vec3q30& v)
@@ -47,9 +48,8 @@ bool in_unit_range(const Vec3q30& v)
 bool is_orthonormal(const Pose& p)
 {
     return in_unit_range(p.right) && in_unit_range(p.up) && in_unit_range(p.forward) &&
-           is_near(dot_q30(p.right, p.right), kOneQ30) && is_near(dot_q30(p.up, p.up), kOneQ30) &&
-           is_near(dot_q30(p.forward, p.forward), kOneQ30) && is_near(dot_q30(p.right, p.up), 0) &&
-           is_near(dot_q30(p.right, p.forward), 0) && is_near(dot_q30(p.up, p.forward), 0);
+           has_product(p.right, p.right, 1) && has_product(p.up, p.up, 1) && has_product(p.forward, p.forward, 1) &&
+           has_product(p.right, p.up, 0) && has_product(p.right, p.forward, 0) && has_product(p.up, p.forward, 0);
 }
 
 bool in_side_range(int32_t side_px)
@@ -75,14 +75,12 @@ CameraError check_image(const Image& image)
 // |eye|² in Q40, or an error.
 CameraError check_eye(const Vec3q20& eye, uint64_t& distance2_q40)
 {
-    const auto too_far = [](int32_t c) { return c > kMaxEyeDistanceQ20 || c < -kMaxEyeDistanceQ20; };
-    if (too_far(eye.x) || too_far(eye.y) || too_far(eye.z)) return CameraError::eye_too_far;
-    distance2_q40 = static_cast<uint64_t>(wide_product(eye.x, eye.x)) +
-                    static_cast<uint64_t>(wide_product(eye.y, eye.y)) +
-                    static_cast<uint64_t>(wide_product(eye.z, eye.z));
-    if (distance2_q40 > static_cast<uint64_t>(wide_product(kMaxEyeDistanceQ20, kMaxEyeDistanceQ20)))
-        return CameraError::eye_too_far;
-    return distance2_q40 < uint64_t{1} << 40 ? CameraError::eye_inside_sphere : CameraError::none;
+    constexpr int32_t kNearest = kOneQ20 - (kOneQ20 >> kEyeToleranceShift);
+    constexpr int32_t kFarthest = kMaxEyeDistanceQ20 + (kMaxEyeDistanceQ20 >> kEyeToleranceShift);
+    const auto square = [](int32_t c) { return static_cast<uint64_t>(wide_product(c, c)); };
+    distance2_q40 = square(eye.x) + square(eye.y) + square(eye.z);
+    if (distance2_q40 > square(kFarthest)) return CameraError::eye_too_far;
+    return distance2_q40 < square(kNearest) ? CameraError::eye_inside_sphere : CameraError::none;
 }
 
 int32_t unit_component(int32_t eye_q20, const ReciprocalRoot& root)

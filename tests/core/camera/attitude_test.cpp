@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/attitude.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "lumi/orbit.h"
+#include "lumi/surface/frame.h"
 
 using namespace lumi;
 
@@ -29,7 +31,8 @@ Axes axes_of(double w, double x, double y, double z)
 double worst_of(const Quaternion& q)
 {
     const Pose pose = held_pose(q, radii(3));
-    const Axes axes = axes_of(q.w, q.x, q.y, q.z);
+    const bool is_none = (q.w | q.x | q.y | q.z) == 0;
+    const Axes axes = axes_of(is_none ? 1 : q.w, q.x, q.y, q.z);
     const auto off = [](int32_t q30, double expected) { return std::abs(q30 / double{kOneQ30} - expected); };
     const int32_t right[] = {pose.right.x, pose.right.y, pose.right.z}, up[] = {pose.up.x, pose.up.y, pose.up.z};
     const int32_t out[] = {-pose.forward.x, -pose.forward.y, -pose.forward.z};
@@ -39,7 +42,73 @@ double worst_of(const Quaternion& q)
     return worst;
 }
 
+bool is_accepted(const Pose& pose)
+{
+    const Image image = {240, 240, degrees(40)};
+    Camera camera;
+    SurfaceCamera surface_camera;
+    return make_camera(pose, image, camera) == CameraError::none &&
+           make_surface_camera(pose, image, surface_camera) == CameraError::none;
+}
+
+// What a set of turns has shown, each of them held at both ends of the distances and at one between.
+struct Held {
+    double worst = 0;
+    uint32_t turns = 0, refused = 0;
+
+    void see(const Quaternion& q)
+    {
+        ++turns;
+        worst = std::max(worst, worst_of(q));
+        for (const int32_t distance : {radii(1), radii(2), kMaxEyeDistanceQ20})
+            refused += is_accepted(held_pose(q, distance)) ? 0u : 1u;
+    }
+    void check() const
+    {
+        INFO(turns << " turns");
+        CHECK(worst < 1e-7);
+        CHECK(refused == 0);
+    }
+};
+
+int32_t rounded(double v)
+{
+    return static_cast<int32_t>(std::lround(std::clamp(v, double{INT32_MIN}, double{INT32_MAX})));
+}
+
 }  // namespace
+
+TEST_CASE("quaternions of the smallest numbers, all turns about axes and diagonals among them, are held at any length")
+{
+    constexpr int kMost = 3;
+    const int32_t lengths[] = {1, 2, 100, 16384, 23170, 1 << 28, (1 << 29) - 1, 1 << 29, INT32_MAX / kMost};
+    Held held;
+    for (const int32_t length : lengths)
+        for (int w = -kMost; w <= kMost; ++w)
+            for (int x = -kMost; x <= kMost; ++x)
+                for (int y = -kMost; y <= kMost; ++y)
+                    for (int z = -kMost; z <= kMost; ++z) held.see({w * length, x * length, y * length, z * length});
+    for (int k = 0; k < 256; ++k) {
+        const int32_t ends[] = {0, INT32_MIN, INT32_MAX, 1 << 30};
+        held.see({ends[k & 3], ends[k >> 2 & 3], ends[k >> 4 & 3], ends[k >> 6]});
+    }
+    held.check();
+}
+
+TEST_CASE("half turns about any axis, and turns near them, are held at any length")
+{
+    std::minstd_rand random(11);
+    std::normal_distribution<double> normal;
+    const double lengths[] = {1, 20, 16384, 1 << 20, 1 << 30, 2147483647.0};
+    Held held;
+    for (int k = 0; k < 20000; ++k) {
+        const double length = lengths[k % 6], off = k % 5 == 0 ? 0 : std::ldexp(normal(random), -(k % 29));
+        const double axis[] = {normal(random), normal(random), normal(random)};
+        const double scale = length / std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] + off * off);
+        held.see({rounded(off * scale), rounded(axis[0] * scale), rounded(axis[1] * scale), rounded(axis[2] * scale)});
+    }
+    held.check();
+}
 
 TEST_CASE("a held device's pose is its quaternion's matrix, whatever the quaternion's length")
 {

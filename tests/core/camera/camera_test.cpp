@@ -102,6 +102,38 @@ TEST_CASE("orbit looks at the centre from where its angles say", "[camera]")
     CHECK(worst.error < 4e-6);
 }
 
+TEST_CASE("no rounding of a pose leaves the range of distances, from 1 to 2047 radii", "[camera]")
+{
+    uint32_t refused = 0;
+    for (uint32_t k = 0; k < 20000; ++k) {
+        // Every direction, the axes among them; by core's own angles, by doubles and by floats.
+        const uint32_t azimuth = k % 8 == 0 ? k << 27 : k * 0x9E3779B9u;
+        const int32_t elevation = k % 16 == 0 ? static_cast<int32_t>((k >> 4) % 3) * 0x3FFFFFFF - 0x3FFFFFFF
+                                              : static_cast<int32_t>(k * 0x3C6EF372u) / 2;
+        for (const int32_t distance : {kOneQ20, kMaxEyeDistanceQ20}) {
+            const Pose pose = orbit(azimuth, elevation, distance);
+            const Vec3 direction = twin::normalised(decoded(pose.eye));
+            const double radius = distance / double{kOneQ20};
+            const auto single = [&](double c) { return static_cast<double>(static_cast<float>(c * radius)); };
+            const Vec3 rounded = {single(direction.x), single(direction.y), single(direction.z)};
+            refused += error_of(pose, kImage) != CameraError::none ? 1u : 0u;
+            refused += error_of(look_at(radius * direction, {0, 0, 0}), kImage) != CameraError::none ? 1u : 0u;
+            refused += error_of(look_at(rounded, {0, 0, 0}), kImage) != CameraError::none ? 1u : 0u;
+        }
+    }
+    CHECK(refused == 0);
+}
+
+TEST_CASE("an eye further beyond either end of the distances than its tolerance is refused", "[camera]")
+{
+    constexpr int32_t kNear = kOneQ20 >> kEyeToleranceShift, kFar = kMaxEyeDistanceQ20 >> kEyeToleranceShift;
+    const auto error_at = [](int32_t distance) { return error_of(orbit(0, 0, distance), kImage); };
+    CHECK(error_at(kOneQ20 - kNear) == CameraError::none);
+    CHECK(error_at(kOneQ20 - kNear - 1) == CameraError::eye_inside_sphere);
+    CHECK(error_at(kMaxEyeDistanceQ20 + kFar) == CameraError::none);
+    CHECK(error_at(kMaxEyeDistanceQ20 + kFar + 1) == CameraError::eye_too_far);
+}
+
 TEST_CASE("a stereo pair moves along the camera's right axis", "[camera]")
 {
     const Pose middle = orbit(0x12345678, 0x05000000, 3 * kOneQ20);
