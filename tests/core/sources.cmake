@@ -34,6 +34,7 @@ set(LUMI_CORE_TEST_SOURCES
   view/c_api_test.cpp
   control/gesture_test.cpp
   pixel/pack_test.cpp
+  view/small_screens_test.cpp
   view/view_test.cpp
   ../../core/src/c/lumi.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

@@ -27,6 +27,19 @@ constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t height_px, Sur
            static_cast<uint32_t>(sizeof(PackedColour) + sizeof(uint16_t));
 }
 
+// The same for every mode up to the finest: the smallest stripes, up to 1 × 5 pixels, take more for the margin of
+// `antialiased` than for the samples of `two_by_two`.
+constexpr uint32_t surface_stripe_bytes_up_to(int32_t width_px, int32_t height_px, SurfaceMode finest)
+{
+    constexpr SurfaceMode kModes[] = {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two};
+    uint32_t most = 0;
+    for (const SurfaceMode mode : kModes) {
+        const uint32_t bytes = surface_stripe_bytes(width_px, height_px, mode);
+        if (mode <= finest && bytes > most) most = bytes;
+    }
+    return most;
+}
+
 namespace surfaces
 {
 

@@ -31,8 +31,8 @@ inline ViewError check_samples(const SurfaceFrame& frame, const StripePart& part
 
 }  // namespace views
 
-// Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for modes up to kFinest: 2 ×
-// 2 takes four times as many samples as the others.
+// Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for all modes up to kFinest:
+// 2 × 2 takes four times as many samples as the others.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased>
 struct SurfaceDrawing {
     static_assert(kVertices <= format::kMaxSurfaceVertices && kPatches <= format::kMaxPatches, "more than a field has");
@@ -41,7 +41,7 @@ struct SurfaceDrawing {
 
     template <class ScreenOf>
     struct Samples {
-        static constexpr uint32_t kBytes = surface_stripe_bytes(ScreenOf::kWidthPx, ScreenOf::kRowsPx, kFinest);
+        static constexpr uint32_t kBytes = surface_stripe_bytes_up_to(ScreenOf::kWidthPx, ScreenOf::kRowsPx, kFinest);
         uint32_t words[(kBytes + 3) / 4] = {};
     };
 
