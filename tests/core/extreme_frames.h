@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <climits>
 #include <cmath>
+#include <cstdio>
 
 #include "edges.h"
 #include "field_bytes.h"
@@ -25,6 +26,8 @@ inline constexpr uint32_t kFrames = 5000;
 #endif
 inline constexpr int32_t kWindowPx = 15;    // frames of at most 31 × 15 pixels
 inline constexpr uint32_t kDrawnTwice = 8;  // every eighth frame is drawn again over other memory
+// Of generated fields (extreme_chords.h, extreme_surfaces.h): they have up to 8192 triangles, and each is drawn in several frames.
+inline constexpr uint32_t kGeneratedFrames = 500 + kFrames / 10, kFramesAField = 16;
 
 // A frame, and the stripe of it that is drawn.
 struct Extreme {
@@ -41,6 +44,8 @@ public:
     {
         const double fovs[] = {1, 2, 45, 120, edges_.uniform(1, 120)};
         Extreme e{edges_.next(distance(), fovs[below(5)]), below(1u << 24)};
+        if (below(4) == 0) stretch(e.edge);
+        if (below(4) == 0) bend(e.edge.pose);
         if (below(8) == 0) e.edge.x += static_cast<int32_t>(below(80)) - 40;
         if (below(8) == 0) e.edge.y += static_cast<int32_t>(below(80)) - 40;
         const int32_t ends[] = {INT_MIN, -32769, 16384, 32767, INT_MAX - 64};  // nothing lies beyond INT_MAX
@@ -52,10 +57,40 @@ public:
     uint32_t below(uint32_t count) { return static_cast<uint32_t>(edges_.uniform(0, count)); }
 
 private:
+    // To sides at their ends, in every proportion; the window lies at an end of the image or in it.
+    void stretch(Edge& edge)
+    {
+        const int32_t sides[] = {1, 2, 3, kMaxImageSide - 1, kMaxImageSide};
+        const auto shift_q8 = [&](int32_t side) { return 256 * side * (static_cast<int32_t>(below(3)) - 1); };
+        const auto place = [&](int32_t side, int32_t& at, int32_t& size) {
+            size = std::min(side, size);
+            const uint32_t end = static_cast<uint32_t>(side - size), choice = below(3);
+            at = static_cast<int32_t>(choice == 0 ? 0 : choice == 1 ? end : below(end + 1));
+        };
+        Image& image = edge.image;
+        image.width_px = sides[below(5)];
+        image.height_px = sides[below(5)];
+        image.shift_x_q8 = shift_q8(image.width_px);
+        image.shift_y_q8 = shift_q8(image.height_px);
+        edge.width = 2 * kWindowPx + 1;
+        edge.height = kWindowPx;
+        place(image.width_px, edge.x, edge.width);
+        place(image.height_px, edge.y, edge.height);
+    }
+
+    // Makes axes longer or shorter by nearly as much as a camera takes: their squares differ from 1 by 2^-12.
+    void bend(Pose& pose)
+    {
+        for (Vec3q30* axis : {&pose.right, &pose.up, &pose.forward}) {
+            const double scale = 1 + 0.98 * std::ldexp(static_cast<double>(below(3)) - 1, -13);
+            for (int32_t* c : {&axis->x, &axis->y, &axis->z}) *c = static_cast<int32_t>(*c * scale);
+        }
+    }
+
     // On the sphere, just above it, and as far away as eyes go.
     double distance()
     {
-        const double ends[] = {1, 1.0001, 1.01, 2046.99};
+        const double ends[] = {1, 1.0001, 1.01, 2047};
         const uint32_t k = below(8);
         return k < 4 ? ends[k] : std::pow(2.0, edges_.uniform(0.001, 10.9));
     }
@@ -91,6 +126,14 @@ uint64_t draw_frame(const Edge& edge, uint32_t pixel_bytes, bool twice, const Dr
     }
     return static_cast<uint64_t>(
         std::count_if(canvas.pixels.begin(), canvas.pixels.end(), [](uint8_t byte) { return byte != 0; }));
+}
+
+// That at least so many bytes a frame show something of the fields, and not the background.
+inline void check_shown(const char* of, uint32_t frames, uint64_t shown, uint64_t least)
+{
+    std::printf("%u extreme frames of %s, %llu bytes show something\n", static_cast<unsigned>(frames), of,
+                static_cast<unsigned long long>(shown));
+    CHECK(shown > least * frames);
 }
 
 }  // namespace lumi::test

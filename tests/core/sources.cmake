@@ -26,6 +26,7 @@ set(LUMI_CORE_TEST_SOURCES
   chord/stepping/hits_test.cpp
   surface/coverage_test.cpp
   surface/extreme_surface_test.cpp
+  surface/planes_test.cpp
   surface/render_test.cpp
   surface/field_test.cpp
   surface/quality_test.cpp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// lumi_make_fuzz_corpus FOLDER: seeds of field_fuzz.cpp, fields of each kind that are drawn in several ways. All are
-// smaller than 4 KiB, so that a fuzzer runs many a second.
+// lumi_make_fuzz_corpus FOLDER: seeds of field_fuzz.cpp in FOLDER/field, fields of each kind that are drawn in several
+// ways, and of extreme_fuzz.cpp in FOLDER/extreme, numbers from which it makes fields. All are smaller than 8 KiB, so
+// that a fuzzer runs many a second.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -8,7 +9,8 @@
 #include <random>
 #include <string>
 
-#include "surface/surface_bytes.h"
+#include "chord/extreme_chords.h"
+#include "surface/extreme_surfaces.h"
 
 namespace
 {
@@ -17,15 +19,21 @@ using namespace lumi;
 
 constexpr int kSeeds = 6;  // a field
 constexpr int kControlBytes = 48;
+constexpr uint32_t kExtremeFields = 12;
+constexpr int kExtremeSeeds = 40, kExtremeBytes = 600;
+
+// Some bytes, and then chance.
+void write_seed(const std::filesystem::path& path, const test::Bytes& field, int chance_bytes)
+{
+    static std::minstd_rand random(1);
+    std::ofstream out(path, std::ios::binary);
+    for (const uint8_t b : field) out.put(static_cast<char>(b));
+    for (int byte = 0; byte < chance_bytes; ++byte) out.put(static_cast<char>(random() >> 8));
+}
 
 void write_seeds(const std::filesystem::path& folder, const std::string& name, const test::Bytes& field)
 {
-    static std::minstd_rand random(1);
-    for (int k = 0; k < kSeeds; ++k) {
-        std::ofstream out(folder / (name + '-' + std::to_string(k)), std::ios::binary);
-        for (const uint8_t b : field) out.put(static_cast<char>(b));
-        for (int byte = 0; byte < kControlBytes; ++byte) out.put(static_cast<char>(random() >> 8));
-    }
+    for (int k = 0; k < kSeeds; ++k) write_seed(folder / (name + '-' + std::to_string(k)), field, kControlBytes);
 }
 
 // As test::bumpy_ball, with fewer patches: view tables on most vertices, a triangle through it and one without area.
@@ -40,7 +48,17 @@ test::TestSurface small_ball()
     return s;
 }
 
-void write_all(const std::filesystem::path& folder)
+void write_extremes(const std::filesystem::path& folder)
+{
+    test::Choices choices(1);
+    test::ExtremeChords chords(choices, test::kSmallChord);
+    test::ExtremeSurfaces surfaces(choices, test::kSmallSurface);
+    for (uint32_t k = 0; k < kExtremeFields; ++k)
+        write_seed(folder / ("extreme-" + std::to_string(k)), k % 3 == 0 ? chords.next() : surfaces.next(),
+                   kControlBytes);
+}
+
+void write_fields(const std::filesystem::path& folder)
 {
     constexpr uint32_t kSizes[][3] = {{20, 24, 20}, {5, 9, 3}, {36, 22, 30}};  // M, N, origins used
     for (uint32_t texel = 0; texel < format::kTexelFormats; ++texel) {
@@ -56,6 +74,7 @@ void write_all(const std::filesystem::path& folder)
     }
     write_seeds(folder, "ball", test::surface_file(small_ball()));
     write_seeds(folder, "sheet", test::surface_file(test::wavy_sheet()));
+    write_extremes(folder);
 }
 
 }  // namespace
@@ -66,7 +85,11 @@ int main(int argc, char** argv)
         std::fputs("usage: lumi_make_fuzz_corpus FOLDER\n", stderr);
         return 64;
     }
-    std::filesystem::create_directories(argv[1]);
-    write_all(argv[1]);
+    const std::filesystem::path fields = std::filesystem::path(argv[1]) / "field";
+    const std::filesystem::path extremes = std::filesystem::path(argv[1]) / "extreme";
+    std::filesystem::create_directories(fields);
+    std::filesystem::create_directories(extremes);
+    write_fields(fields);
+    for (int k = 0; k < kExtremeSeeds; ++k) write_seed(extremes / std::to_string(k), {}, kExtremeBytes);
     return 0;
 }

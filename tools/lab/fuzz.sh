@@ -5,7 +5,7 @@
 # as there are cores, and says executions and coverage; --docs adds them to the sums in docs/log/tests.md, of which
 # SECURITY.md has a copy. A finding ends the run, and nothing of it is added; the input that shows it lies in
 # build/fuzz/findings. What is learnt stays in build/fuzz/corpus, so the next run goes on from there. Needs clang.
-# Targets: field, picture, obj, scene, nifti, shard, weights; all if none is named.
+# Targets: field, extreme, picture, obj, scene, nifti, shard, weights; all if none is named.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -22,12 +22,12 @@ parse_arguments() {
       --docs) write_docs=true ;;
       --help) help "$0" && exit ;;
       --hours) minutes=$((60 * ${2:?"--hours needs a number"})) && shift ;;
-      field | picture | obj | scene | nifti | shard | weights) targets+=("$1") ;;
+      field | extreme | picture | obj | scene | nifti | shard | weights) targets+=("$1") ;;
       *) wrong_call "unknown argument '$1'" ;;
     esac
     shift
   done
-  if ((${#targets[@]} == 0)); then targets=(field picture obj scene nifti shard weights); fi
+  if ((${#targets[@]} == 0)); then targets=(field extreme picture obj scene nifti shard weights); fi
 }
 
 build_targets() {
@@ -40,7 +40,7 @@ build_targets() {
 # TARGET.cpu.
 fuzz() {
   local corpus=$work/corpus/$1 seeds=$work/seeds/$1 options=() TIMEFORMAT='%U %S'
-  if [[ $1 == field ]]; then options=(-max_len=6144); fi  # small fields have every section and draw sixteen times as fast
+  if [[ $1 == field ]]; then options=(-max_len=8192); fi  # small fields have every section and draw sixteen times as fast
   mkdir -p "$corpus" "$work/findings"
   {
     time "$work/tests/fuzz/lumi_$1_fuzz" "$corpus" "$seeds" "${options[@]}" -max_total_time=$((60 * minutes)) \
@@ -79,7 +79,7 @@ main() {
   parse_arguments "$@"
   command -v clang++ >/dev/null || die "clang++ is missing: apt-get install clang"
   build_targets
-  "$work/tests/fuzz/lumi_make_fuzz_corpus" "$work/seeds/field"
+  "$work/tests/fuzz/lumi_make_fuzz_corpus" "$work/seeds"
   "$work/tests/fuzz/lumi_make_baker_corpus" "$work/seeds"
   run_step "Fuzz ${targets[*]}, $minutes minutes each" fuzz_all
   printf '\n'

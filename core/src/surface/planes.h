@@ -23,7 +23,8 @@ struct Planes {
 LUMI_ALWAYS_INLINE bool is_magnified(const Plane& place, int32_t most_q10)
 {
     const auto fits = [&](uint32_t step) {
-        const int32_t u = static_cast<int16_t>(step), v = (static_cast<int32_t>(step) - u) >> 16;
+        const int32_t u = static_cast<int16_t>(step);
+        const int32_t v = static_cast<int32_t>(step - static_cast<uint32_t>(u)) >> 16;
         return u <= most_q10 && u >= -most_q10 && v <= most_q10 && v >= -most_q10;
     };
     return fits(place.right) && fits(place.down);

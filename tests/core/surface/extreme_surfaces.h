@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Valid surface fields at the limits of their format: numbers of vertices, patches and texels, sides of textures,
+// coordinates and tables, whatever a fuzzer or a seed chooses. Every one of them opens and verifies; that they are
+// drawn without harm is for tests to show, and for fuzzers (tests/fuzz/extreme_fuzz.cpp).
+#pragma once
+
+#include <algorithm>
+
+#include "choices.h"
+#include "surface/surface_bytes.h"
+
+namespace lumi::test
+{
+
+// The most that a field has. A fuzzer's are small: it draws more of them in a second.
+struct SurfaceLimits {
+    uint32_t vertices, patches, texels;
+};
+inline constexpr SurfaceLimits kLargestSurface = {format::kMaxSurfaceVertices, format::kMaxPatches, 1u << 14};
+inline constexpr SurfaceLimits kSmallSurface = {12, 10, 4100};
+
+class ExtremeSurfaces
+{
+public:
+    ExtremeSurfaces(Choices& choices, const SurfaceLimits& limits) : choose_(choices), limits_(limits) {}
+
+    Bytes next()
+    {
+        TestSurface s;
+        set_counts(s);
+        const bool is_walk = choose_.once_in(2);
+        if (is_walk)
+            walk(s.vertices);
+        else
+            for (SurfacePoint& v : s.vertices) v = vertex(s);
+        const bool has_largest_textures = choose_.below(4) != 0;
+        for (TestPatch& p : s.patches) p = patch(s, is_walk, has_largest_textures);
+        std::vector<TestSection> sections = {surface_section(s),
+                                             vertex_section(s),
+                                             patch_section(s),
+                                             {format::kColourSection, format::kRequired, s.texels},
+                                             palette()};
+        if (s.viewed != 0) sections.push_back(views(s));
+        if (choose_.below(4) != 0) sections.push_back(choose_.once_in(2) ? neighbour_section(s) : neighbours(s));
+        return file_of(sections);
+    }
+
+private:
+    // Few, some, or now and then as many as there may be.
+    uint32_t mostly_few(uint32_t least, uint32_t most)
+    {
+        constexpr uint32_t kFew = 24, kSome = 2000;
+        if (choose_.once_in(64)) return choose_.end_or_any(least, most);
+        return choose_.end_or_any(least, std::min(most, least + (choose_.once_in(2) ? kFew : kSome)));
+    }
+
+    void set_counts(TestSurface& s)
+    {
+        s.vertices.resize(mostly_few(3, limits_.vertices));
+        s.patches.resize(mostly_few(1, limits_.patches));
+        s.viewed = choose_.once_in(3) ? 0 : choose_.end_or_any(0, static_cast<uint32_t>(s.vertices.size()));
+        s.flags = choose_.below(2) * format::kSurfaceTwoSided;
+        s.colour_space = choose_.below(format::kColourSpaces);
+        s.longest_edge_q6 = choose_.end_or_any(1, 128);
+        choose_.set_bounds(s.centre, s.radius);
+        // A texel more than any patch may reach, all that any may, or as few as some do.
+        const uint32_t most = format::patch_reach(format::kMaxPatchSide), least = format::patch_reach(1);
+        s.texels.resize(choose_.below(3) != 0 ? most + choose_.below(2) : choose_.end_or_any(least, limits_.texels));
+        const uint8_t fill = choose_.extreme_byte();
+        const bool is_even = choose_.once_in(4);
+        for (uint32_t k = 0; k < s.texels.size(); ++k)
+            s.texels[k] = is_even ? fill : static_cast<uint8_t>(scattered(k + fill));
+    }
+
+    // On the sphere, as far beyond it as coordinates go, at its centre, beside another vertex, or anywhere.
+    SurfacePoint vertex(const TestSurface& s)
+    {
+        constexpr int32_t kOne = 1 << 14, kBeyond = 362, kCorner = 9461;  // all within 1 + 2^-12 of the centre
+        SurfacePoint v{};
+        switch (choose_.below(6)) {
+            case 0:
+                v[choose_.below(3)] = choose_.one_of({-kOne, kOne});
+                break;
+            case 1:
+                v[choose_.below(2)] = choose_.one_of({-kOne, kOne});
+                v[2] = choose_.one_of({-kBeyond, kBeyond, -1, 1});
+                break;
+            case 2:
+                for (int32_t& c : v) c = choose_.one_of({-kCorner, kCorner});
+                break;
+            case 3:
+                for (int32_t& c : v) c = choose_.between(-1, 1);
+                break;
+            case 4:
+                v = s.vertices[choose_.below(static_cast<uint32_t>(s.vertices.size()))];
+                for (int32_t& c : v) c -= c > 0 ? choose_.between(0, 2) : -choose_.between(0, 2);
+                break;
+            default:
+                for (int32_t& c : v) c = choose_.between(-kCorner, kCorner);
+        }
+        return v;
+    }
+
+    // Each a step away from the one before: triangles of neighbours are small, down to less than a sample.
+    void walk(std::vector<SurfacePoint>& vertices)
+    {
+        constexpr int32_t kCorner = 9461;
+        const int32_t step = choose_.one_of({1, 250, 1000, 2000, 4000, 8000});
+        SurfacePoint at{};
+        for (int32_t& c : at) c = choose_.between(-kCorner, kCorner);
+        for (SurfacePoint& v : vertices) {
+            for (int32_t& c : at) c = std::clamp(c + choose_.between(-step, step), -kCorner, kCorner);
+            v = at;
+        }
+    }
+
+    TestPatch patch(const TestSurface& s, bool is_walk, bool has_largest_texture)
+    {
+        const uint32_t vertices = static_cast<uint32_t>(s.vertices.size());
+        const uint32_t texels = static_cast<uint32_t>(s.texels.size()), first = choose_.below(vertices);
+        const auto corner = [&](uint32_t k) { return is_walk ? (first + k) % vertices : choose_.below(vertices); };
+        TestPatch p{first, corner(1), corner(2)};
+        if (choose_.below(3) != 0) p.d = corner(3);
+        const uint32_t widest =
+            std::min(format::kMaxPatchSide, (texels - format::patch_reach(0)) / format::kMaxPatchSide);
+        p.columns = has_largest_texture ? widest : choose_.end_or_any(1, widest);
+        p.rows = has_largest_texture ? format::kMaxPatchSide : choose_.end_or_any(1, format::kMaxPatchSide);
+        p.begin = choose_.end_or_any(0, texels - format::patch_reach(p.columns));
+        return p;
+    }
+
+    TestSection palette()
+    {
+        Bytes b;
+        for (uint32_t k = 0; k < 3 * format::kPaletteEntries; ++k) b.push_back(choose_.extreme_byte());
+        return {format::kPaletteRgb, format::kRequired, b};
+    }
+    TestSection views(const TestSurface& s)
+    {
+        Bytes b;
+        const uint32_t records = s.viewed * format::kViewBytes;
+        for (uint32_t k = 0; k < format::kViewColoursBytes + records; ++k) b.push_back(choose_.extreme_byte());
+        return {format::kViewSection, 0, b};
+    }
+    TestSection neighbours(const TestSurface& s)
+    {
+        Bytes b;
+        const uint32_t triangles = 2 * static_cast<uint32_t>(s.patches.size());
+        for (uint32_t k = 0; k < 2 * triangles; ++k)
+            put16(b, choose_.once_in(2) ? format::kNoNeighbour : choose_.below(triangles));
+        return {format::kNeighbourSection, 0, b};
+    }
+
+    Choices& choose_;
+    const SurfaceLimits limits_;
+};
+
+}  // namespace lumi::test
