@@ -32,6 +32,7 @@ set(LUMI_CORE_SOURCES
   src/chord/armv6m/linear_palette8.S
   src/chord/armv6m/linear_rgb565.S
   src/chord/armv6m/linear_rgb888.S
+  src/chord/cut_piece.cpp
   src/chord/stepper.cpp
   src/chord/tile.cpp
   src/surface/fill.cpp

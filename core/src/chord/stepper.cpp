@@ -11,13 +11,21 @@ Extent common(const Extent& a, const Extent& b)
     return {a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
 }
 
+// Where to look for the sphere: nowhere if none of the image's columns is shown.
+Extent columns_of(const Camera& camera, const Extent& shown)
+{
+    const Extent all = {0, camera.width_px()}, visible = common(all, shown);
+    return visible.begin < visible.end ? all : Extent{0, 0};
+}
+
 }  // namespace
 
 ChordStepper::ChordStepper(const Field& field, const Camera& camera, const Stripe& stripe, int span_log2)
     : field_(field),
       camera_(camera),
       span_log2_(span_log2),
-      outline_(camera, {stripe.x_px, stripe.right_px()}),
+      shown_{stripe.x_px, stripe.right_px()},
+      outline_(camera, columns_of(camera, shown_)),
       hits_(camera),
       origins_(field.origins),
       directions_(field.directions),
@@ -53,16 +61,24 @@ bool ChordStepper::next(Piece& piece)
                 break;
             case Stage::tiles:
                 if (next_tile(piece)) {
-                    stage_ = Stage::spans;
-                    return true;
+                    const int32_t end = piece.x + piece.width;
+                    const bool is_whole = piece.x >= shown_.begin && end <= shown_.end;
+                    stage_ = is_whole || !is_shown(piece.x, end) ? Stage::spans : Stage::cut_tile;
+                    if (is_whole) return true;
+                    cut_scanline_ = 0;
+                    break;
                 }
                 begin_gap(drawn_x_, INT32_MAX);
                 stage_ = Stage::spans;
                 break;
+            case Stage::cut_tile:
+                if (next_cut_scanline(piece)) return true;
+                stage_ = Stage::spans;
+                break;
             case Stage::spans:
                 if (x_ < part_.end || begin_scanline()) {
-                    next_span(piece);
-                    return true;
+                    if (next_span(piece)) return true;
+                    break;
                 }
                 stage_ = gap_.end == INT32_MAX ? Stage::band : Stage::tiles;
                 break;
@@ -112,16 +128,18 @@ bool ChordStepper::begin_tiles()
     return true;
 }
 
-// Looks for the next tile that can be drawn, and leaves what lies between it and the one before to spans.
+// Looks for the next tile that can be drawn of which something is shown, or of the gap between it and the one before,
+// which is left to spans.
 bool ChordStepper::next_tile(Piece& piece)
 {
-    while (tile_x_ < columns_.end) {
-        const int32_t x = tile_x_;
+    while (tile_x_ < columns_.end && drawn_x_ < shown_.end) {
+        const int32_t x = tile_x_, gap_x = drawn_x_;
         const int width_log2 = prepare_tile();
         if (width_log2 == 0) continue;
-        piece = {Piece::Kind::cells, x, y_, 1 << width_log2, &tile_scanlines_};
-        begin_gap(drawn_x_, x);
         drawn_x_ = tile_x_;
+        if (!is_shown(gap_x, tile_x_)) continue;
+        piece = {Piece::Kind::cells, x, y_, 1 << width_log2, &tile_scanlines_};
+        begin_gap(gap_x, x);
         return true;
     }
     return false;
@@ -152,6 +170,26 @@ int ChordStepper::prepare_tile()
     return fits ? log2 : 0;
 }
 
+// Goes on to the next scanline of the tile right of the gap, and sets both lines anew, which a loop has moved.
+bool ChordStepper::next_cut_scanline(Piece& piece)
+{
+    const int32_t x = gap_.end, width = tile_x_ - x, first = y_ & (kTileHeight - 1);
+    tile_scanlines_.first = first;
+    tile_scanlines_.count = scanlines_;
+    if (cut_scanline_ == scanlines_) return false;
+    tile_scanlines_.first = first + cut_scanline_;
+    tile_scanlines_.count = 1;
+    const int left = 1 - left_;
+    const TileCorners tile = {&corners_[0][left], &corners_[0][left_], &corners_[1][left], &corners_[1][left_],
+                              &centre_};
+    const int width_log2 = __builtin_ctz(static_cast<uint32_t>(width));
+    (void)front_tile_.prepare(tile, width_log2);
+    (void)back_tile_.prepare(tile, width_log2);
+    piece = {Piece::Kind::cells, x, y_ + cut_scanline_, width, &tile_scanlines_};
+    ++cut_scanline_;
+    return true;
+}
+
 void ChordStepper::begin_gap(int32_t begin, int32_t end)
 {
     gap_ = {begin, end};
@@ -168,7 +206,7 @@ bool ChordStepper::begin_scanline()
     for (; scanline_ < scanlines_; ++scanline_) {
         span_ = spans_[scanline_];
         part_ = common(gap_, span_);
-        if (part_.begin < part_.end) break;
+        if (part_.begin < part_.end && is_shown(part_.begin, part_.end)) break;
     }
     if (scanline_ == scanlines_) return false;
     span_y_ = y_ + scanline_;
@@ -181,8 +219,13 @@ bool ChordStepper::begin_scanline()
     return true;
 }
 
-void ChordStepper::next_span(Piece& piece)
+// Goes on by a span or a pixel; false where the stripe shows nothing of it.
+bool ChordStepper::next_span(Piece& piece)
 {
+    if (x_ >= shown_.end) {
+        x_ = part_.end;
+        return false;
+    }
     int32_t length = prepare_span();
     if (length == 0) {
         take_pixel();
@@ -193,6 +236,7 @@ void ChordStepper::next_span(Piece& piece)
         !origins.over_pole && !back_track_.line.over_pole && (all_baked() || is_baked(origins.cells.highest(length)));
     piece = {is_whole ? Piece::Kind::cells : Piece::Kind::checked, x_, span_y_, length, nullptr};
     x_ += length;
+    return x_ > shown_.begin;
 }
 
 // Sets up the longest span that both lattices allow and returns how many pixels it has; 0 where there is none.

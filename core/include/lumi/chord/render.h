@@ -6,7 +6,8 @@
 //     render<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverColour{{0, 0, 0}}, stripe);
 //
 // Stateless and re-entrant: a stripe may be any rectangle of the image (or beside it), stripes may be drawn in any
-// order and on several cores at once. Nothing is allocated; stack use is stated in docs/boards.md.
+// order and on several cores at once. Any rectangle shows the same pixels as any other. Nothing is allocated; stack use
+// is stated in docs/boards.md.
 // Policies are templates: what a firmware does not name is not linked.
 #pragma once
 

@@ -3,12 +3,15 @@
 //
 //     render_spans<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverBlack{}, stripe, 16);
 //
-// The same contract as render(): any rectangle, any order, re-entrant. `span_px` (2, 4, 8 or 16) is the most pixels
-// between exact hits: the trade of speed for accuracy that docs/tradeoff.md measures. From 8 on, the inside of the
-// sphere is drawn in tiles of span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter.
-// Paper<K> and NearestVoronoi need <lumi/chord/render_spans_paper.h>, too.
+// The same contract as render(): any rectangle, any order, re-entrant, and any rectangle shows the same pixels as any
+// other. Full scanlines are the cheapest: of a rectangle that begins right of the sphere's left outline, hits on the
+// way from there are evaluated, too. `span_px` (2, 4, 8 or 16) is the most pixels between exact hits: the trade of
+// speed for accuracy that docs/tradeoff.md measures. From 8 on, the inside of the sphere is drawn in tiles of span_px ×
+// 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Paper<K> and NearestVoronoi need
+// <lumi/chord/render_spans_paper.h>, too.
 #pragma once
 
+#include "lumi/chord/detail/cut_piece.h"
 #include "lumi/chord/detail/linear.h"
 #include "lumi/chord/detail/one_tap.h"
 
@@ -53,18 +56,22 @@ RenderError render_spans(const Field& field, const Camera& camera, const Backgro
     ChordStepper stepper(field, camera, stripe, span_log2);
     LatticeLine& origins = stepper.origins();
     LatticeLine& directions = stepper.directions();
+    alignas(4) uint8_t cut[kMostPiecePixels * Pixel::kBytes] = {};
     for (Piece piece; stepper.next(piece);) {
         if (piece.kind == Piece::Kind::scanline) {
             fill_beside<Pixel>(background, stripe, {piece.x, piece.x + piece.width}, piece.y);
             continue;
         }
-        uint8_t* const pixels = pixel_of<Pixel>(stripe, piece.x, piece.y);
+        const bool is_in_part = is_cut(stripe, piece);
+        if (is_in_part) copy_from_stripe(stripe, piece, Pixel::kBytes, cut);
+        uint8_t* const pixels = is_in_part ? cut : pixel_of<Pixel>(stripe, piece.x, piece.y);
         if (piece.kind == Piece::Kind::cells) {
             Loops::draw({field, background, pixels, piece.width, piece.x, piece.y, origins.cells, directions.cells,
                          piece.tile});
         } else {
             Loops::draw_checked({field, background, pixels, piece.width, piece.x, piece.y, origins, directions});
         }
+        if (is_in_part) copy_into_stripe(stripe, piece, Pixel::kBytes, cut);
     }
     return RenderError::none;
 }

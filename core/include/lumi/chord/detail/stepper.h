@@ -4,7 +4,8 @@
 //
 // Scanlines are taken in bands as high as a tile, on a grid that the image fixes. Of each band come first its
 // scanlines, so that what lies beside the sphere can be filled, then tiles from left to right, each followed by the
-// spans of the gap left of it.
+// spans of the gap left of it. Pieces are those of the whole image, whatever columns the stripe has: of a scanline that
+// begins left of the stripe, hits are evaluated from its first pixel on.
 #pragma once
 
 #include "lumi/chord/detail/stepping/outline.h"
@@ -26,12 +27,14 @@ struct TileScanlines {
 
 struct Piece {
     enum class Kind : uint8_t {
-        scanline,  // a scanline of the stripe begins: these of its pixels are covered
+        scanline,  // a scanline of the stripe begins: these pixels of the image are covered
         cells,     // a span or a tile, both lattices through cells that the field has
         checked,   // a span that needs care: over a pole, or with origins that are not baked
     };
     Kind kind;
-    int32_t x, y;  // in the image
+    // In the image. A piece that the stripe's sides cut begins or ends beside the stripe (cut_piece.h), and is one
+    // scanline high.
+    int32_t x, y;
     int32_t width;
     const TileScanlines* tile;  // of a tile, else null
 };
@@ -44,21 +47,24 @@ public:
     ChordStepper(const ChordStepper&) = delete;
     ChordStepper& operator=(const ChordStepper&) = delete;
 
-    // Sets the next piece and both lines to where it lies; false after the last one.
+    // Sets the next piece that lies in the stripe, or a part of which does, and both lines to where it lies; false
+    // after the last one.
     bool next(Piece& piece);
     LatticeLine& origins() { return front_track_.line; }
     LatticeLine& directions() { return back_track_.line; }
 
 private:
-    enum class Stage : uint8_t { band, scanlines, tiles, spans };
+    enum class Stage : uint8_t { band, scanlines, tiles, cut_tile, spans };
 
     bool begin_band();
     bool begin_tiles();
     bool next_tile(Piece& piece);
     int prepare_tile();
+    bool next_cut_scanline(Piece& piece);
     void begin_gap(int32_t begin, int32_t end);
     bool begin_scanline();
-    void next_span(Piece& piece);
+    bool next_span(Piece& piece);
+    bool is_shown(int32_t begin, int32_t end) const { return begin < shown_.end && end > shown_.begin; }
     int32_t prepare_span();
     void take_pixel();
     bool all_baked() const { return field_.used_origins == field_.origins.size(); }
@@ -69,6 +75,7 @@ private:
     const Field& field_;
     const Camera& camera_;
     int span_log2_;
+    const Extent shown_;  // the stripe's columns
     OutlineTracker outline_;
     HitEvaluator hits_;
     LatticeZones origins_, directions_;
@@ -88,6 +95,7 @@ private:
     Extent columns_{0, 0};
     int32_t tile_x_ = 0, drawn_x_ = 0;
     int left_ = 0;
+    int32_t cut_scanline_ = 0;  // the next one of a tile that the stripe's sides cut
     ScanlineRays tile_rays_[3];
     HitPair corners_[2][2];
     HitPair centre_;
