@@ -114,17 +114,6 @@ add_test(NAME cortex-m0plus.unaligned_read_faults
 set_tests_properties(cortex-m0plus.unaligned_read_faults PROPERTIES FIXTURES_REQUIRED lumi_built_cortex-m0plus
   PASS_REGULAR_EXPRESSION "fault: .*ended with 70")
 
-set(lumi_size_cpus cortex-m0plus)
-if(LUMI_TEST_ALL)
-  list(APPEND lumi_size_cpus cortex-m4)
-endif()
-foreach(cpu IN LISTS lumi_size_cpus)
-  add_test(NAME ${cpu}.size_report
-    COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR}/cross/${cpu} --target size_report)
-  set_tests_properties(${cpu}.size_report PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
-    TIMEOUT ${lumi_build_timeout_s})
-endforeach()
-
 # A firmware project of somebody else takes core in.
 add_test(NAME platform.add_subdirectory_firmware
   COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${lumi_consumer} ${lumi_consumer_build}/firmware

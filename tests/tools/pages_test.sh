@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# pages_test.sh LUMI SHARE: what `lumi --pages SHARE` wrote has a page for every subcommand with every option of its
+# pages_test.sh LUMI SHARE: what `tools/packaging/pages.py LUMI SHARE` wrote has a page for every subcommand with every option of its
 # --help, is troff without a warning, and completes words.
 set -euo pipefail
 lumi=$1 share=$2

@@ -6,10 +6,11 @@ set(lumi_doc ${CMAKE_INSTALL_DATADIR}/doc/lumipath)
 
 set(CPACK_PACKAGE_CONTACT "The LumiPath developers <lumi@example.invalid>")
 
-# Pages and completion come from the command itself, when it is installed.
+# Pages and completion come from the help of the command, when it is installed.
 install(CODE "
   set(share \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\")
-  execute_process(COMMAND \"$<TARGET_FILE:lumi>\" --pages \"\${share}\" COMMAND_ERROR_IS_FATAL ANY)"
+  execute_process(COMMAND python3 -B \"${CMAKE_CURRENT_LIST_DIR}/pages.py\" \"$<TARGET_FILE:lumi>\" \"\${share}\"
+    COMMAND_ERROR_IS_FATAL ANY)"
   COMPONENT tool)
 file(STRINGS ${PROJECT_SOURCE_DIR}/LICENSE lumi_copyright REGEX "^Copyright")
 string(REGEX REPLACE "^Copyright (\\(c\\) )?" "" lumi_copyright "${lumi_copyright}")

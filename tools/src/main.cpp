@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The `lumi` command line: subcommands in commands/, plug-ins in folders of their own.
 #include "commands/commands.h"
-#include "program/pages.h"
 #include "program/plugin.h"
 #include "program/program.h"
 
@@ -20,7 +19,6 @@ void describe(CLI::App& lumi)
          {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed})
         add(lumi);
     for (const Plugin& plugin : plugins()) plugin.add_subcommand(lumi);
-    add_pages(lumi);
 }
 
 }  // namespace

@@ -34,6 +34,12 @@ HelpFormatter::HelpFormatter()
     label("TEXT", "");
 }
 
+// At least two spaces stand before a description.
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const
+{
+    return CLI::Formatter::make_option_opts(option) + " ";
+}
+
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const
 {
     return wrapped(CLI::Formatter::make_option_desc(option), kDescriptionColumns);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Help texts that fit a terminal.
+// Help texts that fit a terminal. tools/packaging/pages.py reads them.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,6 +15,7 @@ class HelpFormatter : public CLI::Formatter
 {
 public:
     HelpFormatter();
+    std::string make_option_opts(const CLI::Option* option) const override;
     std::string make_option_desc(const CLI::Option* option) const override;
 };
 

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "program/program.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <system_error>
 
 #include "lumi/baker/file_guard.h"
@@ -11,7 +17,6 @@
 #include "program/parse_problem.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
-#include "terminal/standard_streams.h"
 
 namespace lumi::tools
 {
@@ -20,6 +25,26 @@ namespace
 {
 
 const char* program_name = "lumi";  // in messages
+
+// A stream that the caller closed (`lumi … >&-`) stays unusable, but its number is taken: no file that a command opens
+// can get it, and receive what is meant for the stream.
+void occupy_standard_streams()
+{
+    // The wrong way round, so that using them fails as it does with a closed stream.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+// Throws Failure if something that was printed to standard output did not arrive there.
+void finish_standard_output()
+{
+    errno = 0;
+    std::cout.flush();
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return;
+    const std::string cause = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : "";
+    throw Failure("standard output", "cannot be written" + cause + ", so that what it got is cut",
+                  "free some space on that disk, or send it elsewhere");
+}
 
 int report(const char* message, ExitCode code)
 {
