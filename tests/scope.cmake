@@ -33,7 +33,7 @@ set(LUMI_PLAIN_FILES
   baker/trace/error_gauge_test.cpp
   baker/trace/path_tracer_test.cpp
   baker/trace/volume_test.cpp
-  baker/surface/holes_test.cpp
+  baker/mesh/holes_test.cpp
   baker/volume/flight_test.cpp
   baker/volume/opacity_surface_test.cpp
   baker/chord/field_rays_test.cpp
