@@ -14,6 +14,14 @@ using namespace lumi;
 namespace
 {
 
+#ifdef LUMI_TEST_LIGHT
+constexpr int kTurns = 600, kMost = 1;
+constexpr int32_t kLengths[] = {1, 16384, INT32_MAX / kMost};
+#else
+constexpr int kTurns = 20000, kMost = 3;
+constexpr int32_t kLengths[] = {1, 2, 100, 16384, 23170, 1 << 28, (1 << 29) - 1, 1 << 29, INT32_MAX / kMost};
+#endif
+
 // The pose by doubles: columns of the quaternion's matrix.
 struct Axes {
     double right[3], up[3], out[3];
@@ -80,10 +88,8 @@ int32_t rounded(double v)
 
 TEST_CASE("quaternions of the smallest numbers, all turns about axes and diagonals among them, are held at any length")
 {
-    constexpr int kMost = 3;
-    const int32_t lengths[] = {1, 2, 100, 16384, 23170, 1 << 28, (1 << 29) - 1, 1 << 29, INT32_MAX / kMost};
     Held held;
-    for (const int32_t length : lengths)
+    for (const int32_t length : kLengths)
         for (int w = -kMost; w <= kMost; ++w)
             for (int x = -kMost; x <= kMost; ++x)
                 for (int y = -kMost; y <= kMost; ++y)
@@ -101,7 +107,7 @@ TEST_CASE("half turns about any axis, and turns near them, are held at any lengt
     std::normal_distribution<double> normal;
     const double lengths[] = {1, 20, 16384, 1 << 20, 1 << 30, 2147483647.0};
     Held held;
-    for (int k = 0; k < 20000; ++k) {
+    for (int k = 0; k < kTurns; ++k) {
         const double length = lengths[k % 6], off = k % 5 == 0 ? 0 : std::ldexp(normal(random), -(k % 29));
         const double axis[] = {normal(random), normal(random), normal(random)};
         const double scale = length / std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] + off * off);
