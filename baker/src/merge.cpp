@@ -4,9 +4,9 @@
 #include "chord/bake_layout.h"
 #include "chord/chord_merge.h"
 #include "lumi/baker/file_guard.h"
+#include "store/settings_codec.h"
 #include "store/shard_rows.h"
 #include "surface/surface_merge.h"
-#include "surface/surface_settings.h"
 
 namespace lumi::baker
 {

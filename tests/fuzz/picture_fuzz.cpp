@@ -3,10 +3,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "image/exr_file.h"
-#include "image/hdr_file.h"
-#include "image/jpeg_file.h"
-#include "image/png_file.h"
+#include "image/picture_bytes.h"
+#include "image/radiance_picture.h"
 
 namespace
 {

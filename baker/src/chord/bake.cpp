@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/baker/bake.h"
+#include "lumi/baker/chord.h"
 
 #include "chord/row_file.h"
-#include "chord/texel_encoder.h"
 #include "chord/texel_tracer.h"
 #include "store/checkpoint.h"
 #include "store/output_names.h"

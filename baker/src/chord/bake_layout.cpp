@@ -3,7 +3,7 @@
 
 #include "chord/tracing_fingerprint.h"
 #include "lumi/detail/lattice.h"
-#include "store/require.h"
+#include "store/settings_codec.h"
 #include "store/shard_rows.h"
 
 namespace lumi::baker

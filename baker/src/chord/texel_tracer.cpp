@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "chord/texel_tracer.h"
 
+#include "lumi/chord/texel.h"
+
 namespace lumi::baker
 {
 
@@ -39,6 +41,18 @@ Estimate TexelTracer::estimate(const OriginDisc& disc, uint32_t i, uint32_t j) c
         gauge.add(path);
     }
     return result;
+}
+
+void encode_texel(format::TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
+                  uint32_t j)
+{
+    uint8_t* const at = row + static_cast<size_t>(j) * format::bytes_per_texel(format);
+    with_texel(format, [&](auto texel) {
+        if constexpr (decltype(texel)::kIndexed)
+            *at = nearest_entry(palette, estimate.covered_colour());
+        else if (estimate.mostly_covered())  // rows start out as zeros, which mean a miss
+            texel.store(at, estimate.colour());
+    });
 }
 
 }  // namespace lumi::baker

@@ -2,8 +2,12 @@
 // The estimate of one texel: a pure function of scene, settings and the texel's place.
 #pragma once
 
+#include <cstdint>
+
 #include "chord/field_rays.h"
-#include "lumi/baker/bake.h"
+#include "image/palette.h"
+#include "lumi/baker/chord.h"
+#include "lumi/field_format.h"
 #include "trace/error_gauge.h"
 #include "trace/estimate.h"
 #include "trace/path_tracer.h"
@@ -36,5 +40,9 @@ private:
     FieldRays rays_;
     PathTracer tracer_;
 };
+
+// Writes texel j of a row. `palette` is only read for palette8.
+void encode_texel(format::TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
+                  uint32_t j);
 
 }  // namespace lumi::baker

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "fit/fit_model.h"
-#include "fit/sorted_samples.h"
+#include "fit/sample_tracer.h"
 
 namespace lumi::baker
 {

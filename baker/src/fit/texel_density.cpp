@@ -2,7 +2,7 @@
 #include "fit/texel_density.h"
 
 #include "fit/encoded_tone.h"
-#include "fit/sorted_samples.h"
+#include "fit/sample_tracer.h"
 
 namespace lumi::baker
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one file that sees OpenEXR.
-#include "image/exr_file.h"
+#include "image/radiance_picture.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A reader of our own: stb_image, the only library of Debian that reads the format alone, never ends on a file that is
 // cut short (CVE-2021-42715).
-#include "image/hdr_file.h"
+#include "image/radiance_picture.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The one file that sees libjpeg-turbo.
-#include "image/jpeg_file.h"
 
 #include <turbojpeg.h>
 

@@ -22,4 +22,11 @@ void check_picture_bytes(int64_t bytes, int64_t fewest);
 // Throws PictureError that names the format of bytes that no reader takes.
 [[noreturn]] void refuse_picture(const std::filesystem::path& file, const std::string& bytes);
 
+bool is_png(const std::string& bytes);
+
+// Any PNG. Checksums count: what is damaged or cut short is refused. Throws PictureError.
+DecodedPicture decode_png(const std::string& bytes, bool with_alpha);
+
+bool is_jpeg(const std::string& bytes);
+
 }  // namespace lumi::baker

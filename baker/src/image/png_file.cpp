@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The one file that sees libpng.
-#include "image/png_file.h"
 
 #include <png.h>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "image/radiance_picture.h"
 
-#include "image/exr_file.h"
-#include "image/hdr_file.h"
 #include "image/picture_bytes.h"
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"

@@ -25,4 +25,14 @@ struct RadiancePicture {
 // or infinite become black and are named in `warnings`. Throws SceneError, both with the file's name.
 RadiancePicture read_radiance_picture(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
+bool is_hdr(const std::string& bytes);
+
+// RGBE, top row first, flat or with run lengths of each channel. Throws PictureError.
+RadiancePicture decode_hdr(const std::string& bytes);
+
+bool is_exr(const std::string& bytes);
+
+// The channels R, G, B, or Y as grey, of the first part. Throws PictureError.
+RadiancePicture decode_exr(const std::string& bytes);
+
 }  // namespace lumi::baker

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/texture.h"
 
+#include "image/picture_bytes.h"
 #include "image/srgb.h"
 
 namespace lumi::baker
@@ -31,6 +32,14 @@ float height_at(const Texture& t, int x, int y)
 uint8_t byte_of(float component)
 {
     return static_cast<uint8_t>(std::lround((component * 0.5f + 0.5f) * 255));
+}
+
+DecodedPicture read_picture(const std::filesystem::path& file, bool with_alpha)
+{
+    const std::string bytes = picture_bytes(file);
+    if (is_png(bytes)) return decode_png(bytes, with_alpha);
+    if (is_jpeg(bytes)) return decode_jpeg(bytes);
+    refuse_picture(file, bytes);
 }
 
 }  // namespace
@@ -72,6 +81,13 @@ bool is_grey(const Texture& texture)
     for (size_t k = 0; k + 2 < texture.rgb.size(); k += 3)
         if (texture.rgb[k] != texture.rgb[k + 1] || texture.rgb[k] != texture.rgb[k + 2]) return false;
     return true;
+}
+
+Texture read_texture(const std::filesystem::path& file, PictureUse use)
+{
+    DecodedPicture picture = read_picture(file, use == PictureUse::alpha);
+    for (size_t k = 0; k < picture.alpha.size(); ++k) std::fill_n(&picture.rgb[3 * k], 3, picture.alpha[k]);
+    return {picture.width, picture.height, std::move(picture.rgb), use == PictureUse::colour};
 }
 
 }  // namespace lumi::baker

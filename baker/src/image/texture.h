@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
+#include "lumi/baker/picture_file.h"
 #include "math/vec3.h"
 
 namespace lumi::baker
@@ -25,5 +27,12 @@ Texture normals_from_heights(const Texture& heights, float strength);
 
 // All three channels are alike everywhere.
 bool is_grey(const Texture& texture);
+
+// Which part of a picture is read: its colours, its bytes as plain numbers, or its alpha channel (brightness where it
+// has none).
+enum class PictureUse : uint8_t { colour, data, alpha };
+
+// Throws PictureError.
+Texture read_texture(const std::filesystem::path& file, PictureUse use);
 
 }  // namespace lumi::baker

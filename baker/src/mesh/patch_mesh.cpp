@@ -6,7 +6,6 @@
 #include "mesh/mesh_draft.h"
 #include "mesh/mesh_fit.h"
 #include "mesh/mesh_loss.h"
-#include "mesh/mesh_warnings.h"
 #include "mesh/patch_pairs.h"
 #include "mesh/rounded_mesh.h"
 #include "mesh/seen_part.h"

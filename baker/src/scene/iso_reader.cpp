@@ -3,7 +3,6 @@
 
 #include "util/text_lines.h"
 #include "volume/iso_surface.h"
-#include "volume/pieces.h"
 #include "volume/volume_file.h"
 
 namespace lumi::baker

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/light_members.h"
+#include "scene/scene_members.h"
 
 #include "image/radiance_picture.h"
 #include "math/frame.h"

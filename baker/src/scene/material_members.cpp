@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/material_members.h"
+#include "scene/scene_members.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "image/image_file.h"
+#include "image/texture.h"
 
 namespace lumi::baker
 {

@@ -2,8 +2,8 @@
 // Puts several scenes into one.
 #pragma once
 
-#include "geometry/disc.h"
 #include "scene/scene_data.h"
+#include "util/json_members.h"
 #include "volume/affine.h"
 
 namespace lumi::baker
@@ -27,5 +27,8 @@ void append(SceneParts& parts, SceneParts&& other);
 
 // Adds a disc of triangles.
 void append_disc(SceneParts& parts, const Disc& disc, UpAxis up, const Material& material);
+
+// Throws SceneError.
+Placement read_placement(JsonMembers& members);
 
 }  // namespace lumi::baker

@@ -8,7 +8,6 @@
 
 #include "geometry/accelerator.h"
 #include "geometry/bounding_sphere.h"
-#include "geometry/disc.h"
 #include "geometry/mesh.h"
 #include "image/texture.h"
 #include "image/tone.h"
@@ -19,6 +18,12 @@
 
 namespace lumi::baker
 {
+
+// Level: its normal is the up axis.
+struct Disc {
+    Vec3 centre;
+    float radius;
+};
 
 // A scene in its own units and axes, before the sphere is fitted: what a reader of a file format delivers. Positions
 // are finite, every triangle has an area, indices and materials are in range.

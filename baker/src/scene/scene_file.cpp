@@ -2,23 +2,41 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string_view>
 
-#include "scene/iso_members.h"
-#include "scene/light_members.h"
-#include "scene/material_members.h"
+#include "scene/iso_reader.h"
 #include "scene/materials.h"
 #include "scene/number_ranges.h"
 #include "scene/obj_reader.h"
-#include "scene/placement_members.h"
-#include "scene/volume_members.h"
+#include "scene/placement.h"
+#include "scene/scene_data.h"
+#include "scene/scene_members.h"
 #include "util/json_members.h"
 
 namespace lumi::baker
 {
 namespace
 {
+
+// In the volume's own place. Throws SceneError.
+SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonMembers& members)
+{
+    const JsonValue& volume = members.require("volume");
+    const std::filesystem::path path = find_beside(scene_file, members.text_of(volume, "volume"));
+    if (path.empty()) {
+        members.fail(volume,
+                     "the volume '" + volume.text + "' is missing; put it beside " + scene_file.filename().string());
+    }
+    IsoSurface surface;
+    surface.value = static_cast<float>(members.number_of(members.require("iso"), "iso", kScalar));
+    members.number("pieces", kShare, surface.pieces);
+    SceneParts parts = read_iso_surface(path, surface);
+    if (const JsonValue* changes = members.find("material"))
+        apply_material_members(scene_file.string(), *changes, parts.materials[0]);
+    return parts;
+}
 
 class SceneFileReader
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/volume_members.h"
+#include "scene/scene_members.h"
 
 #include "scene/materials.h"
 #include "scene/number_ranges.h"
-#include "scene/placement_members.h"
+#include "scene/placement.h"
 #include "volume/volume_file.h"
 
 namespace lumi::baker

@@ -2,128 +2,105 @@
 #include "store/settings_codec.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <sstream>
 
 #include "lumi/chord/texel.h"
+#include "lumi/surface/format.h"
 namespace lumi::baker
 {
 namespace
 {
 
-constexpr uint32_t kFootprints = 3, kBeams = 2;
+// All members by the names that a user reads, the most telling first, but for threads, which decide no byte. A member
+// that is added to the settings and not here does not compile.
+template <class See>
+void each(See& see, BakeSettings& s)
+{
+    auto& [origins, directions, used_origins, texel, samples, max_error_levels, seed, threads, footprint, beam] = s;
+    static_cast<void>(threads);
+    see("origins", origins);
+    see("directions", directions);
+    see("cap", used_origins);
+    see("texels", texel);
+    see("footprint", footprint);
+    see("beam", beam);
+    see("samples", samples);
+    see("greatest error", max_error_levels);
+    see("seed", seed);
+}
 
+template <class See>
+void each(See& see, SurfaceSettings& s)
+{
+    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, seed, threads] = s;
+    static_cast<void>(threads);
+    see("triangles", triangles);
+    see("longest edge", longest_edge);
+    see("texel density", texels_per_radius);
+    see("paths", paths_per_texel);
+    see("cap", cap);
+    see("view tables", view_tables);
+    see("seed", seed);
+}
+
+std::string text_of(format::TexelFormat texel)
+{
+    return texel_name(texel);
+}
+std::string text_of(Footprint footprint)
+{
+    constexpr const char* kNames[] = {"point", "origin", "both", "unknown"};
+    static_assert(static_cast<int>(Footprint::point) == 0 && static_cast<int>(Footprint::both) == 2);
+    return kNames[std::min<size_t>(static_cast<size_t>(footprint), 3)];
+}
+std::string text_of(Beam beam)
+{
+    return beam == Beam::converging ? "converging" : beam == Beam::parallel ? "parallel" : "unknown";
+}
+std::string text_of(bool has)
+{
+    return has ? "with" : "without";
+}
 // "0.5", not "0.500000".
-std::string number(float value)
+template <class Number>
+std::string text_of(Number value)
 {
     std::ostringstream text;
     text << value;
     return text.str();
 }
 
-std::string footprint_name(Footprint footprint)
-{
-    constexpr const char* kNames[] = {"point", "origin", "both", "unknown"};
-    static_assert(static_cast<int>(Footprint::point) == 0 && static_cast<int>(Footprint::both) == 2);
-    return kNames[static_cast<size_t>(footprint)];
-}
+struct Texts {
+    std::vector<std::pair<const char*, std::string>> list;
 
-std::string beam_name(Beam beam)
-{
-    return beam == Beam::converging ? "converging" : beam == Beam::parallel ? "parallel" : "unknown";
-}
+    template <class T>
+    void operator()(const char* name, const T& value)
+    {
+        list.emplace_back(name, text_of(value));
+    }
+};
 
-std::string first_of(std::initializer_list<std::string> texts)
-{
-    const auto found = std::find_if(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
-    return found == texts.end() ? std::string() : *found;
-}
+template <class Io>
+struct Through {
+    Io& io;
 
-std::string difference(const BakeSettings& there, const BakeSettings& here)
-{
-    // All members, so that a new one is not forgotten here and in put().
-    const auto& [origins, directions, used_origins, texel, samples, max_error_levels, seed, threads, footprint, beam] =
-        here;
-    static_cast<void>(threads);
-    return first_of({other("origins", there.origins, origins), other("directions", there.directions, directions),
-                     other("cap", there.used_origins, used_origins),
-                     other("texels", texel_name(there.texel), texel_name(texel)),
-                     other("footprint", footprint_name(there.footprint), footprint_name(footprint)),
-                     other("beam", beam_name(there.beam), beam_name(beam)), other("samples", there.samples, samples),
-                     other("greatest error", number(there.max_error_levels), number(max_error_levels)),
-                     other("seed", there.seed, seed)});
-}
+    template <class T>
+    void operator()(const char*, T& value)
+    {
+        io(value);
+    }
+};
 
-std::string difference(const SurfaceSettings& there, const SurfaceSettings& here)
+Texts texts_of(AnySettings settings)
 {
-    const auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, seed, threads] = here;
-    static_cast<void>(threads);
-    const auto with = [](bool has) { return std::string(has ? "with" : "without"); };
-    return first_of(
-        {other("triangles", there.triangles, triangles),
-         other("longest edge", number(there.longest_edge), number(longest_edge)),
-         other("texel density", number(there.texels_per_radius), number(texels_per_radius)),
-         other("paths", there.paths_per_texel, paths_per_texel), other("cap", number(there.cap), number(cap)),
-         other("view tables", with(there.view_tables), with(view_tables)), other("seed", there.seed, seed)});
+    Texts texts;
+    std::visit([&](auto& s) { each(texts, s); }, settings);
+    return texts;
 }
 
 std::string layout_name(const AnySettings& settings)
 {
     return std::holds_alternative<SurfaceSettings>(settings) ? "surface" : "chord";
-}
-
-void put(ByteWriter& out, const BakeSettings& s)
-{
-    for (const uint32_t v : {s.origins, s.directions, s.used_origins, static_cast<uint32_t>(s.texel), s.samples,
-                             static_cast<uint32_t>(s.footprint)})
-        out.put32(v);
-    out.put_float(s.max_error_levels);
-    out.put64(s.seed);
-    out.put32(static_cast<uint32_t>(s.beam));  // last: zero in the padding of earlier checkpoints
-}
-
-void put(ByteWriter& out, const SurfaceSettings& s)
-{
-    out.put32(s.triangles);
-    out.put_float(s.longest_edge);
-    out.put_float(s.texels_per_radius);
-    out.put32(s.paths_per_texel);
-    out.put_float(s.cap);
-    out.put32(s.view_tables ? 1 : 0);
-    out.put64(s.seed);
-}
-
-template <class Enum>
-Enum get_enum(ByteReader& in, uint32_t count)
-{
-    return static_cast<Enum>(std::min(in.get32(), count));
-}
-
-BakeSettings get_chord(ByteReader& in)
-{
-    BakeSettings s;
-    for (uint32_t* v : {&s.origins, &s.directions, &s.used_origins}) *v = in.get32();
-    s.texel = get_enum<format::TexelFormat>(in, format::kTexelFormats);
-    s.samples = in.get32();
-    s.footprint = get_enum<Footprint>(in, kFootprints);
-    s.max_error_levels = in.get_float();
-    s.seed = in.get64();
-    s.beam = get_enum<Beam>(in, kBeams);
-    s.threads = 0;
-    return s;
-}
-
-SurfaceSettings get_surface(ByteReader& in)
-{
-    SurfaceSettings s;
-    s.triangles = in.get32();
-    s.longest_edge = in.get_float();
-    s.texels_per_radius = in.get_float();
-    s.paths_per_texel = in.get32();
-    s.cap = in.get_float();
-    s.view_tables = in.get32() != 0;
-    s.seed = in.get64();
-    return s;
 }
 
 }  // namespace
@@ -138,26 +115,44 @@ std::string other(const char* what, uint64_t there, uint64_t here)
     return other(what, std::to_string(there), std::to_string(here));
 }
 
-void put_settings(ByteWriter& out, const AnySettings& settings)
+void put_settings(ByteWriter& out, AnySettings settings)
 {
     const size_t end = out.bytes().size() + kSettingsBytes;
     out.put32(static_cast<uint32_t>(settings.index()));
-    std::visit([&](const auto& s) { put(out, s); }, settings);
+    Through<ByteWriter> through{out};
+    std::visit([&](auto& s) { each(through, s); }, settings);
     while (out.bytes().size() < end) out.put8(0);
 }
 
 AnySettings get_settings(ByteReader& in)
 {
-    return in.get32() == 0 ? AnySettings(get_chord(in)) : AnySettings(get_surface(in));
+    AnySettings settings = BakeSettings{};
+    if (in.get32() != 0) settings = SurfaceSettings{};
+    Through<ByteReader> through{in};
+    std::visit([&](auto& s) { each(through, s); }, settings);
+    return settings;
 }
 
 std::string settings_difference(const AnySettings& there, const AnySettings& here)
 {
-    const std::string layout = other("layout", layout_name(there), layout_name(here));
-    if (!layout.empty()) return layout;
-    const SurfaceSettings* surface = std::get_if<SurfaceSettings>(&here);
-    return surface != nullptr ? difference(std::get<SurfaceSettings>(there), *surface)
-                              : difference(std::get<BakeSettings>(there), std::get<BakeSettings>(here));
+    if (there.index() != here.index()) return other("layout", layout_name(there), layout_name(here));
+    const Texts theirs = texts_of(there), ours = texts_of(here);
+    for (size_t k = 0; k < ours.list.size(); ++k)
+        if (theirs.list[k] != ours.list[k])
+            return other(ours.list[k].first, theirs.list[k].second, ours.list[k].second);
+    return {};
+}
+
+void require_possible_surface(const SurfaceSettings& s)
+{
+    constexpr float kShortest = 0.02f, kLongest = 2, kDensest = 4096;
+    require(s.triangles >= 1 && s.triangles <= 2 * format::kMaxPatches,
+            "the number of triangles must lie in 1 to " + std::to_string(2 * format::kMaxPatches));
+    require(s.longest_edge >= kShortest && s.longest_edge <= kLongest, "the longest edge must lie in 0.02 to 2 radii");
+    require(s.texels_per_radius >= 1 && s.texels_per_radius <= kDensest,
+            "the density of texels must lie in 1 to 4096 a radius");
+    require(s.cap > 0 && s.cap <= 1, "the cap must be more than 0 and at most 1");
+    require(s.paths_per_texel >= 1, "the number of light paths a texel must be at least 1");
 }
 
 }  // namespace lumi::baker

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumi/surface/format.h"
+#include "mesh/mesh_loss.h"
 #include "util/byte_stream.h"
 
 namespace lumi::baker
@@ -37,50 +39,37 @@ bool is_sound(const FitBasis& basis)
 
 }  // namespace
 
+template <class Io>
+void fields(Io& io, PatchMesh::Patch& patch)
+{
+    io(patch.a, patch.b, patch.c, patch.d);
+}
+template <class Io>
+void fields(Io& io, PatchMesh& mesh)
+{
+    io(mesh.two_sided, mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches);
+    const size_t vertices = mesh.positions.size();
+    io.require(vertices <= format::kMaxSurfaceVertices && mesh.patches.size() <= format::kMaxPatches);
+    io.require(mesh.normals.size() == vertices);
+    for (const PatchMesh::Patch& p : mesh.patches)
+        io.require(std::max({p.a, p.b, p.c}) < vertices && (p.d < vertices || p.d == PatchMesh::kNone));
+}
+template <class Io>
+void fields(Io& io, FitBasis& basis)
+{
+    uint32_t tag = kBasisTag;
+    io(tag, basis.mesh, basis.densities, basis.loss, basis.tone, basis.sphere.centre, basis.sphere.radius);
+    io.require(tag == kBasisTag && basis.densities.size() == basis.mesh.patches.size() && is_sound(basis));
+}
+
 std::vector<uint8_t> encode(const FitBasis& basis)
 {
-    ByteWriter out;
-    out.put32(kBasisTag);
-    out.put32(static_cast<uint32_t>(basis.mesh.positions.size()));
-    out.put32(static_cast<uint32_t>(basis.mesh.patches.size()));
-    out.put32(basis.mesh.two_sided ? 1 : 0);
-    out.put_float(basis.mesh.longest_edge);
-    out.put32(static_cast<uint32_t>(basis.tone));
-    for (const double v : {basis.loss.missed, basis.loss.added, basis.loss.displaced, basis.sphere.centre[0],
-                           basis.sphere.centre[1], basis.sphere.centre[2], basis.sphere.radius})
-        out.put_double(v);
-    for (size_t v = 0; v < basis.mesh.positions.size(); ++v) out(basis.mesh.positions[v], basis.mesh.normals[v]);
-    for (const PatchMesh::Patch& p : basis.mesh.patches)
-        for (const uint32_t corner : {p.a, p.b, p.c, p.d}) out.put32(corner);
-    for (const float density : basis.densities) out.put_float(density);
-    return out.bytes();
+    return to_bytes(basis);
 }
 
 std::optional<FitBasis> decode_basis(const std::vector<uint8_t>& bytes)
 {
-    ByteReader in(bytes.data(), bytes.size());
-    FitBasis basis = {};
-    const uint32_t tag = in.get32(), vertices = in.get32(), patches = in.get32();
-    if (tag != kBasisTag || vertices > format::kMaxSurfaceVertices || patches > format::kMaxPatches)
-        return std::nullopt;
-    basis.mesh.two_sided = in.get32() != 0;
-    basis.mesh.longest_edge = in.get_float();
-    basis.tone = static_cast<ToneCurve>(in.get32());
-    for (double* v : {&basis.loss.missed, &basis.loss.added, &basis.loss.displaced, &basis.sphere.centre[0],
-                      &basis.sphere.centre[1], &basis.sphere.centre[2], &basis.sphere.radius})
-        *v = in.get_double();
-    for (uint32_t v = 0; v < vertices; ++v) in(basis.mesh.positions.emplace_back(), basis.mesh.normals.emplace_back());
-    for (uint32_t p = 0; p < patches; ++p) {
-        PatchMesh::Patch patch = {};
-        for (uint32_t* corner : {&patch.a, &patch.b, &patch.c, &patch.d}) {
-            *corner = in.get32();
-            if (*corner >= vertices && (corner != &patch.d || *corner != PatchMesh::kNone)) return std::nullopt;
-        }
-        basis.mesh.patches.push_back(patch);
-    }
-    for (uint32_t p = 0; p < patches; ++p) basis.densities.push_back(in.get_float());
-    if (!is_sound(basis)) return std::nullopt;
-    return basis;
+    return from_bytes<FitBasis>(bytes);
 }
 
 }  // namespace lumi::baker

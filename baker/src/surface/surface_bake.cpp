@@ -10,9 +10,8 @@
 #include "store/checkpoint.h"
 #include "store/new_file.h"
 #include "store/output_names.h"
-#include "surface/surface_draft.h"
+#include "store/settings_codec.h"
 #include "surface/surface_file_store.h"
-#include "surface/surface_settings.h"
 #include "trace/catcher.h"
 
 namespace lumi::baker
@@ -63,7 +62,7 @@ private:
 FitBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const SurfaceSettings& settings,
                   const ProgressCallback& progress)
 {
-    const BuiltMesh& built = draft.contents().built;
+    const BuiltMesh& built = draft.built();
     if (built.mesh.patches.empty())
         throw BakeError("the scene has no surface that could be seen; choose --layout chord");
     return {built.mesh,

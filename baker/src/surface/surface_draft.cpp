@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surface/surface_draft.h"
+#include "lumi/baker/surface.h"
 
 #include "fit/texel_layout.h"
 #include "lumi/surface/format.h"
@@ -39,7 +39,7 @@ SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, 
     mesh.cap = ViewCap(settings.cap);
     Job job(mesh_work(scene.data(), mesh), settings.threads, progress);
     BakeStages stages(output.empty() ? output : stages_of(output), scene.fingerprint());
-    contents_ = std::make_unique<Contents>(Contents{build_mesh(scene.data(), mesh, stages, job)});
+    built_ = std::make_unique<BuiltMesh>(build_mesh(scene.data(), mesh, stages, job));
 }
 
 SurfaceDraft::~SurfaceDraft() = default;
@@ -49,24 +49,23 @@ SurfaceDraft& SurfaceDraft::operator=(SurfaceDraft&&) noexcept = default;
 uint32_t SurfaceDraft::triangles() const
 {
     uint32_t triangles = 0;
-    for (const PatchMesh::Patch& patch : contents_->built.mesh.patches)
-        triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
+    for (const PatchMesh::Patch& patch : built_->mesh.patches) triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
     return triangles;
 }
 
 const MeshLoss& SurfaceDraft::loss() const
 {
-    return contents_->built.loss;
+    return built_->loss;
 }
 
 const std::vector<std::string>& SurfaceDraft::warnings() const
 {
-    return contents_->built.warnings;
+    return built_->warnings;
 }
 
 uint64_t SurfaceDraft::most_bytes(float texels_per_radius) const
 {
-    const PatchMesh& mesh = contents_->built.mesh;
+    const PatchMesh& mesh = built_->mesh;
     return file_bytes(mesh, layout_of(mesh, texels_per_radius).texels);
 }
 

@@ -14,7 +14,6 @@
 #include <optional>
 
 #include "geometry/accelerator.h"
-#include "geometry/disc.h"
 #include "math/sampler.h"
 
 namespace lumi::baker

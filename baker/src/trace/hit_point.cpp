@@ -1,13 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "trace/hit_point.h"
 
-#include "material/tangents.h"
+#include "material/texture_slot.h"
 #include "math/warp.h"
 
 namespace lumi::baker
 {
 namespace
 {
+
+struct Tangents {
+    Vec3 u;            // of any length, in the triangle's plane
+    float handedness;  // -1 where the picture is mirrored: v grows against cross(normal, u)
+};
+
+// Nothing where the triangle has no texture coordinates or they do not span an area.
+inline std::optional<Tangents> tangents_of(const Mesh& mesh, uint32_t triangle)
+{
+    const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
+    if (!uvs) return std::nullopt;
+    const auto& [p, q, r] = *uvs;
+    const float area = (q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y);
+    if (area == 0) return std::nullopt;
+    const Vec3 e = mesh.position(triangle, 1) - mesh.position(triangle, 0);
+    const Vec3 f = mesh.position(triangle, 2) - mesh.position(triangle, 0);
+    const float sign = area < 0 ? -1.0f : 1.0f;
+    return Tangents{(e * (r.y - p.y) - f * (q.y - p.y)) * sign, sign};
+}
 
 // Far above the rounding error of a hit (some 1e-7) and far below anything a field can show.
 constexpr float kOffset = 1e-5f;

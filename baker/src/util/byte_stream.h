@@ -5,7 +5,8 @@
 //
 //   template <class Io> void fields(Io& io, Sample& s) { io(s.triangle, s.radiance); }
 //
-// Io is a ByteWriter, which changes nothing, or a ByteReader. Vectors are preceded by their length in 64 bits.
+// Io is a ByteWriter, which changes nothing, or a ByteReader. Vectors are preceded by their length in 64 bits; of enums
+// anything may be read.
 #pragma once
 
 #include <array>
@@ -42,6 +43,8 @@ private:
     {
         if constexpr (std::is_same_v<T, bool>)
             put8(v ? 1 : 0);
+        else if constexpr (std::is_enum_v<T>)
+            put(static_cast<std::underlying_type_t<T>>(v));
         else if constexpr (std::is_integral_v<T>)
             for (size_t shift = 0; shift < 8 * sizeof v; shift += 8) put8(static_cast<uint8_t>(v >> shift));
         else if constexpr (std::is_same_v<T, float>)
@@ -113,6 +116,8 @@ private:
     {
         if constexpr (std::is_same_v<T, bool>) {
             v = get8() != 0;
+        } else if constexpr (std::is_enum_v<T>) {
+            v = static_cast<T>(got<std::underlying_type_t<T>>());
         } else if constexpr (std::is_integral_v<T>) {
             uint64_t bits = 0;
             for (size_t shift = 0; shift < 8 * sizeof v; shift += 8) bits |= uint64_t{get8()} << shift;

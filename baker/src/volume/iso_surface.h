@@ -18,4 +18,8 @@ Mesh iso_surface(const Grid& grid, float value);
 // Gives every vertex the mean normal of its triangles, weighted by area.
 void add_smooth_normals(Mesh& mesh);
 
+// Keeps the triangles of those pieces, connected by common vertices, that have at least the share `least` (0 to 1) of
+// the largest one's area, and the positions that they use.
+void keep_large_pieces(Mesh& mesh, double least);
+
 }  // namespace lumi::baker

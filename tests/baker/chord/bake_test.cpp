@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/baker/bake.h"
+#include "lumi/baker/chord.h"
 
 #include <catch2/catch.hpp>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "chord/texel_encoder.h"
+#include "chord/texel_tracer.h"
 #include "image/texture.h"
 #include "lumi/chord/texel.h"
 #include "trace/estimate.h"

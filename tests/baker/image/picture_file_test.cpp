@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "image/hdr_file.h"
-#include "image/image_file.h"
+#include "image/radiance_picture.h"
+#include "image/texture.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 

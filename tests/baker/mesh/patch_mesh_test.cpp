@@ -5,7 +5,7 @@
 
 #include "lumi/surface/format.h"
 #include "math/warp.h"
-#include "mesh/mesh_warnings.h"
+#include "mesh/mesh_loss.h"
 #include "support/bake_scenes.h"
 #include "support/surfaces.h"
 

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "image/image_file.h"
 #include "image/radiance_picture.h"
+#include "image/texture.h"
 #include "math/sampler.h"
 #include "math/warp.h"
 #include "scene/scene_file.h"

@@ -2,7 +2,7 @@
 // Scenes and settings whose bakes take milliseconds.
 #pragma once
 
-#include "lumi/baker/bake.h"
+#include "lumi/baker/chord.h"
 #include "support/scratch_folder.h"
 #include "support/shapes.h"
 

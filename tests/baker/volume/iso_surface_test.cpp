@@ -9,7 +9,6 @@
 #include "scene/iso_reader.h"
 #include "support/nifti_bytes.h"
 #include "support/scratch_folder.h"
-#include "volume/pieces.h"
 
 namespace lumi::baker
 {

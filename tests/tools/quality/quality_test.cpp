@@ -6,6 +6,7 @@
 #include <set>
 
 #include "image/png.h"
+#include "lumi/baker/chord.h"
 #include "lumi/detail/lattice.h"
 #include "lumi/twin/geometry.h"
 #include "quality/html.h"

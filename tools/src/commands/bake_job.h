@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "lumi/baker/bake.h"
+#include "lumi/baker/chord.h"
 #include "lumi/baker/surface.h"
 
 namespace lumi::tools

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "lumi/baker/bake.h"
+#include "lumi/baker/chord.h"
 
 namespace lumi::planner
 {

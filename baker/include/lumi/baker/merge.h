@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lumi/baker/bake.h"
+#include "lumi/baker/progress.h"
 
 namespace lumi::baker
 {

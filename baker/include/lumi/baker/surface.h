@@ -14,6 +14,8 @@
 
 #include "lumi/baker/bake.h"
 #include "lumi/baker/mesh_loss.h"
+#include "lumi/baker/progress.h"
+#include "lumi/baker/scene.h"
 
 namespace lumi::baker
 {
@@ -39,6 +41,8 @@ struct SurfaceBake {
     uint64_t paths = 0;  // that meet the mesh where the scene is
 };
 
+struct BuiltMesh;  // baker's own, see baker/src
+
 // The mesh of a surface field before any light is traced: what the file will take, and what the mesh gets wrong.
 class SurfaceDraft
 {
@@ -58,11 +62,10 @@ public:
     // Of the file: as many if every vertex gets a view table. Throws BakeError for more texels than the format holds.
     uint64_t most_bytes(float texels_per_radius) const;
 
-    struct Contents;  // baker's own, see baker/src
-    const Contents& contents() const { return *contents_; }
+    const BuiltMesh& built() const { return *built_; }
 
 private:
-    std::unique_ptr<Contents> contents_;
+    std::unique_ptr<BuiltMesh> built_;
 };
 
 // The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel. Throws BakeError

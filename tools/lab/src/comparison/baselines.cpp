@@ -2,7 +2,7 @@
 #include "comparison/baselines.h"
 
 #include "comparison/sprites.h"
-#include "lumi/baker/bake.h"
+#include "lumi/baker/chord.h"
 
 namespace lumi::quality
 {

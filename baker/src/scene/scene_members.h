@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Parts of a scene file. All functions throw SceneError.
+#pragma once
+
+#include "light/fixtures.h"
+#include "lumi/baker/scene.h"
+#include "material/material.h"
+#include "util/json_members.h"
+#include "volume/volume.h"
+
+namespace lumi::baker
+{
+
+// On top of what MTL says of a material: changes the members that `value` names and finishes it anew.
+void apply_material_members(const std::string& file, const JsonValue& value, Material& material);
+
+// `up` is the scene's vertical axis.
+Fixture read_fixture(const std::string& file, const JsonValue& value, UpAxis up);
+Environment read_environment(const std::filesystem::path& file, JsonMembers& scene, const JsonValue& value,
+                             std::vector<std::string>& warnings);
+
+// Reads the member and the grid that it names.
+Volume read_volume(const std::filesystem::path& scene_file, const JsonValue& value);
+
+}  // namespace lumi::baker
