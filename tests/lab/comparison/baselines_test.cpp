@@ -7,7 +7,7 @@
 
 #include "comparison/flicker.h"
 #include "comparison/sprites.h"
-#include "lumi/baker/bake.h"
+#include "lumi/baker/chord.h"
 #include "support/small_surface.h"
 
 namespace lumi::quality
