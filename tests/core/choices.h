@@ -21,7 +21,8 @@ public:
     uint32_t below(uint32_t count) { return count == 0 ? 0 : word(count > 256) % count; }
     int32_t between(int32_t low, int32_t high)
     {
-        return low + static_cast<int32_t>(below(static_cast<uint32_t>(high - low + 1)));
+        const uint32_t from = static_cast<uint32_t>(low), count = static_cast<uint32_t>(high) - from + 1;
+        return static_cast<int32_t>(from + below(count));
     }
     bool once_in(uint32_t count) { return below(count) == 0; }
     template <class Value, size_t kCount>

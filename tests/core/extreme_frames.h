@@ -26,7 +26,8 @@ inline constexpr uint32_t kFrames = 5000;
 #endif
 inline constexpr int32_t kWindowPx = 15;    // frames of at most 31 × 15 pixels
 inline constexpr uint32_t kDrawnTwice = 8;  // every eighth frame is drawn again over other memory
-// Of generated fields (extreme_chords.h, extreme_surfaces.h): they have up to 8192 triangles, and each is drawn in several frames.
+// Of generated fields (extreme_chords.h, extreme_surfaces.h): they have up to 8192 triangles, and each is drawn in
+// several frames.
 inline constexpr uint32_t kGeneratedFrames = 500 + kFrames / 10, kFramesAField = 16;
 
 // A frame, and the stripe of it that is drawn.
@@ -34,6 +35,14 @@ struct Extreme {
     Edge edge;
     uint32_t choice;  // any number: of what the test draws
 };
+
+// Looks to the right instead: if the sphere was ahead, the eye now lies as far to the side of its axis as it is away.
+inline void look_aside(Pose& pose)
+{
+    const Vec3q30 ahead = pose.forward;
+    pose.forward = pose.right;
+    pose.right = {-ahead.x, -ahead.y, -ahead.z};
+}
 
 class Extremes
 {
@@ -46,6 +55,7 @@ public:
         Extreme e{edges_.next(distance(), fovs[below(5)]), below(1u << 24)};
         if (below(4) == 0) stretch(e.edge);
         if (below(4) == 0) bend(e.edge.pose);
+        if (below(8) == 0) look_aside(e.edge.pose);
         if (below(8) == 0) e.edge.x += static_cast<int32_t>(below(80)) - 40;
         if (below(8) == 0) e.edge.y += static_cast<int32_t>(below(80)) - 40;
         const int32_t ends[] = {INT_MIN, -32769, 16384, 32767, INT_MAX - 64};  // nothing lies beyond INT_MAX

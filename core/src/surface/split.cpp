@@ -139,11 +139,14 @@ private:
         return true;
     }
 
-    // A place before the division, as 1/64 sample times z.
+    // A place before the division, as 1/64 sample times z. Beyond 2^61 it stops: what it is compared with lies below
+    // 2^52, and an eye far to the side of its axis may be at 2^68.
     int64_t place_q6(int32_t v) const
     {
         const int32_t left = 31 - frame_.projection.place_shift;
-        return left >= 0 ? v * (int64_t{1} << left) : int64_t{v} >> -left;
+        if (left < 0) return int64_t{v} >> -left;
+        const int64_t most = (int64_t{1} << 61) >> left;
+        return (v < -most ? -most : v < most ? v : most) * (int64_t{1} << left);
     }
 
     const SurfaceFrame& frame_;

@@ -51,6 +51,31 @@ uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
 
 }  // namespace
 
+TEST_CASE("surfaces beside an eye that looks along the sphere hold at every distance and lens")
+{
+    const OpenedSurface ball(surface_file(bumpy_ball()));
+    REQUIRE(ball.error() == FieldError::none);
+    const double distances[] = {1, 1.5, 7, 100, 2047}, fovs[] = {1, 3, 45, 120};
+    const int32_t sides[] = {2, 31, 1000, kMaxImageSide};
+    for (const double distance : distances) {
+        for (const double fov : fovs) {
+            for (const int32_t side : sides) {
+                for (uint32_t mode = 0; mode < 3; ++mode) {
+                    const int32_t width = std::min(side, 31), height = std::min(side, 15);
+                    Edge edge{look_at({0.6 * distance, 0, 0.8 * distance}, {0, 0, 0}),
+                              {side, side, degrees(fov)},
+                              (side - width) / 2,
+                              (side - height) / 2,
+                              width,
+                              height};
+                    look_aside(edge.pose);
+                    draw_surface(ball.field(), {edge, mode}, false);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("surface fields whose every number is at its end open, verify and hold in random frames at every extreme")
 {
     Choices choices(13);
