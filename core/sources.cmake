@@ -17,6 +17,8 @@ set(LUMI_CORE_SOURCES
   src/camera/attitude.cpp
   src/camera/camera.cpp
   src/camera/orbit.cpp
+  src/chord/camera.cpp
+  src/chord/field.cpp
   src/chord/quality.cpp
   src/control/quality_ladder.cpp
   src/chord/sphere.cpp

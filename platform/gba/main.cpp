@@ -6,6 +6,7 @@
 #include "desk_clock.h"  // written by lumi_add_field
 
 using namespace lumi;
+using namespace lumi::detail;
 
 using ClockView = desk_clock_view<Screen<240, 160, 8, PixelBgr555>>;
 static ClockView view;

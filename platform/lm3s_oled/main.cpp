@@ -7,6 +7,7 @@
 #include "desk_clock.h"  // written by lumi_add_field
 
 using namespace lumi;
+using namespace lumi::detail;
 
 static desk_clock_view<Screen<128, 64, 16, PixelGrey8>> view;
 static uint8_t pixels[128 * 16];

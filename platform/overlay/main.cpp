@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Live data on a baked object: a needle and digits over the face of the desk clock, projected by the camera that draws
 // it. platform/riscv and platform/simulator run this program.
-#include <lumi/detail/math.h>
+#include <lumi/fixed.h>
 #include <lumi/view.h>
 
 #include "board.h"

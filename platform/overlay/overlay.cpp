@@ -76,7 +76,7 @@ Pixel Sheet::pixel_of(const Place& place) const
 void draw_stroke(const lumi::Stripe& stripe, const Pixel& a, const Pixel& b, int32_t width_px, uint16_t rgb565)
 {
     const int32_t dx = b.x_q8 - a.x_q8, dy = b.y_q8 - a.y_q8;
-    const int32_t steps = larger(1, (larger(lumi::magnitude(dx), lumi::magnitude(dy)) + 255) >> 8);
+    const int32_t steps = larger(1, (larger(larger(dx, -dx), larger(dy, -dy)) + 255) >> 8);
     for (int32_t k = 0; k <= steps; ++k) {
         const int32_t x = (a.x_q8 + dx * k / steps) >> 8, y = (a.y_q8 + dy * k / steps) >> 8;
         for (int32_t j = 0; j < width_px * width_px; ++j)

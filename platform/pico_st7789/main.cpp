@@ -6,6 +6,7 @@
 #include "desk_clock.h"  // written by lumi_add_field
 
 using namespace lumi;
+using namespace lumi::detail;
 
 static desk_clock_view<Screen<240, 240, 16>> view;
 alignas(4) static uint8_t stripes[2][240 * 16 * 2];

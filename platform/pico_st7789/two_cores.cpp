@@ -7,6 +7,7 @@
 #include "desk_clock.h"  // written by lumi_add_field
 
 using namespace lumi;
+using namespace lumi::detail;
 
 using ClockView = desk_clock_view<Screen<240, 240, 16>>;
 static ClockView view;

@@ -15,7 +15,6 @@ namespace lumi::baker
 {
 
 using namespace testing;
-using format::TexelFormat;
 
 namespace
 {
@@ -38,7 +37,7 @@ std::string made_by(std::string shard, const std::string& version)
     constexpr size_t kProgramAt = 12;
     shard.replace(kProgramAt, version.size(), version);
     const size_t crc_at = kHeadBytes - 4;
-    const uint32_t crc = crc32(0, reinterpret_cast<const uint8_t*>(shard.data()), crc_at);
+    const uint32_t crc = detail::crc32(0, reinterpret_cast<const uint8_t*>(shard.data()), crc_at);
     for (size_t k = 0; k < 4; ++k) shard[crc_at + k] = static_cast<char>(crc >> (8 * k) & 0xFF);
     return shard;
 }
@@ -90,7 +89,7 @@ TEST_CASE("shards: a shard looks from all around, also where their number is one
 TEST_CASE("merge: the field is that of one machine, bit for bit, in every texel format, in any order", "[repeated]")
 {
     const Scene scene = tiny_scene();
-    for (const TexelFormat texel : AllTexels::kFormats) {
+    for (const TexelFormat texel : detail::AllTexels::kFormats) {
         for (const uint32_t count : {1u, 2u, 5u, 9u, 11u}) {  // with 11, two hold no row
             const ScratchFolder folder;
             bake_rows(folder, scene, tiny_settings(texel), count);

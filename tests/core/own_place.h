@@ -10,15 +10,16 @@ namespace lumi::test
 {
 
 // A pixel's coordinates in the map that a track is in, from its own hit.
-inline LatticePoint own_place(const LatticeTrack& track, const HitPair& pair, const LatticePoint& near)
+inline detail::LatticePoint own_place(const detail::LatticeTrack& track, const detail::HitPair& pair,
+                                      const detail::LatticePoint& near)
 {
-    const Hit& hit = pair.*track.hit;
+    const detail::Hit& hit = pair.*track.hit;
     // Longitudes wrap: of the three turns that of the nearest place is meant.
-    LatticePoint best{};
+    detail::LatticePoint best{};
     double least = 1e9;
     for (int32_t turn = -1; turn <= 1; ++turn) {
         const int32_t longitude_q20 = static_cast<int32_t>(hit.longitude_turns32 >> 12) + turn * (1 << 20);
-        const LatticePoint p = track.map.at(longitude_q20, hit.z_q30 >> 14);
+        const detail::LatticePoint p = track.map.at(longitude_q20, hit.z_q30 >> 14);
         const double off = std::abs(static_cast<double>(p.u_q16) - near.u_q16);
         if (off < least) {
             least = off;

@@ -9,6 +9,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 
 namespace
@@ -104,7 +105,7 @@ TEST_CASE("no renderer writes beside its stripe, wherever the stripe lies", "[re
     TestLayout layout;
     layout.origins = layout.used_origins = 100;
     layout.directions = 120;
-    layout.texel = format::TexelFormat::luma8;
+    layout.texel = TexelFormat::luma8;
     const Bytes bytes =
         file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return kTexel; })});
     Field field;
@@ -123,7 +124,7 @@ TEST_CASE("images of one row or one column are drawn", "[render][span]")
     TestLayout layout;
     layout.origins = layout.used_origins = 100;
     layout.directions = 120;
-    layout.texel = format::TexelFormat::luma8;
+    layout.texel = TexelFormat::luma8;
     const Bytes bytes =
         file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return kTexel; })});
     Field field;

@@ -17,6 +17,7 @@ namespace
 {
 
 using namespace lumi;
+using namespace lumi::detail;
 using mps2::LoadedField;
 
 constexpr int32_t kWidth = 48, kHeight = 37, kRows = 8;

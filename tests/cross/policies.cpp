@@ -45,11 +45,11 @@ struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
 
 // Of the paper's kernel the smallest, the default and the largest.
 using Reconstructions =
-    std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<kMaxNeighbours>, BySpans<Nearest>, BySpans<NearestVoronoi>,
-               BySpans<Dither>, BySpans<Linear>, BySpans<Paper<kMaxNeighbours>>>;
+    std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>,
+               BySpans<NearestVoronoi>, BySpans<Dither>, BySpans<Linear>, BySpans<Paper<detail::kMaxNeighbours>>>;
 template <class... Texel>
-std::tuple<Texel...> tuple_of(TexelList<Texel...>);
-using Texels = decltype(tuple_of(AllTexels()));
+std::tuple<Texel...> tuple_of(detail::TexelList<Texel...>);
+using Texels = decltype(tuple_of(detail::AllTexels()));
 using Pixels = std::tuple<PixelRgb565, PixelRgb565Swapped, PixelRgb888, PixelGrey8>;
 using Backgrounds = std::tuple<OverBlack, OverColour, OverStripe>;
 

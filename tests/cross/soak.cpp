@@ -17,6 +17,7 @@ namespace
 {
 
 using namespace lumi;
+using namespace lumi::detail;
 
 constexpr int32_t kMostSide = 48;
 constexpr uint32_t kChordOffset = 1024 * 1024;

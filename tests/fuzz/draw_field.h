@@ -81,7 +81,7 @@ inline void draw_chord(const Field& field, const Scene& s)
     if (make_camera(s.pose, s.image, camera) != CameraError::none) return;
     if ((s.choice & 0x100) != 0) camera = interlaced_half(camera, static_cast<int32_t>(s.choice >> 9 & 1));
     ++drawn.chords;
-    with_texel(field.texel_format, [&](auto texel) { draw_chord<decltype(texel)>(field, camera, s); });
+    detail::with_texel(field.texel_format, [&](auto texel) { draw_chord<decltype(texel)>(field, camera, s); });
 }
 
 inline void draw_surface(const SurfaceField& field, const Scene& s)

@@ -25,7 +25,7 @@ Pose pose_of(Choices& choose)
         choose.once_in(2) ? eighth * choose.between(-2, 2) : choose.between(-2 * eighth, 2 * eighth);
     const int32_t distances[] = {kOneQ20, kOneQ20 + 1, kMaxEyeDistanceQ20, choose.between(kOneQ20, 3 * kOneQ20 / 2),
                                  choose.between(kOneQ20, kMaxEyeDistanceQ20)};
-    const Pose at_centre = orbit(azimuth, elevation, choose.one_of(distances));
+    const Pose at_centre = detail::orbit(azimuth, elevation, choose.one_of(distances));
     const auto reversed = [](const Vec3q30& v) { return Vec3q30{-v.x, -v.y, -v.z}; };
     switch (choose.below(4)) {
         case 0:  // along the sphere

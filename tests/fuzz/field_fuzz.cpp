@@ -12,6 +12,7 @@ namespace
 {
 
 using namespace lumi;
+using namespace lumi::detail;
 using fuzz::Scene;
 
 constexpr size_t kControlBytes = 48;
@@ -31,14 +32,14 @@ void store32(uint8_t* p, uint32_t v)
 // Length, table and header as a writer would have made them; sections stay as they are.
 void reseal(std::vector<uint8_t>& file)
 {
-    namespace at = format::header;
-    if (file.size() < format::kHeaderBytes) return;
-    std::memcpy(file.data(), format::kMagic, sizeof format::kMagic);
+    namespace at = detail::format::header;
+    if (file.size() < detail::format::kHeaderBytes) return;
+    std::memcpy(file.data(), detail::format::kMagic, sizeof detail::format::kMagic);
     store32(file.data() + at::kFileBytesAt, static_cast<uint32_t>(file.size()));
     const size_t sections = file[at::kSectionCountAt] | static_cast<size_t>(file[at::kSectionCountAt + 1]) << 8;
-    const size_t table = sections * format::kEntryBytes;
-    if (format::kHeaderBytes + table <= file.size())
-        store32(file.data() + at::kTableCrcAt, crc32(0, file.data() + format::kHeaderBytes, table));
+    const size_t table = sections * detail::format::kEntryBytes;
+    if (detail::format::kHeaderBytes + table <= file.size())
+        store32(file.data() + at::kTableCrcAt, crc32(0, file.data() + detail::format::kHeaderBytes, table));
     store32(file.data() + at::kHeaderCrcAt, crc32(0, file.data(), at::kHeaderCrcAt));
 }
 

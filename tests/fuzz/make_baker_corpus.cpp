@@ -101,7 +101,7 @@ void write_volumes(Seeds seeds)
     }
 }
 
-void write_rows(Seeds& seeds, lumi::format::TexelFormat texel)
+void write_rows(Seeds& seeds, lumi::TexelFormat texel)
 {
     const testing::ScratchFolder folder;
     try {
@@ -113,8 +113,8 @@ void write_rows(Seeds& seeds, lumi::format::TexelFormat texel)
 
 void write_shards(Seeds seeds)
 {
-    write_rows(seeds, lumi::format::TexelFormat::rgb888);
-    write_rows(seeds, lumi::format::TexelFormat::palette8);
+    write_rows(seeds, lumi::TexelFormat::rgb888);
+    write_rows(seeds, lumi::TexelFormat::palette8);
     FitBasis basis = {};
     basis.mesh.positions = {{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}, {0.5f, 0.5f, 0}};
     basis.mesh.normals.assign(4, {0, 0, 1});

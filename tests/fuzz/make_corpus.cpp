@@ -16,6 +16,7 @@ namespace
 {
 
 using namespace lumi;
+using namespace lumi::detail;
 
 constexpr int kSeeds = 6;  // a field
 constexpr int kControlBytes = 48;
@@ -61,13 +62,13 @@ void write_extremes(const std::filesystem::path& folder)
 void write_fields(const std::filesystem::path& folder)
 {
     constexpr uint32_t kSizes[][3] = {{20, 24, 20}, {5, 9, 3}, {36, 22, 30}};  // M, N, origins used
-    for (uint32_t texel = 0; texel < format::kTexelFormats; ++texel) {
+    for (uint32_t texel = 0; texel < detail::format::kTexelFormats; ++texel) {
         for (const uint32_t(&size)[3] : kSizes) {
             test::TestLayout layout;
             layout.origins = size[0];
             layout.directions = size[1];
             layout.used_origins = size[2];
-            layout.texel = static_cast<format::TexelFormat>(texel);
+            layout.texel = static_cast<TexelFormat>(texel);
             write_seeds(folder, "chord-" + std::to_string(texel) + '-' + std::to_string(size[0]),
                         test::sample_field(layout));
         }

@@ -21,7 +21,7 @@ void reseal(std::string& file)
     if (file.size() < kHeadBytes) return;
     std::memcpy(file.data(), "LUMIROWS\4\0\0", 12);
     const size_t at = kHeadBytes - kSealBytes;
-    const uint32_t crc = lumi::crc32(0, reinterpret_cast<const uint8_t*>(file.data()), at);
+    const uint32_t crc = lumi::detail::crc32(0, reinterpret_cast<const uint8_t*>(file.data()), at);
     for (size_t k = 0; k < kSealBytes; ++k) file[at + k] = static_cast<char>(crc >> (8 * k));
 }
 

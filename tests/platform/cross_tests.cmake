@@ -114,6 +114,10 @@ add_test(NAME cortex-m0plus.unaligned_read_faults
 set_tests_properties(cortex-m0plus.unaligned_read_faults PROPERTIES FIXTURES_REQUIRED lumi_built_cortex-m0plus
   PASS_REGULAR_EXPRESSION "fault: .*ended with 70")
 
+foreach(cpu cortex-m0plus cortex-m4)
+  lumi_names_test(${cpu}.own_names firmware ${LUMI_FOUND_arm_none_eabi_g__} -mcpu=${cpu})
+endforeach()
+
 # A firmware project of somebody else takes core in.
 add_test(NAME platform.add_subdirectory_firmware
   COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${lumi_consumer} ${lumi_consumer_build}/firmware

@@ -19,6 +19,7 @@ namespace
 {
 
 using namespace lumi;
+using namespace lumi::detail;
 
 [[noreturn]] void fail(const std::string& what)
 {

@@ -8,6 +8,7 @@
 #include "surface/surface_bytes.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using test::Bytes;
 
 namespace

@@ -14,7 +14,7 @@ namespace
 {
 
 using namespace lumi;
-using format::TexelFormat;
+using namespace lumi::detail;
 
 constexpr uint32_t kOrigins = 128;
 constexpr uint32_t kUsedOrigins = 120;  // a cap: rows that are not there count as misses

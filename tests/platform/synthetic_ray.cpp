@@ -33,7 +33,7 @@ Vec3 along(const Vec3& start, const Vec3& step, double t)
 }
 
 // Position as colour, darkened on every other cube of a chequerboard; black occurs.
-Rgba8 shade(const Vec3& hit, uint8_t coverage)
+detail::Rgba8 shade(const Vec3& hit, uint8_t coverage)
 {
     const auto cell = [](double v) { return static_cast<int>(std::floor(v * kChequersPerRadius)); };
     const bool dark = ((cell(hit.x) + cell(hit.y) + cell(hit.z)) & 1) != 0;
@@ -44,7 +44,7 @@ Rgba8 shade(const Vec3& hit, uint8_t coverage)
 
 }  // namespace
 
-Rgba8 synthetic_ray(const Vec3q30& origin, const Vec3q30& target)
+detail::Rgba8 synthetic_ray(const Vec3q30& origin, const Vec3q30& target)
 {
     const Vec3 start = from_q30(origin);
     const Vec3 end = from_q30(target);

@@ -10,6 +10,6 @@ namespace lumi::test
 {
 
 // What the ray from `origin` to `target` on the unit sphere sees: premultiplied colour with coverage.
-Rgba8 synthetic_ray(const Vec3q30& origin, const Vec3q30& target);
+detail::Rgba8 synthetic_ray(const Vec3q30& origin, const Vec3q30& target);
 
 }  // namespace lumi::test

@@ -28,20 +28,21 @@ WITHIN = {"tools/lab": "lab", "platform/mps2/bench": "lab"}
 PLUGINS = ["tools/src/filter"]
 
 # The order of folders: each includes from those above it in this list, or from itself. A folder that is not listed
-# takes the place of the nearest one around it. "FOLDER: FILES" places some files of a folder on their own: the doors
-# among core's public headers, which lead to whole renderers; the others are the words that all else speaks in.
+# takes the place of the nearest one around it. "FOLDER: FILES" places some files of a folder on their own: the words that
+# all else speaks in come first, and renderers after the parts that they are made of.
 ORDER = """
 core/include/lumi/detail: cpp17.h
 core/include/lumi: fixed.h
 core/include/lumi/detail
 core/include/lumi
+core/include/lumi/surface: format.h
 core/include/lumi/surface/detail
 core/include/lumi/surface
 core/include/lumi/chord
 core/include/lumi/chord/detail/stepping
 core/include/lumi/chord/detail
 core/include/lumi/chord/detail/kernel
-core/include/lumi/chord: render_spans.h render_spans_paper.h view.h
+core/include/lumi/chord: quality.h render.h render_spans.h render_spans_paper.h view.h
 core/src
 core/src/math
 core/src/field
@@ -49,12 +50,12 @@ core/src/camera
 core/src/lattice
 core/src/control
 core/src/pixel
+core/src/view
 core/src/surface
 core/src/chord/stepping
 core/src/chord
 core/src/chord/armv6m
 core/src/chord/kernel
-core/src/view
 
 platform/host
 platform/mps2
@@ -110,8 +111,12 @@ tools/lab/devices
 tests
 """
 
+# Folders of which neither includes anything of the other one: what draws surface fields, and what draws chord fields.
+APART = [("core/include/lumi/surface", "core/include/lumi/chord"), ("core/src/surface", "core/src/chord"),
+         ("core/src/surface", "core/include/lumi/chord"), ("core/src/chord", "core/include/lumi/surface")]
+
 # How many includes may go back up that order.
-ALLOWED_BACK_UP = {"core": 2}
+ALLOWED_BACK_UP = {}
 
 # Third parties by what their headers' names begin with, and the one file that may include them. Tests may include all.
 THIRD_PARTIES = {
@@ -146,14 +151,18 @@ def area_of(path):
     return next((area for folder, area in WITHIN.items() if lies_in(path, folder)), path.split("/")[0])
 
 
+def are_apart(a, b):
+    return any(a.startswith(x + "/") and b.startswith(y + "/") for pair in APART for x, y in (pair, pair[::-1]))
+
+
 class Order:
     def __init__(self, text):
         self.places, self.names, self.files = {}, {}, {}
         for number, line in enumerate(filter(None, text.splitlines())):
             folder, _, files = line.partition(":")
             for name in files.split():
-                self.files[folder + "/" + name] = folder + " (doors)"
-            row = folder + " (doors)" if files else folder
+                self.files[folder + "/" + name] = folder + " (some)"
+            row = folder + " (some)" if files else folder
             self.places.setdefault(row, number)
 
     def row_of(self, path):
@@ -293,6 +302,8 @@ def check(root, order, allowed, quiet=False):
         if area_of(a) != area_of(b):
             if area_of(b) not in ARROWS[area_of(a)]:
                 problems.append(f"{a}: includes {b}, and {area_of(a)} must not know {area_of(b)}")
+        elif are_apart(a, b):
+            problems.append(f"{a}: includes {b}, and what draws one layout must not know the other")
         elif order.place_of(row) < order.place_of(other):
             back_up[area_of(a)].append(f"{a}: includes {b}, back up the order of folders")
         else:
@@ -345,6 +356,8 @@ def self_test():
         ("the laboratory includes a program", {"tools/lab/src/x.cpp": '#include "x.h"\n', "tools/src/x.h": ""}, 0, None),
         ("a plug-in that another folder includes", {"tools/src/filter/f.h": "", "tools/src/x.cpp": '#include "filter/f.h"\n'}, 8,
          "belongs to a plug-in"),
+        ("an include of the other layout", {"core/include/lumi/chord/a.h": "",
+                                            "core/include/lumi/surface/b.h": '#include "lumi/chord/a.h"\n'}, 8, "layout"),
         ("an include of nothing", {"core/src/x.cpp": '#include "gone.h"\n'}, 8, "no folder of ours has"),
         ("a third party in a second file", {"tools/src/x.cpp": "#include <png.h>\n"}, 0, "which only"),
         ("a third party in its file", {"baker/src/image/png_file.cpp": "#include <png.h>\n"}, 0, None),

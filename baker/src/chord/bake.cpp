@@ -69,7 +69,7 @@ private:
 
     uint64_t palette_samples() const
     {
-        return layout_.texel == format::TexelFormat::palette8 ? std::min(kPaletteSamples, texel_count()) : 0;
+        return layout_.texel == TexelFormat::palette8 ? std::min(kPaletteSamples, texel_count()) : 0;
     }
 
     uint64_t rays_of_rows(uint64_t rows) const { return rows * layout_.directions * settings_.samples; }
@@ -125,7 +125,7 @@ private:
 
     void fit()
     {
-        std::vector<Rgba8> samples(palette_samples());
+        std::vector<detail::Rgba8> samples(palette_samples());
         job_.run(kPaletteTasks, [&](uint32_t task) {
             for (uint64_t k = task; k < samples.size() && !job_.stopping(); k += kPaletteTasks) {
                 const uint64_t texel = palette_texel(k);
@@ -170,7 +170,7 @@ uint32_t shard_rows(const BakeSettings& settings, const Shard& shard)
 void bake_field(const Scene& scene, const BakeSettings& settings, const fs::path& output,
                 const ProgressCallback& progress, Earlier earlier)
 {
-    require_partial_coverage(scene.data(), settings.texel == format::TexelFormat::palette8);
+    require_partial_coverage(scene.data(), settings.texel == TexelFormat::palette8);
     const BakeIdentity identity = identity_of(scene, settings, {});
     Checkpoint checkpoint(checkpoint_of(output), identity, earlier);
     Baker baker(scene, settings, checkpoint, progress);
@@ -182,7 +182,7 @@ void bake_field(const Scene& scene, const BakeSettings& settings, const fs::path
 void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& shard, const fs::path& output,
                 const ProgressCallback& progress, Earlier earlier)
 {
-    require_partial_coverage(scene.data(), settings.texel == format::TexelFormat::palette8);
+    require_partial_coverage(scene.data(), settings.texel == TexelFormat::palette8);
     const BakeIdentity identity = identity_of(scene, settings, shard);
     if (earlier == Earlier::resume && is_finished_shard(output, identity, has_all_rows)) return;
     Checkpoint checkpoint(checkpoint_of(output), identity, earlier);

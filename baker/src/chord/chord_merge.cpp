@@ -8,7 +8,7 @@ namespace lumi::baker
 namespace
 {
 
-bool same_colour(const Rgba8& a, const Rgba8& b)
+bool same_colour(const detail::Rgba8& a, const detail::Rgba8& b)
 {
     return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
 }

@@ -16,7 +16,7 @@ Vec3 OriginDisc::at(const Vec2& u) const
 OriginDisc FieldRays::disc(uint32_t i) const
 {
     // π·radius² = 4π/M
-    return {Frame(unit_vector(point(origins_, i))), 2 / std::sqrt(static_cast<float>(origins_.size()))};
+    return {Frame(unit_vector(detail::point(origins_, i))), 2 / std::sqrt(static_cast<float>(origins_.size()))};
 }
 
 OriginDisc FieldRays::direction_disc(uint32_t j) const
@@ -26,7 +26,7 @@ OriginDisc FieldRays::direction_disc(uint32_t j) const
 
 Vec3 FieldRays::direction_point(uint32_t j) const
 {
-    return unit_vector(point(directions_, j));
+    return unit_vector(detail::point(directions_, j));
 }
 
 std::optional<Ray> FieldRays::ray(const Vec3& start, const Vec3& target)

@@ -38,7 +38,7 @@ public:
     static std::optional<Ray> parallel_ray(const Vec3& start, const Vec3& from, const Vec3& to);
 
 private:
-    Lattice origins_, directions_;
+    detail::Lattice origins_, directions_;
 };
 
 }  // namespace lumi::baker

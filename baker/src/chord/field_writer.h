@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "image/palette.h"
-#include "lumi/field_format.h"
+#include "lumi/chord/format.h"
 #include "store/new_file.h"
 
 namespace lumi::baker
@@ -16,11 +16,11 @@ namespace lumi::baker
 
 struct FieldLayout {
     uint32_t origins, directions, used_origins;
-    format::TexelFormat texel;
+    TexelFormat texel;
     std::array<float, 3> centre;  // scene units, scene axes
     float radius;
 
-    uint32_t row_stride() const { return format::padded_row_stride(directions, texel); }
+    uint32_t row_stride() const { return detail::format::padded_row_stride(directions, texel); }
     uint64_t texel_bytes() const { return uint64_t{row_stride()} * used_origins; }
 };
 

@@ -6,12 +6,12 @@ namespace lumi::baker
 namespace
 {
 
-constexpr Block kPaletteBlock = {kHeadBytes, UINT32_MAX, format::kPaletteBytes};  // no row has that number
+constexpr Block kPaletteBlock = {kHeadBytes, UINT32_MAX, detail::format::kPaletteBytes};  // no row has that number
 
 std::vector<uint8_t> bytes_of(const Palette& palette)
 {
     std::vector<uint8_t> bytes;
-    for (const Rgba8& c : palette) bytes.insert(bytes.end(), {c.r, c.g, c.b, c.a});
+    for (const detail::Rgba8& c : palette) bytes.insert(bytes.end(), {c.r, c.g, c.b, c.a});
     return bytes;
 }
 

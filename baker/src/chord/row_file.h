@@ -34,7 +34,7 @@ public:
     bool has_intact_palette() const;
 
 private:
-    bool has_palette() const { return layout_.texel == format::TexelFormat::palette8; }
+    bool has_palette() const { return layout_.texel == TexelFormat::palette8; }
     uint64_t slot_offset(uint32_t slot) const;
     Block row_block(uint32_t slot) const { return {slot_offset(slot), row_of(slot), layout_.row_stride()}; }
 

@@ -43,11 +43,11 @@ Estimate TexelTracer::estimate(const OriginDisc& disc, uint32_t i, uint32_t j) c
     return result;
 }
 
-void encode_texel(format::TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
+void encode_texel(TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
                   uint32_t j)
 {
-    uint8_t* const at = row + static_cast<size_t>(j) * format::bytes_per_texel(format);
-    with_texel(format, [&](auto texel) {
+    uint8_t* const at = row + static_cast<size_t>(j) * detail::format::bytes_per_texel(format);
+    detail::with_texel(format, [&](auto texel) {
         if constexpr (decltype(texel)::kIndexed)
             *at = nearest_entry(palette, estimate.covered_colour());
         else if (estimate.mostly_covered())  // rows start out as zeros, which mean a miss

@@ -7,7 +7,7 @@
 #include "chord/field_rays.h"
 #include "image/palette.h"
 #include "lumi/baker/chord.h"
-#include "lumi/field_format.h"
+#include "lumi/chord/format.h"
 #include "trace/error_gauge.h"
 #include "trace/estimate.h"
 #include "trace/path_tracer.h"
@@ -42,7 +42,7 @@ private:
 };
 
 // Writes texel j of a row. `palette` is only read for palette8.
-void encode_texel(format::TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
+void encode_texel(TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
                   uint32_t j);
 
 }  // namespace lumi::baker

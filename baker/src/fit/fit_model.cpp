@@ -15,7 +15,7 @@ constexpr int kOneQ12 = 4096;
 FitModel empty_model(const FitShape& shape)
 {
     return {std::vector<LevelColour>(shape.layout.texels),
-            std::vector<LevelColour>(shape.mesh.positions.size() * format::kViewNodes)};
+            std::vector<LevelColour>(shape.mesh.positions.size() * detail::format::kViewNodes)};
 }
 
 SampleTaps taps_of(const FitShape& shape, const FitSample& s)
@@ -24,12 +24,13 @@ SampleTaps taps_of(const FitShape& shape, const FitSample& s)
     const int weights[3] = {kOneQ12 - s.second_q12 - s.third_q12, s.second_q12, s.third_q12};
     for (uint32_t k = 0; k < 3; ++k) {
         const uint32_t corner = FitShape::patch_corner(s.triangle, k);
-        const ViewTaps seen = shape.taps(shape.vertex(s.triangle / 2, corner), s.eye);
+        const detail::ViewTaps seen = shape.taps(shape.vertex(s.triangle / 2, corner), s.eye);
         for (int tap = 0; tap < 3; ++tap) {
             const int weight = (std::max(weights[k], 0) * seen.weight_q8[tap] + 128) >> 8;
             if (weight != 0) {
-                result.taps[result.count++] = {static_cast<uint16_t>(corner * format::kViewNodes + seen.node[tap]),
-                                               static_cast<int16_t>(weight)};
+                result.taps[result.count++] = {
+                    static_cast<uint16_t>(corner * detail::format::kViewNodes + seen.node[tap]),
+                    static_cast<int16_t>(weight)};
             }
         }
     }
@@ -55,8 +56,8 @@ std::vector<LevelColour> patch_nodes(const FitShape& shape, const FitModel& mode
     for (uint32_t corner = 0; corner < 4; ++corner) {
         const uint32_t v = shape.vertex(patch, corner);
         if (v != PatchMesh::kNone) {
-            std::copy_n(model.nodes.begin() + v * format::kViewNodes, format::kViewNodes,
-                        nodes.begin() + corner * format::kViewNodes);
+            std::copy_n(model.nodes.begin() + v * detail::format::kViewNodes, detail::format::kViewNodes,
+                        nodes.begin() + corner * detail::format::kViewNodes);
         }
     }
     return nodes;

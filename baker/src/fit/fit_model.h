@@ -8,7 +8,7 @@
 namespace lumi::baker
 {
 
-inline constexpr uint32_t kPatchNodes = 4 * format::kViewNodes;  // of a patch's corners
+inline constexpr uint32_t kPatchNodes = 4 * detail::format::kViewNodes;  // of a patch's corners
 
 struct FitModel {
     std::vector<LevelColour> texels;

@@ -26,12 +26,12 @@ FitShape::FitShape(PatchMesh m, const std::vector<float>& densities)
     }
 }
 
-ViewTaps FitShape::taps(uint32_t vertex, const EyePoint& eye) const
+detail::ViewTaps FitShape::taps(uint32_t vertex, const EyePoint& eye) const
 {
     const EyePoint& p = points[vertex];
     const ViewTurn& h = turns[vertex];
-    const ViewDirection local = in_view_frame({eye.x - p.x, eye.y - p.y, eye.z - p.z}, h.x, h.y, h.z);
-    return view_taps(local.x, local.y, local.z);
+    const detail::ViewDirection local = detail::in_view_frame({eye.x - p.x, eye.y - p.y, eye.z - p.z}, h.x, h.y, h.z);
+    return detail::view_taps(local.x, local.y, local.z);
 }
 
 }  // namespace lumi::baker

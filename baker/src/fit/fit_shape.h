@@ -25,7 +25,7 @@ struct FitShape {
     FitShape(PatchMesh mesh, const std::vector<float>& densities);  // texels a radius, by patch
 
     // Where an eye lies between the nodes of a vertex's view table.
-    ViewTaps taps(uint32_t vertex, const EyePoint& eye) const;
+    detail::ViewTaps taps(uint32_t vertex, const EyePoint& eye) const;
     // Corner 0, 1 or 2 of triangle 2p or 2p + 1, as a corner of its patch: 0 .. 3.
     static uint32_t patch_corner(uint32_t triangle, uint32_t corner) { return triangle % 2 == 0 ? corner : 3 - corner; }
     // kNone for the fourth corner of a lone triangle.

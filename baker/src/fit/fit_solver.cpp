@@ -8,7 +8,7 @@ namespace lumi::baker
 namespace
 {
 
-using format::kViewNodes;
+using detail::format::kViewNodes;
 
 constexpr uint32_t kPatchesATask = 16;
 constexpr double kGoodEnough = 1e-4;  // of the first residual

@@ -10,7 +10,8 @@ namespace
 // The number of node `local` of patch p's sums among all vertices' nodes.
 uint32_t node_of(const FitShape& shape, uint32_t p, uint32_t local)
 {
-    return shape.vertex(p, local / format::kViewNodes) * format::kViewNodes + local % format::kViewNodes;
+    return shape.vertex(p, local / detail::format::kViewNodes) * detail::format::kViewNodes +
+           local % detail::format::kViewNodes;
 }
 
 }  // namespace
@@ -18,7 +19,7 @@ uint32_t node_of(const FitShape& shape, uint32_t p, uint32_t local)
 std::vector<double> node_weights(const FitSums& sums)
 {
     const FitShape& shape = sums.shape();
-    std::vector<double> weights(format::kViewNodes * shape.mesh.positions.size());
+    std::vector<double> weights(detail::format::kViewNodes * shape.mesh.positions.size());
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
         sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
             if (a == b) weights[node_of(shape, p, a)] += kWeightUnit * kWeightUnit * static_cast<double>(sum);
@@ -30,7 +31,7 @@ std::vector<double> node_weights(const FitSums& sums)
 NodeProducts::NodeProducts(const FitSums& sums)
 {
     const FitShape& shape = sums.shape();
-    rows_.resize(format::kViewNodes * shape.mesh.positions.size());
+    rows_.resize(detail::format::kViewNodes * shape.mesh.positions.size());
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
         sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
             const uint32_t i = node_of(shape, p, a), j = node_of(shape, p, b);

@@ -12,12 +12,12 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kInset = 1.0f / (1 << format::kPatchInsetShift);
+constexpr float kInset = 1.0f / (1 << detail::format::kPatchInsetShift);
 
 uint32_t side_of(float length, float texels_per_radius)
 {
     const float side = std::round(length * texels_per_radius);
-    return static_cast<uint32_t>(std::clamp(side, 1.0f, static_cast<float>(format::kMaxPatchSide)));
+    return static_cast<uint32_t>(std::clamp(side, 1.0f, static_cast<float>(detail::format::kMaxPatchSide)));
 }
 
 PatchRectangle rectangle_of(const PatchMesh& mesh, const PatchMesh::Patch& p, float texels_per_radius)
@@ -64,7 +64,7 @@ TexelLayout unlimited_layout(const PatchMesh& mesh, const std::vector<float>& de
         PatchRectangle& r = layout.rectangles[k];
         r.begin = begin;
         begin += r.size();
-        layout.texels = std::max(layout.texels, r.begin + format::patch_reach(r.n));
+        layout.texels = std::max(layout.texels, r.begin + detail::format::patch_reach(r.n));
     }
     layout.texels = std::max(layout.texels, begin);
     return layout;
@@ -73,7 +73,7 @@ TexelLayout unlimited_layout(const PatchMesh& mesh, const std::vector<float>& de
 TexelLayout layout_of(const PatchMesh& mesh, const std::vector<float>& densities)
 {
     TexelLayout layout = unlimited_layout(mesh, densities);
-    if (layout.texels > format::kMaxSurfaceTexels) {
+    if (layout.texels > detail::format::kMaxSurfaceTexels) {
         throw BakeError("the field would hold " + std::to_string(layout.texels) +
                         " texels, and the format ends at 1048576; choose a smaller --texel-density");
     }

@@ -11,14 +11,14 @@ namespace lumi::baker
 namespace
 {
 
-using format::kViewNodes;
+using detail::format::kViewNodes;
 
 constexpr int32_t kDirectionScale = 16384;
 constexpr double kLowest = -0.3;  // a direction's height in a frame; the nodes end a little above
 
-ViewDirection node_direction(uint32_t node)
+detail::ViewDirection node_direction(uint32_t node)
 {
-    const Vec3q30 p = point(Lattice(format::kViewLattice), node);
+    const Vec3q30 p = detail::point(detail::Lattice(detail::format::kViewLattice), node);
     constexpr int32_t kUnit = kOneQ30 / kDirectionScale;
     return {p.x / kUnit, p.y / kUnit, p.z / kUnit};
 }
@@ -31,8 +31,8 @@ std::vector<NodePair> neighbouring_nodes()
     constexpr uint32_t kProbes = 20000;
     std::set<NodePair> pairs;
     for (uint32_t k = 0; k < kProbes; ++k) {
-        const Vec3q30 p = point(Lattice(kProbes), k);
-        const ViewTaps taps = view_taps(p.x >> 15, p.y >> 15, p.z >> 15);
+        const Vec3q30 p = detail::point(detail::Lattice(kProbes), k);
+        const detail::ViewTaps taps = detail::view_taps(p.x >> 15, p.y >> 15, p.z >> 15);
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j)
                 if (taps.weight_q8[i] != 0 && taps.weight_q8[j] != 0 && taps.node[i] < taps.node[j])
@@ -58,12 +58,12 @@ std::set<NodePair> edges_of(const PatchMesh& mesh)
     return edges;
 }
 
-ViewDirection turned(const ViewTurn& turn, const ViewDirection& w)
+detail::ViewDirection turned(const ViewTurn& turn, const detail::ViewDirection& w)
 {
-    return in_view_frame(w, turn.x, turn.y, turn.z);
+    return detail::in_view_frame(w, turn.x, turn.y, turn.z);
 }
 
-double height(const ViewDirection& w)
+double height(const detail::ViewDirection& w)
 {
     const double x = w.x, y = w.y, z = w.z;
     return z / std::sqrt(x * x + y * y + z * z);
@@ -95,9 +95,9 @@ void ViewSmoothness::add_neighbour(const FitShape& shape, uint32_t vertex, uint3
 {
     const float weight = std::sqrt(expected_.neighbour);
     for (uint32_t k = 0; k < kViewNodes; ++k) {
-        const ViewDirection local = turned(shape.turns[other], turned(shape.turns[vertex], node_direction(k)));
+        const detail::ViewDirection local = turned(shape.turns[other], turned(shape.turns[vertex], node_direction(k)));
         if (height(local) < kLowest) continue;
-        const ViewTaps taps = view_taps(local.x, local.y, local.z);
+        const detail::ViewTaps taps = detail::view_taps(local.x, local.y, local.z);
         Row row = {{vertex * kViewNodes + k}, {weight}};
         for (size_t t = 0; t < 3; ++t) {
             row.nodes[t + 1] = other * kViewNodes + taps.node[t];

@@ -66,7 +66,7 @@ MeshDraft drafted(const SceneData& scene, const Outside& outside, const MeshSett
     MeshDraft draft = {with_short_edges(std::move(simple.mesh), kSplitEarly * settings.longest_edge, onto(scene)),
                        simple.rough, false};
     draft.fits = draft.mesh.triangle_count() <= kMaxTriangles &&
-                 seen_triangles(draft.mesh, outside.two_sided, settings.cap, job) <= 2 * format::kMaxPatches;
+                 seen_triangles(draft.mesh, outside.two_sided, settings.cap, job) <= 2 * detail::format::kMaxPatches;
     return draft;
 }
 

@@ -186,10 +186,10 @@ Mesh fitted(const Mesh& mesh, const Mesh& upright, bool two_sided, const Survey&
     const MeshTracer tracer(mesh, two_sided);
     std::vector<std::vector<Equation>> parts(survey.origins());
     const MeshOutline outline(survey.scene(), tracer, survey.cap());
-    const Lattice eyes(survey.origins());
+    const detail::Lattice eyes(survey.origins());
     job.run(survey.origins(), [&](uint32_t i) {
         parts[i] = equations_of(survey.look(i, tracer), mesh);
-        add_outlines(outline.seen_from(unit_vector(point(eyes, i)), i), parts[i]);
+        add_outlines(outline.seen_from(unit_vector(detail::point(eyes, i)), i), parts[i]);
     });
     Mesh result;
     job.run(1, [&](uint32_t) {

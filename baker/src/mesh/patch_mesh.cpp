@@ -63,13 +63,14 @@ PatchMesh assembled(const Mesh& shape, float crease_cosine)
 
 bool fits(const PatchMesh& mesh)
 {
-    return mesh.positions.size() <= format::kMaxSurfaceVertices && mesh.patches.size() <= format::kMaxPatches;
+    return mesh.positions.size() <= detail::format::kMaxSurfaceVertices &&
+           mesh.patches.size() <= detail::format::kMaxPatches;
 }
 
 // What asks for a smaller mesh: fewer triangles, or longer edges where most triangles come from splitting.
 MeshSettings smaller(MeshSettings s)
 {
-    if (s.triangles > format::kMaxPatches / 2)
+    if (s.triangles > detail::format::kMaxPatches / 2)
         s.triangles = static_cast<uint32_t>(kFewerTriangles * static_cast<float>(s.triangles));
     else
         s.longest_edge *= kLongerEdges;
@@ -99,7 +100,7 @@ BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeS
     }();
     BuiltMesh result;
     MeshSettings s = settings;
-    s.triangles = std::min(s.triangles, 2 * format::kMaxPatches);
+    s.triangles = std::min(s.triangles, 2 * detail::format::kMaxPatches);
     for (;; s = smaller(s)) {
         MeshDraft draft = [&] {
             const JobStage stage(job, Stage::mesh, job.part_of_rest(work.simplify / later), kSimplifyRuns);

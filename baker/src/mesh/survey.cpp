@@ -32,7 +32,7 @@ Survey::Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origi
 
 std::vector<SurveyRay> Survey::look(uint32_t origin, const MeshTracer& tracer) const
 {
-    const Frame frame(unit_vector(point(Lattice(origins_), origin)));
+    const Frame frame(unit_vector(detail::point(detail::Lattice(origins_), origin)));
     Sampler sampler(seed_, origin, 0);
     std::vector<SurveyRay> result;
     result.reserve(rays_);

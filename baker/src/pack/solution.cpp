@@ -22,7 +22,7 @@ namespace
 {
 
 struct PalettedTexels {
-    std::array<Rgb8, format::kPaletteEntries> palette{};
+    std::array<Rgb8, detail::format::kPaletteEntries> palette{};
     std::vector<uint8_t> texels;
 };
 
@@ -40,7 +40,7 @@ std::vector<ColourPoint> centres_for(const std::vector<LevelColour>& texels)
     std::vector<ColourPoint> points;
     const size_t stride = texels.size() / kMaxSamples + 1;
     for (size_t k = 0; k < texels.size(); k += stride) points.push_back(point_of(texels[k]));
-    std::vector<ColourPoint> centres = k_means(points, {}, format::kPaletteEntries, kTexelPaletteSeed);
+    std::vector<ColourPoint> centres = k_means(points, {}, detail::format::kPaletteEntries, kTexelPaletteSeed);
     for (ColourPoint& c : centres)
         for (float& v : c) v = std::round(v);
     return centres;

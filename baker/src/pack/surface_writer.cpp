@@ -38,7 +38,7 @@ std::vector<PatchSide> patch_sides(const PatchMesh::Patch& p, uint32_t number)
     return {{p.a, p.b, first}, {p.c, p.a, first}, {p.d, p.c, second}, {p.b, p.d, second}};
 }
 
-// In the order that the section has them; format::kNoNeighbour where the mesh ends, or where more than two triangles
+// In the order that the section has them; detail::format::kNoNeighbour where the mesh ends, or where more than two triangles
 // meet. Vertices at one place are one here, whatever their normals.
 std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
 {
@@ -49,7 +49,7 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
     std::vector<std::array<uint16_t, 4>> result;
     for (uint32_t k = 0; k < mesh.patches.size(); ++k) {
         std::array<uint16_t, 4> across;
-        across.fill(static_cast<uint16_t>(format::kNoNeighbour));
+        across.fill(static_cast<uint16_t>(detail::format::kNoNeighbour));
         size_t at = 0;
         for (const PatchSide& side : patch_sides(mesh.patches[k], k)) {
             const auto found = triangles.find({place(mesh, side.to), place(mesh, side.from)});
@@ -94,14 +94,14 @@ uint8_t edge_steps(float longest_edge)
 
 std::vector<uint8_t> surface_section(const FitShape& shape, const FieldParts& parts, uint32_t viewed)
 {
-    namespace at = format::surface;
-    Bytes b(format::kSurfaceBytes);
+    namespace at = detail::format::surface;
+    Bytes b(detail::format::kSurfaceBytes);
     b.put16(at::kVerticesAt, static_cast<uint16_t>(shape.mesh.positions.size()));
     b.put16(at::kViewedAt, static_cast<uint16_t>(viewed));
     b.put16(at::kPatchesAt, static_cast<uint16_t>(shape.mesh.patches.size()));
-    b.put16(at::kFlagsAt, shape.mesh.two_sided ? format::kSurfaceTwoSided : 0);
+    b.put16(at::kFlagsAt, shape.mesh.two_sided ? detail::format::kSurfaceTwoSided : 0);
     b.put32(at::kTexelsAt, shape.layout.texels);
-    b.put8(at::kColourSpaceAt, static_cast<uint8_t>(format::ColourSpace::srgb));
+    b.put8(at::kColourSpaceAt, static_cast<uint8_t>(ColourSpace::srgb));
     b.put8(at::kLongestEdgeAt, edge_steps(shape.mesh.longest_edge));
     for (size_t axis = 0; axis < 3; ++axis)
         b.put_float(at::kCentreAt + 4 * axis, static_cast<float>(parts.centre[axis]));
@@ -112,7 +112,7 @@ std::vector<uint8_t> surface_section(const FitShape& shape, const FieldParts& pa
 std::vector<uint8_t> vertex_section(const FitShape& shape, const VertexOrder& order)
 {
     constexpr float kOne = 16384;  // Q14
-    Bytes b(order.vertices.size() * format::kVertexBytes);
+    Bytes b(order.vertices.size() * detail::format::kVertexBytes);
     size_t at = 0;
     for (const uint32_t v : order.vertices) {
         const Vec3& p = shape.mesh.positions[v];
@@ -126,13 +126,13 @@ std::vector<uint8_t> vertex_section(const FitShape& shape, const VertexOrder& or
 
 std::vector<uint8_t> patch_section(const FitShape& shape, const VertexOrder& order)
 {
-    namespace at = format::patch;
-    Bytes b(shape.mesh.patches.size() * format::kPatchBytes);
+    namespace at = detail::format::patch;
+    Bytes b(shape.mesh.patches.size() * detail::format::kPatchBytes);
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
-        const size_t entry = p * format::kPatchBytes;
+        const size_t entry = p * detail::format::kPatchBytes;
         for (uint32_t corner = 0; corner < 4; ++corner) {
             const uint32_t v = shape.vertex(p, corner);
-            const uint32_t number = v == PatchMesh::kNone ? format::kNoVertex : order.numbers[v];
+            const uint32_t number = v == PatchMesh::kNone ? detail::format::kNoVertex : order.numbers[v];
             b.put16(entry + at::kCornersAt + 2 * corner, static_cast<uint16_t>(number));
         }
         const PatchRectangle& r = shape.layout.rectangles[p];
@@ -143,7 +143,7 @@ std::vector<uint8_t> patch_section(const FitShape& shape, const VertexOrder& ord
 
 std::vector<uint8_t> neighbour_section(const FitShape& shape)
 {
-    Bytes b(shape.mesh.patches.size() * format::kNeighbourBytes);
+    Bytes b(shape.mesh.patches.size() * detail::format::kNeighbourBytes);
     size_t at = 0;
     for (const std::array<uint16_t, 4>& across : neighbours_of(shape.mesh)) {
         for (const uint16_t triangle : across) {
@@ -167,17 +167,18 @@ std::vector<uint8_t> palette_section(const FieldParts& parts)
 
 void put_view(Bytes& b, size_t at, const ViewTurn& turn, const ViewCode& view)
 {
-    b.put8(at + format::view::kTurnAt, static_cast<uint8_t>(turn.x));
-    b.put8(at + format::view::kTurnAt + 1, static_cast<uint8_t>(turn.y));
-    b.put8(at + format::view::kTurnAt + 2, static_cast<uint8_t>(turn.z));
-    b.put8(at + format::view::kGainAt, view.gain);
-    for (size_t k = 0; k < format::kViewNodes; k += 2)
-        b.put8(at + format::view::kNodesAt + k / 2, static_cast<uint8_t>(view.colours[k] | view.colours[k + 1] << 4));
+    b.put8(at + detail::format::view::kTurnAt, static_cast<uint8_t>(turn.x));
+    b.put8(at + detail::format::view::kTurnAt + 1, static_cast<uint8_t>(turn.y));
+    b.put8(at + detail::format::view::kTurnAt + 2, static_cast<uint8_t>(turn.z));
+    b.put8(at + detail::format::view::kGainAt, view.gain);
+    for (size_t k = 0; k < detail::format::kViewNodes; k += 2)
+        b.put8(at + detail::format::view::kNodesAt + k / 2,
+               static_cast<uint8_t>(view.colours[k] | view.colours[k + 1] << 4));
 }
 
 std::vector<uint8_t> view_section(const FitShape& shape, const FieldParts& parts, const VertexOrder& order)
 {
-    Bytes b(format::kViewColoursBytes + order.viewed * format::kViewBytes);
+    Bytes b(detail::format::kViewColoursBytes + order.viewed * detail::format::kViewBytes);
     size_t at = 0;
     for (const auto& node : parts.node_colours.colours) {
         for (const NodeColours::Colour& colour : node)
@@ -185,7 +186,7 @@ std::vector<uint8_t> view_section(const FitShape& shape, const FieldParts& parts
     }
     for (uint32_t k = 0; k < order.viewed; ++k) {
         const uint32_t v = order.vertices[k];
-        put_view(b, at + k * format::kViewBytes, shape.turns[v], parts.views[v]);
+        put_view(b, at + k * detail::format::kViewBytes, shape.turns[v], parts.views[v]);
     }
     return b.take();
 }
@@ -207,13 +208,13 @@ std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts)
 {
     const VertexOrder order = order_of(parts.views);
-    std::vector<Contents> contents = {{format::kSurfaceSection, surface_section(shape, parts, order.viewed)},
-                                      {format::kVertexSection, vertex_section(shape, order)},
-                                      {format::kPatchSection, patch_section(shape, order)},
-                                      {format::kColourSection, parts.texels},
-                                      {format::kPaletteRgb, palette_section(parts)},
-                                      {format::kNeighbourSection, neighbour_section(shape)}};
-    if (order.viewed != 0) contents.push_back({format::kViewSection, view_section(shape, parts, order)});
+    std::vector<Contents> contents = {{detail::format::kSurfaceSection, surface_section(shape, parts, order.viewed)},
+                                      {detail::format::kVertexSection, vertex_section(shape, order)},
+                                      {detail::format::kPatchSection, patch_section(shape, order)},
+                                      {detail::format::kColourSection, parts.texels},
+                                      {detail::format::kPaletteRgb, palette_section(parts)},
+                                      {detail::format::kNeighbourSection, neighbour_section(shape)}};
+    if (order.viewed != 0) contents.push_back({detail::format::kViewSection, view_section(shape, parts, order)});
     return file_of(contents);
 }
 

@@ -14,19 +14,19 @@ namespace lumi::baker
 // A vertex's view table.
 struct ViewCode {
     uint8_t gain = 0;  // 0: none
-    std::array<uint8_t, format::kViewNodes> colours{};
+    std::array<uint8_t, detail::format::kViewNodes> colours{};
 };
 
 // Of all view tables: 16 colours a node.
 struct NodeColours {
     using Colour = std::array<int8_t, 3>;
-    std::array<std::array<Colour, format::kNodeColours>, format::kViewNodes> colours{};
+    std::array<std::array<Colour, detail::format::kNodeColours>, detail::format::kViewNodes> colours{};
 };
 
 struct FieldParts {
     std::array<double, 3> centre;
     double radius;
-    std::array<Rgb8, format::kPaletteEntries> palette;
+    std::array<Rgb8, detail::format::kPaletteEntries> palette;
     std::vector<uint8_t> texels;
     NodeColours node_colours;
     std::vector<ViewCode> views;  // by vertex

@@ -12,8 +12,8 @@ namespace lumi::baker
 namespace
 {
 
-using format::kNodeColours;
-using format::kViewNodes;
+using detail::format::kNodeColours;
+using detail::format::kViewNodes;
 
 constexpr double kLeastDifference = 0.7;  // levels, root mean square
 constexpr int kSharedRounds = 12;

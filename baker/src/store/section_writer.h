@@ -50,7 +50,8 @@ struct Section {
 
 constexpr uint64_t aligned(uint64_t size)
 {
-    return (size + format::kSectionAlignment - 1) / format::kSectionAlignment * format::kSectionAlignment;
+    return (size + detail::format::kSectionAlignment - 1) / detail::format::kSectionAlignment *
+           detail::format::kSectionAlignment;
 }
 
 uint32_t crc_of(const std::vector<uint8_t>& bytes);

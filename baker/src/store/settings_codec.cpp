@@ -43,9 +43,9 @@ void each(See& see, SurfaceSettings& s)
     see("seed", seed);
 }
 
-std::string text_of(format::TexelFormat texel)
+std::string text_of(TexelFormat texel)
 {
-    return texel_name(texel);
+    return detail::texel_name(texel);
 }
 std::string text_of(Footprint footprint)
 {
@@ -146,8 +146,8 @@ std::string settings_difference(const AnySettings& there, const AnySettings& her
 void require_possible_surface(const SurfaceSettings& s)
 {
     constexpr float kShortest = 0.02f, kLongest = 2, kDensest = 4096;
-    require(s.triangles >= 1 && s.triangles <= 2 * format::kMaxPatches,
-            "the number of triangles must lie in 1 to " + std::to_string(2 * format::kMaxPatches));
+    require(s.triangles >= 1 && s.triangles <= 2 * detail::format::kMaxPatches,
+            "the number of triangles must lie in 1 to " + std::to_string(2 * detail::format::kMaxPatches));
     require(s.longest_edge >= kShortest && s.longest_edge <= kLongest, "the longest edge must lie in 0.02 to 2 radii");
     require(s.texels_per_radius >= 1 && s.texels_per_radius <= kDensest,
             "the density of texels must lie in 1 to 4096 a radius");

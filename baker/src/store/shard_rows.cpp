@@ -21,7 +21,7 @@ uint32_t turn(uint32_t round, uint32_t shards)
 
 void check_shard(const Shard& shard)
 {
-    if (shard.count < 1 || shard.count > kMaxLatticeSize || shard.index < 1 || shard.index > shard.count) {
+    if (shard.count < 1 || shard.count > detail::kMaxLatticeSize || shard.index < 1 || shard.index > shard.count) {
         throw BakeError("there is no shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +
                         "; shards are counted from 1");
     }

@@ -23,7 +23,7 @@ std::vector<uint8_t> head_of(const Digest::Value& key, uint64_t size)
 
 uint32_t crc_of(const std::vector<uint8_t>& head, const std::vector<uint8_t>& bytes)
 {
-    return crc32(crc32(0, head.data(), head.size()), bytes.data(), bytes.size());
+    return detail::crc32(detail::crc32(0, head.data(), head.size()), bytes.data(), bytes.size());
 }
 
 bool is_file(const std::filesystem::path& path)

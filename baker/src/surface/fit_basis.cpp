@@ -49,7 +49,7 @@ void fields(Io& io, PatchMesh& mesh)
 {
     io(mesh.two_sided, mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches);
     const size_t vertices = mesh.positions.size();
-    io.require(vertices <= format::kMaxSurfaceVertices && mesh.patches.size() <= format::kMaxPatches);
+    io.require(vertices <= detail::format::kMaxSurfaceVertices && mesh.patches.size() <= detail::format::kMaxPatches);
     io.require(mesh.normals.size() == vertices);
     for (const PatchMesh::Patch& p : mesh.patches)
         io.require(std::max({p.a, p.b, p.c}) < vertices && (p.d < vertices || p.d == PatchMesh::kNone));

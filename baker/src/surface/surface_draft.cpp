@@ -18,11 +18,12 @@ constexpr size_t kMostSections = 7;
 uint64_t file_bytes(const PatchMesh& mesh, uint64_t texels)
 {
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
-    uint64_t bytes = aligned(format::kHeaderBytes + kMostSections * format::kEntryBytes);
+    uint64_t bytes = aligned(detail::format::kHeaderBytes + kMostSections * detail::format::kEntryBytes);
     for (const uint64_t section :
-         {uint64_t{format::kSurfaceBytes}, vertices * format::kVertexBytes, patches * format::kPatchBytes, texels,
-          uint64_t{3 * format::kPaletteEntries}, patches * format::kNeighbourBytes,
-          format::kViewColoursBytes + vertices * format::kViewBytes})
+         {uint64_t{detail::format::kSurfaceBytes}, vertices * detail::format::kVertexBytes,
+          patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
+          patches * detail::format::kNeighbourBytes,
+          detail::format::kViewColoursBytes + vertices * detail::format::kViewBytes})
         bytes += aligned(section);
     return bytes;
 }

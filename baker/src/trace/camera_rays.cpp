@@ -11,7 +11,7 @@ constexpr double kUnitQ40 = 0x1p-40;
 
 }  // namespace
 
-CameraRays::Affine CameraRays::decoded(const AffineQ40& q)
+CameraRays::Affine CameraRays::decoded(const detail::AffineQ40& q)
 {
     return {static_cast<double>(q.at_first) * kUnitQ40, static_cast<double>(q.step_x) * kUnitQ40,
             static_cast<double>(q.step_y) * kUnitQ40};

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "geometry/accelerator.h"
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
 
 namespace lumi::baker
 {
@@ -29,7 +29,7 @@ private:
         double at_first, step_x, step_y;
         double at(double sx, double sy) const { return at_first + sx * step_x + sy * step_y; }
     };
-    static Affine decoded(const AffineQ40& q);
+    static Affine decoded(const detail::AffineQ40& q);
 
     double inverse_distance_;  // 1/e
     Vec3d eye_direction_;      // ê

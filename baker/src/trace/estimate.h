@@ -30,7 +30,7 @@ public:
     // The mean of those that do, through the tone curve, encoded.
     Rgb8 colour() const { return srgb_encode(toned(tone_, sum_ * (1 / static_cast<float>(std::max(hits_, 1u))))); }
     // Premultiplied by the share of those that do.
-    Rgba8 covered_colour() const
+    detail::Rgba8 covered_colour() const
     {
         const Rgb8 c = colour();
         return {share_of(c.r), share_of(c.g), share_of(c.b), share_of(255)};

@@ -41,7 +41,7 @@ RgbaImage render_reference(const Scene& scene, const Camera& camera, const Refer
     job.run(height, [&](uint32_t y) {
         uint8_t* out = image.rgba.data() + size_t{4} * width * y;
         for (uint32_t x = 0; x < width && !job.stopping(); ++x, out += 4) {
-            const Rgba8 c = pixel_estimate(scene.data().tone, rays, tracer, settings, x, y).covered_colour();
+            const detail::Rgba8 c = pixel_estimate(scene.data().tone, rays, tracer, settings, x, y).covered_colour();
             out[0] = c.r;
             out[1] = c.g;
             out[2] = c.b;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a device is held: the eye goes round the sphere as the device is turned, as if its display were a window.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/camera.h"
 

@@ -4,8 +4,10 @@
 // A background policy has `kFills` (are uncovered pixels written?) and `under<Pixel>(pointer)`, the colour to blend
 // with.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/pixel.h"
+#include "lumi/stripe.h"
 
 namespace lumi
 {
@@ -52,6 +54,11 @@ struct OverNothing {
     static constexpr bool kIsBlack = false;
 };
 
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
 template <class Background>
 inline constexpr bool kKeepsCoverage = false;
 template <>
@@ -77,4 +84,32 @@ inline void store_background(uint8_t* pixel, const Background& background)
         Pixel::store(pixel, background.template under<Pixel>(pixel));
 }
 
-}  // namespace lumi
+// Writes `count` pixels of a background of the kind that fills.
+template <class Pixel, class Background>
+void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
+{
+    if constexpr (kKeepsCoverage<Background>) {
+        __builtin_memset(pixel, 0, static_cast<uint32_t>(count) * Pixel::kBytes);
+    } else {
+        const Rgb8 colour = background.template under<Pixel>(nullptr);
+#pragma GCC unroll 8
+        for (int32_t k = 0; k < count; ++k, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
+    }
+}
+
+// Writes the background on both sides of a scanline's covered extent, where the background is of the kind that fills:
+// never beside the stripe, wherever the extent lies.
+template <class Pixel, class Background>
+void fill_beside(const Background& background, const Stripe& stripe, const Extent& extent, int32_t y)
+{
+    if (!Background::kFills) return;
+    const auto within = [](int32_t x, int32_t from, int32_t to) { return x < from ? from : x < to ? x : to; };
+    const int32_t left = stripe.x_px;
+    const int32_t right = stripe.right_px();
+    const int32_t begin = within(extent.begin, left, right);
+    const int32_t end = within(extent.end, begin, right);
+    fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, left, y), begin - left);
+    fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, end, y), right - end);
+}
+
+}  // namespace lumi::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Colours: 8 bits a channel, sRGB-encoded, and the packings that texels and displays share.
 #pragma once
+#pragma GCC system_header
 
 #include <stdint.h>
 
@@ -12,6 +13,11 @@ namespace lumi
 struct Rgb8 {
     uint8_t r, g, b;
 };
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
 
 // Premultiplied colour with coverage: a = 0 is a ray that misses the scene, r, g, b <= a.
 struct Rgba8 {
@@ -90,4 +96,4 @@ constexpr GreyTable make_grey_table()
 
 inline constexpr GreyTable kGreyTable = make_grey_table();
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -5,6 +5,7 @@
 // (`_turns32`, 2^32 = one turn), so that they wrap for free. Products narrow with rounding to nearest.
 // Cost: one 32×32→64 multiply; on Cortex-M0+ that is a library call, keep it out of inner loops there.
 #pragma once
+#pragma GCC system_header
 
 #include <stdint.h>
 
@@ -26,6 +27,17 @@ struct Vec3q20 {
     int32_t x, y, z;
 };
 
+// sin and cos of an angle, Q30. Absolute error below 2^-28.
+struct SinCos {
+    int32_t sin_q30, cos_q30;
+};
+SinCos sin_cos(uint32_t angle_turns32);
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
 constexpr int32_t magnitude(int32_t v)
 {
     return v < 0 ? -v : v;
@@ -39,6 +51,13 @@ constexpr int64_t magnitude(int64_t v)
 constexpr int64_t wide_product(int32_t a, int32_t b)
 {
     return static_cast<int64_t>(a) * b;
+}
+
+// The square of a vector's length, Q40, whatever its components.
+constexpr uint64_t length2_q40(const Vec3q20& v)
+{
+    return static_cast<uint64_t>(wide_product(v.x, v.x)) + static_cast<uint64_t>(wide_product(v.y, v.y)) +
+           static_cast<uint64_t>(wide_product(v.z, v.z));
 }
 
 // Rounds a Q60 product to Q30. |value| must stay below 2 - 2^-31.
@@ -63,4 +82,4 @@ constexpr int32_t dot_q30(const Vec3q30& a, const Vec3q30& b)
     return q60_to_q30(dot_q60(a, b));
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

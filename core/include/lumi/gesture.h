@@ -4,6 +4,7 @@
 //     OrbitDrag drag({degrees(180) / 240});                     // half a turn across the display
 //     const bool is_moving = drag.next(touch, elapsed_ms, orbit);    // each frame; for SurfaceQuality
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/orbit.h"
 

@@ -4,6 +4,7 @@
 //     Orbit orbit = {degrees(30), degrees(20), radii(3)};
 //     orbit.azimuth_turns32 += degrees(2);  // angles wrap
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/camera.h"
 
@@ -27,7 +28,7 @@ constexpr int32_t radii(int32_t whole_radii)
 // In place of a field of view: the one in which the sphere fills the image, see fit_sphere.
 inline constexpr uint32_t kFitSphere = 0;
 
-// An eye that looks at the centre of the sphere, z up in the picture; see orbit() in camera.h.
+// An eye that looks at the centre of the sphere, z up in the picture.
 struct Orbit {
     uint32_t azimuth_turns32 = 0;    // 0 looks from +x, a quarter turn from +y
     uint32_t elevation_turns32 = 0;  // -1/4 to 1/4 turn: degrees(-20) is below
@@ -44,7 +45,7 @@ uint32_t fit_sphere(int32_t width_px, int32_t height_px, int32_t distance_q20);
 // Pose and image of an orbit, for make_camera and make_surface_camera, which check them.
 inline Pose pose_of(const Orbit& o)
 {
-    return orbit(o.azimuth_turns32, static_cast<int32_t>(o.elevation_turns32), o.distance_q20);
+    return detail::orbit(o.azimuth_turns32, static_cast<int32_t>(o.elevation_turns32), o.distance_q20);
 }
 Image image_of(const Orbit& orbit, int32_t width_px, int32_t height_px);
 

@@ -8,6 +8,7 @@
 // Dither takes place on encoded values, as blending does. `out` may be the stripe's own memory, if its rows are no
 // farther apart than the stripe's.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/stripe.h"
 

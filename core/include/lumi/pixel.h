@@ -3,6 +3,7 @@
 // for equal channels) and `load(pointer)`. Pixels of 16 and 32 bits lie at multiples of their size. Those that hold
 // coverage also have `store_covered(pointer, colour, coverage)`, see OverNothing. Packed greys: pack.h.
 #pragma once
+#pragma GCC system_header
 
 #include <stdint.h>
 
@@ -15,43 +16,32 @@ namespace lumi
 // 16 bits, low byte first: a Cortex-M's own order.
 struct PixelRgb565 {
     static constexpr uint32_t kBytes = 2;
-    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_rgb565(c)); }
-    static void store_packed(uint8_t* p, uint16_t v) { store_aligned<uint16_t>(p, v); }
-    static void store_grey(uint8_t* p, uint8_t v) { store_aligned<uint16_t>(p, kGreyTable.rgb565[v]); }
-    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(load_aligned<uint16_t>(p)); }
+    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, detail::pack_rgb565(c)); }
+    static void store_packed(uint8_t* p, uint16_t v) { detail::store_aligned<uint16_t>(p, v); }
+    static void store_grey(uint8_t* p, uint8_t v) { detail::store_aligned<uint16_t>(p, detail::kGreyTable.rgb565[v]); }
+    static Rgb8 load(const uint8_t* p) { return detail::unpack_rgb565(detail::load_aligned<uint16_t>(p)); }
 };
 
 // 16 bits, high byte first: the order in which SPI panels take them.
 struct PixelRgb565Swapped {
     static constexpr uint32_t kBytes = 2;
-    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_rgb565(c)); }
-    static void store_packed(uint8_t* p, uint16_t v) { store_aligned<uint16_t>(p, __builtin_bswap16(v)); }
-    static void store_grey(uint8_t* p, uint8_t v) { store_packed(p, kGreyTable.rgb565[v]); }
-    static Rgb8 load(const uint8_t* p) { return unpack_rgb565(__builtin_bswap16(load_aligned<uint16_t>(p))); }
+    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, detail::pack_rgb565(c)); }
+    static void store_packed(uint8_t* p, uint16_t v) { detail::store_aligned<uint16_t>(p, __builtin_bswap16(v)); }
+    static void store_grey(uint8_t* p, uint8_t v) { store_packed(p, detail::kGreyTable.rgb565[v]); }
+    static Rgb8 load(const uint8_t* p)
+    {
+        return detail::unpack_rgb565(__builtin_bswap16(detail::load_aligned<uint16_t>(p)));
+    }
 };
-
-// Formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits).
-template <class Pixel>
-inline constexpr bool kPacks565 = false;
-template <>
-inline constexpr bool kPacks565<PixelRgb565> = true;
-template <>
-inline constexpr bool kPacks565<PixelRgb565Swapped> = true;
 
 // 16 bits, low byte first: red in the low bits, as the Game Boy Advance has it. The top bit is 0.
 struct PixelBgr555 {
     static constexpr uint32_t kBytes = 2;
-    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, pack_bgr555(c)); }
-    static void store_packed(uint8_t* p, uint16_t v) { store_aligned<uint16_t>(p, v); }
+    static void store(uint8_t* p, const Rgb8& c) { store_packed(p, detail::pack_bgr555(c)); }
+    static void store_packed(uint8_t* p, uint16_t v) { detail::store_aligned<uint16_t>(p, v); }
     static void store_grey(uint8_t* p, uint8_t v) { store(p, {v, v, v}); }
-    static Rgb8 load(const uint8_t* p) { return unpack_bgr555(load_aligned<uint16_t>(p)); }
+    static Rgb8 load(const uint8_t* p) { return detail::unpack_bgr555(detail::load_aligned<uint16_t>(p)); }
 };
-
-// Formats that also have store_packed(pointer, blue, green and red in 5 bits each).
-template <class Pixel>
-inline constexpr bool kPacks555 = false;
-template <>
-inline constexpr bool kPacks555<PixelBgr555> = true;
 
 // 3 bytes: red, green, blue.
 struct PixelRgb888 {
@@ -69,7 +59,7 @@ struct PixelRgb888 {
 // 1 byte of luma.
 struct PixelGrey8 {
     static constexpr uint32_t kBytes = 1;
-    static void store(uint8_t* p, const Rgb8& c) { p[0] = luma(c); }
+    static void store(uint8_t* p, const Rgb8& c) { p[0] = detail::luma(c); }
     static void store_grey(uint8_t* p, uint8_t v) { p[0] = v; }
     static Rgb8 load(const uint8_t* p) { return {p[0], p[0], p[0]}; }
 };
@@ -83,7 +73,7 @@ struct PixelArgb8888 {
     {
         const uint32_t v = static_cast<uint32_t>(coverage) << 24 | static_cast<uint32_t>(c.r) << 16 |
                            static_cast<uint32_t>(c.g) << 8 | c.b;
-        store_aligned<uint32_t>(p, v);
+        detail::store_aligned<uint32_t>(p, v);
     }
     static void store_grey(uint8_t* p, uint8_t v) { store(p, {v, v, v}); }
     static Rgb8 load(const uint8_t* p) { return {p[2], p[1], p[0]}; }
@@ -98,6 +88,25 @@ struct PixelA8 {
     static Rgb8 load(const uint8_t* p) { return {p[0], p[0], p[0]}; }
 };
 
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
+// Formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits).
+template <class Pixel>
+inline constexpr bool kPacks565 = false;
+template <>
+inline constexpr bool kPacks565<PixelRgb565> = true;
+template <>
+inline constexpr bool kPacks565<PixelRgb565Swapped> = true;
+
+// Formats that also have store_packed(pointer, blue, green and red in 5 bits each).
+template <class Pixel>
+inline constexpr bool kPacks555 = false;
+template <>
+inline constexpr bool kPacks555<PixelBgr555> = true;
+
 // Formats that have store_covered().
 template <class Pixel>
 inline constexpr bool kHoldsCoverage = false;
@@ -106,4 +115,4 @@ inline constexpr bool kHoldsCoverage<PixelArgb8888> = true;
 template <>
 inline constexpr bool kHoldsCoverage<PixelA8> = true;
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where a renderer writes pixels.
 #pragma once
+#pragma GCC system_header
 
 #include <stddef.h>
 #include <stdint.h>
@@ -35,3 +36,13 @@ uint8_t* pixel_of(const Stripe& stripe, int32_t x, int32_t y)
 }
 
 }  // namespace lumi
+
+namespace lumi::detail
+{
+
+// Columns of the image, or its scanlines: [begin, end).
+struct Extent {
+    int32_t begin, end;
+};
+
+}  // namespace lumi::detail

@@ -12,6 +12,7 @@
 // and of any shape. Of a surface field, the part of them that lies in the image has no more pixels than the screen's
 // stripe, which is kRows rows of the image; `antialiased` counts both with a margin of one pixel all around.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/background.h"
 #include "lumi/orbit.h"
@@ -34,7 +35,9 @@ struct Screen {
     static constexpr int32_t kRowsPx = kRows < kHeight ? kRows : kHeight;
 };
 
-namespace views
+}  // namespace lumi
+
+namespace lumi::detail
 {
 
 // What of a stripe lies in the image: nothing, or a rectangle with sides of 1 pixel or more.
@@ -48,7 +51,10 @@ struct StripePart {
 // Finds every fault of a stripe but its size, and fills `out`.
 ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pixel_bytes, StripePart& out);
 
-}  // namespace views
+}  // namespace lumi::detail
+
+namespace lumi
+{
 
 // Drawing: SurfaceDrawing (surface/view.h) or ChordDrawing (chord/view.h). `lumi embed` names the one of a field.
 template <class Drawing, class ScreenOf = Screen<>>
@@ -81,7 +87,7 @@ public:
     // written. Reads the whole field once.
     ViewError verify() const
     {
-        return bytes_ == nullptr ? ViewError::no_field : view_error(verify_field(bytes_, size_));
+        return bytes_ == nullptr ? ViewError::no_field : detail::view_error(verify_field(bytes_, size_));
     }
 
     // The next frame's eye. A failure leaves the frame as it was.
@@ -109,9 +115,9 @@ public:
     ViewError draw(const Stripe& stripe, const Background& background, Samples& samples) const
     {
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
-        views::StripePart part = {};
+        detail::StripePart part = {};
         const ViewError error =
-            views::check_stripe(stripe, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, Pixel::kBytes, part);
+            detail::check_stripe(stripe, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, Pixel::kBytes, part);
         return error == ViewError::none ? state_.draw(stripe, part, background, samples) : error;
     }
 
@@ -120,8 +126,8 @@ public:
     ViewError draw_coverage(const Stripe& coverage)
     {
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
-        views::StripePart part = {};
-        const ViewError error = views::check_stripe(coverage, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, 1, part);
+        detail::StripePart part = {};
+        const ViewError error = detail::check_stripe(coverage, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, 1, part);
         return error == ViewError::none ? state_.draw_coverage(coverage, part, samples_) : error;
     }
 

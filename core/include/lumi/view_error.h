@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What can be wrong with a view (view.h): one value for every cause, and its text.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/camera.h"
 #include "lumi/field.h"
@@ -27,6 +28,14 @@ enum class [[nodiscard]] ViewError : uint8_t{
     bad_argument,          // a null pointer, or a number that is out of range
 };
 
+// One short English phrase that says what to do. Linked only if called.
+const char* error_text(ViewError error);
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
 constexpr ViewError view_error(FieldError error)
 {
     // Files of the other layout are whole, but nothing in this build draws them.
@@ -39,7 +48,4 @@ constexpr ViewError view_error(CameraError error)
     return error == CameraError::none ? ViewError::none : static_cast<ViewError>(128 + static_cast<uint8_t>(error));
 }
 
-// One short English phrase that says what to do. Linked only if called.
-const char* error_text(ViewError error);
-
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -62,7 +62,7 @@ bool is_in_range(const lumi_screen& s)
 
 ViewError open_any(const uint8_t* bytes, size_t size, const lumi_screen&, Field& field)
 {
-    return views::open_for_spans(bytes, size, LUMI_C_TEXEL::kFormat, field);
+    return detail::open_for_spans(bytes, size, LUMI_C_TEXEL::kFormat, field);
 }
 
 size_t size_of(const Field&, const lumi_screen&)
@@ -74,17 +74,17 @@ void set_memory(lumi_view&) {}
 
 ViewError look_at(lumi_view& view, const Pose& pose, const Image& image)
 {
-    return view_error(make_camera(pose, image, view.camera));
+    return detail::view_error(make_camera(pose, image, view.camera));
 }
 
-ViewError draw_part(const lumi_view& view, const Stripe& stripe, const views::StripePart&)
+ViewError draw_part(const lumi_view& view, const Stripe& stripe, const detail::StripePart&)
 {
     const RenderError error =
         render_spans<Linear, LUMI_C_TEXEL, Pixel>(view.field, view.camera, LUMI_C_BACKGROUND, stripe, view.screen.mode);
     return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
 }
 
-ViewError draw_coverage_of_part(const lumi_view&, const Stripe&, const views::StripePart&)
+ViewError draw_coverage_of_part(const lumi_view&, const Stripe&, const detail::StripePart&)
 {
     return ViewError::other_renderer;
 }
@@ -115,7 +115,7 @@ Places places_of(const SurfaceField& field, const lumi_screen& s)
 ViewError open_any(const uint8_t* bytes, size_t size, const lumi_screen& screen, SurfaceField& field)
 {
     if (screen.mode > LUMI_TWO_BY_TWO) return ViewError::bad_argument;
-    return view_error(open_surface(bytes, size, field));
+    return detail::view_error(open_surface(bytes, size, field));
 }
 
 size_t size_of(const SurfaceField& field, const lumi_screen& screen)
@@ -136,20 +136,20 @@ void set_memory(lumi_view& view)
 
 ViewError look_at(lumi_view& view, const Pose& pose, const Image& image)
 {
-    return views::look_at_surface<Pixel>(view.field, pose, image, static_cast<SurfaceMode>(view.screen.mode),
-                                         view.memory, view.frame);
+    return detail::look_at_surface<Pixel>(view.field, pose, image, static_cast<SurfaceMode>(view.screen.mode),
+                                          view.memory, view.frame);
 }
 
-ViewError draw_part(const lumi_view& view, const Stripe& stripe, const views::StripePart& part)
+ViewError draw_part(const lumi_view& view, const Stripe& stripe, const detail::StripePart& part)
 {
-    const ViewError error = views::check_samples(view.frame, part, view.samples_bytes);
+    const ViewError error = detail::check_samples(view.frame, part, view.samples_bytes);
     if (error == ViewError::none) render_surface<Pixel>(view.frame, LUMI_C_BACKGROUND, stripe, view.samples);
     return error;
 }
 
-ViewError draw_coverage_of_part(const lumi_view& view, const Stripe& coverage, const views::StripePart& part)
+ViewError draw_coverage_of_part(const lumi_view& view, const Stripe& coverage, const detail::StripePart& part)
 {
-    const ViewError error = views::check_samples(view.frame, part, view.samples_bytes);
+    const ViewError error = detail::check_samples(view.frame, part, view.samples_bytes);
     if (error == ViewError::none) render_coverage(view.frame, coverage, view.samples);
     return error;
 }
@@ -176,9 +176,9 @@ lumi_error drawn(lumi_view* view, const lumi_stripe& s, uint32_t pixel_bytes, Dr
     if (view == nullptr) return code(ViewError::no_field);
     if (!view->has_look) return code(ViewError::no_look);
     const Stripe stripe = {s.pixels, s.x_px, s.y_px, s.width_px, s.height_px, s.stride_bytes};
-    views::StripePart part = {};
+    detail::StripePart part = {};
     const ViewError error =
-        views::check_stripe(stripe, {view->screen.width_px, view->screen.height_px}, pixel_bytes, part);
+        detail::check_stripe(stripe, {view->screen.width_px, view->screen.height_px}, pixel_bytes, part);
     return code(error == ViewError::none ? draw(*view, stripe, part) : error);
 }
 
@@ -209,7 +209,7 @@ lumi_error lumi_open(void* memory, size_t memory_bytes, const uint8_t* field, si
 
 lumi_error lumi_verify(const uint8_t* field, size_t field_bytes)
 {
-    return code(field == nullptr ? ViewError::bad_argument : view_error(verify_field(field, field_bytes)));
+    return code(field == nullptr ? ViewError::bad_argument : detail::view_error(verify_field(field, field_bytes)));
 }
 
 lumi_error lumi_look(lumi_view* view, lumi_orbit o)

@@ -8,6 +8,8 @@ namespace lumi
 namespace
 {
 
+using namespace detail;
+
 // The same turn with numbers of 30 bits: four squares of them fit 64 bits.
 Quaternion scaled(const Quaternion& q)
 {

@@ -8,6 +8,8 @@ namespace lumi
 namespace
 {
 
+using namespace detail;
+
 constexpr int64_t kMarginQ20 = (106 * int64_t{kOneQ20} + 50) / 100;
 
 // sqrt(e² - 1), Q20, with as many bits as the root has. e > 1.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/chord/detail/cut_piece.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -36,4 +36,4 @@ void copy_into_stripe(const Stripe& stripe, const Piece& piece, uint32_t pixel_b
     __builtin_memcpy(part.in_stripe, scanline + part.before, part.bytes);
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -6,6 +6,8 @@ namespace lumi
 namespace
 {
 
+using namespace detail;
+
 // What a step costs at most, in sixteenths of the one before: docs/log/tradeoff.md, with a margin. From one tap to the
 // product's reconstruction it is that of 3×3; where it costs more, a raise fails and is tried ever more seldom.
 constexpr uint8_t kGrowth_q4[] = {16, 34, 34, 20, 22, 28, 250};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/chord/sphere.h"
+#include "lumi/chord/detail/sphere.h"
 
 #include "lumi/detail/math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -171,4 +171,4 @@ Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t 
     return {first, last + 1};
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

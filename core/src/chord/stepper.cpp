@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/chord/detail/stepper.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -278,4 +278,4 @@ void ChordStepper::take_pixel()
     back_walker_.begin(*at_);
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

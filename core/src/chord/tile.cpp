@@ -3,7 +3,7 @@
 
 #include "lumi/detail/register_hints.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -97,4 +97,4 @@ int32_t TileWalker::highest(int32_t width) const
     return top > bottom ? top : bottom;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

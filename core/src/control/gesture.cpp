@@ -6,6 +6,8 @@ namespace lumi
 namespace
 {
 
+using namespace detail;
+
 constexpr int32_t kLongestMs = 1000;
 constexpr int64_t kSlowest = degrees(1) / 1000;  // turns32 a millisecond: a degree a second is rest
 

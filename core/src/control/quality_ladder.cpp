@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/detail/quality_ladder.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -79,4 +79,4 @@ void QualityLadder::refine()
     }
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

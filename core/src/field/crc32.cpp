@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/detail/crc32.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -36,4 +36,4 @@ uint32_t crc32(uint32_t previous, const uint8_t* bytes, size_t size)
     return ~c;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -3,7 +3,7 @@
 
 #include "lumi/detail/crc32.h"
 
-namespace lumi::container
+namespace lumi::detail::container
 {
 namespace
 {
@@ -111,4 +111,4 @@ bool read_bounds(const uint8_t* centre, const uint8_t* radius, BoundsBits& out)
     return ok;
 }
 
-}  // namespace lumi::container
+}  // namespace lumi::detail::container

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "lumi/field.h"
+#include "lumi/field_format.h"
 
-namespace lumi::container
+namespace lumi::detail::container
 {
 
 inline uint32_t load_u16(const uint8_t* p)
@@ -34,6 +35,12 @@ struct KnownTypes {
     }
 };
 
+template <uint32_t Count>
+constexpr KnownTypes known_types(const uint32_t (&types)[Count])
+{
+    return {types, Count};
+}
+
 // Checks the header and that the table is there, undamaged. Only then may the functions below be called.
 FieldError check_table(const uint8_t* bytes, size_t size);
 
@@ -55,4 +62,4 @@ struct BoundsBits {
 // False unless the centre is finite and the radius finite and positive.
 bool read_bounds(const uint8_t* centre, const uint8_t* radius, BoundsBits& out);
 
-}  // namespace lumi::container
+}  // namespace lumi::detail::container

@@ -3,7 +3,7 @@
 
 #include "lumi/detail/math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 Lattice::Lattice(uint32_t size)
@@ -49,4 +49,4 @@ Vec3q30 point(const Lattice& lattice, uint32_t i)
     return {mul_q30(radius, direction.cos_q30), mul_q30(radius, direction.sin_q30), z};
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

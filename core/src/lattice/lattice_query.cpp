@@ -4,7 +4,7 @@
 #include "lattice/zone_tables.h"
 #include "lumi/detail/math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -68,4 +68,4 @@ bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner)
     return n_sine2_q10(middle_q10, z_q30) >= kZoneTables.threshold_q10[2 * cell.zone + 1];
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -4,7 +4,7 @@
 
 #include "lumi/detail/lattice.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Below this size every point is looked at: the pattern of one pole reaches into the other's.
@@ -46,4 +46,4 @@ Cell cell_of(const Query& q);
 // the same.
 bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner);
 
-}  // namespace lumi
+}  // namespace lumi::detail

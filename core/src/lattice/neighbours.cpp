@@ -2,7 +2,7 @@
 #include "lattice/lattice_query.h"
 #include "lumi/detail/lattice.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -126,4 +126,4 @@ void kernel_weights(const Lattice& lattice, const Neighbour* near, uint32_t coun
     weight_q12[0] = rest;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

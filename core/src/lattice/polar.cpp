@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/polar.h"
 
-namespace lumi::polar
+namespace lumi::detail::polar
 {
 // Delaunay triangles with a corner below kReach, by their lowest corner.
 constexpr uint8_t kCorners[kTriangles][3] = {
@@ -79,4 +79,4 @@ constexpr bool are_short(const Walks& walks)
 constexpr Walks kWalks = make_walks();
 static_assert(are_short(kWalks));
 
-}  // namespace lumi::polar
+}  // namespace lumi::detail::polar

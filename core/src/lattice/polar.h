@@ -10,7 +10,7 @@
 
 #include "math/generate.h"
 
-namespace lumi::polar
+namespace lumi::detail::polar
 {
 
 // Triangles cover the disc of radius sqrt(kReach + 1/2): all directions whose real-valued index is below kReach.
@@ -86,4 +86,4 @@ inline const uint8_t* beyond(int k)
     return kWalks.triangle[k].beyond;
 }
 
-}  // namespace lumi::polar
+}  // namespace lumi::detail::polar

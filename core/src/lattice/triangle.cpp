@@ -5,7 +5,7 @@
 #include "lumi/detail/lattice.h"
 #include "lumi/detail/math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -107,4 +107,4 @@ Triangle triangle(const Lattice& lattice, const Vec3q30& direction)
                                                         : cell_triangle(lattice, query);
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

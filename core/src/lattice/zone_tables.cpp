@@ -4,7 +4,7 @@
 #include "lumi/fixed.h"
 #include "math/generate.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -29,4 +29,4 @@ constexpr ZoneTables make_zone_tables()
 
 constexpr ZoneTables kZoneTables = make_zone_tables();
 
-}  // namespace lumi
+}  // namespace lumi::detail

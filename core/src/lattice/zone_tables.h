@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 inline constexpr int32_t kFibonacci[17] = {0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 233, 377, 610, 987};
@@ -20,4 +20,4 @@ struct ZoneTables {
 };
 extern const ZoneTables kZoneTables;
 
-}  // namespace lumi
+}  // namespace lumi::detail

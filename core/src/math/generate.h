@@ -3,7 +3,7 @@
 // (a test reads the symbols). Accuracy: within 1e-14 on the ranges stated.
 #pragma once
 
-namespace lumi::generate
+namespace lumi::detail::generate
 {
 
 inline constexpr double kPi = 3.14159265358979323846;
@@ -51,4 +51,4 @@ constexpr double fraction(double x)
     return x - static_cast<double>(static_cast<long long>(x));
 }
 
-}  // namespace lumi::generate
+}  // namespace lumi::detail::generate

@@ -8,6 +8,8 @@ namespace lumi
 namespace
 {
 
+using namespace detail;
+
 constexpr int kSteps = 64;  // table steps per quarter turn (sine) and per unit of the tangent (arc tangent)
 
 struct Tables {
@@ -85,7 +87,7 @@ int32_t ratio(uint32_t small, uint32_t large)
 
 }  // namespace
 
-ReciprocalRoot reciprocal_root(uint64_t v)
+ReciprocalRoot detail::reciprocal_root(uint64_t v)
 {
     const int shift = leading_zeros(v) & ~1;
     const uint32_t m_q32 = static_cast<uint32_t>((v << shift) >> 32);  // [1/4, 1)
@@ -95,7 +97,7 @@ ReciprocalRoot reciprocal_root(uint64_t v)
     return {y_q30, 62 - shift / 2};  // v = m·2^(64-shift)
 }
 
-uint32_t square_root(uint64_t v)
+uint32_t detail::square_root(uint64_t v)
 {
     if (v == 0) return 0;
     const ReciprocalRoot root = reciprocal_root(v);
@@ -131,7 +133,7 @@ SinCos sin_cos(uint32_t angle)
     }
 }
 
-uint32_t angle_turns32(int32_t y, int32_t x)
+uint32_t detail::angle_turns32(int32_t y, int32_t x)
 {
     const uint32_t ax = static_cast<uint32_t>(x < 0 ? -x : x);
     const uint32_t ay = static_cast<uint32_t>(y < 0 ? -y : y);
@@ -142,7 +144,7 @@ uint32_t angle_turns32(int32_t y, int32_t x)
     return y < 0 ? 0u - angle : angle;
 }
 
-int64_t multiply_shift(int64_t a, int32_t b, int shift)
+int64_t detail::multiply_shift(int64_t a, int32_t b, int shift)
 {
     const int64_t high = (a >> 32) * b;
     const int64_t low = static_cast<int64_t>(static_cast<uint32_t>(a)) * b;

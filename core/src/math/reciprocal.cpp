@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "math/reciprocal.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -21,4 +21,4 @@ constexpr ReciprocalTable make_table()
 
 constexpr ReciprocalTable kReciprocals = make_table();
 
-}  // namespace lumi
+}  // namespace lumi::detail

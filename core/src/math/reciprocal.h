@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 struct ReciprocalTable {
@@ -53,4 +53,4 @@ inline int32_t wrapped_product(int32_t a, int32_t b)
     return static_cast<int32_t>(static_cast<uint32_t>(a) * static_cast<uint32_t>(b));
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -5,7 +5,7 @@
 
 #include "lumi/surface/frame.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 inline constexpr uint16_t kEmptyBand = 0xFFFF;
@@ -27,4 +27,4 @@ inline bool has_outline(const SurfaceFrame& frame, uint32_t triangle)
     return ((outline_bits(frame)[triangle >> 4] >> (triangle & 15)) & 1) != 0;
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -7,6 +7,8 @@ namespace lumi
 namespace
 {
 
+using namespace detail;
+
 int32_t along(const Vec3q30& axis, const Vec3q20& eye)
 {
     const int64_t sum_q50 = wide_product(axis.x, eye.x) + wide_product(axis.y, eye.y) + wide_product(axis.z, eye.z);

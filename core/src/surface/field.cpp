@@ -8,8 +8,9 @@ namespace lumi
 namespace
 {
 
-using namespace format;
-using namespace container;
+using namespace detail;
+using namespace detail::format;
+using namespace detail::container;
 
 constexpr uint32_t kSurfaceTypes[] = {kSurfaceSection, kVertexSection, kPatchSection,    kColourSection,
                                       kPaletteRgb,     kViewSection,   kNeighbourSection};
@@ -112,8 +113,7 @@ FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
     if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
     if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
     if (has_section(bytes, kLayoutSection)) return FieldError::chord_field;
-    constexpr uint32_t kTypes = sizeof kSurfaceTypes / sizeof kSurfaceTypes[0];
-    if (const FieldError error = check_sections(bytes, {kSurfaceTypes, kTypes}); error != FieldError::none)
+    if (const FieldError error = check_sections(bytes, known_types(kSurfaceTypes)); error != FieldError::none)
         return error;
     Section header{};
     if (!find_section(bytes, kSurfaceSection, header)) return FieldError::missing_surface;

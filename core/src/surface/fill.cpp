@@ -3,7 +3,7 @@
 
 #include "surface/planes.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 namespace
 {
@@ -223,4 +223,4 @@ LUMI_HOT void fill_triangle(const Corner& a, const Corner& b, const Corner& c, b
         fill_nearest(d, texture, target);
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -9,7 +9,7 @@
 #include "lumi/surface/detail/hot.h"
 #include "surface/projection.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 // A rectangle of samples in memory.
@@ -54,4 +54,4 @@ inline int32_t blue_q2(uint32_t colour)
 LUMI_HOT void fill_triangle(const Corner& a, const Corner& b, const Corner& c, bool two_sided, const Texture& texture,
                             const Target& target);
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

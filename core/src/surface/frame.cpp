@@ -5,7 +5,7 @@
 #include "surface/projection.h"
 #include "surface/sides.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 namespace
 {
@@ -171,7 +171,7 @@ struct Range {
 };
 
 // The pixels that a range of places in 1/64 sample meets, of `size`, and those beside them that an outline may change.
-PixelRange pixels_of(const Range& q6, uint32_t samples_log2, int32_t size)
+Extent pixels_of(const Range& q6, uint32_t samples_log2, int32_t size)
 {
     if (q6.least > q6.most) return {0, 0};
     const auto within = [&](int32_t v) { return v < 0 ? 0 : v < size ? v : size; };
@@ -193,8 +193,8 @@ void put_vertices(SurfaceFrame& frame)
     constexpr int32_t kNarrowQ6 = 46340;  // twice a triangle's area, at most its width times its height, fits 32 bits
     frame.is_whole = is_whole;
     frame.is_narrow = x.most - x.least < kNarrowQ6 && y.most - y.least < kNarrowQ6;
-    frame.columns = is_whole ? pixels_of(x, frame.samples_log2, frame.width_px) : PixelRange{0, frame.width_px};
-    frame.scanlines = is_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : PixelRange{0, frame.height_px};
+    frame.columns = is_whole ? pixels_of(x, frame.samples_log2, frame.width_px) : Extent{0, frame.width_px};
+    frame.scanlines = is_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : Extent{0, frame.height_px};
 }
 
 void put_triangles(SurfaceFrame& frame)
@@ -243,4 +243,4 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     if (blends_outlines(out)) put_outlines(out);
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/surface/detail/packed_colour.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -48,4 +48,4 @@ LUMI_HOT PackedColour clamped(PackedColour sum)
     return clamped_field(sum, 0x00000200, 0x000001FF);
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/planes.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 Shares shares_of_sliver(Facing& f)
@@ -19,4 +19,4 @@ Shares shares_of_sliver(Facing& f)
     return {over_area(f.ab.x_q6, r), over_area(f.ab.y_q6, r), 0, 0};
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -4,7 +4,7 @@
 
 #include "surface/fill.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 // A quantity over a triangle, modulo 2^32: its value at column 0 of a scanline, and what it adds to the right and
@@ -164,4 +164,4 @@ private:
     uint32_t columns_, scanlines_;  // from the sample to column 0 of the first scanline
 };
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

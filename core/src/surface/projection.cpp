@@ -4,7 +4,7 @@
 
 #include "lumi/detail/math.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 namespace
 {
@@ -154,4 +154,4 @@ bool set_projection(const SurfaceCamera& camera, SurfaceFrame& out)
     return true;
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -6,7 +6,7 @@
 #include "lumi/surface/frame.h"
 #include "math/reciprocal.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 // The guard band: samples are addressed from -2^15 to 2^15, an image has at most 2^14 of them a side.
@@ -85,4 +85,4 @@ bool is_curved(const SurfaceFrame& frame, const SamplePoint& a, const SamplePoin
 // Sets `projection` of `out`, whose field and samples are set; false if the sphere lies behind the near plane.
 bool set_projection(const SurfaceCamera& camera, SurfaceFrame& out);
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

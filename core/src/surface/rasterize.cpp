@@ -5,7 +5,7 @@
 #include "surface/silhouette.h"
 #include "surface/split.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 namespace
 {
@@ -112,4 +112,4 @@ LUMI_HOT void rasterize(const SurfaceFrame& frame, const SampleRect& rect, uint1
     each_between(frame, rect.y_px, bottom_px, mark, mark);
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -4,7 +4,7 @@
 
 #include "surface/bands.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 // From corner to corner in the triangle's order, and the triangle across.
@@ -32,4 +32,4 @@ inline bool is_outline(const SurfaceFrame& frame, const Side& side)
     return side.neighbour == format::kNoNeighbour || frame.memory.links[side.neighbour] == kTurnedAway;
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/silhouette.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 namespace
 {
@@ -59,8 +59,8 @@ LUMI_ALWAYS_INLINE void mark_pixel(uint16_t* depth, uint32_t mark, const Target&
 void mark_crossing(const Crossing& c, int32_t inward, const Lines& lines, const Target& target)
 {
     const bool is_scanline = lines.stride == 1;
-    const Neighbour to_upper = is_scanline ? Neighbour::right : Neighbour::below;
-    const Neighbour to_lower = is_scanline ? Neighbour::left : Neighbour::above;
+    const PixelSide to_upper = is_scanline ? PixelSide::right : PixelSide::below;
+    const PixelSide to_lower = is_scanline ? PixelSide::left : PixelSide::above;
     const int32_t to_inner = inward > 0 ? lines.stride : 0, to_outer = lines.stride - to_inner;
     const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1;
     int32_t line_at = c.first * lines.pitch, at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;
@@ -109,4 +109,4 @@ void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target&
     mark_crossing(c, inward, lines, target);
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

@@ -6,11 +6,11 @@
 #include "lumi/surface/render.h"
 #include "surface/fill.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 // Marks the pixels of an edge, after all triangles are filled; see kMarkedColour in surface/render.h. The edge lies on
 // a triangle that is counter-clockwise on the screen, in its order.
 void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target);
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

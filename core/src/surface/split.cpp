@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/split.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 namespace
 {
@@ -164,4 +164,4 @@ void fill_in_parts(const SurfaceFrame& frame, const MeshTriangle& triangle, cons
     Parts(frame, triangle, target).fill();
 }
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

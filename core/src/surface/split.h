@@ -3,7 +3,7 @@
 
 #include "surface/fill.h"
 
-namespace lumi::surfaces
+namespace lumi::detail
 {
 
 // A triangle of the field with its texture.
@@ -19,4 +19,4 @@ struct MeshTriangle {
 // bit, so no gap opens between them.
 void fill_in_parts(const SurfaceFrame& frame, const MeshTriangle& triangle, const Target& target);
 
-}  // namespace lumi::surfaces
+}  // namespace lumi::detail

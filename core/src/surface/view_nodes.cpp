@@ -5,7 +5,7 @@
 #include "math/generate.h"
 #include "math/reciprocal.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -199,4 +199,4 @@ ViewTaps view_taps(int32_t x, int32_t y, int32_t z)
     return taps;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/view.h"
 
-namespace lumi::views
+namespace lumi::detail
 {
 namespace
 {
@@ -36,4 +36,4 @@ ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pi
     return ViewError::none;
 }
 
-}  // namespace lumi::views
+}  // namespace lumi::detail

@@ -35,8 +35,8 @@ int32_t q20_from_radii(double radii)
 
 Pose make_pose(const Orbit& orbit)
 {
-    return lumi::orbit(turns32_from_degrees(orbit.azimuth_deg), signed_turns32_from_degrees(orbit.elevation_deg),
-                       q20_from_radii(orbit.distance));
+    return lumi::detail::orbit(turns32_from_degrees(orbit.azimuth_deg),
+                               signed_turns32_from_degrees(orbit.elevation_deg), q20_from_radii(orbit.distance));
 }
 
 Image make_image(int32_t width_px, int32_t height_px, double fov_deg)

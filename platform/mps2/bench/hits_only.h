@@ -10,7 +10,7 @@ namespace lumi::bench
 
 struct NoReconstruction {
     static constexpr uint32_t kTaps = 1;
-    static Taps<kTaps> taps(const Lattice&, const Vec3q30& direction)
+    static Taps<kTaps> taps(const detail::Lattice&, const Vec3q30& direction)
     {
         __asm volatile("" ::"r"(direction.x), "r"(direction.y), "r"(direction.z));  // someone wants the hit
         return {{0}, {0}};
@@ -18,8 +18,8 @@ struct NoReconstruction {
 };
 
 struct NoTexel {
-    static constexpr format::TexelFormat kFormat = LUMI_BENCH_TEXEL::kFormat;
-    static Rgba8 load(const Field&, const uint8_t*, uint32_t) { return {}; }
+    static constexpr TexelFormat kFormat = LUMI_BENCH_TEXEL::kFormat;
+    static detail::Rgba8 load(const Field&, const uint8_t*, uint32_t) { return {}; }
 };
 
 inline RenderError draw_hits_only(const Field& field, const Camera& camera, const Stripe& stripe)

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "lumi/bench/views.h"
-#include "lumi/chord/sphere.h"
+#include "lumi/chord/detail/sphere.h"
 #include "lumi/field.h"
 #include "lumi/mps2/loaded_field.h"
 #include "lumi/mps2/semihosting.h"
@@ -51,7 +51,7 @@ inline uint32_t covered_pixels(const Camera& camera)
 {
     uint32_t count = 0;
     for (int32_t y = 0; y < kSidePx; ++y) {
-        const Extent span = covered_extent(camera, y, 0, kSidePx);
+        const detail::Extent span = detail::covered_extent(camera, y, 0, kSidePx);
         count += static_cast<uint32_t>(span.end - span.begin);
     }
     return count;

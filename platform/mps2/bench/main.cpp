@@ -50,7 +50,7 @@ void report(const View& view, const Field& field, const Camera& camera, int32_t 
     meter.paint();
     const uint64_t instructions = count_frame(draw, field, camera, span_px);
     const uint32_t stack_bytes = meter.high_water_bytes();
-    const uint32_t crc = crc32(0, frame, sizeof(frame));
+    const uint32_t crc = detail::crc32(0, frame, sizeof(frame));
     TextLine line;
     line.text("view ").text(view.name).text(" span ").decimal(static_cast<uint32_t>(span_px));
     line.text(" covered ").decimal(covered_pixels(camera)).text(" instructions ").decimal(instructions);

@@ -16,9 +16,9 @@ struct SetupOnly : LUMI_BENCH_RECONSTRUCTION {
 }  // namespace bench
 
 template <>
-struct SpanDraw<bench::SetupOnly> {
+struct detail::SpanDraw<bench::SetupOnly> {
     template <class Texel, class Pixel, class Background>
-    static void draw(CellPiece<Background>& span)
+    static void draw(detail::CellPiece<Background>& span)
     {
         int32_t scanlines_left = span.scanlines();
         span.go_to_first();
@@ -27,7 +27,7 @@ struct SpanDraw<bench::SetupOnly> {
         } while (span.go_down(scanlines_left));
     }
     template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedPiece<Background>& span)
+    static void draw_checked(const detail::CheckedPiece<Background>& span)
     {
         __asm volatile("" ::"r"(&span) : "memory");
     }

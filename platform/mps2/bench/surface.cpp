@@ -12,8 +12,8 @@ using Pixel = LUMI_BENCH_PIXEL;
 constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
 
 SurfaceFrame frame;
-SurfaceVertex vertices[format::kMaxSurfaceVertices];
-uint16_t links[surface_links(format::kMaxPatches)];
+SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
+uint16_t links[surface_links(detail::format::kMaxPatches)];
 uint16_t bands[surface_bands(kSidePx, kSurfaceBandLog2)];
 uint32_t samples[surface_stripe_bytes(kSidePx, kSurfaceStripeHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
 
@@ -30,12 +30,12 @@ void fill_alone(int32_t width_px, bool with_outlines)
 {
     SurfaceFrame filled = frame;
     if (!with_outlines) filled.field.neighbours = nullptr;
-    const int32_t margin = surfaces::blends_outlines(filled) ? 1 : 0;
+    const int32_t margin = detail::blends_outlines(filled) ? 1 : 0;
     for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeHeight) {
         const int32_t top = y - margin < 0 ? 0 : y - margin, end = y + kSurfaceStripeHeight + margin;
         const int32_t rows = (end < kSidePx ? end : kSidePx) - top;
         const uint32_t count = static_cast<uint32_t>(width_px * rows) << (2 * frame.samples_log2);
-        surfaces::rasterize(filled, {0, top, width_px, rows}, reinterpret_cast<uint16_t*>(samples + count), samples);
+        detail::rasterize(filled, {0, top, width_px, rows}, reinterpret_cast<uint16_t*>(samples + count), samples);
     }
 }
 

@@ -80,7 +80,7 @@ void report(const char* view_name, const char* mode_name, const SurfaceField& fi
     write_costs(line, parts, whole);
     line.text(" stack ").decimal(stack_bytes).text(" ram ");
     line.decimal(surface_ram_bytes(field.vertex_count, field.patch_count, view.mode));
-    mps2::write(line.text(" crc ").hex32(crc32(0, pixels, kSurfaceFrameBytes)).text("\n").c_str());
+    mps2::write(line.text(" crc ").hex32(detail::crc32(0, pixels, kSurfaceFrameBytes)).text("\n").c_str());
 }
 
 bool is_mode(const char* word)

@@ -59,7 +59,7 @@ int draw_one(const Field& field, const DemoOptions& options, uint32_t frame)
 {
     const uint32_t azimuth_turns32 = static_cast<uint32_t>((uint64_t{frame} << 32) / options.frames);
     Camera camera;
-    const CameraError error = make_camera(orbit(azimuth_turns32, kElevationTurns32, kDistanceQ20),
+    const CameraError error = make_camera(detail::orbit(azimuth_turns32, kElevationTurns32, kDistanceQ20),
                                           {kFrameWidth, kFrameHeight, kFieldOfViewTurns32}, camera);
     if (error != CameraError::none) return fail("camera", describe(error));
     const DrawStripe draw = choose_renderer(options.mode, field.texel_format);

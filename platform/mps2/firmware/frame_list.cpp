@@ -16,7 +16,7 @@ bool for_each_view(const Field& field, WriteText write)
         const auto write_frames = [&](auto texel) {
             return write_texel_frames<decltype(texel)>({view, camera, field, texel.kName, write});
         };
-        if (!with_texel(field.texel_format, write_frames)) return false;
+        if (!detail::with_texel(field.texel_format, write_frames)) return false;
     }
     return true;
 }
@@ -25,15 +25,15 @@ bool for_each_view(const Field& field, WriteText write)
 
 bool write_frame_crcs(const FieldBytes (&fields)[kListedFields], WriteText write)
 {
-    for (uint32_t k = 0; k < format::kTexelFormats; ++k) {
+    for (uint32_t k = 0; k < detail::format::kTexelFormats; ++k) {
         const FieldBytes& file = fields[k];
         Field field;
         const FieldError error = open_field(file.bytes, file.size, field);
         if (error != FieldError::none) return refuse(write, describe(error));
         if (!for_each_view(field, write)) return false;
     }
-    return write_surface_crcs(fields[format::kTexelFormats], "surface", write) &&
-           write_surface_crcs(fields[format::kTexelFormats + 1], "sheet", write);
+    return write_surface_crcs(fields[detail::format::kTexelFormats], "surface", write) &&
+           write_surface_crcs(fields[detail::format::kTexelFormats + 1], "sheet", write);
 }
 
 }  // namespace lumi::firmware

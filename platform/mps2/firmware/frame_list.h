@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lumi/field_format.h"
+#include "lumi/chord/format.h"
 
 namespace lumi::firmware
 {
@@ -21,7 +21,7 @@ struct FieldBytes {
 using WriteText = void (*)(const char* zero_terminated);
 
 // Four fields in the order of TexelFormat, then two surface fields.
-inline constexpr uint32_t kListedFields = format::kTexelFormats + 2;
+inline constexpr uint32_t kListedFields = detail::format::kTexelFormats + 2;
 
 // Draws the list, stripe by stripe. Writes one line a frame of a chord field, "view renderer texel pixel crc32"; the
 // CRC runs over the frame drawn over a constant colour, then over the frame drawn once more over that. Of a surface

@@ -23,9 +23,9 @@ RenderError draw_stripe(const Field& field, const Camera& camera, const Stripe& 
 }
 
 template <class Reconstruction>
-DrawStripe choose_texels(format::TexelFormat texels)
+DrawStripe choose_texels(TexelFormat texels)
 {
-    return with_texel(
+    return detail::with_texel(
         texels, [](auto texel) -> DrawStripe { return draw_stripe<Reconstruction, decltype(texel)>; });
 }
 
@@ -33,7 +33,7 @@ uint32_t covered_pixels(const Camera& camera, const Stripe& stripe)
 {
     uint32_t count = 0;
     for (int32_t y = stripe.y_px; y < stripe.y_px + stripe.height_px; ++y) {
-        const Extent span = covered_extent(camera, y, stripe.x_px, stripe.x_px + stripe.width_px);
+        const detail::Extent span = detail::covered_extent(camera, y, stripe.x_px, stripe.x_px + stripe.width_px);
         count += static_cast<uint32_t>(span.end - span.begin);
     }
     return count;
@@ -55,7 +55,7 @@ RenderError draw_measured_stripe(const Field& field, const Camera& camera, DrawS
 
 }  // namespace
 
-DrawStripe choose_renderer(Mode mode, format::TexelFormat texels)
+DrawStripe choose_renderer(Mode mode, TexelFormat texels)
 {
     switch (mode) {
         case Mode::nearest:
@@ -74,7 +74,7 @@ FrameReport draw_measured_frame(const Field& field, const Camera& camera, DrawSt
     for (int32_t y = 0; y < kFrameHeight; y += kStripeHeight) {
         const Stripe stripe = {stripe_pixels, 0, y, kFrameWidth, kStripeHeight, kStrideBytes};
         if (draw_measured_stripe(field, camera, draw, stripe, report) != RenderError::none) return report;
-        report.crc = crc32(report.crc, stripe_pixels, kStripeBytes);
+        report.crc = detail::crc32(report.crc, stripe_pixels, kStripeBytes);
         report.covered_px += covered_pixels(camera, stripe);
         if (!sink.flush(sink.context, stripe_pixels, kStripeBytes)) return report;
     }

@@ -17,7 +17,7 @@ static_assert(kFrameHeight % kStripeHeight == 0, "every stripe is full");
 
 // Draws a stripe as RGB565 with the policies that a field and a mode ask for.
 using DrawStripe = RenderError (*)(const Field&, const Camera&, const Stripe&);
-DrawStripe choose_renderer(Mode mode, format::TexelFormat texels);
+DrawStripe choose_renderer(Mode mode, TexelFormat texels);
 
 // Gets each finished stripe (RGB565, kFrameWidth × kStripeHeight, no padding); false stops the frame.
 struct StripeSink {

@@ -17,7 +17,7 @@ constexpr uint32_t kBytesPerRgb888 = 3;
 
 void unpack(const uint8_t* rgb565, uint8_t* rgb888)
 {
-    const Rgb8 colour = unpack_rgb565(static_cast<uint16_t>(rgb565[0] | rgb565[1] << 8));
+    const Rgb8 colour = detail::unpack_rgb565(static_cast<uint16_t>(rgb565[0] | rgb565[1] << 8));
     rgb888[0] = colour.r;
     rgb888[1] = colour.g;
     rgb888[2] = colour.b;

@@ -58,7 +58,7 @@ uint32_t frame_crc(const SurfaceFrame& frame, const Cut& cut)
             render_surface<Pixel>(frame, OverColour{kBackground}, stripe, samples);
         }
     }
-    return crc32(0, pixels, kHeight * kStrideBytes);
+    return detail::crc32(0, pixels, kHeight * kStrideBytes);
 }
 
 template <class Pixel>

@@ -75,12 +75,12 @@ RenderError draw_stripe(const Frame& frame, const Stripe& stripe, uint32_t& crc)
     const RenderError error =
         Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverColour{kBackground}, stripe);
     if (error != RenderError::none) return error;
-    crc = crc32(crc, stripe.pixels, bytes);
+    crc = detail::crc32(crc, stripe.pixels, bytes);
     RenderError again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverStripe{}, stripe);
-    crc = crc32(crc, stripe.pixels, bytes);
+    crc = detail::crc32(crc, stripe.pixels, bytes);
     if constexpr (std::is_same_v<Pixel, PixelRgb565>) {
         again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverBlack{}, stripe);
-        crc = crc32(crc, stripe.pixels, bytes);
+        crc = detail::crc32(crc, stripe.pixels, bytes);
     }
     return again;
 }

@@ -19,7 +19,7 @@ struct View {
     uint32_t fov_turns32;
     int32_t shift_x_q8, shift_y_q8;
 
-    Pose pose() const { return orbit(azimuth_turns32, elevation_turns32, distance_q20); }
+    Pose pose() const { return detail::orbit(azimuth_turns32, elevation_turns32, distance_q20); }
     Image image(int32_t width_px, int32_t height_px) const
     {
         return {width_px, height_px, fov_turns32, shift_x_q8, shift_y_q8};

@@ -22,7 +22,7 @@ LoadedField loaded_field(uint32_t offset)
 {
     const uint8_t* bytes = lumi_psram_start + offset;
     const uint32_t available = kLoadedFieldMemoryBytes - offset;
-    const uint32_t stated = read_u32(bytes + format::header::kFileBytesAt);
+    const uint32_t stated = read_u32(bytes + detail::format::header::kFileBytesAt);
     return {bytes, stated < available ? stated : available};
 }
 

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "lumi/chord/field.h"
 #include "lumi/chord/texel.h"
-#include "lumi/field.h"
 #include "support/bake_scenes.h"
 
 namespace lumi::baker
@@ -13,7 +13,6 @@ namespace lumi::baker
 namespace
 {
 
-using format::TexelFormat;
 using testing::baked;
 using testing::read_bytes;
 using testing::ScratchFolder;
@@ -37,10 +36,10 @@ const uint8_t* bytes_of(const std::string& bytes)
     return reinterpret_cast<const uint8_t*>(bytes.data());
 }
 
-Rgba8 texel_of(const Field& field, uint32_t i, uint32_t j)
+detail::Rgba8 texel_of(const Field& field, uint32_t i, uint32_t j)
 {
     const uint8_t* row = field.row(i);
-    return with_texel(field.texel_format, [&](auto texel) { return decltype(texel)::load(field, row, j); });
+    return detail::with_texel(field.texel_format, [&](auto texel) { return decltype(texel)::load(field, row, j); });
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ Rgba8 texel_of(const Field& field, uint32_t i, uint32_t j)
 TEST_CASE("bake: core opens and verifies what is written, in every texel format and with a cap")
 {
     const Scene scene = small_scene();
-    for (const TexelFormat texel : AllTexels::kFormats) {
+    for (const TexelFormat texel : detail::AllTexels::kFormats) {
         for (const uint32_t cap : {0u, 1u, 25u}) {
             BakeSettings settings = small_settings(texel);
             settings.used_origins = cap;
@@ -75,18 +74,18 @@ TEST_CASE("bake: the formats agree on coverage and colour")
     std::string bytes[4];
     Field fields[4];
     for (size_t k = 0; k < 4; ++k) {
-        bytes[k] = baked(scene, small_settings(AllTexels::kFormats[k]));
+        bytes[k] = baked(scene, small_settings(detail::AllTexels::kFormats[k]));
         REQUIRE(open_field(bytes_of(bytes[k]), bytes[k].size(), fields[k]) == FieldError::none);
     }
     uint32_t covered = 0;
     for (uint32_t i = 0; i < 40; ++i) {
         for (uint32_t j = 0; j < 70; ++j) {
-            const Rgba8 rgb = texel_of(fields[0], i, j);
+            const detail::Rgba8 rgb = texel_of(fields[0], i, j);
             covered += rgb.a ? 1 : 0;
             REQUIRE(texel_of(fields[1], i, j).a == rgb.a);
             REQUIRE(texel_of(fields[3], i, j).a == rgb.a);
             REQUIRE(std::abs(texel_of(fields[1], i, j).g - rgb.g) <= 2);
-            const Rgba8 palette = texel_of(fields[2], i, j);
+            const detail::Rgba8 palette = texel_of(fields[2], i, j);
             if (palette.a == 255 && rgb.a == 255) REQUIRE(std::abs(palette.g - rgb.g) < 40);
         }
     }
@@ -125,12 +124,12 @@ TEST_CASE("bake: a texel tells what its ray sees: a ball in constant light is on
     REQUIRE(open_field(bytes_of(bytes), bytes.size(), field) == FieldError::none);
     for (uint32_t i = 0; i < 60; ++i) {
         for (uint32_t j = 0; j < 300; ++j) {
-            const Vec3q30 a = point(field.origins, i), b = point(field.directions, j);
+            const Vec3q30 a = detail::point(field.origins, i), b = detail::point(field.directions, j);
             // Distance of the chord from the centre: the half chord is |a - b|/2.
-            const double cosine = static_cast<double>(dot_q30(a, b)) / kOneQ30;
+            const double cosine = static_cast<double>(detail::dot_q30(a, b)) / kOneQ30;
             const double distance = std::sqrt((1 + cosine) / 2);
             const double slack = 2 / std::sqrt(4000.0) + 0.01;
-            const Rgba8 texel = texel_of(field, i, j);
+            const detail::Rgba8 texel = texel_of(field, i, j);
             if (distance < 0.5 - slack) {
                 REQUIRE(texel.a == 255);
                 REQUIRE(std::abs(texel.g - 188) <= 6);  // noise of 64 paths
@@ -166,7 +165,7 @@ TEST_CASE("bake: settings that no field can hold are refused with the mend")
     s.origins = 0;
     refused(s, "origins must lie in 1 to");
     s = {};
-    s.directions = kMaxLatticeSize + 1;
+    s.directions = detail::kMaxLatticeSize + 1;
     refused(s, "directions must lie in 1 to");
     s = {};
     s.used_origins = s.origins + 1;
@@ -175,7 +174,7 @@ TEST_CASE("bake: settings that no field can hold are refused with the mend")
     s.samples = 0;
     refused(s, "samples must be at least 1");
     s = {};
-    s.origins = s.directions = kMaxLatticeSize;
+    s.origins = s.directions = detail::kMaxLatticeSize;
     refused(s, "choose fewer");
 }
 

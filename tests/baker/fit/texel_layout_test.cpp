@@ -33,15 +33,15 @@ TEST_CASE("rectangles of texels do not overlap and all that a reader may read is
     uint32_t used = 0;
     for (const PatchRectangle& r : layout.rectangles) {
         CHECK(r.n >= 1);
-        CHECK(r.n <= format::kMaxPatchSide);
+        CHECK(r.n <= detail::format::kMaxPatchSide);
         CHECK(r.m >= 1);
-        CHECK(r.m <= format::kMaxPatchSide);
-        REQUIRE(r.begin + format::patch_reach(r.n) <= layout.texels);
+        CHECK(r.m <= detail::format::kMaxPatchSide);
+        REQUIRE(r.begin + detail::format::patch_reach(r.n) <= layout.texels);
         for (uint32_t k = 0; k < r.size(); ++k) ++owners[r.begin + k];
         used += r.size();
     }
     CHECK(*std::max_element(owners.begin(), owners.end()) == 1);
-    CHECK(layout.texels - used <= 2 * format::patch_reach(1));
+    CHECK(layout.texels - used <= 2 * detail::format::patch_reach(1));
 }
 
 TEST_CASE("corners of a patch lie in the corners of its rectangle")
@@ -71,7 +71,7 @@ TEST_CASE("more texels than the format holds are refused by name, but may be cou
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.patches.assign(kPatches, {0, 1, 2, PatchMesh::kNone});
     CHECK_THROWS_AS(layout_of(mesh, 100), BakeError);
-    CHECK(unlimited_layout(mesh, std::vector<float>(kPatches, 100)).texels > format::kMaxSurfaceTexels);
+    CHECK(unlimited_layout(mesh, std::vector<float>(kPatches, 100)).texels > detail::format::kMaxSurfaceTexels);
 }
 
 }  // namespace lumi::baker::testing

@@ -58,12 +58,12 @@ TEST_CASE("texel encoder: misses are zero, black surfaces are not, in every form
     Estimate miss, black;
     miss.add({false, {}});
     black.add({true, {}});
-    for (const format::TexelFormat f : AllTexels::kFormats) {
-        if (f == format::TexelFormat::palette8) continue;
+    for (const TexelFormat f : detail::AllTexels::kFormats) {
+        if (f == TexelFormat::palette8) continue;
         uint8_t row[6] = {};
         encode_texel(f, {}, miss, row, 0);
         encode_texel(f, {}, black, row, 1);
-        const uint32_t size = format::bytes_per_texel(f);
+        const uint32_t size = detail::format::bytes_per_texel(f);
         int sum0 = 0, sum1 = 0;
         for (uint32_t k = 0; k < size; ++k) {
             sum0 += row[k];

@@ -10,9 +10,9 @@ namespace lumi::baker
 namespace
 {
 
-std::vector<Rgba8> cloud(uint32_t count)
+std::vector<detail::Rgba8> cloud(uint32_t count)
 {
-    std::vector<Rgba8> colours;
+    std::vector<detail::Rgba8> colours;
     for (uint32_t k = 0; k < count; ++k) {
         Sampler sampler(1, k, 0);
         const Vec2 u = sampler.next_2d();
@@ -29,7 +29,7 @@ TEST_CASE("palette: entry 0 is transparent, all entries are premultiplied")
 {
     const Palette palette = fit_palette(cloud(5000));
     CHECK(palette[0].a == 0);
-    for (const Rgba8& c : palette) {
+    for (const detail::Rgba8& c : palette) {
         CHECK(c.r <= c.a);
         CHECK(c.g <= c.a);
         CHECK(c.b <= c.a);
@@ -39,23 +39,23 @@ TEST_CASE("palette: entry 0 is transparent, all entries are premultiplied")
 
 TEST_CASE("palette: up to 255 colours are kept exactly")
 {
-    std::vector<Rgba8> colours;
+    std::vector<detail::Rgba8> colours;
     for (int k = 0; k < 255; ++k)
         colours.push_back({static_cast<uint8_t>(k), static_cast<uint8_t>(255 - k), static_cast<uint8_t>(k / 2), 255});
     const Palette palette = fit_palette(colours);
-    for (const Rgba8& c : colours) {
-        const Rgba8& found = palette[nearest_entry(palette, c)];
+    for (const detail::Rgba8& c : colours) {
+        const detail::Rgba8& found = palette[nearest_entry(palette, c)];
         CHECK((found.r == c.r && found.g == c.g && found.b == c.b && found.a == c.a));
     }
 }
 
 TEST_CASE("palette: a two-dimensional cloud of colours is met within a few levels")
 {
-    const std::vector<Rgba8> colours = cloud(20000);
+    const std::vector<detail::Rgba8> colours = cloud(20000);
     const Palette palette = fit_palette(colours);
     double squares = 0;
-    for (const Rgba8& c : colours) {
-        const Rgba8& f = palette[nearest_entry(palette, c)];
+    for (const detail::Rgba8& c : colours) {
+        const detail::Rgba8& f = palette[nearest_entry(palette, c)];
         squares += (c.r - f.r) * (c.r - f.r) + (c.g - f.g) * (c.g - f.g) + (c.b - f.b) * (c.b - f.b);
     }
     const double rms = std::sqrt(squares / 3 / static_cast<double>(colours.size()));

@@ -21,7 +21,7 @@ constexpr uint32_t kEyes = 50;  // none of the fit's
 
 Vec3 eye_at(uint32_t k)
 {
-    return unit_vector(lumi::point(Lattice(kEyes), k));
+    return unit_vector(lumi::detail::point(detail::Lattice(kEyes), k));
 }
 
 Mesh outside_mesh(const Scene& scene)

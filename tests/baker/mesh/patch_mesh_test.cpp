@@ -39,9 +39,9 @@ TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[s
 TEST_CASE("Meshes that would be too large for the format are made smaller", "[surface][statistics]")
 {
     const PatchMesh mesh = built_mesh(ball_over_floor(24, constant_environment(1)), {300, 0.05f, 0.7f}).mesh;
-    CHECK(mesh.positions.size() <= format::kMaxSurfaceVertices);
-    CHECK(mesh.patches.size() <= format::kMaxPatches);
-    CHECK(mesh.patches.size() > format::kMaxPatches / 2);
+    CHECK(mesh.positions.size() <= detail::format::kMaxSurfaceVertices);
+    CHECK(mesh.patches.size() <= detail::format::kMaxPatches);
+    CHECK(mesh.patches.size() > detail::format::kMaxPatches / 2);
 }
 
 TEST_CASE("Hidden triangles take nothing from those that can be seen", "[surface][statistics]")

@@ -13,7 +13,6 @@ namespace lumi::baker
 {
 
 using namespace testing;
-using format::TexelFormat;
 
 namespace
 {
@@ -65,7 +64,7 @@ TEST_CASE("checkpoint: a bake goes on from any row and gives the bytes of an und
           "[repeated]")
 {
     const Scene scene = tiny_scene();
-    for (const TexelFormat texel : AllTexels::kFormats) {
+    for (const TexelFormat texel : detail::AllTexels::kFormats) {
         const BakeSettings settings = tiny_settings(texel);
         const std::string whole = baked(scene, settings);
         for (uint32_t done = 0; done <= settings.origins; ++done) {

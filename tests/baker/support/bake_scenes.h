@@ -24,7 +24,7 @@ inline Scene tiny_scene(float ball_colour = 0.7f, float sky = 1)
     return ball_over_floor(6, constant_environment(sky), ball_colour);
 }
 
-inline BakeSettings tiny_settings(format::TexelFormat texel = format::TexelFormat::rgb888)
+inline BakeSettings tiny_settings(TexelFormat texel = TexelFormat::rgb888)
 {
     BakeSettings s;
     s.origins = 9;

@@ -18,9 +18,10 @@ TEST_CASE("A draft tells at most how many bytes a bake takes, and how many exact
     CHECK(draft.triangles() == bake.triangles);
     CHECK(draft.loss().missed == bake.loss.missed);
     CHECK(bake.file.size() <= most);
-    const uint64_t untabled = (bake.vertices - bake.viewed_vertices) * format::kViewBytes;
-    const uint64_t no_table = bake.viewed_vertices == 0 ? format::kViewColoursBytes + format::kEntryBytes : 0;
-    CHECK(most - bake.file.size() <= untabled + no_table + 2 * format::kSectionAlignment);
+    const uint64_t untabled = (bake.vertices - bake.viewed_vertices) * detail::format::kViewBytes;
+    const uint64_t no_table =
+        bake.viewed_vertices == 0 ? detail::format::kViewColoursBytes + detail::format::kEntryBytes : 0;
+    CHECK(most - bake.file.size() <= untabled + no_table + 2 * detail::format::kSectionAlignment);
     CHECK(draft.most_bytes(2 * settings.texels_per_radius) > most);
 }
 

@@ -5,7 +5,7 @@
 
 #include "lumi/baker/bake.h"
 #include "lumi/baker/reference.h"
-#include "lumi/chord/sphere.h"
+#include "lumi/chord/detail/sphere.h"
 #include "support/shapes.h"
 
 namespace lumi::baker
@@ -19,9 +19,10 @@ Camera camera_at(double azimuth, double elevation, double distance, double fov_d
 {
     const auto turns = [](double degrees) { return static_cast<uint32_t>(degrees / 360 * kTurn360); };
     Camera camera{};
-    const CameraError error = make_camera(orbit(turns(azimuth), static_cast<int32_t>(elevation / 360 * kTurn360),
-                                                static_cast<int32_t>(distance * kOneQ20)),
-                                          {width, height, turns(fov_degrees)}, camera);
+    const CameraError error =
+        make_camera(detail::orbit(turns(azimuth), static_cast<int32_t>(elevation / 360 * kTurn360),
+                                  static_cast<int32_t>(distance * kOneQ20)),
+                    {width, height, turns(fov_degrees)}, camera);
     REQUIRE(error == CameraError::none);
     return camera;
 }
@@ -44,9 +45,9 @@ TEST_CASE("camera rays: enter and leave the sphere where the renderer says")
         const CameraRays rays(camera);
         for (int32_t y = 0; y < 48; ++y) {
             for (int32_t x = 0; x < 64; ++x) {
-                SphereRay sphere_ray{};
-                if (!ray_at(camera, x, y, sphere_ray)) continue;
-                const SphereHits expected = hits(camera, sphere_ray);
+                detail::SphereRay sphere_ray{};
+                if (!detail::ray_at(camera, x, y, sphere_ray)) continue;
+                const detail::SphereHits expected = detail::hits(camera, sphere_ray);
                 const std::optional<Ray> ray = rays.ray(x + 0.5, y + 0.5);
                 REQUIRE(ray);
                 const float chord = -2 * dot(ray->origin, ray->direction);

@@ -324,7 +324,7 @@ TEST_CASE("catcher: it widens the fitted sphere and must lie in a given one")
 TEST_CASE("catcher: its shadow reaches palette texels as partial coverage; other texels are refused by name")
 {
     const Scene scene = hovering_ball().make(constant_environment(1));
-    BakeSettings settings = testing::tiny_settings(format::TexelFormat::palette8);
+    BakeSettings settings = testing::tiny_settings(TexelFormat::palette8);
     settings.origins = settings.directions = 40;
     settings.samples = 16;
     const std::string file = testing::baked(scene, settings);
@@ -332,7 +332,7 @@ TEST_CASE("catcher: its shadow reaches palette texels as partial coverage; other
     int partly = 0;
     for (uint32_t i = 0; i < 40; ++i) {
         for (uint32_t j = 0; j < 40; ++j) {
-            const Rgba8 c = texels.estimate(texels.disc(i), i, j).covered_colour();
+            const detail::Rgba8 c = texels.estimate(texels.disc(i), i, j).covered_colour();
             partly += c.a > 20 && c.a < 235 && c.r == 0 ? 1 : 0;
         }
     }
@@ -342,7 +342,7 @@ TEST_CASE("catcher: its shadow reaches palette texels as partial coverage; other
     settings.max_error_levels = 1;
     const TexelTracer patient(scene.data(), settings);
     for (uint32_t j = 0; j < 40; ++j) CHECK(patient.estimate(patient.disc(0), 0, j).samples() == 40);
-    for (const auto texel : {format::TexelFormat::rgb888, format::TexelFormat::rgb565, format::TexelFormat::luma8}) {
+    for (const auto texel : {TexelFormat::rgb888, TexelFormat::rgb565, TexelFormat::luma8}) {
         CHECK_THROWS_WITH(testing::baked(scene, testing::tiny_settings(texel)),
                           Catch::Contains("'catcher'") && Catch::Contains("--texel palette8"));
     }

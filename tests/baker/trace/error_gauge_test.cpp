@@ -164,7 +164,7 @@ TEST_CASE("adaptive sampling: zero levels take every path, and so do bakes of si
 TEST_CASE("adaptive sampling: threads and shards do not change a byte; saved rays count as done")
 {
     const Scene scene = sparkling_scene();
-    for (const format::TexelFormat texel : {format::TexelFormat::rgb888, format::TexelFormat::palette8}) {
+    for (const TexelFormat texel : {TexelFormat::rgb888, TexelFormat::palette8}) {
         BakeSettings settings = adaptive_settings(48, 2);
         settings.texel = texel;
         settings.origins = 12;

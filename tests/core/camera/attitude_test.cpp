@@ -6,10 +6,12 @@
 #include <cmath>
 #include <random>
 
+#include "lumi/chord/camera.h"
 #include "lumi/orbit.h"
 #include "lumi/surface/frame.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

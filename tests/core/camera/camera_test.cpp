@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,6 +8,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 using twin::decoded;
 

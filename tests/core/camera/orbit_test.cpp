@@ -7,6 +7,7 @@
 #include "report.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

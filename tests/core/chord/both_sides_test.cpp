@@ -10,6 +10,7 @@
 #include "lumi/chord/detail/tile.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

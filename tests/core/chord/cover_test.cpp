@@ -9,6 +9,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 
 namespace
@@ -30,7 +31,7 @@ struct Marks : Nearest {
 
 }  // namespace
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Adds to its pixels, so that one drawn twice shows.
@@ -54,7 +55,7 @@ struct SpanDraw<Marks> {
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail
 
 namespace
 {
@@ -96,7 +97,7 @@ TEST_CASE("each pixel of the sphere is drawn once, most of them in tiles", "[spa
     TestLayout layout;
     layout.origins = layout.used_origins = 300;
     layout.directions = 700;
-    layout.texel = format::TexelFormat::luma8;
+    layout.texel = TexelFormat::luma8;
     const Bytes bytes =
         file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});
     Field field;

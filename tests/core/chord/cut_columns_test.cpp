@@ -11,7 +11,6 @@
 
 using namespace lumi;
 using namespace lumi::test;
-using format::TexelFormat;
 
 namespace
 {

@@ -6,8 +6,8 @@
 #include "lumi/chord/render_spans_paper.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
-using format::TexelFormat;
 
 namespace
 {

@@ -24,12 +24,12 @@ public:
     Bytes next()
     {
         TestLayout layout;
-        layout.texel = static_cast<format::TexelFormat>(choose_.below(format::kTexelFormats));
-        layout.colour_space = static_cast<uint8_t>(choose_.below(format::kColourSpaces));
+        layout.texel = static_cast<TexelFormat>(choose_.below(detail::format::kTexelFormats));
+        layout.colour_space = static_cast<uint8_t>(choose_.below(detail::format::kColourSpaces));
         choose_.set_bounds(layout.centre, layout.radius);
         set_sizes(layout);
         std::vector<TestSection> sections = {layout_section(layout), texels(layout)};
-        if (layout.texel == format::TexelFormat::palette8 || choose_.once_in(8))
+        if (layout.texel == TexelFormat::palette8 || choose_.once_in(8))
             sections.push_back(palette_with_miss());
         return file_of(sections);
     }
@@ -38,23 +38,23 @@ private:
     TestSection palette_with_miss()
     {
         Bytes b(4, 0);
-        for (uint32_t k = 1; k < format::kPaletteEntries; ++k) {
+        for (uint32_t k = 1; k < detail::format::kPaletteEntries; ++k) {
             const uint8_t coverage = choose_.extreme_byte();
             for (int channel = 0; channel < 3; ++channel) b.push_back(std::min(coverage, choose_.extreme_byte()));
             b.push_back(coverage);
         }
-        return {format::kPaletteSection, format::kRequired, b};
+        return {detail::format::kPaletteSection, detail::format::kRequired, b};
     }
     // Lattices of all sizes where something changes, as many of their texels as there is room for.
     void set_sizes(TestLayout& layout)
     {
-        const uint32_t sizes[] = {1, 2, 5, 63, 64, 65, 65535, 65536, 65537, kMaxLatticeSize, 1 + choose_.below(300)};
+        const uint32_t sizes[] = {1, 2, 5, 63, 64, 65, 65535, 65536, 65537, detail::kMaxLatticeSize, 1 + choose_.below(300)};
         layout.origins = choose_.one_of(sizes);
         layout.directions = choose_.one_of(sizes);
-        const uint32_t texel_bytes = format::bytes_per_texel(layout.texel);
+        const uint32_t texel_bytes = detail::format::bytes_per_texel(layout.texel);
         while (layout.directions * texel_bytes > texel_bytes_ / 2) layout.directions /= 2;
         layout.row_stride = layout.directions * texel_bytes + choose_.below(5);
-        while (format::is_power_of_two(layout.row_stride)) ++layout.row_stride;
+        while (detail::format::is_power_of_two(layout.row_stride)) ++layout.row_stride;
         layout.used_origins = choose_.end_or_any(1, std::min(layout.origins, texel_bytes_ / layout.row_stride));
     }
 

@@ -11,6 +11,7 @@
 #include "lumi/chord/detail/one_tap.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

@@ -7,6 +7,7 @@
 #include "lumi/chord/detail/nine_taps.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

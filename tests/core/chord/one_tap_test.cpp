@@ -10,6 +10,7 @@
 #include "lumi/background.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {
@@ -74,7 +75,7 @@ TEST_CASE("one tap through cells is the texel that the checked loop asks for", "
     field.used_origins = kPoints;
     field.row_stride_bytes = kStride;
     field.texels = texels.data();
-    field.texel_format = format::TexelFormat::luma8;
+    field.texel_format = TexelFormat::luma8;
     compare<Nearest>(field);
     compare<Dither>(field);
 }

@@ -10,6 +10,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 
 namespace
@@ -176,7 +177,7 @@ TEST_CASE("two interlaced halves make the frame", "[quality]")
     layout.origins = 100;
     layout.used_origins = 100;
     layout.directions = 130;
-    layout.texel = format::TexelFormat::luma8;
+    layout.texel = TexelFormat::luma8;
     const Bytes bytes = file_of({layout_section(layout), texel_section(layout, [](uint32_t i, uint32_t k) {
                                      return static_cast<uint8_t>(1 + (i * 37 + k * 11) % 255);
                                  })});

@@ -11,8 +11,8 @@
 #include "twin.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
-using format::TexelFormat;
 
 namespace
 {

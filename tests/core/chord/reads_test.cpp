@@ -8,6 +8,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 
 namespace
@@ -36,7 +37,7 @@ void check(const Field& field, const uint8_t* texel)
 }
 
 struct CheckedLuma8 {
-    static constexpr format::TexelFormat kFormat = format::TexelFormat::luma8;
+    static constexpr TexelFormat kFormat = TexelFormat::luma8;
     static Rgba8 load(const Field& field, const uint8_t* texel, uint32_t)
     {
         check(field, texel);
@@ -84,7 +85,7 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
         layout.origins = size[0];
         layout.used_origins = size[1];
         layout.directions = size[2];
-        layout.texel = format::TexelFormat::luma8;
+        layout.texel = TexelFormat::luma8;
         const Bytes bytes =
             file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});
         Field field;
@@ -125,7 +126,7 @@ TEST_CASE("a zone that crosses the equator reads nothing beyond the other pole",
     // Found by random search: a span of an acute zone whose cells are flipped where it ends.
     TestLayout layout;
     layout.origins = layout.used_origins = layout.directions = 75;
-    layout.texel = format::TexelFormat::luma8;
+    layout.texel = TexelFormat::luma8;
     layout.row_stride = 80;
     const Bytes bytes =
         file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/chord/sphere.h"
+#include "lumi/chord/detail/sphere.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,6 +8,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 using twin::decoded;
 

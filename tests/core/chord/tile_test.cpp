@@ -9,6 +9,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 
 namespace

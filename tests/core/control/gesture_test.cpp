@@ -5,6 +5,7 @@
 #include <cmath>
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

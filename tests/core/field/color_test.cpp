@@ -8,6 +8,7 @@
 #include "lumi/pixel.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

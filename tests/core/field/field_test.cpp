@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/field.h"
+#include "lumi/chord/field.h"
 
 #include <catch2/catch.hpp>
 #include <memory>
@@ -10,8 +10,8 @@
 #include "truncation.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
-using format::TexelFormat;
 
 namespace
 {

@@ -10,6 +10,7 @@
 #include "twin.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using twin::Vec3;
 
 namespace

@@ -13,6 +13,7 @@
 #include "twin.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

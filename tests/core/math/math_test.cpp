@@ -9,6 +9,7 @@
 #include "twin.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using twin::kPi;
 
 namespace

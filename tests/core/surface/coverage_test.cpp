@@ -7,6 +7,7 @@
 #include "surface_drawing.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using test::Bytes;
 
 namespace

@@ -9,6 +9,7 @@
 #include "surface_drawing.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 
 namespace

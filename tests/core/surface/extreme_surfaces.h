@@ -16,7 +16,7 @@ namespace lumi::test
 struct SurfaceLimits {
     uint32_t vertices, patches, texels;
 };
-inline constexpr SurfaceLimits kLargestSurface = {format::kMaxSurfaceVertices, format::kMaxPatches, 1u << 14};
+inline constexpr SurfaceLimits kLargestSurface = {detail::format::kMaxSurfaceVertices, detail::format::kMaxPatches, 1u << 14};
 inline constexpr SurfaceLimits kSmallSurface = {12, 10, 4100};
 
 class ExtremeSurfaces
@@ -38,7 +38,7 @@ public:
         std::vector<TestSection> sections = {surface_section(s),
                                              vertex_section(s),
                                              patch_section(s),
-                                             {format::kColourSection, format::kRequired, s.texels},
+                                             {detail::format::kColourSection, detail::format::kRequired, s.texels},
                                              palette()};
         if (s.viewed != 0) sections.push_back(views(s));
         if (choose_.below(4) != 0) sections.push_back(choose_.once_in(2) ? neighbour_section(s) : neighbours(s));
@@ -59,12 +59,12 @@ private:
         s.vertices.resize(mostly_few(3, limits_.vertices));
         s.patches.resize(mostly_few(1, limits_.patches));
         s.viewed = choose_.once_in(3) ? 0 : choose_.end_or_any(0, static_cast<uint32_t>(s.vertices.size()));
-        s.flags = choose_.below(2) * format::kSurfaceTwoSided;
-        s.colour_space = choose_.below(format::kColourSpaces);
+        s.flags = choose_.below(2) * detail::format::kSurfaceTwoSided;
+        s.colour_space = choose_.below(detail::format::kColourSpaces);
         s.longest_edge_q6 = choose_.end_or_any(1, 128);
         choose_.set_bounds(s.centre, s.radius);
         // A texel more than any patch may reach, all that any may, or as few as some do.
-        const uint32_t most = format::patch_reach(format::kMaxPatchSide), least = format::patch_reach(1);
+        const uint32_t most = detail::format::patch_reach(detail::format::kMaxPatchSide), least = detail::format::patch_reach(1);
         s.texels.resize(choose_.below(3) != 0 ? most + choose_.below(2) : choose_.end_or_any(least, limits_.texels));
         const uint8_t fill = choose_.extreme_byte();
         const bool is_even = choose_.once_in(4);
@@ -122,33 +122,33 @@ private:
         TestPatch p{first, corner(1), corner(2)};
         if (choose_.below(3) != 0) p.d = corner(3);
         const uint32_t widest =
-            std::min(format::kMaxPatchSide, (texels - format::patch_reach(0)) / format::kMaxPatchSide);
+            std::min(detail::format::kMaxPatchSide, (texels - detail::format::patch_reach(0)) / detail::format::kMaxPatchSide);
         p.columns = has_largest_texture ? widest : choose_.end_or_any(1, widest);
-        p.rows = has_largest_texture ? format::kMaxPatchSide : choose_.end_or_any(1, format::kMaxPatchSide);
-        p.begin = choose_.end_or_any(0, texels - format::patch_reach(p.columns));
+        p.rows = has_largest_texture ? detail::format::kMaxPatchSide : choose_.end_or_any(1, detail::format::kMaxPatchSide);
+        p.begin = choose_.end_or_any(0, texels - detail::format::patch_reach(p.columns));
         return p;
     }
 
     TestSection palette()
     {
         Bytes b;
-        for (uint32_t k = 0; k < 3 * format::kPaletteEntries; ++k) b.push_back(choose_.extreme_byte());
-        return {format::kPaletteRgb, format::kRequired, b};
+        for (uint32_t k = 0; k < 3 * detail::format::kPaletteEntries; ++k) b.push_back(choose_.extreme_byte());
+        return {detail::format::kPaletteRgb, detail::format::kRequired, b};
     }
     TestSection views(const TestSurface& s)
     {
         Bytes b;
-        const uint32_t records = s.viewed * format::kViewBytes;
-        for (uint32_t k = 0; k < format::kViewColoursBytes + records; ++k) b.push_back(choose_.extreme_byte());
-        return {format::kViewSection, 0, b};
+        const uint32_t records = s.viewed * detail::format::kViewBytes;
+        for (uint32_t k = 0; k < detail::format::kViewColoursBytes + records; ++k) b.push_back(choose_.extreme_byte());
+        return {detail::format::kViewSection, 0, b};
     }
     TestSection neighbours(const TestSurface& s)
     {
         Bytes b;
         const uint32_t triangles = 2 * static_cast<uint32_t>(s.patches.size());
         for (uint32_t k = 0; k < 2 * triangles; ++k)
-            put16(b, choose_.once_in(2) ? format::kNoNeighbour : choose_.below(triangles));
-        return {format::kNeighbourSection, 0, b};
+            put16(b, choose_.once_in(2) ? detail::format::kNoNeighbour : choose_.below(triangles));
+        return {detail::format::kNeighbourSection, 0, b};
     }
 
     Choices& choose_;

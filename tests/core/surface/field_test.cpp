@@ -3,10 +3,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "lumi/chord/field.h"
+
 #include "surface_bytes.h"
 #include "truncation.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 
 namespace

@@ -8,6 +8,7 @@
 #include "lumi/surface/detail/packed_colour.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace lumi::surfaces;
+using namespace lumi::detail;
 
 namespace
 {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 using namespace lumi;
+using namespace lumi::detail;
 
 namespace
 {

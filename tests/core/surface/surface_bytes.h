@@ -15,7 +15,7 @@ namespace lumi::test
 using SurfacePoint = std::array<int32_t, 3>;  // Q14
 
 struct TestPatch {
-    uint32_t a, b, c, d = format::kNoVertex;
+    uint32_t a, b, c, d = detail::format::kNoVertex;
     uint32_t begin = 0, columns = 1, rows = 1;
 };
 
@@ -50,7 +50,7 @@ inline TestSection surface_section(const TestSurface& s)
     put16(b, s.reserved);
     for (const float c : s.centre) put32(b, float_bits(c));
     put32(b, float_bits(s.radius));
-    return {format::kSurfaceSection, format::kRequired, b};
+    return {detail::format::kSurfaceSection, detail::format::kRequired, b};
 }
 
 inline TestSection vertex_section(const TestSurface& s)
@@ -58,7 +58,7 @@ inline TestSection vertex_section(const TestSurface& s)
     Bytes b;
     for (const SurfacePoint& v : s.vertices)
         for (const int32_t c : v) put16(b, static_cast<uint32_t>(c) & 0xFFFF);
-    return {format::kVertexSection, format::kRequired, b};
+    return {detail::format::kVertexSection, detail::format::kRequired, b};
 }
 
 inline TestSection patch_section(const TestSurface& s)
@@ -68,7 +68,7 @@ inline TestSection patch_section(const TestSurface& s)
         for (const uint32_t corner : {p.a, p.b, p.c, p.d}) put16(b, corner);
         put32(b, p.begin | p.columns << 20 | p.rows << 26);
     }
-    return {format::kPatchSection, format::kRequired, b};
+    return {detail::format::kPatchSection, detail::format::kRequired, b};
 }
 
 // Colours that go round the wheel.
@@ -78,7 +78,7 @@ inline TestSection surface_palette_section()
     for (uint32_t k = 0; k < 256; ++k)
         for (const uint32_t channel : {k, 255 - k, 40 + k / 2 + 64 * (k & 1)})
             b.push_back(static_cast<uint8_t>(channel));
-    return {format::kPaletteRgb, format::kRequired, b};
+    return {detail::format::kPaletteRgb, detail::format::kRequired, b};
 }
 
 // Half a turn about h takes +z to where the vertex lies from the centre.
@@ -96,13 +96,14 @@ inline void put_turn(Bytes& b, const SurfacePoint& v)
 inline TestSection view_section(const TestSurface& s)
 {
     Bytes b;
-    for (uint32_t k = 0; k < format::kViewColoursBytes; ++k) b.push_back(static_cast<uint8_t>(scattered(k)));
+    for (uint32_t k = 0; k < detail::format::kViewColoursBytes; ++k) b.push_back(static_cast<uint8_t>(scattered(k)));
     for (uint32_t v = 0; v < s.viewed; ++v) {
         put_turn(b, s.vertices[v]);
         b.push_back(static_cast<uint8_t>(20 + 3 * v));
-        for (uint32_t k = 0; k < format::kViewNodes / 2; ++k) b.push_back(static_cast<uint8_t>(scattered(v * 20 + k)));
+        for (uint32_t k = 0; k < detail::format::kViewNodes / 2; ++k)
+            b.push_back(static_cast<uint8_t>(scattered(v * 20 + k)));
     }
-    return {format::kViewSection, 0, b};
+    return {detail::format::kViewSection, 0, b};
 }
 
 // By directed sides: across from->to lies the triangle with to->from.
@@ -112,21 +113,22 @@ inline TestSection neighbour_section(const TestSurface& s)
     for (uint32_t k = 0; k < s.patches.size(); ++k) {
         const auto& [a, b, c, d, begin, columns, rows] = s.patches[k];
         sides.insert({{{a, b}, 2 * k}, {{b, c}, 2 * k}, {{c, a}, 2 * k}});
-        if (d != format::kNoVertex) sides.insert({{{d, c}, 2 * k + 1}, {{c, b}, 2 * k + 1}, {{b, d}, 2 * k + 1}});
+        if (d != detail::format::kNoVertex)
+            sides.insert({{{d, c}, 2 * k + 1}, {{c, b}, 2 * k + 1}, {{b, d}, 2 * k + 1}});
     }
     const auto across = [&](uint32_t from, uint32_t to) {
         const auto it = sides.find({to, from});
-        return it == sides.end() ? format::kNoNeighbour : it->second;
+        return it == sides.end() ? detail::format::kNoNeighbour : it->second;
     };
     Bytes bytes;
     for (const auto& [a, b, c, d, begin, columns, rows] : s.patches) {
-        const bool is_lone = d == format::kNoVertex;
+        const bool is_lone = d == detail::format::kNoVertex;
         put16(bytes, across(a, b));
         put16(bytes, across(c, a));
         put16(bytes, is_lone ? across(b, c) : across(d, c));
-        put16(bytes, is_lone ? format::kNoNeighbour : across(b, d));
+        put16(bytes, is_lone ? detail::format::kNoNeighbour : across(b, d));
     }
-    return {format::kNeighbourSection, 0, bytes};
+    return {detail::format::kNeighbourSection, 0, bytes};
 }
 
 inline std::vector<TestSection> surface_sections(const TestSurface& s)
@@ -134,7 +136,7 @@ inline std::vector<TestSection> surface_sections(const TestSurface& s)
     std::vector<TestSection> sections = {surface_section(s),
                                          vertex_section(s),
                                          patch_section(s),
-                                         {format::kColourSection, format::kRequired, s.texels},
+                                         {detail::format::kColourSection, detail::format::kRequired, s.texels},
                                          surface_palette_section()};
     if (s.viewed != 0) sections.push_back(view_section(s));
     if (s.has_neighbours) sections.push_back(neighbour_section(s));
@@ -156,7 +158,7 @@ inline void put_texels(TestSurface& s)
         p.columns = 1 + scattered(k) % 12;
         p.rows = 1 + scattered(k + 1000) % 9;
         begin += p.columns * p.rows;
-        end = std::max(end, p.begin + format::patch_reach(p.columns));
+        end = std::max(end, p.begin + detail::format::patch_reach(p.columns));
     }
     for (uint32_t k = 0; k < end; ++k) s.texels.push_back(static_cast<uint8_t>(k * 3 + scattered(k) % 40));
 }
@@ -234,7 +236,7 @@ inline TestSurface wavy_sheet()
 {
     constexpr int kSide = 7;
     TestSurface s;
-    s.flags = format::kSurfaceTwoSided;
+    s.flags = detail::format::kSurfaceTwoSided;
     for (int i = 0; i < kSide * kSide; ++i) {
         const int x = 4000 * (i % kSide) - 12000, y = 3500 * (i / kSide) - 10500;
         s.vertices.push_back({x, y, static_cast<int32_t>(std::lround(2500 * std::sin(x * 3e-4 + y * 2e-4)))});

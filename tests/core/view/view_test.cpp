@@ -10,6 +10,7 @@
 #include "surface/surface_bytes.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using test::Bytes;
 
 namespace
@@ -29,7 +30,7 @@ Bytes ball()
     return test::surface_file(test::bumpy_ball());
 }
 
-Bytes chord(format::TexelFormat texel)
+Bytes chord(TexelFormat texel)
 {
     test::TestLayout layout;
     layout.origins = layout.used_origins = 128;
@@ -136,8 +137,8 @@ TEST_CASE("a view of a surface field draws what the free functions draw, bit for
 
 TEST_CASE("a view of a chord field draws what the free functions draw, bit for bit")
 {
-    check_chord_frames<TexelPalette8, PixelRgb565>(chord(format::TexelFormat::palette8));
-    check_chord_frames<TexelRgb565, PixelGrey8>(chord(format::TexelFormat::rgb565));
+    check_chord_frames<TexelPalette8, PixelRgb565>(chord(TexelFormat::palette8));
+    check_chord_frames<TexelRgb565, PixelGrey8>(chord(TexelFormat::rgb565));
 }
 
 TEST_CASE("a second core draws the same with samples of its own")
@@ -182,9 +183,9 @@ TEST_CASE("a view refuses what is no field, cut off, of another kind or too larg
     CHECK(error_of(view, Bytes(5000, 0)) == view_error(FieldError::bad_magic));
     CHECK(view.open(bytes.data(), bytes.size() / 2) == view_error(FieldError::truncated));
     CHECK(view.open(bytes.data() + 8, bytes.size() - 8) == view_error(FieldError::bad_magic));
-    CHECK(error_of(view, chord(format::TexelFormat::rgb565)) == ViewError::other_renderer);
+    CHECK(error_of(view, chord(TexelFormat::rgb565)) == ViewError::other_renderer);
     CHECK(error_of(chord_view, bytes) == ViewError::other_renderer);
-    CHECK(error_of(chord_view, chord(format::TexelFormat::palette8)) == ViewError::other_renderer);
+    CHECK(error_of(chord_view, chord(TexelFormat::palette8)) == ViewError::other_renderer);
     CHECK(error_of(few_vertices, bytes) == ViewError::field_too_large);
     CHECK(error_of(few_patches, bytes) == ViewError::field_too_large);
 }
@@ -211,7 +212,7 @@ TEST_CASE("a chord field at an odd address is refused by spans and drawn exactly
 {
     static View<ChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> spans;
     static View<ExactChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> exact;
-    const Bytes bytes = chord(format::TexelFormat::rgb565);
+    const Bytes bytes = chord(TexelFormat::rgb565);
     Bytes moved(1, 0);
     moved.insert(moved.end(), bytes.begin(), bytes.end());
     CHECK(spans.open(moved.data() + 1, bytes.size()) == ViewError::unaligned_field);

@@ -37,9 +37,9 @@ TEST_CASE("what a frame reads are vertices, patches, view tables and a texel for
     tools::test::write_content(folder / "cube.lumi", tools::test::small_surface_bytes());
     const tools::FieldFile file(folder / "cube.lumi");
     const SurfaceField& field = file.surface();
-    const Range vertices = range_of(file, field.vertices, field.vertex_count * format::kVertexBytes);
-    const Range patches = range_of(file, field.patches, field.patch_count * format::kPatchBytes);
-    const Range views = range_of(file, field.views, field.viewed_count * format::kViewBytes);
+    const Range vertices = range_of(file, field.vertices, field.vertex_count * detail::format::kVertexBytes);
+    const Range patches = range_of(file, field.patches, field.patch_count * detail::format::kPatchBytes);
+    const Range views = range_of(file, field.views, field.viewed_count * detail::format::kViewBytes);
     const Range texels = range_of(file, field.texels, field.texel_bytes);
 
     const std::vector<Read> one = reads_of(file, kViews[0], SurfaceMode::one_sample);

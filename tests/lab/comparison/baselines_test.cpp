@@ -30,7 +30,7 @@ TEST_CASE("the chord baseline is the largest that fits")
         const auto size = [](uint32_t side) {
             baker::BakeSettings settings;
             settings.origins = settings.directions = side;
-            settings.texel = format::TexelFormat::palette8;
+            settings.texel = TexelFormat::palette8;
             return baker::field_file_bytes(settings);
         };
         const uint32_t side = chord_side(bytes);

@@ -24,7 +24,7 @@ const char* draw_picture(const uint8_t* file, size_t file_bytes, Flush flush, vo
     if (field_error != lumi::FieldError::none) return lumi::describe(field_error);
     lumi::Camera camera;
     const lumi::CameraError camera_error =
-        lumi::make_camera(lumi::orbit(0, 0, 3 * lumi::kOneQ20), {kWidth, kHeight, kFieldOfView}, camera);
+        lumi::make_camera(lumi::detail::orbit(0, 0, 3 * lumi::kOneQ20), {kWidth, kHeight, kFieldOfView}, camera);
     if (camera_error != lumi::CameraError::none) return lumi::describe(camera_error);
     for (int32_t y = 0; y < kHeight; y += kStripeHeight, current ^= 1) {
         const lumi::Stripe stripe = {stripes[current], 0, y, kWidth, kStripeHeight, kStride};

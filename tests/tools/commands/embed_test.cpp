@@ -227,7 +227,7 @@ TEST_CASE("header and inspect name the view of exactly this field")
     const test::TemporaryFolder folder;
     test::TestField chord;
     chord.origins = chord.used_origins = chord.directions = 64;
-    chord.texel = format::TexelFormat::luma8;
+    chord.texel = TexelFormat::luma8;
     test::write_content(folder / "chord.lumi", test::field_bytes(chord));
     test::write_content(folder / "few.lumi", test::field_bytes({}));
     test::write_content(folder / "surface.lumi", test::small_surface_bytes());

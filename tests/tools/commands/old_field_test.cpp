@@ -26,7 +26,7 @@ TEST_CASE("a chord field of an earlier version draws the pictures that it drew t
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
         const Picture picture = read_png(png);
-        CHECK(crc32(0, picture.rgb.data(), picture.rgb.size()) == p.crc);
+        CHECK(detail::crc32(0, picture.rgb.data(), picture.rgb.size()) == p.crc);
     }
 }
 

@@ -96,9 +96,10 @@ TEST_CASE("surface pictures are shown as an RGB565 or a grey display shows them"
     const Picture grey = draw_surface(field, eye, {SurfaceMode::two_by_two, DisplayFormat::grey8});
     CHECK(psnr_db(full, coarse) > 36);
     for (size_t i = 0; i < full.rgb.size(); i += 3) {
-        const Rgb8 c = unpack_rgb565(pack_rgb565({coarse.rgb[i], coarse.rgb[i + 1], coarse.rgb[i + 2]}));
+        const Rgb8 c =
+            detail::unpack_rgb565(detail::pack_rgb565({coarse.rgb[i], coarse.rgb[i + 1], coarse.rgb[i + 2]}));
         REQUIRE((coarse.rgb[i] == c.r && coarse.rgb[i + 1] == c.g && coarse.rgb[i + 2] == c.b));
-        REQUIRE(grey.rgb[i] == luma({full.rgb[i], full.rgb[i + 1], full.rgb[i + 2]}));
+        REQUIRE(grey.rgb[i] == detail::luma({full.rgb[i], full.rgb[i + 1], full.rgb[i + 2]}));
     }
 }
 

@@ -57,7 +57,7 @@ bool is(const uint8_t* pixel, const Rgb8& colour)
 TEST_CASE("every mode, neighbour count, texel and display format draws the sphere over the background")
 {
     const Camera camera = test_camera(33, 21);
-    for (const format::TexelFormat texel : AllTexels::kFormats) {
+    for (const TexelFormat texel : detail::AllTexels::kFormats) {
         const std::string bytes = test::field_bytes({40, 60, 40, texel});
         const Field field = opened(bytes);
         for (const Mode mode : {Mode::nearest, Mode::voronoi, Mode::dither, Mode::linear, Mode::paper})
@@ -70,7 +70,7 @@ TEST_CASE("every mode, neighbour count, texel and display format draws the spher
                     REQUIRE(picture.width_px == 33);
                     REQUIRE(picture.height_px == 21);
                     const Rgb8 corner = display == DisplayFormat::grey8 ? Rgb8{16, 16, 16} : kBackground;
-                    const uint8_t grey = luma(kBackground);
+                    const uint8_t grey = detail::luma(kBackground);
                     CHECK(is(picture.pixel(0, 0), display == DisplayFormat::grey8 ? Rgb8{grey, grey, grey} : corner));
                     CHECK_FALSE(is(picture.pixel(16, 10), corner));
                 }
@@ -93,7 +93,7 @@ TEST_CASE("drawing in stripes gives the picture that core draws at once")
 TEST_CASE("spans are drawn where asked for, and longer ones differ more")
 {
     const Camera camera = test_camera(120, 120);
-    const std::string bytes = test::field_bytes({200, 300, 200, format::TexelFormat::rgb888});
+    const std::string bytes = test::field_bytes({200, 300, 200, TexelFormat::rgb888});
     const Field field = opened(bytes);
     const auto drawn = [&](Mode mode, int32_t span_px) {
         return draw(field, camera, {mode, 5, DisplayFormat::rgb888, kBackground, span_px});
@@ -112,9 +112,9 @@ TEST_CASE("spans are drawn where asked for, and longer ones differ more")
 TEST_CASE("kernels of more than five points are those of core, on spans and exactly")
 {
     const Camera camera = test_camera(60, 60);
-    const std::string bytes = test::field_bytes({200, 300, 200, format::TexelFormat::rgb888});
+    const std::string bytes = test::field_bytes({200, 300, 200, TexelFormat::rgb888});
     const Field field = opened(bytes);
-    constexpr uint32_t kMost = kMaxNeighbours;
+    constexpr uint32_t kMost = detail::kMaxNeighbours;
     Picture spans(camera.width_px(), camera.height_px());
     const Stripe stripe = {spans.rgb.data(), 0, 0, camera.width_px(), camera.height_px(), 3 * 60};
     const RenderError error =
@@ -153,7 +153,8 @@ TEST_CASE("an RGB565 display shows the RGB888 picture's colours rounded to its s
     const Picture fine = draw(field, camera, {Mode::linear, 1, DisplayFormat::rgb888, kBackground});
     const Picture coarse = draw(field, camera, {Mode::linear, 1, DisplayFormat::rgb565, kBackground});
     for (size_t i = 0; i < fine.rgb.size(); i += 3)
-        REQUIRE(is(&coarse.rgb[i], unpack_rgb565(pack_rgb565({fine.rgb[i], fine.rgb[i + 1], fine.rgb[i + 2]}))));
+        REQUIRE(is(&coarse.rgb[i],
+                   detail::unpack_rgb565(detail::pack_rgb565({fine.rgb[i], fine.rgb[i + 1], fine.rgb[i + 2]}))));
 }
 
 }  // namespace lumi::tools

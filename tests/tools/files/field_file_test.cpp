@@ -15,7 +15,7 @@ namespace lumi::tools
 TEST_CASE("a report holds every layout field and accounts for every byte")
 {
     const test::TemporaryFolder folder;
-    test::TestField field = {100, 33, 50, format::TexelFormat::palette8};
+    test::TestField field = {100, 33, 50, TexelFormat::palette8};
     const std::string bytes = test::field_bytes(field);
     test::write_content(folder / "a.lumi", bytes);
     const auto json = nlohmann::json::parse(json_of(describe_field(FieldFile(folder / "a.lumi"), true)));

@@ -16,7 +16,7 @@ ChordTask task_of(uint64_t budget)
 {
     ChordTask task;
     task.budget_bytes = budget;
-    task.settings.texel = format::TexelFormat::palette8;
+    task.settings.texel = TexelFormat::palette8;
     return task;
 }
 
@@ -28,7 +28,7 @@ TEST_CASE("a chord plan is the largest that fits, with as many directions as ori
         baker::BakeSettings plan = plan_chord(task_of(budget));
         INFO("budget " << budget << ": " << text_of(plan));
         CHECK(plan.origins == plan.directions);
-        CHECK(plan.texel == format::TexelFormat::palette8);
+        CHECK(plan.texel == TexelFormat::palette8);
         CHECK(baker::field_file_bytes(plan) <= budget);
         ++plan.origins;
         ++plan.directions;
@@ -39,12 +39,12 @@ TEST_CASE("a chord plan is the largest that fits, with as many directions as ori
 TEST_CASE("what is set by hand stays in a chord plan")
 {
     ChordTask task = task_of(500'000);
-    task.settings.texel = format::TexelFormat::rgb888;
+    task.settings.texel = TexelFormat::rgb888;
     task.settings.origins = 300;
     task.origins_by_hand = true;
     task.cap = [](uint32_t origins) { return origins / 2; };
     const baker::BakeSettings plan = plan_chord(task);
-    CHECK(plan.texel == format::TexelFormat::rgb888);
+    CHECK(plan.texel == TexelFormat::rgb888);
     CHECK(plan.origins == 300);
     CHECK(plan.used_origins == 150);
     CHECK(baker::field_file_bytes(plan) <= 500'000);
@@ -75,7 +75,7 @@ TEST_CASE("a chord plan's options set the same by hand")
     plan.origins = 700;
     plan.used_origins = 630;
     plan.directions = 800;
-    plan.texel = format::TexelFormat::palette8;
+    plan.texel = TexelFormat::palette8;
     CHECK_THAT(text_of(plan), Catch::StartsWith("700 origins (uppermost 630), 800 directions, palette8, "));
     CHECK(options_of(plan) == "--layout chord --origins 700 --cap 630 --directions 800 --texel palette8");
 }

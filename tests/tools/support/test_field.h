@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "lumi/chord/format.h"
 #include "lumi/detail/crc32.h"
-#include "lumi/field_format.h"
 
 namespace lumi::tools::test
 {
@@ -40,12 +40,12 @@ private:
 
 inline uint32_t crc_of(const std::string& bytes)
 {
-    return crc32(0, reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
+    return detail::crc32(0, reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
 }
 
 struct TestField {
     uint32_t origins = 40, directions = 60, used_origins = 40;
-    format::TexelFormat texel = format::TexelFormat::rgb888;
+    TexelFormat texel = TexelFormat::rgb888;
 };
 
 inline std::string layout_bytes(const TestField& field)
@@ -54,9 +54,9 @@ inline std::string layout_bytes(const TestField& field)
     layout.u32(field.origins);
     layout.u32(field.directions);
     layout.u32(field.used_origins);
-    layout.u32(format::padded_row_stride(field.directions, field.texel));
+    layout.u32(detail::format::padded_row_stride(field.directions, field.texel));
     layout.u8(static_cast<uint32_t>(field.texel));
-    layout.u8(static_cast<uint32_t>(format::ColourSpace::srgb));
+    layout.u8(static_cast<uint32_t>(ColourSpace::srgb));
     layout.u16(0);
     for (const float centre : {1.5f, -2.0f, 0.25f}) layout.f32(centre);
     layout.f32(3.5f);
@@ -66,7 +66,7 @@ inline std::string layout_bytes(const TestField& field)
 // Row i is one colour: bytes that repeat with i, none of them zero, so that every ray hits.
 inline std::string texel_bytes(const TestField& field)
 {
-    const uint32_t stride = format::padded_row_stride(field.directions, field.texel);
+    const uint32_t stride = detail::format::padded_row_stride(field.directions, field.texel);
     std::string texels;
     for (uint32_t i = 0; i < field.used_origins; ++i)
         texels += std::string(stride, static_cast<char>(static_cast<uint8_t>(1 + i * 7 % 250)));
@@ -77,7 +77,7 @@ inline std::string texel_bytes(const TestField& field)
 inline std::string palette_bytes()
 {
     ByteWriter palette;
-    for (uint32_t e = 0; e < format::kPaletteEntries; ++e)
+    for (uint32_t e = 0; e < detail::format::kPaletteEntries; ++e)
         for (const uint32_t value : {e, e, e, 255u}) palette.u8(value);
     return palette.bytes();
 }
@@ -91,14 +91,15 @@ struct TestSection {
 inline std::string file_bytes(const std::vector<TestSection>& sections)
 {
     const auto aligned = [](size_t size) {
-        return (size + format::kSectionAlignment - 1) / format::kSectionAlignment * format::kSectionAlignment;
+        return (size + detail::format::kSectionAlignment - 1) / detail::format::kSectionAlignment *
+               detail::format::kSectionAlignment;
     };
     ByteWriter table, body;
-    const size_t body_at = aligned(format::kHeaderBytes + sections.size() * format::kEntryBytes);
+    const size_t body_at = aligned(detail::format::kHeaderBytes + sections.size() * detail::format::kEntryBytes);
     for (const TestSection& section : sections) {
-        body.pad_to(format::kSectionAlignment);
+        body.pad_to(detail::format::kSectionAlignment);
         table.u32(section.type);
-        table.u32(format::kRequired);
+        table.u32(detail::format::kRequired);
         table.u32(static_cast<uint32_t>(body_at + body.bytes().size()));
         table.u32(static_cast<uint32_t>(section.bytes.size()));
         table.u32(crc_of(section.bytes));
@@ -106,33 +107,33 @@ inline std::string file_bytes(const std::vector<TestSection>& sections)
     }
 
     ByteWriter file;
-    file.append(std::string(reinterpret_cast<const char*>(format::kMagic), sizeof format::kMagic));
-    file.u16(format::kVersion);
-    file.u16(format::kHeaderBytes);
+    file.append(std::string(reinterpret_cast<const char*>(detail::format::kMagic), sizeof detail::format::kMagic));
+    file.u16(detail::format::kVersion);
+    file.u16(detail::format::kHeaderBytes);
     file.u32(static_cast<uint32_t>(body_at + body.bytes().size()));
     file.u16(static_cast<uint32_t>(sections.size()));
-    file.u16(format::kEntryBytes);
+    file.u16(detail::format::kEntryBytes);
     file.u32(0);
     file.u32(crc_of(table.bytes()));
     file.u32(crc_of(file.bytes()));
     file.append(table.bytes());
-    file.pad_to(format::kSectionAlignment);
+    file.pad_to(detail::format::kSectionAlignment);
     file.append(body.bytes());
     return file.bytes();
 }
 
 inline std::string field_bytes(const TestField& field)
 {
-    std::vector<TestSection> sections = {{format::kLayoutSection, layout_bytes(field)}};
-    if (field.texel == format::TexelFormat::palette8) sections.push_back({format::kPaletteSection, palette_bytes()});
-    sections.push_back({format::kTexelSection, texel_bytes(field)});
+    std::vector<TestSection> sections = {{detail::format::kLayoutSection, layout_bytes(field)}};
+    if (field.texel == TexelFormat::palette8) sections.push_back({detail::format::kPaletteSection, palette_bytes()});
+    sections.push_back({detail::format::kTexelSection, texel_bytes(field)});
     return file_bytes(sections);
 }
 
 // The container of a guided field, which no reader opens any more.
 inline std::string guided_bytes()
 {
-    return file_bytes({{format::four_cc('G', 'U', 'I', 'D'), std::string(44, '\1')}});
+    return file_bytes({{detail::format::four_cc('G', 'U', 'I', 'D'), std::string(44, '\1')}});
 }
 
 }  // namespace lumi::tools::test

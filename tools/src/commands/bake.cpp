@@ -33,7 +33,7 @@ enum class ProgressStyle { automatic, json };
 baker::BakeSettings chord_defaults()
 {
     baker::BakeSettings settings;
-    settings.texel = format::TexelFormat::palette8;
+    settings.texel = TexelFormat::palette8;
     return settings;
 }
 
@@ -48,13 +48,14 @@ struct BakeOptions {
     ProgressStyle progress = ProgressStyle::automatic;
 };
 
-Choices<format::TexelFormat> texel_choices()
+Choices<TexelFormat> texel_choices()
 {
-    Choices<format::TexelFormat> choices;
-    for (const format::TexelFormat format : AllTexels::kFormats) choices.push_back({texel_name(format), format});
+    Choices<TexelFormat> choices;
+    for (const TexelFormat format : detail::AllTexels::kFormats)
+        choices.push_back({detail::texel_name(format), format});
     return choices;
 }
-const Choices<format::TexelFormat> kTexelChoices = texel_choices();
+const Choices<TexelFormat> kTexelChoices = texel_choices();
 
 baker::BakeSettings settings_of(const BakeOptions& options)
 {
@@ -204,7 +205,7 @@ void add_scale_options(CLI::App& command, BakeOptions& options)
 void add_lattice_options(CLI::App& command, BakeOptions& options)
 {
     baker::BakeSettings& settings = options.settings;
-    const auto sizes = CLI::Range(uint32_t{1}, kMaxLatticeSize);
+    const auto sizes = CLI::Range(uint32_t{1}, detail::kMaxLatticeSize);
     command.add_option("--origins", settings.origins, "chord: points on the near side of the sphere, M")
         ->type_name("M")
         ->check(sizes)

@@ -99,7 +99,7 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         ->capture_default_str();
     command.add_option("--neighbours", options.drawing.neighbours, "Neighbours a side for --mode paper")
         ->type_name("K")
-        ->check(CLI::Range(1u, uint32_t{kMaxNeighbours}))
+        ->check(CLI::Range(1u, uint32_t{detail::kMaxNeighbours}))
         ->capture_default_str();
     command
         .add_option("--span", options.drawing.span_px,

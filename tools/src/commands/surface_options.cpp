@@ -12,7 +12,7 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
 {
     command.add_option("--triangles", s.triangles, "surface: triangles of the mesh, before long edges are split")
         ->type_name("T")
-        ->check(CLI::Range(uint32_t{1}, 2 * format::kMaxPatches))
+        ->check(CLI::Range(uint32_t{1}, 2 * detail::format::kMaxPatches))
         ->capture_default_str();
     command.add_option("--longest-edge", s.longest_edge, "surface: longer edges of the mesh are split, in radii")
         ->type_name("R")

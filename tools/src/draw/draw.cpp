@@ -14,9 +14,9 @@ Picture draw_texels(const Field& field, const Camera& camera, const DrawSettings
 
 Picture draw(const Field& field, const Camera& camera, const DrawSettings& settings)
 {
-    assert(settings.neighbours >= 1 && settings.neighbours <= kMaxNeighbours);
-    return with_texel(field.texel_format,
-                      [&](auto texel) { return draw_texels<decltype(texel)>(field, camera, settings); });
+    assert(settings.neighbours >= 1 && settings.neighbours <= detail::kMaxNeighbours);
+    return detail::with_texel(field.texel_format,
+                              [&](auto texel) { return draw_texels<decltype(texel)>(field, camera, settings); });
 }
 
 }  // namespace lumi::tools

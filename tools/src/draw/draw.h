@@ -3,8 +3,8 @@
 #pragma once
 
 #include "image/picture.h"
-#include "lumi/camera.h"
-#include "lumi/field.h"
+#include "lumi/chord/camera.h"
+#include "lumi/chord/field.h"
 
 namespace lumi::tools
 {

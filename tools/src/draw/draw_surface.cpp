@@ -88,8 +88,8 @@ Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye)
     SurfaceFrame frame;
     prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, memory.borrowed(), frame);
     Plane<uint16_t> depths(width, height);
-    std::vector<PackedColour> colours(depths.values.size());
-    surfaces::rasterize(frame, {0, 0, width, height}, depths.values.data(), colours.data());
+    std::vector<detail::PackedColour> colours(depths.values.size());
+    detail::rasterize(frame, {0, 0, width, height}, depths.values.data(), colours.data());
     return depths;
 }
 

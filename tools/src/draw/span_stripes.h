@@ -27,7 +27,7 @@ struct OnSpans {
 
 template <uint32_t kNeighbours>
 struct OnSpans<Paper<kNeighbours>> {
-    static constexpr uint32_t kMost = KernelTaps::kMost;
+    static constexpr uint32_t kMost = detail::KernelTaps::kMost;
     using Type = Paper<(kNeighbours < kMost ? kNeighbours : kMost)>;
 };
 
@@ -81,7 +81,8 @@ Picture with_reconstruction(const DrawSettings& settings, const Next& next)
         case Mode::linear:
             return next(Linear());
         case Mode::paper:
-            return with_neighbours(settings.neighbours, next, std::make_integer_sequence<uint32_t, kMaxNeighbours>());
+            return with_neighbours(settings.neighbours, next,
+                                   std::make_integer_sequence<uint32_t, detail::kMaxNeighbours>());
     }
     throw std::logic_error("unknown mode");
 }

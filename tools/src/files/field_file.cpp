@@ -65,16 +65,16 @@ FieldFile::FieldFile(const std::string& path, Role role) : path_(path)
 std::vector<Section> FieldFile::sections() const
 {
     const uint8_t* bytes = file_.bytes();
-    const uint32_t count = read_u32(bytes + format::header::kSectionCountAt) & 0xFFFF;
+    const uint32_t count = read_u32(bytes + detail::format::header::kSectionCountAt) & 0xFFFF;
     std::vector<Section> sections;
     for (uint32_t i = 0; i < count; ++i) {
-        const uint8_t* entry = bytes + format::kHeaderBytes + i * format::kEntryBytes;
+        const uint8_t* entry = bytes + detail::format::kHeaderBytes + i * detail::format::kEntryBytes;
         Section section;
-        section.type.assign(reinterpret_cast<const char*>(entry + format::entry::kTypeAt), sizeof(uint32_t));
-        section.required = (read_u32(entry + format::entry::kFlagsAt) & format::kRequired) != 0;
-        section.offset = read_u32(entry + format::entry::kOffsetAt);
-        section.bytes = read_u32(entry + format::entry::kSizeAt);
-        section.crc32 = read_u32(entry + format::entry::kCrcAt);
+        section.type.assign(reinterpret_cast<const char*>(entry + detail::format::entry::kTypeAt), sizeof(uint32_t));
+        section.required = (read_u32(entry + detail::format::entry::kFlagsAt) & detail::format::kRequired) != 0;
+        section.offset = read_u32(entry + detail::format::entry::kOffsetAt);
+        section.bytes = read_u32(entry + detail::format::entry::kSizeAt);
+        section.crc32 = read_u32(entry + detail::format::entry::kCrcAt);
         sections.push_back(section);
     }
     return sections;
@@ -82,7 +82,7 @@ std::vector<Section> FieldFile::sections() const
 
 bool FieldFile::is_intact(const Section& section) const
 {
-    return lumi::crc32(0, file_.bytes() + section.offset, section.bytes) == section.crc32;
+    return lumi::detail::crc32(0, file_.bytes() + section.offset, section.bytes) == section.crc32;
 }
 
 void FieldFile::require_intact() const

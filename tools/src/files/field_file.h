@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "files/cut_short.h"
-#include "lumi/field.h"
+#include "lumi/chord/field.h"
 #include "lumi/host/mapped_file.h"
 #include "lumi/surface/field.h"
 

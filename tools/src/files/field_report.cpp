@@ -24,9 +24,9 @@ float float_from_bits(uint32_t bits)
     return value;
 }
 
-const char* colour_space_name(format::ColourSpace space)
+const char* colour_space_name(ColourSpace space)
 {
-    return space == format::ColourSpace::srgb ? "srgb" : "unknown";
+    return space == ColourSpace::srgb ? "srgb" : "unknown";
 }
 
 template <class... Values>
@@ -65,9 +65,9 @@ void describe_chord(const Field& field, FieldReport& report)
     report.origins = field.origins.size();
     report.directions = field.directions.size();
     report.used_origins = field.used_origins;
-    report.row_bytes = field.directions.size() * format::bytes_per_texel(field.texel_format);
+    report.row_bytes = field.directions.size() * detail::format::bytes_per_texel(field.texel_format);
     report.row_stride_bytes = field.row_stride_bytes;
-    report.texel_format = texel_name(field.texel_format);
+    report.texel_format = detail::texel_name(field.texel_format);
     report.colour_space = colour_space_name(field.colour_space);
     report.centre = centre_of(field.centre_bits);
     report.radius = float_from_bits(field.radius_bits);
@@ -134,7 +134,7 @@ uint32_t triangles_of(const SurfaceField& field)
 {
     uint32_t triangles = field.patch_count;
     for (uint32_t k = 0; k < field.patch_count; ++k)
-        triangles += surface_patch(field, k).corner[3] != format::kNoVertex ? 1u : 0u;
+        triangles += detail::surface_patch(field, k).corner[3] != detail::format::kNoVertex ? 1u : 0u;
     return triangles;
 }
 
@@ -143,7 +143,7 @@ FieldReport describe_field(const FieldFile& file, bool verify)
     FieldReport report;
     report.path = file.path();
     report.file_bytes = file.size();
-    report.version = format::kVersion;
+    report.version = detail::format::kVersion;
     if (file.is_surface())
         describe_surface(file.surface(), report);
     else

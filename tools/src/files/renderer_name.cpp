@@ -11,9 +11,9 @@ namespace lumi::tools
 namespace
 {
 
-std::string texel_policy(format::TexelFormat format)
+std::string texel_policy(TexelFormat format)
 {
-    std::string name = texel_name(format);
+    std::string name = detail::texel_name(format);
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     return "lumi::Texel" + name;
 }

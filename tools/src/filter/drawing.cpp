@@ -65,8 +65,9 @@ uint8_t slope_byte(uint32_t before, uint32_t here, uint32_t after)
 {
     constexpr int kUnitsPerStep = 8, kFlat = 128;
     const auto step = [](uint32_t from, uint32_t to) { return static_cast<int>(to) - static_cast<int>(from); };
-    int slope = before == kEmptyDepth ? 0 : step(before, here);
-    if (after != kEmptyDepth && (before == kEmptyDepth || std::abs(step(here, after)) < std::abs(slope)))
+    int slope = before == detail::kEmptyDepth ? 0 : step(before, here);
+    if (after != detail::kEmptyDepth &&
+        (before == detail::kEmptyDepth || std::abs(step(here, after)) < std::abs(slope)))
         slope = step(here, after);
     return static_cast<uint8_t>(std::clamp(kFlat + slope / kUnitsPerStep, 1, kOpaque));
 }
@@ -75,13 +76,13 @@ void put_depths(const tools::Plane<uint16_t>& depths, int first, Planes& planes)
 {
     const int width = depths.width_px, height = depths.height_px;
     const auto at = [&](int x, int y) -> uint32_t {
-        return x < 0 || y < 0 || x >= width || y >= height ? kEmptyDepth : depths.at(x, y);
+        return x < 0 || y < 0 || x >= width || y >= height ? detail::kEmptyDepth : depths.at(x, y);
     };
     size_t i = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x, ++i) {
             const uint32_t here = at(x, y);
-            if (here == kEmptyDepth) continue;  // zeros
+            if (here == detail::kEmptyDepth) continue;  // zeros
             planes.plane(first)[i] = static_cast<uint8_t>(here >> 8);
             planes.plane(first + 1)[i] = slope_byte(at(x - 1, y), here, at(x + 1, y));
             planes.plane(first + 2)[i] = slope_byte(at(x, y - 1), here, at(x, y + 1));

@@ -51,7 +51,7 @@ void append(std::string& file, std::vector<uint8_t> section)
 
 // The two sections of a file that was checked.
 struct Sections {
-    container::Section settings, numbers;
+    detail::container::Section settings, numbers;
 };
 
 class Decoder
@@ -87,18 +87,19 @@ private:
     Sections checked_sections() const
     {
         static constexpr uint32_t kTypes[] = {kSettingsSection, kNumbersSection};
-        require(container::check_table(bytes_, size_));
+        require(detail::container::check_table(bytes_, size_));
         Sections found;
-        if (!container::find_section(bytes_, kSettingsSection, found.settings) ||
-            !container::find_section(bytes_, kNumbersSection, found.numbers))
+        if (!detail::container::find_section(bytes_, kSettingsSection, found.settings) ||
+            !detail::container::find_section(bytes_, kNumbersSection, found.numbers))
             fail("holds no weights of a filter");
-        require(container::check_sections(bytes_, {kTypes, 2}));
-        for (const container::Section& section : {found.settings, found.numbers})
-            if (crc32(0, bytes_ + section.offset, section.size) != section.crc) require(FieldError::section_crc);
+        require(detail::container::check_sections(bytes_, {kTypes, 2}));
+        for (const detail::container::Section& section : {found.settings, found.numbers})
+            if (detail::crc32(0, bytes_ + section.offset, section.size) != section.crc)
+                require(FieldError::section_crc);
         return found;
     }
 
-    Weights settings(const container::Section& section) const
+    Weights settings(const detail::container::Section& section) const
     {
         if (section.size != kSettingsBytes) fail("its settings have the wrong size");
         baker::ByteReader in(bytes_ + section.offset, section.size);

@@ -18,8 +18,8 @@ namespace lumi::filter
 // Sections, both required. FILT, kSettingsBytes: u32 version of the network, u32 input planes, u32 whether it gains,
 // u32 0, u64 × 2 the scene's fingerprint, u64 × 2 the field's digest, 4 × binary32 the sphere's bits.
 // FNUM: the network's numbers, binary32; empty where it gains nothing.
-inline constexpr uint32_t kSettingsSection = format::four_cc('F', 'I', 'L', 'T');
-inline constexpr uint32_t kNumbersSection = format::four_cc('F', 'N', 'U', 'M');
+inline constexpr uint32_t kSettingsSection = detail::format::four_cc('F', 'I', 'L', 'T');
+inline constexpr uint32_t kNumbersSection = detail::format::four_cc('F', 'N', 'U', 'M');
 inline constexpr uint32_t kSettingsBytes = 64;
 inline constexpr uint32_t kNetworkVersion = 1;
 

@@ -44,7 +44,7 @@ baker::BakeSettings plan_chord(const ChordTask& task)
     if (least > task.budget_bytes)
         throw NoPlan("nothing fits into " + tools::byte_text(task.budget_bytes) + "; the smallest that works takes " +
                      std::to_string(least) + " bytes");
-    uint32_t low = 1, high = kMaxLatticeSize + 1;
+    uint32_t low = 1, high = detail::kMaxLatticeSize + 1;
     while (high - low > 1) {
         const uint32_t middle = (low + high) / 2;
         (fits(task, middle) ? low : high) = middle;
@@ -56,14 +56,14 @@ std::string text_of(const baker::BakeSettings& s)
 {
     const std::string cap = has_cap(s) ? " (uppermost " + std::to_string(s.used_origins) + ")" : "";
     return std::to_string(s.origins) + " origins" + cap + ", " + std::to_string(s.directions) + " directions, " +
-           texel_name(s.texel) + ", " + tools::byte_text(baker::field_file_bytes(s));
+           detail::texel_name(s.texel) + ", " + tools::byte_text(baker::field_file_bytes(s));
 }
 
 std::string options_of(const baker::BakeSettings& s)
 {
     const std::string cap = has_cap(s) ? " --cap " + std::to_string(s.used_origins) : "";
     return "--layout chord --origins " + std::to_string(s.origins) + cap + " --directions " +
-           std::to_string(s.directions) + " --texel " + texel_name(s.texel);
+           std::to_string(s.directions) + " --texel " + detail::texel_name(s.texel);
 }
 
 }  // namespace lumi::planner

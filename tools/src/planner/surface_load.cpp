@@ -44,7 +44,7 @@ public:
         focal_ = camera.focal_q12 / 4096.0;
     }
 
-    Place operator()(const VertexQ14& v) const
+    Place operator()(const detail::VertexQ14& v) const
     {
         constexpr double kOneQ14 = 16384, kNearest = 1e-3;
         const Vector p = {v.x / kOneQ14 - position_.x, v.y / kOneQ14 - position_.y, v.z / kOneQ14 - position_.z};
@@ -67,7 +67,7 @@ double winding(const Place& a, const Place& b, const Place& c)
 
 // Whether no coordinate of a texture, which has so many columns from a to b and rows from a to c, changes by more than
 // `most` texels from sample to sample.
-bool is_magnified(const Place& a, const Place& b, const Place& c, const SurfacePatch& patch, double most)
+bool is_magnified(const Place& a, const Place& b, const Place& c, const detail::SurfacePatch& patch, double most)
 {
     const double area = std::fabs(winding(a, b, c));
     const auto fits = [&](const Place& end, uint32_t texels) {
@@ -88,7 +88,7 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
 {
     const Projection projected(eye, mode);
     std::vector<Place> places;
-    for (uint32_t k = 0; k < field.vertex_count; ++k) places.push_back(projected(surface_vertex(field, k)));
+    for (uint32_t k = 0; k < field.vertex_count; ++k) places.push_back(projected(detail::surface_vertex(field, k)));
     SurfaceLoad load;
     load.vertices = field.vertex_count;
     load.patches = field.patch_count;
@@ -96,7 +96,7 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
     std::vector<bool> is_lit(field.vertex_count);
     const double most = most_magnified(mode);
     double turned = 0;  // length of the sides of patches that have one triangle facing the eye and one not
-    const auto add = [&](uint32_t a, uint32_t b, uint32_t c, const SurfacePatch& patch) {
+    const auto add = [&](uint32_t a, uint32_t b, uint32_t c, const detail::SurfacePatch& patch) {
         const double area = winding(places[a], places[b], places[c]);
         if (area <= 0 && !field.two_sided) return false;
         const auto [low, high] = std::minmax({places[a].y, places[b].y, places[c].y});
@@ -108,10 +108,10 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
         return area > 0;
     };
     for (uint32_t k = 0; k < field.patch_count; ++k) {
-        const SurfacePatch patch = surface_patch(field, k);
+        const detail::SurfacePatch patch = detail::surface_patch(field, k);
         const uint32_t* v = patch.corner;
         const bool first = add(v[0], v[1], v[2], patch);
-        if (v[3] == format::kNoVertex) continue;
+        if (v[3] == detail::format::kNoVertex) continue;
         if (add(v[3], v[2], v[1], patch) != first)
             turned += std::hypot(places[v[1]].x - places[v[2]].x, places[v[1]].y - places[v[2]].y);
     }

@@ -44,8 +44,8 @@ double surface_instructions(const std::string& core, SurfaceMode mode, const Sur
 double surface_misses(const SurfaceLoad& load, double line_bytes)
 {
     constexpr double kPatchReads = 2.5, kTexelLines = 0.5;
-    const double mesh = format::kVertexBytes * load.vertices + format::kViewBytes * load.lit +
-                        kPatchReads * format::kPatchBytes * load.patches;
+    const double mesh = detail::format::kVertexBytes * load.vertices + detail::format::kViewBytes * load.lit +
+                        kPatchReads * detail::format::kPatchBytes * load.patches;
     return mesh / line_bytes + kTexelLines * std::min(load.samples, load.image);
 }
 

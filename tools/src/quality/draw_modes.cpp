@@ -27,7 +27,7 @@ bool set_reconstruction(std::string_view word, DrawSettings& settings)
     if (word.size() != kPaper.size() + 1 || word.substr(0, kPaper.size()) != kPaper) return false;
     settings.mode = Mode::paper;
     settings.neighbours = static_cast<uint32_t>(word.back() - '0');
-    return word.back() >= '1' && settings.neighbours <= kMaxNeighbours;
+    return word.back() >= '1' && settings.neighbours <= detail::kMaxNeighbours;
 }
 
 bool set_span(std::string_view word, DrawSettings& settings)

@@ -9,7 +9,7 @@
 #include "lumi/baker/bake.h"
 #include "lumi/baker/progress.h"
 #include "lumi/baker/scene.h"
-#include "lumi/field_format.h"
+#include "lumi/chord/format.h"
 
 namespace lumi::baker
 {
@@ -31,7 +31,7 @@ struct BakeSettings {
     uint32_t origins = 1024;     // M
     uint32_t directions = 2048;  // N
     uint32_t used_origins = 0;   // rows to bake, a cap around the north pole; 0 = all M
-    format::TexelFormat texel = format::TexelFormat::rgb565;
+    TexelFormat texel = TexelFormat::rgb565;
     uint32_t samples = 16;  // light paths per texel, at most
     // Adaptive sampling: a texel ends early, after 16, 24, 32, ... paths, once its standard error is below this many
     // steps of 255. 0: every texel takes all its paths.

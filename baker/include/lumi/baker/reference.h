@@ -7,7 +7,7 @@
 
 #include "lumi/baker/progress.h"
 #include "lumi/baker/scene.h"
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
 
 namespace lumi::baker
 {

@@ -10,8 +10,9 @@
 // there is room. Once it rests, every call refines it until the finest step has been drawn; then there is nothing to
 // draw. A pure function of its inputs: equal calls give equal answers, on every core.
 #pragma once
+#pragma GCC system_header
 
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
 #include "lumi/detail/quality_ladder.h"
 
 namespace lumi
@@ -58,7 +59,7 @@ public:
     QualityStep step() const { return static_cast<QualityStep>(ladder_.step()); }
 
 private:
-    QualityLadder ladder_;
+    detail::QualityLadder ladder_;
     int32_t parity_ = 1;
 };
 

@@ -4,11 +4,12 @@
 // A reconstruction policy has `kTaps`, the number of taps a side, and `taps(lattice, direction)`. A pixel's colour is
 // the sum over both sides' taps of w(i)·w(j)·L(i,j): the product kernel of LumiPath, section 2.3.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/chord/texel.h"
 #include "lumi/detail/lattice.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Weights sum to kWeightOneQ12. Unused taps have weight zero and a valid index.
@@ -18,12 +19,17 @@ struct Taps {
     uint32_t weight_q12[Count];
 };
 
+}  // namespace lumi::detail
+
+namespace lumi
+{
+
 // The nearest lattice point of each side: one texel a pixel.
 struct Nearest {
     static constexpr uint32_t kTaps = 1;
-    static Taps<kTaps> taps(const Lattice& lattice, const Vec3q30& direction)
+    static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
     {
-        return {{nearest(lattice, direction)}, {kWeightOneQ12}};
+        return {{detail::nearest(lattice, direction)}, {detail::kWeightOneQ12}};
     }
 };
 
@@ -40,9 +46,9 @@ struct Dither : Nearest {
 // Barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel, continuous.
 struct Linear {
     static constexpr uint32_t kTaps = 3;
-    static Taps<kTaps> taps(const Lattice& lattice, const Vec3q30& direction)
+    static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
     {
-        const Triangle t = triangle(lattice, direction);
+        const detail::Triangle t = detail::triangle(lattice, direction);
         return {{t.index[0], t.index[1], t.index[2]}, {t.weight_q12[0], t.weight_q12[1], t.weight_q12[2]}};
     }
 };
@@ -50,18 +56,23 @@ struct Linear {
 // The paper's kernel over the K nearest points of each side: K × K texels a pixel.
 template <uint32_t K = 5>
 struct Paper {
-    static_assert(K >= 1 && K <= kMaxNeighbours, "the paper's kernel takes 1 to 9 neighbours a side");
+    static_assert(K >= 1 && K <= detail::kMaxNeighbours, "the paper's kernel takes 1 to 9 neighbours a side");
     static constexpr uint32_t kTaps = K;
-    static Taps<kTaps> taps(const Lattice& lattice, const Vec3q30& direction)
+    static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
     {
-        Neighbour near[K];
-        const uint32_t count = neighbours(lattice, direction, K, near);
-        Taps<K> result{};
+        detail::Neighbour near[K];
+        const uint32_t count = detail::neighbours(lattice, direction, K, near);
+        detail::Taps<K> result{};
         for (uint32_t k = 0; k < count; ++k) result.index[k] = near[k].index;
-        kernel_weights(lattice, near, count, result.weight_q12);
+        detail::kernel_weights(lattice, near, count, result.weight_q12);
         return result;
     }
 };
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
 
 // Sums of weighted texels, Q24: at most 255·2^24 each, since the weights of both sides sum to 2^12 and r, g, b <= a.
 struct Gathered {
@@ -102,4 +113,4 @@ Gathered gather(const Field& field, const Vec3q30& front, const Vec3q30& back)
     return sums;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

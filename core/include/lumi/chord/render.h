@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws a field into stripes of pixels.
 //
-//     Camera camera; make_camera(orbit(az, el, dist), {240, 240, fov}, camera);
+//     Camera camera; make_camera(pose_of(orbit), image_of(orbit, 240, 240), camera);
 //     Stripe stripe = {buffer, 0, y, 240, 16, 480};
 //     render<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverColour{{0, 0, 0}}, stripe);
 //
@@ -10,15 +10,14 @@
 // is stated in docs/boards.md.
 // Policies are templates: what a firmware does not name is not linked.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/background.h"
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
+#include "lumi/chord/detail/sphere.h"
+#include "lumi/chord/field.h"
 #include "lumi/chord/reconstruction.h"
-#include "lumi/chord/sphere.h"
 #include "lumi/chord/texel.h"
-#include "lumi/field.h"
-#include "lumi/pixel.h"
-#include "lumi/stripe.h"
 
 namespace lumi
 {
@@ -28,6 +27,11 @@ enum class [[nodiscard]] RenderError : uint8_t{
     wrong_texel_format,  // the field holds another texel format than the policy
     unfit_for_spans,     // render_spans() only: see fits_spans(); render() draws this field
 };
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
 
 // Draws one scanline of covered pixels, every pixel evaluated exactly. `pixels` is where pixel extent.begin lies.
 template <class Reconstruction, class Texel, class Pixel, class Background>
@@ -45,33 +49,10 @@ void draw_exact(const Field& field, const Camera& camera, const Background& back
     }
 }
 
-// Writes `count` pixels of a background of the kind that fills.
-template <class Pixel, class Background>
-void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
-{
-    if constexpr (kKeepsCoverage<Background>) {
-        __builtin_memset(pixel, 0, static_cast<uint32_t>(count) * Pixel::kBytes);
-    } else {
-        const Rgb8 colour = background.template under<Pixel>(nullptr);
-#pragma GCC unroll 8
-        for (int32_t k = 0; k < count; ++k, pixel += Pixel::kBytes) Pixel::store(pixel, colour);
-    }
-}
+}  // namespace lumi::detail
 
-// Writes the background on both sides of a scanline's covered extent, where the background is of the kind that fills:
-// never beside the stripe, wherever the extent lies.
-template <class Pixel, class Background>
-void fill_beside(const Background& background, const Stripe& stripe, const Extent& extent, int32_t y)
+namespace lumi
 {
-    if (!Background::kFills) return;
-    const auto within = [](int32_t x, int32_t from, int32_t to) { return x < from ? from : x < to ? x : to; };
-    const int32_t left = stripe.x_px;
-    const int32_t right = stripe.right_px();
-    const int32_t begin = within(extent.begin, left, right);
-    const int32_t end = within(extent.end, begin, right);
-    fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, left, y), begin - left);
-    fill_pixels<Pixel>(background, pixel_of<Pixel>(stripe, end, y), right - end);
-}
 
 // Draws every pixel of the stripe. Over a constant colour the whole stripe is written; over the stripe's own content
 // only pixels that the sphere covers are touched.
@@ -80,11 +61,11 @@ RenderError render(const Field& field, const Camera& camera, const Background& b
 {
     if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
     for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
-        const Extent extent = covered_extent(camera, y, stripe.x_px, stripe.right_px());
-        fill_beside<Pixel>(background, stripe, extent, y);
+        const detail::Extent extent = detail::covered_extent(camera, y, stripe.x_px, stripe.right_px());
+        detail::fill_beside<Pixel>(background, stripe, extent, y);
         if (extent.begin >= extent.end) continue;
-        draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, extent, y,
-                                                 pixel_of<Pixel>(stripe, extent.begin, y));
+        detail::draw_exact<Reconstruction, Texel, Pixel>(field, camera, background, extent, y,
+                                                         pixel_of<Pixel>(stripe, extent.begin, y));
     }
     return RenderError::none;
 }

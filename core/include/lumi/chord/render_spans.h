@@ -10,10 +10,12 @@
 // 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Paper<K> and NearestVoronoi need
 // <lumi/chord/render_spans_paper.h>, too.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/chord/detail/cut_piece.h"
 #include "lumi/chord/detail/linear.h"
 #include "lumi/chord/detail/one_tap.h"
+#include "lumi/chord/render.h"
 
 namespace lumi
 {
@@ -23,13 +25,19 @@ namespace lumi
 // address divisible by 4 has that, if its row stride is even.
 inline bool fits_spans(const Field& field)
 {
-    const auto has_zones = [](const Lattice& l) { return l.size() >= kMinSpanLattice && l.size() <= kMaxSpanLattice; };
+    const auto has_zones = [](const detail::Lattice& l) {
+        return l.size() >= detail::kMinSpanLattice && l.size() <= detail::kMaxSpanLattice;
+    };
     const auto aligned = [](const uint8_t* p, uintptr_t to) { return reinterpret_cast<uintptr_t>(p) % to == 0; };
     if (!has_zones(field.origins) || !has_zones(field.directions)) return false;
-    if (field.texel_format == format::TexelFormat::rgb565)
-        return aligned(field.texels, 2) && field.row_stride_bytes % 2 == 0;
-    return field.texel_format != format::TexelFormat::palette8 || aligned(field.palette, 4);
+    if (field.texel_format == TexelFormat::rgb565) return aligned(field.texels, 2) && field.row_stride_bytes % 2 == 0;
+    return field.texel_format != TexelFormat::palette8 || aligned(field.palette, 4);
 }
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
 
 // The loops, each with a frame of its own: what they keep on the stack ends before the next piece is set up.
 template <class Reconstruction, class Texel, class Pixel, class Background>
@@ -44,6 +52,11 @@ struct PieceLoops {
     }
 };
 
+}  // namespace lumi::detail
+
+namespace lumi
+{
+
 template <class Reconstruction, class Texel, class Pixel, class Background>
 RenderError render_spans(const Field& field, const Camera& camera, const Background& background, const Stripe& stripe,
                          int32_t span_px)
@@ -51,21 +64,21 @@ RenderError render_spans(const Field& field, const Camera& camera, const Backgro
     if (field.texel_format != Texel::kFormat) return RenderError::wrong_texel_format;
     if (!fits_spans(field)) return RenderError::unfit_for_spans;
     int span_log2 = 1;
-    while (span_log2 < kMaxSpanLog2 && (2 << span_log2) <= span_px) ++span_log2;
-    using Loops = PieceLoops<Reconstruction, Texel, Pixel, Background>;
-    ChordStepper stepper(field, camera, stripe, span_log2);
-    LatticeLine& origins = stepper.origins();
-    LatticeLine& directions = stepper.directions();
-    alignas(4) uint8_t cut[kMostPiecePixels * Pixel::kBytes] = {};
-    for (Piece piece; stepper.next(piece);) {
-        if (piece.kind == Piece::Kind::scanline) {
-            fill_beside<Pixel>(background, stripe, {piece.x, piece.x + piece.width}, piece.y);
+    while (span_log2 < detail::kMaxSpanLog2 && (2 << span_log2) <= span_px) ++span_log2;
+    using Loops = detail::PieceLoops<Reconstruction, Texel, Pixel, Background>;
+    detail::ChordStepper stepper(field, camera, stripe, span_log2);
+    detail::LatticeLine& origins = stepper.origins();
+    detail::LatticeLine& directions = stepper.directions();
+    alignas(4) uint8_t cut[detail::kMostPiecePixels * Pixel::kBytes] = {};
+    for (detail::Piece piece; stepper.next(piece);) {
+        if (piece.kind == detail::Piece::Kind::scanline) {
+            detail::fill_beside<Pixel>(background, stripe, {piece.x, piece.x + piece.width}, piece.y);
             continue;
         }
-        const bool is_in_part = is_cut(stripe, piece);
-        if (is_in_part) copy_from_stripe(stripe, piece, Pixel::kBytes, cut);
+        const bool is_in_part = detail::is_cut(stripe, piece);
+        if (is_in_part) detail::copy_from_stripe(stripe, piece, Pixel::kBytes, cut);
         uint8_t* const pixels = is_in_part ? cut : pixel_of<Pixel>(stripe, piece.x, piece.y);
-        if (piece.kind == Piece::Kind::cells) {
+        if (piece.kind == detail::Piece::Kind::cells) {
             Loops::draw({field, background, pixels, piece.width, piece.x, piece.y, origins.cells, directions.cells,
                          piece.tile});
         } else {

@@ -2,6 +2,7 @@
 // For render_spans(): the reconstructions that compare distances, Paper<K> and NearestVoronoi. What a firmware does not
 // include is not linked.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/chord/detail/kernel/kernel.h"
 #include "lumi/chord/render_spans.h"

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A view of a chord field (view.h). Besides the stripe it needs no memory.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/chord/render_spans.h"
 #include "lumi/view.h"
 
-namespace lumi
-{
-
-namespace views
+namespace lumi::detail
 {
 
 // Opens a field for render_spans() with texels of this format. `out` stays as it was on failure.
-inline ViewError open_for_spans(const uint8_t* bytes, size_t size, format::TexelFormat texels, Field& out)
+inline ViewError open_for_spans(const uint8_t* bytes, size_t size, TexelFormat texels, Field& out)
 {
     Field opened;
     if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none) return view_error(error);
@@ -44,7 +42,10 @@ struct ChordState {
     ViewError look(const Pose& pose, const Image& image) { return view_error(make_camera(pose, image, camera)); }
 };
 
-}  // namespace views
+}  // namespace lumi::detail
+
+namespace lumi
+{
 
 // By spans, render_spans(). The mode is how many pixels may lie between exact hits: 2, 4, 8 or 16.
 template <class Texel, class Reconstruction = Linear>
@@ -62,7 +63,7 @@ struct ChordDrawing {
     public:
         ViewError open(const uint8_t* bytes, size_t size)
         {
-            return views::open_for_spans(bytes, size, Texel::kFormat, state_.field);
+            return detail::open_for_spans(bytes, size, Texel::kFormat, state_.field);
         }
 
         ViewError look(const Pose& pose, const Image& image, Mode span_px)
@@ -73,7 +74,7 @@ struct ChordDrawing {
         }
 
         template <class Background>
-        ViewError draw(const Stripe& stripe, const views::StripePart&, const Background& background,
+        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background,
                        Samples<ScreenOf>&) const
         {
             const RenderError error = render_spans<Reconstruction, Texel, typename ScreenOf::Pixel>(
@@ -82,7 +83,7 @@ struct ChordDrawing {
         }
 
     private:
-        views::ChordState<Texel> state_{};
+        detail::ChordState<Texel> state_{};
         Mode span_px_ = 0;
     };
 };
@@ -106,7 +107,7 @@ struct ExactChordDrawing {
         ViewError look(const Pose& pose, const Image& image, Mode) { return state_.look(pose, image); }
 
         template <class Background>
-        ViewError draw(const Stripe& stripe, const views::StripePart&, const Background& background,
+        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background,
                        Samples<ScreenOf>&) const
         {
             const RenderError error = render<Reconstruction, Texel, typename ScreenOf::Pixel>(
@@ -115,7 +116,7 @@ struct ExactChordDrawing {
         }
 
     private:
-        views::ChordState<Texel> state_{};
+        detail::ChordState<Texel> state_{};
     };
 };
 

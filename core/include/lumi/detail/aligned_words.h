@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 template <class Word>
@@ -34,4 +34,4 @@ void store_aligned(uint8_t* p, Word v)
     __builtin_memcpy(__builtin_assume_aligned(p, sizeof v), &v, sizeof v);
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 // The triangle of a cell around fractions fu, fv in [0, one): which of its corners are taken, and their weights.
@@ -24,4 +24,4 @@ struct CellTriangle {
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -11,7 +11,7 @@
 
 #include "lumi/fixed.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 inline constexpr uint32_t kMaxLatticeSize = uint32_t{1} << 20;
@@ -81,4 +81,4 @@ struct Triangle {
 };
 Triangle triangle(const Lattice& lattice, const Vec3q30& direction);
 
-}  // namespace lumi
+}  // namespace lumi::detail

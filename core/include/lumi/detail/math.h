@@ -10,7 +10,7 @@
 
 #include "lumi/fixed.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // 1/sqrt(v) for v > 0, as mantissa·2^-exponent with mantissa in [2^30, 2^31]. Relative error below 2^-28.
@@ -23,12 +23,6 @@ ReciprocalRoot reciprocal_root(uint64_t v);
 // sqrt(v), rounded down within one unit and 2^-28 of the result; 0 for 0.
 uint32_t square_root(uint64_t v);
 
-// sin and cos of an angle, Q30. Absolute error below 2^-28.
-struct SinCos {
-    int32_t sin_q30, cos_q30;
-};
-SinCos sin_cos(uint32_t angle_turns32);
-
 // The angle of (x, y) from +x towards +y; 0 for (0, 0). |x|, |y| <= 2^30 + 2^10. Error below 2^-27 turn for vectors
 // longer than 2^22, growing with the rounding of shorter ones.
 uint32_t angle_turns32(int32_t y, int32_t x);
@@ -36,4 +30,4 @@ uint32_t angle_turns32(int32_t y, int32_t x);
 // (a·b) >> shift without losing the high bits of the 96-bit product; rounds down. 0 < shift <= 32; the result must fit.
 int64_t multiply_shift(int64_t a, int32_t b, int shift);
 
-}  // namespace lumi
+}  // namespace lumi::detail

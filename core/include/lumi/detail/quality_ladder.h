@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 struct LadderLimits {
@@ -41,4 +41,4 @@ private:
     static constexpr uint32_t kLong = 1u << 20;
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

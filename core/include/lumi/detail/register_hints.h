@@ -4,7 +4,7 @@
 
 #define LUMI_ALWAYS_INLINE __attribute__((always_inline)) inline
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Keeps a value in a register as it is, so that GCC does not take sums of addresses apart again.
@@ -15,4 +15,4 @@ LUMI_ALWAYS_INLINE T settled(T value)
     return value;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

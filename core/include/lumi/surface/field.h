@@ -2,6 +2,7 @@
 // A surface field, read in place: sections of surface/format.h. The caller owns the bytes and keeps them alive and
 // unchanged. open_surface() checks everything that decides where bytes are read, so no later call can leave the buffer.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/field.h"
 #include "lumi/surface/format.h"
@@ -20,7 +21,7 @@ struct SurfaceField {
     uint32_t vertex_count = 0, viewed_count = 0, patch_count = 0, texel_bytes = 0;
     uint32_t longest_edge_q6 = 0;  // radii
     bool two_sided = false;
-    format::ColourSpace colour_space = format::ColourSpace::srgb;
+    ColourSpace colour_space = ColourSpace::srgb;
     uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
     uint32_t radius_bits = 0;
 };
@@ -28,6 +29,11 @@ struct SurfaceField {
 // Checks `size` bytes and fills `out`, which stays untouched on failure. Cost: a CRC over header and table, one pass
 // over vertices and patches. verify_field() (field.h) checks the CRC of every section.
 FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out);
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
 
 struct VertexQ14 {
     int32_t x, y, z;
@@ -55,4 +61,4 @@ inline SurfacePatch surface_patch(const SurfaceField& field, uint32_t k)
     return {{u16(0), u16(2), u16(4), u16(6)}, place & 0xFFFFF, (place >> 20) & 63, place >> 26};
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

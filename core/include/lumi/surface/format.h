@@ -9,19 +9,12 @@
 // with b_c barycentric. View nodes are points 0 .. kViewNodes - 1 of the Spherical Fibonacci lattice of kViewLattice
 // points, in a frame of the vertex's own whose +z is about its normal; view_nodes.h finds those around a direction.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/field_format.h"
 
-namespace lumi::format
+namespace lumi::detail::format
 {
-
-inline constexpr uint32_t kSurfaceSection = four_cc('S', 'U', 'R', 'F');    // required, kSurfaceBytes
-inline constexpr uint32_t kVertexSection = four_cc('S', 'V', 'T', 'X');     // required, vertices × kVertexBytes
-inline constexpr uint32_t kPatchSection = four_cc('S', 'P', 'A', 'T');      // required, patches × kPatchBytes
-inline constexpr uint32_t kColourSection = four_cc('S', 'T', 'E', 'X');     // required, one byte a texel
-inline constexpr uint32_t kPaletteRgb = four_cc('S', 'P', 'A', 'L');        // required, 256 × (r, g, b)
-inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');       // view tables, where there are any
-inline constexpr uint32_t kNeighbourSection = four_cc('S', 'N', 'E', 'I');  // optional, patches × kNeighbourBytes
 
 inline constexpr uint32_t kSurfaceBytes = 32;
 namespace surface
@@ -89,4 +82,4 @@ inline constexpr uint32_t kGainAt = 3;   // u8
 inline constexpr uint32_t kNodesAt = 4;  // kViewNodes × 4 bits, the even node in the low bits: which of its colours
 }  // namespace view
 
-}  // namespace lumi::format
+}  // namespace lumi::detail::format

@@ -10,10 +10,39 @@
 // to kNearDepth that is affine in 1/depth and therefore in the image. The sphere makes the range, so several meshes in
 // one sphere share it.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/camera.h"
+#include "lumi/stripe.h"
 #include "lumi/surface/detail/packed_colour.h"
 #include "lumi/surface/field.h"
+
+namespace lumi::detail
+{
+
+inline constexpr uint32_t kEmptyDepth = 0;
+inline constexpr uint32_t kFarDepth = 256;
+inline constexpr uint32_t kNearDepth = 65279;  // rounding on the way never wraps 16 bits
+
+// From a vertex's numbers to the grid of samples; shifts and scales are chosen so that all fits 32 bits.
+struct SurfaceProjection {
+    int32_t axis[3][3];   // rows x, y, z: per unit of a vertex's number, kAxisBits
+    int32_t shift[3];     // right, after the sum
+    int32_t eye[3];       // added after the shift
+    int32_t place_shift;  // of x and y after the division
+    int32_t centre_x_q6, centre_y_q6;
+    int32_t near_z, far_z;  // of the range of depths, as z
+    int32_t depth_bits;     // fraction bits of z
+    int32_t ahead_shift;    // of far_z - z, to 16 bits
+    uint32_t depth_factor;  // 16 bits
+    int32_t depth_shift;
+    uint32_t depth_offset;  // a depth's number + this is proportional to 1/z
+    uint32_t curved_from;   // edges that come nearer than this depth may look bent along their texture
+    VertexQ14 viewer;       // the eye in the vertices' format, shifted right
+    int32_t viewer_shift;
+};
+
+}  // namespace lumi::detail
 
 namespace lumi
 {
@@ -37,10 +66,6 @@ struct SurfaceCamera {
 
 // Fills `out`, which stays untouched on failure. Takes what make_camera takes.
 CameraError make_surface_camera(const Pose& pose, const Image& image, SurfaceCamera& out);
-
-inline constexpr uint32_t kEmptyDepth = 0;
-inline constexpr uint32_t kFarDepth = 256;
-inline constexpr uint32_t kNearDepth = 65279;  // rounding on the way never wraps 16 bits
 
 // A vertex on the grid of samples: 24 bits of x and y in 1/64 sample, and 16 bits of depth below them, 0 for a vertex
 // nearer than the near plane or beside the guard band. The view's share of its colour in 3 × 10 bits, see lit_colour.
@@ -84,47 +109,32 @@ constexpr uint32_t surface_frame_bytes(uint32_t vertices, uint32_t patches, int3
            static_cast<uint32_t>(sizeof(uint16_t)) * (surface_links(patches) + surface_bands(height_px, band_log2));
 }
 
-// From a vertex's numbers to the grid of samples; shifts and scales are chosen so that all fits 32 bits.
-struct SurfaceProjection {
-    int32_t axis[3][3];   // rows x, y, z: per unit of a vertex's number, kAxisBits
-    int32_t shift[3];     // right, after the sum
-    int32_t eye[3];       // added after the shift
-    int32_t place_shift;  // of x and y after the division
-    int32_t centre_x_q6, centre_y_q6;
-    int32_t near_z, far_z;  // of the range of depths, as z
-    int32_t depth_bits;     // fraction bits of z
-    int32_t ahead_shift;    // of far_z - z, to 16 bits
-    uint32_t depth_factor;  // 16 bits
-    int32_t depth_shift;
-    uint32_t depth_offset;  // a depth's number + this is proportional to 1/z
-    uint32_t curved_from;   // edges that come nearer than this depth may look bent along their texture
-    VertexQ14 viewer;       // the eye in the vertices' format, shifted right
-    int32_t viewer_shift;
-};
-
-struct PixelRange {
-    int32_t begin, end;
-};
-
 struct SurfaceFrame {
     SurfaceField field;
     SurfaceMemory memory;
-    SurfaceProjection projection;
+    detail::SurfaceProjection projection;
     int32_t width_px, height_px;
     SurfaceMode mode;
-    uint32_t samples_log2;          // a side of a pixel: 0 or 1
-    PixelRange columns, scanlines;  // beside them all is background
-    bool is_whole;                  // no vertex is missing
-    bool is_narrow;                 // areas of triangles fit 32 bits
-    uint32_t other_list;            // the last of the bands' lists: triangles that are cut, large or tall
-    PackedColour palette[256];
+    uint32_t samples_log2;              // a side of a pixel: 0 or 1
+    detail::Extent columns, scanlines;  // beside them all is background
+    bool is_whole;                      // no vertex is missing
+    bool is_narrow;                     // areas of triangles fit 32 bits
+    uint32_t other_list;                // the last of the bands' lists: triangles that are cut, large or tall
+    detail::PackedColour palette[256];
 };
 
-namespace surfaces
+}  // namespace lumi
+
+namespace lumi::detail
 {
+
 void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
              SurfaceFrame& out);
-}
+
+}  // namespace lumi::detail
+
+namespace lumi
+{
 
 // Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
 // docs/log/tradeoff.md, surface fields.
@@ -132,11 +142,11 @@ template <class Pixel>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out)
 {
-    surfaces::prepare(field, camera, mode, memory, out);
+    detail::prepare(field, camera, mode, memory, out);
     const uint8_t* entry = field.palette;
-    for (PackedColour& c : out.palette) {
-        c = palette_colour<Pixel>({entry[0], entry[1], entry[2]});
-        if (mode == SurfaceMode::antialiased) c = mean_of(c, 0);
+    for (detail::PackedColour& c : out.palette) {
+        c = detail::palette_colour<Pixel>({entry[0], entry[1], entry[2]});
+        if (mode == SurfaceMode::antialiased) c = detail::mean_of(c, 0);
         entry += 3;
     }
 }

@@ -7,6 +7,7 @@
 //
 // A pure function of its inputs: equal calls give equal answers, on every core.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/detail/quality_ladder.h"
 #include "lumi/surface/frame.h"
@@ -47,7 +48,7 @@ private:
     static constexpr uint8_t number(SurfaceMode mode) { return static_cast<uint8_t>(mode); }
 
     static constexpr uint8_t kGrowth_q4[] = {16, 26, 26};  // measured: docs/log/tradeoff.md, with a margin
-    QualityLadder ladder_;
+    detail::QualityLadder ladder_;
 };
 
 }  // namespace lumi

@@ -8,9 +8,9 @@
 // A stripe may be any rectangle of the image, or beside it. Stripes may be drawn in any order, and on several cores at
 // once with a buffer of samples each. Any rectangle shows the same pixels as any other.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/background.h"
-#include "lumi/chord/render.h"
 #include "lumi/detail/register_hints.h"
 #include "lumi/surface/detail/hot.h"
 #include "lumi/surface/frame.h"
@@ -24,7 +24,7 @@ constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t height_px, Sur
     const uint32_t samples = mode == SurfaceMode::two_by_two ? 4 : 1;
     const int32_t margin = mode == SurfaceMode::antialiased ? 2 : 0;
     return static_cast<uint32_t>(width_px + margin) * static_cast<uint32_t>(height_px + margin) * samples *
-           static_cast<uint32_t>(sizeof(PackedColour) + sizeof(uint16_t));
+           static_cast<uint32_t>(sizeof(detail::PackedColour) + sizeof(uint16_t));
 }
 
 // The same for every mode up to the finest: the smallest stripes, up to 1 × 5 pixels, take more for the margin of
@@ -40,7 +40,9 @@ constexpr uint32_t surface_stripe_bytes_up_to(int32_t width_px, int32_t height_p
     return most;
 }
 
-namespace surfaces
+}  // namespace lumi
+
+namespace lumi::detail
 {
 
 struct SampleRect {
@@ -95,9 +97,9 @@ __attribute__((noinline)) void store_covered_part(uint8_t* pixel, const uint16_t
 // that which one. The colours of both stay, and of several marks the largest, so the order of edges does not matter.
 inline constexpr PackedColour kMarkedColour = 0x80000000;
 inline constexpr uint32_t kMarkBits = 6, kMostShare = 15;
-enum class Neighbour : uint8_t { right, left, below, above };
+enum class PixelSide : uint8_t { right, left, below, above };
 
-constexpr uint32_t mark_bits(uint32_t share, Neighbour other)
+constexpr uint32_t mark_bits(uint32_t share, PixelSide other)
 {
     return (share > kMostShare ? kMostShare : share) << 2 | static_cast<uint32_t>(other);
 }
@@ -205,9 +207,7 @@ template <class Pixel, bool kFillsSamples, class Background>
 LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background& background, const Stripe& stripe,
                                     void* samples)
 {
-    const auto clamped_to = [](int32_t v, const PixelRange& r) {
-        return v < r.begin ? r.begin : v < r.end ? v : r.end;
-    };
+    const auto clamped_to = [](int32_t v, const Extent& r) { return v < r.begin ? r.begin : v < r.end ? v : r.end; };
     const int32_t left = clamped_to(stripe.x_px, frame.columns), right = clamped_to(stripe.right_px(), frame.columns);
     const int32_t top = clamped_to(stripe.y_px, frame.scanlines),
                   bottom = clamped_to(stripe.bottom_px(), frame.scanlines);
@@ -243,21 +243,24 @@ LUMI_ALWAYS_INLINE void draw_stripe(const SurfaceFrame& frame, const Background&
     }
 }
 
-}  // namespace surfaces
+}  // namespace lumi::detail
+
+namespace lumi
+{
 
 // Draws every pixel of the stripe: over a constant colour all of them are written, over the stripe's own content only
 // those that the surface covers. `samples`: surface_stripe_bytes() of the stripe, at an address divisible by 4.
 template <class Pixel, class Background>
 void render_surface(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, void* samples)
 {
-    surfaces::draw_stripe<Pixel, true>(frame, background, stripe, samples);
+    detail::draw_stripe<Pixel, true>(frame, background, stripe, samples);
 }
 
 // The coverage of the stripe that render_surface drew last into these samples, a byte a pixel: `coverage` has that
 // stripe's place and size in the image. Colours over nothing and this are the planes of LVGL's RGB565A8.
 inline void render_coverage(const SurfaceFrame& frame, const Stripe& coverage, void* samples)
 {
-    surfaces::draw_stripe<PixelA8, false>(frame, OverNothing{}, coverage, samples);
+    detail::draw_stripe<PixelA8, false>(frame, OverNothing{}, coverage, samples);
 }
 
 }  // namespace lumi

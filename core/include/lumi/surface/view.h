@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A view of a surface field (view.h): prepare_surface and render_surface with their memory.
 #pragma once
+#pragma GCC system_header
 
 #include "lumi/surface/render.h"
 #include "lumi/view.h"
 
-namespace lumi
-{
-
-namespace views
+namespace lumi::detail
 {
 
 template <class Pixel>
@@ -29,13 +27,17 @@ inline ViewError check_samples(const SurfaceFrame& frame, const StripePart& part
     return fits ? ViewError::none : ViewError::stripe_too_large;
 }
 
-}  // namespace views
+}  // namespace lumi::detail
+
+namespace lumi
+{
 
 // Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for all modes up to kFinest:
 // 2 × 2 takes four times as many samples as the others.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased>
 struct SurfaceDrawing {
-    static_assert(kVertices <= format::kMaxSurfaceVertices && kPatches <= format::kMaxPatches, "more than a field has");
+    static_assert(kVertices <= detail::format::kMaxSurfaceVertices && kPatches <= detail::format::kMaxPatches,
+                  "more than a field has");
     using Mode = SurfaceMode;
     static constexpr Mode kDefaultMode = kFinest;
 
@@ -53,7 +55,7 @@ struct SurfaceDrawing {
         {
             SurfaceField field;
             if (const FieldError error = open_surface(bytes, size, field); error != FieldError::none)
-                return view_error(error);
+                return detail::view_error(error);
             if (field.vertex_count > kVertices || field.patch_count > kPatches) return ViewError::field_too_large;
             field_ = field;
             return ViewError::none;
@@ -62,23 +64,24 @@ struct SurfaceDrawing {
         ViewError look(const Pose& pose, const Image& image, Mode mode)
         {
             if (mode > kFinest) return ViewError::mode_too_fine;
-            return views::look_at_surface<typename ScreenOf::Pixel>(field_, pose, image, mode,
-                                                                    {vertices_, links_, bands_, kBandLog2}, frame_);
+            return detail::look_at_surface<typename ScreenOf::Pixel>(field_, pose, image, mode,
+                                                                     {vertices_, links_, bands_, kBandLog2}, frame_);
         }
 
         template <class Background>
-        ViewError draw(const Stripe& stripe, const views::StripePart& part, const Background& background,
+        ViewError draw(const Stripe& stripe, const detail::StripePart& part, const Background& background,
                        Samples<ScreenOf>& samples) const
         {
-            const ViewError error = views::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
+            const ViewError error = detail::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
             if (error == ViewError::none)
                 render_surface<typename ScreenOf::Pixel>(frame_, background, stripe, samples.words);
             return error;
         }
 
-        ViewError draw_coverage(const Stripe& coverage, const views::StripePart& part, Samples<ScreenOf>& samples) const
+        ViewError draw_coverage(const Stripe& coverage, const detail::StripePart& part,
+                                Samples<ScreenOf>& samples) const
         {
-            const ViewError error = views::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
+            const ViewError error = detail::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
             if (error == ViewError::none) render_coverage(frame_, coverage, samples.words);
             return error;
         }

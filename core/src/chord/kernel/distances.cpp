@@ -3,7 +3,7 @@
 
 #include "math/generate.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -191,4 +191,4 @@ int32_t SpanDistances::existing(int32_t corner, int32_t along_q26) const
     return pack(first, kept(corner + next_strand_, behind ? 1 : 0));
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

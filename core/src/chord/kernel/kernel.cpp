@@ -3,7 +3,7 @@
 
 #include "lattice/polar.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -83,4 +83,4 @@ void KernelTaps::set(const PolarPoints& near, int most, int bits)
     if (count > 0) weight[0] = rest;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

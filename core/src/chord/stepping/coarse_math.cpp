@@ -3,7 +3,7 @@
 
 #include "math/generate.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -121,4 +121,4 @@ uint32_t ratio_q15(uint32_t small, uint32_t large)
     return ratio;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

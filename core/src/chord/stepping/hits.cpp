@@ -3,7 +3,7 @@
 
 #include "lumi/detail/register_hints.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -107,4 +107,4 @@ void HitEvaluator::evaluate(const ScanlineRays& rays, int32_t ahead, HitPair& ou
     set(out.back, (lift - along) >> 15, m + shrink);
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

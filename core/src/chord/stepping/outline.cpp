@@ -3,7 +3,7 @@
 
 #include "lumi/detail/math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -253,4 +253,4 @@ Extent OutlineTracker::columns(int32_t top, int32_t bottom, const Extent& betwee
     return {open_left ? begin : begin + step, open_right ? end : end - step};
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

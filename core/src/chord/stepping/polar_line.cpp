@@ -3,7 +3,7 @@
 
 #include "lattice/polar.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -66,4 +66,4 @@ void PolarLine::find(int32_t at)
     step_q16[0] = -step_q16[1] - step_q16[2];
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -3,7 +3,7 @@
 
 #include "lumi/detail/math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -107,4 +107,4 @@ int32_t LineWalker::prepare_polar(const HitPair& at, const HitPair& next, int32_
     return length;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

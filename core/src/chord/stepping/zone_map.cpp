@@ -3,7 +3,7 @@
 
 #include "lattice/zone_tables.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -120,4 +120,4 @@ void LatticeTrack::set_polar(const LatticePoint& from, const LatticePoint& step_
     line.polar.find(0);
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

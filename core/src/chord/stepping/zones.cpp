@@ -5,7 +5,7 @@
 #include "lattice/zone_tables.h"
 #include "lumi/detail/math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 namespace
 {
@@ -63,4 +63,4 @@ LatticeZones::LatticeZones(const Lattice& lattice)
     }
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

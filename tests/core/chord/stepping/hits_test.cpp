@@ -13,6 +13,7 @@
 #include "views.h"
 
 using namespace lumi;
+using namespace lumi::detail;
 using namespace lumi::test;
 using twin::decoded;
 

@@ -26,7 +26,7 @@ uint32_t crc_as(const tools::Picture& picture)
         const uint8_t* rgb = &picture.rgb[3 * k];
         Pixel::store(&shown[k * Pixel::kBytes], {rgb[0], rgb[1], rgb[2]});
     }
-    return crc32(0, shown.data(), shown.size());
+    return detail::crc32(0, shown.data(), shown.size());
 }
 
 // Against what the mode stands for: a pixel's centre, or the mean of 2×2 samples.

@@ -27,15 +27,14 @@ template <class Texel>
 struct Traced : Texel {
     static void note(const Field& field, const uint8_t* texel)
     {
-        constexpr uint32_t kBytes = format::bytes_per_texel(Texel::kFormat);
+        constexpr uint32_t kBytes = detail::format::bytes_per_texel(Texel::kFormat);
         constexpr uint32_t kEntryBytes = 4;
         trace.note(texel, kBytes);
-        if (Texel::kFormat == format::TexelFormat::palette8)
-            trace.note(field.palette + kEntryBytes * *texel, kEntryBytes);
+        if (Texel::kFormat == TexelFormat::palette8) trace.note(field.palette + kEntryBytes * *texel, kEntryBytes);
     }
-    static Rgba8 load(const Field& field, const uint8_t* row, uint32_t j)
+    static detail::Rgba8 load(const Field& field, const uint8_t* row, uint32_t j)
     {
-        note(field, row + format::bytes_per_texel(Texel::kFormat) * j);
+        note(field, row + detail::format::bytes_per_texel(Texel::kFormat) * j);
         return Texel::load(field, row, j);
     }
 };
@@ -45,12 +44,12 @@ struct Traced : Texel {
 
 // The sums of spans read texels by themselves.
 template <class Texel, bool kCoverage>
-struct lumi::TexelSum<lumi::bench::Traced<Texel>, kCoverage> : lumi::TexelSum<Texel, kCoverage> {
-    struct Row : TexelSum<Texel, kCoverage>::Row {
+struct lumi::detail::TexelSum<lumi::bench::Traced<Texel>, kCoverage> : lumi::detail::TexelSum<Texel, kCoverage> {
+    struct Row : detail::TexelSum<Texel, kCoverage>::Row {
         void add(const Field& field, const uint8_t* texel, uint32_t weight)
         {
             bench::Traced<Texel>::note(field, texel);
-            TexelSum<Texel, kCoverage>::Row::add(field, texel, weight);
+            detail::TexelSum<Texel, kCoverage>::Row::add(field, texel, weight);
         }
     };
 };
@@ -90,14 +89,14 @@ HostFrame draw_frame(const Job& job)
     frame_bytes<Reconstruction, Traced<Texel>, PixelRgb565>(job);
     frame.reads = std::move(trace.reads);
     const std::vector<uint8_t> shown = frame_bytes<Reconstruction, Texel, PixelRgb565>(job);
-    frame.rgb565_crc = crc32(0, shown.data(), shown.size());
+    frame.rgb565_crc = detail::crc32(0, shown.data(), shown.size());
     return frame;
 }
 
 template <class Reconstruction>
 HostFrame choose_texel(const Job& job)
 {
-    return with_texel(
+    return detail::with_texel(
         job.field.texel_format, [&](auto texel) { return draw_frame<Reconstruction, decltype(texel)>(job); });
 }
 

@@ -8,8 +8,8 @@
 
 #include "bench/cache_model.h"
 #include "image/picture.h"
-#include "lumi/camera.h"
-#include "lumi/field.h"
+#include "lumi/chord/camera.h"
+#include "lumi/chord/field.h"
 
 namespace lumi::bench
 {

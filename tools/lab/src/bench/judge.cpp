@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "lumi/chord/sphere.h"
+#include "lumi/chord/detail/sphere.h"
 #include "metrics/psnr.h"
 
 namespace lumi::bench
@@ -88,10 +88,10 @@ const ViewTaps& Judge::taps_of(const std::string& rule, const View& view)
     if (!is_new) return at->second;
     Camera camera;
     if (make_view_camera(view, camera) != CameraError::none) return at->second;
-    const Pose pose = orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
+    const Pose pose = detail::orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
     const Image image = {kSidePx, kSidePx, view.fov_turns32};
     for (int y = 0; y < kSidePx; ++y) {
-        const Extent span = covered_extent(camera, y, 0, kSidePx);
+        const detail::Extent span = detail::covered_extent(camera, y, 0, kSidePx);
         for (int x = span.begin; x < span.end; ++x) {
             const twin::Hits hit = twin::hits_of_pixel(pose, image, x, y);
             SideTaps front = taps_of_side(rule, origins_, hit.front);

@@ -8,7 +8,7 @@
 
 #include "image/picture.h"
 #include "lumi/bench/views.h"
-#include "lumi/field.h"
+#include "lumi/chord/field.h"
 #include "lumi/twin/picture.h"
 
 namespace lumi::bench

@@ -15,7 +15,7 @@ constexpr uint32_t kNothing = UINT32_MAX;
 // Levels of a picture whose texels are grey levels of their own.
 tools::Picture levels(SurfaceField field, const std::vector<uint8_t>& texels, const tools::Eye& eye)
 {
-    std::vector<uint8_t> grey(3 * format::kPaletteEntries);
+    std::vector<uint8_t> grey(3 * detail::format::kPaletteEntries);
     for (size_t k = 0; k < grey.size(); ++k) grey[k] = static_cast<uint8_t>(k / 3);
     field.texels = texels.data();
     field.palette = grey.data();
@@ -57,21 +57,22 @@ class Reader
 public:
     explicit Reader(const tools::FieldFile& file) : file_(file.bytes()), field_(file.surface())
     {
-        for (uint32_t k = 0; k < field_.patch_count; ++k) begins_.push_back({surface_patch(field_, k).texels, k});
+        for (uint32_t k = 0; k < field_.patch_count; ++k)
+            begins_.push_back({detail::surface_patch(field_, k).texels, k});
         std::sort(begins_.begin(), begins_.end());
     }
 
     void prepare()
     {
         for (uint32_t k = 0; k < field_.vertex_count; ++k)
-            read(field_.vertices + k * format::kVertexBytes, format::kVertexBytes);
+            read(field_.vertices + k * detail::format::kVertexBytes, detail::format::kVertexBytes);
         std::vector<bool> is_lit(field_.vertex_count);
         for (uint32_t k = 0; k < field_.patch_count; ++k) {
             read_patch(k);
-            for (const uint32_t corner : surface_patch(field_, k).corner) {
+            for (const uint32_t corner : detail::surface_patch(field_, k).corner) {
                 if (corner >= field_.viewed_count || is_lit[corner]) continue;
                 is_lit[corner] = true;
-                read(field_.views + corner * format::kViewBytes, format::kViewBytes);
+                read(field_.views + corner * detail::format::kViewBytes, detail::format::kViewBytes);
             }
         }
     }
@@ -94,7 +95,7 @@ public:
 
 private:
     void read(const uint8_t* at, uint32_t bytes) { reads_.push_back({static_cast<uint32_t>(at - file_), bytes}); }
-    void read_patch(uint32_t k) { read(field_.patches + k * format::kPatchBytes, format::kPatchBytes); }
+    void read_patch(uint32_t k) { read(field_.patches + k * detail::format::kPatchBytes, detail::format::kPatchBytes); }
 
     size_t rectangle_of(uint32_t texel) const
     {

@@ -14,7 +14,7 @@ baker::BakeSettings chord_settings(uint32_t side, const BaselineSettings& settin
 {
     baker::BakeSettings bake;
     bake.origins = bake.directions = side;
-    bake.texel = format::TexelFormat::palette8;
+    bake.texel = TexelFormat::palette8;
     bake.samples = settings.chord_samples;
     bake.threads = settings.threads;
     return bake;

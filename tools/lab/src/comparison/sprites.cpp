@@ -23,7 +23,7 @@ constexpr double kTurn = 4294967296.0;
 
 Pose pose_of(const View& view)
 {
-    return orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
+    return detail::orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
 }
 
 int32_t signed_turns32(double radians)
@@ -35,10 +35,10 @@ Pose sprite_pose(const SpriteSheet& sheet, uint32_t index)
 {
     if (sheet.is_ring) {
         const auto azimuth = static_cast<uint32_t>((uint64_t{index} << 32) / sheet.count);
-        return orbit(azimuth, signed_turns32(kRingElevationDeg * kPi / 180), kFarQ20);
+        return detail::orbit(azimuth, signed_turns32(kRingElevationDeg * kPi / 180), kFarQ20);
     }
-    const double z = twin::from_q30(Lattice(sheet.count).height_q30(index));
-    return orbit(longitude_turns32(index), signed_turns32(std::asin(z)), kFarQ20);
+    const double z = twin::from_q30(detail::Lattice(sheet.count).height_q30(index));
+    return detail::orbit(detail::longitude_turns32(index), signed_turns32(std::asin(z)), kFarQ20);
 }
 
 // As the device holds it.
@@ -47,7 +47,8 @@ tools::Picture stored(const SpriteSheet& sheet, const tools::Picture& traced)
     if (sheet.jpeg_bytes != 0) return tools::through_jpeg(traced, sheet.jpeg_bytes);
     tools::Picture shown = traced;
     for (size_t i = 0; i < shown.rgb.size(); i += 3) {
-        const Rgb8 colour = unpack_rgb565(pack_rgb565({traced.rgb[i], traced.rgb[i + 1], traced.rgb[i + 2]}));
+        const Rgb8 colour =
+            detail::unpack_rgb565(detail::pack_rgb565({traced.rgb[i], traced.rgb[i + 1], traced.rgb[i + 2]}));
         shown.rgb[i] = colour.r;
         shown.rgb[i + 1] = colour.g;
         shown.rgb[i + 2] = colour.b;

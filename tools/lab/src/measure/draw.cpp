@@ -25,7 +25,7 @@ constexpr int kStripeHeight = 16;
 
 // A texel policy that computes where a texel lies and does not read it: its colour is made of the address.
 struct Unread : TexelRgb565 {
-    static Rgba8 load(const Field&, const uint8_t* row, uint32_t j)
+    static detail::Rgba8 load(const Field&, const uint8_t* row, uint32_t j)
     {
         const uintptr_t at = reinterpret_cast<uintptr_t>(row) + 2 * j;
         const auto level = [&](int shift) { return static_cast<uint8_t>(at >> shift); };
@@ -105,7 +105,7 @@ void print_drawing(const std::string& path, int width_px, int height_px)
 {
     const tools::FieldFile file(path);
     file.require_intact();
-    if (file.is_surface() || file.field().texel_format != format::TexelFormat::rgb565)
+    if (file.is_surface() || file.field().texel_format != TexelFormat::rgb565)
         throw std::runtime_error(path + ": is no chord field of RGB565 texels; bake it with --texel rgb565");
     const std::vector<Camera> cameras = eyes_of(width_px, height_px);
     nlohmann::ordered_json results;

@@ -6,6 +6,7 @@
 #include "bench/frame_facts.h"
 #include "files/field_file.h"
 #include "files/field_report.h"
+#include "lumi/chord/texel.h"
 #include "measure/commands.h"
 #include "terminal/interrupt.h"
 
@@ -48,7 +49,7 @@ void add_chord_rows(const tools::FieldFile& file, const Options& options, bench:
             if (span == 0 && (mode == "dither" || mode == "voronoi")) continue;
             tools::leave_if_interrupted();
             Json row = {
-                {"texel", texel_name(file.field().texel_format)}, {"mode", mode}, {"span", span}, {"view", view.name}};
+                {"texel", detail::texel_name(file.field().texel_format)}, {"mode", mode}, {"span", span}, {"view", view.name}};
             put_facts(row, bench::chord_facts(judge, file, mode, span, view));
             rows.push_back(row);
         }

@@ -11,11 +11,11 @@ namespace
 
 constexpr double kFullyCovered = 255;
 
-Rgba8 load(const Field& field, uint32_t i, uint32_t j)
+detail::Rgba8 load(const Field& field, uint32_t i, uint32_t j)
 {
     const uint8_t* row = field.row(i);
     if (row == nullptr) return {0, 0, 0, 0};
-    return with_texel(field.texel_format, [&](auto texel) { return decltype(texel)::load(field, row, j); });
+    return detail::with_texel(field.texel_format, [&](auto texel) { return decltype(texel)::load(field, row, j); });
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Colour blended(const Field& field, const Weights& origins, const Weights& direct
     double coverage = 0;
     for (const auto& [i, wi] : origins) {
         for (const auto& [j, wj] : directions) {
-            const Rgba8 texel = load(field, i, j);
+            const detail::Rgba8 texel = load(field, i, j);
             sum.r += wi * wj * texel.r;
             sum.g += wi * wj * texel.g;
             sum.b += wi * wj * texel.b;

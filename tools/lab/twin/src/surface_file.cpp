@@ -24,10 +24,11 @@ double s8(uint8_t v)
 // The bytes of a section, or null.
 const uint8_t* section(const uint8_t* file, uint32_t type)
 {
-    const uint32_t count = u16(file + format::header::kSectionCountAt);
+    const uint32_t count = u16(file + detail::format::header::kSectionCountAt);
     for (uint32_t k = 0; k < count; ++k) {
-        const uint8_t* entry = file + format::kHeaderBytes + k * format::kEntryBytes;
-        if (u32(entry + format::entry::kTypeAt) == type) return file + u32(entry + format::entry::kOffsetAt);
+        const uint8_t* entry = file + detail::format::kHeaderBytes + k * detail::format::kEntryBytes;
+        if (u32(entry + detail::format::entry::kTypeAt) == type)
+            return file + u32(entry + detail::format::entry::kOffsetAt);
     }
     return nullptr;
 }
@@ -36,7 +37,7 @@ std::vector<Vec3> positions_in(const uint8_t* bytes, uint32_t count)
 {
     constexpr double kOne = 16384;  // Q14
     std::vector<Vec3> positions;
-    for (uint32_t v = 0; v < count; ++v, bytes += format::kVertexBytes) {
+    for (uint32_t v = 0; v < count; ++v, bytes += detail::format::kVertexBytes) {
         const auto axis = [&](uint32_t k) { return static_cast<int16_t>(u16(bytes + 2 * k)) / kOne; };
         positions.push_back({axis(0), axis(1), axis(2)});
     }
@@ -46,12 +47,13 @@ std::vector<Vec3> positions_in(const uint8_t* bytes, uint32_t count)
 std::vector<SurfaceTriangle> triangles_in(const uint8_t* bytes, uint32_t patches)
 {
     std::vector<SurfaceTriangle> triangles;
-    for (uint32_t p = 0; p < patches; ++p, bytes += format::kPatchBytes) {
-        const auto corner = [&](uint32_t k) { return u16(bytes + format::patch::kCornersAt + 2 * k); };
-        const uint32_t texels = u32(bytes + format::patch::kTexelsAt);
+    for (uint32_t p = 0; p < patches; ++p, bytes += detail::format::kPatchBytes) {
+        const auto corner = [&](uint32_t k) { return u16(bytes + detail::format::patch::kCornersAt + 2 * k); };
+        const uint32_t texels = u32(bytes + detail::format::patch::kTexelsAt);
         const uint32_t begin = texels & 0xFFFFF, n = texels >> 20 & 63, m = texels >> 26;
         triangles.push_back({{corner(0), corner(1), corner(2)}, begin, n, m, false});
-        if (corner(3) != format::kNoVertex) triangles.push_back({{corner(3), corner(2), corner(1)}, begin, n, m, true});
+        if (corner(3) != detail::format::kNoVertex)
+            triangles.push_back({{corner(3), corner(2), corner(1)}, begin, n, m, true});
     }
     return triangles;
 }
@@ -59,12 +61,12 @@ std::vector<SurfaceTriangle> triangles_in(const uint8_t* bytes, uint32_t patches
 SurfaceView view_in(const uint8_t* record, const uint8_t* colours)
 {
     SurfaceView view = {{}, {}};
-    for (uint32_t k = 0; k < 3; ++k) view.turn[k] = static_cast<int8_t>(record[format::view::kTurnAt + k]);
-    const double gain = record[format::view::kGainAt] / 64.0;
-    for (uint32_t node = 0; node < format::kViewNodes; ++node) {
-        const uint32_t pair = record[format::view::kNodesAt + node / 2];
+    for (uint32_t k = 0; k < 3; ++k) view.turn[k] = static_cast<int8_t>(record[detail::format::view::kTurnAt + k]);
+    const double gain = record[detail::format::view::kGainAt] / 64.0;
+    for (uint32_t node = 0; node < detail::format::kViewNodes; ++node) {
+        const uint32_t pair = record[detail::format::view::kNodesAt + node / 2];
         const uint32_t which = node % 2 == 0 ? pair & 15 : pair >> 4;
-        const uint8_t* c = colours + (node * format::kNodeColours + which) * format::kNodeColourBytes;
+        const uint8_t* c = colours + (node * detail::format::kNodeColours + which) * detail::format::kNodeColourBytes;
         view.nodes.push_back({gain * s8(c[0]), gain * s8(c[1]), gain * s8(c[2])});
     }
     return view;
@@ -74,19 +76,20 @@ SurfaceView view_in(const uint8_t* record, const uint8_t* colours)
 
 SurfaceFile::SurfaceFile(const uint8_t* file)
 {
-    namespace at = format::surface;
-    const uint8_t* head = section(file, format::kSurfaceSection);
-    two_sided = (u16(head + at::kFlagsAt) & format::kSurfaceTwoSided) != 0;
-    positions = positions_in(section(file, format::kVertexSection), u16(head + at::kVerticesAt));
-    triangles = triangles_in(section(file, format::kPatchSection), u16(head + at::kPatchesAt));
-    const uint8_t *indices = section(file, format::kColourSection), *palette = section(file, format::kPaletteRgb);
+    namespace at = detail::format::surface;
+    const uint8_t* head = section(file, detail::format::kSurfaceSection);
+    two_sided = (u16(head + at::kFlagsAt) & detail::format::kSurfaceTwoSided) != 0;
+    positions = positions_in(section(file, detail::format::kVertexSection), u16(head + at::kVerticesAt));
+    triangles = triangles_in(section(file, detail::format::kPatchSection), u16(head + at::kPatchesAt));
+    const uint8_t *indices = section(file, detail::format::kColourSection),
+                  *palette = section(file, detail::format::kPaletteRgb);
     for (uint32_t k = 0; k < u32(head + at::kTexelsAt); ++k) {
         const uint8_t* c = palette + 3 * indices[k];
         texels.push_back({static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])});
     }
-    const uint8_t* tables = section(file, format::kViewSection);
+    const uint8_t* tables = section(file, detail::format::kViewSection);
     for (uint32_t v = 0; v < u16(head + at::kViewedAt); ++v)
-        views.push_back(view_in(tables + format::kViewColoursBytes + v * format::kViewBytes, tables));
+        views.push_back(view_in(tables + detail::format::kViewColoursBytes + v * detail::format::kViewBytes, tables));
 }
 
 }  // namespace lumi::twin

@@ -111,9 +111,9 @@ private:
         const SurfaceView& view = surface_.views[vertex];
         const Vec3 w = normalised(view_.eye() - surface_.positions[vertex]);
         const auto step = [](double v) { return static_cast<int32_t>(std::lround(v * kScale)); };
-        const ViewDirection local =
-            in_view_frame({step(w.x), step(w.y), step(w.z)}, view.turn[0], view.turn[1], view.turn[2]);
-        const ViewTaps taps = view_taps(local.x, local.y, local.z);
+        const detail::ViewDirection local =
+            detail::in_view_frame({step(w.x), step(w.y), step(w.z)}, view.turn[0], view.turn[1], view.turn[2]);
+        const detail::ViewTaps taps = detail::view_taps(local.x, local.y, local.z);
         Colour sum;
         for (int k = 0; k < 3; ++k) sum = sum + (taps.weight_q8[k] / 256.0) * view.nodes[taps.node[k]];
         return sum;
@@ -145,7 +145,7 @@ private:
 
     Colour colour_at(const Hit& hit) const
     {
-        constexpr double kInset = 1.0 / (1 << format::kPatchInsetShift);
+        constexpr double kInset = 1.0 / (1 << detail::format::kPatchInsetShift);
         const SurfaceTriangle& t = surface_.triangles[hit.triangle];
         double u = kInset + (t.n - 2 * kInset) * hit.second, v = kInset + (t.m - 2 * kInset) * hit.third;
         if (t.second) {

@@ -28,8 +28,8 @@ Weights polar_weights(const Vec3& q, uint32_t n)
     const Plane p = at(std::fmax(n * (1 - q.z) / 2, 0.0) - 0.5, std::atan2(q.y, q.x) / (2 * kPi));
     Weights best;
     double best_smallest = -1e9;
-    for (int k = 0; k < polar::kTriangles; ++k) {
-        const uint8_t* c = polar::corners(k);
+    for (int k = 0; k < detail::polar::kTriangles; ++k) {
+        const uint8_t* c = detail::polar::corners(k);
         const Plane a = at(c[0], c[0] / kGolden);
         const Plane b = at(c[1], c[1] / kGolden);
         const Plane d = at(c[2], c[2] / kGolden);
@@ -100,7 +100,7 @@ Vec3 northern(const Vec3& q, uint32_t n)
 
 bool is_polar(const Vec3& north, uint32_t n)
 {
-    return n * (1 - north.z) / 2 - 0.5 < polar::kPolarHeight;
+    return n * (1 - north.z) / 2 - 0.5 < detail::polar::kPolarHeight;
 }
 
 bool near_half(double coordinate, double share)

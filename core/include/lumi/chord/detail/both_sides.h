@@ -13,7 +13,7 @@
 #include "lumi/chord/detail/nine_taps.h"
 #include "lumi/chord/detail/piece.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Whether a side's cell is divided by the difference of its steps.
@@ -237,4 +237,4 @@ private:
     SideFlip origin_flip_, direction_flip_;
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

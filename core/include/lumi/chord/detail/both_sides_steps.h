@@ -7,7 +7,7 @@
 #include "lumi/chord/detail/halves.h"
 #include "lumi/chord/detail/stepping/lattice_line.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 inline constexpr int kFractionBits = 12;  // of a coordinate's fraction
@@ -167,4 +167,4 @@ private:
 };
 #endif
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -5,7 +5,7 @@
 
 #include "lumi/chord/detail/stepper.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 inline constexpr int32_t kMostPiecePixels = 1 << kMaxSpanLog2;
@@ -20,4 +20,4 @@ void copy_from_stripe(const Stripe& stripe, const Piece& piece, uint32_t pixel_b
 // And back, after it was drawn.
 void copy_into_stripe(const Stripe& stripe, const Piece& piece, uint32_t pixel_bytes, const uint8_t* scanline);
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -5,7 +5,7 @@
 
 #include "lumi/detail/register_hints.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 template <class A, class B = A>
@@ -28,4 +28,4 @@ LUMI_ALWAYS_INLINE DoubleWord<A, B> reload(const DoubleWord<A, B>& words)
 #endif
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

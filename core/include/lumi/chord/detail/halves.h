@@ -10,7 +10,7 @@
 
 #include "lumi/detail/register_hints.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // The bytes 0 and 2 of a word, or 1 and 3, in halves.
@@ -118,4 +118,4 @@ LUMI_ALWAYS_INLINE int32_t add_product_top_bottom(int32_t a, int32_t b, int32_t 
 }
 #endif
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -9,7 +9,7 @@
 #include "lumi/chord/detail/sums.h"
 #include "lumi/chord/reconstruction.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Through cells, both sides at once: all scanlines of a tile, or without one the span's.
@@ -138,4 +138,4 @@ private:
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

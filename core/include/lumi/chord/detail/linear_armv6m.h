@@ -13,7 +13,7 @@
 #include "lumi/chord/detail/both_sides.h"
 #include "lumi/chord/detail/sums.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Whether a sum has an assembled loop, and which: Scanlines of cells, draw(), and the sum of a pixel's kWords words.
@@ -157,4 +157,4 @@ struct Armv6mLoop<TexelSum<TexelPalette8, false>> : Armv6mLoopOf<3> {
 
 #endif
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -4,7 +4,7 @@
 
 #include "lumi/chord/detail/sums.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Rows of three origins, the same three texels of each, weights as Sum takes them.
@@ -30,4 +30,4 @@ LUMI_ALWAYS_INLINE Sum sum_of(const Field& field, const PixelTaps& taps)
     return sum;
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -8,7 +8,7 @@
 #include "lumi/chord/reconstruction.h"
 #include "lumi/pixel.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // A texel whose bits are the pixel's is copied.
@@ -212,4 +212,4 @@ struct SpanDraw<Dither> {
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -5,7 +5,7 @@
 #include "lumi/chord/detail/stepper.h"
 #include "lumi/detail/register_hints.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // The loops that draw pieces, one per reconstruction over any texel, pixel and background: draw(CellPiece) through
@@ -78,4 +78,4 @@ struct CheckedPiece {
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

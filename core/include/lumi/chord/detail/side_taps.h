@@ -6,7 +6,7 @@
 #include "lumi/chord/detail/stepping/lattice_line.h"
 #include "lumi/detail/cell_triangle.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Three points; weights sum to 2^bits.
@@ -84,4 +84,4 @@ private:
     int32_t pixel_ = 0;
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

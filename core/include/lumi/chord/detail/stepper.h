@@ -11,10 +11,10 @@
 #include "lumi/chord/detail/stepping/outline.h"
 #include "lumi/chord/detail/stepping/walker.h"
 #include "lumi/chord/detail/tile.h"
-#include "lumi/chord/render.h"
-#include "lumi/field.h"
+#include "lumi/chord/field.h"
+#include "lumi/stripe.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // How a tile's lines change from scanline to scanline, and which of its scanlines the stripe holds.
@@ -110,4 +110,4 @@ private:
     HitPair* end_ = nullptr;
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -14,7 +14,7 @@
 #include "lumi/chord/texel.h"
 #include "lumi/pixel.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // A row's weight as Sum::add takes it: in the upper half of a word, or by itself.
@@ -141,7 +141,7 @@ struct TexelSumHalves {
     Rgb8 over(const Rgb8& under) const
     {
         if (!kCoverage) return {rounded(r), rounded(g), rounded(b)};
-        return lumi::over({rounded(r), rounded(g), rounded(b), rounded(a)}, under);
+        return detail::over({rounded(r), rounded(g), rounded(b), rounded(a)}, under);
     }
 
     template <class Pixel, class Background>
@@ -332,4 +332,4 @@ struct TexelSum<TexelRgb565, kCoverage> {
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -7,7 +7,7 @@
 
 #include "lumi/chord/detail/stepping/zone_map.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Tiles are this high.
@@ -37,4 +37,4 @@ private:
     LineChange down_{};
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -7,7 +7,7 @@
 #include "lumi/pixel.h"
 #include "lumi/surface/detail/hot.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 using PackedColour = uint32_t;
@@ -80,4 +80,4 @@ inline void store_colour(uint8_t* pixel, PackedColour c)
         Pixel::store(pixel, unpacked(c));
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

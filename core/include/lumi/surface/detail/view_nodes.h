@@ -12,7 +12,7 @@
 
 #include "lumi/surface/format.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 struct ViewTaps {
@@ -35,4 +35,4 @@ inline ViewDirection in_view_frame(const ViewDirection& w, int32_t turn_x, int32
     return {((along * turn_x) >> 6) - w.x, ((along * turn_y) >> 6) - w.y, ((along * turn_z) >> 6) - w.z};
 }
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -2,7 +2,7 @@
 // Cameras from degrees and radii: people's units on one side, core's fixed point on the other.
 #pragma once
 
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
 
 namespace lumi::host
 {

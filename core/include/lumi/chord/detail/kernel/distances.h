@@ -13,10 +13,10 @@
 
 #include "lumi/chord/detail/halves.h"
 #include "lumi/chord/detail/stepping/zone_map.h"
+#include "lumi/chord/field.h"
 #include "lumi/detail/register_hints.h"
-#include "lumi/field.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Four points near a pixel: two of each strand, the second one `across` further than the first.
@@ -135,4 +135,4 @@ private:
     bool is_inside_;  // all points near the stretch exist
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -10,7 +10,7 @@
 #include "lumi/chord/detail/linear.h"
 #include "lumi/chord/detail/one_tap.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Points near a pixel over a pole and their squared distances in spacings², Q12. The first three are the corners of its
@@ -277,4 +277,4 @@ struct SpanDraw<NearestVoronoi> {
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

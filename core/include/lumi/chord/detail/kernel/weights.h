@@ -4,7 +4,7 @@
 
 #include "lumi/chord/detail/kernel/distances.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Reciprocals of sums of weights from 1/2 to 3/2 in 256 parts, times 1 + 2^-8: a sum's product with its own is from 1
@@ -59,4 +59,4 @@ private:
     }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 // The angle of (x, y) from +x towards +y, of 16-bit components; 0 for (0, 0). Error below 2^-16 turn.
@@ -24,4 +24,4 @@ CoarseReciprocal coarse_reciprocal(uint32_t v);
 // floor(small·2^15 / large) for small <= large < 2^17: one instruction where the core divides, a table elsewhere.
 uint32_t ratio_q15(uint32_t small, uint32_t large);
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -7,10 +7,10 @@
 // gets short.
 #pragma once
 
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
 #include "lumi/chord/detail/stepping/coarse_math.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Where a ray meets the sphere, as the lattice sees it. x and y still carry the factor q = |D|², which does not change
@@ -67,4 +67,4 @@ private:
     int32_t step_q28_[4];
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

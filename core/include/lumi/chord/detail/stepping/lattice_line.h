@@ -5,7 +5,7 @@
 #include "lumi/chord/detail/stepping/polar_line.h"
 #include "lumi/chord/detail/stepping/zones.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // How a line changes from one scanline to the next.
@@ -53,4 +53,4 @@ struct LatticeLine {
     bool over_pole;  // which of both counts
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

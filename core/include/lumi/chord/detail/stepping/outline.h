@@ -6,9 +6,10 @@
 // rounding alone (|s²/q - τ| < 1e-5).
 #pragma once
 
-#include "lumi/chord/sphere.h"
+#include "lumi/chord/camera.h"
+#include "lumi/stripe.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Of a camera whose other members are set.
@@ -60,4 +61,4 @@ private:
     int32_t last_y_;
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

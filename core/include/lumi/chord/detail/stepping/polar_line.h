@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 struct PolarLine {
@@ -39,4 +39,4 @@ struct PolarLine {
     int32_t index(int k) const { return base + corner[k] * step; }
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-namespace lumi
+namespace lumi::detail
 {
 
 inline constexpr int kMaxSpanLog2 = 4;  // spans are up to 16 pixels long
@@ -73,4 +73,4 @@ private:
     int32_t longest_, first_, second_;
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -5,7 +5,7 @@
 #include "lumi/chord/detail/stepping/span_length.h"
 #include "lumi/chord/detail/stepping/zone_map.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // `at` is always the pixel that begin() or the last commit() stood for.
@@ -40,4 +40,4 @@ private:
     int32_t z_q30_ = 0, next_z_q30_ = 0;  // of the prepared line's ends
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

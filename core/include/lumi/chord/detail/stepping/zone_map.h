@@ -6,7 +6,7 @@
 #include "lumi/chord/detail/stepping/hits.h"
 #include "lumi/chord/detail/stepping/lattice_line.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Spans and tiles that turn further are not drawn in one piece.
@@ -78,4 +78,4 @@ struct LatticeTrack {
     LatticeLine line;
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -7,7 +7,7 @@
 
 #include "lumi/detail/lattice.h"
 
-namespace lumi
+namespace lumi::detail
 {
 
 // Larger lattices are drawn by the exact renderer: 16-bit viewing vectors do not resolve their cells.
@@ -42,4 +42,4 @@ struct LatticeZones {
     explicit LatticeZones(const Lattice& lattice);
 };
 
-}  // namespace lumi
+}  // namespace lumi::detail

@@ -78,7 +78,8 @@ private:
     private:
         static float longitude_step(float steps)
         {
-            return 2 * kPi * static_cast<float>(static_cast<int32_t>(longitude_turns32(static_cast<uint32_t>(steps)))) /
+            return 2 * kPi *
+                   static_cast<float>(static_cast<int32_t>(detail::longitude_turns32(static_cast<uint32_t>(steps)))) /
                    kTurn;
         }
 
@@ -107,7 +108,7 @@ private:
     {
         const float z = 1 - (2 * i + 1) / size_;
         const float radius = std::sqrt(std::fmax(0.0f, 1 - z * z));
-        const float angle = 2 * kPi * static_cast<float>(longitude_turns32(static_cast<uint32_t>(i))) / kTurn;
+        const float angle = 2 * kPi * static_cast<float>(detail::longitude_turns32(static_cast<uint32_t>(i))) / kTurn;
         const FloatVec d = {radius * std::cos(angle) - hit.x, radius * std::sin(angle) - hit.y, z - hit.z};
         return d.x * d.x + d.y * d.y + d.z * d.z;
     }
@@ -178,7 +179,7 @@ Rgb8 float_colour(const Field& field, const FloatLattice::Taps& origins, const F
         for (int k = 0; k < FloatLattice::kTaps; ++k) {
             const uint8_t* row = field.row(origins.index[m]);
             if (row == nullptr) continue;
-            const Rgba8 texel = Texel::load(field, row, directions.index[k]);
+            const detail::Rgba8 texel = Texel::load(field, row, directions.index[k]);
             const float weight = origins.weight[m] * directions.weight[k];
             r += weight * texel.r;
             g += weight * texel.g;

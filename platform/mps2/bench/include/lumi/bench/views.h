@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lumi/background.h"
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
 
 namespace lumi::bench
 {
@@ -40,7 +40,7 @@ inline constexpr View kViews[] = {
 
 inline Pose view_pose(const View& view)
 {
-    return orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
+    return detail::orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
 }
 
 inline Image view_image(const View& view)

@@ -2,8 +2,8 @@
 // The renderer in double precision: hits by the plain quadratic equation, colours by sums that are never rounded.
 #pragma once
 
+#include "lumi/chord/field.h"
 #include "lumi/color.h"
-#include "lumi/field.h"
 #include "lumi/twin/weights.h"
 
 namespace lumi::twin

@@ -3,14 +3,11 @@
 // leaves.
 #pragma once
 
-#include "lumi/camera.h"
+#include "lumi/chord/camera.h"
+#include "lumi/stripe.h"
 
-namespace lumi
+namespace lumi::detail
 {
-
-// The tangent rule: a ray is discarded whose half chord is shorter than 1/64 of the radius. It crosses only a sliver of
-// the sphere's rim (the disc shrinks by 0.012 %), and what is left keeps sqrt(s²) well conditioned.
-inline constexpr int kTangentShift = 12;  // s² >= q / 2^12
 
 // A pixel's ray that hits the sphere; the quantities of camera.h. All at most 1.
 struct SphereRay {
@@ -34,9 +31,6 @@ SphereHits hits(const Camera& camera, const SphereRay& ray);
 // The pixels [begin, end) of a scanline of the image whose rays hit the sphere, within [x_begin, x_end): exact, as
 // ray_at decides. The sphere's outline is convex, so they are one extent. Nothing beside the image is covered. Empty:
 // both x_begin.
-struct Extent {
-    int32_t begin, end;
-};
 Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end);
 
-}  // namespace lumi
+}  // namespace lumi::detail

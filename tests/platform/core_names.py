@@ -1,0 +1,291 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""core_names.py page | page_self_test | firmware COMPILER... | layouts COMPILER...
+
+Reads the names that core's public headers declare, from the headers themselves.
+
+page            docs/api.md has a row for each name of namespace lumi, under its header, and no other row.
+page_self_test  Plants a missing row, a row too many and a wrong header, and fails if one is not found.
+firmware        A firmware that has a global of its own for every name of namespace lumi::detail, and for every short name
+                that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
+                warnings as errors; then the headers alone, with warnings in them shown.
+layouts         Compiles a firmware for each layout, and fails where it includes a header of the other one.
+"""
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+INCLUDE = ROOT / "core" / "include"
+HEADERS = sorted(path for path in (INCLUDE / "lumi").rglob("*.h") if path.name != "lumi.h")
+PAGE = ROOT / "docs" / "api.md"
+
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
+TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|' r"'(?:\\.|[^'\\])+'" r"|[A-Za-z_]\w*|::|\[\[|\]\]|\d[\w']*|\S")
+WORD = re.compile(r"[A-Za-z_]\w*$")
+CLOSING = {"(": ")", "{": "}", "[": "]", "[[": "]]", "<": ">"}
+NO_NAMES = {"asm", "auto", "bool", "case", "char", "class", "const", "do", "else", "enum", "for", "if", "int", "long",
+            "new", "this", "true", "using", "void", "while", "false", "short", "float"}
+LONGEST_SHORT = 5
+
+Name = collections.namedtuple("Name", "scope kind name")
+
+
+class Header:
+    """The names that a header declares in namespaces: a parser of as much C++ as core's headers are."""
+
+    def __init__(self, text):
+        self.tokens = TOKEN.findall(DIRECTIVE.sub("", COMMENT.sub("", text)))
+        self.at, self.names = 0, []
+        scopes = []
+        while self.at < len(self.tokens):
+            token = self.tokens[self.at]
+            if token == "namespace":
+                scopes.append(self.namespace())
+            elif token == "extern" and self.tokens[self.at + 1] == '"C"':
+                scopes.append("")
+                self.at += 3
+            elif token == "}":
+                scopes.pop()
+                self.at += 1
+            else:
+                scope = "::".join(filter(None, scopes))
+                self.names += [Name(scope, kind, name) for kind, name in self.declaration()]
+
+    def namespace(self):
+        begin = self.at + 1
+        self.at = self.tokens.index("{", begin) + 1
+        return "".join(self.tokens[begin:self.at - 1])
+
+    def skip(self):
+        """From an opening token to behind the one that closes it."""
+        opening, depth = self.tokens[self.at], 0
+        while True:
+            token = self.tokens[self.at]
+            if opening == "<" and token == "(":
+                self.skip()
+                continue
+            depth += (token == opening) - (token == CLOSING[opening])
+            self.at += 1
+            if depth == 0:
+                return
+
+    def skip_to(self, ends):
+        while self.tokens[self.at] not in ends:
+            if self.tokens[self.at] in "({[":
+                self.skip()
+            else:
+                self.at += 1
+
+    def declaration(self):
+        """One declaration, and the names that it makes: (kind, name) each. A specialization makes none."""
+        is_special = False
+        while self.tokens[self.at] == "template":
+            is_special |= self.tokens[self.at + 2] == ">"
+            self.at += 1
+            self.skip()
+        first = self.tokens[self.at]
+        if first in ("struct", "class", "enum"):
+            found = self.type()
+        elif first in ("using", "static_assert"):
+            name = self.tokens[self.at + 1]
+            found = [("type", name)] if first == "using" and name != "namespace" else []
+            self.skip_to(";")
+        else:
+            found = self.function_or_variables()
+        self.at += self.at < len(self.tokens) and self.tokens[self.at] == ";"
+        return [] if is_special else found
+
+    def type(self):
+        self.at += 1
+        while self.tokens[self.at] in ("class", "struct", "[["):
+            if self.tokens[self.at] == "[[":
+                self.skip()
+            else:
+                self.at += 1
+        name = self.tokens[self.at]
+        is_special = self.tokens[self.at + 1] == "<"
+        self.skip_to("{;") if not is_special else self.skip_to_body()
+        if self.tokens[self.at] == "{":
+            self.skip()
+        return [] if is_special else [("type", name)]
+
+    def skip_to_body(self):
+        while self.tokens[self.at] not in "{;":
+            self.at += 1
+
+    def function_or_variables(self):
+        last, found = None, []
+        while self.tokens[self.at] != ";":
+            token = self.tokens[self.at]
+            if token in ("__attribute__", "alignas", "decltype"):
+                self.at += 1
+                self.skip()
+            elif token == "(" and last:
+                self.skip_to("{;")
+                if self.tokens[self.at] == "{":
+                    self.skip()
+                return [("function", last)]
+            elif token in "=," and last:
+                found.append(("variable", last))
+                self.skip_to(",;")
+                last = None
+                self.at += self.tokens[self.at] == ","
+            elif token in ("<", "[", "[["):
+                self.skip()
+            else:
+                last = token if WORD.match(token) else last
+                self.at += 1
+        return found + ([("variable", last)] if last else [])
+
+
+def all_names():
+    """{header's path below lumi/: names}"""
+    return {str(path.relative_to(INCLUDE / "lumi")): Header(path.read_text(encoding="utf-8")).names
+            for path in HEADERS}
+
+
+def public_names(names):
+    return {(n.name, header) for header, found in names.items() for n in found if n.scope == "lumi"}
+
+
+# The page
+
+ROW = re.compile(r"^\|([^|]*`[^|]*)\|\s*`([\w/]+\.h)`\s*\|[^|]*\w[^|]*\|$", re.MULTILINE)
+
+
+def page_problems(page, names):
+    rows = [(name, header) for cell, header in ROW.findall(page) for name in re.findall(r"`(\w+)`", cell)]
+    problems = [f"docs/api.md: `{name}` has two rows" for (name, header), n in collections.Counter(rows).items() if n > 1]
+    problems += [f"docs/api.md: no row for `{name}` of {header}" for name, header in sorted(names - set(rows))]
+    return problems + [f"docs/api.md: {header} has no `{name}`" for name, header in sorted(set(rows) - names)]
+
+
+def check_page():
+    return page_problems(PAGE.read_text(encoding="utf-8"), public_names(all_names()))
+
+
+def page_self_test():
+    names = {("One", "a.h"), ("two", "a.h")}
+    row, other = "| `One` | `a.h` | what it is |\n", "| `two` | `a.h` | what it is |\n"
+    cases = [(row + other, 0), ("| `One`, `two` | `a.h` | what they are |\n", 0), (row, 1), (row + row + other, 1),
+             (row + other + "| `three` | `a.h` | gone |\n", 1), (row + "| `two` | `b.h` | elsewhere |\n", 2)]
+    return [f"{page!r}: {problems}" for page, count in cases
+            if len(problems := page_problems(page, names)) != count]
+
+
+# Firmware
+
+OWN = {
+    "type": "struct {0} {{\n    int own;\n}};\n",
+    "function": "inline int {0}(int)\n{{\n    return 1;\n}}\n",
+    "variable": "[[maybe_unused]] static int {0} = 1;\n",
+}
+USE = {"type": "    sum_of_own += {0}{{1}}.own;\n", "function": "    sum_of_own += {0}(1);\n",
+       "variable": "    sum_of_own += {0};\n"}
+
+VIEWS = """
+static View<SurfaceDrawing<100, 100, SurfaceMode::two_by_two>, Screen<>> surface_view_1;
+static View<ChordDrawing<TexelRgb888>, Screen<>> chord_view_1;
+static View<ChordDrawing<TexelPalette8, Paper<5>>, Screen<240, 240, 16, PixelArgb8888>> chord_view_2;
+static View<ChordDrawing<TexelRgb565, NearestVoronoi>, Screen<240, 240, 16, PixelGrey8>> chord_view_3;
+static View<ChordDrawing<TexelLuma8, Dither>, Screen<240, 240, 16, PixelBgr555>> chord_view_4;
+static View<ExactChordDrawing<TexelPalette8>, Screen<>> chord_view_5;
+
+template <class V>
+bool draws_with(V& some_view, const uint8_t* field_bytes)
+{
+    return some_view.open(field_bytes, 1) == ViewError::none && some_view.verify() == ViewError::none &&
+           some_view.look(Orbit{degrees(30), degrees(20), radii(3)}) == ViewError::none &&
+           some_view.draw({nullptr, 0, 0, 240, 16, 480}) == ViewError::none &&
+           some_view.draw({nullptr, 0, 0, 240, 16, 480}, OverStripe{}) == ViewError::none;
+}
+
+bool draws_all(const uint8_t* field_bytes)
+{
+    return draws_with(surface_view_1, field_bytes) && surface_view_1.draw_coverage({}) == ViewError::none &&
+           draws_with(chord_view_1, field_bytes) && draws_with(chord_view_2, field_bytes) && draws_with(chord_view_3, field_bytes) &&
+           draws_with(chord_view_4, field_bytes) && draws_with(chord_view_5, field_bytes);
+}
+"""
+
+
+def is_public(header):
+    return "detail/" not in header
+
+
+def includes(headers):
+    return "".join(f"#include <lumi/{header}>\n" for header in headers if is_public(header))
+
+
+def own_names(names):
+    """{name: kind} of everything below lumi::detail, its namespaces too, and of short names in the headers."""
+    own = {}
+    for found in names.values():
+        for n in found:
+            if n.scope.startswith("lumi::detail"):
+                own.setdefault(n.name, n.kind)
+                for scope in n.scope.split("::")[2:]:
+                    own.setdefault(scope, "variable")
+    for path in HEADERS:
+        for token in Header(path.read_text(encoding="utf-8")).tokens:
+            if re.match(r"[a-z]\w*$", token) and len(token) <= LONGEST_SHORT and token not in NO_NAMES:
+                own.setdefault(token, "variable")
+    for name, _ in public_names(names):
+        own.pop(name, None)
+    own.pop("lumi", None), own.pop("none", None)
+    return own
+
+
+def compile_with(compiler, source, flags):
+    command = [*compiler, "-std=c++17", "-O1", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror", *flags,
+               "-I", str(INCLUDE), "-x", "c++", "-S", "-o", "/dev/null", "-"]
+    result = subprocess.run(command, input=source, capture_output=True, text=True)
+    return [] if result.returncode == 0 else [f"{' '.join(command)}\n{result.stderr[:6000]}"]
+
+
+def check_firmware(compiler):
+    names = all_names()
+    own = own_names(names)
+    globals_ = "".join(OWN[kind].format(name) for name, kind in sorted(own.items()))
+    uses = "".join(USE[kind].format(name) for name, kind in sorted(own.items()))
+    drawing = includes(names) + "using namespace lumi;\n" + VIEWS
+    firmware = f"#include <stddef.h>\n#include <stdint.h>\n{globals_}{drawing}int uses_own()\n{{\n    int sum_of_own = 0;\n{uses}" \
+               "    return sum_of_own;\n}\n"
+    print(f"{len(own)} names of a firmware's own")
+    return compile_with(compiler, firmware, ["-pedantic"]) + compile_with(compiler, drawing, ["-Wsystem-headers"])
+
+
+def check_layouts(compiler):
+    problems = []
+    for layout, other in (("surface", "chord"), ("chord", "surface")):
+        headers = [h for h in all_names() if not h.startswith(other + "/")]
+        source = includes(headers) + "#define LUMI_C_" + ("TEXEL TexelRgb565" if layout == "chord" else "NO_TEXEL") + \
+            f'\n#include "{ROOT}/core/src/c/lumi.cpp"\n'
+        listed = subprocess.run([*compiler, "-std=c++17", "-M", "-I", str(INCLUDE), "-x", "c++", "-"], input=source,
+                                capture_output=True, text=True, check=True).stdout.split()
+        problems += [f"a firmware for {layout} fields includes {path}" for path in listed if f"/lumi/{other}/" in path]
+        if not any(f"/lumi/{layout}/" in path for path in listed):
+            problems.append(f"a firmware for {layout} fields includes nothing of them: {listed}")
+    return problems
+
+
+def main(arguments):
+    checks = {"page": check_page, "page_self_test": page_self_test}
+    compiler_checks = {"firmware": check_firmware, "layouts": check_layouts}
+    if len(arguments) == 1 and arguments[0] in checks:
+        problems = checks[arguments[0]]()
+    elif len(arguments) > 1 and arguments[0] in compiler_checks:
+        problems = compiler_checks[arguments[0]](arguments[1:])
+    else:
+        print(__doc__, file=sys.stderr)
+        return 2
+    print("\n".join(problems) or "as it should be")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
