@@ -144,3 +144,15 @@ def baker_memory():
     return table(["triangles", "OBJ file", "held while baking", "most, while loading"], load("baker")["memory"],
                  lambda row: [f"{row['triangles'] / 1e6:.2f} M", megabytes(row["file_bytes"]),
                               megabytes(row["held_bytes_a_million"]), megabytes(row["most_bytes_a_million"])])
+
+
+def house():
+    """A row for each thing that is counted, a column for each revision."""
+    revisions = load("house")["revisions"]
+    counts = [("lines of C++ without tests", lambda r: r["lines"]["all"])]
+    counts += [(f"- of these in {area}", lambda r, area=area: r["lines"][area]) for area in ("core", "baker", "tools", "platform")]
+    counts += [("files of C++ without tests", lambda r: r["files"]["all"]),
+               ("entries of tools/", lambda r: r["entries_of_tools"]),
+               ("entries of the fullest folder", lambda r: f"{r['fullest_folder']['entries']} ({r['fullest_folder']['name']})")]
+    counts += [(f"files that name a {kind}", lambda r, kind=kind: r["files_naming"][kind]) for kind in revisions[0]["files_naming"]]
+    return Table(["", *(r["revision"] for r in revisions)], [[name, *map(count, revisions)] for name, count in counts])
