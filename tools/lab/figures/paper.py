@@ -19,8 +19,8 @@ def is_within_half(view):
 
 def likeness_of(scene, measured, views):
     def means(keep):
-        return {key: mean(of_view[key] for of_view, view in zip(measured["views"], views) if keep(view))
-                for key, _ in FIGURES}
+        kept = [of_view for of_view, view in zip(measured["views"], views) if keep(view)]
+        return {key: mean(of_view[key] for of_view in kept) for key, _ in FIGURES} if kept else None
     return {"scene": scene, "mode": measured["layout"], "flash_bytes": measured["flash_bytes"],
             "within": means(is_within_half), "all": means(lambda view: True)}
 
@@ -66,7 +66,8 @@ def bakes():
 
 def likeness():
     def figures(row):
-        return [" / ".join(decimal(row[part][key], digits) for part in ("within", "all")) for key, digits in FIGURES]
+        return [" / ".join(decimal(row[part][key], digits) if row[part] else NONE for part in ("within", "all"))
+                for key, digits in FIGURES]
     printed = [["the paper, its scenes, as printed", "5×5", "576 MB", NONE, "0.975", "0.998", NONE],
                ["the paper, with its filter", "5×5", "576 MB", NONE, "0.972", "0.997", NONE]]
     return Table(["scene", "drawn", "flash", "PSNR dB", "SSIM", "CW-SSIM", "FLIP"], printed + [
