@@ -122,10 +122,10 @@ for word; do
   esac
 done
 ((${#parts[@]} > 0)) || parts=(speed adaptive footprint)
-parts=("${parts[@]/#speed/machine share convergence threads memory}")
+read -ra parts <<<"${parts[*]/#speed/machine share convergence threads memory}"
 for program in "$lab" "$lumi"; do
   [[ -x $program ]] || die "$program is missing: build it with 'cmake --preset release && cmake --build --preset release --target lumi lumi-lab'"
 done
-for part in ${parts[*]}; do
+for part in "${parts[@]}"; do
   measure "$part"
 done

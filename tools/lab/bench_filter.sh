@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # tools/lab/bench_filter.sh [--docs] NAME=FIELD...
 # Trains a filter for each field of the desk clock, unless build/filter/NAME.filter is there, judges it on the views of
-# `lumi report`, and prints a table. --docs also writes it to docs/log/filter.md. LUMI_TRAIN and LUMI_JUDGE hold further
+# `lumi report`, and prints rows. --docs also writes them and the page docs/log/filter.md. LUMI_TRAIN and LUMI_JUDGE hold further
 # options of the two commands. A training takes about ten minutes of CPU. With LUMI in the environment that program is
 # taken as it is.
 set -euo pipefail

@@ -15,6 +15,7 @@ options=("--layout surface --paths 100 --fit 150kB" "--layout surface --paths 10
   "--origins 1024 --directions 1024 --spp 16"
   "--origins 2048 --directions 2048 --spp 16")
 # Of surface and of chord fields: the fast mode and the good one.
+# shellcheck disable=SC2034  # measure_row names them
 declare -A fast=([surface]=antialiased [chord]=nearest) good=([surface]=2x2 [chord]=linear)
 orbits=("30,20,3" "75,50,3")  # two rings around the clock, one from nearly level, one from above
 views=4                   # a ring

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Plots of docs/img, by matplotlib (Debian: python3-matplotlib). The same bytes of the same data."""
+import sys
+
 from . import sweep
 from .table import ROOT, load
 from .tradeoff import CORES, Tradeoff
@@ -9,7 +11,10 @@ FOLDER = ROOT / "docs/img"
 
 def draw(name, title, x_title, y_title, series, log=True):
     """`series`: name to points (x, y, label)."""
-    import matplotlib  # needed only here
+    try:
+        import matplotlib  # needed only here
+    except ImportError:
+        sys.exit("matplotlib is missing: apt-get install python3-matplotlib")
     matplotlib.use("Agg")
     from matplotlib import pyplot
     matplotlib.rcParams.update({"svg.hashsalt": "lumi", "svg.fonttype": "none", "font.size": 9})
