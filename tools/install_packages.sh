@@ -34,7 +34,8 @@ test_packages=(
   python3)                                                                  # the generator of the scenes, includes
 all_packages=(
   clang-format cppcheck clang g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
-  libtorch-dev)  # `lumi filter train`, `lumi render --filter`
+  libtorch-dev           # `lumi filter train`, `lumi render --filter`
+  python3-matplotlib)    # `tools/lab/pages.py --plots`
 npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
 command -v npm >/dev/null || test_packages+=(nodejs npm)  # of whatever source
 
