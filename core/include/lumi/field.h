@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "lumi/detail/cpp17.h"
+
 namespace lumi
 {
 
