@@ -2,11 +2,11 @@
 # Which test runs where: the one list. Everything runs without sanitizers. What is left out below runs by
 # `tools/test.sh --all`, which sets LUMI_TEST_ALL. docs/log/tests.md says what each group protects.
 
-# Boards that run core's unit tests: the portable loops and those of DSP instructions. M3 has the loops of M0+, M7 those
-# of M4; both draw the frame list and pass the proof.
+# Boards that run core's unit tests: the portable loops and those of DSP instructions. M3 has M0+'s loops, M7 has M4's;
+# both draw the frame list and pass the proof.
 set(LUMI_UNIT_TEST_CPUS cortex-m0plus cortex-m4)
 
-# Of core's unit tests boards leave these out: accuracy of frames that are in the list that every board draws.
+# Boards leave these unit tests of core out: they check the accuracy of frames in the list that every board draws.
 set(LUMI_UNIT_TEST_HOST_FILES chord/render_spans_test chord/extreme_chord_test surface/extreme_surface_test)
 
 # Policies whose symbols and stacks the proof reads: all; every pair of two choices; each reconstruction once.

@@ -30,14 +30,14 @@ test_packages=(
   libsdl2-dev                                                               # the simulator's window
   arduino-builder                                                           # the Arduino library, as its IDE builds it
   slurm-wlm munge procps                                                    # a job array on this machine
-  clang-tidy                                                                # of what changed
+  clang-tidy                                                                # checks what changed
   python3)                                                                  # the generator of the scenes, includes
 all_packages=(
   clang-format cppcheck clang g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev           # `lumi filter train`, `lumi render --filter`
   python3-matplotlib)    # `tools/lab/pages.py --plots`
 npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
-command -v npm >/dev/null || test_packages+=(nodejs npm)  # of whatever source
+command -v npm >/dev/null || test_packages+=(nodejs npm)  # whichever source they come from
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]

@@ -28,7 +28,7 @@ typedef struct {
     lumi_screen screen;
     lumi_orbit orbit;
     bool is_turned;   /* since the view was last prepared */
-    lumi_error error; /* of the last drawing */
+    lumi_error error; /* what the last drawing returned */
 } lv_lumi_image_t;
 
 /* Tells LVGL how to draw these images. */

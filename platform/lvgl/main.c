@@ -9,7 +9,7 @@
 #include "headless.h"
 #include "lv_lumi.h"
 
-enum { SIDE = 232, ROWS = 16, MARGIN = 10 /* of the slider's knob, at most */ };
+enum { SIDE = 232, ROWS = 16, MARGIN = 10 /* pixels around the slider that its knob may cover */ };
 
 static uint64_t memory[LUMI_MEMORY(desk_clock_vertices, desk_clock_patches, SIDE, SIDE, ROWS) / 8 + 1];
 static lv_lumi_image_t image;

@@ -34,7 +34,7 @@ int main()
 {
     Orbit orbit;
     SurfaceCamera camera;
-    int32_t percent = 25;  // of whatever is measured
+    int32_t percent = 25;  // the value that the gauge shows
     if (view.open(desk_clock, desk_clock_size()) != ViewError::none) return 1;
     for (; board::next_view(orbit); percent = (percent + 42) % 100) {
         if (view.look(orbit) != ViewError::none) return 1;

@@ -36,7 +36,7 @@ inline uint32_t microseconds()
 }
 void wait_microseconds(uint32_t count);
 
-// Of a UART of 115,200 baud on pin 0.
+// Writes to a UART of 115,200 baud on pin 0.
 void write(const char* text);
 
 }  // namespace rp2040

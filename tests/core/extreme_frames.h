@@ -26,8 +26,8 @@ inline constexpr uint32_t kFrames = 5000;
 #endif
 inline constexpr int32_t kWindowPx = 15;    // frames of at most 31 × 15 pixels
 inline constexpr uint32_t kDrawnTwice = 8;  // every eighth frame is drawn again over other memory
-// Of generated fields (extreme_chords.h, extreme_surfaces.h): they have up to 8192 triangles, and each is drawn in
-// several frames.
+// Frames of generated fields (extreme_chords.h, extreme_surfaces.h): these have up to 8192 triangles, and each is drawn
+// in several frames.
 inline constexpr uint32_t kGeneratedFrames = 500 + kFrames / 10, kFramesAField = 16;
 
 // A frame, and the stripe of it that is drawn.

@@ -11,7 +11,7 @@
 
 extern "C" {
 
-void initialise_monitor_handles();  // of librdimon
+void initialise_monitor_handles();  // librdimon defines it
 
 void lumi_before_constructors()
 {

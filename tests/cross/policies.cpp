@@ -43,7 +43,7 @@ struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
     static constexpr Render kDraw = draw_spans<Reconstruction, Texel, Pixel, Background>;
 };
 
-// Of the paper's kernel the smallest, the default and the largest.
+// The paper's kernel occurs in its smallest, default and largest size.
 using Reconstructions =
     std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>,
                BySpans<NearestVoronoi>, BySpans<Dither>, BySpans<Linear>, BySpans<Paper<detail::kMaxNeighbours>>>;

@@ -21,7 +21,7 @@ using namespace lumi::detail;
 
 constexpr int32_t kMostSide = 48;
 constexpr uint32_t kChordOffset = 1024 * 1024;
-constexpr uint32_t kMostVertices = 2048, kMostPatches = 2048;  // of the surface field
+constexpr uint32_t kMostVertices = 2048, kMostPatches = 2048;  // limits of the surface field
 
 // xorshift of 32 bits (Marsaglia, 2003).
 uint32_t state;

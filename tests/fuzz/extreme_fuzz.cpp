@@ -15,7 +15,7 @@ using namespace lumi;
 using fuzz::Scene;
 using test::Choices;
 
-constexpr uint32_t kSmallSide = 12, kLargeSide = 48;  // of a stripe; most are small, so that more are drawn a second
+constexpr uint32_t kSmallSide = 12, kLargeSide = 48;  // a stripe's sides; most are small: more are drawn a second
 
 Pose pose_of(Choices& choose)
 {

@@ -11,8 +11,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scenes=(cornell.obj testcard.obj product.obj gallery.json)
 matt_scenes=(testcard.obj product.obj)
-share_rows=30        # of 1448 texels at 16 paths
-convergence_rows=10  # of 64 texels
+share_rows=30        # rows of 1448 texels with 16 paths each
+convergence_rows=10  # rows of 64 texels
 thread_rows=200
 triangles=500000
 adaptive_scenes=(cornell.obj product.obj gallery.json)

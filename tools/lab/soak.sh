@@ -13,7 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 minutes=1
 write_docs=false
 work=$root/build/soak
-frames=4000  # of a batch; each begins with another seed
+frames=4000  # frames in a batch; each batch begins with another seed
 cpus=(cortex-m0plus cortex-m4)
 
 parse_arguments() {

@@ -10,8 +10,8 @@ namespace lumi::bench
 // Draws a stripe of RGB565 pixels. `span_px` is 0 for what has no spans.
 RenderError draw(const Field& field, const Camera& camera, const Stripe& stripe, int32_t span_px);
 
-// The same drawing with nothing done for a pixel but what places its hits: what is left is set-up. Pixels hold nothing
-// of use afterwards.
+// The same drawing, but a pixel's hits are only placed: what remains is the cost of set-up. The pixels hold nothing
+// useful afterwards.
 RenderError draw_setup_only(const Field& field, const Camera& camera, const Stripe& stripe, int32_t span_px);
 
 }  // namespace lumi::bench

@@ -2,9 +2,10 @@
 // Counts what drawing a surface field costs, one line per view and mode:
 //     view generic mode one-sample covered 42272 instructions 2345678 palette 8000 vertices 345678 lists 145678
 //     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 stack 600 ram 46000 crc 1234abcd
-// Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; lists
-// of triangles; what vertices show of the eye; triangles and rows without their samples; samples; outlines; pixels. The
-// field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none: all).
+// Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; the
+// triangles' lists; what vertices show to the eye; triangles and rows without their samples; samples; outlines; pixels.
+// The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none:
+// all).
 #include "loaded_view.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/mps2/instruction_counter.h"

@@ -10,7 +10,7 @@ namespace lumi::firmware
 enum class Mode : uint8_t { nearest, linear, paper };
 
 struct DemoOptions {
-    uint32_t frames = 1;  // of one turn around the object; 1 .. kMaxFrames
+    uint32_t frames = 1;  // frames in one turn around the object; 1 .. kMaxFrames
     Mode mode = Mode::linear;
     bool verify = false;                 // check the CRC of every section first
     const char* write_prefix = nullptr;  // write frame k to "<prefix>-<k>.ppm" on the host

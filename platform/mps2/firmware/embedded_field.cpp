@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "field_source.h"
 
-// Of embedded_field.S.
+// embedded_field.S defines both.
 extern "C" const uint8_t lumi_field_start[];
 extern "C" const uint8_t lumi_field_end[];
 

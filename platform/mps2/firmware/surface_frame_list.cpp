@@ -13,7 +13,7 @@ namespace
 
 constexpr int32_t kWidth = 48, kHeight = 36;
 constexpr uint32_t kBandLog2 = 3;
-constexpr uint32_t kMaxVertices = 128, kMaxPatches = 128;  // of the test's fields
+constexpr uint32_t kMaxVertices = 128, kMaxPatches = 128;  // the test's fields have no more
 constexpr uint32_t kChanceViews = 8;
 constexpr Rgb8 kBackground = {40, 96, 168};
 

@@ -3,7 +3,7 @@
 
 #include "lumi/field_format.h"
 
-extern "C" const uint8_t lumi_psram_start[];  // of the linker script
+extern "C" const uint8_t lumi_psram_start[];  // the linker script defines it
 
 namespace lumi::mps2
 {

@@ -33,7 +33,7 @@ float highest_eye(const Ray& line)
     return highest;
 }
 
-// Of a box that stands in the sphere, the triangles that face down.
+// How many triangles of a box that stands in the sphere face down.
 uint32_t bottom_triangles(float cap)
 {
     SceneMaker maker;

@@ -98,7 +98,7 @@ TEST_CASE("Both sides of a gap in a mesh come half of the way where the scene go
     SceneMaker maker;
     maker.box(maker.add(diffuse(grey(0.5f))), {-kTop, -kTop, -kTop}, {kTop, kTop, kTop});
     const Scene scene = maker.make(constant_environment(1));
-    Mesh halves;  // of the box's top
+    Mesh halves;  // the two halves of the box's top
     const auto add_half = [&](float left, float right) {
         const uint32_t k = static_cast<uint32_t>(halves.positions.size());
         for (const float x : {left, right})

@@ -55,7 +55,7 @@ Scene terrain(bool wound_by_chance)
     return maker.make(constant_environment(1));
 }
 
-// Of a mesh's triangles, the pairs beside each other that are wound against each other.
+// How many pairs of neighbouring triangles are wound against each other.
 uint32_t torn_edges(const Mesh& mesh)
 {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> sides;

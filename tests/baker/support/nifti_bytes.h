@@ -32,7 +32,7 @@ void append_value(std::string& bytes, T value)
     put(bytes, bytes.size() - sizeof value, value);
 }
 
-// Of `size` voxels with 2 mm a side, upright, without voxels; byte order of this machine.
+// The header for `size` upright voxels of 2 mm a side, without the voxels; byte order of this machine.
 inline std::string nifti1_header(std::array<int16_t, 3> size, int16_t datatype, int16_t bits)
 {
     std::string bytes(352, '\0');

@@ -197,7 +197,7 @@ TEST_CASE("catcher: aiming at lights and rays into all directions agree on the s
         const Mean ours = shadow(scene, at, 100000), brute = brute_shadow(scene.data(), at);
         INFO("at " << at.x << ", " << at.y << ": " << ours.value() << " and " << brute.value() << " ± "
                    << brute.error());
-        constexpr double kBias = 0.002;  // of a ratio of sums over few samples
+        constexpr double kBias = 0.002;  // a ratio of sums over few samples is biased by up to so much
         CHECK(std::abs(ours.value() - brute.value()) < kBias + kSigmas * std::hypot(ours.error(), brute.error()));
         CHECK(brute.value() > 0.02);
     }

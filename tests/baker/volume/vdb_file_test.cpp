@@ -138,7 +138,7 @@ TEST_CASE("a VDB grid is the box of its active voxels, with one of background ar
 TEST_CASE("inactive voxels and tiles inside the box keep their values", "[vdb]")
 {
     const FloatGrid::Ptr written = FloatGrid::create(0);
-    written->fill(openvdb::CoordBBox({0, 0, 0}, {31, 31, 31}), 3);  // of tiles: 8 voxels a side
+    written->fill(openvdb::CoordBBox({0, 0, 0}, {31, 31, 31}), 3);  // the box is made of tiles: 8 voxels a side
     written->tree().setValueOff({5, 5, 5}, 7);
     written->pruneGrid();
     REQUIRE(written->tree().activeTileCount() > 0);
@@ -322,7 +322,7 @@ TEST_CASE("what is no VDB file, or none that says where its grids are, is refuse
 
     const std::string whole = folder.bytes_of({box_of_numbers("density")});
     std::string newer = whole;
-    newer[9] = 1;  // of the format's number, after the 8 bytes that tell the kind of file
+    newer[9] = 1;  // a byte of the format's number, which follows the 8 bytes that tell the kind of file
     folder.check_bytes_refused(newer, "the file's format is 480, and 220 to 224 are read; write it anew");
     std::string older = whole;
     older[8] = 100;

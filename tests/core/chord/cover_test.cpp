@@ -60,7 +60,7 @@ struct SpanDraw<Marks> {
 namespace
 {
 
-// Of all covered pixels those in tiles; every pixel is checked. Scanlines are drawn `height` at a time.
+// The share of covered pixels that lie in tiles; every pixel is checked. Scanlines are drawn `height` at a time.
 double share_of_tiles(const Field& field, const Camera& camera, int32_t height)
 {
     std::vector<uint8_t> pixels(static_cast<size_t>(kSide) * kSide);

@@ -55,7 +55,7 @@ LineChange random_down(std::minstd_rand& random)
             between(random, -400, 400)};
 }
 
-// Of three bytes, which show more of a sum than packed colours do.
+// Pixels of three bytes, which show more of a sum than packed colours do.
 using Pixel = PixelRgb888;
 struct Pixels {
     uint8_t scanline[kTileHeight][kPixels * Pixel::kBytes] = {};

@@ -19,7 +19,7 @@ namespace
 struct TwinRay {
     Vec3 eye, direction;
     bool covered;
-    double margin;  // of the tangent rule: s²/q - 1/2^kTangentShift
+    double margin;  // the tangent rule's margin: s²/q - 1/2^kTangentShift
     Vec3 front, back;
 };
 

@@ -18,7 +18,7 @@ namespace
 // Vertices anywhere in the sphere and where axes leave it; triangles between any three, slivers and points among them.
 TestSurface wild_mesh(uint32_t seed)
 {
-    constexpr int32_t kRadius = 16384, kCorner = 9459;  // of the cube in the sphere
+    constexpr int32_t kRadius = 16384, kCorner = 9459;  // the sphere's radius; a corner's coordinate of the cube in it
     const auto chance = [&](uint32_t count) { return scattered(seed = seed * 31 + 1) % count; };
     TestSurface s = bumpy_ball();
     for (SurfacePoint& v : s.vertices) {

@@ -61,7 +61,7 @@ Outcome lumi_with(const std::string& fault, const Arguments& arguments)
     return test::run_program(all);
 }
 
-// Of the program's own, to files.
+// How often the program itself writes to files.
 int writes_of(const Arguments& arguments)
 {
     const test::TemporaryFolder folder;

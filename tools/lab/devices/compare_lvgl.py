@@ -11,7 +11,7 @@ import struct
 import sys
 
 SCREEN_WIDTH = 320
-STEP = 2  # of 31: one for LVGL's blend, one for ours
+STEP = 2  # levels out of 31 that an outline may differ by: one for LVGL's blend, one for ours
 EDGE = 255
 
 

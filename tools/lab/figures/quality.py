@@ -7,7 +7,7 @@ from .table import Table, byte_text, decimal, load, or_none, whole
 
 MODES = {"surface": "2x2", "antialiased": "antialiased", "one sample": "one-sample"}  # by what a row shows
 ORDER = ["surface", "antialiased", "one sample", "mean alone", "chord", "sprites", "JPEG sprites", "one ray"]
-MOST_BELOW_MEAN_DB = 2  # of the worst view
+MOST_BELOW_MEAN_DB = 2  # the worst view may lie so far below the mean
 KEPT = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "flip", "mask_psnr_db", "worst_view",
         "worst_block"]
 

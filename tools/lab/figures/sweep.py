@@ -6,7 +6,7 @@ import pathlib
 from . import tradeoff
 from .table import NONE, Table, byte_text, decimal, load, mean, or_none, whole
 
-SPAN = 16  # of the spans that instructions are told for
+SPAN = 16  # pixels of the spans that instructions are told for
 
 
 def collect(folder):

@@ -15,9 +15,9 @@ namespace lumi::tools
 struct BakeJob {
     baker::BakeSettings settings;
     std::optional<baker::SurfaceSettings> surface;     // in place of them
-    std::shared_ptr<const baker::SurfaceDraft> draft;  // of `surface`, if there is one already
+    std::shared_ptr<const baker::SurfaceDraft> draft;  // the draft of `surface`, if there is one already
     std::optional<baker::Shard> shard;
-    std::string name;    // of the field, or of the shard file, as the caller says it
+    std::string name;    // the field or the shard file, as the caller names it
     std::string target;  // the file behind the name
     baker::Earlier earlier = baker::Earlier::resume;
 };

@@ -33,7 +33,7 @@ struct Likeness {
     double psnr_db, ssim, cw_ssim, flip;
 };
 
-// Of the pixels that a mask leaves.
+// Likeness of the pixels that a mask leaves.
 struct MaskedLikeness {
     double psnr_db, ssim;
 };

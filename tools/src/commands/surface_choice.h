@@ -9,7 +9,7 @@
 namespace lumi::tools
 {
 
-// Of the light paths that meet a scene: where more miss its mesh, --layout auto takes a chord field. The edge of a
+// Shares of the light paths that meet a scene: if more miss its mesh, --layout auto takes a chord field. The edge of a
 // volume is soft, so many of its paths stop off the mesh and no hole is seen (docs/log/volumes.md).
 inline constexpr double kMostMissed = 0.05, kMostMissedOfVolume = 0.25;
 

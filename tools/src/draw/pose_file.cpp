@@ -17,7 +17,7 @@ namespace
 
 using Vec = std::array<double, 3>;
 
-constexpr double kRigidTolerance = 1e-3;  // of a product of two axes: numbers of four digits
+constexpr double kRigidTolerance = 1e-3;  // error of a product of two axes: the numbers have four digits
 constexpr const char* kWanted = "give 16 numbers, row by row: right, up, back and eye as columns, then 0 0 0 1";
 
 double dot(const Vec& a, const Vec& b)

@@ -13,7 +13,7 @@ namespace lumi::tools
 struct RendererName {
     std::string header;      // "lumi/surface/view.h"
     std::string opener;      // "open_surface"
-    std::string parameters;  // of the template alias, before which a program writes the screen
+    std::string parameters;  // parameters of the template alias, where a program writes the screen
     std::string view;        // "lumi::View<lumi::SurfaceDrawing<2500, 2400, Finest>, Screen>"
     std::string example;     // "lumi::View<lumi::SurfaceDrawing<2500, 2400>, lumi::Screen<240, 240, 16>>"
 };

@@ -7,8 +7,8 @@
 namespace lumi::tools
 {
 
-// Whether C or C++ means something else by this word: keywords of any edition, what <stdint.h> defines for the header
-// of an embedded field, and the words that compilers define themselves.
+// Whether C or C++ means something else by this word: keywords of any edition, what <stdint.h> defines for an embedded
+// field's header, and the words that compilers define themselves.
 bool is_taken(std::string_view symbol);
 
 }  // namespace lumi::tools

@@ -60,7 +60,7 @@ Picture mean_colours(const SurfaceField& field, const Eye& eye)
     return tools::draw_surface(plain, eye, settings);
 }
 
-// Of two differences to neighbours the smaller one: a surface's slope, not the step to what lies behind it.
+// The smaller of two differences to neighbours: a surface's slope, not the step to what lies behind it.
 uint8_t slope_byte(uint32_t before, uint32_t here, uint32_t after)
 {
     constexpr int kUnitsPerStep = 8, kFlat = 128;

@@ -27,7 +27,7 @@ struct Planes {
         : count(planes), width_px(width), height_px(height), values(static_cast<size_t>(planes) * size())
     {
     }
-    size_t size() const { return static_cast<size_t>(width_px) * static_cast<size_t>(height_px); }  // of a plane
+    size_t size() const { return static_cast<size_t>(width_px) * static_cast<size_t>(height_px); }  // pixels a plane
     uint8_t* plane(int k) { return values.data() + static_cast<size_t>(k) * size(); }
     const uint8_t* plane(int k) const { return values.data() + static_cast<size_t>(k) * size(); }
 };
@@ -35,7 +35,7 @@ struct Planes {
 // What comes out, and the first planes of what goes in: red, green and blue, encoded and premultiplied; coverage.
 inline constexpr int kPicturePlanes = 4;
 inline constexpr int kCoveragePlane = 3;
-// Of surface fields there follow the mean colour (3), depth (1) and how depth changes to the right and down (2).
+// For surface fields the mean colour (3), depth (1) and how depth changes to the right and down (2) follow.
 inline constexpr int kSurfacePlanes = 10;
 
 // The filter changes pixels that are covered or at most so far from a covered one.

@@ -15,7 +15,7 @@ struct TrainingSettings {
     int adversarial_epochs = 0;  // after those
     int batch = 4;               // pairs of a step
     int part_px = 128;           // side of the part of a pair that a step sees; the whole where it is smaller
-    double first_rate = 5e-4, last_rate = 2.5e-5;  // of learning; falls like half a cosine
+    double first_rate = 5e-4, last_rate = 2.5e-5;  // rate of learning; falls like half a cosine
     uint64_t seed = 1;
 };
 

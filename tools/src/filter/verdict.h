@@ -14,7 +14,7 @@ struct Verdict {
     int views = 0;
     // Where filtering lowers a measure: PSNR, SSIM or CW-SSIM falls, or FLIP rises.
     int worse_psnr = 0, worse_ssim = 0, worse_cw_ssim = 0, worse_flip = 0;
-    double milliseconds = 0;  // of CPU, the fastest view's; 0 where pictures stay as they are drawn
+    double milliseconds = 0;  // processor time of the fastest view; 0 where pictures stay as they are drawn
 };
 
 // `network`: null where pictures stay as they are drawn.

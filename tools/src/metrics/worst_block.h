@@ -10,7 +10,7 @@ namespace lumi::tools
 inline constexpr int kBlockPx = 16;
 
 struct Block {
-    int x = 0, y = 0;    // of its top left pixel
+    int x = 0, y = 0;    // its top left pixel
     double psnr_db = 0;  // infinity for identical pictures
 };
 

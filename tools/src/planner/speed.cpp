@@ -18,7 +18,7 @@ struct Cost {
     double of(bool is_m0plus) const { return is_m0plus ? m0plus : m4; }
 };
 
-constexpr double kSpherePx = 42300;  // of 57,600: the corners and a margin are background
+constexpr double kSpherePx = 42300;  // out of 57,600: the corners and a margin are background
 // A fill of the background, a pixel.
 constexpr Cost kBackground = {3, 4};
 // Chord fields by render_spans, S = 8, per pixel of the sphere: docs/log/tradeoff.md, the dearest texel format.

@@ -34,7 +34,7 @@ std::string chip_names();
 
 struct FrameCost {
     double instructions = 0;
-    double misses = 0;  // of flash lines
+    double misses = 0;  // flash lines that the cache misses
 };
 // What a frame of 240 × 240 pixels that the sphere fills takes with the code of `core` ("m0plus", else M4 code);
 // figures and their sources: docs/log/tradeoff.md.

@@ -14,7 +14,7 @@ struct Vector {
     double x, y, z;
 };
 
-// Of core's fixed point.
+// A vector of core in fixed point, as numbers; `one` stands for 1.
 template <class Fixed>
 Vector decoded(const Fixed& v, double one)
 {

@@ -12,9 +12,9 @@ struct SurfaceLoad {
     double vertices = 0, patches = 0;
     double seen = 0;       // triangles that face the eye
     double lit = 0;        // vertices of these that have a view table
-    double scanlines = 0;  // of samples that they span, one by one
-    double samples = 0;    // that they fill, hidden ones too
-    double magnified = 0;  // of these, those of textures that are read bilinearly
+    double scanlines = 0;  // lines of samples that these triangles span, counted for each triangle
+    double samples = 0;    // samples that they fill, hidden ones too
+    double magnified = 0;  // samples of textures that are read bilinearly
     double outline = 0;    // pixels along the edges between seen and unseen triangles
     double image = 0;      // pixels of the image
 };

@@ -19,9 +19,9 @@ using baker::SurfaceDraft;
 using baker::SurfaceSettings;
 
 // Triangles come first: the mesh takes about two fifths of the bytes.
-constexpr double kBytesATriangle = 90;  // of the budget; split edges and view tables included the mesh takes about 35
+constexpr double kBytesATriangle = 90;  // bytes of the budget; with split edges and view tables the mesh takes about 35
 constexpr double kFewestTriangles = 100, kMostTriangles = 6000;
-constexpr double kMostForMesh = 0.5;  // of the budget
+constexpr double kMostForMesh = 0.5;  // share of the budget
 constexpr float kLongestEdge = 0.6f, kLongerEdge = 1.4f;
 
 // Texels along a line of one radius, in steps that options can name.

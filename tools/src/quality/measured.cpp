@@ -14,7 +14,7 @@ namespace lumi::quality
 namespace
 {
 
-// Of this thread: other programs do not count.
+// Processor time of this thread: other programs do not count.
 double processor_ms()
 {
     timespec now{};

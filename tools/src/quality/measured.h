@@ -17,14 +17,14 @@ namespace lumi::quality
 
 // A kind of picture, drawn for every view.
 struct Measured {
-    std::string name;    // of the file
+    std::string name;    // the file's name
     std::string layout;  // "chord", "surface", "mean alone", "antialiased", ...
     uint64_t flash_bytes = 0;
     std::vector<tools::Section> sections;
     std::vector<tools::Picture> pictures;
-    std::vector<Figures> figures;  // of each view
+    std::vector<Figures> figures;  // one for each view
     Figures mean;
-    uint32_t triangles = 0;           // of a surface field
+    uint32_t triangles = 0;           // in a surface field
     std::vector<tools::Block> worst;  // block of each view
     double draw_ms = 0;               // processor time of one view on this machine, the mean
 };

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int kSidePx = 240;
-constexpr uint32_t kSamples = 2;  // of either reference
+constexpr uint32_t kSamples = 2;  // light paths a pixel of either reference
 
 double squared_error(const tools::Picture& x, const tools::Picture& a, const tools::Picture& b)
 {

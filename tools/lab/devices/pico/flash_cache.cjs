@@ -17,7 +17,7 @@ function lineNanos(registers, hz) {
 }
 
 class FlashCache {
-  // Of a chip whose CPU has so many clocks a second, before its boot stage runs.
+  // The chip's CPU has `hz` clocks a second, and its boot stage has not run yet.
   constructor(chip, hz) {
     this.hz = hz;
     this.registers = {};
@@ -32,8 +32,8 @@ class FlashCache {
     this.last = new Uint8Array(kSets);
     this.misses = 0;
     this.busyUntil = 0;
-    this.stalls = 0;  // of the instruction that runs
-    this.nanos = 0;   // when it began
+    this.stalls = 0;  // nanoseconds that the running instruction waits
+    this.nanos = 0;   // when that instruction began
   }
   read(address) {
     const line = (address - kFlash) >>> 3, set = line % kSets;

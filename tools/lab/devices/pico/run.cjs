@@ -44,7 +44,7 @@ function boot(chip, program) {
   chip.flash.set(program);
   chip.sram.set(program.subarray(0, kBootBytes), kBootRam - 0x20000000);
   chip.core.SP = kBootRam;
-  chip.core.registers[14] = 0;  // of the boot ROM: no caller
+  chip.core.registers[14] = 0;  // return address, as the boot ROM leaves it: no caller
   chip.core.PC = kBootRam;
 }
 

@@ -10,7 +10,7 @@ namespace lumi::baker::bench
 
 struct Rows {
     BakeSettings settings;
-    uint32_t count;  // of rows
+    uint32_t count;  // how many rows
 
     uint64_t texels() const { return uint64_t{count} * settings.directions; }
     uint64_t paths() const { return texels() * settings.samples; }

@@ -18,10 +18,10 @@ struct FrameFacts {
     uint32_t crc = 0;
 };
 
-// Of a chord field, in RGB565. `judge` is of the field's lattices.
+// Facts about a frame of a chord field, in RGB565. `judge` is made for the field's lattices.
 FrameFacts chord_facts(Judge& judge, const tools::FieldFile& file, const std::string& mode, int span, const View& view);
 
-// Of a surface field; `pixel` is rgb565 or rgb888.
+// Facts about a frame of a surface field; `pixel` is rgb565 or rgb888.
 FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
                          const View& view);
 

@@ -16,8 +16,8 @@ namespace lumi::bench
 
 struct HostFrame {
     tools::Picture picture;   // drawn as RGB888, so that a display's rounding hides nothing
-    uint32_t rgb565_crc = 0;  // of the frame that the boards draw
-    std::vector<Read> reads;  // of texels and palette entries, in order; addresses count from the field file's start
+    uint32_t rgb565_crc = 0;  // CRC of the frame that the boards draw
+    std::vector<Read> reads;  // each read of texels and palette, in order; addresses count from the field file's start
 };
 
 // `mode` is nearest, voronoi, dither, linear or paper; `span` 0 is render() in place of render_spans(): every pixel

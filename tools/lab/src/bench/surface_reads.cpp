@@ -105,7 +105,7 @@ private:
 
     const uint8_t* file_;
     const SurfaceField& field_;
-    std::vector<std::pair<uint32_t, uint32_t>> begins_;  // of rectangles, and their patches
+    std::vector<std::pair<uint32_t, uint32_t>> begins_;  // each rectangle's first texel, and its patch
     std::vector<Read> reads_;
 };
 

@@ -12,8 +12,8 @@ namespace lumi::quality
 
 struct Flicker {
     SurfaceMode mode;
-    double rms_levels;  // of 255
-    double ratio;       // to that of 2×2
+    double rms_levels;  // levels out of 255
+    double ratio;       // to the levels of 2×2
 };
 
 inline constexpr double kZoomNearest = 1.05, kZoomFarthest = 20;  // radii

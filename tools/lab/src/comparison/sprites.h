@@ -20,9 +20,9 @@ tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Im
 struct SpriteSheet {
     uint32_t count = 1;
     uint32_t samples = 16;      // light paths a pixel; what remains of noise is far below the error of a wrong view
-    int32_t side_px = kSidePx;  // of a sprite
+    int32_t side_px = kSidePx;  // a sprite's side
     bool is_ring = false;       // around the clock, kRingElevationDeg high; else a Spherical Fibonacci set all around
-    uint32_t jpeg_bytes = 0;    // of a sprite at most, in the best quality that fits; 0: RGB565
+    uint32_t jpeg_bytes = 0;    // a sprite's size at most, in the best quality that fits; 0: RGB565
 };
 inline constexpr double kRingElevationDeg = 20;
 

@@ -73,7 +73,7 @@ void draw_frame(const Field& field, const Camera& camera, int span_px, std::vect
     }
 }
 
-// Of one eye's frame, the mean over views.
+// The processor time of one eye's frame, the mean over views; the best of kRepeats.
 template <class Reconstruction, class Texel>
 double frame_seconds(const Field& field, const std::vector<Camera>& cameras, int span_px)
 {

@@ -34,7 +34,7 @@ uint64_t preparing(const Json& row)
     return static_cast<uint64_t>(sum * row.at("covered_pixels").get<double>());
 }
 
-// Of the parts that run this row's code.
+// Adds the frames a second of each part that runs this row's code.
 void put_rates(Json& row)
 {
     const uint64_t instructions = row.at("instructions_per_frame");

@@ -12,7 +12,7 @@ namespace lumi::twin
 
 struct SurfaceTriangle {
     uint32_t vertices[3];
-    uint32_t begin, n, m;  // of its rectangle of texels
+    uint32_t begin, n, m;  // where its rectangle of texels begins, and the rectangle's size
     bool second;           // texture coordinates run backwards
 };
 
@@ -29,7 +29,7 @@ struct SurfaceFile {
     std::vector<Vec3> positions;
     std::vector<SurfaceTriangle> triangles;
     std::vector<Colour> texels;
-    std::vector<SurfaceView> views;  // of the first vertices
+    std::vector<SurfaceView> views;  // tables of the first vertices, in order
 };
 
 }  // namespace lumi::twin

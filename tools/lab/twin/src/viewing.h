@@ -33,7 +33,7 @@ public:
         return forward_ + (x - centre_x_) * per_px_ * right_ - (y - centre_y_) * per_px_ * up_;
     }
 
-    // Of a point: its distance along the axis, and where it appears if that is positive.
+    // A point's distance along the axis, and where the point appears if that is positive.
     double depth(const Vec3& p) const { return dot(p - eye_, forward_); }
     double image_x(const Vec3& p) const { return centre_x_ + dot(p - eye_, right_) / (depth(p) * per_px_); }
     double image_y(const Vec3& p) const { return centre_y_ - dot(p - eye_, up_) / (depth(p) * per_px_); }
