@@ -10,7 +10,7 @@ namespace lumi::bench
 
 struct NoReconstruction {
     static constexpr uint32_t kTaps = 1;
-    static Taps<kTaps> taps(const detail::Lattice&, const Vec3q30& direction)
+    static detail::Taps<kTaps> taps(const detail::Lattice&, const Vec3q30& direction)
     {
         __asm volatile("" ::"r"(direction.x), "r"(direction.y), "r"(direction.z));  // someone wants the hit
         return {{0}, {0}};
