@@ -15,11 +15,10 @@
 
 #include "geometry/accelerator.h"
 #include "math/sampler.h"
+#include "scene/scene_data.h"
 
 namespace lumi::baker
 {
-
-struct SceneData;
 
 // Where the ray meets the upper side of the catcher, if it does before its end. Up is +z, as in SceneData.
 std::optional<float> distance_to_catcher(const Disc& catcher, const Ray& ray);
