@@ -11,7 +11,7 @@ namespace lumi::baker
 // Without centre and radius. Throws BakeError for settings that no field can hold.
 FieldLayout checked_layout(const BakeSettings& settings);
 
-// Of a chord bake. Throws BakeError for settings or shards that cannot be.
+// The layout of a chord bake's field. Throws BakeError for settings or shards that cannot be.
 FieldLayout layout_of(const BakeIdentity& identity);
 
 // Throws BakeError for settings or shards that cannot be.

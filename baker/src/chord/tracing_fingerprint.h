@@ -7,8 +7,8 @@
 namespace lumi::baker
 {
 
-// Of what some thousand fixed light paths bring home, to the last bit: where it differs though the scenes are the same,
-// another build or processor computes otherwise.
+// A hash of what some thousand fixed light paths bring home, to the last bit. Where it differs though the scenes are
+// the same, the two builds or processors do not compute alike.
 uint64_t tracing_fingerprint(const SceneData& scene);
 
 }  // namespace lumi::baker

@@ -31,14 +31,14 @@ class EncodedTone
 public:
     explicit EncodedTone(ToneCurve curve);
 
-    // Of radiance, without a clip above 255.
+    // The levels of a radiance, without a clip above 255.
     LevelColour encoded(const Rgb& radiance) const;
     // The tangent at about these levels.
     ToneLine line_at(const LevelColour& levels) const;
 
 private:
     struct Step {
-        float level, linear, slope;  // of the transfer function
+        float level, linear, slope;  // a point of the transfer function, and its slope there
     };
     const Step& step_at(float level) const;
 

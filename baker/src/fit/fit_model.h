@@ -8,7 +8,7 @@
 namespace lumi::baker
 {
 
-inline constexpr uint32_t kPatchNodes = 4 * detail::format::kViewNodes;  // of a patch's corners
+inline constexpr uint32_t kPatchNodes = 4 * detail::format::kViewNodes;  // the nodes of a patch's four corners
 
 struct FitModel {
     std::vector<LevelColour> texels;
@@ -38,7 +38,7 @@ SampleTaps taps_of(const FitShape& shape, const FitSample& sample);
 // What the model shows of a sample; `nodes` are those of its patch, kPatchNodes of them.
 LevelColour predicted(const FitModel& model, const std::vector<LevelColour>& nodes, const FitSample& sample,
                       const SampleTaps& taps);
-// Of a patch's corners, in order; those of a missing corner are 0.
+// The nodes of a patch's corners, in order; those of a missing corner are 0.
 std::vector<LevelColour> patch_nodes(const FitShape& shape, const FitModel& model, uint32_t patch);
 
 }  // namespace lumi::baker

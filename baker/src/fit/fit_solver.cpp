@@ -11,7 +11,7 @@ namespace
 using detail::format::kViewNodes;
 
 constexpr uint32_t kPatchesATask = 16;
-constexpr double kGoodEnough = 1e-4;  // of the first residual
+constexpr double kGoodEnough = 1e-4;  // the residual, as a share of the first one, at which the solution is taken
 
 std::array<double, 3> dots(const std::vector<double>& a, const std::vector<double>& b)
 {

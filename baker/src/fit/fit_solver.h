@@ -15,7 +15,7 @@ namespace lumi::baker
 // Where conjugate gradients stand. Numbers: 3 a node; sums are of each channel.
 struct ConjugateGradients {
     std::vector<double> x, residual, direction;
-    std::array<double, 3> size{}, first{};  // of the residual, now and at the begin
+    std::array<double, 3> size{}, first{};  // the residual's size, now and at the beginning
     bool done = false;                      // the residual is small enough
 };
 

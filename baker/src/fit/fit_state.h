@@ -19,9 +19,9 @@ struct FitState {
 
     const FitShape& shape;
     const EncodedTone& tone;
-    FitModel expected;     // of the pilot
-    FitSums sums;          // linear around it
-    uint32_t batches = 0;  // that are in the sums
+    FitModel expected;     // what the pilot found
+    FitSums sums;          // equations that are linear around `expected`
+    uint32_t batches = 0;  // batches that are in the sums
     uint32_t wanted = 0;   // batches in all, once they are known
     uint64_t paths = 0;
     bool has_pilot = false;

@@ -13,7 +13,7 @@ namespace lumi::baker
 
 inline constexpr uint32_t kMaxTexelSamples = uint32_t{1} << 20;
 inline constexpr double kWeightUnit = 1.0 / 4096, kLevelUnit = 1.0 / 64;
-inline constexpr int kScatterShift = 3;  // of levels before they are squared
+inline constexpr int kScatterShift = 3;  // differences are shifted right by so many bits before they are squared
 inline constexpr double kScatterUnit = kLevelUnit * kLevelUnit * (1 << (2 * kScatterShift));
 
 struct TexelSums {
@@ -21,7 +21,7 @@ struct TexelSums {
     std::array<int64_t, 3> target{}, predicted{};
     uint64_t scatter = 0;  // squares of target - prediction, all channels, in kScatterUnit
 
-    // Of one sample's channel, levels².
+    // The variance of one sample's channel, levels².
     double variance() const { return count == 0 ? 0 : kScatterUnit * static_cast<double>(scatter) / (3.0 * count); }
 };
 

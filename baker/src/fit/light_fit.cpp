@@ -11,10 +11,10 @@ namespace
 constexpr uint64_t kPilotSeedOffset = 0x70696C6F, kShareSeedOffset = 0x73686172;
 constexpr uint32_t kShareBatches = 16;
 constexpr double kPilotPaths = 65;        // a texel; more gain nothing
-constexpr double kMaxPilotPaths = 1.6e7;  // of all texels together: they are kept in memory
+constexpr double kMaxPilotPaths = 1.6e7;  // for all texels together: they are kept in memory
 constexpr int kPilotRounds = 4;           // each linear around the one before
 constexpr int kPilotIterations = 12;
-// Of a round of the pilot, in light paths a texel that take as long: sums of 65 paths, and iterations.
+// What a round of the pilot costs (sums of 65 paths, and iterations), in light paths a texel that take as long.
 constexpr double kRoundWork = 25;
 constexpr uint32_t kRoundRuns = kPilotIterations + 4;
 constexpr uint32_t kMostAtOnce = 512, kRounds = 16;  // batches between two calls of `keep`, and calls at least

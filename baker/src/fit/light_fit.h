@@ -23,7 +23,7 @@ public:
 
     // All work up to the solution, in light paths that take as long.
     uint64_t work() const;
-    // Of it, what is in a state.
+    // The part of that work which a state already holds.
     uint64_t work_in(const FitState& state) const;
 
     // Goes on from `state` until all paths of the shard are in it; `keep` is called when some more are. Throws

@@ -58,7 +58,7 @@ private:
     const SceneData& scene_;
     const FitShape& shape_;
     const ViewCap cap_;
-    std::vector<uint32_t> numbers_;  // of the accelerator's triangles
+    std::vector<uint32_t> numbers_;  // the mesh's triangle for each of the accelerator's
     MeshTracer mesh_;
     PathTracer tracer_;
 };

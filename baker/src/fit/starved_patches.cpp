@@ -6,8 +6,8 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kFewPaths = 2;    // a texel, in the mean
-constexpr float kForce = 0.5f;    // of the patches around, in paths
+constexpr float kFewPaths = 2;    // paths a texel, in the mean
+constexpr float kForce = 0.5f;    // weight, in light paths, of what is drawn from the patches around
 constexpr int kMostDistance = 8;  // patches that far from any light that was traced
 
 struct Mean {

@@ -11,7 +11,7 @@ namespace
 
 constexpr uint64_t kSeedOffset = 0x64657461;
 constexpr double kPaths = 24;       // a texel
-constexpr double kMaxPaths = 8e6;   // of all texels: they are kept in memory
+constexpr double kMaxPaths = 8e6;   // for all texels together: they are kept in memory
 constexpr float kLeastDetail = 12;  // squared levels of all channels: two levels between neighbours
 constexpr float kPower = 0.25f;     // the error of smooth colours falls with the fourth power of the density
 constexpr float kThinnest = 0.4f, kDensest = 3;  // times the mean density

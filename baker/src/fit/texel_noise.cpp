@@ -10,10 +10,10 @@ namespace
 {
 
 constexpr int kDiffusionRounds = 30;
-constexpr int kReach = 2;                // of the window in which differences are compared with noise, edges
+constexpr int kReach = 2;                // edges on each side in the window where differences are compared with noise
 constexpr double kLeastVariance = 1e-3;  // levels²
-constexpr double kLeastSpread = 0.5;  // of the picture's own differences, in parts of noise: so well it is told apart
-constexpr double kUnknownTie = 1e-3;  // where nothing around is known
+constexpr double kLeastSpread = 0.5;     // least difference taken for the picture's own, in parts of the noise
+constexpr double kUnknownTie = 1e-3;     // the tie where nothing around is known
 
 // Texels and what ties them: `across[k]` joins texel k to the one at its right, `down[k]` to the one below.
 class Smoother

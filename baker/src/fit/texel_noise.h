@@ -9,8 +9,8 @@
 namespace lumi::baker
 {
 
-// Of a rectangle `width` wide. `variances` are those of the fitted texels, levels², a channel; negative where no path
-// met a texel. Each texel is drawn to its neighbours by as much as neighbours around there differ less than noise
+// Smooths a rectangle `width` wide. `variances` are those of the fitted texels, levels² a channel; negative where no
+// path met a texel. Each texel is drawn to its neighbours by as much as neighbours around there differ less than noise
 // alone makes them differ. So noise leaves where the picture is smooth, edges stay, and what no path met is filled.
 void smooth_noise(LevelColour* texels, const std::vector<double>& variances, uint32_t width);
 

@@ -13,7 +13,7 @@ namespace
 
 using Point = std::array<double, 3>;
 
-constexpr double kTolerance = 1e-7;  // of the radius; above binary64's noise on well-conditioned supports
+constexpr double kTolerance = 1e-7;  // as a share of the radius; above binary64's noise on well-conditioned supports
 constexpr int kMaxPivots = 200;      // tens suffice; the bound only guards against cycling on rounding
 
 Point to_point(const Vec3& v)

@@ -13,7 +13,7 @@ class ViewCap
 {
 public:
     ViewCap() = default;
-    // Of the sphere's area, 0 < share <= 1; 1: all around.
+    // `share` is that of the sphere's area, 0 < share <= 1; 1: all around.
     explicit ViewCap(float share) : lowest_(1 - 2 * share) {}
 
     bool is_whole() const { return lowest_ <= -1; }

@@ -10,7 +10,7 @@
 namespace lumi::baker
 {
 
-// Of any number, not clipped: 1 stands for white on both sides.
+// Both take any number and clip nothing: 1 stands for white on both sides.
 double srgb_linear(double encoded);
 double srgb_encoded(double linear);
 

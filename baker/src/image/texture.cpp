@@ -62,7 +62,7 @@ Rgb Texture::at(const Vec2& uv) const
 
 Texture normals_from_heights(const Texture& heights, float strength)
 {
-    constexpr float kSlope = 255.0f / 32 / 2;  // over two pixels
+    constexpr float kSlope = 255.0f / 32 / 2;  // heights are compared over two pixels
     Texture result{heights.width, heights.height, {}, false};
     result.rgb.reserve(heights.rgb.size());
     for (int y = 0; y < heights.height; ++y) {

@@ -75,7 +75,7 @@ private:
     static std::optional<LightSample> found(const Fixture& fixture, const Ray& ray);
 
     std::vector<Fixture> fixtures_;
-    std::vector<size_t> sized_;  // those that a ray can meet
+    std::vector<size_t> sized_;  // the fixtures that a ray can meet
     Distribution choice_;
 };
 

@@ -119,7 +119,7 @@ private:
     Body body_;
     const SheenTable* fibres_;
     Rgb colour_;
-    float strength_;  // of the colour's largest component
+    float strength_;  // the colour's largest component
 };
 
 // A polished boundary between two clear media.

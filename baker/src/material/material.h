@@ -39,7 +39,7 @@ namespace lumi::baker
 inline constexpr int32_t kNoTexture = -1;
 inline constexpr float kMinAlpha = 0.01f;  // sharper facets than this no field resolves, and binary32 begins to suffer
 inline constexpr float kDefaultIndex = 1.5f;
-// Of diamond 2.4, of germanium 4. Closer to 1, facets and directions of glass can no longer be told apart.
+// Diamond's index is 2.4, germanium's is 4. Closer to 1, facets and directions of glass can no longer be told apart.
 inline constexpr double kMinIndex = 1.01, kMaxIndex = 4;
 inline constexpr float kDefaultSheenRoughness = 0.3f;  // cloth
 
@@ -68,7 +68,7 @@ struct MaterialNumbers {
     Rgb base = grey(0.6f);  // reflectance of the diffuse body, or of the metal at normal incidence
     Rgb emission;
     Rgb sheen_colour = grey(1);
-    Rgb transmittance = grey(1);  // of glass along `transmittance_length`
+    Rgb transmittance = grey(1);  // what glass lets through along `transmittance_length`
     float metalness = 0;
     float alpha = 1;  // GGX width
     float index = kDefaultIndex;
@@ -138,10 +138,10 @@ struct Material : MaterialNumbers {
     std::vector<std::shared_ptr<const FacetTable>> facets;
     std::vector<std::shared_ptr<const SkinOf<Anisotropic>>> brushed_skins;  // in place of the other two
     std::vector<std::shared_ptr<const FacetTableOf<Anisotropic>>> brushed_facets;
-    std::shared_ptr<const GlassTable> frost;  // of rough glass
+    std::shared_ptr<const GlassTable> frost;  // only for rough glass
     std::shared_ptr<const Skin> coat_skin;
     std::shared_ptr<const SheenTable> fibres;
-    Rgb absorption;  // of glass, per length
+    Rgb absorption;  // what glass takes out, per length
 };
 
 float alpha_from_phong_exponent(float exponent);

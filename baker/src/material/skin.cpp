@@ -8,7 +8,7 @@ namespace lumi::baker
 namespace
 {
 
-// Of the samples for one direction: a Fibonacci lattice, whose steps are neighbouring Fibonacci numbers.
+// Samples for one direction: they are a Fibonacci lattice, whose steps are neighbouring Fibonacci numbers.
 constexpr int kSamples = 610, kStep = 377;
 
 // Mean of weight(wo, half, facets) over samples of visible facets.

@@ -5,7 +5,7 @@
 // Skin: what a dielectric skin reflects; Plastic and Coated need it so that skin and body together conserve energy.
 // FacetTable: what white metal reflects; the rest is light that bounced between facets more than once.
 // GlassTable: what a dielectric boundary reflects and transmits, from either side.
-// Of an Anisotropic spread the tables depend on the azimuth as well.
+// The tables of an Anisotropic spread depend on the azimuth as well.
 // Kulla & Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 course.
 #pragma once
 
@@ -28,7 +28,7 @@ public:
     float eta() const { return eta_; }
     const GgxOf<Spread>& facets() const { return facets_; }
     float albedo(const Vec3& w) const { return table_.at(w); }
-    float albedo(float cosine) const { return table_.at(cosine); }  // of isotropic skins
+    float albedo(float cosine) const { return table_.at(cosine); }  // for isotropic skins
     float mean_albedo() const { return table_.mean(); }
 
 private:
@@ -45,7 +45,7 @@ public:
 
     const GgxOf<Spread>& facets() const { return facets_; }
     float lost(const Vec3& w) const { return 1 - table_.at(w); }
-    float lost(float cosine) const { return 1 - table_.at(cosine); }  // of isotropic facets
+    float lost(float cosine) const { return 1 - table_.at(cosine); }  // for isotropic facets
     float mean_lost() const { return 1 - table_.mean(); }
 
 private:

@@ -66,7 +66,7 @@ struct Rgb {
     float r = 0, g = 0, b = 0;
 };
 
-inline constexpr float kMaxRadiance = 1e9f;  // that a scene may hold: sums of many stay finite in binary32
+inline constexpr float kMaxRadiance = 1e9f;  // the most that a scene may hold: sums of many stay finite in binary32
 
 constexpr Rgb grey(float v)
 {

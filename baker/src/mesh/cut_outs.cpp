@@ -11,9 +11,9 @@ namespace
 
 constexpr float kCell = 1.0f / 120;       // radii: a pixel
 constexpr uint32_t kMaxCells = 64;        // along a side of a triangle
-constexpr double kMaxAllCells = 1 << 20;  // of all triangles together
+constexpr double kMaxAllCells = 1 << 20;  // in all triangles together
 constexpr float kHalf = 0.5f;
-constexpr uint32_t kCellSteps = 16;  // that a cell's side is cut in: pieces of neighbouring triangles meet exactly
+constexpr uint32_t kCellSteps = 16;  // steps along a cell's side: pieces of neighbouring triangles meet exactly
 
 // A place on a triangle: shares of its corners, in steps of a cell; they sum to cells × kCellSteps.
 using CellPlace = std::array<uint32_t, 3>;

@@ -11,12 +11,12 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kSplitEarly = 0.95f;     // of the longest edge: fitting makes some a little longer
-constexpr float kMostMove = 0.1f;        // how far a new vertex may move onto the scene, of its edge's length
-constexpr float kMinFacing = 0.5f;       // cosine between the surface that it moves to and the triangles around
-constexpr double kEnoughSeen = 0.95;     // of the triangles asked for
-constexpr int kAttempts = 3;             // to have enough of them seen
-constexpr size_t kMaxTriangles = 65536;  // that are fitted, hidden ones among them
+constexpr float kSplitEarly = 0.95f;  // edges are split above this share of the longest edge: fitting makes some longer
+constexpr float kMostMove = 0.1f;     // how far a new vertex may move onto the scene, as a share of its edge's length
+constexpr float kMinFacing = 0.5f;    // cosine between the surface that it moves to and the triangles around
+constexpr double kEnoughSeen = 0.95;  // as a share of the triangles asked for
+constexpr int kAttempts = 3;          // attempts to have enough of them seen
+constexpr size_t kMaxTriangles = 65536;  // triangles that are fitted, hidden ones among them
 
 // Moves the middle of an edge onto the scene's surface, where that is near and faces the same way.
 PlaceMiddle onto(const SceneData& scene)

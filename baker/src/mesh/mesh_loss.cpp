@@ -12,7 +12,7 @@ constexpr uint32_t kLossRays = 2048;  // an origin
 constexpr uint64_t kLossSeed = 0x6C6F7373;
 
 constexpr double kMaxMissed = 0.01;
-constexpr double kFarShort = 0.6;  // of the triangles asked for
+constexpr double kFarShort = 0.6;  // as a share of the triangles asked for
 
 std::string percent(double share)
 {

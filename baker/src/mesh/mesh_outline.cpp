@@ -14,8 +14,8 @@ constexpr uint64_t kOutlineSeed = 0x6F75746C;
 constexpr float kAway = 2;                             // where rays start before an outline, in radii
 constexpr float kBehind = kAway + kMaxDepthError;      // what they meet from here on belongs to something else
 constexpr float kBeside = 1e-3f;                       // an edge's two sides are looked at so far from it; in radii
-constexpr float kSpacing = 0.02f;                      // of points along an edge
-constexpr float kFirstStep = 0.0025f, kReach = 0.04f;  // of the search for the scene's outline
+constexpr float kSpacing = 0.02f;                      // between points along an edge, in radii
+constexpr float kFirstStep = 0.0025f, kReach = 0.04f;  // how the scene's outline is searched for
 constexpr int kHalvings = 6;
 
 bool is_covered(const std::optional<Hit>& hit)
@@ -82,7 +82,7 @@ std::vector<OutlinePoint> MeshOutline::seen_from(const Vec3& eye, uint32_t seed)
     return result;
 }
 
-// Of an edge's sides the one whose triangle faces the eye, unless several do.
+// That side of an edge whose triangle faces the eye; null if several do, or none.
 const MeshOutline::Side* MeshOutline::only_facing(Sides::const_iterator begin, Sides::const_iterator end,
                                                   const Vec3& eye) const
 {

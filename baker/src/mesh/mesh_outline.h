@@ -12,7 +12,7 @@ namespace lumi::baker
 // A point on an edge of the mesh that is an outline.
 struct OutlinePoint {
     uint32_t from, to;  // vertices of the edge
-    float share;        // of `to`; the rest is of `from`
+    float share;        // how far the point is on the way from `from` to `to`, 0 .. 1
     Vec3 outwards;      // across the edge, in the plane of the image; unit length
     float offset;       // how far outwards the scene's outline lies, or half of a gap in the mesh; in radii
 };
@@ -29,7 +29,7 @@ public:
     std::vector<OutlinePoint> seen_from(const Vec3& eye, uint32_t seed) const;
 
 private:
-    // Of a triangle, counter-clockwise.
+    // A triangle's side, counter-clockwise.
     struct Side {
         uint32_t from, to, triangle;
     };
@@ -42,7 +42,7 @@ private:
     const SceneData& scene_;
     const MeshTracer& tracer_;
     const ViewCap cap_;
-    Sides sides_;  // those of an edge lie together
+    Sides sides_;  // an edge's sides lie together
 };
 
 }  // namespace lumi::baker

@@ -11,7 +11,7 @@ namespace lumi::baker
 class MeshTracer
 {
 public:
-    // Of `mesh` only positions and corners count.
+    // Reads only the positions and corners of `mesh`.
     MeshTracer(Mesh mesh, bool two_sided);
 
     const Mesh& mesh() const { return mesh_; }

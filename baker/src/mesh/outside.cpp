@@ -15,13 +15,13 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kDirections = 24;  // over each side of a triangle
-constexpr uint32_t kPlaces = 4;       // of a triangle, before it counts as never seen
+constexpr uint32_t kDirections = 24;  // directions over each side of a triangle
+constexpr uint32_t kPlaces = 4;       // places on a triangle that are tried before it counts as never seen
 constexpr float kPlaceArea = 4e-4f;   // large triangles get one more place for each so many square radii
 constexpr float kMaxPlaces = 1024;
 constexpr uint32_t kTrianglesATask = 512;
 constexpr float kAbove = 1e-4f;         // the rays' starts, in radii: sheets closer together count as one
-constexpr double kMaxBothSides = 0.02;  // of what is seen, may be lost by culling
+constexpr double kMaxBothSides = 0.02;  // the share of what is seen that culling may lose
 constexpr float kWeldSteps = 1 << 17;   // vertices that round to the same 1/kWeldSteps radius are one
 constexpr uint64_t kOutsideSeed = 0x6F757473;
 
@@ -199,7 +199,7 @@ public:
         return result;
     }
 
-    // Of all that is seen, what culling of back faces would lose.
+    // The share of all that is seen which culling of back faces would lose.
     double lost_share() const
     {
         double lost = 0, total = 0;

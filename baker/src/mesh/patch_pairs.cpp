@@ -9,7 +9,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kSkewCost = 0.5f;  // of a cosine of 1 at a corner, against a shape that is off by its diagonal
+constexpr float kSkewCost = 0.5f;  // cost of a cosine of 1 at a corner; a shape off by its diagonal costs 1
 constexpr int kMaxChain = 16;      // pairs that are changed at once to find a partner for a lone triangle
 constexpr uint32_t kAlone = UINT32_MAX;
 
@@ -153,7 +153,7 @@ private:
 
     std::vector<Pair> pairs_;
     std::vector<std::vector<uint32_t>> around_;  // pairs that a triangle could be in
-    std::vector<uint32_t> pair_;                 // that it is in
+    std::vector<uint32_t> pair_;                 // the pair that a triangle is in
     std::set<Rank> waiting_;
 };
 

@@ -10,7 +10,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kRays = 2048;  // that a triangle gets before it counts as hidden
+constexpr uint32_t kRays = 2048;  // rays that a triangle gets before it counts as hidden
 constexpr uint32_t kSeenTriangles = 64;
 constexpr float kBeyondSphere = 2.5f;  // beyond the sphere from any place in it, in radii
 constexpr uint64_t kSeenSeed = 0x7365656E;

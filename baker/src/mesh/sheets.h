@@ -20,7 +20,7 @@ struct SheetPlace {
 class Sheets
 {
 public:
-    explicit Sheets(const Mesh& mesh);  // of positions and corners
+    explicit Sheets(const Mesh& mesh);  // reads positions and corners only
 
     SheetPlace of(uint32_t triangle) const;
 

@@ -23,7 +23,7 @@ public:
     void set(int x, int y, bool value) { pixels_[index(x, y)] = value; }
     uint32_t count() const { return static_cast<uint32_t>(std::count(pixels_.begin(), pixels_.end(), true)); }
 
-    // Of the w × h pixels from (x, y) on.
+    // How many of the w × h pixels from (x, y) on are set.
     uint32_t count(int x, int y, int w, int h) const
     {
         uint32_t sum = 0;

@@ -13,13 +13,13 @@ namespace lumi::baker
 inline constexpr uint32_t kSilhouettes = 24;      // directions, spread over the sphere
 inline constexpr uint32_t kSilhouetteSize = 240;  // pixels across the unit sphere, each way
 
-inline constexpr uint32_t kMaxMissing = 2;  // pixels, of a region that nobody minds
+inline constexpr uint32_t kMaxMissing = 2;  // pixels: nobody minds a region of so few
 
 struct MissingPixels {
-    uint32_t scene = 0;    // pixels that the scene covers, of all silhouettes
-    uint32_t missing = 0;  // of them, those that the mesh should cover and does not
-    uint32_t largest = 0;  // of the connected regions of missing pixels
-    uint32_t regions = 0;  // of more than kMaxMissing
+    uint32_t scene = 0;    // pixels that the scene covers, in all silhouettes
+    uint32_t missing = 0;  // those of them that the mesh should cover and does not
+    uint32_t largest = 0;  // pixels in the largest connected region of missing ones
+    uint32_t regions = 0;  // connected regions of more than kMaxMissing missing pixels
 };
 
 // Outlines may be off by one pixel: a missing pixel either has the scene all around, or the mesh is nowhere beside it

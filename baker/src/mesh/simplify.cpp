@@ -11,8 +11,8 @@ namespace lumi::baker
 namespace
 {
 
-constexpr double kTolerated = 1.25;  // of the triangles asked for, before the shape's topology is given up
-constexpr float kMaxError = 0.1f;    // of the extent: stalled, it would swallow whole objects
+constexpr double kTolerated = 1.25;  // where more times the triangles asked for remain, topology is given up
+constexpr float kMaxError = 0.1f;    // as a share of the extent: a stalled search would swallow whole objects
 constexpr float kMaxRoughError = 1;
 
 using Indices = std::vector<uint32_t>;

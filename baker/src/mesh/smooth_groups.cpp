@@ -104,7 +104,7 @@ Mesh with_creases(const Mesh& mesh, float crease_cosine)
     const std::vector<Vec3> facings = facings_of(mesh);
     CornerSets sets = joined(mesh, facings, crease_cosine);
     Mesh result;
-    std::unordered_map<uint32_t, uint32_t> numbers;  // of the sets
+    std::unordered_map<uint32_t, uint32_t> numbers;  // the vertex made for each set, by the set's root
     for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
         Mesh::Corners corners;
         for (uint32_t i = 0; i < 3; ++i) {

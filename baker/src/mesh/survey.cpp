@@ -12,7 +12,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kRaysPerTriangle = 200;  // of all origins together
+constexpr uint32_t kRaysPerTriangle = 200;  // from all origins together
 constexpr uint32_t kMaxRaysPerOrigin = 8192;
 constexpr uint64_t kFitSeed = 0x70726F78;
 

@@ -10,7 +10,7 @@
 namespace lumi::baker
 {
 
-// Of two depths that belong to the same surface, in radii.
+// Two depths that differ by at most so much belong to the same surface; in radii.
 inline constexpr float kMaxDepthError = 0.05f;
 
 // What one ray meets; distances along it, infinite for a miss.
@@ -23,7 +23,7 @@ struct SurveyRay {
 class Survey
 {
 public:
-    // Of the rays, those along which eyes of the cap see.
+    // Keeps those rays along which eyes of the cap see.
     Survey(const SceneData& scene, uint32_t origins, uint32_t rays_per_origin, uint64_t seed, const ViewCap& cap = {});
 
     const SceneData& scene() const { return scene_; }

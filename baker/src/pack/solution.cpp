@@ -63,7 +63,7 @@ PalettedTexels paletted(const std::vector<LevelColour>& texels)
 constexpr int kMostIterations = 60, kIterationsAtOnce = 10;
 constexpr double kSolveWork = 60;  // light paths a texel that take as long
 
-// Of a texel's mean, a channel. A texel's own scatter is known badly where it has few paths: its patch's helps out.
+// Variances of texels' means, a channel. A texel's own scatter is known badly from few paths: its patch's helps.
 std::vector<double> texel_variances(const PatchSums& sums)
 {
     constexpr double kPatchPaths = 16;

@@ -9,7 +9,7 @@
 namespace lumi::baker
 {
 
-// Of a file: its sphere, in scene units.
+// The sphere that a field file names, in scene units.
 struct FieldSphere {
     std::array<double, 3> centre;
     double radius;

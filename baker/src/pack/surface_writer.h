@@ -17,7 +17,7 @@ struct ViewCode {
     std::array<uint8_t, detail::format::kViewNodes> colours{};
 };
 
-// Of all view tables: 16 colours a node.
+// The colours that all view tables share: 16 a node.
 struct NodeColours {
     using Colour = std::array<int8_t, 3>;
     std::array<std::array<Colour, detail::format::kNodeColours>, detail::format::kViewNodes> colours{};

@@ -19,7 +19,7 @@ constexpr double kLeastDifference = 0.7;  // levels, root mean square
 constexpr int kSharedRounds = 12;
 constexpr uint64_t kViewSeed = 0x76696577;
 constexpr float kGainUnit = 64;
-constexpr float kMostLevel = 127;  // of a channel
+constexpr float kMostLevel = 127;  // the largest level of a channel, either sign
 
 float dot(const LevelColour& a, const LevelColour& b)
 {
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    static constexpr double kUnseenWeight = 0.02;  // of nodes that no path met, against the mean
+    static constexpr double kUnseenWeight = 0.02;  // weight of nodes that no path met, as a share of the mean weight
 
     const LevelColour& node(size_t v, size_t k) const { return model_.nodes[v * kViewNodes + k]; }
     float weight(size_t v, size_t k) const { return static_cast<float>(weights_[v * kViewNodes + k]); }
@@ -84,7 +84,7 @@ private:
     // The root mean square of a table.
     void first_gains()
     {
-        constexpr float kTypical = 32;  // of a channel, at that size
+        constexpr float kTypical = 32;  // a table's root mean square that gets the gain 1
         for (size_t v = 0; v < viewed_.size(); ++v) {
             if (viewed_[v] == 0) continue;
             float sum = 0, weights = 0;
@@ -287,7 +287,7 @@ private:
     std::vector<ViewCode> codes_;
     std::array<std::array<LevelColour, kNodeColours>, kViewNodes> centres_{};
     NodeColours colours_;
-    std::vector<LevelColour> errors_;  // of nodes as they are shown
+    std::vector<LevelColour> errors_;  // by node: how far what is shown is off
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ struct QuantisedViews {
 // Vertices whose view table changes what is shown by more than about a level.
 std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model);
 
-// Of the viewed vertices.
+// The quantised view tables of the viewed vertices.
 QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed);
 // What a reader makes of them, 0 where there is no table.
 std::vector<LevelColour> decoded(const QuantisedViews& views);

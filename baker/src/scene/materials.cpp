@@ -72,7 +72,7 @@ private:
     std::vector<Texture>& textures_;
     std::vector<std::string>& warnings_;
     std::map<Key, int32_t> loaded_;
-    std::map<std::pair<int32_t, float>, int32_t> normals_;  // of a picture of heights and a strength
+    std::map<std::pair<int32_t, float>, int32_t> normals_;  // by picture of heights and strength
 };
 
 Material default_material(const std::string& name)

@@ -17,7 +17,7 @@ struct MtlMap {
     std::string name;  // with forward slashes
     uint32_t line = 0;
     Vec2 scale = {1, 1}, offset;
-    float strength = 1;  // of bumps
+    float strength = 1;  // how high bumps are
 };
 
 // A material as MTL states it: the last line of each keyword counts.

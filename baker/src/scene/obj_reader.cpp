@@ -79,7 +79,7 @@ std::vector<std::filesystem::path> libraries_of(const std::filesystem::path& obj
     return files;
 }
 
-// Of all libraries, each read once however often the OBJ names it.
+// The materials of all libraries. Each library is read once, however often the OBJ names it.
 std::vector<MtlMaterial> materials_of(const std::filesystem::path& file, const ObjText& obj,
                                       std::vector<std::string>& warnings)
 {
@@ -191,7 +191,7 @@ SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>&
     parts.materials = std::move(set.materials);
     const auto& used = parts.mesh.materials;
     if (std::find(used.begin(), used.end(), obj.materials.size()) != used.end())
-        parts.materials.emplace_back().finish();  // of faces before the first usemtl
+        parts.materials.emplace_back().finish();  // the material of faces before the first usemtl
     parts.textures = std::move(set.textures);
     return parts;
 }

@@ -21,7 +21,7 @@ struct ObjText {
     };
     struct Use {
         std::string name;
-        uint32_t line;  // of the first use
+        uint32_t line;  // where it is used first
     };
 
     // The same scene with each material name replaced by "m" and its place in `materials`, and without mtllib lines but

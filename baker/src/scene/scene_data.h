@@ -32,7 +32,7 @@ struct SceneParts {
     std::vector<Material> materials;  // finished
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;
-    std::optional<Disc> catcher;  // of shadows, see catcher.h
+    std::optional<Disc> catcher;  // catches shadows, see catcher.h
     std::optional<Volume> volume;
     bool mesh_is_shell = false;  // see SceneData
     float exposure = 1;          // factor on all light
@@ -48,7 +48,7 @@ struct SceneData {
     SceneData(const SceneData&) = delete;
     SceneData& operator=(const SceneData&) = delete;
 
-    std::array<double, 3> centre;  // of the sphere, in scene units and scene axes
+    std::array<double, 3> centre;  // the sphere's centre, in scene units and scene axes
     double radius;
     UpAxis up;
 

@@ -8,7 +8,7 @@
 namespace lumi::baker
 {
 
-// Of everything that the path tracer reads: triangles, materials, textures, the sphere, and the lights by what they
+// A hash of all that the path tracer reads: triangles, materials, textures, the sphere, and the lights by what they
 // send. The same files and options give the same value on every machine and in every version of this program.
 // Cost: one pass over the scene.
 Digest::Value scene_fingerprint(const SceneData& scene);

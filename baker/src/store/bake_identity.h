@@ -16,15 +16,15 @@ struct BakeIdentity {
     std::array<float, 3> centre = {};
     float radius = 0;
     std::array<uint64_t, 2> scene = {};  // its fingerprint
-    uint64_t tracing = 0;                // of some light paths, traced by the program on the machine that bakes
+    uint64_t tracing = 0;  // fingerprint of some light paths, traced by the program on the machine that bakes
 
     bool is_surface() const { return std::holds_alternative<SurfaceSettings>(settings); }
 };
 
 inline constexpr size_t kIdentityBytes = 160;
 
-// Of a bake by this program. Settings must be sound, and nothing in them left open. Throws BakeError for a shard that
-// cannot be.
+// The identity of a bake by this program. Settings must be sound, and nothing in them left open. Throws BakeError for a
+// shard that cannot be.
 BakeIdentity identity_of(const Scene& scene, const AnySettings& settings, const Shard& shard, uint64_t tracing);
 
 std::vector<uint8_t> encode(const BakeIdentity& identity);  // kIdentityBytes

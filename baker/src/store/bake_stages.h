@@ -15,7 +15,7 @@ namespace lumi::baker
 class BakeStages
 {
 public:
-    // Of bakes of this scene, or of it with these settings, whatever their threads. An empty path keeps nothing.
+    // Bakes of this scene (with these settings) share results, whatever their threads. An empty path keeps nothing.
     BakeStages(const std::filesystem::path& file, const Digest::Value& scene);
     BakeStages(const std::filesystem::path& file, const Digest::Value& scene, SurfaceSettings settings);
 

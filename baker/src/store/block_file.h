@@ -25,7 +25,7 @@ inline constexpr size_t kHeadBytes = 8 + 4 + kIdentityBytes + kSealBytes;
 std::vector<uint8_t> encode_head(const BakeIdentity& identity);
 
 struct Block {
-    uint64_t offset;  // of the seal
+    uint64_t offset;  // where the seal begins
     uint32_t number;  // no other block of the file has it
     uint64_t size;    // without the seal
 

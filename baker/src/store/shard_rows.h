@@ -21,7 +21,7 @@ public:
     uint32_t row(uint32_t slot) const;
 
     static uint32_t slot_of(uint32_t row, uint32_t shards) { return row / shards; }
-    static uint32_t index_of(uint32_t row, uint32_t shards);  // of the shard that holds it, from 1
+    static uint32_t index_of(uint32_t row, uint32_t shards);  // the shard that holds the row, counted from 1
 
 private:
     uint32_t rows_;

@@ -13,7 +13,7 @@ namespace
 
 constexpr uint64_t kKeyBytes = 16, kCrcAt = kKeyBytes + 8, kEntryHeadBytes = kCrcAt + 4;
 
-// Of a record, up to its CRC.
+// The bytes of a record's head, up to its CRC.
 std::vector<uint8_t> head_of(const Digest::Value& key, uint64_t size)
 {
     ByteWriter out;

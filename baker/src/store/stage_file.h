@@ -30,7 +30,7 @@ public:
 
 private:
     struct Place {
-        uint64_t offset, size;  // of the result
+        uint64_t offset, size;  // where the result lies in the file, and how long it is
     };
 
     void open(PosixFile::Mode mode);

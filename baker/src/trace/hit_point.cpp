@@ -10,7 +10,7 @@ namespace
 {
 
 struct Tangents {
-    Vec3 u;            // of any length, in the triangle's plane
+    Vec3 u;            // has any length and lies in the triangle's plane
     float handedness;  // -1 where the picture is mirrored: v grows against cross(normal, u)
 };
 
@@ -32,7 +32,7 @@ inline std::optional<Tangents> tangents_of(const Mesh& mesh, uint32_t triangle)
 constexpr float kOffset = 1e-5f;
 // Surfaces that one ray may pass before it counts as stopped: bounds the work in a pathological stack of panes.
 constexpr int kMaxPasses = 256;
-constexpr float kShort = 1 - 1e-4f;  // of the way to a light: stop before the light itself
+constexpr float kShort = 1 - 1e-4f;  // share of the way to a light: rays stop before the light itself
 
 // The interpolated normal on the viewer's side; the geometric one where that is missing or faces away.
 Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Vec3& geometric, const Vec3& view)
@@ -83,7 +83,7 @@ Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hi
 // coordinates level, around the vertical axis.
 Vec3 brushed_direction(const SceneData& scene, const Material& material, uint32_t triangle, const Vec3& front)
 {
-    constexpr Vec3 kUp = {0, 0, 1};  // of the sphere's frame
+    constexpr Vec3 kUp = {0, 0, 1};  // in the sphere's frame
     const std::optional<Tangents> tangents = tangents_of(scene.mesh, triangle);
     const Frame level(front, tangents ? tangents->u : cross(kUp, front));
     const SineCosine turn = sine_cosine_of_turns(material.anisotropy_turns);

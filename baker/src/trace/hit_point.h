@@ -18,7 +18,7 @@ struct HitPoint {
     Vec3 geometric_normal;  // on the viewer's side
     Frame frame;            // around the shading normal, on the viewer's side
     const Material* material;
-    PointValues values;  // of the material here
+    PointValues values;  // the material's values at this point
     Rgb emission;
 
     // A ray from just above (or, for directions through the surface, below) this point.

@@ -26,8 +26,8 @@ struct Walk {
     Rgb throughput = grey(1);
     float pdf = 0;  // solid angle, of the last scattering; unused at the eye
     bool at_eye = true;
-    const Material* glass = nullptr;  // that the ray runs through
-    float index2 = 1;                 // of that glass, squared: radiance there is larger by as much
+    const Material* glass = nullptr;  // what the ray runs through
+    float index2 = 1;                 // the square of its refractive index: radiance in it is larger by as much
     int scatterings = 0;              // in the medium
 };
 

@@ -17,7 +17,7 @@ class Digest
 public:
     using Value = std::array<uint64_t, 2>;
 
-    void add_bytes(const void* bytes, size_t size);  // and their count
+    void add_bytes(const void* bytes, size_t size);  // adds the bytes and their count
     void add(const std::string& text) { add_bytes(text.data(), text.size()); }
 
     // Numbers, and structs of nothing but numbers of one size: no padding.

@@ -15,7 +15,7 @@ namespace
 
 constexpr std::chrono::milliseconds kReportInterval(100);
 constexpr double kUsualPace = 3e5;  // rays a second
-constexpr double kFirstEta = 0.02;  // of the work: before that, work that is only estimated tells no pace
+constexpr double kFirstEta = 0.02;  // share of the work done before an ETA is told: estimated work tells no pace
 
 unsigned thread_count(unsigned wanted)
 {

@@ -72,7 +72,7 @@ private:
     unsigned finished_ = 0;
     std::exception_ptr failure_;
 
-    // Of the calling thread:
+    // Only the calling thread uses these:
     Stage stage_ = Stage::light;
     bool is_staged_ = false;
     uint64_t stage_end_ = 0;

@@ -151,7 +151,7 @@ private:
     const char** furthest_;
     uint32_t line_ = 1;
     std::vector<JsonValue> open_;
-    std::vector<std::unordered_set<std::string>> names_;  // of the members of each
+    std::vector<std::unordered_set<std::string>> names_;  // the names of the members of each open value
     JsonValue root_;
 };
 

@@ -17,8 +17,8 @@ struct JsonValue {
     uint32_t line = 0;  // where the value ends; where the list or object begins
     double number = 0;  // boolean: 0 or 1
     std::string text;
-    std::vector<JsonValue> items;                            // of a list
-    std::vector<std::pair<std::string, JsonValue>> members;  // of an object, in the order of the file, names differ
+    std::vector<JsonValue> items;                            // a list's
+    std::vector<std::pair<std::string, JsonValue>> members;  // an object's, in the file's order; no name occurs twice
 };
 
 // `file` only serves messages. Throws SceneError for anything that is no JSON, names a member twice, or nests deeper

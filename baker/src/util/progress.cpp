@@ -27,7 +27,7 @@ double RateMeter::per_second() const
 
 double RateMeter::eta_seconds(uint64_t total) const
 {
-    constexpr double kSlowest = 0.5;  // of the mean
+    constexpr double kSlowest = 0.5;  // the pace is taken for at least this share of the mean pace
     const double likely = reports_.empty() ? 0 : std::max(per_second(), kSlowest * pace(first_, reports_.back()));
     return likely > 0 ? static_cast<double>(total - std::min(total, reports_.back().done)) / likely : -1;
 }

@@ -31,7 +31,7 @@ std::string read_text(const std::filesystem::path& file);
 
 // One logical line: continuation lines (ending in a backslash) joined, comment and surrounding blanks cut off.
 struct Line {
-    uint32_t number;       // of its first physical line, from 1
+    uint32_t number;       // the number of its first physical line, from 1
     std::string keyword;   // first word
     std::string argument;  // the rest
 };

@@ -37,7 +37,7 @@ inline double determinant(const Affine& m)
     return sum;
 }
 
-// Of a map whose determinant is not 0.
+// The map's determinant is not 0.
 inline Affine inverse(const Affine& m)
 {
     const double scale = 1 / determinant(m);

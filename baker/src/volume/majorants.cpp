@@ -24,7 +24,7 @@ float most_between(const Grid& grid, const TransferFunction& transfer, const std
             most = std::max(most, *b);
         }
     }
-    constexpr float kRounding = 1e-6f;  // of interpolation between voxels and between points
+    constexpr float kRounding = 1e-6f;  // bounds the rounding of interpolation between voxels and between points
     return transfer.most_density(least, most) * (1 + kRounding);
 }
 

@@ -39,8 +39,8 @@ private:
         return blocks_[static_cast<size_t>((block[2] * counts_[1] + block[1]) * counts_[0] + block[0])];
     }
 
-    std::array<uint32_t, 3> cells_;  // of the grid, a side
-    std::array<int32_t, 3> counts_;  // of blocks, a side
+    std::array<uint32_t, 3> cells_;  // cells along each side of the grid
+    std::array<int32_t, 3> counts_;  // blocks along each side
     std::vector<float> blocks_;      // x fastest
 };
 

@@ -122,7 +122,7 @@ std::optional<float> Medium::collision(const Ray& ray, Sampler& sampler) const
 
 float Medium::transmittance(const Ray& ray, Sampler& sampler) const
 {
-    constexpr float kFaint = 0.1f;  // below, roulette
+    constexpr float kFaint = 0.1f;  // below it roulette decides
     const std::optional<Part> part = inside(ray);
     if (!part) return 1;
     float share = 1;

@@ -10,7 +10,7 @@
 namespace lumi::baker
 {
 
-inline constexpr size_t kNiftiHeaderBytes = 540;  // of NIfTI-2; a header of NIfTI-1 has 348
+inline constexpr size_t kNiftiHeaderBytes = 540;  // the header of NIfTI-2; that of NIfTI-1 has 348
 inline constexpr int64_t kMaxNiftiDataOffset = int64_t{1} << 24;
 
 enum class VoxelType : uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };

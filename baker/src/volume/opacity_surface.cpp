@@ -86,7 +86,7 @@ Grid coarser(const Grid& grid)
         for (size_t k = 0; k < 3; ++k) row[k] *= stride;
     for (uint32_t z = 0; z < result.nz; ++z) {
         for (uint32_t y = 0; y < result.ny; ++y) {
-            const size_t row = (size_t{z} * grid.ny + y) * stride * grid.nx;  // of voxel (0, y, z) times the stride
+            const size_t row = (size_t{z} * grid.ny + y) * stride * grid.nx;  // where voxel stride·(0, y, z) is
             for (uint32_t x = 0; x < result.nx; ++x) result.values.push_back(grid.values[row + size_t{x} * stride]);
         }
     }

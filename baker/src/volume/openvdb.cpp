@@ -153,7 +153,7 @@ private:
         if (low && high) checked_size(openvdb::CoordBBox(openvdb::Coord(low->value()), openvdb::Coord(high->value())));
     }
 
-    // Of the active voxels' box and a border of one.
+    // The sides of the active voxels' box with a border of one voxel. Refuses boxes beyond the limits.
     std::array<int64_t, 3> checked_size(const openvdb::CoordBBox& active) const
     {
         constexpr int kFarthest = 1 << 30;  // so that a border does not overflow
@@ -209,7 +209,7 @@ private:
                 std::move(values), place};
     }
 
-    // Of a grid whose first voxel is that one.
+    // The map for a grid whose first voxel is `first`.
     static Affine voxel_to_world(const openvdb::math::Transform& transform, const openvdb::Coord& first)
     {
         const auto map = transform.baseMap();

@@ -22,7 +22,7 @@ struct Polygons {
 // The same for any number of threads. Memory: 8 bytes a voxel, and the polygons.
 Polygons dual_contour(const Grid& grid, float value);
 
-// Of a .vdb file the grid of floats with the name "density", or else the only one: the box of its active voxels and, as
+// Reads the grid of floats with the name "density", or else the only one: the box of its active voxels and, as
 // values run linearly to what lies beyond, one voxel more on each side. Inactive voxels hold the background or their
 // tile's value, as OpenVDB reads them. Units and axes are the file's. A level set is turned over: its values become
 // depths under its surface. All values are finite, size and matrix within grid_limits.h.

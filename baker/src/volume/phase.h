@@ -29,7 +29,7 @@ public:
 private:
     float cosine_of(float u) const
     {
-        constexpr float kEven = 1e-3f;  // below, the other formula loses its digits; off by less than 2·g
+        constexpr float kEven = 1e-3f;  // below it the other formula loses its digits; this one is off by less than 2·g
         if (std::abs(g_) < kEven) return 1 - 2 * u;
         const float q = (1 - g_ * g_) / (1 + g_ - 2 * g_ * u);
         return std::clamp((1 + g_ * g_ - q * q) / (2 * g_), -1.0f, 1.0f);

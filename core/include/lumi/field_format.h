@@ -71,7 +71,7 @@ inline constexpr uint32_t kPaletteRgb = four_cc('S', 'P', 'A', 'L');        // r
 inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');       // view tables, where there are any
 inline constexpr uint32_t kNeighbourSection = four_cc('S', 'N', 'E', 'I');  // optional, patches × kNeighbourBytes
 
-// Of guided fields, which ended with version 0.1.0. Its other names are reserved, too: PROX, MEAN, CHRT, CPAL, OCCL.
+// Guided fields ended with version 0.1.0. Their other names stay reserved, too: PROX, MEAN, CHRT, CPAL, OCCL.
 inline constexpr uint32_t kGuidedSection = four_cc('G', 'U', 'I', 'D');
 
 inline constexpr uint32_t kColourSpaces = 1;

@@ -17,9 +17,9 @@ struct Touch {
 };
 
 struct DragSettings {
-    uint32_t turns32_per_px;                 // below 1/16 turn
-    uint32_t half_life_ms = 250;             // in which what runs on gets half as fast; 0: it stops at once
-    uint32_t elevation_limit = degrees(85);  // of either sign; up to 1/4 turn
+    uint32_t turns32_per_px;      // below 1/16 turn
+    uint32_t half_life_ms = 250;  // how long an object that runs on takes to halve its speed; 0: it stops at once
+    uint32_t elevation_limit = degrees(85);  // the elevation stays between -limit and limit; up to 1/4 turn
 };
 
 // Frames may be of any length: the way that an object runs on does not depend on it but for a few percent.

@@ -55,7 +55,7 @@ typedef struct {
 /* A rectangle in the caller's memory, rows stride_bytes apart, top row first. */
 typedef struct {
     uint8_t* pixels;
-    int32_t x_px, y_px; /* of its first pixel in the image */
+    int32_t x_px, y_px; /* where its first pixel is in the image */
     int32_t width_px, height_px;
     uint32_t stride_bytes;
 } lumi_stripe;

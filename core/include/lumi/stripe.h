@@ -15,7 +15,7 @@ namespace lumi
 // image, wholly or in part. With 16-bit pixels, address and stride are even.
 struct Stripe {
     uint8_t* pixels;
-    int32_t x_px, y_px;  // of its first pixel in the image
+    int32_t x_px, y_px;  // where its first pixel is in the image
     int32_t width_px, height_px;
     uint32_t stride_bytes;
 

@@ -21,7 +21,7 @@ Quaternion scaled(const Quaternion& q)
     return {to_30_bits(q.w), to_30_bits(q.x), to_30_bits(q.y), to_30_bits(q.z)};
 }
 
-// Of length 1, Q30.
+// The same turn as a quaternion of length 1, Q30.
 Quaternion normalised(const Quaternion& turn)
 {
     const Quaternion q = scaled(turn);
@@ -44,7 +44,7 @@ Pose held_pose(const Quaternion& turn, int32_t distance_q20)
     const auto twice_sum = [&](int32_t a, int32_t b, int32_t c, int32_t d) {
         return q60_to_q30(twice_sum_q60(a, b, c, d));
     };
-    // Of a half turn the sum is 2, which Q30 does not hold.
+    // For a half turn the sum is 2, which Q30 does not hold.
     const auto one_minus = [&](int32_t a, int32_t b) {
         constexpr int64_t kOneQ60 = int64_t{1} << 60;
         return q60_to_q30(kOneQ60 - twice_sum_q60(a, a, b, b));

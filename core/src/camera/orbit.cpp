@@ -17,7 +17,7 @@ uint64_t tangent_length_q30(int32_t distance_q20)
 {
     const uint64_t square_q40 = static_cast<uint64_t>(wide_product(distance_q20, distance_q20)) - (uint64_t{1} << 40);
     int shift = 0;
-    while ((square_q40 << shift) < uint64_t{1} << 60) shift += 2;  // to 62 bits at most
+    while ((square_q40 << shift) < uint64_t{1} << 60) shift += 2;  // has 62 bits at most
     const uint64_t root = square_root(square_q40 << shift);        // Q(20 + shift/2), 30 or 31 bits
     const int down = 20 + shift / 2 - 30;
     return down >= 0 ? root >> down : root << -down;

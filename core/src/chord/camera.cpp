@@ -41,7 +41,7 @@ int32_t unit_component(int32_t eye_q20, const ReciprocalRoot& root)
 
 // The viewing vectors of an image, scaled so that none is longer than 1.
 struct ViewVectors {
-    Vec3q46 first;  // of pixel (0, 0)
+    Vec3q46 first;  // that of pixel (0, 0)
     Vec3q46 step_x, step_y;
 };
 

@@ -12,7 +12,7 @@ namespace
 // to its bottom, and along its bottom more than along its top.
 struct Bilinear {
     int32_t begin, across, down, twist;
-    int32_t rise;  // of the middle above the plane between the corners
+    int32_t rise;  // how far the middle lies above the plane between the corners
 };
 
 LUMI_ALWAYS_INLINE Bilinear bilinear(int32_t top_left, int32_t top_right, int32_t bottom_left, int32_t bottom_right,

@@ -40,7 +40,7 @@ constexpr int16_t quotient_q14(int32_t part, int32_t whole)
     return static_cast<int16_t>(v + (v < 0 ? -0.5 : 0.5));
 }
 
-// Of the corner opposite the edge from `a` on to `b`, in a triangle of twice the area `area_q24`.
+// The gradient of the weight opposite the edge from `a` on to `b`, in a triangle of twice the area `area_q24`.
 constexpr Gradient gradient(PlanePoint a, PlanePoint b, int32_t area_q24)
 {
     return {quotient_q14(a.y_q12 - b.y_q12, area_q24), quotient_q14(b.x_q12 - a.x_q12, area_q24)};

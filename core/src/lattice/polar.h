@@ -71,11 +71,11 @@ struct Walks {
     TriangleWalk triangle[kTriangles];
 };
 
-// Of triangle k: counter-clockwise, the lowest index first; triangles come in the order of it.
+// Triangle k's corners: counter-clockwise, the lowest index first; triangles come in the order of that index.
 extern const uint8_t kCorners[kTriangles][3];
 extern const Walks kWalks;
 
-// Of triangle k < kTriangles.
+// The corners of triangle k < kTriangles.
 inline const uint8_t* corners(int k)
 {
     return kCorners[k];

@@ -22,7 +22,7 @@ struct MergeError : BakeError {
 
 struct MergedField {
     uint64_t bytes = 0;
-    uint32_t origins = 0, directions = 0;  // of a chord field
+    uint32_t origins = 0, directions = 0;  // 0 for a surface field
     uint32_t shards = 0;
 };
 

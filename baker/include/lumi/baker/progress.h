@@ -13,9 +13,9 @@ namespace lumi::baker
 // What a long computation does at the moment.
 enum class Stage : uint8_t {
     light,    // rays are traced
-    mesh,     // of a surface field; rays stand for work that takes as long
-    solving,  // the same
-    training  // of a filter; rays stand for views seen
+    mesh,     // a surface field's mesh is made; rays stand for work that takes as long
+    solving,  // a surface field's texels are solved for; rays stand for such work, too
+    training  // a filter is trained; rays stand for views seen
 };
 
 struct Progress {
@@ -26,7 +26,7 @@ struct Progress {
     double rays_per_second = 0;  // over the trailing window; 0 while unknown
     double eta_seconds = -1;     // negative while unknown
     double elapsed_seconds = 0;
-    uint64_t rays_saved = 0;  // of those that this call has done: left out because their texels were settled
+    uint64_t rays_saved = 0;  // rays among those done by this call that were not traced, as their texels were settled
     Stage stage = Stage::light;
 };
 

@@ -35,8 +35,8 @@ struct RadiancePicture;  // see baker/src
 struct Environment {
     std::array<float, 3> zenith, horizon, nadir;
     std::shared_ptr<const RadiancePicture> picture = nullptr;  // in place of the three colours
-    float rotation_degrees = 0;                                // of the picture, counterclockwise seen from above
-    float scale = 1;                                           // of all radiance
+    float rotation_degrees = 0;  // how far the picture is turned, counterclockwise as seen from above
+    float scale = 1;             // factor on all radiance
 };
 
 Environment constant_environment(float radiance);
@@ -61,7 +61,7 @@ struct LoadOptions {
     // The studio by default, also for scenes with emissive materials: a lamp on a product rarely lights it all. A room
     // with lamps of its own wants constant_environment(0).
     std::optional<Environment> environment = std::nullopt;
-    std::optional<IsoSurface> iso = std::nullopt;  // of a volume, and only there
+    std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
 };
@@ -84,10 +84,10 @@ public:
     size_t triangle_count() const;
     size_t material_count() const;
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
-    bool mesh_is_shell() const;  // of a volume without objects: LoadOptions::solid_volume made the mesh
+    bool mesh_is_shell() const;  // a volume without objects got its mesh by LoadOptions::solid_volume
 
-    // Of all that decides light paths: the same files and options give the same value on every machine and in every
-    // version of this program. Cost: one pass over the scene.
+    // A hash of all that decides light paths: the same files and options give the same value on every machine and in
+    // every version of this program. Cost: one pass over the scene.
     std::array<uint64_t, 2> fingerprint() const;
 
     const SceneData& data() const { return *data_; }

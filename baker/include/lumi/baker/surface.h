@@ -47,8 +47,8 @@ struct BuiltMesh;  // baker's own, see baker/src
 class SurfaceDraft
 {
 public:
-    // Of the settings, triangles, longest edge, cap and threads count. With the name of the field that is to be baked,
-    // what is done of the mesh is kept beside it, and found there. Throws BakeError for a scene that no surface field
+    // Only the settings triangles, longest edge, cap and threads matter. If the name of the field is given, the steps
+    // of the mesh that are done are kept beside it, and found there. Throws BakeError for a scene that no surface field
     // can hold, Cancelled.
     SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {},
                  const std::filesystem::path& output = {});
@@ -59,7 +59,7 @@ public:
     uint32_t triangles() const;  // 0: there is no surface
     const MeshLoss& loss() const;
     const std::vector<std::string>& warnings() const;  // what is wrong with the mesh, and what mends it
-    // Of the file: as many if every vertex gets a view table. Throws BakeError for more texels than the format holds.
+    // The file's bytes if every vertex gets a view table. Throws BakeError for more texels than the format holds.
     uint64_t most_bytes(float texels_per_radius) const;
 
     const BuiltMesh& built() const { return *built_; }

@@ -16,7 +16,7 @@ struct SurfaceField {
     const uint8_t* texels = nullptr;        // every byte that 6-bit coordinates of any patch can name is there
     const uint8_t* palette = nullptr;       // 256 × (r, g, b)
     const uint8_t* node_colours = nullptr;  // kViewColoursBytes, or null
-    const uint8_t* views = nullptr;         // of vertices 0 .. viewed_count - 1
+    const uint8_t* views = nullptr;         // the view tables of vertices 0 .. viewed_count - 1
     const uint8_t* neighbours = nullptr;    // patch_count × kNeighbourBytes, or null
     uint32_t vertex_count = 0, viewed_count = 0, patch_count = 0, texel_bytes = 0;
     uint32_t longest_edge_q6 = 0;  // radii

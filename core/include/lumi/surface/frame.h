@@ -56,7 +56,7 @@ enum class SurfaceMode : uint8_t {
 };
 
 struct SurfaceCamera {
-    Vec3q20 position;  // of the eye, in the frame of the sphere
+    Vec3q20 position;  // the eye, in the frame of the sphere
     Vec3q20 eye;       // the same along right, up and forward
     Vec3q30 right, up, forward;
     int32_t width_px, height_px;
@@ -76,7 +76,7 @@ struct SurfaceVertex {
 
 // The caller's memory for a frame. It belongs to the frame as long as it is used; so do the field's bytes.
 struct SurfaceMemory {
-    SurfaceVertex* vertices;  // of every vertex
+    SurfaceVertex* vertices;  // one for each vertex of the field
     uint16_t* links;          // surface_links(): of every triangle, then a bit for each that has an outline
     uint16_t* bands;          // surface_bands()
     // Scanlines a band: best those of a stripe, 2^0 .. 2^8. Of triangles at one depth another may show with

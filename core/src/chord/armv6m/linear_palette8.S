@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // 3x3 texels of palette8 on Armv6-M: three words a pixel, r, g and b (see taps.inc).
 //
-// Of a palette's entry red and blue are lanes of one word. Its whole word is weighed too, modulo 2^32: less the lanes,
-// that is 256 times green, and 2^24 times alpha.
+// Red and blue of a palette's entry are lanes of one word. The entry's whole word is weighed too, modulo 2^32: without
+// the lanes, that sum is 256 times green, and 2^24 times alpha.
 //
 // Stack: 80 bytes. Instructions a pixel: 167, and what taps.inc says of new and of flipped cells.
 #if defined(__ARM_ARCH_6M__)
@@ -15,8 +15,8 @@ base    .req    r8
 palette .req    r1
 entry   .req    r0
 lanes   .req    r7
-sum     .req    r3                      // of a row's lanes
-words   .req    r9                      // of a row's whole words
+sum     .req    r3                      // the sum of a row's lanes
+words   .req    r9                      // the sum of a row's whole words
 red     .req    r10                     // sums of the rows so far
 green   .req    r11
 blue    .req    r12

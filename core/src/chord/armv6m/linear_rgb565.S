@@ -12,7 +12,7 @@
 base    .req    r8
 fields  .req    r0
 spare   .req    r7
-sum     .req    r3                      // of a row
+sum     .req    r3                      // the sum of a row
 kept    .req    r9                      // `third`
 red     .req    r10                     // sums of the rows so far
 green   .req    r11

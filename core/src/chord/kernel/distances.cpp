@@ -14,11 +14,11 @@ constexpr int32_t kFirstShapeQ12 = 3584;
 constexpr int kShapeLog2 = 8;
 
 struct Shape {
-    int16_t n_q13;        // of the zone's first step
+    int16_t n_q13;        // n of the zone's first step
     int16_t inverse_q14;  // 1/X
 };
 
-// Of a shape's shorter step and its longer one, Q13: e of both and n of both in halves, then e and n of each one.
+// A shape's shorter step and its longer one, Q13: e of both and n of both in halves, then e and n of each one.
 struct Steps {
     int32_t e, n, shorter, longer;
 };

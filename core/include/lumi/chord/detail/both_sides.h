@@ -91,7 +91,7 @@ public:
     }
 
     uint8_t* pixels() const { return pixels_; }
-    // Of the first pixel's u and v, and of a pixel's steps.
+    // u and v at the first pixel, and a pixel's steps.
     const DoubleWord<uint32_t>& at() const { return at_; }
     const DoubleWord<uint32_t>& step() const { return step_; }
 
@@ -140,7 +140,7 @@ private:
         step_ = {q12(step_q16_.a), q12(step_q16_.b)};
     }
 
-    // Of what includes the rounding.
+    // Takes steps to which the rounding is already added.
     static uint32_t q12(uint32_t both_q16)
     {
         constexpr int kShift = 16 - kFractionBits;
@@ -187,7 +187,7 @@ public:
         step_ = scanlines.step();
     }
 
-    // Of the next pixel.
+    // The next pixel's taps.
     template <class Sum>
     LUMI_ALWAYS_INLINE PixelTaps taps()
     {

@@ -10,10 +10,10 @@
 namespace lumi::detail
 {
 
-inline constexpr int kFractionBits = 12;  // of a coordinate's fraction
+inline constexpr int kFractionBits = 12;  // bits of a coordinate's fraction
 
 struct BothSidesTriangle {
-    uint32_t weight[3];  // of the lowest corner, the middle one, the one across; in halves
+    uint32_t weight[3];  // for the lowest corner, the middle one and the one across; in halves
     int32_t middle_origin, middle_direction;
 };
 
@@ -71,7 +71,7 @@ public:
         return __smlabb(whole(v), steps_.b, product_bottoms(whole(u), steps_.a)) >> kFractionBits;
     }
 
-    // Of fractions of u and v; Bits::kOnes is one in each half.
+    // The triangle for fractions of u and v; Bits::kOnes is one in each half.
     template <class Bits>
     LUMI_ALWAYS_INLINE BothSidesTriangle triangle(uint32_t fu, uint32_t fv) const
     {

@@ -28,7 +28,7 @@ struct Armv6mLoop {
 struct LinearSide {
     uint32_t* moving;        // the address of u
     uint32_t du, dv, drift;  // a pixel's steps; what the offset moves where neither addition carries
-    uint32_t u, v, offset;   // of the pixel before; the offset of the cell
+    uint32_t u, v, offset;   // those of the pixel before; the cell's offset
     uint32_t one_or_mask;    // one as a weight; if cells may be flipped, SideFlip's mask
     uint32_t first, second, across;
 };
@@ -109,7 +109,7 @@ private:
     }
 
     LinearCells cells_;
-    uint32_t origin_offset_, direction_offset_;  // of the first cells
+    uint32_t origin_offset_, direction_offset_;  // where the first cells are
 };
 
 template <uint32_t kSumWords>

@@ -10,7 +10,7 @@ namespace lumi::detail
 // Rows of three origins, the same three texels of each, weights as Sum takes them.
 struct PixelTaps {
     const uint8_t* row[3];
-    int32_t offset[2];  // of the second and third texel
+    int32_t offset[2];  // where the second and third texel are
     uint32_t row_weight[3], weight[3];
 };
 

@@ -22,7 +22,7 @@ struct CellPiece {
     const Background& background;
     uint8_t* pixels;
     int32_t length;
-    int32_t x, y;       // of the first pixel
+    int32_t x, y;       // the first pixel
     CellLine& origins;  // in a tile of its own first scanline, until go_to_first()
     CellLine& directions;
     const TileScanlines* tile;  // null for one scanline

@@ -36,7 +36,7 @@ struct Piece {
     // scanline high.
     int32_t x, y;
     int32_t width;
-    const TileScanlines* tile;  // of a tile, else null
+    const TileScanlines* tile;  // null unless it is a tile
 };
 
 class ChordStepper
@@ -86,7 +86,7 @@ private:
 
     Stage stage_ = Stage::band;
     int32_t next_y_, end_y_;
-    int32_t y_ = 0, scanlines_ = 0;  // of the band
+    int32_t y_ = 0, scanlines_ = 0;  // the band: its first scanline, and how many it has
     Extent spans_[kTileHeight];      // what its scanlines cover
     int32_t scanline_ = 0;           // the next one to look at
 

@@ -116,7 +116,7 @@ private:
     // (1 + T)·e² + (1 - T)·n² - 1 of e and n, Q13, where it is below zero.
     LUMI_ALWAYS_INLINE static int32_t below_q26(int32_t e_n, int32_t t_q16)
     {
-        constexpr int32_t kRounding = 1 << 15;  // of the upper half, which is squared
+        constexpr int32_t kRounding = 1 << 15;  // rounds the upper half, which is squared
         const int32_t d =
             add_product_top_bottom(dual_difference(e_n, e_n), t_q16, add_dual_product(e_n, e_n, kRounding - (1 << 26)));
         return d & (d >> 31);
@@ -126,10 +126,10 @@ private:
 
     uint32_t at_, step_;  // halves: along the shorter step, along the longer one; cells, Q12
     int32_t base_, index_, across_, next_strand_;
-    int32_t last_;                                   // the highest offset of all points from the first one
-    int32_t e_, n_;                                  // of the shorter step and the longer one, in halves, Q13
-    uint32_t most_along_q26_;                        // E + F, or 0 where not all points exist
-    int32_t short_, long_;                           // the same, of each step e and n
+    int32_t last_;             // the highest offset of all points from the first one
+    int32_t e_, n_;            // e and n of the shorter step and of the longer one, in halves, Q13
+    uint32_t most_along_q26_;  // E + F, or 0 where not all points exist
+    int32_t short_, long_;     // the same numbers by step: e and n of each, in halves
     int32_t bend_q16_, bend_step_q16_, bend_n_q16_;  // T at the pixel, and how it falls along n
     int32_t bend_short_, bend_long_;
     bool is_inside_;  // all points near the stretch exist

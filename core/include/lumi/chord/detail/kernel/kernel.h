@@ -20,7 +20,7 @@ struct PolarPoints {
     int32_t index[kCount];
     int32_t distance2_q12[kCount];
 
-    // Of the pixel whose triangle `line` has found.
+    // The points around the pixel whose triangle `line` has found.
     PolarPoints(const PolarLine& line, int32_t pixel);
 
     // Among the corners of the triangle: no other point is nearer, as no triangle is obtuse.

@@ -50,7 +50,7 @@ struct CellLine {
 struct LatticeLine {
     CellLine cells;
     PolarLine polar;
-    bool over_pole;  // which of both counts
+    bool over_pole;  // tells which of the two is used
 };
 
 }  // namespace lumi::detail

@@ -12,7 +12,7 @@
 namespace lumi::detail
 {
 
-// Of a camera whose other members are set.
+// The outline in the image of a camera whose other members are set.
 OutlineQuadratic make_outline(const Camera& camera);
 
 // Yields the covered span of successive scanlines of a stripe. The first one is searched for, the following ones are

@@ -46,7 +46,7 @@ public:
     {
         const int32_t left = from_left < first_ ? first_ - from_left : second_ - from_left;
         const int32_t right = from_right - (from_right > second_ ? second_ : from_right > first_ ? first_ : 0);
-        const int32_t eighth = 1 + ((from_left + from_right) >> 3);  // of what the scanline covers: of a small sphere
+        const int32_t eighth = 1 + ((from_left + from_right) >> 3);  // a small sphere has short spans
         int32_t length = eighth < longest_ ? eighth : longest_;
         if (left > 0 && left < length) length = left;
         if (right < length) length = right;

@@ -37,7 +37,7 @@ private:
     bool in_plane_ = false;                               // places are of the polar pattern's plane
     int32_t longitude_q20_ = 0, next_longitude_q20_ = 0;  // unwrapped along the scanline
     LatticePoint place_{}, next_place_{};
-    int32_t z_q30_ = 0, next_z_q30_ = 0;  // of the prepared line's ends
+    int32_t z_q30_ = 0, next_z_q30_ = 0;  // at the prepared line's ends
 };
 
 }  // namespace lumi::detail
