@@ -2,16 +2,14 @@
 # SPDX-License-Identifier: MIT
 # tools/lab/bench_baker.sh [--smoke] [speed] [adaptive] [footprint]
 # Measures the baker and writes the tables of docs/log/baker.md, each between two marker comments; without a name, all of
-# them. speed: against Embree alone, convergence, threads and memory; times are of this machine: leave it alone for the two
-# minutes. adaptive: what adaptive sampling leaves out. footprint: what footprints and beams show. The last two are the same
-# on every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
+# them. speed: convergence, threads and memory; times are those of this machine: leave it alone for the two minutes.
+# adaptive: what adaptive sampling leaves out. footprint: what footprints and beams show. The last two are the same on
+# every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scenes=(cornell.obj testcard.obj product.obj gallery.json)
-matt_scenes=(testcard.obj product.obj)
-share_rows=30        # rows of 1448 texels with 16 paths each
 convergence_rows=10  # rows of 64 texels
 thread_rows=200
 triangles=500000
@@ -45,17 +43,12 @@ print_machine() {
   json_row processor "$(processor)"
 }
 
-print_share() {
-  for_scenes share "$share_rows" "${scenes[@]}"
-  for_scenes matt "$share_rows" "${matt_scenes[@]}"
-}
-
 print_convergence() {
   for_scenes convergence "$convergence_rows" "${scenes[@]}"
 }
 
 print_threads() {
-  "$lab" threads "$root/baker/scenes/product.obj" "$thread_rows"
+  for_scenes threads "$thread_rows" "${scenes[@]}"
 }
 
 print_memory() {
@@ -113,7 +106,7 @@ for word; do
   case $word in
     speed | adaptive | footprint) parts+=("$word") ;;
     --smoke)
-      smoke=true share_rows=1 convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj) matt_scenes=(cornell.obj)
+      smoke=true convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj)
       adaptive_scenes=(cornell.obj) adaptive_texels=20
       footprint_scenes=(cornell.obj) footprint_size=64 picture=32x32 views=1 reference_spp=4
       ;;
@@ -122,7 +115,7 @@ for word; do
   esac
 done
 ((${#parts[@]} > 0)) || parts=(speed adaptive footprint)
-read -ra parts <<<"${parts[*]/#speed/machine share convergence threads memory}"
+read -ra parts <<<"${parts[*]/#speed/machine convergence threads memory}"
 for program in "$lab" "$lumi"; do
   [[ -x $program ]] || die "$program is missing: build it with 'cmake --preset release && cmake --build --preset release --target lumi lumi-lab'"
 done

@@ -133,8 +133,6 @@ THIRD_PARTIES = {
     "torch/": "tools/src/filter/torch/unet.h",
     "SDL": "platform/simulator/window.cpp",
 }
-# Stands between the baker and Embree, to time Embree alone.
-THIRD_PARTY_EXCEPTIONS = {"embree3/": ["tools/lab/src/baking/ray_log.cpp"]}
 
 SOURCES = (".h", ".cpp", ".c", ".S", ".inc")
 # By lumi_add_field, in a build's own folder.
@@ -204,7 +202,7 @@ def third_party_problems(path, names):
         return []
     return [f"{path}: includes <{name}>, which only {only} may"
             for name in names for start, only in THIRD_PARTIES.items()
-            if name.startswith(start) and path not in [only] + THIRD_PARTY_EXCEPTIONS.get(start, [])]
+            if name.startswith(start) and path != only]
 
 
 class Tree:

@@ -54,7 +54,6 @@ TABLES = {
     "board memory": scripts.board_memory,
     "baker adaptive": scripts.baker_adaptive,
     "baker footprint": scripts.baker_footprint,
-    "baker share": scripts.baker_share,
     "baker convergence": scripts.baker_convergence,
     "baker threads": scripts.baker_threads,
     "baker memory": scripts.baker_memory,

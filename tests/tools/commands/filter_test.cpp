@@ -123,8 +123,7 @@ TEST_CASE("training makes pictures of unseen views more alike, the same bytes ea
 {
     const FilterShop shop;
     const Arguments call = {"filter", "train", shop.field, shop.scene, "--views", "40",      "--side",
-                            "48",     "--spp", "32",       "--epochs", "20",      "--cache", shop.folder / "cache",
-                            "--gan",  "1"};
+                            "48",     "--spp", "32",       "--epochs", "20",      "--cache", shop.folder / "cache"};
     const auto trained = [&](const std::string& name) {
         Arguments all = call;
         all.insert(all.end(), {"-o", shop.folder / name, "--json", shop.folder / "v.json"});

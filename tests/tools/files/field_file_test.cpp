@@ -18,7 +18,7 @@ TEST_CASE("a report holds every layout field and accounts for every byte")
     test::TestField field = {100, 33, 50, TexelFormat::palette8};
     const std::string bytes = test::field_bytes(field);
     test::write_content(folder / "a.lumi", bytes);
-    const auto json = nlohmann::json::parse(json_of(describe_field(FieldFile(folder / "a.lumi"), true)));
+    const auto json = nlohmann::json::parse(report_json(FieldFile(folder / "a.lumi"), true));
     CHECK(json["bytes"] == bytes.size());
     CHECK(json["version"] == 1);
     CHECK(json["origins"] == 100);
@@ -46,7 +46,7 @@ TEST_CASE("the report for people names every section")
 {
     const test::TemporaryFolder folder;
     test::write_content(folder / "a.lumi", test::field_bytes({}));
-    const std::string text = text_of(describe_field(FieldFile(folder / "a.lumi"), false));
+    const std::string text = report_text(FieldFile(folder / "a.lumi"), false);
     for (const char* word : {"a.lumi", "40, of which 40 used", "60", "rgb888", "LAYO", "TEXL", "radius 3.5"})
         CHECK_THAT(text, Catch::Contains(word));
     CHECK_THAT(text, !Catch::Contains("intact"));
@@ -62,7 +62,7 @@ TEST_CASE("a damaged texel is found by the CRC and named with its section")
     CHECK_THROWS_WITH(
         file.require_intact(),
         folder / "a.lumi" + ": the texel section's bytes are damaged (CRC); copy the file again or bake it again");
-    CHECK_THAT(text_of(describe_field(file, true)), Catch::Contains("DAMAGED"));
+    CHECK_THAT(report_text(file, true), Catch::Contains("DAMAGED"));
 }
 
 TEST_CASE("what is no field is refused with its name and a mend")

@@ -37,19 +37,16 @@ public:
     ListedTrainer(std::vector<int> errors, size_t pairs) : errors_(std::move(errors)), pairs_(pairs) {}
 
     Planes filtered(const Planes&) override { return flat(static_cast<uint8_t>(kReference + errors_.at(epoch()))); }
-    double step(const std::vector<Pair>& batch, Lesson lesson, double rate) override
+    double step(const std::vector<Pair>& batch, double rate) override
     {
         seen_ += batch.size();
         rates.push_back(rate);
-        adversarial_steps += lesson == Lesson::adversarial;
         return 0;
     }
     std::vector<float> numbers() const override { return {static_cast<float>(seen_ / pairs_)}; }
-    void set_numbers(const std::vector<float>& numbers) override { restored = numbers; }
+    void set_numbers(const std::vector<float>&) override {}
 
     std::vector<double> rates;
-    int adversarial_steps = 0;
-    std::vector<float> restored;
 
 private:
     size_t epoch() const { return seen_ / pairs_ - 1; }
@@ -58,12 +55,11 @@ private:
     size_t pairs_, seen_ = 0;
 };
 
-TrainingSettings settings(int epochs, int patience, int adversarial = 0)
+TrainingSettings settings(int epochs, int patience)
 {
     TrainingSettings settings;
     settings.epochs = epochs;
     settings.patience = patience;
-    settings.adversarial_epochs = adversarial;
     return settings;
 }
 
@@ -97,16 +93,6 @@ TEST_CASE("the rate falls from first to last, and a batch holds what is left")
     CHECK(trainer.rates.front() == Approx(asked.first_rate));
     CHECK(trainer.rates.back() < trainer.rates[2]);
     CHECK(trainer.rates.back() > asked.last_rate);
-}
-
-TEST_CASE("adversarial epochs start from the best and keep the last that beats the drawing")
-{
-    ListedTrainer trainer({5, 6, 7, 8, 12}, 2);
-    const TrainingResult result = train(trainer, pairs(2), pairs(1), settings(2, 10, 3), {});
-    CHECK(trainer.adversarial_steps == 3);
-    CHECK((trainer.restored == std::vector<float>{1}));
-    CHECK((result.numbers == std::vector<float>{4}));
-    CHECK(result.epochs == 5);
 }
 
 TEST_CASE("training that is told to stop throws")

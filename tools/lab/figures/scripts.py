@@ -96,9 +96,7 @@ def board_memory():
 
 
 def quoted(scene):
-    """`cornell.obj`, all matt"""
-    name, comma, rest = scene.partition(",")
-    return f"`{name}`{comma}{rest}"
+    return f"`{scene}`"
 
 
 def baker_adaptive():
@@ -115,14 +113,6 @@ def baker_footprint():
                  lambda row: [quoted(row["scene"]), f"`{row['footprint']}`", figures(row["nearest"]), figures(row["linear"])])
 
 
-def baker_share():
-    return table(["scene", "triangles", "rays a path", "paths", "rays", "rays, Embree alone", "share of Embree"],
-                 load("baker")["share"],
-                 lambda row: [quoted(row["scene"]), row["triangles"], decimal(row["rays_a_path"]),
-                              *(decimal(row[key] / 1e6, 2) for key in ("paths_per_s", "rays_per_s", "embree_rays_per_s")),
-                              f"{100 * row['embree_share']:.0f} %"])
-
-
 def baker_convergence():
     rows = load("baker")["convergence"]
     paths = [f"{count} paths" if k == 0 else str(count) for k, count in enumerate(rows[0]["paths"])]
@@ -133,9 +123,10 @@ def baker_convergence():
 
 def baker_threads():
     rows = load("baker")["threads"]
+    one = {row["scene"]: row["paths_per_s"] for row in rows if row["threads"] == 1}
     return table(["scene", "threads", "paths", "times one thread"], rows,
                  lambda row: [quoted(row["scene"]), row["threads"], decimal(row["paths_per_s"] / 1e6, 2),
-                              decimal(row["paths_per_s"] / rows[0]["paths_per_s"], 2)])
+                              decimal(row["paths_per_s"] / one[row["scene"]], 2)])
 
 
 def baker_memory():

@@ -215,10 +215,9 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
         ->check(sizes)
         ->capture_default_str();
     command
-        .add_option(
-            "--cap", options.cap,
-            "Bake what eyes in the uppermost part of the sphere see: a share such as 50% or 0.5, or of chord fields a "
-            "number of origins; from below, the object is then not or only partly seen [all]")
+        .add_option("--cap", options.cap,
+                    "Bake what eyes in the uppermost part of the sphere see: a share such as 50% or 0.5, or for chord "
+                    "fields a number of origins; from below, the object is then not seen, or only a part of it [all]")
         ->type_name("F");
     add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
                "chord: what a ray is stored as: " + words_of(kTexelChoices) + " [palette8]");
@@ -272,7 +271,7 @@ void add_bake(CLI::App& lumi)
     command->footer(
         "Without other options the field is a surface field of at most " +
         byte_text(planner::SurfaceTask().budget_bytes) +
-        "; an option of one layout chooses that\nlayout. A chord field takes M x N x bytes per texel: " +
+        ". An option that only one layout\nhas chooses that layout. A chord field takes M x N x bytes per texel: " +
         byte_text(baker::field_file_bytes(chord_defaults())) +
         " with the defaults. A chord bake that was\nstopped, by Ctrl-C or otherwise, goes on with the same command.\n"
         "Example:\n  lumi bake product.obj\n"

@@ -31,8 +31,7 @@ std::string with_rates(const std::string& report, const FieldFile& file)
 void run(const InspectOptions& options)
 {
     const FieldFile file(options.field);
-    const FieldReport report = describe_field(file, options.verify);
-    std::string text = options.json ? json_of(report) : text_of(report);
+    std::string text = options.json ? report_json(file, options.verify) : report_text(file, options.verify);
     if (options.rates) text = options.json ? with_rates(text, file) : text + rates_text(file);
     std::fputs(text.c_str(), stdout);
     if (options.verify) file.require_intact();

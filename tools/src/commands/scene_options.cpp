@@ -57,13 +57,14 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
                                              {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}}, "y|z",
                                              "The scene's vertical axis [as the scene file says, or y; z of volumes]");
     command
-        .add_option("--iso", options.iso,
-                    "Of a volume: the value whose surface is the scene; in CT, 300 (HU) is bone. In millimetres, z up: "
-                    "azimuth 0 shows the patient's right side, 90 the face")
+        .add_option(
+            "--iso", options.iso,
+            "For a volume: the value whose surface is the scene; in CT, 300 (HU) is bone. In millimetres, z up: "
+            "azimuth 0 shows the patient's right side, 90 the face")
         ->type_name("VALUE");
     command
         .add_option("--pieces", options.pieces,
-                    "Of --iso: leaves out pieces with less than this share of the largest one's area")
+                    "With --iso: leave out pieces with less than this share of the largest one's area")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str()
         ->type_name("SHARE");

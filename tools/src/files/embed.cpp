@@ -22,13 +22,6 @@ bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-    for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-    return text;
-}
-
 // Inside an assembler string.
 std::string quoted(const std::string& path)
 {

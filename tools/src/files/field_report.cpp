@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "files/field_report.h"
 
+#include <array>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -24,9 +25,41 @@ float float_from_bits(uint32_t bits)
     return value;
 }
 
-const char* colour_space_name(ColourSpace space)
+// What fields of both layouts have.
+struct Common {
+    const char *layout, *texel_format, *colour_space;
+    std::array<float, 3> centre;  // scene units, scene axes
+    float radius;
+};
+
+template <class AnyField>
+Common common_of(const AnyField& field, const char* layout, const char* texel_format)
 {
-    return space == ColourSpace::srgb ? "srgb" : "unknown";
+    const auto& bits = field.centre_bits;
+    return {layout,
+            texel_format,
+            field.colour_space == ColourSpace::srgb ? "srgb" : "unknown",
+            {float_from_bits(bits[0]), float_from_bits(bits[1]), float_from_bits(bits[2])},
+            float_from_bits(field.radius_bits)};
+}
+
+Common common_of(const FieldFile& file)
+{
+    if (file.is_surface()) return common_of(file.surface(), "surface", "palette8");
+    return common_of(file.field(), "chord", detail::texel_name(file.field().texel_format));
+}
+
+uint32_t row_bytes_of(const Field& field)
+{
+    return field.directions.size() * detail::format::bytes_per_texel(field.texel_format);
+}
+
+// Header, table and alignment.
+uint64_t other_bytes_of(const FieldFile& file)
+{
+    uint64_t bytes = file.size();
+    for (const Section& section : file.sections()) bytes -= section.bytes;
+    return bytes;
 }
 
 template <class... Values>
@@ -38,12 +71,11 @@ void append_line(std::string& text, const char* pattern, Values... values)
     text += '\n';
 }
 
-void append_section(std::string& text, const FieldReport::Entry& entry, uint64_t file_bytes)
+void append_section(std::string& text, const FieldFile& file, const Section& section, bool verify)
 {
-    const Section& section = entry.section;
-    const char* state = !entry.intact ? "" : *entry.intact ? "  intact" : "  DAMAGED";
+    const char* state = !verify ? "" : file.is_intact(section) ? "  intact" : "  DAMAGED";
     append_line(text, "  %-4s  %10" PRIu32 "  %10" PRIu32 "  %5.1f %%  %08" PRIx32 "  %s%s", section.type.c_str(),
-                section.offset, section.bytes, 100.0 * section.bytes / static_cast<double>(file_bytes), section.crc32,
+                section.offset, section.bytes, 100.0 * section.bytes / static_cast<double>(file.size()), section.crc32,
                 section.required ? "required" : "optional", state);
 }
 
@@ -52,35 +84,6 @@ std::string hexadecimal(uint32_t value)
     char text[16];
     std::snprintf(text, sizeof text, "%08" PRIx32, value);
     return text;
-}
-
-std::array<float, 3> centre_of(const uint32_t (&bits)[3])
-{
-    return {float_from_bits(bits[0]), float_from_bits(bits[1]), float_from_bits(bits[2])};
-}
-
-void describe_chord(const Field& field, FieldReport& report)
-{
-    report.layout = "chord";
-    report.origins = field.origins.size();
-    report.directions = field.directions.size();
-    report.used_origins = field.used_origins;
-    report.row_bytes = field.directions.size() * detail::format::bytes_per_texel(field.texel_format);
-    report.row_stride_bytes = field.row_stride_bytes;
-    report.texel_format = detail::texel_name(field.texel_format);
-    report.colour_space = colour_space_name(field.colour_space);
-    report.centre = centre_of(field.centre_bits);
-    report.radius = float_from_bits(field.radius_bits);
-}
-
-void describe_surface(const SurfaceField& field, FieldReport& report)
-{
-    report.layout = "surface";
-    report.surface = field;
-    report.texel_format = "palette8";
-    report.colour_space = colour_space_name(field.colour_space);
-    report.centre = centre_of(field.centre_bits);
-    report.radius = float_from_bits(field.radius_bits);
 }
 
 double longest_edge_of(const SurfaceField& field)
@@ -99,12 +102,13 @@ void append_surface(std::string& text, const SurfaceField& field)
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 
-void append_chord(std::string& text, const FieldReport& report)
+void append_chord(std::string& text, const Field& field)
 {
-    append_line(text, "  origins       %" PRIu32 ", of which %" PRIu32 " used", report.origins, report.used_origins);
-    append_line(text, "  directions    %" PRIu32, report.directions);
-    append_line(text, "  row           %" PRIu32 " bytes, %" PRIu32 " apart", report.row_bytes,
-                report.row_stride_bytes);
+    append_line(text, "  origins       %" PRIu32 ", of which %" PRIu32 " used", field.origins.size(),
+                field.used_origins);
+    append_line(text, "  directions    %" PRIu32, field.directions.size());
+    append_line(text, "  row           %" PRIu32 " bytes, %" PRIu32 " apart", row_bytes_of(field),
+                field.row_stride_bytes);
 }
 
 nlohmann::ordered_json json_of(const SurfaceField& field)
@@ -119,13 +123,13 @@ nlohmann::ordered_json json_of(const SurfaceField& field)
             {"longest_edge", longest_edge_of(field)}};
 }
 
-nlohmann::ordered_json chord_json(const FieldReport& report)
+nlohmann::ordered_json json_of(const Field& field)
 {
-    return {{"origins", report.origins},
-            {"used_origins", report.used_origins},
-            {"directions", report.directions},
-            {"row_bytes", report.row_bytes},
-            {"row_stride_bytes", report.row_stride_bytes}};
+    return {{"origins", field.origins.size()},
+            {"used_origins", field.used_origins},
+            {"directions", field.directions.size()},
+            {"row_bytes", row_bytes_of(field)},
+            {"row_stride_bytes", field.row_stride_bytes}};
 }
 
 }  // namespace
@@ -138,69 +142,52 @@ uint32_t triangles_of(const SurfaceField& field)
     return triangles;
 }
 
-FieldReport describe_field(const FieldFile& file, bool verify)
+std::string report_text(const FieldFile& file, bool verify)
 {
-    FieldReport report;
-    report.path = file.path();
-    report.file_bytes = file.size();
-    report.version = detail::format::kVersion;
+    const Common common = common_of(file);
+    std::string text = file.path() + "\n";
+    append_line(text, "  version       %" PRIu32, detail::format::kVersion);
+    append_line(text, "  layout        %s", common.layout);
+    append_line(text, "  bytes         %zu (%s)", file.size(), byte_text(file.size()).c_str());
     if (file.is_surface())
-        describe_surface(file.surface(), report);
+        append_surface(text, file.surface());
     else
-        describe_chord(file.field(), report);
-    report.view = renderer_of(file).example;
-    report.other_bytes = report.file_bytes;
-    for (const Section& section : file.sections()) {
-        report.sections.push_back({section, verify ? std::optional<bool>(file.is_intact(section)) : std::nullopt});
-        report.other_bytes -= section.bytes;
-    }
-    return report;
-}
-
-std::string text_of(const FieldReport& report)
-{
-    std::string text = report.path + "\n";
-    append_line(text, "  version       %" PRIu32, report.version);
-    append_line(text, "  layout        %s", report.layout.c_str());
-    append_line(text, "  bytes         %" PRIu64 " (%s)", report.file_bytes, byte_text(report.file_bytes).c_str());
-    if (report.surface)
-        append_surface(text, *report.surface);
-    else
-        append_chord(text, report);
-    const std::string count = report.surface ? std::to_string(report.surface->texel_bytes) + ", " : "";
-    append_line(text, "  texels        %s%s, %s", count.c_str(), report.texel_format.c_str(),
-                report.colour_space.c_str());
-    append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", static_cast<double>(report.centre[0]),
-                static_cast<double>(report.centre[1]), static_cast<double>(report.centre[2]),
-                static_cast<double>(report.radius));
-    append_line(text, "  drawn by      %s", report.view.c_str());
+        append_chord(text, file.field());
+    const std::string count = file.is_surface() ? std::to_string(file.surface().texel_bytes) + ", " : "";
+    append_line(text, "  texels        %s%s, %s", count.c_str(), common.texel_format, common.colour_space);
+    append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", static_cast<double>(common.centre[0]),
+                static_cast<double>(common.centre[1]), static_cast<double>(common.centre[2]),
+                static_cast<double>(common.radius));
+    append_line(text, "  drawn by      %s", renderer_of(file).example.c_str());
     text += "  type      offset       bytes    share  CRC-32\n";
-    for (const FieldReport::Entry& entry : report.sections) append_section(text, entry, report.file_bytes);
-    append_line(text, "  header, table and alignment: %" PRIu64 " bytes", report.other_bytes);
+    for (const Section& section : file.sections()) append_section(text, file, section, verify);
+    append_line(text, "  header, table and alignment: %" PRIu64 " bytes", other_bytes_of(file));
     return text;
 }
 
-std::string json_of(const FieldReport& report)
+std::string report_json(const FieldFile& file, bool verify)
 {
-    nlohmann::ordered_json json = {
-        {"file", report.path}, {"bytes", report.file_bytes}, {"version", report.version}, {"layout", report.layout}};
-    json.update(report.surface ? json_of(*report.surface) : chord_json(report));
-    json["texel_format"] = report.texel_format;
-    json["colour_space"] = report.colour_space;
-    json["centre"] = report.centre;
-    json["radius"] = report.radius;
-    json["drawn_by"] = report.view;
+    const Common common = common_of(file);
+    nlohmann::ordered_json json = {{"file", file.path()},
+                                   {"bytes", file.size()},
+                                   {"version", detail::format::kVersion},
+                                   {"layout", common.layout}};
+    json.update(file.is_surface() ? json_of(file.surface()) : json_of(file.field()));
+    json["texel_format"] = common.texel_format;
+    json["colour_space"] = common.colour_space;
+    json["centre"] = common.centre;
+    json["radius"] = common.radius;
+    json["drawn_by"] = renderer_of(file).example;
     json["sections"] = nlohmann::ordered_json::array();
-    for (const FieldReport::Entry& entry : report.sections) {
-        nlohmann::ordered_json section = {{"type", entry.section.type},
-                                          {"required", entry.section.required},
-                                          {"offset", entry.section.offset},
-                                          {"bytes", entry.section.bytes},
-                                          {"crc32", hexadecimal(entry.section.crc32)}};
-        if (entry.intact) section["intact"] = *entry.intact;
-        json["sections"].push_back(section);
+    for (const Section& section : file.sections()) {
+        json["sections"].push_back({{"type", section.type},
+                                    {"required", section.required},
+                                    {"offset", section.offset},
+                                    {"bytes", section.bytes},
+                                    {"crc32", hexadecimal(section.crc32)}});
+        if (verify) json["sections"].back()["intact"] = file.is_intact(section);
     }
-    json["other_bytes"] = report.other_bytes;
+    json["other_bytes"] = other_bytes_of(file);
     // File names and section types may be any bytes; what is not UTF-8 must not stop the report.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

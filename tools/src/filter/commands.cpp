@@ -152,12 +152,6 @@ void add_lesson_options(CLI::App& command, FilterOptions& options)
         ->check(CLI::Range(1, kMostEpochs))
         ->type_name("E")
         ->capture_default_str();
-    command
-        .add_option("--gan", options.training.adversarial_epochs,
-                    "Then so many epochs against a network that learns to tell drawings from truths, as in the paper")
-        ->check(CLI::Range(0, kMostEpochs))
-        ->type_name("E")
-        ->capture_default_str();
     command.add_option("--seed", options.lessons.seed, "Seed of the random numbers")
         ->type_name("K")
         ->check(whole_number)

@@ -88,16 +88,11 @@ struct Pair {
     Planes inputs, reference;
 };
 
-enum class Lesson : uint8_t {
-    likeness,    // squared error, and 1 - SSIM
-    adversarial  // the same, and what a network says that learns to tell drawings from references
-};
-
 class Trainer : public Network
 {
 public:
-    // One step of gradient descent over pairs of one size. Returns the mean loss.
-    virtual double step(const std::vector<Pair>& batch, Lesson lesson, double rate) = 0;
+    // One step of gradient descent over pairs of one size: squared error, and 1 - SSIM. Returns the mean loss.
+    virtual double step(const std::vector<Pair>& batch, double rate) = 0;
     virtual std::vector<float> numbers() const = 0;
     virtual void set_numbers(const std::vector<float>& numbers) = 0;
 };

@@ -45,7 +45,7 @@ public:
           settings_(settings),
           watch_(watch),
           random_(settings.seed),
-          pairs_left_(training.size() * static_cast<uint64_t>(settings.epochs + settings.adversarial_epochs))
+          pairs_left_(training.size() * static_cast<uint64_t>(settings.epochs))
     {
         result_.drawn_db = result_.filtered_db = mean_psnr_db(validation, nullptr);
         result_.numbers = trainer.numbers();
@@ -53,17 +53,9 @@ public:
 
     TrainingResult run()
     {
-        learn_likeness();
-        if (settings_.adversarial_epochs > 0) learn_adversarially();
-        return result_;
-    }
-
-private:
-    void learn_likeness()
-    {
         int without_gain = 0;
         for (int k = 0; k < settings_.epochs && without_gain < settings_.patience; ++k) {
-            const double db = epoch(Lesson::likeness, static_cast<double>(k) / settings_.epochs);
+            const double db = epoch(static_cast<double>(k) / settings_.epochs);
             ++without_gain;
             if (db > result_.filtered_db) {
                 keep(db);
@@ -71,18 +63,10 @@ private:
             }
             tell(db);
         }
+        return result_;
     }
 
-    void learn_adversarially()
-    {
-        if (result_.gains) trainer_.set_numbers(result_.numbers);
-        for (int k = 0; k < settings_.adversarial_epochs; ++k) {
-            const double db = epoch(Lesson::adversarial, static_cast<double>(k) / settings_.adversarial_epochs);
-            if (db > result_.drawn_db) keep(db);
-            tell(db);
-        }
-    }
-
+private:
     void keep(double db)
     {
         result_.gains = true;
@@ -92,13 +76,11 @@ private:
 
     void tell(double db) const
     {
-        if (watch_.epoch)
-            watch_.epoch({result_.epochs, settings_.epochs + settings_.adversarial_epochs, db, result_.filtered_db,
-                          result_.drawn_db});
+        if (watch_.epoch) watch_.epoch({result_.epochs, settings_.epochs, db, result_.filtered_db, result_.drawn_db});
     }
 
     // Returns the validation pairs' PSNR after it.
-    double epoch(Lesson lesson, double time)
+    double epoch(double time)
     {
         const double rate =
             settings_.last_rate + (settings_.first_rate - settings_.last_rate) * (1 + std::cos(kPi * time)) / 2;
@@ -110,7 +92,7 @@ private:
             std::vector<Pair> batch;
             for (size_t i = from; i < std::min(order.size(), from + batch_size); ++i)
                 batch.push_back(random_part(training_[order[i]]));
-            trainer_.step(batch, lesson, rate);
+            trainer_.step(batch, rate);
             pairs_seen_ += batch.size();
             if (watch_.step && !watch_.step(pairs_seen_, pairs_left_)) throw baker::Cancelled();
         }

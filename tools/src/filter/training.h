@@ -10,11 +10,10 @@ namespace lumi::filter
 {
 
 struct TrainingSettings {
-    int epochs = 60;             // at most; in each, every pair is seen once, by a part of it
-    int patience = 10;           // epochs without a gain on the validation pairs that end it
-    int adversarial_epochs = 0;  // after those
-    int batch = 4;               // pairs of a step
-    int part_px = 128;           // side of the part of a pair that a step sees; the whole where it is smaller
+    int epochs = 60;    // at most; in each, every pair is seen once, by a part of it
+    int patience = 10;  // epochs without a gain on the validation pairs that end it
+    int batch = 4;      // pairs of a step
+    int part_px = 128;  // side of the part of a pair that a step sees; the whole where it is smaller
     double first_rate = 5e-4, last_rate = 2.5e-5;  // rate of learning; falls like half a cosine
     uint64_t seed = 1;
 };
@@ -41,8 +40,7 @@ struct TrainingResult {
 // The mean of the pairs' PSNR over black, filtered by `network`, or as they are drawn where it is null.
 double mean_psnr_db(const std::vector<Pair>& pairs, Network* network);
 
-// Learns from `training`, keeps the numbers that are best on `validation`. Adversarial epochs follow from there; the
-// last of them that is better on `validation` than the drawn pictures is kept: they please the eye, not PSNR.
+// Learns from `training`, keeps the numbers that are best on `validation`.
 TrainingResult train(Trainer& trainer, const std::vector<Pair>& training, const std::vector<Pair>& validation,
                      const TrainingSettings& settings, const TrainingWatch& watch);
 

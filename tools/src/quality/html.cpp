@@ -3,34 +3,19 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "image/png.h"
+#include "terminal/text.h"
 
 namespace lumi::quality
 {
 
-std::string escaped(std::string_view text)
+std::string escaped(std::string text)
 {
-    std::string html;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                html += "&amp;";
-                break;
-            case '<':
-                html += "&lt;";
-                break;
-            case '>':
-                html += "&gt;";
-                break;
-            case '"':
-                html += "&quot;";
-                break;
-            default:
-                html += c;
-        }
-    }
-    return html;
+    for (const auto& [sign, word] : {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+        text = tools::replaced(std::move(text), sign, word);
+    return text;
 }
 
 std::string base64(std::string_view bytes)
@@ -50,7 +35,7 @@ std::string base64(std::string_view bytes)
 std::string image_tag(const tools::Picture& picture, std::string_view alternative_text)
 {
     return "<img loading=\"lazy\" width=\"" + std::to_string(picture.width_px) + "\" height=\"" +
-           std::to_string(picture.height_px) + "\" alt=\"" + escaped(alternative_text) +
+           std::to_string(picture.height_px) + "\" alt=\"" + escaped(std::string(alternative_text)) +
            "\" src=\"data:image/png;base64," + base64(tools::png_bytes(picture)) + "\">";
 }
 

@@ -11,7 +11,7 @@ namespace lumi::quality
 {
 
 // With &, <, > and quotes escaped.
-std::string escaped(std::string_view text);
+std::string escaped(std::string text);
 
 // RFC 4648, with padding.
 std::string base64(std::string_view bytes);

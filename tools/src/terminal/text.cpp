@@ -172,4 +172,11 @@ std::string duration_text(double seconds)
     return text;
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+    for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+    return text;
+}
+
 }  // namespace lumi::tools

@@ -52,4 +52,7 @@ std::string count_text(double count);
 // "1:42" or "2:03:09".
 std::string duration_text(double seconds);
 
+// `text` with every `from` replaced by `to`.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
 }  // namespace lumi::tools

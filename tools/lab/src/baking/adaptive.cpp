@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <filesystem>
 
 #include "baking/measurements.h"
@@ -20,7 +19,7 @@ struct Setup {
 constexpr Setup kSetups[] = {{64, 1}, {256, 1}, {256, 2}};
 
 struct Texels {
-    std::vector<std::optional<Rgb8>> colours;  // none where most rays miss
+    Colours colours;
     uint64_t paths = 0;
 };
 
@@ -39,33 +38,10 @@ Texels traced(const Scene& scene, unsigned count, uint32_t paths, float levels, 
         const uint32_t i = static_cast<uint32_t>(u.x * static_cast<float>(settings.origins));
         const uint32_t j = static_cast<uint32_t>(u.y * static_cast<float>(settings.directions));
         const Estimate estimate = tracer.estimate(tracer.disc(i), i, j);
-        result.colours.push_back(estimate.mostly_covered() ? std::optional(estimate.colour()) : std::nullopt);
+        result.colours.push_back(colour_of(estimate));
         result.paths += estimate.samples();
     }
     return result;
-}
-
-// Differences in steps of 255 over all channels of texels that both sides cover.
-struct Difference {
-    double rms = 0, mean = 0;
-};
-
-Difference difference(const Texels& found, const Texels& truth)
-{
-    double squares = 0, sum = 0;
-    size_t count = 0;
-    for (size_t k = 0; k < found.colours.size(); ++k) {
-        const auto &a = found.colours[k], &b = truth.colours[k];
-        if (a && b) {
-            for (const int d : {a->r - b->r, a->g - b->g, a->b - b->b}) {
-                squares += d * d;
-                sum += d;
-                ++count;
-            }
-        }
-    }
-    const double n = static_cast<double>(count);
-    return {std::sqrt(squares / n), sum / n};
 }
 
 }  // namespace
@@ -82,10 +58,10 @@ Json adaptive(const char* scene_file, unsigned count)
         rows.push_back({{"scene", name},
                         {"paths", setup.paths},
                         {"levels", setup.levels},
-                        {"error_all", difference(all, truth).rms},
-                        {"error_adaptive", difference(some, truth).rms},
+                        {"error_all", difference(all.colours, truth.colours).rms},
+                        {"error_adaptive", difference(some.colours, truth.colours).rms},
                         {"paths_taken", static_cast<double>(some.paths) / count},
-                        {"shift", difference(some, all).mean}});
+                        {"shift", difference(some.colours, all.colours).mean}});
     }
     return rows;
 }

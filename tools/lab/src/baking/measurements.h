@@ -9,10 +9,6 @@ namespace lumi::baker::bench
 
 using Json = nlohmann::ordered_json;
 
-// How much of a bake's time Embree alone takes for the same rays.
-Json share(const char* scene_file, unsigned rows);
-// The same for an OBJ file whose surfaces are all made matt.
-Json matt_share(const char* obj_file, unsigned rows);
 // Error against the number of light paths.
 Json convergence(const char* scene_file, unsigned rows);
 // What adaptive sampling leaves out, and what it costs in error, on so many texels.

@@ -22,7 +22,22 @@ struct Rows {
 
 Scene load(const char* file);
 
-// Calls take(row, j, estimate) for every texel of the rows, on the calling thread.
+// The encoded colours of texels; none where most rays miss.
+using Colours = std::vector<std::optional<Rgb8>>;
+
+inline std::optional<Rgb8> colour_of(const Estimate& estimate)
+{
+    return estimate.mostly_covered() ? std::optional(estimate.colour()) : std::nullopt;
+}
+
+// Differences in steps of 255 over all channels of texels that both sides cover.
+struct Difference {
+    double rms = 0, mean = 0;
+};
+
+Difference difference(const Colours& found, const Colours& truth);
+
+// Calls take(estimate) for every texel of the rows, on the calling thread.
 template <class Take>
 void trace_rows(const Scene& scene, const Rows& rows, const Take& take)
 {
@@ -30,7 +45,7 @@ void trace_rows(const Scene& scene, const Rows& rows, const Take& take)
     for (uint32_t row = 0; row < rows.count; ++row) {
         const uint32_t i = rows.origin(row);
         const OriginDisc disc = tracer.disc(i);
-        for (uint32_t j = 0; j < rows.settings.directions; ++j) take(row, j, tracer.estimate(disc, i, j));
+        for (uint32_t j = 0; j < rows.settings.directions; ++j) take(tracer.estimate(disc, i, j));
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lumi-lab share, matt, convergence, adaptive, threads and memory: what the baker costs, against Embree alone.
+// lumi-lab convergence, adaptive, threads and memory: what the baker costs.
 #include <memory>
 
 #include "baking/measurements.h"
@@ -17,8 +17,6 @@ struct Measurement {
 };
 
 constexpr Measurement kMeasurements[] = {
-    {"share", "How much of a bake's time Embree alone takes for the same rays", "ROWS", baker::bench::share},
-    {"matt", "The same of an OBJ whose surfaces are all made matt", "ROWS", baker::bench::matt_share},
     {"convergence", "Error against the number of light paths", "ROWS", baker::bench::convergence},
     {"adaptive", "What adaptive sampling leaves out, and its error", "TEXELS", baker::bench::adaptive},
     {"threads", "Paths a second against the number of threads", "ROWS", baker::bench::thread_rates}};
@@ -41,7 +39,7 @@ void add_baking(CLI::App& lab)
     }
     auto triangles = std::make_shared<unsigned>(0);
     CLI::App* command = lab.add_subcommand("memory", "Memory of a scene of that many triangles");
-    command->add_option("TRIANGLES", *triangles, "Of a mesh that is made up")->required();
+    command->add_option("TRIANGLES", *triangles, "Triangles of a mesh that is made up")->required();
     command->callback([triangles] { print(baker::bench::memory(*triangles)); });
 }
 

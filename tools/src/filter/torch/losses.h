@@ -2,8 +2,6 @@
 // What the network learns by.
 #pragma once
 
-#include <array>
-
 #include "filter/torch/unet.h"
 
 namespace lumi::filter
@@ -32,38 +30,6 @@ inline Tensor unlikeness(const Tensor& a, const Tensor& b, const Tensor& where)
 inline Tensor squared_error(const Tensor& a, const Tensor& b, const Tensor& where)
 {
     return ((a - b).square() * where).sum() / (where.sum().clamp_min(1) * kPicturePlanes);
-}
-
-// Tells drawings from references, each beside what was drawn: seven blocks of a convolution, dropout and average
-// pooling.
-struct DiscriminatorImpl : torch::nn::Module {
-    DiscriminatorImpl()
-    {
-        constexpr std::array<int64_t, 7> kBlockWidths = {16, 32, 48, 64, 64, 64, 64};
-        constexpr double kDropout = 0.2;
-        int64_t before = 2 * kPicturePlanes;
-        for (const int64_t width : kBlockWidths) {
-            blocks->push_back(torch::nn::Conv2d(torch::nn::Conv2dOptions(before, width, 3).padding(1)));
-            blocks->push_back(torch::nn::LeakyReLU(torch::nn::LeakyReLUOptions().negative_slope(0.2)));
-            blocks->push_back(torch::nn::Dropout2d(kDropout));
-            blocks->push_back(torch::nn::AvgPool2d(torch::nn::AvgPool2dOptions(2).ceil_mode(true)));
-            before = width;
-        }
-        blocks->push_back(torch::nn::Conv2d(torch::nn::Conv2dOptions(before, 1, 1)));
-        register_module("blocks", blocks);
-    }
-    Tensor forward(const Tensor& drawn, const Tensor& picture)
-    {
-        return blocks->forward(torch::cat({drawn, picture}, 1)).mean({1, 2, 3});
-    }
-    torch::nn::Sequential blocks;
-};
-TORCH_MODULE(Discriminator);
-
-// The relativistic average loss with squares: `better` is to be above the mean of `worse` by 1, and the reverse.
-inline Tensor relativistic(const Tensor& better, const Tensor& worse)
-{
-    return (better - worse.mean() - 1).square().mean() + (worse - better.mean() + 1).square().mean();
 }
 
 }  // namespace lumi::filter

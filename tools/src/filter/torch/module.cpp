@@ -94,9 +94,7 @@ class TorchTrainer : public Trainer
 {
 public:
     explicit TorchTrainer(uint32_t input_planes)
-        : net_(input_planes, true),
-          adam_(net_.parameters(), torch::optim::AdamOptions(1e-3)),
-          judge_adam_(judge_->parameters(), torch::optim::AdamOptions(1e-3).betas({0.5, 0.999}))
+        : net_(input_planes, true), adam_(net_.parameters(), torch::optim::AdamOptions(1e-3))
     {
     }
 
@@ -104,19 +102,18 @@ public:
     std::vector<float> numbers() const override { return numbers_of(net_); }
     void set_numbers(const std::vector<float>& numbers) override { set_numbers_of(net_, numbers); }
 
-    double step(const std::vector<Pair>& batch, Lesson lesson, double rate) override
+    double step(const std::vector<Pair>& batch, double rate) override
     {
-        return without_backtrace([&] { return learned(batch, lesson, rate); });
+        return without_backtrace([&] { return learned(batch, rate); });
     }
 
 private:
-    double learned(const std::vector<Pair>& batch, Lesson lesson, double rate)
+    double learned(const std::vector<Pair>& batch, double rate)
     {
         const Examples examples = examples_of(batch);
         const Tensor picture = net_.filtered(examples.inputs);
-        Tensor loss = likeness_loss(examples, picture);
-        if (lesson == Lesson::adversarial) loss = loss + adversarial_loss(examples, picture, rate);
-        advance(adam_, net_.parameters(), loss, rate);
+        const Tensor loss = likeness_loss(examples, picture);
+        advance(loss, rate);
         return loss.item<double>();
     }
 
@@ -128,32 +125,18 @@ private:
                kUnlikenessScale * unlikeness(colours(picture), colours(examples.reference), examples.where);
     }
 
-    // The judge learns first; then what it says of the picture.
-    Tensor adversarial_loss(const Examples& examples, const Tensor& picture, double rate)
-    {
-        constexpr double kScale = 0.01;
-        const Tensor drawn = picture_of(examples.inputs);
-        const Tensor judged =
-            relativistic(judge_->forward(drawn, examples.reference), judge_->forward(drawn, picture.detach()));
-        advance(judge_adam_, judge_->parameters(), judged, rate);
-        return kScale *
-               relativistic(judge_->forward(drawn, picture), judge_->forward(drawn, examples.reference).detach());
-    }
-
-    static void advance(torch::optim::Adam& adam, const std::vector<Tensor>& parameters, const Tensor& loss,
-                        double rate)
+    void advance(const Tensor& loss, double rate)
     {
         constexpr double kLongestGradient = 1;
-        adam.zero_grad();
+        adam_.zero_grad();
         loss.backward();
-        torch::nn::utils::clip_grad_norm_(parameters, kLongestGradient);
-        static_cast<torch::optim::AdamOptions&>(adam.param_groups().front().options()).lr(rate);
-        adam.step();
+        torch::nn::utils::clip_grad_norm_(net_.parameters(), kLongestGradient);
+        static_cast<torch::optim::AdamOptions&>(adam_.param_groups().front().options()).lr(rate);
+        adam_.step();
     }
 
     UNet net_;
-    Discriminator judge_;
-    torch::optim::Adam adam_, judge_adam_;
+    torch::optim::Adam adam_;
 };
 
 class TorchModule : public Module
