@@ -231,8 +231,7 @@ def measure(options):
     if options.docs:
         data = {"field": {"scene": options.scene.name, "origins": options.origins, "directions": options.directions,
                           "spp": options.spp}, "parts": lab("parts"), "rows": rows, "surface_field": facts,
-                "baselines": baseline_rows(options, boards),
-                "pictures": lab("likeness", options.scene, chord_field(options, "rgb565"))}
+                "baselines": baseline_rows(options, boards)}
         save("tradeoff", data)
     return rows
 

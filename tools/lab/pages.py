@@ -29,7 +29,7 @@ from figures.table import ROOT, Table, save, shown
 TABLES = {
     **{f"tradeoff {name}": (lambda name=name: tradeoff.table(name)) for name in (
         "choice", "glance", "cost", "split", "accuracy", "memory", "polar", "rates", "parts", "surface_cost",
-        "surface_split", "surface_rates", "baselines", "pictures")},
+        "surface_split", "surface_rates", "baselines")},
     "quality": quality.flash_table,
     "quality low": quality.low_rows,
     "quality readme": quality.readme_table,

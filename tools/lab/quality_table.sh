@@ -14,7 +14,7 @@ names=("surface, 150 kB" "surface, 250 kB" "surface, 500 kB" "chord, 1024 × 102
 options=("--layout surface --paths 100 --fit 150kB" "--layout surface --paths 100 --fit 250kB" "--layout surface --paths 100 --fit 500kB"
   "--origins 1024 --directions 1024 --spp 16"
   "--origins 2048 --directions 2048 --spp 16")
-# Of surface and of chord fields: the fast mode and the good one.
+# The fast mode and the good one, for surface fields and for chord fields.
 # shellcheck disable=SC2034  # measure_row names them
 declare -A fast=([surface]=antialiased [chord]=nearest) good=([surface]=2x2 [chord]=linear)
 orbits=("30,20,3" "75,50,3")  # two rings around the clock, one from nearly level, one from above

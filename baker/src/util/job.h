@@ -81,8 +81,8 @@ private:
 };
 
 // While it lives, what the job runs is one stage of it: tasks need not count rays, and the stage ends when `until` rays
-// are done. Of about so many runs each takes its share; a run of one task, which cannot tell how far it is, moves on
-// with time.
+// are done. There are about `runs` runs, and each takes an equal share. A run of one task cannot tell how far it is: it
+// moves on with time.
 class JobStage
 {
 public:

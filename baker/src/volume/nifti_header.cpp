@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one file that sees libnifti2. Of it we take what it knows best: the layout of both versions of the header, their
+// The one file that sees libnifti2. We take from it what it knows best: both versions of the header, their
 // byte orders, and what a quaternion means. Its own reader of files allocates what a header claims and writes
 // some errors to stderr.
 #include "volume/nifti_header.h"

@@ -9,8 +9,8 @@
 //
 // Every call returns a ViewError (view_error.h) and checks what it is given. The pixels are those of the free functions
 // (surface/render.h, chord/render_spans.h), which a view calls and which stay. Their rules hold: stripes in any order
-// and of any shape. Of a surface field, the part of them that lies in the image has no more pixels than the screen's
-// stripe, which is kRows rows of the image; `antialiased` counts both with a margin of one pixel all around.
+// and of any shape. A surface field's stripe may have, within the image, no more pixels than the screen's stripe, which
+// is kRows rows of the image; `antialiased` counts both with a margin of one pixel all around.
 #pragma once
 #pragma GCC system_header
 

@@ -24,8 +24,9 @@ using WriteText = void (*)(const char* zero_terminated);
 inline constexpr uint32_t kListedFields = detail::format::kTexelFormats + 2;
 
 // Draws the list, stripe by stripe. Writes one line a frame of a chord field, "view renderer texel pixel crc32"; the
-// CRC runs over the frame drawn over a constant colour, then over the frame drawn once more over that. Of a surface
-// field, "view surface mode pixel crc32". Stops with a line "error: ..." and returns false if a field does not open.
+// CRC runs over the frame drawn over a constant colour, then over the frame drawn once more over that. Frames of a
+// surface field: "view surface mode pixel crc32". Stops with a line "error: ..." and returns false if a field does not
+// open.
 bool write_frame_crcs(const FieldBytes (&fields)[kListedFields], WriteText write);
 
 // The surface fields' part: of up to 128 vertices and patches, in every mode and as every kind of pixel, which are the

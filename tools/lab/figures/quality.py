@@ -13,7 +13,7 @@ KEPT = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "fli
 
 
 def counted(measured, core):
-    """Of a frame of this file in RGB565, from FIELD.bench.json; nothing where it was not counted."""
+    """Instructions of a frame of this file in RGB565, from FIELD.bench.json; nothing where it was not counted."""
     counts = pathlib.Path(measured["name"] + ".bench.json")
     if measured["layout"] not in MODES or not counts.exists():
         return None

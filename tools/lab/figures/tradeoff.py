@@ -173,12 +173,6 @@ class Tradeoff:
                      [[row["method"], row["core"], per_pixel()(row), decimal(row["instructions_per_frame"] / 1e6, 2),
                        row["code_bytes"]] for row in rows if row])
 
-    def pictures(self):
-        return Table(["method", "flash, MB", *(f"{view}, dB / SSIM" for view in VIEWS)],
-                     [[row["method"], decimal(row["flash_bytes"] / 1e6, 2),
-                       *(f"{decimal(row[view]['psnr_db'])} / {decimal(row[view]['ssim'], 3)}" for view in VIEWS)]
-                      for row in self.data["pictures"]])
-
 
 def table(name):
     return getattr(Tradeoff(load("tradeoff")), name)()

@@ -111,7 +111,7 @@ LEAF_COLOURS = [(0, 0, 0), (255, 255, 255), (110, 150, 60), (40, 100, 36), (40, 
 
 
 def leaf(x, y):
-    """Of a lobed leaf with veins: whether it is there, and its colour."""
+    """Whether a lobed leaf with veins covers the point, and the place of its colour in the palette."""
     u, v = 2 * x / (LEAF_PX - 1) - 1, 1 - y / (LEAF_PX - 1)
     half = 0.9 * math.sin(math.pi * v) ** 0.7 * (0.75 + 0.25 * math.cos(22 * v)) if 0 < v < 1 else 0
     is_vein = abs(u) < 0.04 or abs((v * 9 + abs(u) * 4) % 1 - 0.5) < 0.06
@@ -180,7 +180,7 @@ def soft(x):
 
 
 def head_radius(x, y, z):
-    """Of the head in that direction, and how far in the mouth that is: a cavity down to a third of the radius."""
+    """The head's radius in that direction, and how far in the mouth that is: a cavity down to a third of the radius."""
     if z <= 0:
         return 0.86 + 0.14 * y, 0
     inside = soft(1.6 - (x / 0.24) ** 2 - ((y + 0.36) / 0.13) ** 2)

@@ -26,7 +26,7 @@ def member(project, name):
 
 
 def header(size, spacing):
-    """Of NIfTI-1. Rows run to the patient's left, as DICOM has them; slices to the front and up, as the voxels show."""
+    """The header of NIfTI-1. Rows run to the patient's left, as DICOM has them; slices to the front and up, as the voxels show."""
     head = bytearray(HEADER_BYTES)
     struct.pack_into("<i", head, 0, 348)
     struct.pack_into("<8h", head, 40, 3, *size, 1, 1, 1, 1)

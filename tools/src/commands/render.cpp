@@ -82,7 +82,7 @@ std::string known_mode(const std::string& word)
         return std::any_of(choices.begin(), choices.end(), [&](const auto& choice) { return choice.first == word; });
     };
     if (word == "best" || has(kChordModes) || has(kSurfaceModes)) return "";
-    return "takes best, or of a surface field " + words_of(kSurfaceModes) + ", of a chord field " +
+    return "takes best, for surface fields also " + words_of(kSurfaceModes) + ", for chord fields also " +
            words_of(kChordModes) + ", not \"" + word + "\"";
 }
 

@@ -13,8 +13,8 @@
 namespace lumi::baker
 {
 
-// One of `count` parts that bake independently, 1 <= index <= count. Of every `count` origins in a row each shard bakes
-// one, drawn by lot: shards are of equal size (to one row) and see the scene from everywhere, so they cost alike.
+// One of `count` parts that bake independently, 1 <= index <= count. Each shard bakes one of
+// every `count` origins in a row, drawn by lot. So shards have equal size (to one row) and equal cost.
 struct Shard {
     uint32_t index = 1, count = 1;
 };

@@ -21,11 +21,6 @@ using twin::kPi;
 
 constexpr double kTurn = 4294967296.0;
 
-Pose pose_of(const View& view)
-{
-    return detail::orbit(view.azimuth_turns32, view.elevation_turns32, view.distance_q20);
-}
-
 int32_t signed_turns32(double radians)
 {
     return static_cast<int32_t>(std::lround(radians / (2 * kPi) * kTurn));
@@ -77,8 +72,7 @@ struct Turn {
     }
 };
 
-}  // namespace
-
+// The path-traced reference of a view over kBackgroundColour.
 tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Image& image, uint32_t samples)
 {
     Camera camera;
@@ -90,9 +84,11 @@ tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Im
     return picture;
 }
 
+}  // namespace
+
 uint32_t nearest_sprite(const SpriteSheet& sheet, const View& view)
 {
-    const Vec3q20 eye = pose_of(view).eye;
+    const Vec3q20 eye = view_pose(view).eye;
     uint32_t best = 0;
     double best_cosine = -1e9;
     for (uint32_t i = 0; i < sheet.count; ++i) {
@@ -110,7 +106,7 @@ tools::Picture sprite_picture(const baker::Scene& scene, const SpriteSheet& shee
     const int32_t side_px = sheet.side_px;
     const tools::Picture sprite =
         stored(sheet, traced_view(scene, pose, {side_px, side_px, kFillingFov}, sheet.samples));
-    const Turn turn(pose_of(view), pose);
+    const Turn turn(view_pose(view), pose);
     const double scale =
         disc_radius_px(kFillingFov, kFarQ20) / disc_radius_px(view.fov_turns32, view.distance_q20) * side_px / kSidePx;
     constexpr double kMiddle = (kSidePx - 1) / 2.0;

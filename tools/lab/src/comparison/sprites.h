@@ -14,9 +14,6 @@
 namespace lumi::bench
 {
 
-// The path-traced reference of a view over kBackgroundColour.
-tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Image& image, uint32_t samples);
-
 struct SpriteSheet {
     uint32_t count = 1;
     uint32_t samples = 16;      // light paths a pixel; what remains of noise is far below the error of a wrong view

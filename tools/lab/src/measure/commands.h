@@ -11,7 +11,6 @@ namespace lumi::lab
 void add_bench(CLI::App& lab);
 void add_frames(CLI::App& lab);
 void add_parts(CLI::App& lab);
-void add_likeness(CLI::App& lab);
 void add_baselines(CLI::App& lab);
 void add_zoom(CLI::App& lab);
 void add_draw(CLI::App& lab);

@@ -3,9 +3,9 @@
 // spill: a loop writes the weighted sums of a scanline's pixels, the same bits as BothSidesWalk and TexelSum have.
 //
 // A coordinate is kept as its fraction at the top of a word, so that an addition's carry tells a new cell and the
-// cell's offset moves by additions alone. Of an origin's word, what lies below its 12 bits is the direction's
-// coordinate, of which it takes carries as BothSidesWalk's halves do; it cannot change how a triangle is chosen but
-// where both choices weigh the same corners.
+// cell's offset moves by additions alone. The bits of an origin's word below its 12 bits are the direction's
+// coordinate: its carries reach the origin as in BothSidesWalk's halves. They cannot change which triangle is chosen,
+// except where both choices weigh the same corners.
 #pragma once
 
 #include <stddef.h>

@@ -2,9 +2,9 @@
 // Cuts a stripe into pieces that are drawn by stepping: tiles where the sphere's inside allows them, spans in what is
 // left. Knows nothing of texels, pixels and reconstructions: a loop draws each piece (chord/render_spans.h).
 //
-// Scanlines are taken in bands as high as a tile, on a grid that the image fixes. Of each band come first its
-// scanlines, so that what lies beside the sphere can be filled, then tiles from left to right, each followed by the
-// spans of the gap left of it. Pieces are those of the whole image, whatever columns the stripe has: of a scanline that
+// Scanlines are taken in bands as high as a tile, on a grid that the image fixes. A band's scanlines come
+// first, to fill what lies beside the sphere; then its tiles from left to right, each followed by the spans of
+// the gap left of it. Pieces are those of the whole image, whatever columns the stripe has: where a scanline
 // begins left of the stripe, hits are evaluated from its first pixel on.
 #pragma once
 
