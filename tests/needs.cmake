@@ -17,7 +17,8 @@ endfunction()
 # lumi_missing_test_needs(OUT): a list of what is not installed.
 function(lumi_missing_test_needs out)
   set(missing)
-  find_path(LUMI_CATCH2_HEADER catch2/catch.hpp)
+  # Boards' toolchains look into their own folders alone.
+  find_path(LUMI_CATCH2_HEADER catch2/catch.hpp PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
   mark_as_advanced(LUMI_CATCH2_HEADER)
   if(NOT LUMI_CATCH2_HEADER)
     list(APPEND missing Catch2)

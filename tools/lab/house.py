@@ -1,18 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""house.py [REVISION...]
+"""house.py [--build] [REVISION...]
 
 Counts what a newcomer to this project meets, at the given revisions of git (default: HEAD), and writes it as JSON to
 standard output, an object for each revision: lines and files of C++ without tests, entries of tools/, the fullest folder,
 and how many files name one texel format, pixel format, material parameter, scene reader, processor and board. A further
-one of the same kind touches about as many files. Nothing is built. The page docs/log/house.md gets its table by
+one of the same kind touches about as many files. The page docs/log/house.md gets its table by
 `tools/lab/house.py 2118bb6 HEAD | tools/lab/pages.py put house revisions`.
+
+With --build it builds the `lumi` command of each revision instead, from nothing, without ccache and by two jobs, and
+writes what that takes: CPU seconds of all compilers, which other programs disturb little, and seconds by the clock
+(`tools/lab/house.py --build 2118bb6 HEAD | tools/lab/pages.py put house builds`).
 """
 import collections
 import json
 import os
+import resource
 import subprocess
 import sys
+import tempfile
+import time
 
 AREAS = ("core", "baker", "tools", "platform")
 CODE = (".h", ".cpp", ".c", ".S")
@@ -79,11 +86,33 @@ def measure(revision):
     }
 
 
+def build(revision):
+    with tempfile.TemporaryDirectory() as folder:
+        archive = subprocess.run(["git", "archive", revision], capture_output=True, check=True)
+        subprocess.run(["tar", "-x"], input=archive.stdout, cwd=folder, check=True)
+        environment = {name: text for name, text in os.environ.items() if not name.endswith("_COMPILER_LAUNCHER")}
+        environment["CCACHE_DISABLE"] = "1"
+
+        def run(*command):
+            subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=True)
+        run("cmake", "--preset", "release")
+        begin, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
+        run("cmake", "--build", "--preset", "release", "--parallel", "2", "--target", "lumi")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return {
+            "revision": git("rev-parse", "--short", revision)[0],
+            "cpu_seconds": round(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime),
+            "seconds": round(time.monotonic() - begin),
+        }
+
+
 def main(arguments):
-    if any(a.startswith("-") for a in arguments):
+    count = build if arguments[:1] == ["--build"] else measure
+    revisions = arguments[1:] if count is build else arguments
+    if any(a.startswith("-") for a in revisions):
         print(__doc__, file=sys.stderr)
         return 2
-    json.dump([measure(revision) for revision in arguments or ["HEAD"]], sys.stdout, indent=1)
+    json.dump([count(revision) for revision in revisions or ["HEAD"]], sys.stdout, indent=1)
     print()
     return 0
 

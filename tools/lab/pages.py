@@ -58,6 +58,7 @@ TABLES = {
     "baker threads": scripts.baker_threads,
     "baker memory": scripts.baker_memory,
     "house": scripts.house,
+    "house builds": scripts.house_builds,
 }
 COLLECTORS = {"quality": quality.collect, "sweep": sweep.collect, "paper": paper.collect}
 BLOCK = re.compile(r"(<!-- (table|printed): (?!end)(.*?) -->\n).*?(<!-- \2: end -->)", re.DOTALL)

@@ -147,3 +147,8 @@ def house():
                ("entries of the fullest folder", lambda r: f"{r['fullest_folder']['entries']} ({r['fullest_folder']['name']})")]
     counts += [(f"files that name a {kind}", lambda r, kind=kind: r["files_naming"][kind]) for kind in revisions[0]["files_naming"]]
     return Table(["", *(r["revision"] for r in revisions)], [[name, *map(count, revisions)] for name, count in counts])
+
+
+def house_builds():
+    return table(["revision", "CPU seconds", "seconds by the clock"], load("house")["builds"],
+                 lambda row: [row["revision"], row["cpu_seconds"], row["seconds"]])
