@@ -10,14 +10,14 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-scenes=(wires plant mirror glass mouth terrain)
+scenes=(wires plant mirror glass mouth terrain curtain)
 paths=100
 truth=(--spp 32)
 view=(--orbit 20,12,3 --size 240x240 --turntable 8)
 work=$root/build/failures
 
 show_scene() {
-  local name=$1 scene=$work/scenes/$1.obj
+  local name=$1 scene=$work/scenes/$1.json
   "$lumi" bake "$scene" -o "$work/$name.lumi" --paths "$paths" >"$work/$name.txt"
   cat "$work/$name.txt"
   "$lumi" render "$work/$name.lumi" -o "$work/$name.png" "${view[@]}" >/dev/null

@@ -61,9 +61,17 @@ RTCRay to_embree(const Ray& ray)
     return r;
 }
 
+// Embree calls this for each hit; a hit that becomes invalid is passed. The normal is that of the winding.
+void pass_back_faces(const RTCFilterFunctionNArguments* call)
+{
+    const auto& ray = *reinterpret_cast<const RTCRay*>(call->ray);
+    const auto& hit = *reinterpret_cast<const RTCHit*>(call->hit);
+    if (ray.dir_x * hit.Ng_x + ray.dir_y * hit.Ng_y + ray.dir_z * hit.Ng_z >= 0) call->valid[0] = 0;
+}
+
 }  // namespace
 
-Accelerator::Accelerator(const Mesh& mesh) : impl_(std::make_unique<Impl>())
+Accelerator::Accelerator(const Mesh& mesh, Faces faces) : impl_(std::make_unique<Impl>())
 {
     impl_->device = rtcNewDevice(kDeviceConfig);
     if (!impl_->device) check(nullptr, "start");
@@ -73,6 +81,7 @@ Accelerator::Accelerator(const Mesh& mesh) : impl_(std::make_unique<Impl>())
     RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     upload(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
     upload(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.corners);
+    if (faces == Faces::front) rtcSetGeometryIntersectFilterFunction(geometry, pass_back_faces);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(impl_->scene, geometry);
     rtcReleaseGeometry(geometry);

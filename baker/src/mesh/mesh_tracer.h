@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays against a mesh mesh as renderers see it: back faces are seen through unless the mesh is two-sided.
+// Rays against a mesh as renderers see it: back faces are seen through unless the mesh is two-sided.
 #pragma once
 
 #include "geometry/accelerator.h"

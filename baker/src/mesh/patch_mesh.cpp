@@ -118,9 +118,8 @@ BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeS
         result.mesh = assembled(shape, settings.crease_cosine);
         if (fits(result.mesh)) {
             const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
-            result.mesh.two_sided = outside.two_sided;
             result.loss = stages.once<MeshLoss>(
-                "loss", [&] { return loss_of(scene, MeshTracer(shape, outside.two_sided), s.cap, draft.rough, job); },
+                "loss", [&] { return loss_of(scene, MeshTracer(shape, false), s.cap, draft.rough, job); },
                 s.triangles, s.longest_edge, s.cap.lowest());
             result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
                                             shape.triangle_count(), scene.mesh_is_shell);

@@ -29,7 +29,6 @@ struct PatchMesh {
     std::vector<Vec3> positions;  // in the unit sphere's frame, rounded to steps of 2^-14
     std::vector<Vec3> normals;    // unit length: about where the surface around a vertex faces; view tables turn by it
     std::vector<Patch> patches;
-    bool two_sided = false;
     float longest_edge = 0;  // the longest edge of any triangle
 };
 

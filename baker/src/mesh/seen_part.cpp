@@ -10,7 +10,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kRays = 2048;  // rays that a triangle gets before it counts as hidden
+constexpr uint32_t kRays = 2048;  // rays of a triangle before it counts as hidden; a side of two has half of them
 constexpr uint32_t kSeenTriangles = 64;
 constexpr float kBeyondSphere = 2.5f;  // beyond the sphere from any place in it, in radii
 constexpr uint64_t kSeenSeed = 0x7365656E;
@@ -21,18 +21,21 @@ Vec3 place_on(const Mesh& mesh, uint32_t triangle, const Vec2& weights)
     return a + (mesh.position(triangle, 1) - a) * weights.x + (mesh.position(triangle, 2) - a) * weights.y;
 }
 
-bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle)
+enum class SeenFrom : uint8_t { front, back };
+
+bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle, SeenFrom side)
 {
     const Vec3 area = tracer.mesh().area_vector(triangle);
     if (!(length(area) > 0)) return false;
     const Frame frame(normalized(area));
+    const float outside = side == SeenFrom::front ? 1.0f : -1.0f;
+    const uint32_t step = tracer.two_sided() ? 2 : 1;
     Sampler sampler(kSeenSeed, triangle, 0);
-    for (uint32_t k = 0; k < kRays; ++k) {
+    for (uint32_t k = static_cast<uint32_t>(side); k < kRays; k += step) {
         sampler.start(k);
         const Vec3 place = place_on(tracer.mesh(), triangle, square_to_triangle(sampler.next_2d()));
         const Vec2 square = sampler.next_2d();
-        const float side = tracer.two_sided() && k % 2 != 0 ? -1.0f : 1.0f;
-        const Vec3 outwards = frame.to_world(direction_at(square.x, square.y) * side);
+        const Vec3 outwards = frame.to_world(direction_at(square.x, square.y) * outside);
         const Ray ray = {place + outwards * kBeyondSphere, -outwards};
         const std::optional<Hit> hit = cap.sees(ray) ? tracer.closest(ray) : std::nullopt;
         if (hit && hit->triangle == triangle) return true;
@@ -44,17 +47,25 @@ bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle)
 
 Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap)
 {
-    const uint32_t triangles = static_cast<uint32_t>(tracer.mesh().triangle_count());
-    std::vector<uint8_t> seen(triangles);
+    struct Seen {
+        bool front = false, back = false;
+    };
+    const Mesh& mesh = tracer.mesh();
+    const uint32_t triangles = static_cast<uint32_t>(mesh.triangle_count());
+    std::vector<Seen> seen(triangles);
     job.run((triangles + kSeenTriangles - 1) / kSeenTriangles, [&](uint32_t task) {
         const uint32_t end = std::min(triangles, (task + 1) * kSeenTriangles);
         for (uint32_t k = task * kSeenTriangles; k < end && !job.stopping(); ++k)
-            seen[k] = is_seen(tracer, cap, k) ? 1 : 0;
+            seen[k] = {is_seen(tracer, cap, k, SeenFrom::front),
+                       tracer.two_sided() && is_seen(tracer, cap, k, SeenFrom::back)};
     });
     Mesh result;
-    result.positions = tracer.mesh().positions;
-    for (uint32_t k = 0; k < triangles; ++k)
-        if (seen[k] != 0) result.corners.push_back(tracer.mesh().corners[k]);
+    result.positions = mesh.positions;
+    for (uint32_t k = 0; k < triangles; ++k) {
+        const Mesh::Corners& c = mesh.corners[k];
+        if (seen[k].front) result.corners.push_back(c);
+        if (seen[k].back) result.corners.push_back({c[0], c[2], c[1]});
+    }
     return result;
 }
 

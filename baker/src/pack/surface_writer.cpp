@@ -26,38 +26,51 @@ Place place(const PatchMesh& mesh, uint32_t vertex)
     return {p.x, p.y, p.z};
 }
 
-// The sides of a patch that have neighbours of their own, and the triangles that they belong to.
+// The sides of a patch that have neighbours of their own: vertices, and the triangles that they belong to.
 struct PatchSide {
-    uint32_t from, to, triangle;
+    uint32_t from, to, opposite, triangle;
 };
 
 std::vector<PatchSide> patch_sides(const PatchMesh::Patch& p, uint32_t number)
 {
     const uint32_t first = 2 * number, second = first + 1;
-    if (p.d == PatchMesh::kNone) return {{p.a, p.b, first}, {p.c, p.a, first}, {p.b, p.c, first}};
-    return {{p.a, p.b, first}, {p.c, p.a, first}, {p.d, p.c, second}, {p.b, p.d, second}};
+    if (p.d == PatchMesh::kNone) return {{p.a, p.b, p.c, first}, {p.c, p.a, p.b, first}, {p.b, p.c, p.a, first}};
+    return {{p.a, p.b, p.c, first}, {p.c, p.a, p.b, first}, {p.d, p.c, p.b, second}, {p.b, p.d, p.c, second}};
 }
 
-// In the order that the section has them; detail::format::kNoNeighbour where the mesh ends, or where more than two triangles
-// meet. Vertices at one place are one here, whatever their normals.
+// Sides by where they begin and end.
+using SidesByEdge = std::map<Edge, std::vector<PatchSide>>;
+
+// The triangle across a side; detail::format::kNoNeighbour where the mesh ends, or where more than two triangles meet.
+// The triangle that is the back of the same sheet lies on the same edge, but not across it.
+uint16_t across(const PatchMesh& mesh, const SidesByEdge& sides, const PatchSide& side)
+{
+    const auto found = sides.find({place(mesh, side.to), place(mesh, side.from)});
+    uint32_t result = detail::format::kNoNeighbour, count = 0;
+    if (found != sides.end()) {
+        for (const PatchSide& other : found->second) {
+            if (place(mesh, other.opposite) == place(mesh, side.opposite)) continue;
+            result = other.triangle;
+            ++count;
+        }
+    }
+    return static_cast<uint16_t>(count == 1 ? result : detail::format::kNoNeighbour);
+}
+
+// In the order that the section has them. Vertices at one place are one here, whatever their normals.
 std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
 {
-    std::map<Edge, std::vector<uint32_t>> triangles;
+    SidesByEdge sides;
     for (uint32_t k = 0; k < mesh.patches.size(); ++k)
         for (const PatchSide& side : patch_sides(mesh.patches[k], k))
-            triangles[{place(mesh, side.from), place(mesh, side.to)}].push_back(side.triangle);
+            sides[{place(mesh, side.from), place(mesh, side.to)}].push_back(side);
     std::vector<std::array<uint16_t, 4>> result;
     for (uint32_t k = 0; k < mesh.patches.size(); ++k) {
-        std::array<uint16_t, 4> across;
-        across.fill(static_cast<uint16_t>(detail::format::kNoNeighbour));
+        std::array<uint16_t, 4> all;
+        all.fill(static_cast<uint16_t>(detail::format::kNoNeighbour));
         size_t at = 0;
-        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) {
-            const auto found = triangles.find({place(mesh, side.to), place(mesh, side.from)});
-            if (found != triangles.end() && found->second.size() == 1)
-                across[at] = static_cast<uint16_t>(found->second.front());
-            ++at;
-        }
-        result.push_back(across);
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) all[at++] = across(mesh, sides, side);
+        result.push_back(all);
     }
     return result;
 }
@@ -99,7 +112,7 @@ std::vector<uint8_t> surface_section(const FitShape& shape, const FieldParts& pa
     b.put16(at::kVerticesAt, static_cast<uint16_t>(shape.mesh.positions.size()));
     b.put16(at::kViewedAt, static_cast<uint16_t>(viewed));
     b.put16(at::kPatchesAt, static_cast<uint16_t>(shape.mesh.patches.size()));
-    b.put16(at::kFlagsAt, shape.mesh.two_sided ? detail::format::kSurfaceTwoSided : 0);
+    b.put16(at::kFlagsAt, 0);
     b.put32(at::kTexelsAt, shape.layout.texels);
     b.put8(at::kColourSpaceAt, static_cast<uint8_t>(ColourSpace::srgb));
     b.put8(at::kLongestEdgeAt, edge_steps(shape.mesh.longest_edge));

@@ -47,7 +47,7 @@ void fields(Io& io, PatchMesh::Patch& patch)
 template <class Io>
 void fields(Io& io, PatchMesh& mesh)
 {
-    io(mesh.two_sided, mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches);
+    io(mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches);
     const size_t vertices = mesh.positions.size();
     io.require(vertices <= detail::format::kMaxSurfaceVertices && mesh.patches.size() <= detail::format::kMaxPatches);
     io.require(mesh.normals.size() == vertices);

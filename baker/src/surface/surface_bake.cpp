@@ -116,7 +116,6 @@ public:
         for (const PatchMesh::Patch& patch : shape_.mesh.patches)
             bake.triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
         bake.texels = shape_.layout.texels;
-        bake.two_sided = shape_.mesh.two_sided;
         bake.loss = basis_.loss;
         bake.paths = state_.paths;
         return bake;

@@ -23,7 +23,6 @@ PatchMesh two_squares()
         mesh.patches.push_back({first, first + 1, first + 2, first + 3});
     }
     mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
-    mesh.two_sided = true;
     return mesh;
 }
 

@@ -108,6 +108,44 @@ Scene ball(const Material& material, const Environment& environment)
     return maker.make(environment);
 }
 
+// A level square with a sun straight above it that gives its upper side a radiance of 0.4.
+Scene sheet_below_the_sun()
+{
+    SceneMaker maker;
+    maker.quad(maker.add(diffuse(grey(0.8f))), {-0.6f, -0.6f, 0}, {0.6f, -0.6f, 0}, {0.6f, 0.6f, 0}, {-0.6f, 0.6f, 0});
+    maker.add(DirectionalLight{{0, 0, 1}, grey(0.5f * 3.14159265f)});
+    maker.span_unit_sphere();
+    return maker.make(constant_environment(0));
+}
+
+// The mean green level over pixels that are covered whole, seen from `elevation` degrees above the sheet.
+double mean_level(const SurfaceBake& bake, float elevation)
+{
+    const float angle = elevation * 0.0174533f;
+    const Vec3 from = {std::cos(angle), 0, std::sin(angle)};
+    const twin::SurfacePicture p = twin::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
+    double sum = 0;
+    size_t covered = 0;
+    for (size_t k = 0; k < p.colours.size(); ++k) {
+        if (p.coverage[k] == 1) {
+            sum += p.colours[k].g;
+            ++covered;
+        }
+    }
+    REQUIRE(covered > 10);
+    return sum / static_cast<double>(covered);
+}
+
+// Which way a triangle of a level sheet faces.
+bool faces_up(const SurfaceField& field, uint32_t triangle)
+{
+    const detail::SurfacePatch patch = detail::surface_patch(field, triangle / 2);
+    const bool is_second = triangle % 2 != 0;
+    const auto corner = [&](uint32_t k) { return detail::surface_vertex(field, patch.corner[k]); };
+    const detail::VertexQ14 a = corner(is_second ? 3 : 0), b = corner(is_second ? 2 : 1), c = corner(is_second ? 1 : 2);
+    return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
+}
+
 }  // namespace
 
 TEST_CASE("a glowing ball has its colour everywhere, from wherever it is seen", "[statistics]")
@@ -116,6 +154,36 @@ TEST_CASE("a glowing ball has its colour everywhere, from wherever it is seen", 
     const SurfaceBake bake = surface_field(ball(lamp(radiance), constant_environment(0)), tiny_surface());
     CHECK(worst_level(bake, srgb_encode(radiance)) <= 1);
     CHECK(bake.viewed_vertices == 0);
+}
+
+TEST_CASE("each side of a sheet has the light that falls on it, from however flat it is seen", "[statistics]")
+{
+    const SurfaceBake bake = surface_field(sheet_below_the_sun(), tiny_surface());
+    const double lit = srgb_encode(grey(0.4f)).g;
+    for (const float elevation : {60.0f, 20.0f, 8.0f, 4.0f}) {
+        INFO(elevation << " degrees");
+        CHECK(mean_level(bake, elevation) == Approx(lit).margin(6));
+        CHECK(mean_level(bake, -elevation) < 6);
+    }
+}
+
+TEST_CASE("what lies across an edge of a sheet is on the same side of it")
+{
+    const SurfaceBake bake = surface_field(sheet_below_the_sun(), tiny_surface());
+    SurfaceField field;
+    REQUIRE(open_surface(bake.file.data(), bake.file.size(), field) == FieldError::none);
+    uint32_t across = 0;
+    for (uint32_t p = 0; p < field.patch_count; ++p) {
+        const bool is_alone = detail::surface_patch(field, p).corner[3] == detail::format::kNoVertex;
+        for (uint32_t k = 0; k < (is_alone ? 3 : 4); ++k) {
+            const uint8_t* at = field.neighbours + detail::format::kNeighbourBytes * p + 2 * k;
+            const uint32_t neighbour = static_cast<uint32_t>(at[0] | at[1] << 8);
+            if (neighbour == detail::format::kNoNeighbour) continue;
+            ++across;
+            CHECK(faces_up(field, neighbour) == faces_up(field, 2 * p));
+        }
+    }
+    CHECK(across > field.patch_count);  // most sides are within the sheet
 }
 
 TEST_CASE("noise does not darken: a matt ball below an even sky has the colour of its albedo", "[statistics]")
@@ -144,7 +212,6 @@ TEST_CASE("a surface file opens in core and says what the bake says")
     CHECK(field.vertex_count == bake.vertices);
     CHECK(field.viewed_count == bake.viewed_vertices);
     CHECK(field.texel_bytes == bake.texels);
-    CHECK(field.two_sided == bake.two_sided);
 }
 
 TEST_CASE("view tables take most of the error that highlights on a metal box make", "[statistics]")

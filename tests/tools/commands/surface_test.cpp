@@ -100,7 +100,6 @@ TEST_CASE("inspect accounts for every byte of a surface field")
     CHECK(json["vertices"] == test::small_surface().vertices);
     CHECK(json["texels"].get<uint32_t>() >= test::small_surface().texels);
     CHECK(json["texel_format"] == "palette8");
-    CHECK(json["two_sided"] == false);
     CHECK(json["radius"].get<double>() > 1);
     uint64_t sum = json["other_bytes"];
     for (const auto& section : json["sections"]) {

@@ -9,6 +9,8 @@
 #   glass    a glass ball above chequers
 #   mouth    a head with an open mouth and teeth: a deep cavity that few rays enter
 #   terrain  a knot on a noisy ground of a million triangles
+#   curtain  a folded cloth with a lamp behind it: one side is bright, the other one dark
+import json
 import math
 import pathlib
 import random
@@ -249,15 +251,33 @@ def terrain():
     return obj, "newmtl ground\nKd 0.3 0.26 0.2\nPr 0.9\n" + PLAIN + "newmtl knot\nKd 0.1 0.3 0.5\nPr 0.15\n" + PLAIN
 
 
+def curtain():
+    obj = Obj("curtain")
+    obj.material("cloth", True)
+    fold = lambda i, j: [i / 60 - 0.8, 0.9 - 1.8 * j / 12, 0.12 * math.sin(i / 96 * 12 * math.pi) * (0.6 + 0.4 * j / 12)]
+    obj.grid(96, 12, fold)
+    return obj, "newmtl cloth\nKd 0.7 0.6 0.5\nKs 0 0 0\n"
+
+
+LIGHTS = {
+    "curtain": {"environment": "black",
+                "lights": [{"type": "rectangle", "position": [0, 0.5, -3], "target": [0, 0, 0], "size": [2, 2],
+                            "radiance": 8}]},
+}
+
+
 def main(out):
     folder = pathlib.Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     for name, content in leaf_pictures():
         (folder / name).write_bytes(content)
-    for make in (wires, plant, mirror, glass, mouth, terrain):
+    for make in (wires, plant, mirror, glass, mouth, terrain, curtain):
+        name = make.__name__
         obj, materials = make()
-        (folder / (make.__name__ + ".mtl")).write_text(materials)
-        (folder / (make.__name__ + ".obj")).write_text("\n".join(obj.lines) + "\n")
+        (folder / (name + ".mtl")).write_text(materials)
+        (folder / (name + ".obj")).write_text("\n".join(obj.lines) + "\n")
+        scene = {"objects": [{"obj": name + ".obj"}], **LIGHTS.get(name, {})}
+        (folder / (name + ".json")).write_text(json.dumps(scene) + "\n")
 
 
 if __name__ == "__main__":

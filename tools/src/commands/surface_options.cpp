@@ -35,18 +35,22 @@ std::string surface_text(const baker::SurfaceBake& bake)
 {
     char text[256];
     std::snprintf(text, sizeof text,
-                  "surface: %u triangles%s, %u texels, %u of %u vertices with view tables; of the rays that meet the "
+                  "surface: %u triangles, %u texels, %u of %u vertices with view tables; of the rays that meet the "
                   "scene it misses %.1f %%, displaces %.1f %%, adds %.1f %%\n",
-                  bake.triangles, bake.two_sided ? ", seen from both sides" : "", bake.texels, bake.viewed_vertices,
-                  bake.vertices, 100 * bake.loss.missed, 100 * bake.loss.displaced, 100 * bake.loss.added);
+                  bake.triangles, bake.texels, bake.viewed_vertices, bake.vertices, 100 * bake.loss.missed,
+                  100 * bake.loss.displaced, 100 * bake.loss.added);
     return text;
 }
 
 nlohmann::json surface_json(const baker::SurfaceBake& bake)
 {
-    return {{"triangles", bake.triangles}, {"vertices", bake.vertices},       {"viewed_vertices", bake.viewed_vertices},
-            {"texels", bake.texels},       {"two_sided", bake.two_sided},     {"missed", bake.loss.missed},
-            {"added", bake.loss.added},    {"displaced", bake.loss.displaced}};
+    return {{"triangles", bake.triangles},
+            {"vertices", bake.vertices},
+            {"viewed_vertices", bake.viewed_vertices},
+            {"texels", bake.texels},
+            {"missed", bake.loss.missed},
+            {"added", bake.loss.added},
+            {"displaced", bake.loss.displaced}};
 }
 
 }  // namespace lumi::tools

@@ -94,9 +94,8 @@ double longest_edge_of(const SurfaceField& field)
 
 void append_surface(std::string& text, const SurfaceField& field)
 {
-    append_line(text, "  mesh          %" PRIu32 " triangles in %" PRIu32 " patches%s, edges up to %.2f radii",
-                triangles_of(field), field.patch_count, field.two_sided ? ", seen from both sides" : "",
-                longest_edge_of(field));
+    append_line(text, "  mesh          %" PRIu32 " triangles in %" PRIu32 " patches, edges up to %.2f radii",
+                triangles_of(field), field.patch_count, longest_edge_of(field));
     append_line(text, "  vertices      %" PRIu32 ", of which %" PRIu32 " with a view table", field.vertex_count,
                 field.viewed_count);
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
@@ -118,7 +117,6 @@ nlohmann::ordered_json json_of(const SurfaceField& field)
             {"vertices", field.vertex_count},
             {"viewed_vertices", field.viewed_count},
             {"texels", field.texel_bytes},
-            {"two_sided", field.two_sided},
             {"neighbours", field.neighbours != nullptr},
             {"longest_edge", longest_edge_of(field)}};
 }

@@ -36,7 +36,6 @@ struct SurfaceSettings {
 struct SurfaceBake {
     std::vector<uint8_t> file;
     uint32_t vertices = 0, viewed_vertices = 0, triangles = 0, texels = 0;
-    bool two_sided = false;
     MeshLoss loss;
     uint64_t paths = 0;  // that meet the mesh where the scene is
 };
