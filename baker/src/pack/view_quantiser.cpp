@@ -15,7 +15,8 @@ namespace
 using detail::format::kNodeColours;
 using detail::format::kViewNodes;
 
-constexpr double kLeastDifference = 0.7;  // levels, root mean square
+// Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/surface.md).
+constexpr double kLeastDifference = 8;
 constexpr int kSharedRounds = 12;
 constexpr uint64_t kViewSeed = 0x76696577;
 constexpr float kGainUnit = 64;
