@@ -127,7 +127,7 @@ TEST_CASE("a bake counts what it warns of, the mesh's faults among it")
 {
     const test::TemporaryFolder folder;
     const std::string scene = write_specks(folder.path());
-    const Outcome bake = lumi({"bake", scene, "-o", folder / "f.lumi", "--fit", "20kB", "--layout", "surface",
+    const Outcome bake = lumi({"bake", scene, "-o", folder / "f.lumi", "--fit", "30kB", "--layout", "surface",
                                "--paths", "1", "--progress", "json"});
     INFO(bake.err);
     REQUIRE(bake.code == 0);
