@@ -140,6 +140,7 @@ main() {
     esac
     shift
   done
+  if [[ -n $to_docs && $work == */quick ]]; then wrong_call "--quick measures too little for --docs"; fi
   ((${#chosen[@]} == 0)) || scenes=("${chosen[@]}")
   mkdir -p "$work"
   [[ -n ${LUMI:-} ]] || run_step "Build" build_lumi
