@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lumi/host/mapped_file.h"
+#include "file_bytes.h"
 #include "lumi/orbit.h"
 #include "lumi/pack.h"
 #include "lumi/surface/render.h"
@@ -76,10 +76,9 @@ int main(int count, char** arguments)
 {
     if (count != 9) fail("FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT");
     const auto number = [&](int k) { return static_cast<uint32_t>(std::strtoul(arguments[k], nullptr, 10)); };
-    host::MappedFile file;
+    const std::vector<uint8_t> file = test::file_bytes(arguments[1]);
     SurfaceField field;
-    if (file.open(arguments[1]) != 0) fail(std::string(arguments[1]) + " cannot be read");
-    if (open_surface(file.bytes(), file.size(), field) != FieldError::none) fail("this is no surface field");
+    if (open_surface(file.data(), file.size(), field) != FieldError::none) fail("this is no surface field");
     const auto side = [&](int k) { return static_cast<int32_t>(number(k)); };
     const auto pixels = picture(arguments[2], field, {side(3), side(4), side(5)}, {number(6), number(7)});
     std::ofstream out(arguments[8], std::ios::binary);

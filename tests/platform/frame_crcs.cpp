@@ -4,9 +4,8 @@
 #include "frame_list.h"
 
 #include <cstdio>
-#include <cstring>
 
-#include "lumi/host/mapped_file.h"
+#include "file_bytes.h"
 
 namespace
 {
@@ -27,14 +26,11 @@ int main(int argc, char** argv)
         std::fputs("usage: lumi_frame_crcs RGB888 RGB565 PALETTE8 LUMA8 SURFACE SHEET (field files)\n", stderr);
         return kUsageExitCode;
     }
-    lumi::host::MappedFile files[kFiles];
+    std::vector<uint8_t> files[kFiles];
     lumi::firmware::FieldBytes fields[kFiles];
     for (uint32_t i = 0; i < kFiles; ++i) {
-        if (const int error = files[i].open(argv[i + 1]); error != 0) {
-            std::fprintf(stderr, "%s: %s\n", argv[i + 1], std::strerror(error));
-            return 1;
-        }
-        fields[i] = {files[i].bytes(), files[i].size()};
+        files[i] = lumi::test::file_bytes(argv[i + 1]);
+        fields[i] = {files[i].data(), files[i].size()};
     }
     return lumi::firmware::write_frame_crcs(fields, write_text) ? 0 : 1;
 }

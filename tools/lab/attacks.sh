@@ -30,7 +30,7 @@ shards and checkpoints: every truncation, damaged bytes|nothing|baker\.(merge: e
 bakes killed before random writes, or each life before its fifth|a surface bake began again and again|tools\.(a bake that was killed ten|a surface bake of which each)
 an allocation, a read, write, sync or rename fails, one after the other|`terminate`; no mend; `embed` left one file of two|faults\.fail_on_purpose
 full disk behind standard output|exit code 0, JSON cut|tools\.(a full disk behind|a failure keeps its own)
-Ctrl-C while a scene loads; field cut short while it is mapped|nothing happened; SIGBUS|tools\.(Ctrl-C|a mapped file that is cut)
+Ctrl-C while a scene loads; field cut short while it is used|nothing happened; SIGBUS|tools\.(Ctrl-C|a field's file may be cut)
 UTF-16, numbers below 0, pipes; `int.lumi`|poor words; waited for ever; the symbol `int`|tools\.(numbers below 0|symbols are C|words of C)
 wrong field, section, address, buffer, stripe on emulated boards|nothing|cortex-.*(bad_input|wild_read)
 host of big-endian bytes|neither supported nor refused|machines\.s390x

@@ -2,6 +2,7 @@
 #include "files/field_file.h"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "files/field_report.h"
@@ -76,7 +77,20 @@ TEST_CASE("what is no field is refused with its name and a mend")
                           Catch::StartsWith(folder / "b.lumi: ") && Catch::Contains("; "));
     }
     CHECK_THROWS_WITH(FieldFile(folder / "none.lumi"), Catch::Contains("No such file"));
-    CHECK_THROWS_AS(FieldFile(folder.path()), Failure);
+    CHECK_THROWS_WITH(FieldFile(folder.path()), Catch::Contains("cannot be read (Is a directory)"));
+    CHECK_THROWS_WITH(FieldFile("/dev/zero"), Catch::Contains("cannot be read (No such device)"));
+}
+
+TEST_CASE("a field's file may be cut short and overwritten once it is read")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "c.lumi", test::field_bytes({}));
+    const FieldFile file(folder / "c.lumi");
+    const std::string before(reinterpret_cast<const char*>(file.bytes()), file.size());
+    std::filesystem::resize_file(folder / "c.lumi", 10);
+    test::write_content(folder / "c.lumi", "x");
+    CHECK(before == std::string(reinterpret_cast<const char*>(file.bytes()), file.size()));
+    file.require_intact();
 }
 
 }  // namespace lumi::tools

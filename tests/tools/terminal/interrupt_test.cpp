@@ -6,12 +6,8 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <functional>
-#include <optional>
 
-#include "files/cut_short.h"
-#include "lumi/host/mapped_file.h"
 #include "support/temporary_folder.h"
 #include "terminal/failure.h"
 
@@ -82,27 +78,6 @@ TEST_CASE("an interrupt ends work that leaves nothing behind at once, and is a r
         _exit(7);
     });
     CHECK(afterwards.code == 7);
-}
-
-TEST_CASE("a mapped file that is cut short is named in place of a death by SIGBUS")
-{
-    const test::TemporaryFolder folder;
-    const std::string path = folder / "f.lumi";
-    test::write_content(path, std::string(100000, 'x'));
-    const auto read_after_cut = [&](bool watched) {
-        host::MappedFile file;
-        if (file.open(path) != 0) _exit(3);
-        std::optional<CutShortWatch> watch;
-        if (watched) watch.emplace(path, file.bytes(), file.size());
-        std::filesystem::resize_file(path, 10);
-        volatile uint8_t last = file.bytes()[90000];
-        static_cast<void>(last);
-    };
-    CHECK(in_child([&] { read_after_cut(false); }).code == 128 + SIGBUS);
-    test::write_content(path, std::string(100000, 'x'));
-    const Ended named = in_child([&] { read_after_cut(true); });
-    CHECK(named.code == kExitFailed);
-    CHECK_THAT(named.err, Catch::Contains("f.lumi: was cut short while it was read; wait"));
 }
 
 }  // namespace lumi::tools

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "files/field_file.h"
 
+#include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "lumi/baker/file_guard.h"
@@ -33,6 +36,26 @@ const char* mend_of(FieldError error)
     }
 }
 
+// A regular file: a pipe is refused, not waited for.
+std::vector<uint8_t> read_whole(const std::string& path)
+{
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    const bool is_device = exists(status) && !is_regular_file(status);
+    int error = is_directory(status) ? EISDIR : is_device ? ENODEV : 0;
+    std::vector<uint8_t> bytes;
+    if (error == 0) {
+        std::ifstream stream(path, std::ios::binary | std::ios::ate);
+        error = stream ? 0 : errno;
+        bytes.resize(stream ? static_cast<size_t>(stream.tellg()) : 0);
+        stream.seekg(0).read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        if (stream.bad()) error = EIO;
+        bytes.resize(static_cast<size_t>(stream.gcount()));  // somebody may have cut it meanwhile
+    }
+    if (error != 0) throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
+    return bytes;
+}
+
 uint32_t read_u32(const uint8_t* bytes)
 {
     return static_cast<uint32_t>(bytes[0]) | static_cast<uint32_t>(bytes[1]) << 8 |
@@ -53,18 +76,16 @@ std::string title_of(const std::string& type)
 FieldFile::FieldFile(const std::string& path, Role role) : path_(path)
 {
     if (role == Role::input) baker::note_input(path);
-    if (const int error = file_.open(path); error != 0)
-        throw Failure(path, std::string("cannot be read (") + std::strerror(error) + ")", "check the path");
-    watch_ = std::make_unique<CutShortWatch>(path, file_.bytes(), file_.size());
-    FieldError error = open_field(file_.bytes(), file_.size(), field_);
+    bytes_ = read_whole(path);
+    FieldError error = open_field(bytes(), size(), field_);
     is_surface_ = error == FieldError::surface_field;
-    if (is_surface_) error = open_surface(file_.bytes(), file_.size(), surface_);
+    if (is_surface_) error = open_surface(bytes(), size(), surface_);
     if (error != FieldError::none) throw Failure(path, describe(error), mend_of(error));
 }
 
 std::vector<Section> FieldFile::sections() const
 {
-    const uint8_t* bytes = file_.bytes();
+    const uint8_t* bytes = bytes_.data();
     const uint32_t count = read_u32(bytes + detail::format::header::kSectionCountAt) & 0xFFFF;
     std::vector<Section> sections;
     for (uint32_t i = 0; i < count; ++i) {
@@ -82,7 +103,7 @@ std::vector<Section> FieldFile::sections() const
 
 bool FieldFile::is_intact(const Section& section) const
 {
-    return lumi::detail::crc32(0, file_.bytes() + section.offset, section.bytes) == section.crc32;
+    return lumi::detail::crc32(0, bytes() + section.offset, section.bytes) == section.crc32;
 }
 
 void FieldFile::require_intact() const

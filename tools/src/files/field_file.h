@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A field of either kind in a memory-mapped file, opened by the very readers that firmware links.
+// A field of either kind, read from a file and opened by the very readers that firmware links.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "files/cut_short.h"
 #include "lumi/chord/field.h"
-#include "lumi/host/mapped_file.h"
 #include "lumi/surface/field.h"
 
 namespace lumi::tools
@@ -29,7 +26,7 @@ class FieldFile
 public:
     enum class Role { input, own_output };
 
-    // Maps and opens; checks no section's bytes. Throws Failure with the cause and its mend. An input may not be
+    // Reads and opens; checks no section's bytes. Throws Failure with the cause and its mend. An input may not be
     // written by the same command (lumi/baker/file_guard.h); what the command has written itself may be.
     explicit FieldFile(const std::string& path, Role role = Role::input);
 
@@ -38,8 +35,8 @@ public:
     // Precondition: the kind that the file holds.
     const Field& field() const { return field_; }
     const SurfaceField& surface() const { return surface_; }
-    const uint8_t* bytes() const { return file_.bytes(); }
-    size_t size() const { return file_.size(); }
+    const uint8_t* bytes() const { return bytes_.data(); }
+    size_t size() const { return bytes_.size(); }
 
     std::vector<Section> sections() const;
 
@@ -51,8 +48,7 @@ public:
 
 private:
     std::string path_;
-    host::MappedFile file_;
-    std::unique_ptr<CutShortWatch> watch_;
+    std::vector<uint8_t> bytes_;  // those of the file may change meanwhile
     bool is_surface_ = false;
     Field field_;
     SurfaceField surface_;
