@@ -143,11 +143,6 @@ Rgb Material::absorbed(float distance) const
     return {std::exp(-absorption.r * distance), std::exp(-absorption.g * distance), std::exp(-absorption.b * distance)};
 }
 
-PointValues Material::plain_values() const
-{
-    return {base, metalness, 1, true, sheen};
-}
-
 Bsdf Material::bsdf(const PointValues& at, float u) const
 {
     if (glass) return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));

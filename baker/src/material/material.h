@@ -131,7 +131,6 @@ struct Material : MaterialNumbers {
     Rgb absorbed(float distance) const;
     // A partly metallic surface is metal with probability metalness: u.
     Bsdf bsdf(const PointValues& at, float u) const;
-    PointValues plain_values() const;
 
     // Made by finish(), one for each step of roughness; just one where no texture changes it. Empty if not needed.
     std::vector<std::shared_ptr<const Skin>> skins;

@@ -18,7 +18,6 @@ public:
     bool two_sided() const { return two_sided_; }
     std::optional<Hit> closest(const Ray& ray) const;
     // Whether the ray meets any triangle, from whichever side.
-    bool touches(const Ray& ray) const { return accelerator_ && accelerator_->blocked(ray); }
 
 private:
     Mesh mesh_;

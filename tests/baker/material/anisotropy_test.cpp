@@ -15,6 +15,7 @@ namespace
 {
 
 using testing::Named;
+using testing::plain_values;
 using testing::short_text;
 
 constexpr float kAnisotropies[] = {0.3f, 0.6f, 1.0f};
@@ -54,7 +55,7 @@ std::vector<Named> white_brushed(const std::vector<float>& alphas)
             for (const float anisotropy : kAnisotropies) {
                 const Material& m = brushed(metal, alpha, anisotropy);
                 all.push_back({(metal ? "metal " : "plastic ") + short_text(alpha) + ", " + short_text(anisotropy),
-                               m.bsdf(m.plain_values(), 0)});
+                               m.bsdf(plain_values(m), 0)});
             }
         }
     }
@@ -180,7 +181,7 @@ TEST_CASE("anisotropy: 0 is exactly the isotropic material, and glass knows none
     REQUIRE(m.facets.size() == 1);
     const Conductor plain(m.base, *m.facets[0]);
     for (const Vec3& wi : viewers())
-        CHECK(m.bsdf(m.plain_values(), 0).eval({0, 0.6f, 0.8f}, wi).g == plain.eval({0, 0.6f, 0.8f}, wi).g);
+        CHECK(m.bsdf(plain_values(m), 0).eval({0, 0.6f, 0.8f}, wi).g == plain.eval({0, 0.6f, 0.8f}, wi).g);
     Material pane = m;
     pane.glass = true;
     pane.anisotropy = 0.7f;

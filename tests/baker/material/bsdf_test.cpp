@@ -16,6 +16,7 @@ namespace
 
 using testing::kQuadrature;
 using testing::Named;
+using testing::plain_values;
 using testing::short_text;
 using testing::views;
 
@@ -98,7 +99,7 @@ TEST_CASE("material: a partly metallic surface is the mixture of metal and paint
     double mean = 0;
     for (int k = 0; k < kSteps; ++k) {
         const float u = (static_cast<float>(k) + 0.5f) / kSteps;
-        mean += static_cast<double>(m.bsdf(m.plain_values(), u).eval(wo, wi).r) / kSteps;
+        mean += static_cast<double>(m.bsdf(plain_values(m), u).eval(wo, wi).r) / kSteps;
     }
     const double metal = static_cast<double>(Conductor(m.base, *m.facets[0]).eval(wo, wi).r);
     const double paint = static_cast<double>(Plastic(m.base, *m.skins[0]).eval(wo, wi).r);

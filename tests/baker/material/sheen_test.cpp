@@ -18,6 +18,7 @@ namespace
 
 using testing::kSigmas;
 using testing::Named;
+using testing::plain_values;
 using testing::short_text;
 using testing::views;
 
@@ -59,7 +60,7 @@ std::vector<Named> white_sheened()
         entry->second = fresh ? white_materials(roughness) : std::move(entry->second);
         for (size_t k = 0; k < entry->second.size(); ++k) {
             const Material& m = entry->second[k];
-            all.push_back({std::string(kBodies[k]) + " " + short_text(roughness), m.bsdf(m.plain_values(), 0)});
+            all.push_back({std::string(kBodies[k]) + " " + short_text(roughness), m.bsdf(plain_values(m), 0)});
         }
     }
     return all;
@@ -132,13 +133,13 @@ TEST_CASE("sheen: black fibres and none leave the surface as it is")
     m.finish();
     CHECK_FALSE(m.fibres);
     const Vec3 wo = direction_at(0.4f, 0.1f), wi = direction_at(0.3f, 0.7f);
-    CHECK(m.bsdf(m.plain_values(), 0).eval(wo, wi).g == Diffuse(grey(1)).eval(wo, wi).g);
+    CHECK(m.bsdf(plain_values(m), 0).eval(wo, wi).g == Diffuse(grey(1)).eval(wo, wi).g);
     m.sheen = 1;
     m.finish();
-    PointValues bald = m.plain_values();
+    PointValues bald = plain_values(m);
     bald.sheen = 0;  // where a picture says so
     CHECK(m.bsdf(bald, 0).eval(wo, wi).g == Diffuse(grey(1)).eval(wo, wi).g);
-    CHECK(m.bsdf(m.plain_values(), 0).eval(wo, wi).g != Diffuse(grey(1)).eval(wo, wi).g);
+    CHECK(m.bsdf(plain_values(m), 0).eval(wo, wi).g != Diffuse(grey(1)).eval(wo, wi).g);
 }
 
 }  // namespace lumi::baker

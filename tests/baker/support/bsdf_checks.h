@@ -6,10 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "material/bsdf.h"
+#include "material/material.h"
 
 namespace lumi::baker::testing
 {
+
+// A material's values at a point of a surface without textures.
+inline PointValues plain_values(const Material& m)
+{
+    return {m.base, m.metalness, 1, true, m.sheen};
+}
 
 inline constexpr double kQuadrature = 0.002;  // error of a skin's table
 
