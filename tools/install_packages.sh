@@ -19,7 +19,8 @@ build_packages=(
   libopenvdb-dev                   # more of them, and their iso-surfaces
   libboost-dev                     # headers, which those of libopenvdb-dev include and its package does not name
   libkissfft-dev                   # CW-SSIM
-  libcli11-dev nlohmann-json3-dev)
+  libcli11-dev nlohmann-json3-dev
+  clang lld)                       # the pages of `lumi view`, in WebAssembly
 test_packages=(
   catch2
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib  # code for Cortex-M
@@ -33,7 +34,7 @@ test_packages=(
   clang-tidy                                                                # checks what changed
   python3)                                                                  # the generator of the scenes, includes
 all_packages=(
-  clang-format cppcheck clang g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
+  clang-format cppcheck g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev           # `lumi filter train`, `lumi render --filter`
   python3-matplotlib)    # `tools/lab/pages.py --plots`
 npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.

@@ -58,6 +58,7 @@ core/src/chord/armv6m
 core/src/chord/kernel
 
 platform/host
+platform/wasm
 platform/mps2
 platform/mps2/bench
 platform/bare
@@ -96,6 +97,7 @@ tools/src/draw
 tools/src/program
 tools/src/quality
 tools/src/planner
+tools/src/viewer
 tools/src/commands
 tools/src/filter
 tools/src

@@ -16,7 +16,7 @@ void describe(CLI::App& lumi)
         "Exit codes: 0 done, 1 failed, 2 wrong call, 130 interrupted.\n"
         "Example:\n  lumi bake product.obj -o product.lumi && lumi render product.lumi -o product.png");
     for (const auto add :
-         {add_bake, add_merge, add_render, add_reference, add_compare, add_report, add_inspect, add_embed})
+         {add_bake, add_merge, add_render, add_view, add_reference, add_compare, add_report, add_inspect, add_embed})
         add(lumi);
     for (const Plugin& plugin : plugins()) plugin.add_subcommand(lumi);
 }

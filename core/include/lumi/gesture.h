@@ -26,7 +26,7 @@ struct DragSettings {
 class OrbitDrag
 {
 public:
-    explicit OrbitDrag(const DragSettings& settings) : settings_(settings) {}
+    constexpr explicit OrbitDrag(const DragSettings& settings) : settings_(settings) {}
 
     // Changes the orbit's angles; whether it moves. `elapsed_ms` since the last call, 1 .. 1000 (less or more counts as
     // that).

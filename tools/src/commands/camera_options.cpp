@@ -51,15 +51,31 @@ void add(CLI::App& command, const std::string& name, void (*set)(const std::stri
         ->type_name(type);
 }
 
+void add_orbit(CLI::App& command, ViewOptions& options)
+{
+    add(command, "--orbit", set_orbit, options, "AZ,EL,DIST",
+        "Where the eye is: azimuth and elevation in degrees, distance from the centre in radii of the sphere "
+        "[30,20,3]");
+}
+
+void add_background(CLI::App& command, ViewOptions& options)
+{
+    add(command, "--background", set_background, options, "RRGGBB", "Colour where the scene does not cover [000000]");
+}
+
 }  // namespace
+
+void add_start_options(CLI::App& command, ViewOptions& options)
+{
+    add_orbit(command, options);
+    add_background(command, options);
+}
 
 void add_camera_options(CLI::App& command, ViewOptions& options)
 {
     constexpr double kMinFovDeg = 1, kMaxFovDeg = 120, kMaxEyeDistance = 2;
     add(command, "--size", set_size, options, "WxH", "Size of a view in pixels [240x240]");
-    add(command, "--orbit", set_orbit, options, "AZ,EL,DIST",
-        "Where the eye is: azimuth and elevation in degrees, distance from the centre in radii of the sphere "
-        "[30,20,3]");
+    add_orbit(command, options);
     command
         .add_option("--fov", options.fov_deg,
                     "Field of view over the longer side in degrees [so that the "
@@ -77,7 +93,7 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
                     "Draw COUNT views around the vertical axis: OUT-000.png, OUT-001.png, ... and OUT-sheet.png")
         ->type_name("COUNT")
         ->check(CLI::Range(1, kMaxTurntable));
-    add(command, "--background", set_background, options, "RRGGBB", "Colour where the scene does not cover [000000]");
+    add_background(command, options);
     command
         .add_option("--pose", options.pose,
                     "Where the eye is, by a text file in place of --orbit: a rigid 4x4 matrix row by row, from the "

@@ -11,6 +11,7 @@ namespace lumi::tools
 void add_bake(CLI::App& lumi);
 void add_merge(CLI::App& lumi);
 void add_render(CLI::App& lumi);
+void add_view(CLI::App& lumi);
 void add_reference(CLI::App& lumi);
 void add_compare(CLI::App& lumi);
 void add_report(CLI::App& lumi);

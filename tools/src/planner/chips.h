@@ -26,7 +26,8 @@ struct Chip {
     CacheShape cache;
     double miss_ns;
     const char* remark;
-    int cores = 1;  // remark and rates are of one
+    uint32_t ram_bytes = 0;  // on the chip, all of its banks together
+    int cores = 1;           // remark and rates are of one
 };
 
 inline constexpr size_t kChips = 5;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A mode is a reconstruction. Fields that spans do not draw are drawn pixel by pixel, in one mode.
+#include "drawing.h"
+#include "lumi/chord/camera.h"
+#include "lumi/chord/field.h"
+#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/texel.h"
+
+namespace lumi::wasm
+{
+namespace
+{
+
+constexpr int32_t kSpanPx = 8;  // what the planner's frame rates are for
+constexpr uint32_t kModes = 4;
+
+LUMI_CONSTANT Field field;
+LUMI_CONSTANT Camera camera;
+
+// Calls `next` with a value of the mode's policy.
+template <class Next>
+RenderError with_reconstruction(uint32_t mode, const Next& next)
+{
+    if (mode == 0) return next(Paper<>());
+    if (mode == 1) return next(Linear());
+    return mode == 2 ? next(Dither()) : next(Nearest());
+}
+
+template <class Reconstruction, class Texel, class Pixel>
+RenderError draw_as(const Style& style, const Stripe& stripe)
+{
+    if (!fits_spans(field)) return render<Linear, Texel, Pixel>(field, camera, style.background, stripe);
+    return render_spans<Reconstruction, Texel, Pixel>(field, camera, style.background, stripe, kSpanPx);
+}
+
+}  // namespace
+
+ViewError open_drawing(const uint8_t* bytes, size_t size)
+{
+    return detail::view_error(open_field(bytes, size, field));
+}
+
+uint32_t drawing_modes()
+{
+    return kModes;
+}
+
+uint32_t drawing_bytes(int32_t, int32_t)
+{
+    return 0;
+}
+
+uint32_t device_bytes(int32_t, int32_t, uint32_t)
+{
+    return static_cast<uint32_t>(sizeof field + sizeof camera);
+}
+
+ViewError look(const Pose& pose, const Image& image, const Style&, uint8_t*)
+{
+    return detail::view_error(make_camera(pose, image, camera));
+}
+
+ViewError draw(const Style& style, const Stripe& stripe)
+{
+    const RenderError error = detail::with_texel(field.texel_format, [&](auto texel) {
+        return with_pixel(style.format, [&](auto pixel) {
+            return with_reconstruction(style.mode, [&](auto reconstruction) {
+                return draw_as<decltype(reconstruction), decltype(texel), decltype(pixel)>(style, stripe);
+            });
+        });
+    });
+    return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
+}
+
+}  // namespace lumi::wasm

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What draws a field for the viewer: surface_drawing.cpp or chord_drawing.cpp. A module links one of them, as a
+// firmware does, so a page carries only the code of its own field.
+#pragma once
+
+#include <stddef.h>
+
+#include "lumi/background.h"
+#include "lumi/camera.h"
+#include "lumi/pixel.h"
+#include "lumi/stripe.h"
+#include "lumi/view_error.h"
+
+// For variables: the linker would run what constructs them at each call of an export.
+#define LUMI_CONSTANT [[clang::require_constant_initialization]]
+
+namespace lumi::wasm
+{
+
+inline constexpr int32_t kStripeRows = 16;  // as `lumi render` draws, and firmware with some kilobytes to spare
+
+// The values are those of the page's script.
+enum class DisplayFormat : uint32_t { rgb888, rgb565, grey8 };
+inline constexpr uint32_t kDisplayFormats = 3;
+
+// Calls `next` with a value of the display's pixel policy.
+template <class Next>
+auto with_pixel(DisplayFormat format, const Next& next)
+{
+    if (format == DisplayFormat::rgb565) return next(PixelRgb565());
+    if (format == DisplayFormat::grey8) return next(PixelGrey8());
+    return next(PixelRgb888());
+}
+
+// How a frame is drawn. What a mode's number means is the drawing's own: `kModes` of its file.
+struct Style {
+    uint32_t mode;
+    DisplayFormat format;
+    OverColour background;
+};
+
+// A failure leaves what was open.
+ViewError open_drawing(const uint8_t* bytes, size_t size);
+uint32_t drawing_modes();
+
+// Bytes of memory that look() takes for images of that size, whatever the style.
+uint32_t drawing_bytes(int32_t width_px, int32_t height_px);
+
+// Bytes of RAM that a firmware takes for the same frame, without its stripe of pixels.
+uint32_t device_bytes(int32_t width_px, int32_t height_px, uint32_t mode);
+
+// Prepares a frame in `memory`, of drawing_bytes(), at an address divisible by 8. Preconditions: a field is open,
+// style.mode < drawing_modes().
+ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t* memory);
+
+// A stripe of the frame, of full width and at most kStripeRows rows, in the style's format.
+ViewError draw(const Style& style, const Stripe& stripe);
+
+}  // namespace lumi::wasm

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A mode is a SurfaceMode.
+#include "drawing.h"
+#include "lumi/surface/render.h"
+
+namespace lumi::wasm
+{
+namespace
+{
+
+constexpr uint32_t kModes = 3;
+constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
+
+LUMI_CONSTANT SurfaceField field = {};
+LUMI_CONSTANT SurfaceFrame frame = {};
+void* samples = nullptr;
+
+}  // namespace
+
+ViewError open_drawing(const uint8_t* bytes, size_t size)
+{
+    return detail::view_error(open_surface(bytes, size, field));
+}
+
+uint32_t drawing_modes()
+{
+    return kModes;
+}
+
+namespace
+{
+
+// Without padding: vertices are words, links and bands half words, samples words again.
+struct Layout {
+    uint32_t links, bands, samples;
+
+    explicit Layout(int32_t height_px)
+    {
+        constexpr uint32_t kHalf = sizeof(uint16_t), kWord = sizeof(uint32_t);
+        links = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
+        bands = links + surface_links(field.patch_count) * kHalf;
+        const uint32_t end = bands + surface_bands(height_px, kBandLog2) * kHalf;
+        samples = (end + kWord - 1) / kWord * kWord;
+    }
+};
+
+}  // namespace
+
+uint32_t drawing_bytes(int32_t width_px, int32_t height_px)
+{
+    return Layout(height_px).samples + surface_stripe_bytes_up_to(width_px, kStripeRows, SurfaceMode::two_by_two);
+}
+
+uint32_t device_bytes(int32_t width_px, int32_t height_px, uint32_t mode)
+{
+    return static_cast<uint32_t>(sizeof frame) +
+           surface_frame_bytes(field.vertex_count, field.patch_count, height_px, kBandLog2) +
+           surface_stripe_bytes(width_px, kStripeRows, static_cast<SurfaceMode>(mode));
+}
+
+ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t* memory)
+{
+    SurfaceCamera camera;
+    if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
+        return detail::view_error(error);
+    const Layout layout(image.height_px);
+    const SurfaceMemory borrowed = {reinterpret_cast<SurfaceVertex*>(memory),
+                                    reinterpret_cast<uint16_t*>(memory + layout.links),
+                                    reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2};
+    samples = memory + layout.samples;
+    with_pixel(style.format, [&](auto pixel) {
+        prepare_surface<decltype(pixel)>(field, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);
+    });
+    return ViewError::none;
+}
+
+ViewError draw(const Style& style, const Stripe& stripe)
+{
+    with_pixel(style.format,
+               [&](auto pixel) { render_surface<decltype(pixel)>(frame, style.background, stripe, samples); });
+    return ViewError::none;
+}
+
+}  // namespace lumi::wasm

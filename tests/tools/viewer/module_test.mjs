@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// node module_test.mjs LUMI FIELD: the page that `lumi view` writes of a field. It needs no network; its module draws what
+// `lumi render` draws, bit by bit, in every mode and format; its eye follows a finger, runs on, and comes back.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import {test} from 'node:test';
+
+import {drawn, openPage} from './page.mjs';
+import {readPng} from './png.mjs';
+
+const [lumi, field] = process.argv.slice(2);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'lumi-view-test-'));
+process.on('exit', () => fs.rmSync(folder, {recursive: true}));
+
+const FORMATS = ['rgb888', 'rgb565', 'grey8'];  // by number: platform/wasm/drawing.h
+const BACKGROUND = '204060';
+
+async function pageFrom(orbit) {
+  const output = path.join(folder, `page-${orbit}.html`);
+  if (!fs.existsSync(output))
+    execFileSync(lumi, ['view', field, '-o', output, '--orbit', orbit, '--background', BACKGROUND]);
+  const page = await openPage(output);
+  assert.equal(page.error, 0);
+  page.module.set_home(page.data.home.azimuth, page.data.home.elevation, page.data.home.distance);
+  return page;
+}
+
+// What the tool draws from that orbit and from the other side.
+function rendered(size, orbit, mode, format, layout) {
+  const output = path.join(folder, 'picture.png');
+  const span = layout === 'chord' ? ['--span', '8'] : [];
+  execFileSync(lumi, ['render', field, '-o', output, '--size', size, '--orbit', orbit, '--background', BACKGROUND,
+    '--mode', mode, '--pixel', format, '--turntable', '2', ...span]);
+  return ['000', '001'].map(number => readPng(path.join(folder, `picture-${number}.png`)));
+}
+
+test('the page needs nothing but itself', async () => {
+  const {html} = await pageFrom('30,20,3');
+  assert.match(html, /^<!DOCTYPE html>/);
+  assert.match(html, /Content-Security-Policy"\s+content="default-src 'none'/);
+  assert.doesNotMatch(html, /https?:|<link|<iframe|@import|url\(|fetch\(|import\(|XMLHttpRequest/);
+  assert.deepEqual([...html.matchAll(/\bsrc="([^"]*)"/g)], []);
+});
+
+test('frames are those of lumi render, in every mode and format', async () => {
+  const orbit = '211.5,-41,2', width = 97, height = 80;
+  const {data, module} = await pageFrom(orbit);
+  for (const mode of data.modes) {
+    for (const [number, format] of FORMATS.entries()) {
+      module.go_home();
+      for (const truth of rendered(`${width}x${height}`, orbit, mode.name, format, data.layout)) {
+        const frame = drawn(module, width, height, mode.number, number, parseInt(BACKGROUND, 16));
+        assert.ok(frame.equals(truth.pixels), `${mode.name} ${format}`);
+        assert.ok(new Set(frame).size > 4, 'the picture shows something');
+        module.turn(2 ** 31);
+      }
+    }
+  }
+});
+
+test('the eye follows a finger, runs on, and comes back', async () => {
+  const {module} = await pageFrom('30,20,3');
+  const first = module.azimuth();
+  module.advance(true, 0, 0, 16);
+  module.advance(true, 100, 0, 16);
+  const followed = module.azimuth();
+  assert.ok((first - followed | 0) > 0, 'the eye goes to the left of a finger that goes right');
+  assert.ok(module.advance(false, 100, 0, 16));
+  assert.ok((followed - module.azimuth() | 0) > 0, 'it runs on');
+  let frames = 0;
+  while (module.advance(false, 100, 0, 16)) assert.ok(++frames < 1000, 'it comes to rest');
+  module.go_home();
+  assert.equal(module.azimuth(), first);
+});
+
+test('zooming stays within reach', async () => {
+  const {module} = await pageFrom('30,20,3');
+  const settle = () => { while (module.advance(false, 0, 0, 16)); };
+  for (const [factor, radii] of [[0.5, 1.5], [0.5, 1.25], [100, 8]]) {
+    module.scale_distance(factor * 65536);
+    settle();
+    assert.equal(module.distance(), radii * 2 ** 20);
+  }
+});
+
+test('the memory of a firmware grows with screen and mode, and the field stays open', async () => {
+  const {data, module} = await pageFrom('30,20,3');
+  const ram = data.modes.map(mode => {
+    module.set_screen(240, 240);
+    const small = module.device_ram(mode.number, 1);
+    module.set_screen(480, 480);
+    assert.ok(module.device_ram(mode.number, 1) > small);
+    return small;
+  });
+  assert.ok(ram.at(-1) >= ram[0]);
+  assert.equal(module.set_screen(0, 240), 0);
+  assert.notEqual(module.draw_frame(0, 0, 0), 0);
+  assert.notEqual(module.set_screen(2048, 2048), 0);
+  assert.equal(module.draw_frame(data.modes[0].number, 0, 0), 0);
+});
+
+test('a damaged field is refused', async () => {
+  const {module, field: bytes} = await pageFrom('30,20,3');
+  const address = module.field_memory(bytes.length);
+  new Uint8Array(module.memory.buffer, address, bytes.length).set(bytes.map(b => b ^ 1));
+  const error = module.open_field();
+  assert.notEqual(error, 0);
+  const text = new Uint8Array(module.memory.buffer, module.describe(error));
+  assert.ok(text[0] > 32);
+});

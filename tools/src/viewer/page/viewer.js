@@ -1,0 +1,411 @@
+
+'use strict';
+// The page's only logic: settings, and what fingers, mouse and keys say. The module (platform/wasm/viewer.cpp) holds the
+// field and the eye, and draws.
+
+const data = JSON.parse(document.getElementById('data').textContent);
+const $ = id => document.getElementById(id);
+const canvas = $('picture');
+const context = canvas.getContext('2d', {alpha: false});
+
+const TURN = 2 ** 32, DISPLAY_STEPS = 1024;  // a finger's steps across the display: see kTurnPerStep
+const FORMATS = [  // by the module's numbers
+  {name: 'RGB565', bits: '16 bits a pixel', number: 1},
+  {name: 'RGB888', bits: '24 bits a pixel', number: 0},
+  {name: 'Grey', bits: '8 bits a pixel', number: 2},
+];
+const SCREENS = [
+  {name: '240 × 240', width: 240, height: 240},
+  {name: '240 × 240, round', width: 240, height: 240, round: true},
+  {name: '320 × 240', width: 320, height: 240},
+  {name: '128 × 128', width: 128, height: 128},
+  {name: '160 × 80', width: 160, height: 80},
+  {name: '170 × 320', width: 170, height: 320},
+  {name: '466 × 466, round', width: 466, height: 466, round: true},
+  {name: '480 × 480', width: 480, height: 480},
+  {name: '480 × 320', width: 480, height: 320},
+  {name: '800 × 480', width: 800, height: 480},
+];
+const RATED_PIXELS = 240 * 240;
+const STILL = matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+const state = {
+  mode: data.firstMode, format: 0, screen: 0, chip: 1, paced: false, comparing: false, spinning: !STILL,
+};
+let module, pixels;  // the module's exports; where it draws
+
+// ---- Small things
+
+function bytesOf(base64) {
+  const text = atob(base64), bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
+
+// "123 kB": units of 1000, as the command prints them.
+function byteText(bytes) {
+  const [value, unit] = bytes < 1e6 ? [bytes / 1e3, 'kB'] : [bytes / 1e6, 'MB'];
+  return `${value < 10 ? value.toFixed(2) : value < 100 ? value.toFixed(1) : Math.round(value)} ${unit}`;
+}
+
+function say(text) { $('news').textContent = text; }
+
+function textAt(address) {
+  const bytes = new Uint8Array(module.memory.buffer, address);
+  return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+}
+
+function element(name, properties, ...children) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+}
+
+// ---- The module
+
+async function startModule() {
+  const zipped = new Blob([bytesOf($('module').textContent)]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const {instance} = await WebAssembly.instantiate(await new Response(zipped).arrayBuffer());
+  module = instance.exports;
+  const field = bytesOf($('field').textContent);
+  const address = module.field_memory(field.length);
+  if (!address) throw new Error('the browser has no memory for this field');
+  new Uint8Array(module.memory.buffer, address, field.length).set(field);
+  const error = module.open_field();
+  if (error) throw new Error(textAt(module.describe(error)));
+  module.set_home(data.home.azimuth, data.home.elevation, data.home.distance);
+  return field.length;
+}
+
+function useScreen({width, height}) {
+  const address = module.set_screen(width, height);
+  if (!address) throw new Error('the browser has no memory for this screen');
+  canvas.width = width;
+  canvas.height = height;
+  pixels = new ImageData(new Uint8ClampedArray(module.memory.buffer, address >>> 0, 4 * width * height), width, height);
+}
+
+let cost = 0;  // milliseconds a frame, the mean of the last ones
+
+function drawFrame() {
+  const begin = performance.now();
+  const error = module.draw_frame(data.modes[state.mode].number, FORMATS[state.format].number,
+    parseInt($('background').value.slice(1), 16));
+  if (error) throw new Error(textAt(module.describe(error)));
+  const took = performance.now() - begin;
+  cost = cost ? 0.9 * cost + 0.1 * took : took;
+  context.putImageData(pixels, 0, 0);
+}
+
+// ---- Motion
+
+const finger = {down: false, x: 0, y: 0};  // a real one, or that of the keys
+const pointers = new Map();                // all that touch the picture
+const held = new Set();                    // arrow keys
+let pinch = 0;                             // distance of two fingers, 0: no pinch
+let isDirty = true, lastTick = 0, lastFrame = 0;
+
+function steps(event) {
+  const scale = DISPLAY_STEPS / Math.min(canvas.clientWidth, canvas.clientHeight);
+  return [Math.round(event.clientX * scale), Math.round(event.clientY * scale)];
+}
+
+const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+const KEY_SPEED = 0.55, FARTHEST_STEP = 30000;  // steps a millisecond; what the module takes
+
+// The arrow keys are a finger that goes on and on.
+function moveByKeys(elapsed) {
+  if (pointers.size) return;
+  finger.down = held.size > 0 && Math.max(Math.abs(finger.x), Math.abs(finger.y)) < FARTHEST_STEP;
+  if (!finger.down) finger.x = finger.y = 0;
+  for (const key of held) {
+    finger.x += Math.round(ARROWS[key][0] * KEY_SPEED * elapsed);
+    finger.y += Math.round(ARROWS[key][1] * KEY_SPEED * elapsed);
+  }
+}
+
+const SPIN = TURN / 14000;  // a turn in 14 seconds
+
+function advance(elapsed) {
+  moveByKeys(elapsed);
+  if (module.advance(finger.down && !pinch, finger.x, finger.y, Math.round(elapsed))) isDirty = true;
+  if (state.spinning && !finger.down) {
+    module.turn(Math.round(SPIN * elapsed) >>> 0);
+    isDirty = true;
+  }
+}
+
+// While two pictures are compared, the eye stands where a reference was traced.
+function showReference() {
+  const count = data.references.length, from = data.home.azimuth;
+  const number = Math.round(((module.azimuth() >>> 0) - from + TURN) / TURN * count) % count;
+  $('reference').src = 'data:image/png;base64,' + data.references[number];
+  return [(from + Math.round(number * TURN / count)) >>> 0, data.home.elevation];
+}
+
+function drawCompared() {
+  const free = [module.azimuth(), module.elevation()];
+  const distance = module.distance();
+  module.place_eye(...showReference(), data.home.distance);
+  drawFrame();
+  showStatus();
+  module.place_eye(...free, distance);
+}
+
+function drawSeen() {
+  drawFrame();
+  showStatus();
+}
+
+function frameIsDue(now) {
+  const rate = isPaced() ? rateOf(data.chips[state.chip]) : 0;
+  if (!rate) return true;
+  if (now - lastFrame < 1000 / rate - 4) return false;  // 4 ms: ticks come at the display's own rate
+  lastFrame = Math.max(lastFrame + 1000 / rate, now - 1000 / rate);
+  return true;
+}
+
+function tick(now) {
+  advance(Math.min(now - lastTick, 250));
+  lastTick = now;
+  if (isDirty && frameIsDue(now)) {
+    isDirty = false;
+    if (state.comparing) drawCompared(); else drawSeen();
+  }
+  requestAnimationFrame(tick);
+}
+
+function touched() {
+  state.spinning = false;
+  $('hint').style.visibility = 'hidden';
+}
+
+function pinchDistance() {
+  const [a, b] = [...pointers.values()];
+  return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+}
+
+function zoom(factor) {
+  module.scale_distance(Math.round(65536 * Math.min(Math.max(factor, 0.25), 4)));
+  isDirty = true;
+}
+
+function onPointer(event) {
+  if (event.type === 'pointerdown') canvas.setPointerCapture(event.pointerId);
+  else if (!pointers.has(event.pointerId)) return;
+  const lifted = event.type === 'pointerup' || event.type === 'pointercancel';
+  if (lifted) pointers.delete(event.pointerId); else pointers.set(event.pointerId, event);
+  touched();
+  if (pointers.size === 2) {
+    const now = pinchDistance();
+    if (pinch) zoom(pinch / now);
+    pinch = now;
+  } else if (pointers.size === 0) {
+    pinch = 0;
+    finger.down = false;
+    return;
+  }
+  const [first] = pointers.values();
+  [finger.x, finger.y] = steps(first);
+  finger.down = true;
+}
+
+function onWheel(event) {
+  event.preventDefault();
+  touched();
+  const lines = [1, 20, 400][event.deltaMode];
+  zoom(2 ** (event.deltaY * lines / 600));
+}
+
+function showFirstView() {
+  module.go_home();
+  isDirty = true;
+}
+
+// ---- Settings
+
+function rateOf(chip) {
+  const rate = data.modes[state.mode].rates[chip.key];
+  return rate ? rate.mean : 0;
+}
+
+function screenNow() { return SCREENS[state.screen]; }
+function isRated() { return screenNow().width * screenNow().height === RATED_PIXELS; }
+function isPaced() { return state.paced && isRated() && rateOf(data.chips[state.chip]) > 0; }
+
+function radios(box, name, items, choose) {
+  items.forEach((item, k) => {
+    const input = element('input', {type: 'radio', name, value: k});
+    input.addEventListener('change', () => choose(k));
+    box.append(element('label', {title: item.hint || ''}, input, ...item.parts));
+  });
+}
+
+function check(name, k) { document.querySelector(`input[name=${name}][value="${k}"]`).checked = true; }
+
+function buildSettings(fieldBytes) {
+  radios($('chips'), 'chip', data.chips.map(chip => ({
+    hint: `${chip.mhz} MHz, ${chip.remark}`,
+    parts: [element('span', {textContent: chip.title}),
+      element('span', {className: 'bar', ariaHidden: 'true'}, element('i', {})), element('output', {})],
+  })), k => set({chip: k}));
+  radios($('modes'), 'mode', data.modes.map(mode => ({parts: [mode.title], hint: mode.remark})), k => set({mode: k}));
+  radios($('formats'), 'format', FORMATS.map(f => ({parts: [f.name], hint: f.bits})), k => set({format: k}));
+  $('screen').append(...SCREENS.map((s, k) => element('option', {value: k, textContent: s.name})));
+  $('screen').addEventListener('change', event => set({screen: Number(event.target.value)}));
+  $('pace').addEventListener('change', event => set({paced: event.target.checked}));
+  $('compare').addEventListener('change', event => set({comparing: event.target.checked}));
+  $('background').value = data.background;
+  $('background').addEventListener('input', () => { isDirty = true; });
+  $('compare-row').hidden = !data.references.length;
+  const kind = data.layout === 'surface' ? 'surface field' : 'chord field';
+  $('facts').textContent = `A ${kind} of ${byteText(fieldBytes)}, drawn here by the same integer code as on the chip.`;
+  $('flash-text').textContent = `${byteText(fieldBytes)} for the field`;
+}
+
+function set(changes) {
+  Object.assign(state, changes);
+  if ('screen' in changes || 'comparing' in changes) fitScreen();
+  showSettings();
+  isDirty = true;
+  cost = 0;
+}
+
+function showRates() {
+  const fastest = Math.max(30, ...data.chips.flatMap(chip =>
+    data.modes.map(mode => mode.rates[chip.key] ? mode.rates[chip.key].mean : 0)));
+  data.chips.forEach((chip, k) => {
+    const row = $('chips').querySelectorAll('label')[k], rate = rateOf(chip);
+    row.querySelector('output').textContent = rate ? Math.round(rate) : '—';
+    row.querySelector('i').style.width = `${100 * rate / fastest}%`;
+  });
+}
+
+function showRam() {
+  const chip = data.chips[state.chip];
+  const ram = module.device_ram(data.modes[state.mode].number, FORMATS[state.format].number);
+  $('ram').max = chip.ram;
+  $('ram').value = Math.min(ram, chip.ram);
+  $('ram-text').textContent = `${byteText(ram)} of ${byteText(chip.ram)}`;
+  $('ram-text').className = ram > chip.ram ? 'bad' : '';
+}
+
+function showSettings() {
+  check('chip', state.chip);
+  check('mode', state.mode);
+  check('format', state.format);
+  $('screen').value = state.screen;
+  $('pace').checked = state.paced;
+  $('pace').disabled = !isRated() || !rateOf(data.chips[state.chip]);
+  $('compare').checked = state.comparing;
+  $('screen').disabled = state.comparing;
+  $('truth').hidden = !state.comparing;
+  $('mode-remark').textContent = data.modes[state.mode].remark;
+  showRates();
+  showRam();
+}
+
+function degrees(turns) { return Math.round((turns | 0) / TURN * 360); }
+
+function showStatus() {
+  const azimuth = (degrees(module.azimuth()) + 360) % 360, elevation = degrees(module.elevation());
+  $('status').textContent = `Seen from ${azimuth}°, ${elevation}° up. ` +
+    `This browser draws a frame in ${cost.toFixed(1)} ms.`;
+  canvas.setAttribute('aria-label', `${data.title}, seen from ${azimuth} degrees around, ${elevation} degrees up`);
+}
+
+// ---- Layout
+
+// As large as the stage lets it, in whole pixels of the display where that is not much smaller.
+function fitScreen() {
+  const compared = state.comparing && $('reference').naturalWidth;
+  const size = compared ? {width: $('reference').naturalWidth, height: $('reference').naturalHeight} : screenNow();
+  useScreen(size);
+  layOut();
+}
+
+function layOut() {
+  const stage = document.querySelector('.stage'), isPhone = matchMedia('(max-width: 860px)').matches;
+  const bezel = isPhone ? 8 : 14, panes = state.comparing ? 2 : 1;
+  const width = (stage.clientWidth - (isPhone ? 32 : 48)) / panes - 2 * bezel - (panes - 1) * 12;
+  const height = (isPhone ? innerHeight * 0.52 : stage.clientHeight - 140) - 2 * bezel;
+  const ratio = devicePixelRatio || 1;
+  let scale = Math.min(width / canvas.width, height / canvas.height, 720 / Math.max(canvas.width, canvas.height));
+  const whole = Math.floor(scale * ratio) / ratio;
+  if (whole > 0.8 * scale) scale = whole;
+  const isRound = !state.comparing && screenNow().round;
+  for (const figure of [$('device'), $('truth')]) {
+    figure.style.setProperty('--bezel', `${bezel}px`);
+    figure.classList.toggle('round', Boolean(isRound));
+    const picture = figure.querySelector('canvas, img');
+    picture.style.width = `${canvas.width * scale + 2 * bezel}px`;
+    picture.style.height = `${canvas.height * scale + 2 * bezel}px`;
+  }
+  canvas.style.imageRendering = scale * ratio >= 4 ? 'pixelated' : '';
+  isDirty = true;
+}
+
+// ---- Keys
+
+function next(name, count) { set({[name]: (state[name] + 1) % count}); }
+
+function onLetter(key) {
+  if (/^[1-9]$/.test(key) && data.modes[key - 1]) set({mode: key - 1});
+  else if (key === 'm') next('mode', data.modes.length);
+  else if (key === 'p') next('format', FORMATS.length);
+  else if (key === 's' && !state.comparing) next('screen', SCREENS.length);
+  else if (key === 'c') next('chip', data.chips.length);
+  else if (key === 'v') set({paced: !state.paced});
+  else if (key === 't' && data.references.length) set({comparing: !state.comparing});
+  else if (key === '0') showFirstView();
+  else if (key === '+' || key === '=') zoom(0.85);
+  else if (key === '-') zoom(1 / 0.85);
+  else return;
+  say(`${data.modes[state.mode].title}, ${FORMATS[state.format].name}, ${screenNow().name}, ` +
+    `${data.chips[state.chip].title}: ${Math.round(rateOf(data.chips[state.chip])) || 'unknown'} frames a second`);
+}
+
+function onKeyDown(event) {
+  const isControl = event.target.matches('input, select, summary');
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (ARROWS[event.key] && !isControl) {
+    held.add(event.key);
+    touched();
+  } else if (event.key === ' ' && !isControl) {
+    state.spinning = !state.spinning;
+  } else {
+    if (!event.target.matches('select')) onLetter(event.key.toLowerCase());
+    return;
+  }
+  event.preventDefault();
+}
+
+// ---- Begin
+
+function listen() {
+  for (const type of ['pointerdown', 'pointermove', 'pointerup', 'pointercancel'])
+    canvas.addEventListener(type, onPointer);
+  canvas.addEventListener('wheel', onWheel, {passive: false});
+  canvas.addEventListener('dblclick', showFirstView);
+  addEventListener('keydown', onKeyDown);
+  addEventListener('keyup', event => held.delete(event.key));
+  addEventListener('blur', () => held.clear());
+  addEventListener('resize', layOut);
+  $('reference').addEventListener('load', () => { if (canvas.width !== $('reference').naturalWidth) fitScreen(); });
+}
+
+async function start() {
+  try {
+    const fieldBytes = await startModule();
+    buildSettings(fieldBytes);
+    listen();
+    fitScreen();
+    showSettings();
+    requestAnimationFrame(now => { lastTick = now; tick(now); });
+  } catch (error) {
+    document.querySelector('main').replaceChildren(
+      element('p', {className: 'failed', textContent: `${data.title} cannot be shown: ${error.message}.`}));
+  }
+}
+
+start();

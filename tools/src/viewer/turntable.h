@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A folder of pictures that `lumi reference --turntable` wrote.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lumi::tools
+{
+
+// The bytes of NAME-000.png, NAME-001.png, … in order; other files are left out. Throws Failure where the folder holds
+// no turntable or more than one, one of its pictures is missing or no PNG, or their sizes differ.
+std::vector<std::string> read_turntable(const std::string& folder);
+
+}  // namespace lumi::tools
