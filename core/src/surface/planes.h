@@ -56,7 +56,7 @@ struct Shares {
     int32_t b_right, b_down, c_right, c_down;
 };
 
-// Of a triangle that is less than about a sample thick: it is taken for its longest edge, which becomes a-b.
+// The shares in a triangle that is less than about a sample thick: it is taken for its longest edge, which becomes a-b.
 Shares shares_of_sliver(Facing& f);
 
 // 64·length/area, Q16, for an area of at least 64.

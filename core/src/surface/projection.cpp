@@ -10,10 +10,10 @@ namespace
 {
 
 constexpr int kNumberBits = 14;  // fraction bits of a vertex's number
-constexpr int kAxisBits = 15;    // of a projection's axes
+constexpr int kAxisBits = 15;    // fraction bits of a projection's axes
 constexpr int kSumBits = kAxisBits + kNumberBits;
 constexpr uint32_t kDepthRange = kNearDepth - kFarDepth;
-constexpr int kMarginShift = 6;  // of the sphere, in radii: no rounding leaves the range of depths
+constexpr int kMarginShift = 6;  // margin around the sphere, in radii: no rounding leaves the range of depths
 
 int64_t shifted(int64_t v, int left)
 {
@@ -72,7 +72,7 @@ void set_place_axes(SurfaceProjection& p, const SurfaceCamera& camera, uint64_t 
 
 void set_places(SurfaceProjection& p, const SurfaceCamera& camera, uint32_t samples_log2)
 {
-    constexpr int32_t kMostShift = 30;  // of a place after the division, at the far end
+    constexpr int32_t kMostShift = 30;  // bits of a place after the division, at the far end
     const uint64_t focal_q12 = uint64_t{camera.focal_q12} << samples_log2;
     set_place_axes(p, camera, focal_q12, 0);
     const int32_t spare = p.place_shift - __builtin_clz(static_cast<uint32_t>(p.far_z)) - kMostShift;

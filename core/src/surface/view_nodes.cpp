@@ -30,7 +30,7 @@ constexpr uint8_t kNone = 0xFF;
 // Places in the plane are in Q8, from 0 to kCells. Where to begin is known for squares of two cells by two.
 constexpr int kCells = 32;
 constexpr int kSquares = kCells / 2;
-constexpr int32_t kScaleQ8 = 3264;  // of s and t: 1.25 of them reach the plane's sides
+constexpr int32_t kScaleQ8 = 3264;  // factor on s and t: 1.25 of them reach the plane's sides
 constexpr int32_t kMiddleQ8 = kCells * 128;
 
 // The weights of corners 1 and 2, affine in the place.
@@ -76,7 +76,7 @@ constexpr int32_t rounded(double v)
     return static_cast<int32_t>(v < 0 ? v - 0.5 : v + 0.5);
 }
 
-// Of the corner that is not `a` or `b`: 0 on the edge between them, 1 at itself.
+// The weight of the corner that is not `a` or `b`: 0 on the edge between them, 1 at itself.
 constexpr Weight weight_opposite(const Place& a, const Place& b, double whole)
 {
     const double s = (a.t - b.t) / whole, t = (b.s - a.s) / whole;

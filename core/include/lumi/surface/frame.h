@@ -29,11 +29,11 @@ struct SurfaceProjection {
     int32_t axis[3][3];   // rows x, y, z: per unit of a vertex's number, kAxisBits
     int32_t shift[3];     // right, after the sum
     int32_t eye[3];       // added after the shift
-    int32_t place_shift;  // of x and y after the division
+    int32_t place_shift;  // x and y are shifted right by so much after the division
     int32_t centre_x_q6, centre_y_q6;
-    int32_t near_z, far_z;  // of the range of depths, as z
+    int32_t near_z, far_z;  // ends of the range of depths, as z
     int32_t depth_bits;     // fraction bits of z
-    int32_t ahead_shift;    // of far_z - z, to 16 bits
+    int32_t ahead_shift;    // far_z - z is shifted right by so much, to 16 bits
     uint32_t depth_factor;  // 16 bits
     int32_t depth_shift;
     uint32_t depth_offset;  // a depth's number + this is proportional to 1/z
@@ -79,8 +79,8 @@ struct SurfaceMemory {
     SurfaceVertex* vertices;  // one for each vertex of the field
     uint16_t* links;          // surface_links(): of every triangle, then a bit for each that has an outline
     uint16_t* bands;          // surface_bands()
-    // Scanlines a band: best those of a stripe, 2^0 .. 2^8. Of triangles at one depth another may show with
-    // others.
+    // Scanlines a band: best those of a stripe, 2^0 .. 2^8. Where several
+    // triangles have one depth, the bands decide which one shows.
     uint32_t band_log2;
 };
 

@@ -29,7 +29,7 @@ constexpr PackedColour packed_difference(int32_t r_q2, int32_t g_q2, int32_t b_q
 // A sum with some guard bit set: that channel is below 0 (the next bit is set, too) or above the most there is.
 LUMI_HOT PackedColour clamped(PackedColour sum);
 
-// Of two, each channel rounded down.
+// The mean of two colours, each channel rounded down.
 constexpr PackedColour mean_of(PackedColour a, PackedColour b)
 {
     return ((a + b) >> 1) & ~kGuardBits;
@@ -38,8 +38,8 @@ constexpr PackedColour mean_of(PackedColour a, PackedColour b)
 // The colour of the mean light of four, which is about their levels' squares; `black` is the palette's colour of it.
 LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour black);
 
-// Of the samples of a pixel. Where they are within 32 levels of the first one's, the mean of their levels stands for
-// that of their light.
+// The mean of a pixel's samples. Where they are within 32 levels of the first one's, the mean of their levels stands
+// for that of their light.
 inline PackedColour mean_of(PackedColour a, PackedColour b, PackedColour c, PackedColour d, PackedColour black)
 {
     constexpr PackedColour kApart = packed_colour(128, 128, 128), kBeyond = 0xE01C0380;  // 0 .. 255 leaves these bits 0

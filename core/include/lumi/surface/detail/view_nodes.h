@@ -20,8 +20,8 @@ struct ViewTaps {
     uint16_t weight_q8[3];  // they sum to 256
 };
 
-// Of a direction in the vertex's frame: components of at most 2^16, not all 0. Below z = -0.2 (about) the nearest
-// nodes there are.
+// The taps for a direction in the vertex's frame: components of at most 2^16, not all 0. Below z = -0.2 (about) the
+// nearest nodes there are.
 ViewTaps view_taps(int32_t x, int32_t y, int32_t z);
 
 struct ViewDirection {
