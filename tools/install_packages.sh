@@ -36,8 +36,10 @@ test_packages=(
 all_packages=(
   clang-format cppcheck g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev           # `lumi filter train`, `lumi render --filter`
-  python3-matplotlib)    # `tools/lab/pages.py --plots`
+  python3-matplotlib     # `tools/lab/pages.py --plots`
+  chromium)              # the page of `lumi view`
 npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
+all_npm_packages=(puppeteer-core@24.43.1)  # moves Chromium
 command -v npm >/dev/null || test_packages+=(nodejs npm)  # whichever source they come from
 
 is_installed() {
@@ -111,6 +113,7 @@ main() {
   fi
   if [[ $1 != build ]]; then
     mkdir -p "$root/build/npm"
+    if [[ $1 == all ]]; then npm_packages+=("${all_npm_packages[@]}"); fi
     install_npm_packages "${npm_packages[@]}"
   fi
 }

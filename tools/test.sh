@@ -6,7 +6,8 @@
 # changed. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test under sanitizers too, every policy, frame and unit test on every
 # board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing includes),
-# cppcheck, a minute of fuzzing a target, and the commands of the examples' pages. There a missing tool is an error.
+# cppcheck, a minute of fuzzing a target, the commands of the examples' pages, and the page of `lumi view` in Chromium.
+# There a missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"

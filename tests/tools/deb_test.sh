@@ -14,6 +14,7 @@ grep --quiet "^ Version: $version\$" "$folder/info"
 grep --quiet '^ Depends: .*libembree' "$folder/info"
 dpkg --extract "$package" "$folder/root"
 [[ $("$folder/root/usr/bin/lumi" --version) == "$version" ]]
+"$folder/root/usr/bin/lumi" view "${BASH_SOURCE[0]%/*}/commands/chord-420e9fe.lumi" -o "$folder/view.html"
 gunzip "$folder"/root/usr/share/man/man1/*.gz
 "${BASH_SOURCE[0]%/*}/pages_test.sh" "$folder/root/usr/bin/lumi" "$folder/root/usr/share"
 if command -v lintian >/dev/null; then

@@ -229,6 +229,11 @@ function rateOf(chip) {
   return rate ? rate.mean : 0;
 }
 
+function rateText(chip) {
+  const rate = rateOf(chip);
+  return rate ? `${Math.round(rate)} frames a second` : 'not modelled';
+}
+
 function screenNow() { return SCREENS[state.screen]; }
 function isRated() { return screenNow().width * screenNow().height === RATED_PIXELS; }
 function isPaced() { return state.paced && isRated() && rateOf(data.chips[state.chip]) > 0; }
@@ -247,7 +252,7 @@ function buildSettings(fieldBytes) {
   radios($('chips'), 'chip', data.chips.map(chip => ({
     hint: `${chip.mhz} MHz, ${chip.remark}`,
     parts: [element('span', {textContent: chip.title}),
-      element('span', {className: 'bar', ariaHidden: 'true'}, element('i', {})), element('output', {})],
+      element('span', {className: 'bar', ariaHidden: 'true'}, element('i', {})), element('b', {})],
   })), k => set({chip: k}));
   radios($('modes'), 'mode', data.modes.map(mode => ({parts: [mode.title], hint: mode.remark})), k => set({mode: k}));
   radios($('formats'), 'format', FORMATS.map(f => ({parts: [f.name], hint: f.bits})), k => set({format: k}));
@@ -276,7 +281,8 @@ function showRates() {
     data.modes.map(mode => mode.rates[chip.key] ? mode.rates[chip.key].mean : 0)));
   data.chips.forEach((chip, k) => {
     const row = $('chips').querySelectorAll('label')[k], rate = rateOf(chip);
-    row.querySelector('output').textContent = rate ? Math.round(rate) : '—';
+    row.querySelector('b').textContent = rate ? Math.round(rate) : '—';
+    row.querySelector('input').ariaLabel = `${chip.title}, ${rateText(chip)}`;
     row.querySelector('i').style.width = `${100 * rate / fastest}%`;
   });
 }
@@ -325,10 +331,11 @@ function fitScreen() {
 }
 
 function layOut() {
-  const stage = document.querySelector('.stage'), isPhone = matchMedia('(max-width: 860px)').matches;
-  const bezel = isPhone ? 8 : 14, panes = state.comparing ? 2 : 1;
+  const stage = document.querySelector('.stage'), isLow = innerHeight <= 520;
+  const isPhone = matchMedia('(max-width: 860px) and (orientation: portrait)').matches;
+  const bezel = isPhone || isLow ? 8 : 14, panes = state.comparing ? 2 : 1;
   const width = (stage.clientWidth - (isPhone ? 32 : 48)) / panes - 2 * bezel - (panes - 1) * 12;
-  const height = (isPhone ? innerHeight * 0.52 : stage.clientHeight - 140) - 2 * bezel;
+  const height = (isPhone ? innerHeight * 0.52 : stage.clientHeight - (isLow ? 28 : 140)) - 2 * bezel;
   const ratio = devicePixelRatio || 1;
   let scale = Math.min(width / canvas.width, height / canvas.height, 720 / Math.max(canvas.width, canvas.height));
   const whole = Math.floor(scale * ratio) / ratio;
@@ -362,7 +369,7 @@ function onLetter(key) {
   else if (key === '-') zoom(1 / 0.85);
   else return;
   say(`${data.modes[state.mode].title}, ${FORMATS[state.format].name}, ${screenNow().name}, ` +
-    `${data.chips[state.chip].title}: ${Math.round(rateOf(data.chips[state.chip])) || 'unknown'} frames a second`);
+    `${data.chips[state.chip].title}: ${rateText(data.chips[state.chip])}`);
 }
 
 function onKeyDown(event) {
