@@ -5,10 +5,12 @@ set(LUMI_CORE_SOURCES
   src/chord/stepping/coarse_math.cpp
   src/math/math.cpp
   src/math/reciprocal.cpp
+  src/lattice/hull_triangle.cpp
   src/lattice/lattice.cpp
   src/lattice/lattice_query.cpp
   src/lattice/neighbours.cpp
   src/lattice/polar.cpp
+  src/lattice/polar_triangle.cpp
   src/lattice/triangle.cpp
   src/lattice/zone_tables.cpp
   src/field/crc32.cpp

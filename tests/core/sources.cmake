@@ -23,6 +23,7 @@ set(LUMI_CORE_TEST_SOURCES
   field/field_test.cpp
   lattice/lattice_test.cpp
   lattice/polar_test.cpp
+  lattice/triangle_test.cpp
   math/math_test.cpp
   chord/stepping/hits_test.cpp
   surface/coverage_test.cpp

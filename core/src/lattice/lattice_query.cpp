@@ -63,7 +63,11 @@ Cell cell_of(const Query& q)
 
 bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner)
 {
-    const int32_t middle_q10 = 1024 * corner + 512 * (cell.first + cell.second);
+    // A cell over the equator is the same cell from both hemispheres: its middle counts from the nearer pole.
+    const int32_t from_here_q10 = 1024 * corner + 512 * (cell.first + cell.second);
+    const int32_t from_there_q10 = (static_cast<int32_t>(lattice.size()) - 1) * 1024 - from_here_q10;
+    const int32_t middle_q10 = from_here_q10 < from_there_q10 ? from_here_q10 : from_there_q10;
+    if (cell.zone == kPolarZone) return middle_q10 >= kObtuseHeight << 10;
     const int32_t z_q30 = lattice.height_at_q30(middle_q10);
     return n_sine2_q10(middle_q10, z_q30) >= kZoneTables.threshold_q10[2 * cell.zone + 1];
 }

@@ -43,7 +43,7 @@ Cell cell_of(const Query& q);
 // Whether the two steps of a cell's zone form an obtuse angle at the middle of the cell whose lowest corner is
 // `corner`: then the cell's diagonal is their sum, else their difference. Decided for the cell, not for the query, so
 // that neighbours agree and no seam opens where the diagonal flips; where the zone changes, both zones' triangles are
-// the same.
+// the same, and the polar zone's are those of the pattern (zone_tables.h).
 bool is_obtuse(const Lattice& lattice, const Cell& cell, int32_t corner);
 
 }  // namespace lumi::detail

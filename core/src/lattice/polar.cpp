@@ -13,7 +13,7 @@ constexpr uint8_t kCorners[kTriangles][3] = {
     {12, 33, 25}, {13, 26, 18}, {13, 21, 34}, {13, 34, 26}, {14, 27, 19}, {14, 22, 35}, {14, 35, 27}, {15, 28, 20},
     {15, 23, 36}, {15, 36, 28}, {16, 29, 21}, {16, 24, 37}, {16, 37, 29}, {17, 25, 38}, {17, 38, 30}, {18, 26, 39},
     {18, 39, 31}, {19, 27, 40}, {19, 40, 32}, {20, 28, 41}, {20, 41, 33}, {21, 29, 42}, {21, 42, 34}, {22, 30, 43},
-    {22, 43, 35}};
+    {22, 43, 35}, {23, 31, 44}, {23, 44, 36}};
 
 namespace
 {
@@ -26,7 +26,7 @@ constexpr bool has(const uint8_t corner[3], uint8_t c)
 // The triangle across the edge opposite corner e of triangle k.
 constexpr uint8_t beyond_of(int k, int e)
 {
-    for (int other = 0; other < kTriangles; ++other) {
+    for (int other = 0; other < kWalkTriangles; ++other) {
         const uint8_t* c = kCorners[other];
         if (other != k && has(c, kCorners[k][(e + 1) % 3]) && has(c, kCorners[k][(e + 2) % 3]))
             return static_cast<uint8_t>(other);
@@ -61,7 +61,7 @@ constexpr TriangleWalk make_walk(int k)
 constexpr Walks make_walks()
 {
     Walks walks{};
-    for (int k = 0; k < kTriangles; ++k) walks.triangle[k] = make_walk(k);
+    for (int k = 0; k < kWalkTriangles; ++k) walks.triangle[k] = make_walk(k);
     return walks;
 }
 

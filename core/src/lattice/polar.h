@@ -3,7 +3,7 @@
 //
 // Under Lambert's azimuthal equal-area projection, scaled so that a point covers an area of π, point i of *every*
 // Spherical Fibonacci set lies at radius sqrt(i + 1/2) and longitude i/Φ: one planar pattern for all n. Its Delaunay
-// triangles are therefore constants. tests/core/polar_test.cpp recomputes them by brute force.
+// triangles are therefore constants. tests/core/lattice/polar_test.cpp recomputes them by brute force.
 #pragma once
 
 #include <stdint.h>
@@ -13,13 +13,20 @@
 namespace lumi::detail::polar
 {
 
-// Triangles cover the disc of radius sqrt(kReach + 1/2): all directions whose real-valued index is below kReach.
-// Those below kPolarHeight belong to no cell.
-inline constexpr int32_t kPolarHeight = 21;
-inline constexpr int32_t kReach = 23;
-inline constexpr uint32_t kPoints = 44;
-inline constexpr int kTriangles = 65;
-inline constexpr int kPolarTriangles = 61;  // those with a corner below kPolarHeight: they come first
+// Triangles cover the disc of radius sqrt(kReach + 1/2): all directions whose real-valued index is below kReach. From
+// index 14 on they are the triangles of the cells of zone 6, steps 8 and 13: those that begin at index 9 or above are
+// obtuse.
+inline constexpr int32_t kReach = 24;
+inline constexpr uint32_t kPoints = 45;
+inline constexpr int kTriangles = 67;
+inline constexpr int32_t kWalkReach = 23;  // PolarLine walks so far
+inline constexpr int kWalkTriangles = 65;  // those with a corner below kWalkReach: they come first
+
+// Up to kBlendBegin, a real-valued index, directions count by their place in the plane, from kBlendEnd on by longitude
+// and height. In between one goes over into the other (triangle.cpp).
+inline constexpr int32_t kBlendBegin = 20;
+inline constexpr int32_t kBlendEnd = 24;
+static_assert(kBlendEnd <= kReach);
 
 struct PlanePoint {
     int32_t x_q12, y_q12;
@@ -68,7 +75,7 @@ struct TriangleWalk {
 };
 
 struct Walks {
-    TriangleWalk triangle[kTriangles];
+    TriangleWalk triangle[kWalkTriangles];
 };
 
 // Triangle k's corners: counter-clockwise, the lowest index first; triangles come in the order of that index.
@@ -81,6 +88,7 @@ inline const uint8_t* corners(int k)
     return kCorners[k];
 }
 
+// Of triangle k < kWalkTriangles.
 inline const uint8_t* beyond(int k)
 {
     return kWalks.triangle[k].beyond;

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <random>
 
+#include "lattice/directions.h"
 #include "report.h"
 #include "twin.h"
 
 using namespace lumi;
 using namespace lumi::detail;
+using test::Directions;
 using twin::Vec3;
 
 namespace
@@ -19,54 +20,6 @@ namespace
 // Distances of two lattice points may differ by this share of the mean spacing before the wrong one is called wrong:
 // distances are compared in units between 2^-12 and 2^-11 of it, and three squares round.
 constexpr double kTolerance = 1.0 / 512;
-
-// Directions over the sphere, dense at the poles, on the seam, at lattice points and between them.
-class Directions
-{
-public:
-    explicit Directions(uint32_t n) : n_(n), random_(n) {}
-
-    Vec3 next(uint32_t k)
-    {
-        switch (k % 6) {
-            case 0:
-                return near_pole(1);
-            case 1:
-                return near_pole(-1);
-            case 2:
-                return on_seam();
-            case 3:
-                return between_points();
-            default:
-                return anywhere();
-        }
-    }
-
-private:
-    double uniform() { return std::generate_canonical<double, 32>(random_); }
-
-    static Vec3 at(double z, double turns)
-    {
-        const double radius = std::sqrt(std::fmax(0.0, 1 - z * z));
-        return {radius * std::cos(2 * twin::kPi * turns), radius * std::sin(2 * twin::kPi * turns), z};
-    }
-
-    Vec3 anywhere() { return at(2 * uniform() - 1, uniform()); }
-    Vec3 near_pole(double side) { return at(side * (1 - std::fmin(2.0, uniform() * 80 / n_)), uniform()); }
-    Vec3 on_seam() { return at(2 * uniform() - 1, (uniform() - 0.5) * 1e-8); }
-
-    Vec3 between_points()
-    {
-        const auto i = static_cast<uint32_t>(uniform() * n_);
-        const Vec3 a = twin::point(n_, i);
-        const Vec3 b = anywhere();
-        const Vec3 mixed = a + (twin::spacing(n_) * uniform()) * b;
-        return twin::length(mixed) > 0 ? twin::normalised(mixed) : a;
-    }
-
-    uint32_t n_;
-    std::mt19937 random_;
-};
 
 // The squares of the distances to the nearest points, kMaxNeighbours of them where there are so many.
 std::vector<double> nearest_squares(const std::vector<Vec3>& all, const Vec3& q)
@@ -188,30 +141,4 @@ TEST_CASE("kernel weights sum to one and fall with distance", "[lattice]")
     });
     CHECK(sums);
     CHECK(falls);
-}
-
-TEST_CASE("a triangle's corners surround the query and reproduce its position", "[lattice]")
-{
-    // A linear function is reproduced up to the curvature of the sphere over one triangle.
-    Worst worst;
-    for_sizes([&](uint32_t n, uint32_t queries) {
-        if (n < 64) return;
-        const Lattice lattice(n);
-        Directions directions(n);
-        for (uint32_t k = 0; k < queries; ++k) {
-            const Vec3 q = directions.next(k);
-            const Triangle t = triangle(lattice, twin::encoded(q));
-            uint32_t sum = 0;
-            Vec3 mean = {0, 0, 0};
-            for (int m = 0; m < 3; ++m) {
-                REQUIRE(t.index[m] < n);
-                sum += t.weight_q12[m];
-                mean = mean + (t.weight_q12[m] / 4096.0) * twin::point(n, t.index[m]);
-            }
-            REQUIRE(sum == kWeightOneQ12);
-            worst.see(twin::length(mean - q) / twin::spacing(n), uint64_t{n} * 1000000 + k);
-        }
-    });
-    worst.report("triangle, error of the reproduced position in spacings");
-    CHECK(worst.error < 0.25);
 }

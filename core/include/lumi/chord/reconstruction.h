@@ -43,7 +43,8 @@ struct NearestVoronoi : Nearest {
 struct Dither : Nearest {
 };
 
-// Barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel, continuous.
+// Barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel. Continuous for lattices of every size, see
+// triangle(); by spans but for what these leave out.
 struct Linear {
     static constexpr uint32_t kTaps = 3;
     static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)

@@ -73,8 +73,15 @@ uint32_t nearest(const Lattice& lattice, const Vec3q30& direction);
 inline constexpr uint32_t kWeightOneQ12 = 4096;
 void kernel_weights(const Lattice& lattice, const Neighbour* near, uint32_t count, uint32_t* weight_q12);
 
-// The corners of the lattice triangle around a direction, with barycentric weights that sum to kWeightOneQ12. Below 64
-// points there is no lattice to speak of: the nearest three by kernel weights, where n < 3 with repeats of weight zero.
+// The corners of the lattice triangle around a direction, with barycentric weights that sum to kWeightOneQ12.
+//
+// Weights are continuous over the whole sphere, for every n: over a step of 1/10,000 of the mean spacing they change by
+// less than 1/500 in all (0.5 levels of 255), most of it rounding. One triangulation covers the sphere. With t the
+// real-valued index from the nearer pole, weights are linear in longitude and height for t >= 24, and in the pole's
+// Lambert plane for t < 20. In between, longitude and height go over, linearly in t, from those that the plane's
+// weights give to the direction's own. Below 64 points the patterns of both poles overlap: the triangle is the one of
+// the points' convex hull that the direction points at, with weights linear in its plane. Below 4 points weights are
+// linear in height between the two points whose heights are next.
 struct Triangle {
     uint32_t index[3];
     uint32_t weight_q12[3];

@@ -50,7 +50,7 @@ void PolarLine::find(int32_t at)
         weight_q16[0] = kWholeQ16 - weight_q16[1] - weight_q16[2];
         if ((weight_q16[0] | weight_q16[1] | weight_q16[2]) >= 0) break;
         const int edge = way_out(weight_q16, found->beyond);
-        if (edge < 0 || crossed == polar::kTriangles) {
+        if (edge < 0 || crossed == polar::kWalkTriangles) {
             clamp(weight_q16);
             break;
         }

@@ -70,8 +70,9 @@ void ZoneMap::set_borders(const Zone& z, bool mirrored, bool acute, int32_t firs
     // eighth more, as tiles and spans are moved.
     const int32_t reach = (first + second) * zones_.step_z_q30;
     const int32_t margin = reach + reach / 8;
-    const int32_t uniform_low = acute && z.obtuse_z_q30 != 0 ? z.obtuse_z_q30 + margin : -kOneQ30;
-    const int32_t uniform_high = acute ? kOneQ30 : z.obtuse_z_q30 - margin;
+    const int32_t border_z = z.number == kPolarZone ? pole_distance_z_q30(kObtuseHeight - 1) : z.obtuse_z_q30;
+    const int32_t uniform_low = acute && border_z != 0 ? border_z + margin : -kOneQ30;
+    const int32_t uniform_high = acute ? kOneQ30 : border_z - margin;
     uniform_low_z_q30_ = mirrored ? -uniform_high : uniform_low;
     uniform_high_z_q30_ = mirrored ? -uniform_low : uniform_high;
 
@@ -85,7 +86,7 @@ void ZoneMap::set_borders(const Zone& z, bool mirrored, bool acute, int32_t firs
     // to the second one: near the own pole of an acute map, and all over it where no height is obtuse.
     const int32_t most = first + second;
     const int32_t own_z = pole_distance_z_q30(acute ? second : most);
-    const int32_t far_z = pole_distance_z_q30(acute && z.obtuse_z_q30 == 0 ? second : most);
+    const int32_t far_z = pole_distance_z_q30(acute && border_z == 0 ? second : most);
     lowest_z_q30_ = mirrored ? -own_z : -far_z;
     highest_z_q30_ = mirrored ? far_z : own_z;
 }

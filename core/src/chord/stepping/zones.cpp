@@ -12,7 +12,8 @@ namespace
 
 constexpr int kScaleBits = 14;
 
-static_assert(kPolarHeight < polar::kReach && polar::kPoints <= kMinSpanLattice);
+static_assert(kPolarHeight < polar::kWalkReach && polar::kPoints <= kMinSpanLattice);
+static_assert(kFirstSpanZone == kPolarZone);
 
 // |z| where n·(1 - z²) has the given value; 0 where it is never reached.
 int32_t height_of_q30(uint32_t n_sine2_q10, const Lattice& lattice)
@@ -22,6 +23,13 @@ int32_t height_of_q30(uint32_t n_sine2_q10, const Lattice& lattice)
     return static_cast<int32_t>(square_root((static_cast<uint64_t>(kOneQ30) - sine2_q30) << 30));
 }
 
+// Where even the equator is acute, no cell is obtuse, not even those whose middle lies beyond the equator.
+int32_t obtuse_index_q10(const Lattice& lattice, const Zone& z)
+{
+    if (z.number == kPolarZone) return kObtuseHeight << 10;
+    return z.obtuse_z_q30 != 0 ? lattice.index_at_q10(z.obtuse_z_q30) : static_cast<int32_t>(lattice.size() << 10);
+}
+
 Zone make_zone(const Lattice& lattice, int k)
 {
     const uint32_t n = lattice.size();
@@ -29,8 +37,7 @@ Zone make_zone(const Lattice& lattice, int k)
     z.number = static_cast<int16_t>(k);
     z.begin_z_q30 = height_of_q30(kZoneTables.threshold_q10[2 * k], lattice);
     z.obtuse_z_q30 = height_of_q30(kZoneTables.threshold_q10[2 * k + 1], lattice);
-    // Where even the equator is acute, no cell is obtuse, not even those whose middle lies beyond the equator.
-    z.obtuse_index_q10 = z.obtuse_z_q30 != 0 ? lattice.index_at_q10(z.obtuse_z_q30) : static_cast<int32_t>(n << 10);
+    z.obtuse_index_q10 = obtuse_index_q10(lattice, z);
     // v = Φ^-k·n/2·(1 - |z|) - Φ^-k/2: z comes in Q16, coordinates leave in Q16.
     const uint64_t v_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kZoneTables.inverse_power_q30[k]);
     const uint64_t u_q31 = static_cast<uint64_t>(n) * static_cast<uint32_t>(kZoneTables.inverse_power_q30[k + 1]);

@@ -22,9 +22,9 @@ inline constexpr int kSpanZones = 8;      // 6 .. 13
 
 // Heights are |z|, Q30, so that a zone is found by comparisons alone.
 struct Zone {
-    int32_t begin_z_q30;              // the zone holds |z| below this, down to the next zone's
-    int32_t obtuse_z_q30;             // its steps form an obtuse angle below this ...
-    int32_t obtuse_index_q10;         // ... that is from this height on, as a real-valued index
+    int32_t begin_z_q30;       // the zone holds |z| below this, down to the next zone's
+    int32_t obtuse_z_q30;      // its steps form an obtuse angle below this
+    int32_t obtuse_index_q10;  // cells are cut as obtuse from this height of their middle on, a real-valued index
     int16_t scale_u, scale_v, shift;  // height to u, v: mantissas below 2^14, then a shift right
     int16_t number;                   // k: its steps are F_k and F_k+1
     int32_t origin_u_q16, origin_v_q16;

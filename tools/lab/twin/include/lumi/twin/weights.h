@@ -21,9 +21,15 @@ using Weights = std::vector<std::pair<uint32_t, double>>;
 // The nearest `count` points (fewer if there are fewer), nearest first; in place of weights their squared distances.
 Weights sorted_by_distance(const std::vector<Vec3>& all, const Vec3& q, uint32_t count);
 
+// Between which heights, as real-valued indices, linear weights go over from the plane of a pole to longitude and
+// height. A test can make both the same: a switch, which is not continuous.
+struct Transition {
+    double begin = 20, end = 24;
+};
+
 // lumi::Nearest, lumi::Linear, lumi::Paper<count>.
 Weights nearest_weights(const std::vector<Vec3>& all, const Vec3& q);
-Weights linear_weights(const std::vector<Vec3>& all, const Vec3& q);
+Weights linear_weights(const std::vector<Vec3>& all, const Vec3& q, const Transition& transition = {});
 Weights paper_weights(const std::vector<Vec3>& all, const Vec3& q, uint32_t count);
 
 // One point for a direction, and whether it lies so close to a border that rounding may decide for another.
