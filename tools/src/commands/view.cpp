@@ -78,7 +78,7 @@ std::string_view module_for(const FieldFile& file)
 {
     const std::string_view module = file.is_surface() ? surface_module() : chord_module();
     if (module.empty())
-        throw Failure("lumi view", "this lumi was built without clang and lld, which make the code that a page runs",
+        throw Failure("view", "this lumi was built without clang and lld, which make the code that a page runs",
                       "install them (Debian: apt-get install clang lld), then configure and build lumi again");
     return module;
 }
