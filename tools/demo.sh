@@ -58,6 +58,12 @@ draw_turntables() {
   draw_turntable "$name-chord" chord best
 }
 
+# Where lumi was built without clang and lld, it says so, and the demo goes on.
+write_page() {
+  rm -f "$out/$name.html"
+  "$lumi" view "$out/$name.lumi" -o "$out/$name.html" --orbit "$orbit" --background "$background" || true
+}
+
 trace_references() {
   local options
   mapfile -t options < <(view_options)
@@ -88,9 +94,9 @@ compare_views() {
 }
 
 print_where() {
+  printf '\n== Pictures, in %s\n' "$out"
+  [[ ! -e $out/$name.html ]] || printf '%-26s %s\n' "$name.html" "the field, to be turned in a browser"
   cat <<END
-
-== Pictures, in $out
 $name-surface-sheet.png    the turntable, as a microcontroller draws it from $(stat --format=%s "$out/$name.lumi") bytes
 $name-surface-000.png ...  its views one by one; -one-sample- with one sample a pixel, the fastest
 $name-chord-sheet.png      the same from a chord field, the layout of the LumiPath paper:
@@ -109,6 +115,7 @@ main() {
   run_step "Bake $name.obj" bake_surface
   run_step "Bake a chord field" bake_chord
   run_step "Draw $views views of each of: ${drawings[*]}" draw_turntables
+  run_step "Write a page to turn it in a browser" write_page
   run_step "Path-trace $references of the views, $reference_spp samples a pixel" trace_references
   run_step "Compare" compare_views
   print_step_times
