@@ -64,7 +64,7 @@ FrameFacts chord_facts(Judge& judge, const tools::FieldFile& file, const std::st
     if (make_view_camera(view, camera) != CameraError::none)
         throw std::logic_error("a view of the bench has no camera");
     const HostFrame frame = draw_on_host(mode, span, file.field(), file.bytes(), camera);
-    return {judge.judge(mode, span, file.field(), view, frame.picture), traffic_of(frame.reads), frame.rgb565_crc};
+    return {judge.judge(mode, file.field(), view, frame.picture), traffic_of(frame.reads), frame.rgb565_crc};
 }
 
 FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,

@@ -20,33 +20,27 @@ using Points = std::vector<Vec3>;
 
 constexpr uint32_t kPaperNeighbours = 5;
 
-const std::string kCells = "cells";
-
 // One side's taps of a hit, and whether they were a close call.
 struct SideTaps {
     Weights weights;
     bool uncertain;
 };
 
-SideTaps single(const twin::CellPoint& point)
-{
-    return {{{point.index, 1.0}}, point.uncertain};
-}
-
 SideTaps taps_of_side(const std::string& rule, const Points& all, const Vec3& hit)
 {
-    if (rule == "nearest") return single(twin::nearest_point(all, hit, kBorderShare));
-    if (rule == kCells) return single(twin::cell_point(all, hit, kBorderShare));
+    if (rule == "nearest") {
+        const twin::CellPoint point = twin::nearest_point(all, hit, kBorderShare);
+        return {{{point.index, 1.0}}, point.uncertain};
+    }
     if (rule == "paper") return {twin::paper_weights(all, hit, kPaperNeighbours), false};
     return {twin::linear_weights(all, hit), false};
 }
 
-// What a renderer is judged by: spans round lattice coordinates where the exact renderer asks for the nearest point.
-std::string rule_of(const std::string& mode, int span)
+// The reconstruction that a mode stands for.
+std::string rule_of(const std::string& mode)
 {
     if (mode == "dither") return "linear";
-    if (mode == "voronoi") return "nearest";
-    return mode == "nearest" && span > 1 ? kCells : mode;
+    return mode == "voronoi" ? "nearest" : mode;
 }
 
 uint8_t rounded(double level)
@@ -116,11 +110,10 @@ tools::Picture Judge::exact_picture(const std::string& rule, const Field& field,
     return picture;
 }
 
-Accuracy Judge::judge(const std::string& mode, int span, const Field& field, const View& view,
-                      const tools::Picture& drawn)
+Accuracy Judge::judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn)
 {
     const bool dither = mode == "dither";
-    const std::string rule = rule_of(mode, span);
+    const std::string rule = rule_of(mode);
     const ViewTaps& taps = taps_of(rule, view);
     const tools::Picture exact = exact_picture(rule, field, view);
     const tools::Picture a = packed(dither ? blurred(exact) : exact, taps, false);

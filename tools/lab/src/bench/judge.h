@@ -39,13 +39,13 @@ public:
     // The lattices of `field`; all fields judged must have the same.
     explicit Judge(const Field& field);
 
-    // `drawn` is the picture of `field` from `view` by `mode` and `span`, as draw_on_host names them. Dither is judged
-    // by the picture of linear that it stands for, both blurred over 3 × 3 pixels, as an eye does at a distance.
-    Accuracy judge(const std::string& mode, int span, const Field& field, const View& view,
-                   const tools::Picture& drawn);
+    // `drawn` is the picture of `field` from `view` by `mode`, as draw_on_host names it, whatever the span length:
+    // nearest and voronoi are judged by the points that are nearest by brute force. Dither is judged by the picture of
+    // linear that it stands for, both blurred over 3 × 3 pixels, as an eye does at a distance.
+    Accuracy judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn);
 
 private:
-    // `rule` is a mode, or kCells: nearest as spans decide it.
+    // `rule` is a reconstruction: nearest, linear or paper.
     tools::Picture exact_picture(const std::string& rule, const Field& field, const View& view);
     const ViewTaps& taps_of(const std::string& rule, const View& view);
 

@@ -2,29 +2,10 @@
 #include "lumi/twin/weights.h"
 
 #include <algorithm>
-
-#include "cells.h"
+#include <cmath>
 
 namespace lumi::twin
 {
-namespace
-{
-
-constexpr double kPolarHeight = 21;  // below it spans do not round coordinates
-
-bool near_half(double coordinate, double share)
-{
-    return std::fabs(coordinate - std::floor(coordinate) - 0.5) < share;
-}
-
-uint32_t rounded_index(const CellCoordinates& c, int k)
-{
-    return static_cast<uint32_t>(
-        std::lround(fibonacci(k) * std::floor(c.u + 0.5) + fibonacci(k + 1) * std::floor(c.v + 0.5)));
-}
-
-}  // namespace
-
 Weights sorted_by_distance(const std::vector<Vec3>& all, const Vec3& q, uint32_t count)
 {
     Weights near;
@@ -47,22 +28,6 @@ CellPoint nearest_point(const std::vector<Vec3>& all, const Vec3& q, double bord
     const double apart = length(all[two[0].first] - all[two[1].first]);
     const double from_border = (two[1].second - two[0].second) / (2 * apart);
     return {two[0].first, from_border < border_share * spacing(static_cast<uint32_t>(all.size()))};
-}
-
-CellPoint cell_point(const std::vector<Vec3>& all, const Vec3& q, double border_share)
-{
-    const uint32_t n = static_cast<uint32_t>(all.size());
-    const Place place = place_of(northern(q, n), n);
-    if (place.height < kPolarHeight) return nearest_point(all, q, border_share);
-    const double zone = zone_of(place.height, n);
-    const int k = static_cast<int>(std::floor(zone));
-    const CellCoordinates c = coordinates(place, k);
-    const uint32_t index = rounded_index(c, k);
-    bool uncertain = near_half(c.u, border_share) || near_half(c.v, border_share);
-    for (const int other :
-         {static_cast<int>(std::floor(zone - kZoneShare)), static_cast<int>(std::floor(zone + kZoneShare))})
-        uncertain = uncertain || rounded_index(coordinates(place, other), other) != index;
-    return {q.z < 0 ? n - 1 - index : index, uncertain};
 }
 
 Weights paper_weights(const std::vector<Vec3>& all, const Vec3& q, uint32_t count)

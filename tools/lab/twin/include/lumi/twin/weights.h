@@ -41,10 +41,4 @@ struct CellPoint {
 // By Voronoi cells; uncertain within `border_share` mean point spacings of the cell's border.
 CellPoint nearest_point(const std::vector<Vec3>& all, const Vec3& q, double border_share);
 
-// By rounding the lattice coordinates, as spans do; uncertain within `border_share` of a cell's side, and where the
-// direction lies within kZoneShare of another zone whose cells decide otherwise: a span has one zone. In a pole's cap,
-// nearest_point.
-inline constexpr double kZoneShare = 0.25;
-CellPoint cell_point(const std::vector<Vec3>& all, const Vec3& q, double border_share);
-
 }  // namespace lumi::twin
