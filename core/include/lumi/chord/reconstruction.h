@@ -54,7 +54,8 @@ struct Linear {
     }
 };
 
-// The paper's kernel over the K nearest points of each side: K × K texels a pixel.
+// The paper's kernel over the K nearest points of each side: K × K texels a pixel. Its radius is the paper's, the
+// fall-off of its weights is ours.
 template <uint32_t K = 5>
 struct Paper {
     static_assert(K >= 1 && K <= detail::kMaxNeighbours, "the paper's kernel takes 1 to 9 neighbours a side");
