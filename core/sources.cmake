@@ -39,14 +39,22 @@ set(LUMI_CORE_SOURCES
   src/chord/cut_piece.cpp
   src/chord/stepper.cpp
   src/chord/tile.cpp
+  src/surface/coverage.cpp
   src/surface/fill.cpp
   src/surface/frame.cpp
   src/surface/packed_colour.cpp
+  src/surface/outlines.cpp
+  src/surface/pieces.cpp
   src/surface/planes.cpp
   src/surface/projection.cpp
-  src/surface/rasterize.cpp
+  src/surface/armv6m/rows.S
+  src/surface/armv7m/rows.S
+  src/surface/rows_565.cpp
+  src/surface/rows_565_swapped.cpp
+  src/surface/rows_packed.cpp
   src/surface/silhouette.cpp
   src/surface/split.cpp
+  src/surface/target.cpp
   src/surface/camera.cpp
   src/surface/field.cpp
   src/surface/view_nodes.cpp

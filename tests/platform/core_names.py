@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""core_names.py page | page_self_test | firmware COMPILER... | layouts COMPILER...
+"""core_names.py page | page_self_test | firmware COMPILER... | layouts COMPILER... | modes COMPILER...
 
 Reads the names that core's public headers declare, from the headers themselves.
 
@@ -9,6 +9,7 @@ page_self_test  Plants a missing row, a row too many and a wrong header, and fai
 firmware        A firmware that has a global of its own for every name of namespace lumi::detail, and for every short name
                 that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
                 warnings as errors; then the headers alone, with warnings in them shown.
+modes           Compiles a firmware for each mode of surface fields, and fails where it links what another one takes.
 layouts         Compiles a firmware for each layout, and fails where it includes a header of the other one.
 """
 import collections
@@ -16,6 +17,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = ROOT / "core" / "include"
@@ -273,9 +275,39 @@ def check_layouts(compiler):
     return problems
 
 
+# What a firmware that draws in a mode of surface fields, 5-6-5 pixels, must and must not link: parts of names.
+MODE_SYMBOLS = {
+    "one_sample": (["565_swapped_nearest"], ["outlines", "two_taps", "bilinear", "packed"]),
+    "antialiased": (["mark_outlines", "565_swapped_two_taps"], ["packed"]),
+    "two_by_two": (["packed_nearest", "packed_bilinear", "mark_outlines"], ["packed_two_taps"]),
+}
+
+
+def check_modes(compiler):
+    problems = []
+    for mode, (needed, forbidden) in MODE_SYMBOLS.items():
+        source = f"""#include <lumi/surface/view.h>
+using namespace lumi;
+static View<SurfaceDrawing<100, 100, SurfaceMode::{mode}>, Screen<>> view;
+bool draws(const uint8_t* bytes)
+{{
+    return view.open(bytes, 1) == ViewError::none && view.look(Orbit{{1, 2, 3}}) == ViewError::none &&
+           view.draw({{nullptr, 0, 0, 240, 16, 480}}) == ViewError::none;
+}}
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "firmware.o"
+            subprocess.run([*compiler, "-std=c++17", "-O1", "-c", "-I", str(INCLUDE), "-x", "c++", "-o", str(program), "-"],
+                           input=source, text=True, check=True)
+            symbols = subprocess.run(["nm", program], capture_output=True, text=True, check=True).stdout
+        problems += [f"{mode}: nothing is linked for {name}" for name in needed if name not in symbols]
+        problems += [f"{mode}: {name} is linked" for name in forbidden if name in symbols]
+    return problems
+
+
 def main(arguments):
     checks = {"page": check_page, "page_self_test": page_self_test}
-    compiler_checks = {"firmware": check_firmware, "layouts": check_layouts}
+    compiler_checks = {"firmware": check_firmware, "layouts": check_layouts, "modes": check_modes}
     if len(arguments) == 1 and arguments[0] in checks:
         problems = checks[arguments[0]]()
     elif len(arguments) > 1 and arguments[0] in compiler_checks:

@@ -35,7 +35,8 @@ core/include/lumi/detail: cpp17.h
 core/include/lumi: fixed.h
 core/include/lumi/detail
 core/include/lumi
-core/include/lumi/surface: format.h
+core/include/lumi/surface/detail: hot.h packed_colour.h samples.h
+core/include/lumi/surface: format.h field.h frame.h
 core/include/lumi/surface/detail
 core/include/lumi/surface
 core/include/lumi/chord

@@ -46,6 +46,8 @@ TABLES = {
     "soak": scripts.soak,
     "fuzzing": scripts.fuzzing,
     "attacks": scripts.attacks,
+    "speed steps": scripts.speed_steps,
+    "speed modes": scripts.speed_modes,
     "volumes": scripts.volumes,
     "volume choices": scripts.volume_choices,
     "filter": scripts.filters,

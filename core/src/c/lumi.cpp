@@ -98,7 +98,7 @@ struct Places {
 
 uint32_t samples_bytes(const lumi_screen& s)
 {
-    return (surface_stripe_bytes(s.width_px, s.rows_px, static_cast<SurfaceMode>(s.mode)) + 3) / 4 * 4;
+    return (surface_stripe_bytes<Pixel>(s.width_px, s.rows_px, static_cast<SurfaceMode>(s.mode)) + 3) / 4 * 4;
 }
 
 Places places_of(const SurfaceField& field, const lumi_screen& s)
@@ -136,20 +136,20 @@ void set_memory(lumi_view& view)
 
 ViewError look_at(lumi_view& view, const Pose& pose, const Image& image)
 {
-    return detail::look_at_surface<Pixel>(view.field, pose, image, static_cast<SurfaceMode>(view.screen.mode),
-                                          view.memory, view.frame);
+    return detail::look_at_surface<Pixel, SurfaceMode::two_by_two>(
+        view.field, pose, image, static_cast<SurfaceMode>(view.screen.mode), view.memory, view.frame);
 }
 
 ViewError draw_part(const lumi_view& view, const Stripe& stripe, const detail::StripePart& part)
 {
-    const ViewError error = detail::check_samples(view.frame, part, view.samples_bytes);
+    const ViewError error = detail::check_samples<Pixel>(view.frame, part, view.samples_bytes);
     if (error == ViewError::none) render_surface<Pixel>(view.frame, LUMI_C_BACKGROUND, stripe, view.samples);
     return error;
 }
 
 ViewError draw_coverage_of_part(const lumi_view& view, const Stripe& coverage, const detail::StripePart& part)
 {
-    const ViewError error = detail::check_samples(view.frame, part, view.samples_bytes);
+    const ViewError error = detail::check_samples<Pixel>(view.frame, part, view.samples_bytes);
     if (error == ViewError::none) render_coverage(view.frame, coverage, view.samples);
     return error;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lists of triangles in SurfaceMemory: a band holds the first triangle of those that begin in its scanlines, a link the
-// next after each, the last one itself. A link's upper bits tell how many bands further a triangle reaches.
+// Lists of triangles in SurfaceMemory: a band has kBandLists of them, by depth. A list holds the first triangle of
+// those that begin in the band's scanlines, a link the next after each, the last one itself. A link's upper bits tell
+// how many bands further a triangle reaches.
 #pragma once
 
 #include "lumi/surface/frame.h"
@@ -16,15 +17,21 @@ inline constexpr uint32_t kLinkBits = 13;
 inline constexpr uint32_t kLinkMask = (uint32_t{1} << kLinkBits) - 1;
 inline constexpr int32_t kBandReach = 7;  // a triangle's bands, at most; 8 would make a link look like those
 
-// Bits of triangles that have a side on an outline, after the links.
+// The list of a band for triangles so near, below kBandLists.
+constexpr uint32_t list_of(uint32_t band, uint32_t nearness)
+{
+    return band * kBandLists + nearness;
+}
+
+// Four bits a triangle, after the links: its sides that are outlines.
 inline uint16_t* outline_bits(const SurfaceFrame& frame)
 {
     return frame.memory.links + 2 * frame.field.patch_count;
 }
 
-inline bool has_outline(const SurfaceFrame& frame, uint32_t triangle)
+inline uint32_t outline_sides(const SurfaceFrame& frame, uint32_t triangle)
 {
-    return ((outline_bits(frame)[triangle >> 4] >> (triangle & 15)) & 1) != 0;
+    return outline_bits(frame)[triangle >> 2] >> (4 * (triangle & 3)) & 15u;
 }
 
 }  // namespace lumi::detail

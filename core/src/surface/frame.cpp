@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A frame's vertices and lists of triangles.
 #include "lumi/surface/detail/view_nodes.h"
-#include "lumi/surface/render.h"
+#include "surface/extremes.h"
 #include "surface/projection.h"
 #include "surface/sides.h"
 
@@ -50,21 +50,11 @@ uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
     return packed_fields((r * gain + 2048) >> 12, (g * gain + 2048) >> 12, (b * gain + 2048) >> 12);
 }
 
-LUMI_ALWAYS_INLINE void light(const SurfaceFrame& frame, uint32_t vertex)
+LUMI_ALWAYS_INLINE void light(const SurfaceFrame& frame, const SurfaceVertex* v)
 {
-    SurfaceVertex& v = frame.memory.vertices[vertex];
-    if (v.colour == kUnlit) v.colour = lit_colour(frame, vertex);
-}
-
-LUMI_ALWAYS_INLINE int32_t least_of(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a < b ? a : b;
-    return ab < c ? ab : c;
-}
-LUMI_ALWAYS_INLINE int32_t most_of(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a > b ? a : b;
-    return ab > c ? ab : c;
+    if (v->colour != kUnlit) return;
+    const uint32_t vertex = static_cast<uint32_t>(v - frame.memory.vertices);
+    frame.memory.vertices[vertex].colour = lit_colour(frame, vertex);
 }
 
 // Puts a triangle before the others of a list.
@@ -87,17 +77,11 @@ struct Seen {
     int32_t right_q6() const { return most_of(a->x, b->x, c->x) >> 8; }
 };
 
-// Whether the outside is seen, or any side of a two-sided mesh.
-LUMI_ALWAYS_INLINE bool faces_eye(const SurfaceFrame& frame, const Seen& s)
+// Twice an area's sign, as that of doubled_area (planes.h), where 32 bits do not hold it.
+__attribute__((noinline)) int32_t wide_sign(int32_t ax, int32_t by, int32_t bx, int32_t ay)
 {
-    const int32_t abx = (s.b->x >> 8) - (s.a->x >> 8), aby = (s.b->y >> 8) - (s.a->y >> 8);
-    const int32_t acx = (s.c->x >> 8) - (s.a->x >> 8), acy = (s.c->y >> 8) - (s.a->y >> 8);
-    if (frame.is_narrow) {
-        const int32_t area = abx * acy - acx * aby;
-        return area < 0 || (area > 0 && frame.field.two_sided);
-    }
-    const int64_t area = wide_product(abx, acy) - wide_product(acx, aby);
-    return area < 0 || (area > 0 && frame.field.two_sided);
+    const int64_t area = wide_product(ax, by) - wide_product(bx, ay);
+    return area < 0 ? -1 : area > 0 ? 1 : 0;
 }
 
 bool has_curved_edge(const SurfaceFrame& frame, const Seen& s)
@@ -119,39 +103,53 @@ public:
     {
     }
 
-    __attribute__((noinline)) void add(uint32_t triangle, uint32_t a, uint32_t b, uint32_t c)
+    // The triangles (a, b, c) and (d, c, b) of a patch.
+    LUMI_ALWAYS_INLINE void add(uint32_t patch, const uint32_t (&corner)[4])
     {
         const SurfaceVertex* v = frame_.memory.vertices;
-        const Seen s = {v + a, v + b, v + c};
-        uint16_t& link = frame_.memory.links[triangle];
-        if (!frame_.is_whole && !s.are_there()) {
-            put(frame_, frame_.other_list, triangle, 0);
-        } else if (!faces_eye(frame_, s)) {
-            link = kTurnedAway;
-            return;
-        } else if (!list(triangle, s)) {
-            link = kWithoutSamples;
-            return;
-        }
-        light(frame_, a);
-        light(frame_, b);
-        light(frame_, c);
+        const SurfaceVertex &b = v[corner[1]], &c = v[corner[2]];
+        const int32_t x = x_q6(b), y = y_q6(b), across = x_q6(c) - x, down = y_q6(c) - y;
+        const auto area_with = [&](const SurfaceVertex& other) {
+            const int32_t right = x_q6(other) - x, below = y_q6(other) - y;
+            return frame_.is_narrow ? across * below - right * down : wide_sign(across, below, right, down);
+        };
+        add(2 * patch, area_with(v[corner[0]]), {&v[corner[0]], &b, &c});
+        if (corner[3] != format::kNoVertex)
+            add(2 * patch + 1, -area_with(v[corner[3]]), {&v[corner[3]], &c, &b});
+        else
+            frame_.memory.links[2 * patch + 1] = kTurnedAway;
     }
 
 private:
+    LUMI_ALWAYS_INLINE void add(uint32_t triangle, int32_t area, const Seen& s)
+    {
+        if (!frame_.is_whole && !s.are_there())
+            put(frame_, frame_.other_list, triangle, 0);
+        else if (area == 0 || (area > 0 && !frame_.field.two_sided))
+            return void(frame_.memory.links[triangle] = kTurnedAway);
+        else if (!list(triangle, s))
+            return void(frame_.memory.links[triangle] = kWithoutSamples);
+        light(frame_, s.a);
+        light(frame_, s.b);
+        light(frame_, s.c);
+    }
+
     // False if it lies beside the image or between the scanlines.
-    LUMI_ALWAYS_INLINE bool list(uint32_t triangle, const Seen& s)
+    __attribute__((noinline)) bool list(uint32_t triangle, const Seen& s)
     {
         const int32_t upper_q6 = s.upper_q6(), lower_q6 = s.lower_q6(), left_q6 = s.left_q6(), right_q6 = s.right_q6();
         const int32_t first = line_from(upper_q6), last = line_from(lower_q6);
         const int32_t begin = first > 0 ? first : 0, end = last < scanlines_ ? last : scanlines_;
         if (begin >= end || right_q6 < 0 || left_q6 > right_q6_) return false;
         const bool is_small = lower_q6 - upper_q6 < kSmallQ6 && right_q6 - left_q6 < kSmallQ6;
-        const uint32_t band = static_cast<uint32_t>(begin) >> band_log2_;
-        const int32_t reach = static_cast<int32_t>((static_cast<uint32_t>(end - 1) >> band_log2_) - band);
+        const uint32_t band = static_cast<uint32_t>(begin + frame_.margin) >> band_log2_;
+        const uint32_t last_band = static_cast<uint32_t>(end - 1 + frame_.margin) >> band_log2_;
+        const int32_t reach = static_cast<int32_t>(last_band - band);
         const bool is_listed = is_small && reach < kBandReach &&
                                (frame_.projection.curved_from == UINT32_MAX || !has_curved_edge(frame_, s));
-        put(frame_, is_listed ? band : frame_.other_list, triangle, is_listed ? reach : 0);
+        const uint32_t nearness = static_cast<uint32_t>(s.a->y & 0xFF) * kBandLists >> 8;
+        if (is_listed && reach > frame_.reach) frame_.reach = reach;
+        put(frame_, is_listed ? list_of(band, nearness) : frame_.other_list, triangle, is_listed ? reach : 0);
         return true;
     }
 
@@ -202,24 +200,7 @@ void put_triangles(SurfaceFrame& frame)
     Lister lister(frame);
     for (uint32_t k = 0; k < frame.field.patch_count; ++k) {
         const SurfacePatch patch = surface_patch(frame.field, k);
-        const uint32_t* corner = patch.corner;
-        lister.add(2 * k, corner[0], corner[1], corner[2]);
-        if (corner[3] != format::kNoVertex)
-            lister.add(2 * k + 1, corner[3], corner[2], corner[1]);
-        else
-            frame.memory.links[2 * k + 1] = kTurnedAway;
-    }
-}
-
-void put_outlines(const SurfaceFrame& frame)
-{
-    uint16_t* const bits = outline_bits(frame);
-    for (uint32_t k = 0; k < 2 * frame.field.patch_count; ++k) {
-        if ((k & 15) == 0) bits[k >> 4] = 0;
-        if (frame.memory.links[k] >= kWithoutSamples) continue;
-        const Sides s = sides_of(frame.field, surface_patch(frame.field, k >> 1), k);
-        if (is_outline(frame, s.side[0]) || is_outline(frame, s.side[1]) || is_outline(frame, s.side[2]))
-            bits[k >> 4] = static_cast<uint16_t>(bits[k >> 4] | 1u << (k & 15));
+        lister.add(k, patch.corner);
     }
 }
 
@@ -234,13 +215,28 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     out.height_px = camera.height_px;
     out.mode = mode;
     out.samples_log2 = mode == SurfaceMode::two_by_two ? 1 : 0;
+    out.margin = mode == SurfaceMode::antialiased && field.neighbours != nullptr ? 1 : 0;
     out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
     for (uint32_t k = 0; k <= out.other_list; ++k) memory.bands[k] = kEmptyBand;
+    out.reach = 0;
     out.columns = out.scanlines = {0, 0};
     if (!set_projection(camera, out)) return;
     put_vertices(out);
     put_triangles(out);
-    if (blends_outlines(out)) put_outlines(out);
+}
+
+void put_outlines(SurfaceFrame& frame)
+{
+    uint16_t* const bits = outline_bits(frame);
+    for (uint32_t triangle = 0; triangle < 2 * frame.field.patch_count; ++triangle) {
+        if ((triangle & 3) == 0) bits[triangle >> 2] = 0;
+        if (frame.memory.links[triangle] >= kWithoutSamples) continue;
+        const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
+        uint32_t sides = 0;
+        for (uint32_t k = 0; k < 3; ++k)
+            if (is_outline(frame, side_of(frame.field, patch, triangle, k))) sides |= 1u << k;
+        bits[triangle >> 2] = static_cast<uint16_t>(bits[triangle >> 2] | sides << (4 * (triangle & 3)));
+    }
 }
 
 }  // namespace lumi::detail

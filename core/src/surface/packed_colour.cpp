@@ -41,10 +41,10 @@ LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour bla
     return packed_colour(4 * root_of(r >> 2), 4 * root_of(g >> 2), 4 * root_of(b >> 2)) + black;
 }
 
-LUMI_HOT PackedColour clamped(PackedColour sum)
+LUMI_HOT PackedColour lumi_clamped(PackedColour sum)
 {
     sum = clamped_field(sum, 0x80000000, 0x7FE00000);
-    sum = clamped_field(sum, 0x00100000, 0x000FFC00);
+    sum = clamped_field(sum, 0x00100000, 0x000FF800);
     return clamped_field(sum, 0x00000200, 0x000001FF);
 }
 

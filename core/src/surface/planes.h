@@ -4,6 +4,9 @@
 
 #include "surface/fill.h"
 
+// Formats of planes: depth Q16; place v and u, 6 bits and 10 of fraction each; colour PackedColour, whose steps are
+// rounded to its last bit.
+
 namespace lumi::detail
 {
 
@@ -13,30 +16,24 @@ struct Plane {
     uint32_t value, right, down;
 };
 
-struct Planes {
-    Plane depth;   // Q14
-    Plane place;   // v, u: 6 bits and 10 of fraction each
-    Plane colour;  // PackedColour; steps are rounded to its last bit
-};
-
 // Whether neither coordinate of a texture changes by more than `most_q10` from sample to sample.
-LUMI_ALWAYS_INLINE bool is_magnified(const Plane& place, int32_t most_q10)
+LUMI_ALWAYS_INLINE bool is_magnified(uint32_t right, uint32_t down, int32_t most_q10)
 {
     const auto fits = [&](uint32_t step) {
         const int32_t u = static_cast<int16_t>(step);
         const int32_t v = static_cast<int32_t>(step - static_cast<uint32_t>(u)) >> 16;
         return u <= most_q10 && u >= -most_q10 && v <= most_q10 && v >= -most_q10;
     };
-    return fits(place.right) && fits(place.down);
+    return fits(right) && fits(down);
 }
 
 struct Length {
     int32_t x_q6, y_q6;
 };
 
-LUMI_ALWAYS_INLINE Length between(const SamplePoint& from, const SamplePoint& to)
+LUMI_ALWAYS_INLINE Length between(const SurfaceVertex& from, const SurfaceVertex& to)
 {
-    return {to.x_q6 - from.x_q6, to.y_q6 - from.y_q6};
+    return {x_q6(to) - x_q6(from), y_q6(to) - y_q6(from)};
 }
 
 // Twice the area, Q12; negative where the corners run counter-clockwise on the screen. Of small triangles.
@@ -71,10 +68,10 @@ LUMI_ALWAYS_INLINE int32_t extent(const Length& e)
     return x > y ? x : y;
 }
 
-LUMI_ALWAYS_INLINE Shares shares_of(Facing& f, uint32_t area)
+// `longer_q6`: the longer side of the box around the triangle.
+LUMI_ALWAYS_INLINE Shares shares_of(Facing& f, uint32_t area, int32_t longer_q6)
 {
-    const int32_t of_b = extent(f.ab), of_c = extent(f.ac), longer = of_b > of_c ? of_b : of_c;
-    if (area < static_cast<uint32_t>(longer) * 96) return shares_of_sliver(f);
+    if (area < static_cast<uint32_t>(longer_q6) * 96) return shares_of_sliver(f);
     const Reciprocal r = reciprocal(area);
     return {-over_area(f.ac.y_q6, r), over_area(f.ac.x_q6, r), over_area(f.ab.y_q6, r), -over_area(f.ab.x_q6, r)};
 }
@@ -83,24 +80,24 @@ LUMI_ALWAYS_INLINE Shares shares_of(Facing& f, uint32_t area)
 class PlaneMaker
 {
 public:
-    LUMI_ALWAYS_INLINE PlaneMaker(const Facing& f, const Shares& shares, int32_t left, int32_t scanline)
+    LUMI_ALWAYS_INLINE PlaneMaker(const Facing& f, const Shares& shares, int32_t left, int32_t row)
         : a_(*f.a), b_(*f.b), c_(*f.c), shares_(shares)
     {
-        const int32_t column = (a_.point.x_q6 + (f.ab.x_q6 + f.ac.x_q6) / 4) >> 6;
-        const int32_t middle = (a_.point.y_q6 + (f.ab.y_q6 + f.ac.y_q6) / 4) >> 6;
-        x_q6_ = column * 64 + 32 - a_.point.x_q6;
-        y_q6_ = middle * 64 + 32 - a_.point.y_q6;
+        const int32_t ax_q6 = x_q6(*a_.at), ay_q6 = y_q6(*a_.at);
+        const int32_t column = (ax_q6 + (f.ab.x_q6 + f.ac.x_q6) / 4) >> 6;
+        const int32_t middle = (ay_q6 + (f.ab.y_q6 + f.ac.y_q6) / 4) >> 6;
+        x_q6_ = column * 64 + 32 - ax_q6;
+        y_q6_ = middle * 64 + 32 - ay_q6;
         columns_ = static_cast<uint32_t>(left - column);
-        scanlines_ = static_cast<uint32_t>(scanline - middle);
+        rows_ = static_cast<uint32_t>(row - middle);
     }
 
     LUMI_ALWAYS_INLINE Plane depth() const
     {
-        const uint32_t to_b = b_.point.depth - a_.point.depth, to_c = c_.point.depth - a_.point.depth;
-        const int32_t right = slope(to_b, to_c, &Shares::b_right, &Shares::c_right) >> 2;
-        const int32_t down = slope(to_b, to_c, &Shares::b_down, &Shares::c_down) >> 2;
-        const uint32_t middle = (a_.point.depth << 14) +
-                                static_cast<uint32_t>(right >> 6) * static_cast<uint32_t>(x_q6_) +
+        const uint32_t from = depth_of(*a_.at), to_b = depth_of(*b_.at) - from, to_c = depth_of(*c_.at) - from;
+        const int32_t right = slope(to_b, to_c, &Shares::b_right, &Shares::c_right);
+        const int32_t down = slope(to_b, to_c, &Shares::b_down, &Shares::c_down);
+        const uint32_t middle = (from << 16) + static_cast<uint32_t>(right >> 6) * static_cast<uint32_t>(x_q6_) +
                                 static_cast<uint32_t>(down >> 6) * static_cast<uint32_t>(y_q6_);
         return plane(middle, static_cast<uint32_t>(right), static_cast<uint32_t>(down));
     }
@@ -113,9 +110,16 @@ public:
 
     LUMI_ALWAYS_INLINE Plane colour() const
     {
-        const Channel r = channel(red_q2), g = channel(green_q2), b = channel(blue_q2);
-        return plane(packed_difference(r.middle, g.middle, b.middle), packed_difference(r.right, g.right, b.right),
-                     packed_difference(r.down, g.down, b.down));
+        const uint32_t a = a_.at->colour, b = b_.at->colour, c = c_.at->colour;
+        // Fields of PackedColour have two bits of fraction for green, and one for red and blue.
+        const Channel red = channel(red_q2(a), red_q2(b), red_q2(c), 1);
+        const Channel green = channel(green_q2(a), green_q2(b), green_q2(c), 0);
+        const Channel blue = channel(blue_q2(a), blue_q2(b), blue_q2(c), 1);
+        const auto fields = [&](int32_t Channel::*k) {
+            return (static_cast<uint32_t>(green.*k) << 21) + (static_cast<uint32_t>(red.*k) << 11) +
+                   static_cast<uint32_t>(blue.*k);
+        };
+        return plane(fields(&Channel::middle), fields(&Channel::right), fields(&Channel::down));
     }
 
 private:
@@ -123,7 +127,7 @@ private:
         uint32_t middle, right, down;  // Q10
     };
     struct Channel {
-        int32_t middle, right, down;  // Q2
+        int32_t middle, right, down;
     };
 
     // Modulo 2^32.
@@ -135,7 +139,7 @@ private:
 
     LUMI_ALWAYS_INLINE Plane plane(uint32_t middle, uint32_t right, uint32_t down) const
     {
-        return {middle + columns_ * right + scanlines_ * down, right, down};
+        return {middle + columns_ * right + rows_ * down, right, down};
     }
 
     LUMI_ALWAYS_INLINE Coordinate coordinate(int32_t a, int32_t b, int32_t c) const
@@ -147,21 +151,20 @@ private:
                 static_cast<uint32_t>(down)};
     }
 
-    LUMI_ALWAYS_INLINE Channel channel(int32_t (*of)(uint32_t)) const
+    // Of levels times 4; rounded to 2 bits of fraction less `drop`.
+    LUMI_ALWAYS_INLINE Channel channel(int32_t a, int32_t b, int32_t c, int drop) const
     {
-        const int32_t from = of(a_.colour);
-        const uint32_t of_b = static_cast<uint32_t>(of(b_.colour) - from),
-                       of_c = static_cast<uint32_t>(of(c_.colour) - from);
+        const uint32_t of_b = static_cast<uint32_t>(b - a), of_c = static_cast<uint32_t>(c - a);
         const int32_t right = slope(of_b, of_c, &Shares::b_right, &Shares::c_right);
         const int32_t down = slope(of_b, of_c, &Shares::b_down, &Shares::c_down);
-        return {from + (((right >> 11) * x_q6_ + (down >> 11) * y_q6_) >> 11), (right + (1 << 15)) >> 16,
-                (down + (1 << 15)) >> 16};
+        const int32_t half = 1 << (15 + drop), to_sample = ((right >> 11) * x_q6_ + (down >> 11) * y_q6_) >> 11;
+        return {(a + to_sample + drop) >> drop, (right + half) >> (16 + drop), (down + half) >> (16 + drop)};
     }
 
     const Corner &a_, &b_, &c_;
     const Shares shares_;
-    int32_t x_q6_, y_q6_;           // from the corner a to the sample
-    uint32_t columns_, scanlines_;  // from the sample to column 0 of the first scanline
+    int32_t x_q6_, y_q6_;      // from the corner a to the sample
+    uint32_t columns_, rows_;  // from the sample to column 0 of the first row
 };
 
 }  // namespace lumi::detail

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lumi/detail/register_hints.h"
-#include "lumi/surface/frame.h"
+#include "lumi/surface/detail/pieces.h"
 #include "math/reciprocal.h"
 
 namespace lumi::detail
@@ -18,11 +18,6 @@ inline constexpr int32_t kNearPlaneShift = 8;
 struct SamplePoint {
     int32_t x_q6, y_q6;
     uint32_t depth;
-};
-
-// A point before the division by its depth, formats of SurfaceProjection.
-struct ViewPoint {
-    int32_t x, y, z;
 };
 
 LUMI_ALWAYS_INLINE int32_t axis_sum(const SurfaceProjection& p, int k, const VertexQ14& v)
@@ -58,9 +53,22 @@ LUMI_ALWAYS_INLINE SurfaceVertex packed(const SamplePoint& p, uint32_t colour)
             static_cast<int32_t>(static_cast<uint32_t>(p.y_q6) << 8 | p.depth >> 8), colour};
 }
 
+LUMI_ALWAYS_INLINE int32_t x_q6(const SurfaceVertex& v)
+{
+    return v.x >> 8;
+}
+LUMI_ALWAYS_INLINE int32_t y_q6(const SurfaceVertex& v)
+{
+    return v.y >> 8;
+}
+LUMI_ALWAYS_INLINE uint32_t depth_of(const SurfaceVertex& v)
+{
+    return static_cast<uint32_t>(v.x & 0xFF) | static_cast<uint32_t>(v.y & 0xFF) << 8;
+}
+
 LUMI_ALWAYS_INLINE SamplePoint unpacked(const SurfaceVertex& v)
 {
-    return {v.x >> 8, v.y >> 8, static_cast<uint32_t>(v.x & 0xFF) | static_cast<uint32_t>(v.y & 0xFF) << 8};
+    return {x_q6(v), y_q6(v), depth_of(v)};
 }
 
 // A vertex's depth is 0 or at least kFarDepth, so its upper byte alone tells.

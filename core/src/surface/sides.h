@@ -2,6 +2,7 @@
 // The sides of a triangle of a surface field, and which of them are outlines.
 #pragma once
 
+#include "lumi/detail/register_hints.h"
 #include "surface/bands.h"
 
 namespace lumi::detail
@@ -12,18 +13,19 @@ struct Side {
     uint32_t from, to, neighbour;
 };
 
-struct Sides {
-    Side side[3];
-};
-
-inline Sides sides_of(const SurfaceField& field, const SurfacePatch& patch, uint32_t triangle)
+// One of a triangle's three.
+LUMI_ALWAYS_INLINE Side side_of(const SurfaceField& field, const SurfacePatch& patch, uint32_t triangle, uint32_t k)
 {
+    constexpr uint8_t kCorners[2][3][2] = {{{0, 1}, {2, 0}, {1, 2}}, {{3, 2}, {1, 3}, {2, 1}}};
     const uint8_t* p = field.neighbours + (triangle >> 1) * format::kNeighbourBytes;
-    const auto across = [&](int k) { return static_cast<uint32_t>(p[2 * k] | p[2 * k + 1] << 8); };
-    const uint32_t *v = patch.corner, other = triangle ^ 1;
-    if ((triangle & 1) != 0) return {{{v[3], v[2], across(2)}, {v[1], v[3], across(3)}, {v[2], v[1], other}}};
-    const uint32_t beyond = v[3] == format::kNoVertex ? across(2) : other;
-    return {{{v[0], v[1], across(0)}, {v[2], v[0], across(1)}, {v[1], v[2], beyond}}};
+    const auto across = [&](uint32_t n) { return static_cast<uint32_t>(p[2 * n] | p[2 * n + 1] << 8); };
+    const uint32_t odd = triangle & 1;
+    const uint8_t* ends = kCorners[odd][k];
+    const bool is_alone = patch.corner[3] == format::kNoVertex;
+    return {patch.corner[ends[0]], patch.corner[ends[1]],
+            k < 2      ? across(2 * odd + k)
+            : is_alone ? across(2)
+                       : triangle ^ 1};
 }
 
 // Whether nothing that faces the eye lies across. After all triangles are listed.

@@ -6,14 +6,7 @@ namespace lumi::detail
 namespace
 {
 
-constexpr int kWholeLog2 = 16;
-constexpr int32_t kWhole = 1 << kWholeLog2;
-constexpr int kMostParts = 3 * kWholeLog2;
-
-// A point of the triangle: shares of the corners b and c in kWhole, a has the rest.
-struct Share {
-    int32_t b, c;
-};
+constexpr int32_t kWhole = 1 << Parts::kWholeLog2;
 
 Share middle(const Share& p, const Share& q)
 {
@@ -26,50 +19,46 @@ bool can_be_halved(const Share& p, const Share& q)
     return ((p.b ^ q.b) & 1) == 0 && ((p.c ^ q.c) & 1) == 0;
 }
 
-struct Part {
-    Share corner[3];
-};
-
-class Parts
+class Splitter
 {
 public:
-    Parts(const SurfaceFrame& frame, const MeshTriangle& triangle, const Target& target)
-        : frame_(frame), triangle_(triangle), target_(target)
+    Splitter(Parts& parts, const SurfaceFrame& frame, const Target& target)
+        : parts_(parts), frame_(frame), target_(target)
     {
-        for (int k = 0; k < 3; ++k)
-            view_[k] = view_point(frame.projection, surface_vertex(frame.field, triangle.vertex[k]));
     }
 
-    void fill()
+    bool next(Corner (&corner)[3])
     {
-        pending_[count_++] = {{{0, 0}, {kWhole, 0}, {0, kWhole}}};
-        while (count_ != 0) {
-            const Part part = pending_[--count_];
-            fill(part);
+        while (parts_.count != 0) {
+            const Part part = parts_.pending[--parts_.count];
+            if (is_ready(part, corner)) return true;
         }
+        return false;
     }
 
 private:
-    struct Corners {
+    // Sets the corners of a part that can be drawn as a whole, or halves it, or drops it.
+    bool is_ready(const Part& part, Corner (&corner)[3])
+    {
         ViewPoint view[3];
         SamplePoint point[3];
-    };
-
-    void fill(const Part& part)
-    {
-        Corners c;
         for (int k = 0; k < 3; ++k) {
-            c.view[k] = view_at(part.corner[k]);
-            c.point[k] = projected(frame_.projection, c.view[k]);
+            view[k] = view_at(part.corner[k]);
+            point[k] = projected(frame_.projection, view[k]);
         }
-        if (is_beside(c.view)) return;
+        if (is_beside(view)) return false;
         for (int k = 0; k < 3; ++k) {
             const int next = k == 2 ? 0 : k + 1;
-            if (is_whole(c.point[k], c.point[next])) continue;
-            return halve(part, k, next, 3 - k - next);
+            if (is_whole(point[k], point[next])) continue;
+            halve(part, k, next, 3 - k - next);
+            return false;
         }
-        fill_triangle(corner(part.corner[0], c.point[0]), corner(part.corner[1], c.point[1]),
-                      corner(part.corner[2], c.point[2]), frame_.field.two_sided, triangle_.texture, target_);
+        for (int k = 0; k < 3; ++k) {
+            const Share& s = part.corner[k];
+            parts_.corner[k] = packed(point[k], colour(s));
+            corner[k] = {&parts_.corner[k], mixed_of(s, parts_.u_q8), mixed_of(s, parts_.v_q8)};
+        }
+        return true;
     }
 
     // Whether an edge can be drawn as it is.
@@ -83,44 +72,47 @@ private:
     void halve(const Part& part, int from, int to, int opposite)
     {
         const Share a = part.corner[from], b = part.corner[to], c = part.corner[opposite];
-        if (!can_be_halved(a, b) || count_ + 2 > kMostParts) return;
+        if (!can_be_halved(a, b) || parts_.count + 2 > Parts::kMost) return;
         const Share m = middle(a, b);
-        pending_[count_++] = {{m, c, a}};
-        pending_[count_++] = {{b, c, m}};
+        parts_.pending[parts_.count++] = {{m, c, a}};
+        parts_.pending[parts_.count++] = {{b, c, m}};
         // Both wind as (a, b, c) does: (a, m, c) and (m, b, c), turned.
     }
 
     __attribute__((noinline)) static int64_t mixed(const Share& s, int64_t a, int64_t b, int64_t c)
     {
-        return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> kWholeLog2;
+        return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> Parts::kWholeLog2;
     }
 
     __attribute__((noinline)) ViewPoint view_at(const Share& s) const
     {
         const auto at = [&](int32_t ViewPoint::*k) {
-            return static_cast<int32_t>(mixed(s, view_[0].*k, view_[1].*k, view_[2].*k));
+            return static_cast<int32_t>(mixed(s, parts_.view[0].*k, parts_.view[1].*k, parts_.view[2].*k));
         };
         return {at(&ViewPoint::x), at(&ViewPoint::y), at(&ViewPoint::z)};
     }
 
-    Corner corner(const Share& s, const SamplePoint& point) const
+    static int32_t mixed_of(const Share& s, const int32_t (&q)[3])
     {
-        const auto of = [&](const int32_t(&q)[3]) { return static_cast<int32_t>(mixed(s, q[0], q[1], q[2])); };
+        return static_cast<int32_t>(mixed(s, q[0], q[1], q[2]));
+    }
+
+    uint32_t colour(const Share& s) const
+    {
         const SurfaceVertex* v = frame_.memory.vertices;
-        const uint32_t *k = triangle_.vertex, a = v[k[0]].colour, b = v[k[1]].colour, c = v[k[2]].colour;
+        const uint32_t *k = parts_.vertex, a = v[k[0]].colour, b = v[k[1]].colour, c = v[k[2]].colour;
         const auto field = [&](int32_t (*channel)(uint32_t)) {
             return static_cast<uint32_t>(mixed(s, channel(a), channel(b), channel(c))) & 0x3FF;
         };
-        return {point, of(triangle_.u_q8), of(triangle_.v_q8),
-                field(red_q2) << 22 | field(green_q2) << 12 | field(blue_q2) << 2};
+        return field(red_q2) << 22 | field(green_q2) << 12 | field(blue_q2) << 2;
     }
 
     // Whether all corners lie beyond one of the target's sides, or nearer than the near plane.
     __attribute__((noinline)) bool is_beside(const ViewPoint (&v)[3]) const
     {
         const SurfaceProjection& p = frame_.projection;
-        const int32_t left = target_.x, right = target_.x + target_.width;
-        const int32_t top = target_.y, bottom = target_.y + target_.height;
+        const int32_t left = target_.x, right = target_.x + target_.rows.width;
+        const int32_t top = target_.y, bottom = target_.y + target_.rows.height;
         return is_beyond(v, &ViewPoint::x, p.centre_x_q6 - 64 * left, -1) ||
                is_beyond(v, &ViewPoint::x, p.centre_x_q6 - 64 * right, 1) ||
                is_beyond(v, &ViewPoint::y, p.centre_y_q6 - 64 * top, -1) ||
@@ -149,19 +141,24 @@ private:
         return (v < -most ? -most : v < most ? v : most) * (int64_t{1} << left);
     }
 
+    Parts& parts_;
     const SurfaceFrame& frame_;
-    const MeshTriangle& triangle_;
     const Target& target_;
-    ViewPoint view_[3];
-    Part pending_[kMostParts];
-    int count_ = 0;
 };
 
 }  // namespace
 
-void fill_in_parts(const SurfaceFrame& frame, const MeshTriangle& triangle, const Target& target)
+void begin_parts(Parts& parts, const SurfaceFrame& frame)
 {
-    Parts(frame, triangle, target).fill();
+    for (int k = 0; k < 3; ++k)
+        parts.view[k] = view_point(frame.projection, surface_vertex(frame.field, parts.vertex[k]));
+    parts.pending[0] = {{{0, 0}, {kWhole, 0}, {0, kWhole}}};
+    parts.count = 1;
+}
+
+bool next_part(Parts& parts, const SurfaceFrame& frame, const Target& target, Corner (&corner)[3])
+{
+    return Splitter(parts, frame, target).next(corner);
 }
 
 }  // namespace lumi::detail

@@ -9,6 +9,8 @@ namespace
 
 using Pixel = LUMI_BENCH_PIXEL;
 
+using OneSample = detail::OneSampleOf<Pixel>::Type;
+
 constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
 
 SurfaceFrame frame;
@@ -29,13 +31,24 @@ void prepare_alone(const SurfaceField& field, const SurfaceView& view)
 void fill_alone(int32_t width_px, bool with_outlines)
 {
     SurfaceFrame filled = frame;
-    if (!with_outlines) filled.field.neighbours = nullptr;
-    const int32_t margin = detail::blends_outlines(filled) ? 1 : 0;
+    if (!with_outlines) filled.margin = 0;
+    const bool are_pixels = filled.samples_are_pixels;
     for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeHeight) {
-        const int32_t top = y - margin < 0 ? 0 : y - margin, end = y + kSurfaceStripeHeight + margin;
-        const int32_t rows = (end < kSidePx ? end : kSidePx) - top;
-        const uint32_t count = static_cast<uint32_t>(width_px * rows) << (2 * frame.samples_log2);
-        detail::rasterize(filled, {0, top, width_px, rows}, reinterpret_cast<uint16_t*>(samples + count), samples);
+        const Stripe stripe = {nullptr, 0, y, kSidePx, kSurfaceStripeHeight, kStrideBytes};
+        detail::DrawnPart part = detail::drawn_part(filled, stripe);
+        if (part.is_empty()) continue;
+        if (width_px == 0) part.rect.width_px = 0;
+        const detail::SampleRows rows = detail::samples_of(filled, part, are_pixels, samples);
+        if (are_pixels)
+            detail::clear_pixels(rows, 0);
+        else
+            detail::clear_depths(rows);
+        const detail::Target target = detail::target_of(filled, part, rows);
+        const detail::StripeSamples of_stripe = {filled, rows, part, stripe};
+        if (filled.mode == SurfaceMode::two_by_two)
+            detail::FourSamples<Pixel>{of_stripe}.template draw<SurfaceMode::two_by_two>(target);
+        else
+            OneSample{of_stripe}.template draw<SurfaceMode::two_by_two>(target);
     }
 }
 

@@ -26,11 +26,13 @@ TEST_CASE("a texture's steps of any size tell whether it is magnified")
         for (int32_t v = kLeast; v <= kMost; ++v) {
             const auto fits = [](int32_t step) { return -kMagnified <= step && step <= kMagnified; };
             const bool expected = fits(other) && fits(v);
-            const auto is_wrong = [&](const Plane& place) { return is_magnified(place, kMagnified) != expected; };
-            wrong += is_wrong({0, both(other, v), 0}) ? 1u : 0u;
-            wrong += is_wrong({0, both(v, other), 0}) ? 1u : 0u;
-            wrong += is_wrong({0, 0, both(other, v)}) ? 1u : 0u;
-            wrong += is_wrong({0, 0, both(v, other)}) ? 1u : 0u;
+            const auto is_wrong = [&](uint32_t right, uint32_t down) {
+                return is_magnified(right, down, kMagnified) != expected;
+            };
+            wrong += is_wrong(both(other, v), 0) ? 1u : 0u;
+            wrong += is_wrong(both(v, other), 0) ? 1u : 0u;
+            wrong += is_wrong(0, both(other, v)) ? 1u : 0u;
+            wrong += is_wrong(0, both(v, other)) ? 1u : 0u;
         }
     }
     CHECK(wrong == 0);

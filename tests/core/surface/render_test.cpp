@@ -39,6 +39,33 @@ TestSurface plain_ball()
 
 const Rgb8 kPlain = {100, 155, 90};  // colour 100 of the palette
 
+// A frame in pixels of 16 bits, drawn in rectangles of so many pixels over a background of grey stripes or a colour.
+// Rows begin in the middle of a word where `is_odd`.
+template <class Pixel, class Background>
+Bytes picture_of(const SurfaceField& field, const View& view, SurfaceMode mode, const Background& background,
+                 int32_t width, int32_t height, bool is_odd = false)
+{
+    std::vector<SurfaceVertex> vertices(field.vertex_count);
+    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kSide, 3));
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
+    SurfaceFrame frame;
+    prepare_surface<Pixel>(field, camera, mode, {vertices.data(), links.data(), bands.data(), 3}, frame);
+    std::vector<uint16_t> pixels(kSide * kSide + 1);
+    for (size_t k = 0; k < pixels.size(); ++k) pixels[k] = static_cast<uint16_t>(k / kSide * 0x0841);
+    uint8_t* const first = reinterpret_cast<uint8_t*>(pixels.data() + (is_odd ? 1 : 0));
+    for (int32_t y = 0; y < kSide; y += height) {
+        for (int32_t x = 0; x < kSide; x += width) {
+            const Stripe stripe = {first + 2 * (y * kSide + x), x,        y, std::min(width, kSide - x),
+                                   std::min(height, kSide - y), 2 * kSide};
+            std::vector<uint32_t> samples(
+                (surface_stripe_bytes<Pixel>(stripe.width_px, stripe.height_px, mode) + 3) / 4, 0x5A5A5A5A);
+            render_surface<Pixel>(frame, background, stripe, samples.data());
+        }
+    }
+    return Bytes(first, first + 2 * kSide * kSide);
+}
+
 bool is_colour(const Bytes& picture, size_t pixel, const Rgb8& c)
 {
     return picture[3 * pixel] == c.r && picture[3 * pixel + 1] == c.g && picture[3 * pixel + 2] == c.b;
@@ -61,6 +88,28 @@ TEST_CASE("a surface is the same in rectangles of any size")
             CHECK((screen.picture(1, 7) == whole));
             CHECK((screen.picture(7, 3 + static_cast<int32_t>(random() % 20)) == whole));
         }
+    }
+}
+
+TEST_CASE("5-6-5 pixels of a surface are the same in rectangles of any size and place, over a colour and over others")
+{
+    std::minstd_rand random(9);
+    const OpenedSurface opened(surface_file(ball_with_neighbours()));
+    const SurfaceField& field = opened.field();
+    for (int k = 0; k < kViews; ++k) {
+        const View view = random_view(random, kSide);
+        const SurfaceMode mode = kSurfaceModes[k % 3];
+        const OverColour grey{{90, 90, 90}};
+        const int32_t width = 1 + static_cast<int32_t>(random() % kSide),
+                      height = 1 + static_cast<int32_t>(random() % 20);
+        CAPTURE(k, static_cast<int>(mode), width, height);
+        const Bytes whole = picture_of<PixelRgb565>(field, view, mode, grey, kSide, kSide);
+        const Bytes over = picture_of<PixelRgb565>(field, view, mode, OverStripe{}, kSide, kSide, true);
+        CHECK((picture_of<PixelRgb565>(field, view, mode, grey, width, height, k % 2 == 0) == whole));
+        CHECK((picture_of<PixelRgb565>(field, view, mode, OverStripe{}, width, height, true) == over));
+        Bytes swapped = picture_of<PixelRgb565Swapped>(field, view, mode, grey, width, height);
+        for (size_t p = 0; p < swapped.size(); p += 2) std::swap(swapped[p], swapped[p + 1]);
+        CHECK((swapped == whole));
     }
 }
 

@@ -40,6 +40,16 @@ def soak():
                  lambda row: [row[key] for key in ("cpu", "minutes", "frames", "stripes", "refused", "stack_bytes")])
 
 
+def speed_steps():
+    return table(["step", "M4", "M0+"], load("speed")["steps"],
+                 lambda row: [row["step"], decimal(row["m4"]), decimal(row["m0plus"])])
+
+
+def speed_modes():
+    return table(["mode", "M4", "M0+", "RAM, bytes"], load("speed")["modes"], lambda row: [
+        row["mode"], *(" → ".join(map(decimal, row[core])) for core in ("m4", "m0plus")), " → ".join(map(str, row["ram"]))])
+
+
 def fuzzing():
     return table(["target", "executions", "CPU minutes", "edges"], load("tests")["fuzzing"],
                  lambda row: [row["target"], row["executions"], decimal(row["cpu_s"] / 60), row["edges"]])

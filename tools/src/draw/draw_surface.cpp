@@ -60,6 +60,19 @@ Picture draw_as(const SurfaceField& field, const Eye& eye, const SurfaceDrawSett
     return picture;
 }
 
+// Of the samples that render_surface left.
+Plane<uint16_t> depths_of(const SurfaceFrame& frame, const Stripe& stripe, void* samples)
+{
+    Plane<uint16_t> depths(stripe.width_px, stripe.height_px);
+    const detail::DrawnPart part = detail::drawn_part(frame, stripe);
+    if (part.is_empty()) return depths;
+    const detail::SampleRows rows = detail::samples_of(frame, part, frame.samples_are_pixels, samples);
+    for (int32_t y = 0; y < rows.height; ++y)
+        std::copy_n(rows.depths(y), rows.width,
+                    depths.values.begin() + (part.rect.y_px + y) * stripe.width_px + part.rect.x_px);
+    return depths;
+}
+
 }  // namespace
 
 const char* name_of(SurfaceMode mode)
@@ -87,10 +100,11 @@ Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye)
     FrameMemory memory(field, height);
     SurfaceFrame frame;
     prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, memory.borrowed(), frame);
-    Plane<uint16_t> depths(width, height);
-    std::vector<detail::PackedColour> colours(depths.values.size());
-    detail::rasterize(frame, {0, 0, width, height}, depths.values.data(), colours.data());
-    return depths;
+    std::vector<uint32_t> samples(surface_stripe_bytes(width, height, SurfaceMode::one_sample) / sizeof(uint32_t) + 1);
+    std::vector<uint8_t> pixels(static_cast<size_t>(width) * static_cast<size_t>(height) * PixelRgb888::kBytes);
+    const Stripe stripe = {pixels.data(), 0, 0, width, height, static_cast<uint32_t>(width) * PixelRgb888::kBytes};
+    render_surface<PixelRgb888>(frame, OverBlack{}, stripe, samples.data());
+    return depths_of(frame, stripe, samples.data());
 }
 
 }  // namespace lumi::tools

@@ -15,4 +15,10 @@ LUMI_ALWAYS_INLINE T settled(T value)
     return value;
 }
 
+// Ends one part of a long computation before the next begins, so that no more values than fit registers are alive.
+LUMI_ALWAYS_INLINE void end_part()
+{
+    asm volatile("" ::: "memory");
+}
+
 }  // namespace lumi::detail

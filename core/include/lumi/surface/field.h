@@ -4,6 +4,7 @@
 #pragma once
 #pragma GCC system_header
 
+#include "lumi/detail/aligned_words.h"
 #include "lumi/field.h"
 #include "lumi/surface/format.h"
 
@@ -53,12 +54,19 @@ struct SurfacePatch {
     uint32_t texels, columns, rows;
 };
 
+// The three words of a patch, where a field may lie at any address.
+inline uint32_t patch_word(const uint8_t* p)
+{
+    if ((reinterpret_cast<uintptr_t>(p) & 3) == 0) return load_aligned<uint32_t>(p);
+    return static_cast<uint32_t>(p[0]) | static_cast<uint32_t>(p[1]) << 8 | static_cast<uint32_t>(p[2]) << 16 |
+           static_cast<uint32_t>(p[3]) << 24;
+}
+
 inline SurfacePatch surface_patch(const SurfaceField& field, uint32_t k)
 {
     const uint8_t* p = field.patches + k * format::kPatchBytes;
-    const auto u16 = [&](int at) { return static_cast<uint32_t>(p[at]) | static_cast<uint32_t>(p[at + 1]) << 8; };
-    const uint32_t place = u16(8) | u16(10) << 16;
-    return {{u16(0), u16(2), u16(4), u16(6)}, place & 0xFFFFF, (place >> 20) & 63, place >> 26};
+    const uint32_t ab = patch_word(p), cd = patch_word(p + 4), place = patch_word(p + format::patch::kTexelsAt);
+    return {{ab & 0xFFFF, ab >> 16, cd & 0xFFFF, cd >> 16}, place & 0xFFFFF, (place >> 20) & 63, place >> 26};
 }
 
 }  // namespace lumi::detail

@@ -14,7 +14,7 @@
 
 #include "lumi/camera.h"
 #include "lumi/stripe.h"
-#include "lumi/surface/detail/packed_colour.h"
+#include "lumi/surface/detail/samples.h"
 #include "lumi/surface/field.h"
 
 namespace lumi::detail
@@ -23,6 +23,9 @@ namespace lumi::detail
 inline constexpr uint32_t kEmptyDepth = 0;
 inline constexpr uint32_t kFarDepth = 256;
 inline constexpr uint32_t kNearDepth = 65279;  // rounding on the way never wraps 16 bits
+
+// Lists of triangles that a band has, by depth.
+inline constexpr uint32_t kBandLists = 4;
 
 // From a vertex's numbers to the grid of samples; shifts and scales are chosen so that all fits 32 bits.
 struct SurfaceProjection {
@@ -77,7 +80,7 @@ struct SurfaceVertex {
 // The caller's memory for a frame. It belongs to the frame as long as it is used; so do the field's bytes.
 struct SurfaceMemory {
     SurfaceVertex* vertices;  // one for each vertex of the field
-    uint16_t* links;          // surface_links(): of every triangle, then a bit for each that has an outline
+    uint16_t* links;          // surface_links(): of every triangle, then which of its sides are outlines
     uint16_t* bands;          // surface_bands()
     // Scanlines a band: best those of a stripe, 2^0 .. 2^8. Where several
     // triangles have one depth, the bands decide which one shows.
@@ -86,12 +89,12 @@ struct SurfaceMemory {
 
 constexpr uint32_t surface_links(uint32_t patches)
 {
-    return 2 * patches + (2 * patches + 15) / 16;
+    return 2 * patches + (2 * patches + 3) / 4;
 }
 
 constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
 {
-    return ((static_cast<uint32_t>(height_px) - 1) >> band_log2) + 2;
+    return ((static_cast<uint32_t>(height_px) >> band_log2) + 1) * detail::kBandLists + 1;
 }
 
 // The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher.
@@ -116,9 +119,12 @@ struct SurfaceFrame {
     int32_t width_px, height_px;
     SurfaceMode mode;
     uint32_t samples_log2;              // a side of a pixel: 0 or 1
+    int32_t margin;                     // samples around a stripe that it reads: 1 with outlines, else 0
     detail::Extent columns, scanlines;  // beside them all is background
+    bool samples_are_pixels;            // in modes of one sample: detail/samples.h
     bool is_whole;                      // no vertex is missing
     bool is_narrow;                     // areas of triangles fit 32 bits
+    int32_t reach;                      // bands that a triangle of theirs reaches beyond its first, at most
     uint32_t other_list;                // the last of the bands' lists: triangles that are cut, large or tall
     detail::PackedColour palette[256];
 };
@@ -130,6 +136,8 @@ namespace lumi::detail
 
 void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
              SurfaceFrame& out);
+// After that: which triangles have a side on an outline.
+void put_outlines(SurfaceFrame& frame);
 
 }  // namespace lumi::detail
 
@@ -138,11 +146,15 @@ namespace lumi
 
 // Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
 // docs/log/tradeoff.md, surface fields.
-template <class Pixel>
+// A mode up to kFinest: what finer modes take is not linked.
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out)
 {
     detail::prepare(field, camera, mode, memory, out);
+    if constexpr (kFinest != SurfaceMode::one_sample)
+        if (out.margin != 0) detail::put_outlines(out);
+    out.samples_are_pixels = detail::kIsSample<Pixel> && mode != SurfaceMode::two_by_two;
     const uint8_t* entry = field.palette;
     for (detail::PackedColour& c : out.palette) {
         c = detail::palette_colour<Pixel>({entry[0], entry[1], entry[2]});

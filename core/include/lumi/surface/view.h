@@ -9,21 +9,22 @@
 namespace lumi::detail
 {
 
-template <class Pixel>
+template <class Pixel, SurfaceMode kFinest>
 ViewError look_at_surface(const SurfaceField& field, const Pose& pose, const Image& image, SurfaceMode mode,
                           const SurfaceMemory& memory, SurfaceFrame& out)
 {
     SurfaceCamera camera;
     if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
         return view_error(error);
-    prepare_surface<Pixel>(field, camera, mode, memory, out);
+    prepare_surface<Pixel, kFinest>(field, camera, mode, memory, out);
     return ViewError::none;
 }
 
 // Whether a buffer holds the samples of a stripe.
-inline ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint32_t bytes)
+template <class Pixel>
+ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint32_t bytes)
 {
-    const bool fits = surface_stripe_bytes(part.width_px, part.rows_px, frame.mode) <= bytes;
+    const bool fits = surface_stripe_bytes<Pixel>(part.width_px, part.rows_px, frame.mode) <= bytes;
     return fits ? ViewError::none : ViewError::stripe_too_large;
 }
 
@@ -43,7 +44,8 @@ struct SurfaceDrawing {
 
     template <class ScreenOf>
     struct Samples {
-        static constexpr uint32_t kBytes = surface_stripe_bytes_up_to(ScreenOf::kWidthPx, ScreenOf::kRowsPx, kFinest);
+        static constexpr uint32_t kBytes =
+            surface_stripe_bytes_up_to<typename ScreenOf::Pixel>(ScreenOf::kWidthPx, ScreenOf::kRowsPx, kFinest);
         uint32_t words[(kBytes + 3) / 4] = {};
     };
 
@@ -64,24 +66,26 @@ struct SurfaceDrawing {
         ViewError look(const Pose& pose, const Image& image, Mode mode)
         {
             if (mode > kFinest) return ViewError::mode_too_fine;
-            return detail::look_at_surface<typename ScreenOf::Pixel>(field_, pose, image, mode,
-                                                                     {vertices_, links_, bands_, kBandLog2}, frame_);
+            return detail::look_at_surface<typename ScreenOf::Pixel, kFinest>(
+                field_, pose, image, mode, {vertices_, links_, bands_, kBandLog2}, frame_);
         }
 
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::StripePart& part, const Background& background,
                        Samples<ScreenOf>& samples) const
         {
-            const ViewError error = detail::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
+            const ViewError error =
+                detail::check_samples<typename ScreenOf::Pixel>(frame_, part, Samples<ScreenOf>::kBytes);
             if (error == ViewError::none)
-                render_surface<typename ScreenOf::Pixel>(frame_, background, stripe, samples.words);
+                render_surface<typename ScreenOf::Pixel, kFinest>(frame_, background, stripe, samples.words);
             return error;
         }
 
         ViewError draw_coverage(const Stripe& coverage, const detail::StripePart& part,
                                 Samples<ScreenOf>& samples) const
         {
-            const ViewError error = detail::check_samples(frame_, part, Samples<ScreenOf>::kBytes);
+            const ViewError error =
+                detail::check_samples<typename ScreenOf::Pixel>(frame_, part, Samples<ScreenOf>::kBytes);
             if (error == ViewError::none) render_coverage(frame_, coverage, samples.words);
             return error;
         }

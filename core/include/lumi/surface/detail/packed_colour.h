@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A colour in one word, so that one addition adds three channels: red in bits 21 .. 31, green in 10 .. 20, blue in
-// 0 .. 9. A field is a guard bit, 8 bits of level and a fraction: two bits of red and green, one of blue.
+// A colour in one word, so that one addition adds three channels: green in bits 21 .. 31, red in 11 .. 20, blue in
+// 0 .. 9. A field is a guard bit, 8 bits of level and a fraction: two bits of green, one of red and blue. The upper
+// bits of the fields, shifted right by 4, are the channels of RGB565 in the two halves of a word.
 #pragma once
 
 #include "lumi/color.h"
+#include "lumi/detail/register_hints.h"
 #include "lumi/pixel.h"
 #include "lumi/surface/detail/hot.h"
 
@@ -12,27 +14,27 @@ namespace lumi::detail
 
 using PackedColour = uint32_t;
 
-inline constexpr uint32_t kGuardBits = 0x80100200;
+inline constexpr PackedColour kGuardBits = 0x80100200;
+inline constexpr PackedColour kUnusedBit = 0x00000400;
 
 // Levels times 4, each below 1024.
 constexpr PackedColour packed_colour(uint32_t r_q2, uint32_t g_q2, uint32_t b_q2)
 {
-    return r_q2 << 21 | g_q2 << 10 | b_q2 >> 1;
-}
-
-// Differences of levels times 4, of either sign: to be added to a colour. Wraps as the sum does.
-constexpr PackedColour packed_difference(int32_t r_q2, int32_t g_q2, int32_t b_q2)
-{
-    return (static_cast<uint32_t>(r_q2) << 21) + (static_cast<uint32_t>(g_q2) << 10) + static_cast<uint32_t>(b_q2 >> 1);
+    return g_q2 << 21 | (r_q2 >> 1) << 11 | b_q2 >> 1;
 }
 
 // A sum with some guard bit set: that channel is below 0 (the next bit is set, too) or above the most there is.
-LUMI_HOT PackedColour clamped(PackedColour sum);
+// Assembly calls it by this name.
+extern "C" LUMI_HOT PackedColour lumi_clamped(PackedColour sum);
+inline PackedColour clamped(PackedColour sum)
+{
+    return lumi_clamped(sum);
+}
 
 // The mean of two colours, each channel rounded down.
 constexpr PackedColour mean_of(PackedColour a, PackedColour b)
 {
-    return ((a + b) >> 1) & ~kGuardBits;
+    return ((a + b) >> 1) & ~(kGuardBits | kUnusedBit);
 }
 
 // The colour of the mean light of four, which is about their levels' squares; `black` is the palette's colour of it.
@@ -50,7 +52,7 @@ inline PackedColour mean_of(PackedColour a, PackedColour b, PackedColour c, Pack
 
 constexpr Rgb8 unpacked(PackedColour c)
 {
-    return {static_cast<uint8_t>(c >> 23), static_cast<uint8_t>(c >> 12), static_cast<uint8_t>(c >> 1)};
+    return {static_cast<uint8_t>(c >> 12), static_cast<uint8_t>(c >> 23), static_cast<uint8_t>(c >> 1)};
 }
 
 // What a palette's entry becomes for a format of pixels, so that its cut-off bits are a rounding.
@@ -69,13 +71,27 @@ constexpr PackedColour palette_colour(const Rgb8& c)
     }
 }
 
+// The 16 bits of a colour in 5, 6 and 5 bits.
+LUMI_ALWAYS_INLINE uint16_t packed_565(PackedColour c)
+{
+    constexpr uint32_t kFields = 0x07E0F81F;  // green in the upper half, red and blue in the lower
+    const uint32_t fields = (c >> 4) & kFields;
+    return static_cast<uint16_t>(fields | fields >> 16);
+}
+
+// In 5 bits each, blue above.
+LUMI_ALWAYS_INLINE uint16_t packed_555(PackedColour c)
+{
+    return static_cast<uint16_t>((c >> 15 & 0x1F) | (c >> 21 & 0x03E0) | (c << 6 & 0x7C00));
+}
+
 template <class Pixel>
 inline void store_colour(uint8_t* pixel, PackedColour c)
 {
     if constexpr (kPacks565<Pixel>)
-        Pixel::store_packed(pixel, static_cast<uint16_t>((c >> 15 & 0xF800) | (c >> 9 & 0x07E0) | (c >> 4 & 0x1F)));
+        Pixel::store_packed(pixel, packed_565(c));
     else if constexpr (kPacks555<Pixel>)
-        Pixel::store_packed(pixel, static_cast<uint16_t>((c >> 26 & 0x1F) | (c >> 10 & 0x03E0) | (c << 6 & 0x7C00)));
+        Pixel::store_packed(pixel, packed_555(c));
     else
         Pixel::store(pixel, unpacked(c));
 }

@@ -28,7 +28,7 @@ constexpr uint32_t surface_ram_bytes(uint32_t vertices, uint32_t patches, Surfac
 {
     return static_cast<uint32_t>(sizeof(SurfaceFrame)) +
            surface_frame_bytes(vertices, patches, kSidePx, kSurfaceBandLog2) +
-           surface_stripe_bytes(kSidePx, kSurfaceStripeHeight, mode);
+           surface_stripe_bytes<PixelRgb565>(kSidePx, kSurfaceStripeHeight, mode);
 }
 
 }  // namespace lumi::bench

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Marks of pixels that an outline cuts: a bit for each of SampleRows. A marked pixel's depth has in its low bits how
+// much of it, in 1/32, shows the colour of a pixel beside it, and below that which one. Colours stay as they are, and
+// of several marks the largest, so the order of edges does not matter.
+#pragma once
+
+#include "lumi/surface/detail/samples.h"
+#include "lumi/surface/frame.h"
+
+namespace lumi::detail
+{
+
+inline constexpr uint32_t kMarkBits = 6, kMostShare = 15;
+static_assert(1u << kMarkBits <= kFarDepth, "a marked pixel without a surface is still below every depth");
+enum class PixelSide : uint8_t { right, left, below, above };
+
+constexpr uint32_t mark_bits(uint32_t share, PixelSide other)
+{
+    return (share > kMostShare ? kMostShare : share) << 2 | static_cast<uint32_t>(other);
+}
+
+// What the mark of a pixel says: which one shows in it, and how much of that, 1/32.
+struct Mark {
+    const uint16_t *own, *other;
+    uint32_t share;
+
+    Mark(const SampleRows& rows, int32_t x, int32_t y) : own(rows.depths(y) + x), other(own), share(0)
+    {
+        const int32_t pitch = static_cast<int32_t>(rows.row_bytes / sizeof *own);
+        const int32_t steps[] = {1, -1, pitch, -pitch};
+        other += steps[*own & 3];
+        share = (*own >> 2) & kMostShare;
+    }
+    bool has_own() const { return *own >= kFarDepth; }
+    bool has_other() const { return *other >= kFarDepth; }
+    // Of the pixel, 1/32.
+    uint32_t covered() const { return (has_own() ? 32 - share : 0) + (has_other() ? share : 0); }
+
+    Rgb8 mixed(const Rgb8& a, const Rgb8& b) const
+    {
+        const auto channel = [&](uint32_t p, uint32_t q) {
+            return static_cast<uint8_t>((p * (32 - share) + q * share + 16) >> 5);
+        };
+        return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+    }
+};
+
+}  // namespace lumi::detail

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// The triangles of a frame that reach a target, one after the other, as pieces: rows between two straight edges. The
+// loops that draw them are the caller's, so that a firmware links those that it names.
+//
+//     TrianglePieces pieces(frame, target);
+//     while (pieces.next()) loop(pieces.piece.rows, pieces.piece.count);
+//
+// A sample belongs to a triangle if it lies right of the left edge or on it, left of the right edge, and between the
+// rows of its ends. All of this is decided exactly on the vertices' grid: triangles that share an edge share neither a
+// sample nor leave one out.
+#pragma once
+
+#include "lumi/surface/detail/row_loops.h"
+#include "lumi/surface/frame.h"
+
+namespace lumi::detail
+{
+
+// A rectangle of samples in memory, and how to draw into it.
+struct Target {
+    SampleRows rows;
+    int32_t x, y;  // of its first sample, on the frame's grid
+    const PackedColour* palette;
+    bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side; the palette has halves
+    // Textures that change by no more than so much of a texel a sample are read bilinearly; negative: none.
+    int32_t magnified_q10;
+};
+
+// A rectangle of texels, see surface/format.h.
+struct Texture {
+    const uint8_t* texels;
+    uint32_t columns, rows;
+};
+
+struct Corner {
+    const SurfaceVertex* at;
+    int32_t u_q8, v_q8;  // texels
+};
+
+// Rows of a triangle between two straight edges, and what is left of the triangle below them.
+struct TrianglePiece {
+    Rows rows;
+    int32_t count;
+    bool is_magnified;
+    bool is_cut;  // rows may reach beyond the target's sides
+    // The edge from `bend` to `bottom` takes the place of the left one (0) or the right one; null: nothing is left.
+    const SurfaceVertex *bend, *bottom;
+    uint32_t short_edge;
+    int32_t row, end_row;  // of the rest, in the frame
+};
+
+// A place before the division by its depth, formats of SurfaceProjection.
+struct ViewPoint {
+    int32_t x, y, z;
+};
+
+// A point of a triangle: shares of the corners b and c in 1/65536, a has the rest.
+struct Share {
+    int32_t b, c;
+};
+
+struct Part {
+    Share corner[3];
+};
+
+// A triangle that is not drawn as a whole, and what is left of it; see split.h.
+struct Parts {
+    static constexpr int kWholeLog2 = 16;
+    static constexpr int kMost = 3 * kWholeLog2;
+
+    uint32_t vertex[3];
+    int32_t u_q8[3], v_q8[3];
+    Texture texture;
+    ViewPoint view[3];
+    Part pending[kMost];
+    int32_t count = 0;
+    SurfaceVertex corner[3];  // of the part that is drawn
+};
+
+// Goes through the lists of the bands that may reach a target's rows, nearest first.
+struct ListWalk {
+    int32_t begin, first, last;  // bands
+    int32_t band;
+    uint32_t nearness, triangle;  // the next one, or kEmptyBand
+};
+
+class TrianglePieces
+{
+public:
+    TrianglePieces(const SurfaceFrame& frame, const Target& target);
+
+    // Makes `piece` the next one; false after the last.
+    LUMI_HOT bool next();
+
+    TrianglePiece piece;
+
+private:
+    bool begin_listed(uint32_t triangle);
+    bool next_part();
+
+    const SurfaceFrame& frame_;
+    const Target& target_;
+    ListWalk walk_;
+    uint32_t other_;  // the next triangle of the other list, or kEmptyBand
+    Parts parts_;
+};
+
+// Draws the rows of a piece, each cut to what lies in the target.
+template <DrawRows kDraw>
+void draw_cut(TrianglePiece& piece, int32_t width)
+{
+    Rows& rows = piece.rows;
+    for (int32_t count = piece.count; count > 0; --count) {
+        const int32_t left = rows.edge_q16[0], right = rows.edge_q16[1], end = width * 65536;
+        if (left < 0) rows.edge_q16[0] = 0;
+        if (right > end) rows.edge_q16[1] = end;
+        kDraw(rows, 1);
+        rows.edge_q16[0] = left + rows.edge_step_q16[0];
+        rows.edge_q16[1] = right + rows.edge_step_q16[1];
+    }
+}
+
+template <DrawRows kDraw>
+LUMI_ALWAYS_INLINE void draw_piece(TrianglePiece& piece, int32_t width)
+{
+    if (piece.is_cut)
+        draw_cut<kDraw>(piece, width);
+    else
+        kDraw(piece.rows, piece.count);
+}
+
+// Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth. Textures whose texels are
+// larger than samples take the second loop; null: the first one, too.
+template <DrawRows kPlain, DrawRows kMagnified>
+__attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
+{
+    TrianglePieces pieces(frame, target);
+    while (pieces.next()) {
+        if constexpr (kMagnified != nullptr) {
+            if (pieces.piece.is_magnified) {
+                draw_piece<kMagnified>(pieces.piece, target.rows.width);
+                continue;
+            }
+        }
+        draw_piece<kPlain>(pieces.piece, target.rows.width);
+    }
+}
+
+}  // namespace lumi::detail

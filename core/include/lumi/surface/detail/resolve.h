@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// From samples to pixels: PixelSamples (a sample is the pixel itself), PackedSamples (a sample's colour becomes one)
+// and FourSamples (the mean light of four does). Each has `clear`, before triangles are filled, and `resolve`, a
+// scanline of the stripe.
+#pragma once
+
+#include "lumi/background.h"
+#include "lumi/surface/detail/marks.h"
+#include "lumi/surface/detail/target.h"
+
+namespace lumi::detail
+{
+
+// A stripe's drawn part with its samples.
+struct StripeSamples {
+    const SurfaceFrame& frame;
+    const SampleRows& rows;
+    const DrawnPart& part;
+    const Stripe& stripe;
+
+    // Columns and rows of samples, for one a pixel.
+    int32_t column(int32_t x_px) const { return x_px - part.rect.x_px; }
+    int32_t row(int32_t y_px) const { return y_px - part.rect.y_px; }
+    int32_t begin() const { return column(part.left_px); }
+    int32_t end() const { return column(part.right_px); }
+};
+
+// Draws the triangles of a frame with one sample a pixel, in a mode up to kFinest, and marks its outlines.
+template <const RowFilters& kFilters, SurfaceMode kFinest>
+void draw_one_sample(const SurfaceFrame& frame, const Target& target)
+{
+    if constexpr (kFinest != SurfaceMode::one_sample) {
+        if (frame.mode == SurfaceMode::antialiased) {
+            draw_triangles<kFilters.two_taps, kFilters.bilinear>(frame, target);
+            if (frame.margin != 0) mark_outlines(frame, target);
+            return;
+        }
+    }
+    draw_triangles<kFilters.nearest, nullptr>(frame, target);
+}
+
+// A pixel that an outline cuts: its column of samples, and what shows there.
+struct Blended {
+    int32_t x;
+    Rgb8 colour;
+    uint8_t coverage;
+};
+
+// A marked pixel over a background; `unpacked_at` gives the colour of the sample whose depth lies there.
+template <class Pixel, class Background, class ColourAt>
+Blended blended(const Mark& mark, int32_t x, const Background& background, const uint8_t* pixel,
+                const ColourAt& colour_at)
+{
+    if constexpr (kKeepsCoverage<Background>) {
+        // Over nothing: where one of the two is empty, the other's colour with its share.
+        const uint32_t covered = mark.covered();
+        if (covered == 0) return {x, {0, 0, 0}, 0};
+        const uint16_t* const own = mark.has_own() ? mark.own : mark.other;
+        const Rgb8 colour = mark.mixed(colour_at(own), colour_at(mark.has_other() ? mark.other : own));
+        return {x, colour, static_cast<uint8_t>((covered * 255 + 16) >> 5)};
+    } else {
+        const Rgb8 under = background.template under<Pixel>(pixel);
+        return {
+            x,
+            mark.mixed(mark.has_own() ? colour_at(mark.own) : under, mark.has_other() ? colour_at(mark.other) : under),
+            255};
+    }
+}
+
+// Calls visit(x) for the marked samples of a row from `begin` to `end`.
+template <class Visit>
+LUMI_ALWAYS_INLINE void each_marked(const SampleRows& rows, int32_t row, int32_t begin, int32_t end, const Visit& visit)
+{
+    const uint32_t* word = rows.marks + rows.marks_words() * static_cast<uint32_t>(row);
+    for (int32_t first = 0; first < end; first += 32) {
+        uint32_t bits = *word++;
+        for (int32_t x = first; bits != 0; ++x, bits >>= 1) {
+            for (; (bits & 0xFF) == 0; x += 8) bits >>= 8;
+            if ((bits & 1) != 0 && x >= begin && x < end) visit(x);
+        }
+    }
+}
+
+// Makes the pixels of a row: put(begin, end) those that no outline cuts, mix(x) and store(blended) the others. What
+// lies under a pixel is read before any pixel up to it is written.
+template <class Put, class Mix, class Store>
+LUMI_ALWAYS_INLINE void resolve_marked(const StripeSamples& s, int32_t row, const Put& put, const Mix& mix,
+                                       const Store& store)
+{
+    constexpr int32_t kMost = 16;
+    Blended pending[kMost];
+    int32_t count = 0, done = s.begin();
+    const auto write = [&](int32_t end) {
+        put(done, end);
+        for (int32_t k = 0; k < count; ++k) store(pending[k]);
+        count = 0;
+        done = end;
+    };
+    each_marked(s.rows, row, s.begin(), s.end(), [&](int32_t x) {
+        if (count == kMost) write(x);
+        pending[count++] = mix(x);
+    });
+    write(s.end());
+}
+
+template <class Pixel>
+struct PixelSamples : StripeSamples {
+    static constexpr bool kArePixels = true;
+
+    template <class Background>
+    void clear(const Background& background) const
+    {
+        uint16_t pixel = 0;
+        if constexpr (Background::kFills && !Background::kIsBlack && !kKeepsCoverage<Background>)
+            Pixel::store(reinterpret_cast<uint8_t*>(&pixel), background.template under<Pixel>(nullptr));
+        clear_pixels(rows, pixel);
+        if constexpr (!Background::kFills)
+            for (int32_t y = part.top_px; y < part.bottom_px; ++y)
+                copy_pixels(colour_at(row(y), begin()), pixel_of<Pixel>(stripe, part.left_px, y), pixels());
+    }
+
+    template <SurfaceMode kFinest>
+    void draw(const Target& target) const
+    {
+        draw_one_sample<kPixelRows<Pixel>, kFinest>(frame, target);
+    }
+
+    template <SurfaceMode kFinest, class Background>
+    void resolve(const Background& background, int32_t y) const
+    {
+        uint8_t* const pixel = pixel_of<Pixel>(stripe, part.left_px, y);
+        if constexpr (kFinest != SurfaceMode::one_sample)
+            if (rows.marks != nullptr) return resolve_outlines(background, pixel, row(y));
+        copy_pixels(pixel, colour_at(row(y), begin()), pixels());
+    }
+
+private:
+    uint32_t pixels() const { return static_cast<uint32_t>(part.right_px - part.left_px); }
+    uint8_t* colour_at(int32_t row, int32_t x) const
+    {
+        return reinterpret_cast<uint8_t*>(rows.template colours<uint16_t>(row) + x);
+    }
+
+    template <class Background>
+    __attribute__((noinline)) void resolve_outlines(const Background& background, uint8_t* pixel, int32_t row) const
+    {
+        const auto place = [&](int32_t x) { return pixel + (x - this->begin()) * 2; };
+        const auto put = [&](int32_t from, int32_t to) {
+            copy_pixels(place(from), colour_at(row, from), static_cast<uint32_t>(to - from));
+        };
+        const auto mix = [&](int32_t x) {
+            return blended<Pixel>(
+                Mark(rows, x, row), x, background, place(x),
+                [&](const uint16_t* depth) {
+                    return Pixel::load(reinterpret_cast<const uint8_t*>(depth) + rows.colours_at);
+                });
+        };
+        const auto store = [&](const Blended& b) { store_part<Pixel>(place(b.x), b.colour, b.coverage); };
+        resolve_marked(*this, row, put, mix, store);
+    }
+};
+
+template <class Pixel>
+struct PackedSamples : StripeSamples {
+    static constexpr bool kArePixels = false;
+
+    template <class Background>
+    void clear(const Background&) const
+    {
+        clear_depths(rows);
+    }
+
+    template <SurfaceMode kFinest>
+    void draw(const Target& target) const
+    {
+        draw_one_sample<kPackedRows, kFinest>(frame, target);
+    }
+
+    template <SurfaceMode kFinest, class Background>
+    void resolve(const Background& background, int32_t y) const
+    {
+        uint8_t* const pixel = pixel_of<Pixel>(stripe, part.left_px, y);
+        if constexpr (kFinest != SurfaceMode::one_sample)
+            if (rows.marks != nullptr) return resolve_outlines(background, pixel, row(y));
+        put(background, pixel, row(y), begin(), end());
+    }
+
+private:
+    template <class Background>
+    void put(const Background& background, uint8_t* pixel, int32_t row, int32_t begin, int32_t end) const
+    {
+        const uint16_t* depth_at = rows.depths(row) + begin;
+        const PackedColour* colour_at = rows.template colours<PackedColour>(row) + begin;
+        for (const uint16_t* const last = rows.depths(row) + end; depth_at != last; ++depth_at, ++colour_at) {
+            if (*depth_at >= kFarDepth)
+                store_colour<Pixel>(pixel, *colour_at);
+            else if (Background::kFills)
+                store_background<Pixel>(pixel, background);
+            pixel += Pixel::kBytes;
+        }
+    }
+
+    template <class Background>
+    __attribute__((noinline)) void resolve_outlines(const Background& background, uint8_t* pixel, int32_t row) const
+    {
+        const auto place = [&](int32_t x) { return pixel + static_cast<uint32_t>(x - this->begin()) * Pixel::kBytes; };
+        const auto colour_at = [&](const uint16_t* depth) {
+            const uint8_t* const at = reinterpret_cast<const uint8_t*>(depth);
+            const uint32_t before = static_cast<uint32_t>(at - rows.first), y = before / rows.row_bytes;
+            return unpacked(
+                rows.template colours<PackedColour>(static_cast<int32_t>(y))[(before - y * rows.row_bytes) / 2]);
+        };
+        const auto mix = [&](int32_t x) {
+            return blended<Pixel>(Mark(rows, x, row), x, background, place(x), colour_at);
+        };
+        const auto store = [&](const Blended& b) { store_part<Pixel>(place(b.x), b.colour, b.coverage); };
+        resolve_marked(
+            *this, row, [&](int32_t from, int32_t to) { put(background, place(from), row, from, to); }, mix, store);
+    }
+};
+
+// What modes of one sample a pixel take.
+template <class Pixel, bool kArePixels = kIsSample<Pixel>>
+struct OneSampleOf {
+    using Type = PackedSamples<Pixel>;
+};
+template <class Pixel>
+struct OneSampleOf<Pixel, true> {
+    using Type = PixelSamples<Pixel>;
+};
+
+// The samples of a pixel that some background shows through.
+template <class Pixel, class Background>
+__attribute__((noinline)) void store_mixed(uint8_t* pixel, const Background& background,
+                                           const uint16_t* const (&depths)[2], const PackedColour* const (&colours)[2])
+{
+    const Rgb8 under = background.template under<Pixel>(pixel);
+    uint32_t r = 2, g = 2, b = 2;
+    for (int k = 0; k < 4; ++k) {
+        const Rgb8 c = depths[k >> 1][k & 1] == kEmptyDepth ? under : unpacked(colours[k >> 1][k & 1]);
+        r += c.r;
+        g += c.g;
+        b += c.b;
+    }
+    Pixel::store(pixel, {static_cast<uint8_t>(r >> 2), static_cast<uint8_t>(g >> 2), static_cast<uint8_t>(b >> 2)});
+}
+
+// The same over nothing: the mean colour of the samples that are covered, and how many they are.
+template <class Pixel>
+__attribute__((noinline)) void store_covered_part(uint8_t* pixel, const uint16_t* const (&depths)[2],
+                                                  const PackedColour* const (&colours)[2])
+{
+    constexpr uint32_t kShareQ16[] = {0, 65536, 32768, 21846, 16384};
+    uint32_t r = 0, g = 0, b = 0, count = 0;
+    for (int k = 0; k < 4; ++k) {
+        if (depths[k >> 1][k & 1] == kEmptyDepth) continue;
+        const Rgb8 c = unpacked(colours[k >> 1][k & 1]);
+        r += c.r;
+        g += c.g;
+        b += c.b;
+        ++count;
+    }
+    const auto mean = [&](uint32_t sum) { return static_cast<uint8_t>((sum * kShareQ16[count] + 32768) >> 16); };
+    store_part<Pixel>(pixel, {mean(r), mean(g), mean(b)}, static_cast<uint8_t>((count * 255 + 2) >> 2));
+}
+
+template <class Pixel>
+struct FourSamples : StripeSamples {
+    static constexpr bool kArePixels = false;
+
+    template <class Background>
+    void clear(const Background&) const
+    {
+        clear_depths(rows);
+    }
+
+    template <SurfaceMode>
+    void draw(const Target& target) const
+    {
+        draw_triangles<kPackedRows.nearest, kPackedRows.bilinear>(frame, target);
+    }
+
+    template <SurfaceMode, class Background>
+    void resolve(const Background& background, int32_t y) const
+    {
+        constexpr PackedColour kBlack = palette_colour<Pixel>({0, 0, 0});
+        uint8_t* pixel = pixel_of<Pixel>(stripe, part.left_px, y);
+        const int32_t upper_row = 2 * row(y), first = 2 * begin();
+        const uint16_t *upper = rows.depths(upper_row) + first, *lower = rows.depths(upper_row + 1) + first;
+        const PackedColour* above = rows.template colours<PackedColour>(upper_row) + first;
+        const PackedColour* below = rows.template colours<PackedColour>(upper_row + 1) + first;
+        for (int32_t count = part.right_px - part.left_px; count > 0; --count) {
+            if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0)
+                store_colour<Pixel>(pixel, mean_of(above[0], above[1], below[0], below[1], kBlack));
+            else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0)
+                if constexpr (kKeepsCoverage<Background>)
+                    store_covered_part<Pixel>(pixel, {upper, lower}, {above, below});
+                else
+                    store_mixed<Pixel>(pixel, background, {upper, lower}, {above, below});
+            else if (Background::kFills)
+                store_background<Pixel>(pixel, background);
+            pixel += Pixel::kBytes;
+            upper += 2;
+            lower += 2;
+            above += 2;
+            below += 2;
+        }
+    }
+};
+
+// A scanline of coverage, a byte a pixel, from the samples of any of these.
+void store_coverage(const StripeSamples& samples, int32_t y);
+
+}  // namespace lumi::detail

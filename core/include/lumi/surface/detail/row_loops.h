@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Loops over the samples of a triangle's rows: one for each kind of colour and each way to read textures. Each exists
+// in C++ (src/surface/row_loops.h); those for 5-6-5 pixels also in assembly, for Armv6-M and for Armv7-M and later.
+//
+// A firmware links those that it names.
+#pragma once
+
+#include "lumi/surface/detail/samples.h"
+
+namespace lumi::detail
+{
+
+// Of two taps each lies so far from the middle; a little less than a quarter texel, so that no rounding leaves the
+// rectangle.
+inline constexpr uint32_t kQuarter = 200 << 16 | 200;
+
+// A row of a triangle and what it takes to go on to the next. A row's samples are those from the left edge up to the
+// right one, both rounded down to a column. Quantities are affine, modulo 2^32, and given for the sample in column 0.
+// Of two taps `place` is the upper left one's. Assembly reads this by its offsets.
+struct Rows {
+    int32_t edge_q16[2];  // left, right
+    int32_t edge_step_q16[2];
+    uint32_t depth, place, colour;                    // Q16; v and u, 6 bits and 10 of fraction each; PackedColour
+    uint32_t depth_right, place_right, colour_right;  // what a sample adds
+    uint32_t depth_down, place_down, colour_down;     // what a row adds
+    uint8_t* row;                                     // its first depth
+    const uint8_t* texels;
+    uint32_t columns;  // of the rectangle of texels
+    const PackedColour* palette;
+    uint32_t row_bytes, colours_at;  // SampleRows
+    uint32_t texel_rows;
+    bool has_two_taps;  // the palette has halves
+};
+
+// Draws `count` rows, at least one, and leaves `rows` at the one after them.
+using DrawRows = void (*)(Rows& rows, int32_t count);
+
+extern "C" {
+// 5-6-5 pixels, and the same with their bytes swapped.
+void lumi_rows_565_nearest(Rows& rows, int32_t count);
+void lumi_rows_565_two_taps(Rows& rows, int32_t count);
+void lumi_rows_565_swapped_nearest(Rows& rows, int32_t count);
+void lumi_rows_565_swapped_two_taps(Rows& rows, int32_t count);
+}
+LUMI_HOT void rows_565_bilinear(Rows& rows, int32_t count);
+LUMI_HOT void rows_565_swapped_bilinear(Rows& rows, int32_t count);
+// PackedColour.
+LUMI_HOT void rows_packed_nearest(Rows& rows, int32_t count);
+LUMI_HOT void rows_packed_two_taps(Rows& rows, int32_t count);
+LUMI_HOT void rows_packed_bilinear(Rows& rows, int32_t count);
+
+// Nearest texel, two taps, four texels, for samples that hold a kind of pixel.
+struct RowFilters {
+    DrawRows nearest, two_taps, bilinear;
+};
+
+template <class Pixel>
+inline constexpr RowFilters kPixelRows = {};
+template <>
+inline constexpr RowFilters kPixelRows<PixelRgb565> = {lumi_rows_565_nearest, lumi_rows_565_two_taps,
+                                                       rows_565_bilinear};
+template <>
+inline constexpr RowFilters kPixelRows<PixelRgb565Swapped> = {
+    lumi_rows_565_swapped_nearest, lumi_rows_565_swapped_two_taps, rows_565_swapped_bilinear};
+inline constexpr RowFilters kPackedRows = {rows_packed_nearest, rows_packed_two_taps, rows_packed_bilinear};
+
+}  // namespace lumi::detail

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Samples that hold a PackedColour.
+#include "surface/row_loops.h"
+
+namespace lumi::detail
+{
+namespace
+{
+
+struct PackedSample {
+    using Colour = PackedColour;
+    static Colour stored(PackedColour c) { return c; }
+};
+
+}  // namespace
+
+LUMI_HOT void rows_packed_nearest(Rows& rows, int32_t count)
+{
+    draw_rows<PackedSample, Filter::nearest>(rows, count);
+}
+
+LUMI_HOT void rows_packed_two_taps(Rows& rows, int32_t count)
+{
+    draw_rows<PackedSample, Filter::two_taps>(rows, count);
+}
+
+LUMI_HOT void rows_packed_bilinear(Rows& rows, int32_t count)
+{
+    draw_rows<PackedSample, Filter::bilinear>(rows, count);
+}
+
+}  // namespace lumi::detail
