@@ -23,7 +23,7 @@ import json
 import re
 import sys
 
-from figures import paper, quality, scripts, sweep, tradeoff
+from figures import materials, paper, quality, scripts, sweep, tradeoff
 from figures.table import ROOT, Table, save, shown
 
 TABLES = {
@@ -43,6 +43,8 @@ TABLES = {
     "paper times": paper.times,
     "paper eyes": paper.eyes,
     "paper m4": paper.m4,
+    "materials": materials.coloured,
+    "materials white": materials.white,
     "soak": scripts.soak,
     "fuzzing": scripts.fuzzing,
     "attacks": scripts.attacks,

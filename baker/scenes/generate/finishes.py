@@ -43,7 +43,6 @@ Kd 0.05 0.08 0.25
 
 newmtl velvet
 Kd 0.05 0.08 0.25
-Ps 1
 """
 
 
@@ -56,6 +55,7 @@ SCENE = """// SPDX-License-Identifier: MIT
     {"type": "sphere", "position": [3, 2, -0.5], "radius": 0.5, "radiance": 24},
     {"type": "sphere", "position": [-1.5, 2.5, -2], "radius": 0.5, "radiance": [16, 14, 12]}
   ],
+  "materials": {"velvet": {"sheen": 1}},
   "tone": "aces"
 }
 """

@@ -17,8 +17,6 @@ MATERIALS = """# SPDX-License-Identifier: MIT
 newmtl base
 Kd 0.08 0.08 0.09
 Pr 0.3
-Pc 1
-Pcr 0.05
 
 newmtl tiles
 Pr 0.25
@@ -55,8 +53,6 @@ newmtl paint
 Kd 0.5 0.01 0.02
 Pr 0.55
 Pm 0.3
-Pc 1
-Pcr 0.02
 
 newmtl coin
 Kd 0.9 0.88 0.82
@@ -90,6 +86,7 @@ SCENE = """// SPDX-License-Identifier: MIT
     {"type": "rectangle", "position": [-2.5, 1.2, 0.5], "target": [0, 0.3, 0], "size": [1.2, 1.8], "radiance": [1.2, 1.5, 2]},
     {"type": "spot", "position": [0, 3, 0.5], "target": [0, 0, 0], "angle": 14, "intensity": 8}
   ],
+  "materials": {"base": {"coat": 1, "coat_roughness": 0.05}, "paint": {"coat": 1, "coat_roughness": 0.02}},
   "tone": "aces"
 }
 """

@@ -27,14 +27,14 @@ MATERIALS = """# SPDX-License-Identifier: MIT
 # Satin plinth.
 newmtl plinth
 Kd 0.54 0.53 0.51
-Ks 0.04 0.04 0.04
+Ks 0.5 0.5 0.5
 Ns 20
 Pr 0.3
 
 # Glossy red plastic.
 newmtl shell
 Kd 0.66 0.045 0.025
-Ks 0.05 0.05 0.05
+Ks 0.6 0.6 0.6
 Ns 90
 Pr 0.15
 
@@ -54,7 +54,7 @@ map_Kd product_dial.png
 # Dark lacquer of the hands.
 newmtl hands
 Kd 0.012 0.016 0.028
-Ks 0.05 0.05 0.05
+Ks 0.6 0.6 0.6
 Ns 30
 Pr 0.25
 

@@ -24,7 +24,7 @@ Kd 0 0 0
 
 newmtl black_gloss
 Kd 0 0 0
-Ks 0.05 0.05 0.05
+Ks 0.6 0.6 0.6
 Ns 200
 Pr 0.08
 

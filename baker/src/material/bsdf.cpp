@@ -5,9 +5,26 @@
 
 namespace lumi::baker
 {
-Rgb Diffuse::eval(const Vec3&, const Vec3& wi) const
+namespace
 {
-    return albedo_ * cosine_pdf(wi);
+
+Rgb at_most(const Rgb& c, float most)
+{
+    return {std::min(c.r, most), std::min(c.g, most), std::min(c.b, most)};
+}
+
+// The cosine between a direction and the one halfway to the other.
+float facing(const Vec3& wo, const Vec3& half)
+{
+    return std::min(dot(wo, half), 1.0f);
+}
+
+}  // namespace
+
+Rgb Diffuse::eval(const Vec3& wo, const Vec3& wi) const
+{
+    const float factor = shape_.at(wo, wi, facing(wo, normalized(wo + wi)));
+    return at_most(albedo_ * factor, 1) * cosine_pdf(wi);
 }
 
 float Diffuse::pdf(const Vec3&, const Vec3& wi) const
@@ -15,11 +32,12 @@ float Diffuse::pdf(const Vec3&, const Vec3& wi) const
     return cosine_pdf(wi);
 }
 
-std::optional<BsdfSample> Diffuse::sample(const Vec3&, float, const Vec2& u) const
+std::optional<BsdfSample> Diffuse::sample(const Vec3& wo, float, const Vec2& u) const
 {
     const Vec3 wi = square_to_cosine_hemisphere(u);
     if (wi.z <= 0) return std::nullopt;
-    return BsdfSample{wi, albedo_, cosine_pdf(wi)};
+    const float factor = shape_.at(wo, wi, facing(wo, normalized(wo + wi)));
+    return BsdfSample{wi, at_most(albedo_ * factor, 1), cosine_pdf(wi)};
 }
 
 template <class Spread>
@@ -65,12 +83,9 @@ std::optional<BsdfSample> ConductorOf<Spread>::sample(const Vec3& wo, float u_lo
 }
 
 template <class Spread>
-PlasticOf<Spread>::PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin) : skin_(&skin)
+PlasticOf<Spread>::PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin, const DiffuseShape& shape)
+    : skin_(&skin), albedo_(albedo), straight_(1 - dielectric_reflectance(1, skin.eta())), shape_(shape)
 {
-    // Reflectance seen from inside, from the reciprocity of the two crossings.
-    const float eta2 = skin.eta() * skin.eta();
-    const float inner = 1 - (1 - skin.mean_albedo()) / eta2;
-    body_ = albedo / (grey(1) - albedo * inner) * (1 / eta2);
 }
 
 template <class Spread>
@@ -78,10 +93,18 @@ Rgb PlasticOf<Spread>::eval(const Vec3& wo, const Vec3& wi) const
 {
     if (wi.z <= 0) return {};
     const Vec3 half = normalized(wo + wi);
-    const float reflected = dielectric_reflectance(std::min(dot(wo, half), 1.0f), skin_->eta()) *
-                            reflection_value(skin_->facets(), wo, wi, half);
-    const float crossings = (1 - skin_->albedo(wo)) * (1 - skin_->albedo(wi));
-    return grey(reflected) + body_ * (crossings * cosine_pdf(wi));
+    const float cosine = facing(wo, half);
+    const float reflectance = dielectric_reflectance(cosine, skin_->eta());
+    return grey(reflectance * reflection_value(skin_->facets(), wo, wi, half)) +
+           body(wo, wi, cosine, reflectance) * cosine_pdf(wi);
+}
+
+template <class Spread>
+Rgb PlasticOf<Spread>::body(const Vec3& wo, const Vec3& wi, float facing, float reflectance) const
+{
+    const float coupled = (1 - skin_->albedo(wo)) * (1 - skin_->albedo(wi)) / (1 - skin_->mean_albedo());
+    const float mixed = shape_.at(wo, wi, facing) * (1 - reflectance) / straight_;
+    return at_most(albedo_ * std::max(mixed, coupled), coupled);
 }
 
 template <class Spread>
@@ -89,7 +112,7 @@ float PlasticOf<Spread>::skin_probability(const Vec3& wo) const
 {
     constexpr float kLeast = 0.1f, kMost = 0.9f;  // both lobes keep a share, so that no bright path becomes rare
     const float skin = skin_->albedo(wo);
-    const float body = (1 - skin) * (1 - skin_->mean_albedo()) * max_component(body_);
+    const float body = std::min(max_component(albedo_), 1 - skin);
     return std::clamp(skin / (skin + body), kLeast, kMost);
 }
 

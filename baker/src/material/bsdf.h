@@ -11,6 +11,7 @@
 #include <optional>
 #include <variant>
 
+#include "material/diffuse_shape.h"
 #include "material/sheen.h"
 #include "material/skin.h"
 #include "math/vec3.h"
@@ -24,16 +25,18 @@ struct BsdfSample {
     float pdf;
 };
 
+// A diffuse body, which in no pair of directions sends back more than a white one of Lambert's shape.
 class Diffuse
 {
 public:
-    explicit Diffuse(const Rgb& albedo) : albedo_(albedo) {}
+    explicit Diffuse(const Rgb& albedo, const DiffuseShape& shape = {}) : albedo_(albedo), shape_(shape) {}
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
 
 private:
     Rgb albedo_;
+    DiffuseShape shape_;
 };
 
 // GGX metal with Schlick's Fresnel term. Light that bounces between facets more than once leaves in a second, broad
@@ -54,22 +57,31 @@ private:
     const FacetTableOf<Spread>* facets_;
 };
 
-// A diffuse body under a rough dielectric skin: the light that the skin does not reflect is diffused, and what it
-// throws back inside is diffused again (a geometric series). A white body loses nothing.
+// A dielectric over a diffuse body, as glTF 2.0 mixes the two (B.2.2 "Dielectrics" and B.3.4 "Fresnel"): a facet
+// reflects by its Fresnel term, and the body gets the rest. The albedo is what the body shows through the skin from
+// straight above, so that gloss does not darken a colour: glTF's base colour times 1 - F0 is that albedo.
+//
+// That mix alone is not energy-conserving (B.3.6.3 "Coupling Diffuse and Specular Reflection"): where light grazes,
+// more is sent back than arrives. So a white body is coupled to the skin as that section names (Kulla & Conty
+// 2017): the two together lose nothing. A coloured body sends back its share of the brighter of mix and coupling, and
+// never more than a white one. All of it is symmetric in the two directions.
 template <class Spread>
 class PlasticOf
 {
 public:
-    PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin);  // borrows the skin
+    PlasticOf(const Rgb& albedo, const SkinOf<Spread>& skin, const DiffuseShape& shape = {});  // borrows the skin
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
 
 private:
+    Rgb body(const Vec3& wo, const Vec3& wi, float facing, float reflectance) const;
     float skin_probability(const Vec3& wo) const;
 
     const SkinOf<Spread>* skin_;
-    Rgb body_;  // albedo of the body seen through the skin, before the two crossings
+    Rgb albedo_;
+    float straight_;  // what a facet lets in from straight above
+    DiffuseShape shape_;
 };
 
 // Brushed surfaces: x of the local frame is the direction of alpha_x.

@@ -95,8 +95,9 @@ template <class Skins, class Facets>
 Bsdf opaque(const Material& m, const PointValues& at, float u, const Skins& skins, const Facets& facets)
 {
     if (u < at.metalness) return layered(ConductorOf(at.base, nearest(facets, at.roughness)), m, at.sheen);
-    if (!skins.empty()) return layered(PlasticOf(at.base, nearest(skins, at.roughness)), m, at.sheen);
-    return layered(Diffuse(at.base), m, at.sheen);
+    const DiffuseShape shape = m.rough_body ? DiffuseShape(std::sqrt(m.alpha) * at.roughness) : DiffuseShape();
+    if (!skins.empty()) return layered(PlasticOf(at.base, nearest(skins, at.roughness), shape), m, at.sheen);
+    return layered(Diffuse(at.base, shape), m, at.sheen);
 }
 
 }  // namespace
@@ -157,6 +158,11 @@ float alpha_from_phong_exponent(float exponent)
 float alpha_from_roughness(float roughness)
 {
     return roughness * roughness;
+}
+
+float index_from_reflectance(float f0)
+{
+    return (1 + std::sqrt(f0)) / (1 - std::sqrt(f0));
 }
 
 float stated(const MaterialParameter& parameter, float value)

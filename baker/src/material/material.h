@@ -2,10 +2,11 @@
 // What a triangle is made of, and how MTL's terms become it.
 //
 // MTL                      here
-// Pm > 0 or Pr > 0         metalness Pm, alpha = Pr²; specular always
-// Kd black, Ks not         a metal of colour Ks
-// Ks not black             plastic: a dielectric skin of index Ni (1.5 if Ni <= 1) over Kd; Ks's own colour is not used
-// otherwise                Lambert
+// Pr or Pm                 metalness Pm, alpha = Pr²; a dielectric skin over Kd, whose body is as rough as the skin
+// Ks                       the skin's strength: from straight above it reflects 0.08·Ks, as Blender's "Specular" does,
+//                          so that 0.5 is the index 1.5. Only the largest component counts. Black: no skin. Not given:
+//                          a skin of index Ni (1.5 if Ni <= 1) beside Pr or Pm, otherwise none
+// illum 3, Kd black        a metal of colour Ks, unless Pr or Pm says what it is
 // Ns                       alpha = √(2/(Ns+2)), the GGX width whose peak falls off like Phong's lobe (Walter et al.,
 //                          "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, section 5.2)
 // illum 4, 6, 7, 9         with Ni > 1: glass, smooth unless Pr > 0, that lets Tf through along one unit of the OBJ.
@@ -16,8 +17,9 @@
 //                          metal's: by 1/√(1 - 0.9·aniso) and its inverse (Burley, "Physically Based Shading at
 //                          Disney", SIGGRAPH 2012 course). The tangent is the direction of growing u, turned by anisor
 //                          of a turn counterclockwise
-// Pc, Pcr                  a clear coat that covers the share Pc, of roughness Pcr
-// Ps                       white fibres on top of all that, on the share Ps; not on glass
+// Pc, Pcr                  a clear coat of roughness Pcr that covers a quarter of the surface where Pc is 1
+// Ps                       fine white fibres on top of all that, on a sixth of the surface where Ps is 1; not on glass.
+//                          Quarter and sixth are what clearcoat and sheen of Blender's Principled shader amount to
 // d, 1-Tr                  opacity: the share of light that does not pass straight through
 // Ke                       radiance emitted from both sides
 // map_Kd, map_Ke, map_Pr, map_Pm, map_Ps, map_d, and of metals map_Ks: times their number, or 1 where that is not given
@@ -92,7 +94,7 @@ struct MaterialParameter {
     double low, high;  // what lies outside is refused in scene files, and clamped with a warning in MTL
     std::variant<Rgb MaterialNumbers::*, float MaterialNumbers::*> member;
     Stated stated = Stated::plainly;
-    bool shines = false;  // who sets it in a scene file asks for a specular skin
+    bool shines = false;  // who sets it in a scene file asks for a specular skin and a body as rough as that
 };
 
 // In the order in which scenes are fingerprinted: new rows go to the end.
@@ -116,8 +118,9 @@ inline constexpr MaterialParameter kMaterialParameters[] = {
 
 struct Material : MaterialNumbers {
     std::string name;
-    bool specular = false;  // a dielectric skin where the surface is not metal
-    bool glass = false;     // clear inside; the triangles' winding faces outwards
+    bool specular = false;    // a dielectric skin where the surface is not metal
+    bool rough_body = false;  // the diffuse body is as rough as its skin (DiffuseShape); otherwise Lambert's
+    bool glass = false;       // clear inside; the triangles' winding faces outwards
     TextureSlots maps;
 
     // Clamps what must be in range and derives what is derived. Call after filling in or changing.
@@ -145,6 +148,8 @@ struct Material : MaterialNumbers {
 
 float alpha_from_phong_exponent(float exponent);
 float alpha_from_roughness(float roughness);
+// The index of refraction of what reflects the share f0 from straight above.
+float index_from_reflectance(float f0);
 // A file's number as a material keeps it.
 float stated(const MaterialParameter& parameter, float value);
 

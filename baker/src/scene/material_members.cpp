@@ -68,6 +68,7 @@ void take(JsonMembers& members, const MaterialParameter& p, Material& m)
         m.*std::get<float MaterialNumbers::*>(p.member) = stated(p, static_cast<float>(value / unit));
     }
     m.specular = m.specular || p.shines;
+    m.rough_body = m.rough_body || p.shines;
 }
 
 }  // namespace

@@ -98,17 +98,23 @@ bool is_glass(const MtlMaterial& mtl)
 void make_glass(const MtlMaterial& mtl, Material& m)
 {
     m.glass = true;
+    m.index = mtl.number("Ni", kDefaultIndex);
     m.alpha = alpha_from_roughness(mtl.number("Pr", 0));
     m.opacity = 1;
     m.metalness = 0;
 }
+
+// What 1 means in the Principled shader (Burley 2012), which Blender exports up to version 3.6: a skin that reflects
+// this much from straight above, a coat that reflects a quarter of what it would, and of sheen the share of the finest
+// fibres that sends back as much (tools/lab/materials compares with Cycles).
+constexpr float kMostReflectance = 0.08f, kCoat = 0.25f, kSheen = 1.0f / 6;
 
 // A number that only a picture gives counts as 1.
 void open_for_maps(const MtlMaterial& mtl, Material& m)
 {
     if (mtl.map("map_Ke") && is_black(m.emission)) m.emission = grey(1);
     if (mtl.map("map_Pm") && !(m.metalness > 0)) m.metalness = 1;
-    if (mtl.map("map_Ps") && !(m.sheen > 0)) m.sheen = 1;
+    if (mtl.map("map_Ps") && !(m.sheen > 0)) m.sheen = kSheen;
     if (mtl.map("map_Pr") && !(mtl.number("Pr", 0) > 0)) m.alpha = 1;
 }
 
@@ -116,6 +122,23 @@ void open_for_maps(const MtlMaterial& mtl, Material& m)
 Rgb colour_of(const MtlMaterial& mtl, const char* keyword, const char* map)
 {
     return mtl.map(map) && !mtl.has(keyword) ? grey(1) : mtl.colour(keyword);
+}
+
+// What the body wears: a skin, and from Blender coat and fibres.
+void take_layers(const MtlMaterial& mtl, Material& m)
+{
+    const Rgb ks = colour_of(mtl, "Ks", "map_Ks");
+    const float strength = std::min(max_component(ks), 1.0f);
+    m.specular = mtl.has("Ks") ? strength > 0 : m.rough_body || strength > 0;
+    if (mtl.has("Ks") && m.specular) m.index = index_from_reflectance(kMostReflectance * strength);
+    m.coat = std::min(m.coat, 1.0f) * kCoat;
+    m.sheen = std::min(m.sheen, 1.0f) * kSheen;
+    if (mtl.has("Ps") || mtl.map("map_Ps")) m.sheen_roughness = static_cast<float>(kMinSheenRoughness);
+    constexpr int kMirror = 3;
+    if (mtl.illum == kMirror && !m.rough_body && m.specular && is_black(m.base) && !mtl.map("map_Kd")) {
+        m.metalness = 1;
+        m.base = ks;
+    }
 }
 
 // Not yet finished, and without textures.
@@ -134,12 +157,8 @@ Material to_material(const MtlMaterial& mtl)
     m.opacity = mtl.opacity;
     const bool physical = mtl.has("Pr") || m.metalness > 0 || mtl.map("map_Pr") || mtl.map("map_Pm");
     m.alpha = physical ? alpha_from_roughness(mtl.number("Pr", 0)) : alpha_from_phong_exponent(mtl.number("Ns", 1));
-    const Rgb ks = colour_of(mtl, "Ks", "map_Ks");
-    m.specular = physical || !is_black(ks);
-    if (!physical && m.specular && is_black(m.base) && !mtl.map("map_Kd")) {
-        m.metalness = 1;
-        m.base = ks;
-    }
+    m.rough_body = physical;
+    take_layers(mtl, m);
     open_for_maps(mtl, m);
     if (is_glass(mtl))
         make_glass(mtl, m);

@@ -37,6 +37,7 @@ void add(Digest& digest, const Material& material)
     for (const MaterialParameter& parameter : kMaterialParameters)
         std::visit([&](auto member) { digest.add(material.*member); }, parameter.member);
     digest.add(material.specular);
+    digest.add(material.rough_body);
     digest.add(material.glass);
     add(digest, material.maps);
 }

@@ -20,10 +20,46 @@ using testing::plain_values;
 using testing::short_text;
 using testing::views;
 
-Plastic plastic(float albedo, float alpha)
+constexpr float kSkinIndex = 1.5f;
+const Skin& skin(float alpha)
 {
     static std::map<float, Skin> skins;  // a Plastic borrows its skin
-    return Plastic(grey(albedo), skins.try_emplace(alpha, 1.5f, alpha).first->second);
+    return skins.try_emplace(alpha, kSkinIndex, alpha).first->second;
+}
+
+Plastic plastic(float albedo, float alpha)
+{
+    return Plastic(grey(albedo), skin(alpha));
+}
+
+Plastic rough_plastic(float albedo, float roughness)
+{
+    return Plastic(grey(albedo), skin(alpha_from_roughness(roughness)), DiffuseShape(roughness));
+}
+
+// Bodies of Burley's shape, bare and under a skin of the same roughness.
+std::vector<Named> rough_bodies(float albedo, const std::vector<float>& roughnesses = {0.2f, 0.5f, 1.0f})
+{
+    std::vector<Named> all;
+    for (const float roughness : roughnesses) {
+        all.push_back({"rough diffuse " + short_text(roughness), Bsdf(Diffuse(grey(albedo), DiffuseShape(roughness)))});
+        all.push_back({"rough plastic " + short_text(roughness), Bsdf(rough_plastic(albedo, roughness))});
+    }
+    return all;
+}
+
+// Of what reflects alike in all azimuths: the integral of eval over the directions of light, by the midpoint rule.
+double albedo_by_grid(const Bsdf& bsdf, const Vec3& wo)
+{
+    constexpr int kHeights = 400, kTurns = 400;
+    double sum = 0;
+    for (int h = 0; h < kHeights; ++h) {
+        for (int t = 0; t < kTurns; ++t) {
+            const float turns = (static_cast<float>(t) + 0.5f) / kTurns;
+            sum += static_cast<double>(bsdf.eval(wo, direction_at((static_cast<float>(h) + 0.5f) / kHeights, turns)).g);
+        }
+    }
+    return sum * 2 * static_cast<double>(kPi) / kHeights / kTurns;
 }
 
 Conductor conductor(float f0, float alpha)
@@ -52,17 +88,22 @@ TEST_CASE("bsdf: pdf integrates to one minus the samples that are lost, and samp
         all.push_back({"conductor " + short_text(alpha), Bsdf(conductor(0.8f, alpha))});
         all.push_back({"plastic " + short_text(alpha), Bsdf(plastic(0.3f, alpha))});
     }
+    for (const Named& named : rough_bodies(0.3f, {0.5f, 1.0f})) all.push_back(named);
     for (const Named& named : all) check_density(named, views());
 }
 
 TEST_CASE("bsdf: a sample's weight and pdf are those of its direction")
 {
     for (const Named& named : white_bsdfs()) check_weights(named, views());
+    for (const float albedo : {0.3f, 1.0f})
+        for (const Named& named : rough_bodies(albedo)) check_weights(named, views());
 }
 
 TEST_CASE("bsdf: reciprocal")
 {
     for (const Named& named : white_bsdfs()) check_reciprocal(named);
+    for (const float albedo : {0.3f, 0.9f, 1.0f})
+        for (const Named& named : rough_bodies(albedo)) check_reciprocal(named);
 }
 
 TEST_CASE("bsdf: a white furnace neither gains nor loses energy")
@@ -78,6 +119,61 @@ TEST_CASE("bsdf: a white furnace neither gains nor loses energy")
         INFO("conductor " << alpha);
         CHECK(losses[std::string("conductor ") + alpha] < 0.01);
     }
+}
+
+// Burley's shape is not white: a bare body of roughness 0.2 keeps up to a quarter where it is seen from the side.
+TEST_CASE("bsdf: rough bodies gain nothing in a white furnace")
+{
+    constexpr double kSmoothBodyLoses = 0.25;
+    for (const Named& named : rough_bodies(1)) {
+        const double loss = checked_loss(named, views());
+        INFO(named.name << " loses " << loss);
+        CHECK(loss < (named.name.find("plastic") != std::string::npos ? 0.01 : kSmoothBodyLoses));
+    }
+}
+
+// glTF 2.0, appendix B: mix(diffuse, specular, F), with the diffuse share normalised to what is let in from straight
+// above. Dark bodies are never bounded by what a white one sends back.
+TEST_CASE("bsdf: a dark plastic is glTF's mix of its body and its skin by the Fresnel term")
+{
+    constexpr float kAlbedo = 0.05f, kAlpha = 0.25f, kF0 = 0.04f;
+    const Skin& s = skin(kAlpha);
+    double worst = 0;
+    for (const Vec3& wo : views()) {
+        for (const Vec3& wi : views(0.4f)) {
+            const Vec3 half = normalized(wo + wi);
+            const float f = dielectric_reflectance(dot(wo, half), kSkinIndex);
+            const float layer = s.facets().density(half) * s.facets().masking_shadowing(wo, wi) / (4 * wo.z);
+            const float base = kAlbedo / (1 - kF0) * wi.z / kPi;
+            const double ours = static_cast<double>(plastic(kAlbedo, kAlpha).eval(wo, wi).g);
+            worst = std::max(worst, std::abs(ours / static_cast<double>(base * (1 - f) + layer * f) - 1));
+        }
+    }
+    INFO("worst difference " << worst);
+    CHECK(worst < 0.02);  // where white plastic sends back more than the mix does: at most 1.6 % of a body of 5 %
+}
+
+TEST_CASE("bsdf: gloss does not darken the colour of a body that is seen from above")
+{
+    for (const float albedo : {0.05f, 0.5f, 0.8f}) {
+        const double all = albedo_by_grid(Bsdf(plastic(albedo, 0.5f)), {0, 0, 1});
+        const double body = all - static_cast<double>(skin(0.5f).albedo(1));
+        INFO("albedo " << albedo << ": the body sends back " << body);
+        CHECK(body == Approx(static_cast<double>(albedo)).epsilon(0.015));
+    }
+}
+
+TEST_CASE("bsdf: a body's shape is even at normal incidence and has Burley's values at the horizon")
+{
+    const Vec3 up = {0, 0, 1}, level = {1, 0, 0}, back = {-1, 0, 0};
+    for (const float roughness : {0.0f, 0.5f, 1.0f}) {
+        const DiffuseShape shape(roughness);
+        CHECK(shape.at(up, up, 1) == 1);
+        CHECK(shape.at(level, up, std::sqrt(0.5f)) == Approx(0.5 + static_cast<double>(roughness)));
+        CHECK(shape.at(level, level, 1) == Approx(std::pow(0.5 + 2 * static_cast<double>(roughness), 2)));
+        CHECK(shape.at(level, back, 0) == Approx(0.25));
+    }
+    CHECK(DiffuseShape().at(level, back, 0) == 1);
 }
 
 // With alpha = 1 every facet direction is equally likely, and for a viewer above the integral is 1 - ln 2.

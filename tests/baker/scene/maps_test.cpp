@@ -114,10 +114,10 @@ TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stan
     CHECK(left.material->anisotropy == 0.6f);
     CHECK(left.material->anisotropy_turns == 0.25f);
     CHECK(left.material->brushed());
-    CHECK(static_cast<double>(left.values.sheen) == Approx(0.5));
-    CHECK(static_cast<double>(right.values.sheen) == Approx(0.1));
+    CHECK(static_cast<double>(left.values.sheen) == Approx(0.5 / 6));
+    CHECK(static_cast<double>(right.values.sheen) == Approx(0.1 / 6));
     const Scene alone = square("Kd 0 0 0\nmap_Ps t.png\n", {255, 255, 255, 0, 0, 0}, studio_environment());
-    CHECK(static_cast<double>(point_below(alone, -0.5f).values.sheen) == Approx(1));
+    CHECK(static_cast<double>(point_below(alone, -0.5f).values.sheen) == Approx(1.0 / 6));
     const HitPoint bald = point_below(alone, 0.5f);
     const float sent = bald.material->bsdf(bald.values, 0).eval({0, 0.6f, 0.8f}, {0, 0.8f, 0.6f}).g;
     CHECK(static_cast<double>(sent) == Approx(0).margin(1e-6));
@@ -189,7 +189,7 @@ TEST_CASE("maps: what MTL calls glass is glass, and thin paint is not")
     REQUIRE(frosted.frost);
     CHECK(static_cast<double>(frosted.frost->alpha()) == Approx(0.25));
     const Material coated = material("Pc 0.5\nPcr 0.3\n");
-    CHECK(coated.coat == 0.5f);
+    CHECK(coated.coat == 0.125f);
     CHECK(static_cast<double>(coated.coat_alpha) == Approx(0.09));
     CHECK_FALSE(material("Pr 0.2\n").coat_skin);
 }

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "material/fresnel.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 
@@ -239,21 +240,47 @@ TEST_CASE("mtl: numbers that are none are refused with their line, those out of 
 TEST_CASE("mtl: its terms become the materials that material.h states")
 {
     CHECK_FALSE(only_material("Kd 0.5 0.5 0.5\n").specular);
-    const Material plastic = only_material("Kd 0.5 0.5 0.5\nKs 0.2 0.2 0.2\nNs 98\nNi 1.33\n");
+    const Material plastic = only_material("Kd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nNs 98\nNi 1.33\n");
     CHECK(plastic.specular);
     CHECK(plastic.metalness == 0);
-    CHECK(static_cast<double>(plastic.index) == Approx(1.33));
+    CHECK_FALSE(plastic.rough_body);
+    CHECK(static_cast<double>(plastic.index) == Approx(1.5));
     CHECK(static_cast<double>(plastic.alpha) == Approx(std::sqrt(0.02)));
-    const Material chrome = only_material("Kd 0 0 0\nKs 0.9 0.8 0.7\nNs 1000\n");
-    CHECK(chrome.metalness == 1);
-    CHECK(static_cast<double>(chrome.base.g) == Approx(0.8));
     const Material physical = only_material("Kd 0.9 0.6 0.2\nPr 0.5\nPm 0.75\n");
     CHECK(static_cast<double>(physical.alpha) == Approx(0.25));
     CHECK(static_cast<double>(physical.metalness) == Approx(0.75));
+    CHECK(physical.rough_body);
     CHECK(static_cast<double>(only_material("Ke 5 4 3\n").emission.g) == Approx(4));
     CHECK(only_material("Ke 5 4 3\n").emits());
     CHECK(static_cast<double>(only_material("d 0.25\n").opacity) == Approx(0.25));
     CHECK(static_cast<double>(only_material("Tr 0.25\n").opacity) == Approx(0.75));
+}
+
+TEST_CASE("mtl: Ks is the strength of the skin, also beside Pr, and without it Ni is what counts")
+{
+    CHECK_FALSE(only_material("Kd 0.6 0.6 0.6\nKs 0 0 0\nPr 1\n").specular);
+    CHECK_FALSE(only_material("Kd 0.6 0.6 0.6\nKs 0 0 0\nPm 0\nmap_Pr t.png\n").specular);
+    CHECK(only_material("Kd 0.6 0.6 0.6\nPr 1\n").specular);
+    CHECK(static_cast<double>(only_material("Kd 0.6 0.6 0.6\nPr 1\nNi 1.33\n").index) == Approx(1.33));
+    for (const float ks : {0.1f, 0.5f, 1.0f}) {
+        const std::string number = std::to_string(ks);
+        const Material m = only_material("Kd 0.6 0.6 0.6\nKs " + number + "\nPr 0.5\nNi 1.45\n");
+        CHECK(static_cast<double>(dielectric_reflectance(1, m.index)) == Approx(0.08 * static_cast<double>(ks)));
+    }
+    CHECK(static_cast<double>(only_material("Ks 0.5 0.5 0.5\nNi 1.45\nillum 7\n").index) == Approx(1.45));
+}
+
+TEST_CASE("mtl: a black Kd under Ks is black plastic, unless illum 3 says that it is a mirror")
+{
+    const Material plastic = only_material("Kd 0 0 0\nKs 0.9 0.8 0.7\nNs 168\nillum 2\n");
+    CHECK(plastic.specular);
+    CHECK(plastic.metalness == 0);
+    CHECK(is_black(plastic.base));
+    const Material chrome = only_material("Kd 0 0 0\nKs 0.9 0.8 0.7\nNs 1000\nillum 3\n");
+    CHECK(chrome.metalness == 1);
+    CHECK(static_cast<double>(chrome.base.g) == Approx(0.8));
+    // Blender writes illum 3 beside Pm and the metal's colour as Kd.
+    CHECK(is_black(only_material("Kd 0 0 0\nKs 0.5 0.5 0.5\nPr 0.3\nPm 1\nillum 3\n").base));
 }
 
 TEST_CASE("mtl: doubtful opacity and doubled names are named")

@@ -19,7 +19,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "baker/scenes/generate"))
 from png import encode16  # noqa: E402
 
-PLAIN = "Ks 0.04 0.04 0.04\nNi 1.5\n"
+PLAIN = "Ks 0.5 0.5 0.5\nNi 1.5\n"
 
 
 class Obj:

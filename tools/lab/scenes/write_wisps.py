@@ -18,7 +18,7 @@ Ni 1.5
 illum 7
 newmtl hair
 Kd 0.75 0.5 0.25
-Ks 0.04 0.04 0.04
+Ks 0.5 0.5 0.5
 Ns 60
 newmtl dark
 Kd 0.15 0.08 0.05
