@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/demo.sh [--quick] [SCENE.obj]
+# tools/demo.sh [--quick] [SCENE]
 # From a scene to pictures: builds `lumi`, bakes the scene (ours: a desk clock) into a surface field of at most 0.5 MB and
 # into a chord field, the layout of the LumiPath paper, draws a turntable from each, path-traces three of the views as
 # references and compares them. Everything lands in the folder out.
@@ -108,11 +108,11 @@ END
 
 main() {
   parse_arguments "$@"
-  name=$(basename "$scene" .obj)
+  name=$(basename "${scene%.*}")
   mkdir -p "$out"
   run_step "Packages" "$root/tools/install_packages.sh" build
   run_step "Build" build_lumi
-  run_step "Bake $name.obj" bake_surface
+  run_step "Bake $(basename "$scene")" bake_surface
   run_step "Bake a chord field" bake_chord
   run_step "Draw $views views of each of: ${drawings[*]}" draw_turntables
   run_step "Write a page to turn it in a browser" write_page

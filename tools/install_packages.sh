@@ -12,6 +12,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtbb-dev         # ray queries
   libtinyobjloader-dev             # OBJ and MTL
+  libtinygltf-dev                  # glTF and GLB
   libpng-dev libturbojpeg0-dev     # PNG and JPEG
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # meshes of few triangles

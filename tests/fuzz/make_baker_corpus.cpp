@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "support/bake_scenes.h"
+#include "support/gltf_bytes.h"
 #include "support/nifti_bytes.h"
 #include "support/picture_bytes.h"
 #include "surface/fit_basis.h"
@@ -144,6 +145,18 @@ void write_weights(Seeds seeds)
     }
 }
 
+void write_gltf(Seeds seeds)
+{
+    const std::string material =
+        R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}}},)"
+        R"("alphaMode":"MASK","normalTexture":{"index":0},"extensions":{"KHR_materials_ior":{"ior":1.4}})";
+    testing::GltfMaker maker = testing::square(material, R"("children":[1])", R"(,{"mesh":0,"scale":[1,2,3]})");
+    const std::string view = std::to_string(maker.view(testing::rgb_png(1, {1, 2, 3})));
+    maker.add(R"("textures":[{"source":0}],"images":[{"bufferView":)" + view + "}]");
+    seeds.add(maker.glb());
+    seeds.add(testing::square().json("data:application/octet-stream;base64,AAAA"));
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -155,6 +168,7 @@ int main(int argc, char** argv)
     const fs::path folder = argv[1];
     write_pictures(Seeds(folder / "picture"));
     Seeds(folder / "obj").add(std::string(kObj) + '\xFF' + kMtl);
+    write_gltf(Seeds(folder / "gltf"));
     Seeds(folder / "scene").add(kJson);
     write_volumes(Seeds(folder / "nifti"));
     write_shards(Seeds(folder / "shard"));

@@ -125,6 +125,7 @@ ALLOWED_BACK_UP = {}
 THIRD_PARTIES = {
     "embree3/": "baker/src/geometry/accelerator.cpp",
     "tiny_obj_loader.h": "baker/src/scene/obj_parser.cpp",
+    "tiny_gltf.h": "baker/src/scene/gltf_file.cpp",
     "png.h": "baker/src/image/png_file.cpp",
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
     "Imf": "baker/src/image/exr_file.cpp",

@@ -34,12 +34,17 @@ uint8_t byte_of(float component)
     return static_cast<uint8_t>(std::lround((component * 0.5f + 0.5f) * 255));
 }
 
-DecodedPicture read_picture(const std::filesystem::path& file, bool with_alpha)
+// Grey pictures of one part of each pixel.
+void spread(const std::vector<uint8_t>& part, std::vector<uint8_t>& rgb)
 {
-    const std::string bytes = picture_bytes(file);
-    if (is_png(bytes)) return decode_png(bytes, with_alpha);
-    if (is_jpeg(bytes)) return decode_jpeg(bytes);
-    refuse_picture(file, bytes);
+    for (size_t k = 0; k < part.size(); ++k) std::fill_n(&rgb[3 * k], 3, part[k]);
+}
+
+std::vector<uint8_t> blue_of(const std::vector<uint8_t>& rgb)
+{
+    std::vector<uint8_t> result;
+    for (size_t k = 2; k < rgb.size(); k += 3) result.push_back(rgb[k]);
+    return result;
 }
 
 }  // namespace
@@ -85,8 +90,16 @@ bool is_grey(const Texture& texture)
 
 Texture read_texture(const std::filesystem::path& file, PictureUse use)
 {
-    DecodedPicture picture = read_picture(file, use == PictureUse::alpha);
-    for (size_t k = 0; k < picture.alpha.size(); ++k) std::fill_n(&picture.rgb[3 * k], 3, picture.alpha[k]);
+    return decode_texture(file, picture_bytes(file), use);
+}
+
+Texture decode_texture(const std::filesystem::path& name, const std::string& bytes, PictureUse use)
+{
+    const bool with_alpha = use == PictureUse::alpha || use == PictureUse::opacity;
+    if (!is_png(bytes) && !is_jpeg(bytes)) refuse_picture(name, bytes);
+    DecodedPicture picture = is_png(bytes) ? decode_png(bytes, with_alpha) : decode_jpeg(bytes);
+    if (use == PictureUse::opacity && picture.alpha.empty()) std::fill(picture.rgb.begin(), picture.rgb.end(), 255);
+    spread(use == PictureUse::blue ? blue_of(picture.rgb) : picture.alpha, picture.rgb);
     return {picture.width, picture.height, std::move(picture.rgb), use == PictureUse::colour};
 }
 

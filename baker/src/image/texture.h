@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "lumi/baker/picture_file.h"
@@ -28,11 +29,13 @@ Texture normals_from_heights(const Texture& heights, float strength);
 // All three channels are alike everywhere.
 bool is_grey(const Texture& texture);
 
-// Which part of a picture is read: its colours, its bytes as plain numbers, or its alpha channel (brightness where it
-// has none).
-enum class PictureUse : uint8_t { colour, data, alpha };
+// Which part of a picture is read: its colours, its bytes as plain numbers, its alpha channel (brightness where it has
+// none), its alpha channel as opacity (full where it has none), or its blue bytes as plain numbers.
+enum class PictureUse : uint8_t { colour, data, alpha, opacity, blue };
 
 // Throws PictureError.
 Texture read_texture(const std::filesystem::path& file, PictureUse use);
+// The same of a file's bytes, which `name` names in messages only.
+Texture decode_texture(const std::filesystem::path& name, const std::string& bytes, PictureUse use);
 
 }  // namespace lumi::baker

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/iso_reader.h"
-#include "scene/obj_reader.h"
+#include "scene/model_reader.h"
 #include "scene/scene_file.h"
 #include "util/text_lines.h"
 #include "volume/volume_file.h"
@@ -30,7 +30,7 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
                             "this is no volume, and only volumes have iso-surfaces; leave out --iso, or "
                             "name a .nii, .nii.gz or .vdb file"));
     }
-    return file.extension() == ".json" ? read_scene_file(file, options.up, warnings) : read_obj(file, warnings);
+    return file.extension() == ".json" ? read_scene_file(file, options.up, warnings) : read_model(file, warnings);
 }
 
 }  // namespace

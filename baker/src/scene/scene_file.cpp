@@ -8,8 +8,8 @@
 
 #include "scene/iso_reader.h"
 #include "scene/materials.h"
+#include "scene/model_reader.h"
 #include "scene/number_ranges.h"
-#include "scene/obj_reader.h"
 #include "scene/placement.h"
 #include "scene/scene_data.h"
 #include "scene/scene_members.h"
@@ -75,19 +75,25 @@ private:
     {
         JsonMembers members(name_, value, "an object");
         const Placement placement = read_placement(members);
-        SceneParts parts = members.find("volume") ? read_iso_object(file_, members) : read_obj_object(members);
+        SceneParts parts = members.find("volume") ? read_iso_object(file_, members) : read_model_object(members);
         members.finish();
         place(placement, parts.mesh);
         append(parts_, std::move(parts));
     }
 
-    SceneParts read_obj_object(JsonMembers& members)
+    SceneParts read_model_object(JsonMembers& members)
     {
         const JsonValue& obj = members.require("obj");
         const std::filesystem::path path = find_beside(file_, members.text_of(obj, "obj"));
         if (path.empty())
             members.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
-        return read_obj(path, warnings_);
+        SceneParts parts = read_model(path, warnings_);
+        if (!parts.fixtures.empty()) {
+            warnings_.push_back(at({name_, obj.line}, "the lamps of '" + obj.text + "' (" +
+                                                          std::to_string(parts.fixtures.size()) +
+                                                          ") are left out; write them among 'lights'"));
+        }
+        return parts;
     }
 
     void read_volume()

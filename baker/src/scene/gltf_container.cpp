@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_container.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include "lumi/baker/scene.h"
+#include "util/text_lines.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr std::string_view kMagic = "glTF";
+constexpr size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
+constexpr size_t kMaxJsonBytes = size_t{1} << 28;
+constexpr size_t kMaxJsonObjects = 4'000'000;  // each takes the parser up to 1 kB
+constexpr size_t kMaxJsonDepth = 64;
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& text)
+{
+    throw SceneError(at({file.string()}, text));
+}
+
+size_t number_at(std::string_view bytes, size_t place)
+{
+    size_t value = 0;
+    for (size_t k = 4; k-- > 0;) value = value << 8 | static_cast<uint8_t>(bytes[place + k]);
+    return value;
+}
+
+// The JSON of a GLB whose chunks all lie inside it.
+std::string_view json_of_glb(const std::filesystem::path& file, std::string_view bytes)
+{
+    const auto short_of = [&](size_t end) {
+        if (bytes.size() < end)
+            fail(file, "the file is cut short: it has " + std::to_string(bytes.size()) + " bytes and needs " +
+                           std::to_string(end) + "; copy or export it again");
+    };
+    short_of(kHeaderBytes + kChunkHeaderBytes);
+    if (number_at(bytes, 4) == 1)
+        fail(file, "this is glTF 1.0, only 2.0 is read; open it in a program such as Blender and export glTF 2.0");
+    short_of(number_at(bytes, 8));
+    const size_t length = number_at(bytes, kHeaderBytes);
+    for (size_t begin = kHeaderBytes; begin + kChunkHeaderBytes <= number_at(bytes, 8);) {
+        const size_t end = begin + kChunkHeaderBytes + number_at(bytes, begin);
+        if (end > number_at(bytes, 8)) fail(file, "a chunk reaches beyond the file's end; export it again");
+        begin = end;
+    }
+    return bytes.substr(kHeaderBytes + kChunkHeaderBytes, length);
+}
+
+// Counts brackets outside of texts.
+void check_json(const std::filesystem::path& file, std::string_view json)
+{
+    size_t depth = 0, objects = 0;
+    bool in_text = false;
+    for (size_t k = 0; k < json.size(); ++k) {
+        const char c = json[k];
+        if (in_text) {
+            k += c == '\\' ? 1u : 0u;
+            in_text = c != '"';
+        } else if (c == '"') {
+            in_text = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kMaxJsonDepth) fail(file, "its JSON nests too deeply; no model needs that, check the file");
+            if (++objects > kMaxJsonObjects)
+                fail(file, "it has more than " + std::to_string(kMaxJsonObjects) + " parts; join meshes and materials");
+        } else if (c == '}' || c == ']') {
+            depth -= depth > 0 ? 1u : 0u;
+        }
+    }
+}
+
+}  // namespace
+
+bool is_glb(std::string_view bytes)
+{
+    return bytes.substr(0, kMagic.size()) == kMagic;
+}
+
+void check_gltf_container(const std::filesystem::path& file, const std::string& bytes)
+{
+    if (bytes.size() > std::numeric_limits<uint32_t>::max())
+        fail(file, "a glTF file has less than 4 GiB; split or simplify the model");
+    const std::string_view json = is_glb(bytes) ? json_of_glb(file, bytes) : bytes;
+    if (json.size() > kMaxJsonBytes) {
+        fail(file, "its text has " + std::to_string(json.size()) + " bytes, at most " + std::to_string(kMaxJsonBytes) +
+                       " are read; export it as .glb, which keeps meshes and pictures out of the text");
+    }
+    check_json(file, json);
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/gltf_extensions.h"
+#include "scene/gltf_textures.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+float float_member(const JsonValue& value, const char* name, double fallback)
+{
+    return static_cast<float>(number_member(value, name, fallback));
+}
+
+bool is_alike(const GltfTextureUse& a, const GltfTextureUse& b)
+{
+    return a.scale.x == b.scale.x && a.scale.y == b.scale.y && a.offset.x == b.offset.x && a.offset.y == b.offset.y &&
+           a.rotation == b.rotation;
+}
+
+float index_of_reflectance(float f0)
+{
+    return (1 + std::sqrt(f0)) / (1 - std::sqrt(f0));
+}
+
+// Makes one material.
+class SurfaceMaker
+{
+public:
+    SurfaceMaker(const GltfModel& model, const GltfMaterial& gltf, GltfTextures& textures, Losses& losses)
+        : model_(model), gltf_(gltf), textures_(textures), losses_(losses)
+    {
+    }
+
+    GltfSurface make()
+    {
+        m_.name = gltf_.name;
+        GltfTextureUse base = gltf_.base_texture;
+        Rgb colour = gltf_.base;
+        take_metal_and_roughness();
+        take_specular_glossiness(colour, base);
+        take_skin();
+        take_base(colour, base);
+        take_emission();
+        take_layers();
+        if (extension("KHR_materials_unlit")) make_unlit(colour);
+        take_alpha(base);
+        take_transmission(colour);
+        normal_slot();
+        note_losses();
+        m_.finish();
+        return std::move(result_);
+    }
+
+private:
+    const JsonValue* extension(const char* name) const
+    {
+        const auto found = gltf_.extensions.find(name);
+        return found == gltf_.extensions.end() ? nullptr : &found->second;
+    }
+
+    // The slot of a picture that is found. All pictures of a material take one set of coordinates, the first one's.
+    TextureSlot slot(const GltfTextureUse& use, int32_t texture)
+    {
+        if (texture == kNoTexture) return {};
+        result_.clamps = result_.clamps || !use.repeats;
+        if (!result_.has_pictures) {
+            result_.has_pictures = true;
+            result_.uv_set = use.uv_set;
+            if (use.rotation != 0) result_.turned = use;
+        }
+        if (use.uv_set != result_.uv_set) {
+            losses_.add("picture(s) have texture coordinates of their own and are left out; use one UV map a material");
+            return {};
+        }
+        if (result_.turned.used()) {
+            if (!is_alike(use, result_.turned)) losses_.add(kTurned);
+            TextureSlot plain;
+            plain.texture = texture;
+            return plain;
+        }
+        if (use.rotation != 0) losses_.add(kTurned);
+        return slot_of(use, texture);
+    }
+
+    void take_metal_and_roughness()
+    {
+        m_.metalness = std::clamp(gltf_.metalness, 0.0f, 1.0f);
+        m_.alpha = alpha_from_roughness(std::clamp(gltf_.roughness, 0.0f, 1.0f));
+        m_.specular = true;
+        const GltfTextureUse& use = gltf_.metal_rough_texture;
+        if (m_.metalness > 0) m_.maps.metalness = slot(use, textures_.find(use, PictureUse::blue));
+        m_.maps.roughness = slot(use, textures_.find(use, PictureUse::data));
+    }
+
+    void take_specular_glossiness(Rgb& colour, GltfTextureUse& base)
+    {
+        const JsonValue* e = extension("KHR_materials_pbrSpecularGlossiness");
+        if (!e) return;
+        colour = colour_member(*e, "diffuseFactor", grey(1));
+        base = texture_member(model_, *e, "diffuseTexture");
+        const JsonValue* factor = find_member(*e, "diffuseFactor");
+        alpha_ = factor && factor->items.size() == 4 ? static_cast<float>(factor->items[3].number) : 1;
+        m_.metalness = 0;
+        m_.maps.metalness = m_.maps.roughness = {};
+        m_.alpha = alpha_from_roughness(1 - std::clamp(float_member(*e, "glossinessFactor", 1), 0.0f, 1.0f));
+        f0_ = max_component(colour_member(*e, "specularFactor", grey(1)));
+        if (find_member(*e, "specularGlossinessTexture"))
+            losses_.add(
+                "picture(s) of specular and glossiness are left out; convert the model to metallic and roughness");
+    }
+
+    void take_skin()
+    {
+        const JsonValue* ior = extension("KHR_materials_ior");
+        index_ = ior ? float_member(*ior, "ior", kDefaultIndex) : kDefaultIndex;
+        index_ = index_ < 1 ? kDefaultIndex : index_;
+        const float ratio = (index_ - 1) / (index_ + 1);
+        if (f0_ < 0) f0_ = ratio * ratio;
+        if (const JsonValue* e = extension("KHR_materials_specular")) {
+            f0_ *= float_member(*e, "specularFactor", 1) *
+                   max_component(colour_member(*e, "specularColorFactor", grey(1)));
+            if (find_member(*e, "specularTexture") || find_member(*e, "specularColorTexture"))
+                losses_.add("picture(s) of specular strength are left out; give it by a number");
+        }
+        constexpr float kMostReflectance = 0.36f;  // of the largest index that materials have
+        f0_ = std::clamp(f0_, 0.0f, kMostReflectance);
+        m_.specular = f0_ > 0;
+        m_.index = index_of_reflectance(f0_);
+    }
+
+    void take_base(const Rgb& colour, const GltfTextureUse& use)
+    {
+        const float metal = m_.maps.metalness.used()
+                                ? m_.metalness * static_cast<float>(textures_.mean_of(m_.maps.metalness.texture))
+                                : m_.metalness;
+        m_.base = colour * (1 - f0_ * (1 - metal));
+        m_.maps.base = slot(use, textures_.find(use, PictureUse::colour));
+    }
+
+    void take_emission()
+    {
+        const JsonValue* e = extension("KHR_materials_emissive_strength");
+        m_.emission = gltf_.emission * (e ? float_member(*e, "emissiveStrength", 1) : 1);
+        if (is_black(m_.emission)) return;
+        m_.maps.emission = slot(gltf_.emission_texture, textures_.find(gltf_.emission_texture, PictureUse::colour));
+    }
+
+    void take_layers()
+    {
+        if (const JsonValue* e = extension("KHR_materials_clearcoat")) {
+            m_.coat = std::clamp(float_member(*e, "clearcoatFactor", 0), 0.0f, 1.0f);
+            m_.coat_alpha = alpha_from_roughness(float_member(*e, "clearcoatRoughnessFactor", 0));
+            const GltfTextureUse use = texture_member(model_, *e, "clearcoatTexture");
+            const int32_t texture = m_.coat > 0 ? textures_.find(use, PictureUse::data) : kNoTexture;
+            if (texture != kNoTexture) m_.coat *= static_cast<float>(textures_.mean_of(texture));
+            if (m_.coat > 0 && (texture != kNoTexture || find_member(*e, "clearcoatRoughnessTexture") ||
+                                find_member(*e, "clearcoatNormalTexture")))
+                losses_.add("clear coat(s) are drawn without their pictures, with the mean strength; give numbers");
+        }
+        if (const JsonValue* e = extension("KHR_materials_sheen")) {
+            m_.sheen_colour = colour_member(*e, "sheenColorFactor", {});
+            m_.sheen = is_black(m_.sheen_colour) ? 0.0f : 1.0f;
+            m_.sheen_roughness = float_member(*e, "sheenRoughnessFactor", 0);
+        }
+    }
+
+    void make_unlit(const Rgb& colour)
+    {
+        m_.emission = colour;
+        m_.maps.emission = m_.maps.base;
+        m_.base = {};
+        m_.maps.base = m_.maps.metalness = m_.maps.roughness = {};
+        m_.metalness = m_.coat = m_.sheen = 0;
+        m_.specular = false;
+    }
+
+    void take_alpha(const GltfTextureUse& base)
+    {
+        const float alpha = std::clamp(alpha_ < 0 ? gltf_.alpha : alpha_, 0.0f, 1.0f);
+        if (gltf_.alpha_mode == GltfAlpha::blend) {
+            m_.opacity = alpha;
+            m_.maps.opacity = slot(base, textures_.find_opacity(base));
+        } else if (gltf_.alpha_mode == GltfAlpha::mask) {
+            m_.maps.opacity = slot(base, textures_.find_mask(base, alpha, gltf_.cutoff));
+            if (!m_.maps.opacity.used() && !base.used()) m_.opacity = alpha >= gltf_.cutoff ? 1.0f : 0.0f;
+        }
+    }
+
+    void take_transmission(const Rgb& colour)
+    {
+        const JsonValue* e = extension("KHR_materials_transmission");
+        const float share = e ? std::clamp(float_member(*e, "transmissionFactor", 0), 0.0f, 1.0f) : 0;
+        if (!(share > 0) || m_.metalness >= 1) return;
+        constexpr float kMostlyClear = 0.5f;
+        if (share < kMostlyClear) {
+            m_.opacity *= 1 - share;
+            return;
+        }
+        m_.glass = true;
+        m_.index = index_;
+        m_.metalness = 0;
+        m_.coat = m_.sheen = 0;
+        m_.transmittance = colour;
+        result_.tinted = true;
+        const JsonValue* volume = extension("KHR_materials_volume");
+        const float distance = volume ? float_member(*volume, "attenuationDistance", 0) : 0;
+        constexpr float kShortest = 1e-9f;
+        if (distance > kShortest) {
+            m_.transmittance = colour_member(*volume, "attenuationColor", grey(1));
+            m_.transmittance_length = distance;
+            result_.tinted = false;
+        }
+    }
+
+    void normal_slot() { m_.maps.normal = slot(gltf_.normal_texture, textures_.find_normals(gltf_.normal_texture)); }
+
+    void note_losses()
+    {
+        for (const char* name : {"KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_dispersion",
+                                 "KHR_materials_diffuse_transmission"})
+            if (extension(name))
+                losses_.add("material(s) have " + std::string(name) + ", which is not drawn; check the picture");
+    }
+
+    static constexpr const char* kTurned =
+        "picture(s) are turned otherwise than the material's other ones and lie wrong; use one placement a material";
+    const GltfModel& model_;
+    const GltfMaterial& gltf_;
+    GltfTextures& textures_;
+    Losses& losses_;
+    GltfSurface result_;
+    Material& m_ = result_.material;
+    float f0_ = -1, index_ = kDefaultIndex;  // below 0: by the index
+    float alpha_ = -1;                       // below 0: of the core material
+};
+
+}  // namespace
+
+std::vector<GltfSurface> surfaces_of(const GltfModel& model, std::vector<Texture>& list, Losses& losses,
+                                     std::vector<std::string>& warnings)
+{
+    GltfTextures textures(model, list, warnings);
+    std::vector<GltfSurface> surfaces;
+    surfaces.reserve(model.materials.size() + 1);
+    for (const GltfMaterial& gltf : model.materials)
+        surfaces.push_back(SurfaceMaker(model, gltf, textures, losses).make());
+    surfaces.emplace_back().material.finish();
+    return surfaces;
+}
+
+}  // namespace lumi::baker

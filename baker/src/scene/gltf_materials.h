@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Turns glTF's materials into ours.
+//
+// glTF                             here
+// base colour                      of metal as it is; of the body under a skin times 1 - F0, as glTF mixes the two
+// metallic, roughness              metalness, alpha = roughness²; pictures: blue and green
+// KHR_materials_ior, _specular     the skin's index, so that it reflects F0 from straight above; the largest component
+//                                  of its colour counts
+// KHR_materials_transmission       from one half on: glass of the index, coloured by base colour or _volume; below:
+// thin emissive, _emissive_strength     radiance from both sides KHR_materials_unlit              radiance of the base
+// colour alpha mode MASK, BLEND           opacity, cut at the cutoff; the share of light that does not pass
+// KHR_materials_clearcoat, _sheen  coat and fibres; only numbers
+// occlusion                        nothing: it is traced
+#pragma once
+
+#include "scene/gltf_model.h"
+#include "scene/losses.h"
+#include "scene/scene_data.h"
+
+namespace lumi::baker
+{
+
+// A material, and which texture coordinates its pictures take.
+struct GltfSurface {
+    Material material;  // finished
+    int32_t uv_set = 0;
+    // Coordinates are turned by it before a slot's scale and offset: KHR_texture_transform of all of them alike.
+    GltfTextureUse turned;
+    bool has_pictures = false;
+    bool clamps = false;  // some picture does not repeat in the file
+    bool tinted = false;  // glass whose base colour colours what passes once through it
+};
+
+// One for each material of the model, and a last one for primitives without a material. Pictures are appended to
+// `textures`. Throws SceneError.
+std::vector<GltfSurface> surfaces_of(const GltfModel& model, std::vector<Texture>& textures, Losses& losses,
+                                     std::vector<std::string>& warnings);
+
+}  // namespace lumi::baker

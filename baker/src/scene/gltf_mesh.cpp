@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polygon.h"
+#include "scene/vertex_colours.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr double kMaxCoordinate = 1e15;  // as of OBJ files
+constexpr size_t kMaxTriangles = 100'000'000;
+constexpr Mesh::OptionalCorners kNone = {kNoIndex, kNoIndex, kNoIndex};
+
+Vec3 placed(const GltfModel& model, const Affine& place, const Vec3& p)
+{
+    const std::array<double, 3> q =
+        point_of(place, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+    for (const double c : q)
+        if (!(std::abs(c) <= kMaxCoordinate))
+            fail_gltf(model, "a node places its mesh beyond what can be drawn; check its scale and translation");
+    return {static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2])};
+}
+
+// Normals turn by the matrix of cofactors, which is the inverse transposed but for a factor; also where there is none.
+Affine cofactors(const Affine& m)
+{
+    Affine result{};
+    for (size_t r = 0; r < 3; ++r) {
+        for (size_t c = 0; c < 3; ++c) {
+            const size_t a = (r + 1) % 3, b = (r + 2) % 3, d = (c + 1) % 3, e = (c + 2) % 3;
+            result[r][c] = m[a][d] * m[b][e] - m[a][e] * m[b][d];
+        }
+    }
+    return result;
+}
+
+Vec3 turned(const Affine& turn, const Vec3& n)
+{
+    const std::array<double, 3> v =
+        point_of(turn, static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z));
+    const double size = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(size > 0) || !std::isfinite(size)) return {};
+    return {static_cast<float>(v[0] / size), static_cast<float>(v[1] / size), static_cast<float>(v[2] / size)};
+}
+
+// With v upwards, and KHR_texture_transform where it cannot be the slots'.
+Vec2 mapped(const GltfTextureUse& turn, const Vec2& uv)
+{
+    if (!turn.used()) return {uv.x, 1 - uv.y};
+    const float c = static_cast<float>(std::cos(turn.rotation)), s = static_cast<float>(std::sin(turn.rotation));
+    const float u = uv.x * turn.scale.x, v = uv.y * turn.scale.y;
+    return {turn.offset.x + c * u + s * v, 1 - (turn.offset.y - s * u + c * v)};
+}
+
+bool reaches_beyond_picture(const std::vector<Vec2>& uvs)
+{
+    constexpr float kLow = -0.01f, kHigh = 1.01f;
+    return std::any_of(uvs.begin(), uvs.end(),
+                       [](const Vec2& uv) { return std::min(uv.x, uv.y) < kLow || std::max(uv.x, uv.y) > kHigh; });
+}
+
+bool is_white(const Rgb& c)
+{
+    constexpr float kNearly = 1 - 1.0f / 512;
+    return std::min({c.r, c.g, c.b}) >= kNearly;
+}
+
+Rgb mean_of(const std::vector<Rgb>& colours)
+{
+    Rgb sum;
+    for (const Rgb& c : colours) sum = sum + c;
+    return sum * (1 / static_cast<float>(colours.size()));
+}
+
+}  // namespace
+
+GltfMeshBuilder::GltfMeshBuilder(const GltfModel& model, const std::vector<GltfSurface>& surfaces, SceneParts& parts,
+                                 Losses& losses)
+    : model_(model), surfaces_(surfaces), parts_(parts), losses_(losses), places_(surfaces.size(), -1)
+{
+}
+
+void GltfMeshBuilder::add(int32_t mesh, const Affine& place)
+{
+    const std::vector<GltfPrimitive>& primitives = element_of(model_, model_.meshes, mesh, "mesh");
+    for (size_t k = 0; k < primitives.size(); ++k) {
+        const GltfPrimitive& primitive = primitives[k];
+        if (primitive.material != kNoIndex) element_of(model_, model_.materials, primitive.material, "material");
+        const size_t surface =
+            primitive.material == kNoIndex ? surfaces_.size() - 1 : static_cast<size_t>(primitive.material);
+        auto found = known_.find({mesh, k});
+        if (found == known_.end())
+            found =
+                known_.try_emplace({mesh, k}, shape_of(model_, primitive, surfaces_[surface].uv_set, losses_)).first;
+        add_primitive(primitive, found->second, place);
+    }
+}
+
+uint32_t GltfMeshBuilder::material_of(size_t surface)
+{
+    if (places_[surface] < 0) {
+        places_[surface] = static_cast<int64_t>(parts_.materials.size());
+        parts_.materials.push_back(surfaces_[surface].material);
+    }
+    return static_cast<uint32_t>(places_[surface]);
+}
+
+void GltfMeshBuilder::add_vertices(const GltfShape& shape, const GltfSurface& surface, const Affine& place)
+{
+    Mesh& mesh = parts_.mesh;
+    const Affine turn = cofactors(place);
+    for (const Vec3& p : shape.positions) mesh.positions.push_back(placed(model_, place, p));
+    const float side = determinant(place) < 0 ? -1.0f : 1.0f;
+    for (const Vec3& n : shape.normals) mesh.normals.push_back(turned(turn, n) * side);
+    for (const Vec2& uv : shape.uvs) mesh.uvs.push_back(mapped(surface.turned, uv));
+}
+
+void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfShape& shape, const Affine& place)
+{
+    if (shape.triangles.empty()) return;
+    Mesh& mesh = parts_.mesh;
+    if (shape.triangles.size() > kMaxTriangles - mesh.triangle_count())
+        fail_gltf(model_, "it has more than " + std::to_string(kMaxTriangles) + " triangles; simplify it");
+    const size_t surface =
+        primitive.material == kNoIndex ? surfaces_.size() - 1 : static_cast<size_t>(primitive.material);
+    if (surfaces_[surface].clamps && reaches_beyond_picture(shape.uvs))
+        losses_.add(
+            "mesh(es) have pictures that do not repeat in the file and do here; keep texture coordinates in 0 to 1");
+    const uint32_t position = static_cast<uint32_t>(mesh.positions.size());
+    const int32_t normal = static_cast<int32_t>(mesh.normals.size()), uv = static_cast<int32_t>(mesh.uvs.size());
+    const bool mirrored = determinant(place) < 0;
+    add_vertices(shape, surfaces_[surface], place);
+    const size_t first = mesh.triangle_count();
+    std::vector<std::array<uint32_t, 3>> kept;
+    for (std::array<uint32_t, 3> t : shape.triangles) {
+        if (mirrored) std::swap(t[1], t[2]);
+        const Mesh::Corners corners = {position + t[0], position + t[1], position + t[2]};
+        if (has_no_area(mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]])) {
+            losses_.add("triangle(s) have no area and are left out; merge doubled vertices");
+            continue;
+        }
+        const auto shifted = [&](int32_t by) {
+            return Mesh::OptionalCorners{by + static_cast<int32_t>(t[0]), by + static_cast<int32_t>(t[1]),
+                                         by + static_cast<int32_t>(t[2])};
+        };
+        mesh.corners.push_back(corners);
+        mesh.shading.push_back(shape.normals.empty() ? kNone : shifted(normal));
+        mesh.mapping.push_back(shape.uvs.empty() ? kNone : shifted(uv));
+        mesh.materials.push_back(material_of(surface));
+        kept.push_back(t);
+    }
+    if (!kept.empty() && !shape.colours.empty()) paint(shape, surface, first, kept);
+}
+
+// Colours at vertices become a material of their own: with another base colour where they are all alike, with a
+// picture where it has none yet.
+void GltfMeshBuilder::paint(const GltfShape& shape, size_t surface, size_t first,
+                            const std::vector<std::array<uint32_t, 3>>& kept)
+{
+    const std::vector<Rgb>& colours = shape.colours;
+    if (std::all_of(colours.begin(), colours.end(), is_white)) return;
+    Material material = surfaces_[surface].material;
+    const bool even = std::all_of(colours.begin(), colours.end(), [&](const Rgb& c) {
+        return c.r == colours[0].r && c.g == colours[0].g && c.b == colours[0].b;
+    });
+    Rgb& tinted = is_black(material.base) ? material.emission : material.base;
+    if (even || surfaces_[surface].has_pictures) {
+        tinted = tinted * mean_of(colours);
+        if (!even)
+            losses_.add("mesh(es) have pictures and colours at vertices, whose mean is taken; bake them together");
+    } else {
+        std::vector<CornerColours> corners;
+        for (const std::array<uint32_t, 3>& t : kept) corners.push_back({colours[t[0]], colours[t[1]], colours[t[2]]});
+        TextureSlot& slot = is_black(material.base) ? material.maps.emission : material.maps.base;
+        slot.texture = static_cast<int32_t>(parts_.textures.size());
+        parts_.textures.push_back(picture_of_corners(parts_.mesh, first, corners));
+    }
+    material.finish();
+    for (size_t k = first; k < parts_.mesh.triangle_count(); ++k)
+        parts_.mesh.materials[k] = static_cast<uint32_t>(parts_.materials.size());
+    parts_.materials.push_back(std::move(material));
+}
+
+}  // namespace lumi::baker

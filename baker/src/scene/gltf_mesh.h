@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Gathers the triangles of a glTF scene, each mesh wherever a node places it.
+#pragma once
+
+#include "scene/gltf_materials.h"
+#include "scene/gltf_shape.h"
+
+namespace lumi::baker
+{
+
+class GltfMeshBuilder
+{
+public:
+    // Keeps the references. Adds to the mesh, materials and textures of `parts`.
+    GltfMeshBuilder(const GltfModel& model, const std::vector<GltfSurface>& surfaces, SceneParts& parts,
+                    Losses& losses);
+
+    // Throws SceneError.
+    void add(int32_t mesh, const Affine& place);
+
+private:
+    void add_primitive(const GltfPrimitive& primitive, const GltfShape& shape, const Affine& place);
+    uint32_t material_of(size_t surface);
+    void add_vertices(const GltfShape& shape, const GltfSurface& surface, const Affine& place);
+    void paint(const GltfShape& shape, size_t surface, size_t first, const std::vector<std::array<uint32_t, 3>>& kept);
+
+    const GltfModel& model_;
+    const std::vector<GltfSurface>& surfaces_;
+    SceneParts& parts_;
+    Losses& losses_;
+    std::vector<int64_t> places_;                            // of surfaces among the scene's materials, or -1
+    std::map<std::pair<int32_t, size_t>, GltfShape> known_;  // by mesh and primitive
+};
+
+}  // namespace lumi::baker

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// What a glTF 2.0 file says, as plain data. Its terms are those of the specification. Indices may be out of range:
+// who follows one checks it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "material/texture_slot.h"
+#include "util/json_text.h"
+#include "volume/affine.h"
+
+namespace lumi::baker
+{
+
+struct GltfView {
+    int32_t buffer = kNoIndex;
+    size_t offset = 0, length = 0, stride = 0;  // bytes; stride 0: without gaps
+};
+
+// Where numbers lie, of a component type such as 5126 (binary32).
+struct GltfRun {
+    int32_t view = kNoIndex;
+    size_t offset = 0, count = 0;
+    int32_t component = 0;
+};
+
+struct GltfAccessor {
+    GltfRun run;  // without a view all numbers are 0
+    uint32_t width = 1;
+    bool normalized = false;
+    std::optional<GltfRun> sparse_indices;  // of elements that `sparse_values` replace
+    GltfRun sparse_values;
+};
+
+struct GltfPrimitive {
+    std::map<std::string, int32_t> attributes;
+    int32_t indices = kNoIndex, material = kNoIndex;
+    int32_t mode = 4;
+    bool compressed = false;  // by Draco
+};
+
+struct GltfNode {
+    std::string name;
+    std::vector<int32_t> children;
+    int32_t mesh = kNoIndex, camera = kNoIndex, light = kNoIndex;
+    Affine matrix{};
+};
+
+// KHR_lights_punctual.
+struct GltfLight {
+    enum class Type { directional, point, spot };
+    Type type = Type::point;
+    Rgb intensity;  // candela, or lux if directional, in each colour
+    double inner_cone = 0, outer_cone = 0;
+};
+
+struct GltfImage {
+    std::string name;   // for messages
+    std::string bytes;  // of its file; empty where that is missing
+};
+
+// A texture where a material uses it.
+struct GltfTextureUse {
+    int32_t image = kNoIndex;
+    int32_t uv_set = 0;
+    Vec2 scale = {1, 1}, offset;
+    double rotation = 0;
+    double strength = 1;  // of normals
+    bool repeats = true;
+
+    bool used() const { return image != kNoIndex; }
+};
+
+enum class GltfAlpha { opaque, mask, blend };
+
+struct GltfMaterial {
+    std::string name;
+    Rgb base = grey(1);
+    float alpha = 1, cutoff = 0.5f, metalness = 1, roughness = 1;
+    GltfAlpha alpha_mode = GltfAlpha::opaque;
+    Rgb emission;
+    GltfTextureUse base_texture, metal_rough_texture, normal_texture, emission_texture;
+    std::map<std::string, JsonValue> extensions;
+};
+
+struct GltfTexture {
+    int32_t image = kNoIndex;
+    bool repeats = true;
+};
+
+struct GltfModel {
+    std::filesystem::path file;
+    std::vector<std::string> buffers;
+    std::vector<GltfView> views;
+    std::vector<GltfAccessor> accessors;
+    std::vector<std::vector<GltfPrimitive>> meshes;
+    std::vector<GltfNode> nodes;
+    std::vector<int32_t> roots;  // nodes of the scene that is shown
+    std::vector<GltfMaterial> materials;
+    std::vector<GltfTexture> textures;
+    std::vector<GltfImage> images;
+    std::vector<GltfLight> lights;
+    bool moves = false;  // animated, skinned or morphed
+};
+
+// Throws SceneError that names the file.
+[[noreturn]] void fail_gltf(const GltfModel& model, const std::string& text);
+
+// The element, which `what` names; throws SceneError if there is none.
+template <class T>
+const T& element_of(const GltfModel& model, const std::vector<T>& list, int32_t index, const char* what)
+{
+    if (index < 0 || static_cast<size_t>(index) >= list.size()) {
+        fail_gltf(model, std::string(what) + " " + std::to_string(index) + " is used, but there are " +
+                             std::to_string(list.size()) + "; export the file again");
+    }
+    return list[static_cast<size_t>(index)];
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_reader.h"
+
+#include <algorithm>
+
+#include "scene/gltf_file.h"
+#include "scene/gltf_mesh.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+// A lamp of 683 lumens sends out a watt, by the convention that exporters follow: candela and lux over this number are
+// intensity and irradiance, of which 1 W/(m² sr) is white.
+constexpr float kLumensPerWatt = 683;
+
+class GltfSceneReader
+{
+public:
+    GltfSceneReader(const GltfModel& model, Losses& losses, std::vector<std::string>& warnings)
+        : model_(model),
+          surfaces_(surfaces_of(model, parts_.textures, losses, warnings)),
+          meshes_(model, surfaces_, parts_, losses)
+    {
+    }
+
+    SceneParts read()
+    {
+        walk();
+        if (parts_.mesh.corners.empty())
+            fail_gltf(model_, "the scene in it shows no triangle; export at least one mesh");
+        colour_glass();
+        return std::move(parts_);
+    }
+
+private:
+    struct Placed {
+        int32_t node;
+        Affine parent;
+    };
+
+    // Nodes are a forest: who comes twice would come for ever, or too often.
+    void walk()
+    {
+        constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+        std::vector<bool> seen(model_.nodes.size(), false);
+        std::vector<Placed> open;
+        for (auto root = model_.roots.rbegin(); root != model_.roots.rend(); ++root) open.push_back({*root, kIdentity});
+        while (!open.empty()) {
+            const Placed next = open.back();
+            open.pop_back();
+            const GltfNode& node = element_of(model_, model_.nodes, next.node, "node");
+            if (seen[static_cast<size_t>(next.node)]) {
+                fail_gltf(model_, "node " + std::to_string(next.node) +
+                                      " lies below two nodes or below itself; export the file again");
+            }
+            seen[static_cast<size_t>(next.node)] = true;
+            const Affine place = combined(next.parent, node.matrix);
+            if (node.mesh != kNoIndex) meshes_.add(node.mesh, place);
+            if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
+            for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+                open.push_back({*child, place});
+        }
+    }
+
+    void add_light(const GltfLight& light, const Affine& place)
+    {
+        const Rgb power = clamped(light.intensity * (1 / kLumensPerWatt));
+        const Vec3 position = {static_cast<float>(place[0][3]), static_cast<float>(place[1][3]),
+                               static_cast<float>(place[2][3])};
+        // It shines along the node's -z.
+        const Vec3 way = {-static_cast<float>(place[0][2]), -static_cast<float>(place[1][2]),
+                          -static_cast<float>(place[2][2])};
+        const float size = length(way);
+        const bool sound = std::isfinite(length(position)) && std::isfinite(size) && size > 0;
+        if (is_black(power) || !sound) return;
+        if (light.type == GltfLight::Type::point) parts_.fixtures.emplace_back(PointLight{position, power});
+        if (light.type == GltfLight::Type::directional)
+            parts_.fixtures.emplace_back(DirectionalLight{-way / size, power});
+        if (light.type != GltfLight::Type::spot) return;
+        constexpr double kWidest = 1.5707963267948966, kLeast = 1e-3;
+        const double outer = std::clamp(light.outer_cone, kLeast, kWidest);
+        const double inner = std::clamp(light.inner_cone, 0.0, outer - kLeast / 2);
+        parts_.fixtures.emplace_back(SpotLight{position, way / size, static_cast<float>(std::cos(inner)),
+                                               static_cast<float>(std::cos(outer)), power});
+    }
+
+    static Rgb clamped(const Rgb& c)
+    {
+        const auto sound = [](float v) { return v > 0 ? std::min(v, kMaxRadiance) : 0.0f; };
+        return {sound(c.r), sound(c.g), sound(c.b)};
+    }
+
+    // glTF's colour of glass without a volume is that of a thin pane. A body gets it on its shortest way.
+    void colour_glass()
+    {
+        for (uint32_t k = 0; k < parts_.materials.size(); ++k) {
+            Material& material = parts_.materials[k];
+            const auto same = [&](const GltfSurface& s) { return s.tinted && s.material.name == material.name; };
+            if (!material.glass || std::none_of(surfaces_.begin(), surfaces_.end(), same)) continue;
+            material.transmittance_length = thickness_of(k);
+            material.finish();
+        }
+    }
+
+    float thickness_of(uint32_t material) const
+    {
+        constexpr float kFar = std::numeric_limits<float>::infinity();
+        Vec3 low = {kFar, kFar, kFar}, high = {-kFar, -kFar, -kFar};
+        const Mesh& mesh = parts_.mesh;
+        for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+            for (size_t c = 0; c < 3 && mesh.materials[t] == material; ++c) {
+                const Vec3& p = mesh.position(t, c);
+                low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+                high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+            }
+        }
+        const Vec3 size = high - low;
+        const float longest = std::max({size.x, size.y, size.z});
+        constexpr float kThinnest = 1e-3f;  // of the longest side: a pane may be flat
+        return longest > 0 ? std::max(std::min({size.x, size.y, size.z}), kThinnest * longest) : 1.0f;
+    }
+
+    const GltfModel& model_;
+    SceneParts parts_;
+    const std::vector<GltfSurface> surfaces_;
+    GltfMeshBuilder meshes_;
+};
+
+}  // namespace
+
+SceneParts read_gltf(const std::filesystem::path& file, std::vector<std::string>& warnings)
+{
+    const GltfModel model = read_gltf_file(file, warnings);
+    Losses losses;
+    SceneParts parts = GltfSceneReader(model, losses, warnings).read();
+    losses.report(file, warnings);
+    return parts;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Hostile glTF files: a message that names the file and the mend, never a crash.
+#include <catch2/catch.hpp>
+
+#include "lumi/baker/scene.h"
+#include "scene/gltf_reader.h"
+#include "support/gltf_bytes.h"
+#include "support/scratch_folder.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+using testing::GltfMaker;
+using testing::ScratchFolder;
+using testing::square;
+
+void check_gltf_refused(const std::string& bytes, const std::string& what, const char* name = "m.glb")
+{
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    CHECK_THROWS_WITH(read_gltf(folder.write(name, bytes), warnings),
+                      Catch::Contains(std::string(name) + ": ") && Catch::Contains(what) && Catch::Contains("; "));
+}
+
+// A triangle whose positions are an accessor of these members.
+std::string glb_of_positions(const std::string& accessor)
+{
+    GltfMaker maker;
+    maker.view(std::string(36, '\0'));
+    maker.accessor(accessor);
+    maker.add("\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]");
+    return maker.glb();
+}
+
+}  // namespace
+
+TEST_CASE("glTF: what is required and not drawn is refused by its name, with the way out")
+{
+    const auto requiring = [](const std::string& extension) {
+        GltfMaker maker = square();
+        maker.add("\"extensionsRequired\":[\"" + extension + "\"]");
+        return maker.glb();
+    };
+    check_gltf_refused(requiring("KHR_draco_mesh_compression"), "Draco");
+    check_gltf_refused(requiring("EXT_meshopt_compression"), "meshopt");
+    check_gltf_refused(requiring("KHR_texture_basisu"), "KTX2");
+    check_gltf_refused(requiring("EXT_texture_webp"), "WebP");
+    check_gltf_refused(requiring("ACME_wobble"), "ACME_wobble");
+    GltfMaker webp = square("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}");
+    webp.add("\"textures\":[{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}],\"images\":[{\"uri\":\"p.webp\"}]");
+    check_gltf_refused(webp.glb(), "WebP");
+    check_gltf_refused("{\"asset\":{\"version\":\"1.0\"}}", "glTF 1.0", "m.gltf");
+    check_gltf_refused("glTF" + std::string("\1\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0", 16), "glTF 1.0");
+    check_gltf_refused("{\"meshes\":{}}", "glTF 1.0", "m.gltf");
+}
+
+TEST_CASE("glTF: a GLB that is cut anywhere is refused")
+{
+    const std::string whole = square("\"name\":\"x\"").glb();
+    for (size_t size = 0; size < whole.size(); ++size) {
+        INFO(size << " of " << whole.size() << " bytes");
+        check_gltf_refused(whole.substr(0, size), "");
+    }
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    CHECK(read_gltf(folder.write("m.glb", whole), warnings).mesh.triangle_count() == 2);
+}
+
+TEST_CASE("glTF: any changed byte gives a model or a message")
+{
+    const std::string whole = square("\"pbrMetallicRoughness\":{\"metallicFactor\":0.5}").glb();
+    const ScratchFolder folder;
+    for (size_t k = 0; k < whole.size(); ++k) {
+        for (const char mask : {'\1', '\x40', '\x80'}) {
+            std::string bytes = whole;
+            bytes[k] = static_cast<char>(bytes[k] ^ mask);
+            std::vector<std::string> warnings;
+            try {
+                read_gltf(folder.write("m.glb", bytes), warnings);
+            } catch (const SceneError& e) {
+                CHECK_THAT(e.what(), Catch::Contains("m.glb: ") && Catch::Contains("; "));
+            }
+        }
+    }
+}
+
+TEST_CASE("glTF: nodes below themselves, or below two nodes, are refused")
+{
+    const auto with = [](const std::string& nodes) {
+        GltfMaker maker;
+        maker.add("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[" + nodes + "]");
+        return maker.glb();
+    };
+    check_gltf_refused(with("{\"children\":[0]}"), "node 0");
+    check_gltf_refused(with("{\"children\":[1]},{\"children\":[0]}"), "node 0");
+    check_gltf_refused(with("{\"children\":[1,1]},{}"), "node 1");
+    check_gltf_refused(with("{\"children\":[7]}"), "node 7");
+}
+
+TEST_CASE("glTF: accessors that reach beyond their buffers, or claim what the file cannot hold, are refused")
+{
+    const std::string rest = ",\"componentType\":5126,\"type\":\"VEC3\",\"count\":";
+    check_gltf_refused(glb_of_positions("\"bufferView\":0" + rest + "4"), "beyond");
+    check_gltf_refused(glb_of_positions("\"bufferView\":0,\"byteOffset\":4" + rest + "3"), "beyond");
+    check_gltf_refused(glb_of_positions("\"bufferView\":0" + rest + "1000000000"), "beyond");
+    check_gltf_refused(glb_of_positions("\"bufferView\":0" + rest + "4294967297"), "beyond");
+    check_gltf_refused(glb_of_positions("\"bufferView\":3" + rest + "3"), "buffer view 3");
+    check_gltf_refused(glb_of_positions(rest.substr(1) + "1000000000"), "without any bytes");
+    check_gltf_refused(
+        glb_of_positions(rest.substr(1) + "3,\"sparse\":{\"count\":1000000000,\"indices\":{\"bufferView\":0,"
+                                          "\"componentType\":5125},\"values\":{\"bufferView\":0}}"),
+        "beyond");
+}
+
+TEST_CASE("glTF: numbers that are not finite, or place a mesh nowhere, are refused")
+{
+    GltfMaker maker;
+    const std::string p = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0}));
+    maker.add("\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" + p + "}}]}]");
+    check_gltf_refused(maker.glb(), "not finite");
+    check_gltf_refused(square("", "\"translation\":[NaN,0,0]").glb(), "");
+    check_gltf_refused(square("", "\"translation\":[1e999,0,0]").glb(), "");
+    check_gltf_refused(square("", "\"scale\":[1e300,1e300,1e300]").glb(), "places its mesh");
+    check_gltf_refused(square("", "\"scale\":[0,0,0]").glb(), "no triangle");
+}
+
+TEST_CASE("glTF: a JSON that nests too deeply, or claims too much, is refused before it is parsed")
+{
+    GltfMaker deep = square();
+    deep.add("\"extras\":" + std::string(100000, '[') + std::string(100000, ']'));
+    check_gltf_refused(deep.glb(), "nests too deeply");
+    GltfMaker broad = square();
+    std::string many;
+    for (size_t k = 0; k < 4'000'001; ++k) many += "{},";
+    broad.add("\"extras\":[" + many + "{}]");
+    check_gltf_refused(broad.glb(), "parts");
+    check_gltf_refused(std::string((size_t{1} << 28) + 1, ' '), "bytes, at most", "m.gltf");
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Fuzz target: a GLB or glTF file from a stranger.
+#include "fuzz_folder.h"
+#include "scene/gltf_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+{
+    static const lumi::fuzz::FuzzFolder folder;
+    std::vector<std::string> warnings;
+    try {
+        lumi::baker::read_gltf(folder.write("m.glb", std::string(reinterpret_cast<const char*>(data), size)), warnings);
+    } catch (const lumi::baker::SceneError&) {
+    }
+    return 0;
+}
