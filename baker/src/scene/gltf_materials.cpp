@@ -23,11 +23,6 @@ bool is_alike(const GltfTextureUse& a, const GltfTextureUse& b)
            a.rotation == b.rotation;
 }
 
-float index_of_reflectance(float f0)
-{
-    return (1 + std::sqrt(f0)) / (1 - std::sqrt(f0));
-}
-
 // Makes one material.
 class SurfaceMaker
 {
@@ -131,7 +126,8 @@ private:
         constexpr float kMostReflectance = 0.36f;  // of the largest index that materials have
         f0_ = std::clamp(f0_, 0.0f, kMostReflectance);
         m_.specular = f0_ > 0;
-        m_.index = index_of_reflectance(f0_);
+        m_.index = index_from_reflectance(f0_);
+        m_.rough_body = true;
     }
 
     void take_base(const Rgb& colour, const GltfTextureUse& use)
