@@ -26,14 +26,14 @@ TIME_HOURS, TIME_MINUTES, TIME_SECONDS = 10, 9, 36
 MATERIALS = """# SPDX-License-Identifier: MIT
 # Satin plinth.
 newmtl plinth
-Kd 0.54 0.53 0.51
+Kd 0.4 0.39 0.375
 Ks 0.5 0.5 0.5
 Ns 20
 Pr 0.3
 
 # Glossy red plastic.
 newmtl shell
-Kd 0.66 0.045 0.025
+Kd 0.45 0.022 0.012
 Ks 0.6 0.6 0.6
 Ns 90
 Pr 0.15
