@@ -31,7 +31,7 @@ inline uint16_t* outline_bits(const SurfaceFrame& frame)
 
 inline uint32_t outline_sides(const SurfaceFrame& frame, uint32_t triangle)
 {
-    return outline_bits(frame)[triangle >> 2] >> (4 * (triangle & 3)) & 15u;
+    return uint32_t{outline_bits(frame)[triangle >> 2]} >> (4 * (triangle & 3)) & 15u;
 }
 
 }  // namespace lumi::detail
