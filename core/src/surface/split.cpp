@@ -101,10 +101,11 @@ private:
     {
         const SurfaceVertex* v = frame_.memory.vertices;
         const uint32_t *k = parts_.vertex, a = v[k[0]].colour, b = v[k[1]].colour, c = v[k[2]].colour;
-        const auto field = [&](int32_t (*channel)(uint32_t)) {
-            return static_cast<uint32_t>(mixed(s, channel(a), channel(b), channel(c))) & 0x3FF;
+        const auto field = [&](int32_t of_a, int32_t of_b, int32_t of_c) {
+            return static_cast<uint32_t>(mixed(s, of_a, of_b, of_c)) & 0x3FF;
         };
-        return field(red_q2) << 22 | field(green_q2) << 12 | field(blue_q2) << 2;
+        return field(red_q2(a), red_q2(b), red_q2(c)) << 22 | field(green_q2(a), green_q2(b), green_q2(c)) << 12 |
+               field(blue_q2(a), blue_q2(b), blue_q2(c)) << 2;
     }
 
     // Whether all corners lie beyond one of the target's sides, or nearer than the near plane.

@@ -129,6 +129,12 @@ LUMI_ALWAYS_INLINE void draw_piece(TrianglePiece& piece, int32_t width)
         kDraw(piece.rows, piece.count);
 }
 
+// Whether there is such a loop. A comparison with null is no constant under GCC's -fsanitize=undefined.
+template <DrawRows>
+inline constexpr bool kIsThere = true;
+template <>
+inline constexpr bool kIsThere<nullptr> = false;
+
 // Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth. Textures whose texels are
 // larger than samples take the second loop; null: the first one, too.
 template <DrawRows kPlain, DrawRows kMagnified>
@@ -136,7 +142,7 @@ __attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const T
 {
     TrianglePieces pieces(frame, target);
     while (pieces.next()) {
-        if constexpr (kMagnified != nullptr) {
+        if constexpr (kIsThere<kMagnified>) {
             if (pieces.piece.is_magnified) {
                 draw_piece<kMagnified>(pieces.piece, target.rows.width);
                 continue;
