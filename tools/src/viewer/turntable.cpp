@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "image/png.h"
+#include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -45,6 +46,7 @@ Series series_of(const std::string& folder)
 
 std::string bytes_of(const std::string& path)
 {
+    baker::note_input(path);
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
