@@ -80,6 +80,8 @@ baker/src/geometry
 baker/src/material
 baker/src/light
 baker/src/volume
+baker/src/model
+baker/src/model/gltf
 baker/src/scene
 baker/src/trace
 baker/src/store
@@ -124,8 +126,8 @@ ALLOWED_BACK_UP = {}
 # Third parties by what their headers' names begin with, and the one file that may include them. Tests may include all.
 THIRD_PARTIES = {
     "embree3/": "baker/src/geometry/accelerator.cpp",
-    "tiny_obj_loader.h": "baker/src/scene/obj_parser.cpp",
-    "tiny_gltf.h": "baker/src/scene/gltf_file.cpp",
+    "tiny_obj_loader.h": "baker/src/model/obj_parser.cpp",
+    "tiny_gltf.h": "baker/src/model/gltf/file.cpp",
     "png.h": "baker/src/image/png_file.cpp",
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
     "Imf": "baker/src/image/exr_file.cpp",

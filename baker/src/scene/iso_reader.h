@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "scene/scene_data.h"
+#include "model/scene_parts.h"
 
 namespace lumi::baker
 {

@@ -3,7 +3,7 @@
 
 #include "image/radiance_picture.h"
 #include "math/frame.h"
-#include "scene/materials.h"
+#include "model/materials.h"
 #include "scene/number_ranges.h"
 
 namespace lumi::baker

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/iso_reader.h"
 #include "scene/model_reader.h"
+#include "scene/scene_data.h"
 #include "scene/scene_file.h"
 #include "util/text_lines.h"
 #include "volume/volume_file.h"

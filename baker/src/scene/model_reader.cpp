@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "scene/gltf_reader.h"
-#include "scene/obj_reader.h"
+#include "model/gltf/reader.h"
+#include "model/obj_reader.h"
 
 namespace lumi::baker
 {

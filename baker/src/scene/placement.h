@@ -2,7 +2,7 @@
 // Puts several scenes into one.
 #pragma once
 
-#include "scene/scene_data.h"
+#include "model/scene_parts.h"
 #include "util/json_members.h"
 #include "volume/affine.h"
 

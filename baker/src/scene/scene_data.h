@@ -7,41 +7,12 @@
 #include <vector>
 
 #include "geometry/accelerator.h"
-#include "geometry/bounding_sphere.h"
-#include "geometry/mesh.h"
-#include "image/texture.h"
-#include "image/tone.h"
 #include "light/light_set.h"
-#include "lumi/baker/scene.h"
-#include "material/material.h"
+#include "model/scene_parts.h"
 #include "volume/medium.h"
 
 namespace lumi::baker
 {
-
-// Level: its normal is the up axis.
-struct Disc {
-    Vec3 centre;
-    float radius;
-};
-
-// A scene in its own units and axes, before the sphere is fitted: what a reader of a file format delivers. Positions
-// are finite, every triangle has an area, indices and materials are in range.
-struct SceneParts {
-    Mesh mesh;
-    std::vector<Material> materials;  // finished
-    std::vector<Texture> textures;
-    std::vector<Fixture> fixtures;
-    std::optional<Disc> catcher;  // catches shadows, see catcher.h
-    std::optional<Volume> volume;
-    bool mesh_is_shell = false;  // see SceneData
-    float exposure = 1;          // factor on all light
-    ToneCurve tone = ToneCurve::srgb;
-    // In place of the defaults, where LoadOptions leave them open:
-    std::optional<UpAxis> up;
-    std::optional<Environment> environment;
-    std::optional<BoundingSphere> sphere;  // in place of the fitted one
-};
 
 struct SceneData {
     SceneData(SceneParts parts, const LoadOptions& options);

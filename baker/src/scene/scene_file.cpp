@@ -6,8 +6,8 @@
 #include <map>
 #include <string_view>
 
+#include "model/materials.h"
 #include "scene/iso_reader.h"
-#include "scene/materials.h"
 #include "scene/model_reader.h"
 #include "scene/number_ranges.h"
 #include "scene/placement.h"

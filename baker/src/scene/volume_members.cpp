@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_members.h"
 
-#include "scene/materials.h"
+#include "model/materials.h"
 #include "scene/number_ranges.h"
 #include "scene/placement.h"
 #include "volume/volume_file.h"

@@ -15,7 +15,7 @@
 
 #include "geometry/accelerator.h"
 #include "math/sampler.h"
-#include "scene/scene_data.h"
+#include "model/scene_parts.h"
 
 namespace lumi::baker
 {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "scene/scene_data.h"
 #include "support/scratch_folder.h"
 
 namespace lumi::baker

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one file that sees tinygltf.
-#include "scene/gltf_file.h"
+#include "model/gltf/file.h"
 
 #include <tiny_gltf.h>
 
@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "lumi/baker/scene.h"
-#include "scene/gltf_container.h"
-#include "scene/gltf_extensions.h"
-#include "scene/materials.h"
+#include "model/gltf/container.h"
+#include "model/gltf/extensions.h"
+#include "model/materials.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_reader.h"
+#include "model/gltf/reader.h"
 
 #include <algorithm>
 
-#include "scene/gltf_file.h"
-#include "scene/gltf_mesh.h"
+#include "model/gltf/file.h"
+#include "model/gltf/mesh.h"
 
 namespace lumi::baker
 {

@@ -8,8 +8,8 @@
 
 #include "image/texture.h"
 #include "material/material.h"
-#include "scene/mtl_reader.h"
-#include "scene/obj_text.h"
+#include "model/mtl_reader.h"
+#include "model/obj_text.h"
 
 namespace lumi::baker
 {

@@ -2,7 +2,7 @@
 // Extensions of glTF 2.0: which ones are drawn, and their members.
 #pragma once
 
-#include "scene/gltf_model.h"
+#include "model/gltf/model.h"
 
 namespace lumi::baker
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_materials.h"
+#include "model/gltf/materials.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "scene/gltf_extensions.h"
-#include "scene/gltf_textures.h"
+#include "model/gltf/extensions.h"
+#include "model/gltf/textures.h"
 
 namespace lumi::baker
 {

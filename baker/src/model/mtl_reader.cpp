@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/mtl_reader.h"
+#include "model/mtl_reader.h"
 
 #include <algorithm>
 #include <set>

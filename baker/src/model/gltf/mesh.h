@@ -2,8 +2,8 @@
 // Gathers the triangles of a glTF scene, each mesh wherever a node places it.
 #pragma once
 
-#include "scene/gltf_materials.h"
-#include "scene/gltf_shape.h"
+#include "model/gltf/materials.h"
+#include "model/gltf/shape.h"
 
 namespace lumi::baker
 {

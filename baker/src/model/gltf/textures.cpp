@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_textures.h"
+#include "model/gltf/textures.h"
 
 #include <algorithm>
 #include <cmath>

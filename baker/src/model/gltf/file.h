@@ -2,7 +2,7 @@
 // Reads glTF 2.0 files, .gltf or .glb, with their buffers and pictures: tinygltf behind a wall.
 #pragma once
 
-#include "scene/gltf_model.h"
+#include "model/gltf/model.h"
 
 namespace lumi::baker
 {

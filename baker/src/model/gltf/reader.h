@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene_data.h"
+#include "model/scene_parts.h"
 
 namespace lumi::baker
 {

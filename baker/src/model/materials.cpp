@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/materials.h"
+#include "model/materials.h"
 
 #include <algorithm>
 #include <map>

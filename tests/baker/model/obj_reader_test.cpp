@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Good and hostile OBJ and MTL files: a correct picture or a message that names file, line and mend, never a crash.
-#include "scene/obj_reader.h"
+#include "model/obj_reader.h"
 
 #include <catch2/catch.hpp>
 
 #include "material/fresnel.h"
+#include "scene/scene_data.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 

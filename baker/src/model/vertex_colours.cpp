@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/vertex_colours.h"
+#include "model/vertex_colours.h"
 
 #include <algorithm>
 #include <cmath>

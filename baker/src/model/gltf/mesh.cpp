@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_mesh.h"
+#include "model/gltf/mesh.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/polygon.h"
-#include "scene/vertex_colours.h"
+#include "model/vertex_colours.h"
 
 namespace lumi::baker
 {

@@ -2,8 +2,8 @@
 // The triangles of a glTF primitive.
 #pragma once
 
-#include "scene/gltf_model.h"
-#include "scene/losses.h"
+#include "model/gltf/model.h"
+#include "model/losses.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_extensions.h"
+#include "model/gltf/extensions.h"
 
 #include <algorithm>
 

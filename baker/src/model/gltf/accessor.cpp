@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_accessor.h"
+#include "model/gltf/accessor.h"
 
 #include <algorithm>
 #include <cmath>

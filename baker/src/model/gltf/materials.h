@@ -13,9 +13,9 @@
 // occlusion                        nothing: it is traced
 #pragma once
 
-#include "scene/gltf_model.h"
-#include "scene/losses.h"
-#include "scene/scene_data.h"
+#include "model/gltf/model.h"
+#include "model/losses.h"
+#include "model/scene_parts.h"
 
 namespace lumi::baker
 {

@@ -4,8 +4,8 @@
 
 #include <tuple>
 
-#include "scene/gltf_model.h"
-#include "scene/losses.h"
+#include "model/gltf/model.h"
+#include "model/losses.h"
 
 namespace lumi::baker
 {

@@ -2,7 +2,7 @@
 // The numbers of a glTF file's accessors: of any component type, quantised, with gaps, or sparse.
 #pragma once
 
-#include "scene/gltf_model.h"
+#include "model/gltf/model.h"
 
 namespace lumi::baker
 {

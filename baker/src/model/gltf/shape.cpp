@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_shape.h"
+#include "model/gltf/shape.h"
 
 #include <numeric>
 
-#include "scene/gltf_accessor.h"
+#include "model/gltf/accessor.h"
 
 namespace lumi::baker
 {

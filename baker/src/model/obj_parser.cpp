@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The one file that sees tinyobjloader.
-#include "scene/obj_parser.h"
+#include "model/obj_parser.h"
 
 #include <tiny_obj_loader.h>
 
 #include <sstream>
 
 #include "lumi/baker/scene.h"
-#include "scene/obj_text.h"
+#include "model/obj_text.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker

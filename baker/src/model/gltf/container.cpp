@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_container.h"
+#include "model/gltf/container.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/obj_text.h"
+#include "model/obj_text.h"
 
 #include "lumi/baker/scene.h"
 

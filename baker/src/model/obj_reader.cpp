@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "scene/obj_reader.h"
+#include "model/obj_reader.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "geometry/polygon.h"
-#include "scene/materials.h"
-#include "scene/obj_parser.h"
-#include "scene/obj_text.h"
+#include "model/materials.h"
+#include "model/obj_parser.h"
+#include "model/obj_text.h"
 
 namespace lumi::baker
 {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/baker/scene.h"
-#include "scene/gltf_reader.h"
+#include "model/gltf/reader.h"
 #include "support/gltf_bytes.h"
 #include "support/scratch_folder.h"
 
