@@ -33,10 +33,8 @@ FieldError read_counts(const uint8_t* b, SurfaceField& out)
 
 FieldError read_surface(const uint8_t* b, SurfaceField& out)
 {
-    const uint32_t flags = load_u16(b + surface::kFlagsAt);
-    if ((flags & ~kSurfaceTwoSided) != 0 || load_u16(b + surface::kReservedAt) != 0) return FieldError::bad_surface;
+    if (load_u16(b + surface::kFlagsAt) != 0 || load_u16(b + surface::kReservedAt) != 0) return FieldError::bad_surface;
     if (b[surface::kColourSpaceAt] >= kColourSpaces) return FieldError::bad_colour_space;
-    out.two_sided = (flags & kSurfaceTwoSided) != 0;
     out.colour_space = static_cast<ColourSpace>(b[surface::kColourSpaceAt]);
     BoundsBits bounds;
     if (!read_bounds(b + surface::kCentreAt, b + surface::kRadiusAt, bounds)) return FieldError::bad_bounds;

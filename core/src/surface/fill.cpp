@@ -96,16 +96,12 @@ LUMI_ALWAYS_INLINE void set_memory(Rows& rows, const Texture& texture, const Tar
 
 }  // namespace
 
-LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const Box& box, bool two_sided,
-                             const Texture& texture, const Target& target)
+LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const Box& box, const Texture& texture,
+                             const Target& target)
 {
     const SurfaceVertex &p = *corner[0].at, &q = *corner[1].at, &r = *corner[2].at;
     Facing f = {&corner[0], &corner[1], &corner[2], between(p, q), between(p, r)};
-    int32_t area = doubled_area(f.ab, f.ac);
-    if (area > 0 && two_sided) {
-        f = {f.a, f.c, f.b, f.ac, f.ab};
-        area = -area;
-    }
+    const int32_t area = doubled_area(f.ab, f.ac);
     if (area >= 0) return false;
     const Outline o = outline_of(f.a->at, f.b->at, f.c->at);
     const Shares shares = shares_of(f, static_cast<uint32_t>(-area), box.longer_q6);

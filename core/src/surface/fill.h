@@ -23,10 +23,10 @@ LUMI_ALWAYS_INLINE int32_t blue_q2(uint32_t colour)
 
 struct Box;
 
-// Begins a triangle at most kSmallQ6 wide and high whose corners are there and lie counter-clockwise on the screen, or
-// clockwise, too, where `two_sided`; false: it lies another way. `box` is the one around it, not empty.
-LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const Box& box, bool two_sided,
-                             const Texture& texture, const Target& target);
+// Begins a triangle at most kSmallQ6 wide and high whose corners are there and lie counter-clockwise on the screen;
+// false: it lies another way. `box` is the one around it, not empty.
+LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const Box& box, const Texture& texture,
+                             const Target& target);
 // Goes on to what is left of it.
 LUMI_HOT void end_triangle(TrianglePiece& piece, const Target& target);
 

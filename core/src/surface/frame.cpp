@@ -125,7 +125,7 @@ private:
     {
         if (!frame_.is_whole && !s.are_there())
             put(frame_, frame_.other_list, triangle, 0);
-        else if (area == 0 || (area > 0 && !frame_.field.two_sided))
+        else if (area >= 0)
             return void(frame_.memory.links[triangle] = kTurnedAway);
         else if (!list(triangle, s))
             return void(frame_.memory.links[triangle] = kWithoutSamples);

@@ -66,7 +66,7 @@ LUMI_ALWAYS_INLINE bool TrianglePieces::begin_listed(uint32_t triangle)
     if (!set_box(box, *a, *b, *c, target_) || is_hidden(*a, *b, *c, box, target_)) return false;
     const Places p = places_of(patch, is_first);
     return begin_triangle(piece, {{a, p.u_q8, p.v_q8}, {b, p.across_q8, p.v_q8}, {c, p.u_q8, p.down_q8}}, box,
-                          frame_.field.two_sided, texture_of(patch, frame_.field), target_);
+                          texture_of(patch, frame_.field), target_);
 }
 
 __attribute__((noinline)) bool TrianglePieces::next_part()
@@ -76,7 +76,7 @@ __attribute__((noinline)) bool TrianglePieces::next_part()
         while (detail::next_part(parts_, frame_, target_, corner)) {
             Box box;
             if (set_box(box, *corner[0].at, *corner[1].at, *corner[2].at, target_) &&
-                begin_triangle(piece, corner, box, frame_.field.two_sided, parts_.texture, target_))
+                begin_triangle(piece, corner, box, parts_.texture, target_))
                 return true;
         }
         if (other_ == kEmptyBand) return false;

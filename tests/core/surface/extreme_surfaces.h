@@ -28,6 +28,8 @@ public:
     {
         TestSurface s;
         set_counts(s);
+        const bool has_both_sides = choose_.below(2) != 0;
+        set_other_numbers(s);
         const bool is_walk = choose_.once_in(2);
         if (is_walk)
             walk(s.vertices);
@@ -35,6 +37,7 @@ public:
             for (SurfacePoint& v : s.vertices) v = vertex(s);
         const bool has_largest_textures = choose_.below(4) != 0;
         for (TestPatch& p : s.patches) p = patch(s, is_walk, has_largest_textures);
+        if (has_both_sides) add_turned_patches(s);
         std::vector<TestSection> sections = {surface_section(s),
                                              vertex_section(s),
                                              patch_section(s),
@@ -59,7 +62,10 @@ private:
         s.vertices.resize(mostly_few(3, limits_.vertices));
         s.patches.resize(mostly_few(1, limits_.patches));
         s.viewed = choose_.once_in(3) ? 0 : choose_.end_or_any(0, static_cast<uint32_t>(s.vertices.size()));
-        s.flags = choose_.below(2) * detail::format::kSurfaceTwoSided;
+    }
+
+    void set_other_numbers(TestSurface& s)
+    {
         s.colour_space = choose_.below(detail::format::kColourSpaces);
         s.longest_edge_q6 = choose_.end_or_any(1, 128);
         choose_.set_bounds(s.centre, s.radius);
@@ -127,6 +133,17 @@ private:
         p.rows = has_largest_texture ? detail::format::kMaxPatchSide : choose_.end_or_any(1, detail::format::kMaxPatchSide);
         p.begin = choose_.end_or_any(0, texels - detail::format::patch_reach(p.columns));
         return p;
+    }
+
+    // The other side of every patch, as far as there is room.
+    void add_turned_patches(TestSurface& s) const
+    {
+        const size_t count = std::min(2 * s.patches.size(), size_t{limits_.patches});
+        for (size_t k = 0; s.patches.size() < count; ++k) {
+            TestPatch turned = s.patches[k];
+            std::swap(turned.b, turned.c);
+            s.patches.push_back(turned);
+        }
     }
 
     TestSection palette()

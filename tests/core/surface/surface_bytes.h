@@ -231,18 +231,21 @@ inline TestSurface bumpy_ball()
     return s;
 }
 
-// An open sheet seen from both sides, without view tables.
+// An open sheet without view tables: each of its sides has vertices and patches of its own.
 inline TestSurface wavy_sheet()
 {
-    constexpr int kSide = 7;
+    constexpr int kSide = 7, kPoints = kSide * kSide;
     TestSurface s;
-    s.flags = detail::format::kSurfaceTwoSided;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        const int x = 4000 * (i % kSide) - 12000, y = 3500 * (i / kSide) - 10500;
+    for (int i = 0; i < 2 * kPoints; ++i) {
+        const int x = 4000 * (i % kSide) - 12000, y = 3500 * (i % kPoints / kSide) - 10500;
         s.vertices.push_back({x, y, static_cast<int32_t>(std::lround(2500 * std::sin(x * 3e-4 + y * 2e-4)))});
     }
-    for (uint32_t k = 0; k + kSide < s.vertices.size(); ++k)
-        if (k % kSide != kSide - 1) s.patches.push_back({k, k + 1, k + kSide, k + kSide + 1});
+    for (uint32_t a = 0; a + kSide < kPoints; ++a) {
+        if (a % kSide == kSide - 1) continue;
+        const uint32_t b = a + 1, c = a + kSide, d = b + kSide;
+        s.patches.push_back({a, b, c, d});
+        s.patches.push_back({a + kPoints, c + kPoints, b + kPoints, d + kPoints});
+    }
     put_texels(s);
     return s;
 }

@@ -98,7 +98,7 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
     double turned = 0;  // length of the sides of patches that have one triangle facing the eye and one not
     const auto add = [&](uint32_t a, uint32_t b, uint32_t c, const detail::SurfacePatch& patch) {
         const double area = winding(places[a], places[b], places[c]);
-        if (area <= 0 && !field.two_sided) return false;
+        if (area <= 0) return false;
         const auto [low, high] = std::minmax({places[a].y, places[b].y, places[c].y});
         load.seen += 1;
         load.scanlines += high - low;

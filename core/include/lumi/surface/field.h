@@ -21,7 +21,6 @@ struct SurfaceField {
     const uint8_t* neighbours = nullptr;    // patch_count × kNeighbourBytes, or null
     uint32_t vertex_count = 0, viewed_count = 0, patch_count = 0, texel_bytes = 0;
     uint32_t longest_edge_q6 = 0;  // radii
-    bool two_sided = false;
     ColourSpace colour_space = ColourSpace::srgb;
     uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
     uint32_t radius_bits = 0;

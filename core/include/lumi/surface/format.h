@@ -22,7 +22,7 @@ namespace surface
 inline constexpr uint32_t kVerticesAt = 0;      // u16, 3 .. kMaxSurfaceVertices
 inline constexpr uint32_t kViewedAt = 2;        // u16, vertices 0 .. this - 1 have a view table; 0: no kViewSection
 inline constexpr uint32_t kPatchesAt = 4;       // u16, 1 .. kMaxPatches
-inline constexpr uint32_t kFlagsAt = 6;         // u16, kSurfaceTwoSided or 0
+inline constexpr uint32_t kFlagsAt = 6;         // u16, 0: there are none
 inline constexpr uint32_t kTexelsAt = 8;        // u32, length of the texel section, 1 .. kMaxSurfaceTexels
 inline constexpr uint32_t kColourSpaceAt = 12;  // u8, ColourSpace
 inline constexpr uint32_t kLongestEdgeAt = 13;  // u8, of any triangle, steps of 1/64 radius, rounded up, 1 .. 128
@@ -30,7 +30,6 @@ inline constexpr uint32_t kReservedAt = 14;     // u16, 0
 inline constexpr uint32_t kCentreAt = 16;       // 3 × IEEE binary32: the sphere's centre, scene units and axes
 inline constexpr uint32_t kRadiusAt = 28;       // IEEE binary32 > 0
 }  // namespace surface
-inline constexpr uint32_t kSurfaceTwoSided = 1;  // both sides of every triangle are drawn
 
 inline constexpr uint32_t kMaxSurfaceVertices = 8192;
 inline constexpr uint32_t kMaxPatches = 4096;

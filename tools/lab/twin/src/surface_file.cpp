@@ -78,7 +78,6 @@ SurfaceFile::SurfaceFile(const uint8_t* file)
 {
     namespace at = detail::format::surface;
     const uint8_t* head = section(file, detail::format::kSurfaceSection);
-    two_sided = (u16(head + at::kFlagsAt) & detail::format::kSurfaceTwoSided) != 0;
     positions = positions_in(section(file, detail::format::kVertexSection), u16(head + at::kVerticesAt));
     triangles = triangles_in(section(file, detail::format::kPatchSection), u16(head + at::kPatchesAt));
     const uint8_t *indices = section(file, detail::format::kColourSection),

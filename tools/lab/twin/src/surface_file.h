@@ -25,7 +25,6 @@ struct SurfaceView {
 struct SurfaceFile {
     explicit SurfaceFile(const uint8_t* file);
 
-    bool two_sided = false;
     std::vector<Vec3> positions;
     std::vector<SurfaceTriangle> triangles;
     std::vector<Colour> texels;

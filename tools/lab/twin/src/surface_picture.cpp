@@ -38,11 +38,11 @@ struct Corners {
 };
 
 // Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997.
-Hit meeting(const Corners& t, const Vec3& eye, const Vec3& d, bool two_sided)
+Hit meeting(const Corners& t, const Vec3& eye, const Vec3& d)
 {
     const Vec3 ab = t.b - t.a, ac = t.c - t.a, across = cross(d, ac), from = eye - t.a;
     const double determinant = dot(ab, across);  // positive where the outside is seen
-    if (two_sided ? determinant == 0 : determinant <= 0) return {};
+    if (determinant <= 0) return {};
     const double u = dot(from, across) / determinant;
     const Vec3 turned = cross(from, ab);
     const double v = dot(d, turned) / determinant;
@@ -135,7 +135,7 @@ private:
     {
         for (int s = 0; s < grid_ * grid_; ++s) {
             const double right = (s % grid_ + 0.5) / grid_, down = (s / grid_ + 0.5) / grid_;
-            Hit hit = meeting(corners, view_.eye(), view_.vector(x + right, y + down), surface_.two_sided);
+            Hit hit = meeting(corners, view_.eye(), view_.vector(x + right, y + down));
             Hit& nearest = hits_[index_of(x, y, s)];
             if (hit.depth <= 0 || (nearest.depth > 0 && nearest.depth <= hit.depth)) continue;
             hit.triangle = triangle;
