@@ -78,6 +78,18 @@ LUMI_ALWAYS_INLINE PackedColour filtered(uint32_t place, const Rows& rows)
         return bilinear_texel(place, rows);
 }
 
+// Samples that hold a pixel in 5, 6 and 5 bits.
+template <class Pixel>
+struct Sample565 {
+    using Colour = uint16_t;
+    static Colour stored(PackedColour c)
+    {
+        Colour pixel = 0;
+        Pixel::store_packed(reinterpret_cast<uint8_t*>(&pixel), packed_565(c));
+        return pixel;
+    }
+};
+
 // Draws the samples of a row from `depth_at` to `end`, whose first quantities are given. Sample: how a colour is
 // stored, `Colour` and stored().
 template <class Sample, Filter kFilter>

@@ -5,30 +5,21 @@
 
 namespace lumi::detail
 {
-namespace
-{
-
-struct Sample565 {
-    using Colour = uint16_t;
-    static Colour stored(PackedColour c) { return low_byte_first(packed_565(c)); }
-};
-
-}  // namespace
 
 LUMI_HOT void rows_565_bilinear(Rows& rows, int32_t count)
 {
-    draw_rows<Sample565, Filter::bilinear>(rows, count);
+    draw_rows<Sample565<PixelRgb565>, Filter::bilinear>(rows, count);
 }
 
 #ifndef LUMI_ROW_LOOPS_IN_ASSEMBLY
 LUMI_HOT void lumi_rows_565_nearest(Rows& rows, int32_t count)
 {
-    draw_rows<Sample565, Filter::nearest>(rows, count);
+    draw_rows<Sample565<PixelRgb565>, Filter::nearest>(rows, count);
 }
 
 LUMI_HOT void lumi_rows_565_two_taps(Rows& rows, int32_t count)
 {
-    draw_rows<Sample565, Filter::two_taps>(rows, count);
+    draw_rows<Sample565<PixelRgb565>, Filter::two_taps>(rows, count);
 }
 #endif
 

@@ -5,30 +5,21 @@
 
 namespace lumi::detail
 {
-namespace
-{
-
-struct Swapped565 {
-    using Colour = uint16_t;
-    static Colour stored(PackedColour c) { return low_byte_first(__builtin_bswap16(packed_565(c))); }
-};
-
-}  // namespace
 
 LUMI_HOT void rows_565_swapped_bilinear(Rows& rows, int32_t count)
 {
-    draw_rows<Swapped565, Filter::bilinear>(rows, count);
+    draw_rows<Sample565<PixelRgb565Swapped>, Filter::bilinear>(rows, count);
 }
 
 #ifndef LUMI_ROW_LOOPS_IN_ASSEMBLY
 LUMI_HOT void lumi_rows_565_swapped_nearest(Rows& rows, int32_t count)
 {
-    draw_rows<Swapped565, Filter::nearest>(rows, count);
+    draw_rows<Sample565<PixelRgb565Swapped>, Filter::nearest>(rows, count);
 }
 
 LUMI_HOT void lumi_rows_565_swapped_two_taps(Rows& rows, int32_t count)
 {
-    draw_rows<Swapped565, Filter::two_taps>(rows, count);
+    draw_rows<Sample565<PixelRgb565Swapped>, Filter::two_taps>(rows, count);
 }
 #endif
 
