@@ -1,7 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Which parts have loops for 5-6-5 pixels in assembly: armv6m/rows.S, armv7m/rows.S.
+// Which parts have loops for 5-6-5 pixels in assembly (armv6m/rows.S, armv7m/rows.S), and whether these read struct
+// Rows as it is.
 #pragma once
+
+#include <stddef.h>
+
+#include "lumi/surface/detail/row_loops.h"
 
 #if defined(__ARM_ARCH_6M__) || (defined(__thumb2__) && __ARM_ARCH_PROFILE == 'M')
 #define LUMI_ROW_LOOPS_IN_ASSEMBLY 1
+
+namespace lumi::detail
+{
+
+static_assert(offsetof(Rows, edge_q16) == 0 && offsetof(Rows, edge_step_q16) == 8, "EDGES, STEPS of rows.inc");
+static_assert(offsetof(Rows, depth) == 16 && offsetof(Rows, place) == 20 && offsetof(Rows, colour) == 24, "QUANTITIES");
+static_assert(offsetof(Rows, depth_right) == 28 && offsetof(Rows, colour_right) == 36, "RIGHT");
+static_assert(offsetof(Rows, depth_down) == 40 && offsetof(Rows, colour_down) == 48, "DOWN");
+static_assert(offsetof(Rows, row) == 52, "ROW");
+static_assert(offsetof(Rows, texels) == 56 && offsetof(Rows, columns) == 60 && offsetof(Rows, palette) == 64, "TEXELS");
+static_assert(offsetof(Rows, row_bytes) == 68 && offsetof(Rows, colours_at) == 72, "ROW_BYTES, COLOURS_AT");
+static_assert(2 * kQuarter == (400u << 16 | 400u), "TAPS_APART");
+static_assert(kGuardBits == 0x80100200, "GUARD_BITS");
+
+}  // namespace lumi::detail
 #endif

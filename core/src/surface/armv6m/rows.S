@@ -3,22 +3,7 @@
 //
 // Instructions: a row about 52, a sample that is written 46 (two taps) or 33, one that is not 8.
 #if defined(__ARM_ARCH_6M__)
-        .syntax unified
-        .thumb
-
-        .equ    GUARD_BITS, 0x80100200
-        .equ    FIELDS, 0x07E0F81F      // of 5-6-5, apart
-        .equ    TAPS_APART, 400 << 16 | 400     // 2 kQuarter
-
-// struct Rows
-        .equ    STEPS, 8                // of the edges
-        .equ    QUANTITIES, 16          // depth, place and colour of column 0
-        .equ    RIGHT, 28
-        .equ    DOWN, 40                // then the row
-        .equ    ROW, 52
-        .equ    TEXELS, 56
-        .equ    ROW_BYTES, 68
-        .equ    COLOURS_AT, 72
+#include "../rows.inc"
 
 // On the stack, below the registers that are kept.
         .equ    GUARD_AT, 0
@@ -56,16 +41,7 @@ depth_end       .req    lr
         .endm
 
         .macro  rows_loop name, taps, swaps
-#ifdef LUMI_HOT_SECTION
-        .section LUMI_HOT_SECTION, "ax", %progbits
-#else
-        .section .text.\name, "ax", %progbits
-#endif
-        .balign 4
-        .global \name
-        .type   \name, %function
-        .thumb_func
-\name:
+        hot_function \name
         push    {r4-r7, lr}
         mov     r4, r8
         mov     r5, r9
@@ -75,7 +51,7 @@ depth_end       .req    lr
         sub     sp, #FRAME_BYTES
         ldr     r4, =GUARD_BITS
         ldr     r5, =FIELDS
-        ldr     r6, =TAPS_APART
+        ldr     r6, =TAPS_APART << 16 | TAPS_APART
         ldr     r7, [r0, #COLOURS_AT]
         mov     r3, sp
         stm     r3!, {r4-r7}
@@ -195,8 +171,5 @@ depth_end       .req    lr
         .size   \name, . - \name
         .endm
 
-        rows_loop lumi_rows_565_nearest, 1, 0
-        rows_loop lumi_rows_565_two_taps, 2, 0
-        rows_loop lumi_rows_565_swapped_nearest, 1, 1
-        rows_loop lumi_rows_565_swapped_two_taps, 2, 1
+        every_rows_loop
 #endif

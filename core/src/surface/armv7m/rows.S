@@ -4,22 +4,7 @@
 //
 // Instructions: a row about 34, a sample that is written 31 (two taps) or 23, one that is not 7.
 #if defined(__thumb2__) && __ARM_ARCH_PROFILE == 'M'
-        .syntax unified
-        .thumb
-
-        .equ    GUARD_BITS, 0x80100200
-        .equ    FIELDS, 0x07E0F81F      // of 5-6-5, apart
-        .equ    TAPS_APART, 400         // 2 kQuarter, in both halves of a word
-
-// struct Rows
-        .equ    EDGES, 0                // left and right, then their steps
-        .equ    QUANTITIES, 16          // depth, place and colour of column 0
-        .equ    RIGHT, 28
-        .equ    DOWN, 40
-        .equ    ROW, 52
-        .equ    TEXELS, 56
-        .equ    ROW_BYTES, 68
-        .equ    COLOURS_AT, 72
+#include "../rows.inc"
 
 // On the stack, below the registers that are kept.
         .equ    GUARD_AT, 0
@@ -51,16 +36,7 @@ palette         .req    r10
         .endm
 
         .macro  rows_loop name, taps, swaps
-#ifdef LUMI_HOT_SECTION
-        .section LUMI_HOT_SECTION, "ax", %progbits
-#else
-        .section .text.\name, "ax", %progbits
-#endif
-        .balign 4
-        .global \name
-        .type   \name, %function
-        .thumb_func
-\name:
+        hot_function \name
         push    {r4-r11, lr}
         sub     sp, #FRAME_BYTES
         ldr     r2, =GUARD_BITS
@@ -153,8 +129,5 @@ palette         .req    r10
         .size   \name, . - \name
         .endm
 
-        rows_loop lumi_rows_565_nearest, 1, 0
-        rows_loop lumi_rows_565_two_taps, 2, 0
-        rows_loop lumi_rows_565_swapped_nearest, 1, 1
-        rows_loop lumi_rows_565_swapped_two_taps, 2, 1
+        every_rows_loop
 #endif
