@@ -129,27 +129,24 @@ LUMI_ALWAYS_INLINE void draw_piece(TrianglePiece& piece, int32_t width)
         kDraw(piece.rows, piece.count);
 }
 
-// Whether there is such a loop. A comparison with null is no constant under GCC's -fsanitize=undefined.
-template <DrawRows>
-inline constexpr bool kIsThere = true;
-template <>
-inline constexpr bool kIsThere<nullptr> = false;
+// Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth.
+template <DrawRows kDraw>
+__attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
+{
+    TrianglePieces pieces(frame, target);
+    while (pieces.next()) draw_piece<kDraw>(pieces.piece, target.rows.width);
+}
 
-// Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth. Textures whose texels are
-// larger than samples take the second loop; null: the first one, too.
+// The same; textures whose texels are larger than samples take the second loop.
 template <DrawRows kPlain, DrawRows kMagnified>
 __attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
 {
     TrianglePieces pieces(frame, target);
-    while (pieces.next()) {
-        if constexpr (kIsThere<kMagnified>) {
-            if (pieces.piece.is_magnified) {
-                draw_piece<kMagnified>(pieces.piece, target.rows.width);
-                continue;
-            }
-        }
-        draw_piece<kPlain>(pieces.piece, target.rows.width);
-    }
+    while (pieces.next())
+        if (pieces.piece.is_magnified)
+            draw_piece<kMagnified>(pieces.piece, target.rows.width);
+        else
+            draw_piece<kPlain>(pieces.piece, target.rows.width);
 }
 
 }  // namespace lumi::detail

@@ -36,7 +36,7 @@ void draw_one_sample(const SurfaceFrame& frame, const Target& target)
             return;
         }
     }
-    draw_triangles<kFilters.nearest, nullptr>(frame, target);
+    draw_triangles<kFilters.nearest>(frame, target);
 }
 
 // A pixel that an outline cuts: its column of samples, and what shows there.
@@ -46,7 +46,7 @@ struct Blended {
     uint8_t coverage;
 };
 
-// A marked pixel over a background; `unpacked_at` gives the colour of the sample whose depth lies there.
+// A marked pixel over a background; `colour_at` gives the colour of the sample whose depth lies there.
 template <class Pixel, class Background, class ColourAt>
 Blended blended(const Mark& mark, int32_t x, const Background& background, const uint8_t* pixel,
                 const ColourAt& colour_at)
@@ -81,26 +81,42 @@ LUMI_ALWAYS_INLINE void each_marked(const SampleRows& rows, int32_t row, int32_t
     }
 }
 
-// Makes the pixels of a row: put(begin, end) those that no outline cuts, mix(x) and store(blended) the others. What
-// lies under a pixel is read before any pixel up to it is written.
-template <class Put, class Mix, class Store>
-LUMI_ALWAYS_INLINE void resolve_marked(const StripeSamples& s, int32_t row, const Put& put, const Mix& mix,
-                                       const Store& store)
+// Makes a row's pixels, from `pixel` on, where outlines cut some of them. What lies under a pixel is read before any
+// pixel up to it is written.
+template <class Pixel, class Samples, class Background>
+__attribute__((noinline)) void resolve_marked(const Samples& s, const Background& background, uint8_t* pixel,
+                                              int32_t row)
 {
     constexpr int32_t kMost = 16;
     Blended pending[kMost];
     int32_t count = 0, done = s.begin();
+    const auto place = [&](int32_t x) { return pixel + (x - s.begin()) * static_cast<int32_t>(Pixel::kBytes); };
+    const auto colour_at = [&](const uint16_t* depth) { return s.colour_at(depth); };
     const auto write = [&](int32_t end) {
-        put(done, end);
-        for (int32_t k = 0; k < count; ++k) store(pending[k]);
+        s.put(background, place(done), row, done, end);
+        for (int32_t k = 0; k < count; ++k) {
+            const Blended& b = pending[k];
+            store_part<Pixel>(place(b.x), b.colour, b.coverage);
+        }
         count = 0;
         done = end;
     };
     each_marked(s.rows, row, s.begin(), s.end(), [&](int32_t x) {
         if (count == kMost) write(x);
-        pending[count++] = mix(x);
+        pending[count++] = blended<Pixel>(Mark(s.rows, x, row), x, background, place(x), colour_at);
     });
     write(s.end());
+}
+
+// A scanline of the stripe, of samples that have put(), the pixels of a row from `begin` to `end`, and colour_at(), the
+// colour of the sample whose depth lies there.
+template <class Pixel, SurfaceMode kFinest, class Samples, class Background>
+LUMI_ALWAYS_INLINE void resolve_one_sample(const Samples& s, const Background& background, int32_t y)
+{
+    uint8_t* const pixel = pixel_of<Pixel>(s.stripe, s.part.left_px, y);
+    if constexpr (kFinest != SurfaceMode::one_sample)
+        if (s.rows.marks != nullptr) return resolve_marked<Pixel>(s, background, pixel, s.row(y));
+    s.put(background, pixel, s.row(y), s.begin(), s.end());
 }
 
 template <class Pixel>
@@ -116,7 +132,8 @@ struct PixelSamples : StripeSamples {
         clear_pixels(rows, pixel);
         if constexpr (!Background::kFills)
             for (int32_t y = part.top_px; y < part.bottom_px; ++y)
-                copy_pixels(colour_at(row(y), begin()), pixel_of<Pixel>(stripe, part.left_px, y), pixels());
+                copy_pixels(sample(row(y), begin()), pixel_of<Pixel>(stripe, part.left_px, y),
+                            static_cast<uint32_t>(end() - begin()));
     }
 
     template <SurfaceMode kFinest>
@@ -128,35 +145,23 @@ struct PixelSamples : StripeSamples {
     template <SurfaceMode kFinest, class Background>
     void resolve(const Background& background, int32_t y) const
     {
-        uint8_t* const pixel = pixel_of<Pixel>(stripe, part.left_px, y);
-        if constexpr (kFinest != SurfaceMode::one_sample)
-            if (rows.marks != nullptr) return resolve_outlines(background, pixel, row(y));
-        copy_pixels(pixel, colour_at(row(y), begin()), pixels());
-    }
-
-private:
-    uint32_t pixels() const { return static_cast<uint32_t>(part.right_px - part.left_px); }
-    uint8_t* colour_at(int32_t row, int32_t x) const
-    {
-        return reinterpret_cast<uint8_t*>(rows.template colours<uint16_t>(row) + x);
+        resolve_one_sample<Pixel, kFinest>(*this, background, y);
     }
 
     template <class Background>
-    __attribute__((noinline)) void resolve_outlines(const Background& background, uint8_t* pixel, int32_t row) const
+    void put(const Background&, uint8_t* pixel, int32_t row, int32_t begin, int32_t end) const
     {
-        const auto place = [&](int32_t x) { return pixel + (x - this->begin()) * 2; };
-        const auto put = [&](int32_t from, int32_t to) {
-            copy_pixels(place(from), colour_at(row, from), static_cast<uint32_t>(to - from));
-        };
-        const auto mix = [&](int32_t x) {
-            return blended<Pixel>(
-                Mark(rows, x, row), x, background, place(x),
-                [&](const uint16_t* depth) {
-                    return Pixel::load(reinterpret_cast<const uint8_t*>(depth) + rows.colours_at);
-                });
-        };
-        const auto store = [&](const Blended& b) { store_part<Pixel>(place(b.x), b.colour, b.coverage); };
-        resolve_marked(*this, row, put, mix, store);
+        copy_pixels(pixel, sample(row, begin), static_cast<uint32_t>(end - begin));
+    }
+    Rgb8 colour_at(const uint16_t* depth) const
+    {
+        return Pixel::load(reinterpret_cast<const uint8_t*>(depth) + rows.colours_at);
+    }
+
+private:
+    uint8_t* sample(int32_t row, int32_t x) const
+    {
+        return reinterpret_cast<uint8_t*>(rows.template colours<uint16_t>(row) + x);
     }
 };
 
@@ -179,13 +184,9 @@ struct PackedSamples : StripeSamples {
     template <SurfaceMode kFinest, class Background>
     void resolve(const Background& background, int32_t y) const
     {
-        uint8_t* const pixel = pixel_of<Pixel>(stripe, part.left_px, y);
-        if constexpr (kFinest != SurfaceMode::one_sample)
-            if (rows.marks != nullptr) return resolve_outlines(background, pixel, row(y));
-        put(background, pixel, row(y), begin(), end());
+        resolve_one_sample<Pixel, kFinest>(*this, background, y);
     }
 
-private:
     template <class Background>
     void put(const Background& background, uint8_t* pixel, int32_t row, int32_t begin, int32_t end) const
     {
@@ -199,23 +200,11 @@ private:
             pixel += Pixel::kBytes;
         }
     }
-
-    template <class Background>
-    __attribute__((noinline)) void resolve_outlines(const Background& background, uint8_t* pixel, int32_t row) const
+    Rgb8 colour_at(const uint16_t* depth) const
     {
-        const auto place = [&](int32_t x) { return pixel + static_cast<uint32_t>(x - this->begin()) * Pixel::kBytes; };
-        const auto colour_at = [&](const uint16_t* depth) {
-            const uint8_t* const at = reinterpret_cast<const uint8_t*>(depth);
-            const uint32_t before = static_cast<uint32_t>(at - rows.first), y = before / rows.row_bytes;
-            return unpacked(
-                rows.template colours<PackedColour>(static_cast<int32_t>(y))[(before - y * rows.row_bytes) / 2]);
-        };
-        const auto mix = [&](int32_t x) {
-            return blended<Pixel>(Mark(rows, x, row), x, background, place(x), colour_at);
-        };
-        const auto store = [&](const Blended& b) { store_part<Pixel>(place(b.x), b.colour, b.coverage); };
-        resolve_marked(
-            *this, row, [&](int32_t from, int32_t to) { put(background, place(from), row, from, to); }, mix, store);
+        const uint32_t before = static_cast<uint32_t>(reinterpret_cast<const uint8_t*>(depth) - rows.first);
+        const uint32_t y = before / rows.row_bytes, column = (before - y * rows.row_bytes) / sizeof *depth;
+        return unpacked(rows.template colours<PackedColour>(static_cast<int32_t>(y))[column]);
     }
 };
 
