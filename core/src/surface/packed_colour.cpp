@@ -44,7 +44,7 @@ LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour bla
 LUMI_HOT PackedColour lumi_clamped(PackedColour sum)
 {
     sum = clamped_field(sum, 0x80000000, 0x7FE00000);
-    sum = clamped_field(sum, 0x00100000, 0x000FF800);
+    sum = clamped_field(sum, 0x00100000, 0x000FFC00);
     return clamped_field(sum, 0x00000200, 0x000001FF);
 }
 

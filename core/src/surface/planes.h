@@ -111,12 +111,12 @@ public:
     LUMI_ALWAYS_INLINE Plane colour() const
     {
         const uint32_t a = a_.at->colour, b = b_.at->colour, c = c_.at->colour;
-        // Fields of PackedColour have two bits of fraction for green, and one for red and blue.
-        const Channel red = channel(red_q2(a), red_q2(b), red_q2(c), 1);
+        // Fields of PackedColour have two bits of fraction for green and red, and one for blue.
+        const Channel red = channel(red_q2(a), red_q2(b), red_q2(c), 0);
         const Channel green = channel(green_q2(a), green_q2(b), green_q2(c), 0);
         const Channel blue = channel(blue_q2(a), blue_q2(b), blue_q2(c), 1);
         const auto fields = [&](int32_t Channel::*k) {
-            return (static_cast<uint32_t>(green.*k) << 21) + (static_cast<uint32_t>(red.*k) << 11) +
+            return (static_cast<uint32_t>(green.*k) << 21) + (static_cast<uint32_t>(red.*k) << 10) +
                    static_cast<uint32_t>(blue.*k);
         };
         return plane(fields(&Channel::middle), fields(&Channel::right), fields(&Channel::down));

@@ -50,14 +50,14 @@ LUMI_ALWAYS_INLINE PackedColour bilinear_texel(uint32_t place, const Rows& rows)
     const auto add = [&](uint32_t texel, uint32_t weight) {
         const PackedColour c = rows.palette[texel];
         g += weight * (c >> 21);
-        r += weight * ((c >> 11) & 0x1FF);
+        r += weight * ((c >> 10) & 0x3FF);
         b += weight * (c & 0x1FF);
     };
     add(upper_left, 256 - across - down - both);
     add(upper_right, across);
     add(lower_left, down);
     add(lower_right, both);
-    const PackedColour texel = (g >> 8) << 21 | (r >> 8) << 11 | b >> 8;
+    const PackedColour texel = (g >> 8) << 21 | (r >> 8) << 10 | b >> 8;
     return rows.has_two_taps ? texel * 2 : texel;
 }
 

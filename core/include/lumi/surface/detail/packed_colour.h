@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A colour in one word, so that one addition adds three channels: green in bits 21 .. 31, red in 11 .. 20, blue in
-// 0 .. 9. A field is a guard bit, 8 bits of level and a fraction: two bits of green, one of red and blue. The upper
+// A colour in one word, so that one addition adds three channels: green in bits 21 .. 31, red in 10 .. 20, blue in
+// 0 .. 9. A field is a guard bit, 8 bits of level and a fraction: two bits of green and red, one of blue. The upper
 // bits of the fields, shifted right by 4, are the channels of RGB565 in the two halves of a word.
 #pragma once
 
@@ -15,12 +15,11 @@ namespace lumi::detail
 using PackedColour = uint32_t;
 
 inline constexpr PackedColour kGuardBits = 0x80100200;
-inline constexpr PackedColour kUnusedBit = 0x00000400;
 
 // Levels times 4, each below 1024.
 constexpr PackedColour packed_colour(uint32_t r_q2, uint32_t g_q2, uint32_t b_q2)
 {
-    return g_q2 << 21 | (r_q2 >> 1) << 11 | b_q2 >> 1;
+    return g_q2 << 21 | r_q2 << 10 | b_q2 >> 1;
 }
 
 // A sum with some guard bit set: that channel is below 0 (the next bit is set, too) or above the most there is.
@@ -34,7 +33,7 @@ inline PackedColour clamped(PackedColour sum)
 // The mean of two colours, each channel rounded down.
 constexpr PackedColour mean_of(PackedColour a, PackedColour b)
 {
-    return ((a + b) >> 1) & ~(kGuardBits | kUnusedBit);
+    return ((a + b) >> 1) & ~kGuardBits;
 }
 
 // The colour of the mean light of four, which is about their levels' squares; `black` is the palette's colour of it.
