@@ -8,12 +8,14 @@ namespace lumi::planner
 
 constexpr uint32_t kKiB = 1024;
 
-// RAM: the same documents as the caches below, without backup RAM. Clocks per instruction: Arm's tables give the M0+ 2
-// clocks for a load and for a taken branch, the M3/M4 2 for a load that does not follow another and 2 to 4 for a taken
-// branch, else 1; about one instruction in three is one or the other. The M7 issues two at a time and rarely finds a
-// pair. These are estimates: this machine has no such chip. Caches and miss costs: RP2040 datasheet 2.6.3 (XIP), RP2350
-// datasheet 4.4 (XIP), RM0090 3.4.2 (ART: the data side holds 8 lines of 128 bits, and 5 wait states at 168 MHz),
-// RM0433 (L1), ESP32-S3 TRM (data cache as configured).
+// Clocks per instruction: Arm's tables give the M0+ 2 clocks for a load and for a taken branch, the M3/M4 2 for a load
+// that does not follow another and 2 to 4 for a taken branch, else 1; about one instruction in three is one or the
+// other. The M7 issues two at a time and rarely finds a pair. These are estimates: this machine has no such chip.
+// Caches and miss costs: RP2040 datasheet 2.6.3 (XIP), RP2350 datasheet 4.4 (XIP), RM0090 3.4.2 (ART: the data side
+// holds 8 lines of 128 bits, and 5 wait states at 168 MHz), RM0433 (L1), ESP32-S3 TRM (data cache as configured).
+// RAM: RP2040 and RP2350 datasheets (SRAM: the banks follow each other), RM0090 2.1 (SRAM1 and SRAM2; 64 KiB more lie
+// apart, which DMA does not reach), RM0433 (AXI SRAM; SRAM1 to SRAM4 and the TCM have 544 KiB more in four places),
+// ESP32-S3 TRM (SRAM1; the data cache takes the beginning of SRAM2 behind it, and code in RAM takes some of SRAM1).
 const std::array<Chip, kChips> kChipList = {{
     {"rp2040", "RP2040", "m0plus", 133, 1.35, {16384, 2, 8}, 400, "one core of two", 264 * kKiB, 2},
     {"rp2350",
@@ -34,8 +36,8 @@ const std::array<Chip, kChips> kChipList = {{
      {128, 8, 16},
      30,
      "field in internal flash of at most 1 MB: scale M, N",
-     192 * kKiB},
-    {"stm32h7", "STM32H743", "m7", 480, 0.8, {16384, 4, 32}, 700, "field in QSPI flash", 1056 * kKiB},
+     128 * kKiB},
+    {"stm32h7", "STM32H743", "m7", 480, 0.8, {16384, 4, 32}, 700, "field in QSPI flash", 512 * kKiB},
     {"esp32s3",
      "ESP32-S3",
      "m4",
@@ -44,7 +46,7 @@ const std::array<Chip, kChips> kChipList = {{
      {32768, 8, 32},
      1050,
      "one core of two; Xtensa LX7, M4 counts stand in for its own; quad flash at 80 MHz",
-     512 * kKiB,
+     416 * kKiB,
      2},
 }};
 

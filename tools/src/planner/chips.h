@@ -26,7 +26,7 @@ struct Chip {
     CacheShape cache;
     double miss_ns;
     const char* remark;
-    uint32_t ram_bytes = 0;  // on the chip, all of its banks together
+    uint32_t ram_bytes = 0;  // the longest piece on the chip: what one array can take at most
     int cores = 1;           // remark and rates are of one
 };
 

@@ -27,7 +27,7 @@ struct ShownMode {
 struct ShownChip {
     std::string key, title, remark;
     double clock_mhz;
-    uint32_t ram_bytes;
+    uint32_t ram_bytes;  // in one piece
 };
 
 struct ViewPage {
