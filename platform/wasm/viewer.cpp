@@ -70,8 +70,9 @@ bool approach(uint32_t elapsed_ms)
         eye.orbit.distance_q20 = eye.distance_aim_q20;
         return way != 0;
     }
-    const int32_t steps = elapsed_ms < 1 ? 1 : elapsed_ms < 8 ? static_cast<int32_t>(elapsed_ms) : 8;
-    eye.orbit.distance_q20 += way / 16 * steps;
+    constexpr int32_t kShare = 16, kMostSteps = kShare / 2;  // a late tick never jumps farther than half of the way
+    const int32_t steps = elapsed_ms < 1 ? 1 : elapsed_ms < kMostSteps ? static_cast<int32_t>(elapsed_ms) : kMostSteps;
+    eye.orbit.distance_q20 += way / kShare * steps;
     return true;
 }
 
