@@ -67,6 +67,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {bake("--progress", "xml"), "auto or json"},
         {{"merge", "-o", baked}, "lumi merge --help"},
         {bake("--cap", "2000"), "50%"},
+        {bake("--cap", "1"), "from 2 to"},
         {bake("--origins", "0"), "--origins"},
         {bake("--directions", "2000000"), "--directions"},
         {bake("--spp", "0"), "--spp"},

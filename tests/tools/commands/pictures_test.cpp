@@ -124,6 +124,21 @@ TEST_CASE("a cap keeps as many rows as asked")
     }
 }
 
+TEST_CASE("render says where spans cannot draw a field, and draws it exactly")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = folder / "f.lumi", png = folder / "p.png";
+    const auto warned = [&](const std::string& points, const std::string& span) {
+        bake_picture_field(field, {"--origins", points, "--directions", points, "--spp", "1"});
+        const Outcome outcome = lumi({"render", field, "-o", png, "--size", "16x16", "--span", span});
+        CHECK(outcome.code == 0);
+        return outcome.err.find("every pixel of this field is drawn exactly") != std::string::npos;
+    };
+    CHECK(warned("40", "16"));
+    CHECK_FALSE(warned("40", "1"));
+    CHECK_FALSE(warned("90", "16"));
+}
+
 TEST_CASE("turntables of render and reference are named alike")
 {
     const test::TemporaryFolder folder;

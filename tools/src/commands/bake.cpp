@@ -66,8 +66,8 @@ baker::BakeSettings settings_of(const BakeOptions& options)
     if (options.cap.empty()) return settings;
     const auto used = parse_cap(options.cap, settings.origins);
     if (!used)
-        throw UsageError("--cap takes a number of origins from 1 to " + std::to_string(settings.origins) +
-                         " or a share such as 50% or 0.5, not \"" + options.cap + "\"");
+        throw UsageError("--cap takes a number of origins from 2 to " + std::to_string(settings.origins) +
+                         " or a share such as 50%, 0.5 or 100%, not \"" + options.cap + "\"");
     settings.used_origins = *used;
     return settings;
 }
@@ -217,7 +217,8 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
     command
         .add_option("--cap", options.cap,
                     "Bake what eyes in the uppermost part of the sphere see: a share such as 50% or 0.5, or for chord "
-                    "fields a number of origins; from below, the object is then not seen, or only a part of it [all]")
+                    "fields a number of origins from 2 on; from below, the object is then not seen, or only a part of "
+                    "it [all]")
         ->type_name("F");
     add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
                "chord: what a ray is stored as: " + words_of(kTexelChoices) + " [palette8]");

@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
+#include "lumi/chord/render_spans.h"
 #include "program/choice.h"
 #include "program/plugin.h"
 #include "terminal/failure.h"
@@ -53,10 +54,20 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
     };
 }
 
+void warn_of_spans(const RenderOptions& options, const Field& field)
+{
+    if (options.drawing.span_px > 1 && !fits_spans(field))
+        std::fprintf(stderr,
+                     "lumi: warning: %s: --span draws lattices of %u to %u points; every pixel of this field is drawn "
+                     "exactly\n",
+                     options.field.c_str(), detail::kMinSpanLattice, detail::kMaxSpanLattice);
+}
+
 Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
 {
     DrawSettings drawing = options.drawing;
     drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
+    warn_of_spans(options, file.field());
     return [&file, drawing](const Eye& eye, const Rgb8& background) mutable {
         drawing.background = background;
         return draw(file.field(), eye.camera, drawing);

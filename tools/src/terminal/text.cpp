@@ -105,6 +105,7 @@ std::optional<double> parse_cap_share(std::string_view text)
 
 std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins)
 {
+    if (text == "1") return std::nullopt;
     const auto share = parse_cap_share(text);
     const std::optional<uint32_t> used =
         share ? static_cast<uint32_t>(std::ceil(*share * origins)) : parse_number<uint32_t>(text);

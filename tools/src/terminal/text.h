@@ -28,7 +28,7 @@ std::optional<std::array<double, 3>> parse_triple(std::string_view text);
 std::optional<Rgb8> parse_colour(std::string_view text);
 
 // How many of `origins` rows a cap keeps: "512" is a number of origins; "50%" and "0.5" are shares of them, rounded up.
-// Nothing unless the result is 1 .. origins.
+// Nothing unless the result is 1 .. origins. "1" is nothing: it could mean one origin, or all as "1.0" does.
 std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins);
 
 // The share that a cap's text is: "50%", "0.5", "1.0". Nothing for whole numbers, and unless 0 < share <= 1.
