@@ -130,7 +130,7 @@ std::string stand_in_name(size_t k)
 ObjText prepare_obj(const std::string& file, std::string_view text)
 {
     if (text.find('\0') != std::string_view::npos)
-        throw SceneError(at({file}, "this is no text; name a Wavefront OBJ file"));
+        throw SceneError(at({file}, "this is no text; name a Wavefront OBJ file, or export .glb"));
     ObjPreparation preparation(file);
     for (const Line& line : split_lines(text)) preparation.take(line);
     return preparation.finish();

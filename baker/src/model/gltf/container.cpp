@@ -85,6 +85,8 @@ void check_gltf_container(const std::filesystem::path& file, const std::string& 
 {
     if (bytes.size() > std::numeric_limits<uint32_t>::max())
         fail(file, "a glTF file has less than 4 GiB; split or simplify the model");
+    if (!is_glb(bytes) && bytes.find('\0') != std::string::npos)
+        fail(file, "this is neither glTF nor GLB; export it again as .glb");
     const std::string_view json = is_glb(bytes) ? json_of_glb(file, bytes) : bytes;
     if (json.size() > kMaxJsonBytes) {
         fail(file, "its text has " + std::to_string(json.size()) + " bytes, at most " + std::to_string(kMaxJsonBytes) +
