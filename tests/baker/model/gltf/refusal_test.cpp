@@ -24,6 +24,12 @@ void check_gltf_refused(const std::string& bytes, const std::string& what, const
                       Catch::Contains(std::string(name) + ": ") && Catch::Contains(what) && Catch::Contains("; "));
 }
 
+std::string glb_with(GltfMaker maker, const std::string& members)
+{
+    maker.add(members);
+    return maker.glb();
+}
+
 // A triangle whose positions are an accessor of these members.
 std::string glb_of_positions(const std::string& accessor)
 {
@@ -39,9 +45,7 @@ std::string glb_of_positions(const std::string& accessor)
 TEST_CASE("glTF: what is required and not drawn is refused by its name, with the way out")
 {
     const auto requiring = [](const std::string& extension) {
-        GltfMaker maker = square();
-        maker.add("\"extensionsRequired\":[\"" + extension + "\"]");
-        return maker.glb();
+        return glb_with(square(), "\"extensionsRequired\":[\"" + extension + "\"]");
     };
     check_gltf_refused(requiring("KHR_draco_mesh_compression"), "Draco");
     check_gltf_refused(requiring("EXT_meshopt_compression"), "meshopt");
@@ -89,15 +93,13 @@ TEST_CASE("glTF: any changed byte gives a model or a message")
 
 TEST_CASE("glTF: nodes below themselves, or below two nodes, are refused")
 {
-    const auto with = [](const std::string& nodes) {
-        GltfMaker maker;
-        maker.add("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[" + nodes + "]");
-        return maker.glb();
+    const auto with_nodes = [](const std::string& nodes) {
+        return glb_with({}, "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[" + nodes + "]");
     };
-    check_gltf_refused(with("{\"children\":[0]}"), "node 0");
-    check_gltf_refused(with("{\"children\":[1]},{\"children\":[0]}"), "node 0");
-    check_gltf_refused(with("{\"children\":[1,1]},{}"), "node 1");
-    check_gltf_refused(with("{\"children\":[7]}"), "node 7");
+    check_gltf_refused(with_nodes("{\"children\":[0]}"), "node 0");
+    check_gltf_refused(with_nodes("{\"children\":[1]},{\"children\":[0]}"), "node 0");
+    check_gltf_refused(with_nodes("{\"children\":[1,1]},{}"), "node 1");
+    check_gltf_refused(with_nodes("{\"children\":[7]}"), "node 7");
 }
 
 TEST_CASE("glTF: accessors that reach beyond their buffers, or claim what the file cannot hold, are refused")
