@@ -11,8 +11,8 @@
 namespace lumi::baker
 {
 
-// By the end of its name in any letter case, or else by its first bytes: glTF, GLB, or OBJ. Refuses each other format
-// by its own name, with the way out. Throws SceneError; appends to `warnings`.
+// What ends in .glb or .gltf, in any letter case, is read as glTF, and all else as OBJ. Throws SceneError; appends to
+// `warnings`.
 SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 }  // namespace lumi::baker

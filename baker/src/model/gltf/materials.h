@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Turns glTF's materials into ours.
 //
-// glTF                             here
-// base colour                      of metal as it is; of the body under a skin times 1 - F0, as glTF mixes the two
-// metallic, roughness              metalness, alpha = roughness²; pictures: blue and green
-// KHR_materials_ior, _specular     the skin's index, so that it reflects F0 from straight above; the largest component
-//                                  of its colour counts
-// KHR_materials_transmission       from one half on: glass of the index, coloured by base colour or _volume; below:
-// thin emissive, _emissive_strength     radiance from both sides KHR_materials_unlit              radiance of the base
-// colour alpha mode MASK, BLEND           opacity, cut at the cutoff; the share of light that does not pass
-// KHR_materials_clearcoat, _sheen  coat and fibres; only numbers
-// occlusion                        nothing: it is traced
+// clang-format off
+// glTF                                  here
+// base colour                           of metal as it is; of the body under a skin times 1 - F0, as glTF mixes the two
+// metallic, roughness                   metalness, alpha = roughness²; pictures: blue and green
+// KHR_materials_ior, _specular          the skin's index, so that it reflects F0 from straight above; the largest
+//                                       component of its colour counts
+// KHR_materials_transmission            from one half on: glass of the index, coloured by base colour or _volume;
+//                                       below: thin
+// emissive, _emissive_strength          radiance from both sides
+// KHR_materials_unlit                   radiance of the base colour
+// alpha mode MASK, BLEND                opacity, cut at the cutoff; the share of light that does not pass
+// KHR_materials_clearcoat, _sheen       coat and fibres; only numbers
+// occlusion                             nothing: it is traced
+// clang-format on
 #pragma once
 
 #include "model/gltf/model.h"

@@ -90,15 +90,20 @@ void GltfMeshBuilder::add(int32_t mesh, const Affine& place)
     const std::vector<GltfPrimitive>& primitives = element_of(model_, model_.meshes, mesh, "mesh");
     for (size_t k = 0; k < primitives.size(); ++k) {
         const GltfPrimitive& primitive = primitives[k];
-        if (primitive.material != kNoIndex) element_of(model_, model_.materials, primitive.material, "material");
-        const size_t surface =
-            primitive.material == kNoIndex ? surfaces_.size() - 1 : static_cast<size_t>(primitive.material);
         auto found = known_.find({mesh, k});
-        if (found == known_.end())
-            found =
-                known_.try_emplace({mesh, k}, shape_of(model_, primitive, surfaces_[surface].uv_set, losses_)).first;
+        if (found == known_.end()) {
+            const int32_t uv_set = surfaces_[surface_of(primitive)].uv_set;
+            found = known_.try_emplace({mesh, k}, shape_of(model_, primitive, uv_set, losses_)).first;
+        }
         add_primitive(primitive, found->second, place);
     }
+}
+
+size_t GltfMeshBuilder::surface_of(const GltfPrimitive& primitive) const
+{
+    if (primitive.material == kNoIndex) return surfaces_.size() - 1;
+    element_of(model_, model_.materials, primitive.material, "material");
+    return static_cast<size_t>(primitive.material);
 }
 
 uint32_t GltfMeshBuilder::material_of(size_t surface)
@@ -126,8 +131,7 @@ void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfSh
     Mesh& mesh = parts_.mesh;
     if (shape.triangles.size() > kMaxTriangles - mesh.triangle_count())
         fail_gltf(model_, "it has more than " + std::to_string(kMaxTriangles) + " triangles; simplify it");
-    const size_t surface =
-        primitive.material == kNoIndex ? surfaces_.size() - 1 : static_cast<size_t>(primitive.material);
+    const size_t surface = surface_of(primitive);
     if (surfaces_[surface].clamps && reaches_beyond_picture(shape.uvs))
         losses_.add(
             "mesh(es) have pictures that do not repeat in the file and do here; keep texture coordinates in 0 to 1");
