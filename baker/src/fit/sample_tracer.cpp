@@ -48,7 +48,7 @@ SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const 
     : scene_(scene),
       shape_(shape),
       cap_(cap),
-      mesh_(triangles_of(shape.mesh, numbers_), false),
+      mesh_(triangles_of(shape.mesh, numbers_), Faces::front),
       tracer_(scene)
 {
 }

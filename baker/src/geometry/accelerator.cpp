@@ -61,7 +61,8 @@ RTCRay to_embree(const Ray& ray)
     return r;
 }
 
-// Embree calls this for each hit; a hit that becomes invalid is passed. The normal is that of the winding.
+// Embree calls this for each hit of a ray, and looks further where the hit is made invalid. Ng points to the side from
+// which the triangle winds counter-clockwise.
 void pass_back_faces(const RTCFilterFunctionNArguments* call)
 {
     const auto& ray = *reinterpret_cast<const RTCRay*>(call->ray);

@@ -32,9 +32,9 @@ PlaceMiddle onto(const SceneData& scene)
     };
 }
 
-size_t seen_triangles(const Mesh& mesh, bool two_sided, const ViewCap& cap, Job& job)
+size_t seen_triangles(const Mesh& mesh, Faces faces, const ViewCap& cap, Job& job)
 {
-    return seen_part(MeshTracer(mesh, two_sided), job, cap).triangle_count();
+    return seen_part(MeshTracer(mesh, faces), job, cap).triangle_count();
 }
 
 Simplified simplified_in(Job& job, const Mesh& mesh, size_t triangles)
@@ -50,7 +50,7 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
     Simplified result = simplified_in(job, outside.mesh, triangles);
     double asked = static_cast<double>(triangles);
     for (int k = 1; k < kAttempts && result.mesh.triangle_count() < outside.mesh.triangle_count(); ++k) {
-        const size_t seen = seen_triangles(result.mesh, outside.two_sided, cap, job);
+        const size_t seen = seen_triangles(result.mesh, outside.faces(), cap, job);
         if (seen == 0 || static_cast<double>(seen) >= kEnoughSeen * static_cast<double>(triangles)) break;
         asked *= static_cast<double>(triangles) / static_cast<double>(seen);
         result = simplified_in(job, outside.mesh, std::min(kMaxTriangles, static_cast<size_t>(asked)));
@@ -66,7 +66,7 @@ MeshDraft drafted(const SceneData& scene, const Outside& outside, const MeshSett
     MeshDraft draft = {with_short_edges(std::move(simple.mesh), kSplitEarly * settings.longest_edge, onto(scene)),
                        simple.rough, false};
     draft.fits = draft.mesh.triangle_count() <= kMaxTriangles &&
-                 seen_triangles(draft.mesh, outside.two_sided, settings.cap, job) <= 2 * detail::format::kMaxPatches;
+                 seen_triangles(draft.mesh, outside.faces(), settings.cap, job) <= 2 * detail::format::kMaxPatches;
     return draft;
 }
 

@@ -181,9 +181,9 @@ bool untangle_once(const Mesh& before, const Mesh& upright, Field& by)
 
 }  // namespace
 
-Mesh fitted(const Mesh& mesh, const Mesh& upright, bool two_sided, const Survey& survey, Job& job)
+Mesh fitted(const Mesh& mesh, const Mesh& upright, Faces faces, const Survey& survey, Job& job)
 {
-    const MeshTracer tracer(mesh, two_sided);
+    const MeshTracer tracer(mesh, faces);
     std::vector<std::vector<Equation>> parts(survey.origins());
     const MeshOutline outline(survey.scene(), tracer, survey.cap());
     const detail::Lattice eyes(survey.origins());
@@ -203,12 +203,12 @@ Mesh fitted(const Mesh& mesh, const Mesh& upright, bool two_sided, const Survey&
     return result;
 }
 
-Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job, const ViewCap& cap)
+Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, Faces faces, Job& job, const ViewCap& cap)
 {
     const Survey survey = fitting_survey(scene, mesh, cap);
     const Mesh upright = mesh;
     for (int round = 0; round < kFittingRounds && mesh.triangle_count() != 0; ++round)
-        mesh = fitted(mesh, upright, two_sided, survey, job);
+        mesh = fitted(mesh, upright, faces, survey, job);
     return mesh;
 }
 

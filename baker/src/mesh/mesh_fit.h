@@ -12,9 +12,9 @@ namespace lumi::baker
 // from far behind the survey's origins, distances in the image. Rays whose depths differ by more than kMaxDepthError
 // say nothing, so by hits alone a mesh grows at its outlines: those of what sticks out are left out. Vertices stay
 // whose triangles would turn far from where `upright` has them: the mesh before the first round.
-Mesh fitted(const Mesh& mesh, const Mesh& upright, bool two_sided, const Survey& survey, Job& job);
+Mesh fitted(const Mesh& mesh, const Mesh& upright, Faces faces, const Survey& survey, Job& job);
 
 // As many rounds as it takes.
-Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, bool two_sided, Job& job, const ViewCap& cap = {});
+Mesh fitted_in_rounds(const SceneData& scene, Mesh mesh, Faces faces, Job& job, const ViewCap& cap = {});
 
 }  // namespace lumi::baker

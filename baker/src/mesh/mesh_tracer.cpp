@@ -3,9 +3,10 @@
 
 namespace lumi::baker
 {
-MeshTracer::MeshTracer(Mesh mesh, bool two_sided) : mesh_(std::move(mesh)), two_sided_(two_sided)
+
+MeshTracer::MeshTracer(Mesh mesh, Faces faces) : mesh_(std::move(mesh)), faces_(faces)
 {
-    if (mesh_.triangle_count() != 0) accelerator_.emplace(mesh_, two_sided ? Faces::both : Faces::front);
+    if (mesh_.triangle_count() != 0) accelerator_.emplace(mesh_, faces);
 }
 
 std::optional<Hit> MeshTracer::closest(const Ray& ray) const

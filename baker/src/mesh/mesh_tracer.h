@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays against a mesh as renderers see it: back faces are seen through unless the mesh is two-sided.
+// Rays against a mesh as renderers see it: where they draw front faces only, rays pass its back faces.
 #pragma once
 
 #include "geometry/accelerator.h"
@@ -12,16 +12,15 @@ class MeshTracer
 {
 public:
     // Reads only the positions and corners of `mesh`.
-    MeshTracer(Mesh mesh, bool two_sided);
+    MeshTracer(Mesh mesh, Faces faces);
 
     const Mesh& mesh() const { return mesh_; }
-    bool two_sided() const { return two_sided_; }
+    Faces faces() const { return faces_; }
     std::optional<Hit> closest(const Ray& ray) const;
-    // Whether the ray meets any triangle, from whichever side.
 
 private:
     Mesh mesh_;
-    bool two_sided_;
+    Faces faces_;
     std::optional<Accelerator> accelerator_;  // none where there is no triangle
 };
 

@@ -2,6 +2,7 @@
 // What of a scene can be seen from outside: the part of it that a mesh has to follow.
 #pragma once
 
+#include "geometry/accelerator.h"
 #include "geometry/view_cap.h"
 #include "scene/scene_data.h"
 #include "util/job.h"
@@ -12,6 +13,8 @@ namespace lumi::baker
 struct Outside {
     Mesh mesh;  // positions and corners; vertices welded; triangles turned towards the side that is seen more
     bool two_sided = false;  // too much is seen from both sides to cull back faces
+
+    Faces faces() const { return two_sided ? Faces::both : Faces::front; }
 };
 
 template <class Io>

@@ -37,10 +37,10 @@ MeshWork work_of(const SceneData& scene, const MeshSettings& s)
 }
 
 // Near the scene, in steps of the format.
-Mesh shaped(const SceneData& scene, Mesh draft, bool two_sided, const MeshSettings& s, Job& job)
+Mesh shaped(const SceneData& scene, Mesh draft, Faces faces, const MeshSettings& s, Job& job)
 {
-    const Mesh fit = fitted_in_rounds(scene, std::move(draft), two_sided, job, s.cap);
-    const Mesh mesh = seen_part(MeshTracer(fit, two_sided), job, s.cap);
+    const Mesh fit = fitted_in_rounds(scene, std::move(draft), faces, job, s.cap);
+    const Mesh mesh = seen_part(MeshTracer(fit, faces), job, s.cap);
     return rounded(
         with_short_edges(mesh, s.longest_edge, [](const Vec3& middle, const Vec3&, float) { return middle; }));
 }
@@ -112,14 +112,14 @@ BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeS
             const double share = work.shape / (work.shape + work.check);
             const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);
             return stages.once<Mesh>(
-                "shape", [&] { return shaped(scene, std::move(draft.mesh), outside.two_sided, s, job); }, s.triangles,
+                "shape", [&] { return shaped(scene, std::move(draft.mesh), outside.faces(), s, job); }, s.triangles,
                 s.longest_edge, s.cap.lowest());
         }();
         result.mesh = assembled(shape, settings.crease_cosine);
         if (fits(result.mesh)) {
             const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
             result.loss = stages.once<MeshLoss>(
-                "loss", [&] { return loss_of(scene, MeshTracer(shape, false), s.cap, draft.rough, job); },
+                "loss", [&] { return loss_of(scene, MeshTracer(shape, Faces::front), s.cap, draft.rough, job); },
                 s.triangles, s.longest_edge, s.cap.lowest());
             result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
                                             shape.triangle_count(), scene.mesh_is_shell);

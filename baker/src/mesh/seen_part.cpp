@@ -10,9 +10,10 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kRays = 2048;  // rays of a triangle before it counts as hidden; a side of two has half of them
-constexpr uint32_t kSeenTriangles = 64;
-constexpr float kBeyondSphere = 2.5f;  // beyond the sphere from any place in it, in radii
+// A triangle that none of so many rays meets counts as hidden. Where both of its sides count, each gets half of them.
+constexpr uint32_t kRays = 2048;
+constexpr uint32_t kSeenTriangles = 64;  // triangles of a task
+constexpr float kBeyondSphere = 2.5f;    // radii from a place within the sphere to where its rays begin, outside of it
 constexpr uint64_t kSeenSeed = 0x7365656E;
 
 Vec3 place_on(const Mesh& mesh, uint32_t triangle, const Vec2& weights)
@@ -29,7 +30,7 @@ bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle, Se
     if (!(length(area) > 0)) return false;
     const Frame frame(normalized(area));
     const float outside = side == SeenFrom::front ? 1.0f : -1.0f;
-    const uint32_t step = tracer.two_sided() ? 2 : 1;
+    const uint32_t step = tracer.faces() == Faces::both ? 2 : 1;
     Sampler sampler(kSeenSeed, triangle, 0);
     for (uint32_t k = static_cast<uint32_t>(side); k < kRays; k += step) {
         sampler.start(k);
@@ -57,7 +58,7 @@ Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap)
         const uint32_t end = std::min(triangles, (task + 1) * kSeenTriangles);
         for (uint32_t k = task * kSeenTriangles; k < end && !job.stopping(); ++k)
             seen[k] = {is_seen(tracer, cap, k, SeenFrom::front),
-                       tracer.two_sided() && is_seen(tracer, cap, k, SeenFrom::back)};
+                       tracer.faces() == Faces::both && is_seen(tracer, cap, k, SeenFrom::back)};
     });
     Mesh result;
     result.positions = mesh.positions;

@@ -9,9 +9,9 @@
 namespace lumi::baker
 {
 
-// Without the triangles that nobody outside can see: each gets many rays, in many directions, before it counts as
-// such. Positions stay as they are. Where the tracer is two-sided, each side that is seen becomes a triangle that faces
-// that way, so that the two can have colours of their own, and the result is a mesh of front faces.
+// The tracer's mesh without the triangles that nobody outside can see: each gets many rays, in many directions, before
+// it counts as such. Positions stay as they are. Where rays meet both faces, each side that is seen becomes a triangle
+// that faces that way, so that the two can have colours of their own. The result is always a mesh of front faces.
 Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap = {});
 
 }  // namespace lumi::baker

@@ -18,7 +18,7 @@ namespace
 {
 
 using Place = std::tuple<float, float, float>;
-using Edge = std::pair<Place, Place>;  // in the order of its triangle
+using Edge = std::pair<Place, Place>;  // from one to the other, as its triangle winds
 
 Place place(const PatchMesh& mesh, uint32_t vertex)
 {
@@ -26,7 +26,10 @@ Place place(const PatchMesh& mesh, uint32_t vertex)
     return {p.x, p.y, p.z};
 }
 
-// The sides of a patch that have neighbours of their own: vertices, and the triangles that they belong to.
+constexpr uint16_t kNothingAcross = static_cast<uint16_t>(detail::format::kNoNeighbour);
+
+// A side of a patch that has a neighbour of its own: its vertices as its triangle winds, the triangle's third vertex,
+// and the triangle's number.
 struct PatchSide {
     uint32_t from, to, opposite, triangle;
 };
@@ -38,23 +41,21 @@ std::vector<PatchSide> patch_sides(const PatchMesh::Patch& p, uint32_t number)
     return {{p.a, p.b, p.c, first}, {p.c, p.a, p.b, first}, {p.d, p.c, p.b, second}, {p.b, p.d, p.c, second}};
 }
 
-// Sides by where they begin and end.
 using SidesByEdge = std::map<Edge, std::vector<PatchSide>>;
 
-// The triangle across a side; detail::format::kNoNeighbour where the mesh ends, or where more than two triangles meet.
-// The triangle that is the back of the same sheet lies on the same edge, but not across it.
+// The triangle across a side; kNothingAcross where the mesh ends, or where more than two triangles meet. A triangle
+// that is the back of the side's own one shares its third vertex: it lies on the same edge, but not across it.
 uint16_t across(const PatchMesh& mesh, const SidesByEdge& sides, const PatchSide& side)
 {
     const auto found = sides.find({place(mesh, side.to), place(mesh, side.from)});
-    uint32_t result = detail::format::kNoNeighbour, count = 0;
-    if (found != sides.end()) {
-        for (const PatchSide& other : found->second) {
-            if (place(mesh, other.opposite) == place(mesh, side.opposite)) continue;
-            result = other.triangle;
-            ++count;
-        }
+    if (found == sides.end()) return kNothingAcross;
+    uint16_t result = kNothingAcross;
+    for (const PatchSide& other : found->second) {
+        if (place(mesh, other.opposite) == place(mesh, side.opposite)) continue;
+        if (result != kNothingAcross) return kNothingAcross;
+        result = static_cast<uint16_t>(other.triangle);
     }
-    return static_cast<uint16_t>(count == 1 ? result : detail::format::kNoNeighbour);
+    return result;
 }
 
 // In the order that the section has them. Vertices at one place are one here, whatever their normals.
@@ -66,11 +67,11 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
             sides[{place(mesh, side.from), place(mesh, side.to)}].push_back(side);
     std::vector<std::array<uint16_t, 4>> result;
     for (uint32_t k = 0; k < mesh.patches.size(); ++k) {
-        std::array<uint16_t, 4> all;
-        all.fill(static_cast<uint16_t>(detail::format::kNoNeighbour));
+        std::array<uint16_t, 4> neighbours;
+        neighbours.fill(kNothingAcross);
         size_t at = 0;
-        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) all[at++] = across(mesh, sides, side);
-        result.push_back(all);
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) neighbours[at++] = across(mesh, sides, side);
+        result.push_back(neighbours);
     }
     return result;
 }

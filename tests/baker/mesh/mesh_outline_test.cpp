@@ -45,7 +45,7 @@ struct OutlineError {
 OutlineError outline_error(const Scene& scene, const Mesh& mesh, float outline)
 {
     constexpr int kSteps = 400;
-    const MeshTracer tracer(mesh, false);
+    const MeshTracer tracer(mesh, Faces::front);
     int added = 0, missing = 0;
     for (uint32_t k = 0; k < kEyes; ++k) {
         const Frame frame(eye_at(k));
@@ -70,7 +70,7 @@ TEST_CASE("Outlines of a larger or smaller box lie as far from the box's as they
     const Scene scene = maker.make(constant_environment(1));
     const Mesh box = outside_mesh(scene);
     for (const float factor : {0.98f, 1.02f}) {
-        const MeshTracer mesh(scaled(box, factor), false);
+        const MeshTracer mesh(scaled(box, factor), Faces::front);
         const MeshOutline outline(scene.data(), mesh);
         uint32_t points = 0;
         float worst = 0;
@@ -108,7 +108,7 @@ TEST_CASE("Both sides of a gap in a mesh come half of the way where the scene go
     };
     add_half(-kTop, -kHalfGap);
     add_half(kHalfGap, kTop);
-    const MeshTracer mesh(halves, false);
+    const MeshTracer mesh(halves, Faces::front);
     uint32_t beside_gap = 0;
     for (const OutlinePoint& p : MeshOutline(scene.data(), mesh).seen_from({0, 0, 1}, 1)) {
         const bool is_gap = std::abs(mesh.mesh().positions[p.from].x) < 2 * kHalfGap &&
@@ -128,7 +128,7 @@ TEST_CASE("Fitting brings the outline of a ball of few triangles onto the ball's
     const Scene scene = maker.make(constant_environment(1));
     const Mesh rough = simplified(outside_mesh(scene), 200).mesh;
     Job job(1, 2, kUnheard);
-    const Mesh fine = fitted_in_rounds(scene.data(), rough, false, job);
+    const Mesh fine = fitted_in_rounds(scene.data(), rough, Faces::front, job);
     const OutlineError before = outline_error(scene, rough, 2 * kPi * kRadius);
     const OutlineError after = outline_error(scene, fine, 2 * kPi * kRadius);
     UNSCOPED_INFO("before " << before.bias << " of " << before.size << ", after " << after.bias << " of "

@@ -19,7 +19,7 @@ const ProgressCallback kSilent;
 // The mean difference between the depths that both the scene and the mesh have, in radii.
 double mean_depth_error(const Survey& survey, const Mesh& mesh)
 {
-    const MeshTracer tracer(mesh, false);
+    const MeshTracer tracer(mesh, Faces::front);
     uint32_t both = 0;
     double sum = 0;
     for (uint32_t i = 0; i < survey.origins(); ++i) {
@@ -90,7 +90,7 @@ TEST_CASE("Simplified balls stay balls, and fitting brings them closer", "[mesh]
     CHECK(rough.triangle_count() <= 200);
     CHECK(rough.triangle_count() > 150);
     const Survey survey(scene.data(), 64, 300, 5);
-    const Mesh fine = fitted(rough, rough, false, survey, job);
+    const Mesh fine = fitted(rough, rough, Faces::front, survey, job);
     CHECK(mean_depth_error(survey, fine) < 0.6 * mean_depth_error(survey, rough));
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("Boxes wound inside out are turned", "[mesh]")
     Job job(1, 2, kSilent);
     const Outside outside = outside_of(scene.data(), job);
     CHECK_FALSE(outside.two_sided);
-    const MeshTracer tracer(outside.mesh, false);
+    const MeshTracer tracer(outside.mesh, Faces::front);
     for (const float x : {-1.0f, 1.0f}) {
         const std::optional<Hit> hit = tracer.closest({{x, 0.01f, 0.02f}, {-x, 0, 0}});
         REQUIRE(hit);

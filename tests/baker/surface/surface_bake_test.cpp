@@ -136,7 +136,7 @@ double mean_level(const SurfaceBake& bake, float elevation)
     return sum / static_cast<double>(covered);
 }
 
-// Which way a triangle of a level sheet faces.
+// Whether a triangle of a level sheet faces up.
 bool faces_up(const SurfaceField& field, uint32_t triangle)
 {
     const detail::SurfacePatch patch = detail::surface_patch(field, triangle / 2);
