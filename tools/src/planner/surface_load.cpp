@@ -66,17 +66,17 @@ double winding(const Place& a, const Place& b, const Place& c)
 }
 
 // Whether no coordinate of a texture, which has so many columns from a to b and rows from a to c, changes by more than
-// `most` texels from sample to sample.
+// `most` texels from sample to sample. The triangle faces the eye.
 bool is_magnified(const Place& a, const Place& b, const Place& c, const detail::SurfacePatch& patch, double most)
 {
-    const double area = std::fabs(winding(a, b, c));
+    const double area = winding(a, b, c);
     const auto fits = [&](const Place& end, uint32_t texels) {
         return texels * std::fabs(end.x - a.x) <= most * area && texels * std::fabs(end.y - a.y) <= most * area;
     };
     return fits(c, patch.columns) && fits(b, patch.rows);
 }
 
-// Texels a sample; core/src/surface/rasterize.cpp.
+// Texels a sample, as target_of (lumi/surface/detail/target.h) has them.
 double most_magnified(SurfaceMode mode)
 {
     return mode == SurfaceMode::one_sample ? -1 : mode == SurfaceMode::antialiased ? 0.5 : 0.25;
@@ -102,10 +102,10 @@ SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
         const auto [low, high] = std::minmax({places[a].y, places[b].y, places[c].y});
         load.seen += 1;
         load.scanlines += high - low;
-        load.samples += std::fabs(area) / 2;
-        if (is_magnified(places[a], places[b], places[c], patch, most)) load.magnified += std::fabs(area) / 2;
+        load.samples += area / 2;
+        if (is_magnified(places[a], places[b], places[c], patch, most)) load.magnified += area / 2;
         for (const uint32_t v : {a, b, c}) is_lit[v] = true;
-        return area > 0;
+        return true;
     };
     for (uint32_t k = 0; k < field.patch_count; ++k) {
         const detail::SurfacePatch patch = detail::surface_patch(field, k);
