@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -12,6 +13,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/lab"))
 import bench  # noqa: E402
+from figures.table import load  # noqa: E402
 
 LINE = "view pole span 8 covered 1000 instructions 123456 setup 23456 stack 640 crc 0badcafe\n"
 SURFACE_LINE = ("view generic mode 2x2 covered 1000 instructions 100000 palette 100 vertices 9900 lists 10000 lights 20000 "
@@ -49,6 +51,24 @@ class Lines(unittest.TestCase):
         self.assertEqual(bench.with_facts(dict(row), {"crc": 7}, [frame])["psnr_db"], 40.0)
         with self.assertRaises(bench.BenchError):
             bench.with_facts(dict(row), {"crc": 8}, [frame])
+
+
+    def test_rows_that_were_not_counted_are_kept(self):
+        old = [{"layout": "chord", "core": "m4", "mode": "linear", "n": 1}, {"layout": "surface", "core": "m4", "mode": "2x2", "n": 2}]
+        new = [{"layout": "surface", "core": "m4", "mode": "2x2", "n": 3}, {"layout": "surface", "core": "m7", "mode": "2x2", "n": 4}]
+        self.assertEqual([row["n"] for row in bench.renewed(old, new)], [1, 3, 4])
+
+
+    def test_quality_control_expects_no_less_than_what_modes_were_counted_to_cost(self):
+        header = (ROOT / "core/include/lumi/surface/quality.h").read_text()
+        growth = [int(k) / 16 for k in re.search(r"kGrowth_q4\[\] = {(.*)}", header).group(1).split(",")]
+        cost = {(r["core"], r["pixel"], r["view"], r["mode"]): r["instructions_per_pixel"]
+                for r in load("tradeoff")["rows"] if r["layout"] == "surface"}
+        modes = ("one-sample", "antialiased", "2x2")
+        for (core, pixel, view, mode), own in cost.items():
+            step = modes.index(mode)
+            if step > 0:
+                self.assertLessEqual(own / cost[core, pixel, view, modes[step - 1]], growth[step], (core, pixel, view, mode))
 
 
 class WholeRun(unittest.TestCase):

@@ -47,7 +47,7 @@ public:
 private:
     static constexpr uint8_t number(SurfaceMode mode) { return static_cast<uint8_t>(mode); }
 
-    static constexpr uint8_t kGrowth_q4[] = {16, 26, 26};  // measured: docs/log/tradeoff.md, with a margin
+    static constexpr uint8_t kGrowth_q4[] = {16, 27, 33};  // measured: docs/log/tradeoff.md, with a margin
     detail::QualityLadder ladder_;
 };
 
