@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A frame's vertices and lists of triangles.
 #include "lumi/surface/detail/view_nodes.h"
-#include "surface/extremes.h"
-#include "surface/projection.h"
+#include "surface/seen.h"
 #include "surface/sides.h"
 
 namespace lumi::detail
@@ -13,8 +12,6 @@ namespace
 static_assert(2 * format::kMaxPatches <= kLinkMask + 1, "a link holds every triangle's number");
 static_assert(kBandReach <= 1 << (16 - kLinkBits), "and how far it reaches");
 
-constexpr uint32_t kUnlit = 1;  // in the two bits that no colour uses
-
 // Three signed fields of 10 bits below each other, see red_q2.
 uint32_t packed_fields(int32_t r_q2, int32_t g_q2, int32_t b_q2)
 {
@@ -22,7 +19,8 @@ uint32_t packed_fields(int32_t r_q2, int32_t g_q2, int32_t b_q2)
     return field(r_q2) << 22 | field(g_q2) << 12 | field(b_q2) << 2;
 }
 
-// What a vertex's view table shows of the eye.
+}  // namespace
+
 uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
 {
     if (vertex >= frame.field.viewed_count) return 0;
@@ -50,12 +48,8 @@ uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
     return packed_fields((r * gain + 2048) >> 12, (g * gain + 2048) >> 12, (b * gain + 2048) >> 12);
 }
 
-LUMI_ALWAYS_INLINE void light(const SurfaceFrame& frame, const SurfaceVertex* v)
+namespace
 {
-    if (v->colour != kUnlit) return;
-    const uint32_t vertex = static_cast<uint32_t>(v - frame.memory.vertices);
-    frame.memory.vertices[vertex].colour = lit_colour(frame, vertex);
-}
 
 // Puts a triangle before the others of a list.
 void put(SurfaceFrame& frame, uint32_t list, uint32_t triangle, int32_t reach)
@@ -64,32 +58,6 @@ void put(SurfaceFrame& frame, uint32_t list, uint32_t triangle, int32_t reach)
     const uint32_t next = first == kEmptyBand ? triangle : first;
     frame.memory.links[triangle] = static_cast<uint16_t>(next | static_cast<uint32_t>(reach) << kLinkBits);
     first = static_cast<uint16_t>(triangle);
-}
-
-// Corners of a triangle. Packed numbers compare as their upper bits do.
-struct Seen {
-    const SurfaceVertex *a, *b, *c;
-
-    bool are_there() const { return is_there(*a) && is_there(*b) && is_there(*c); }
-    int32_t upper_q6() const { return least_of(a->y, b->y, c->y) >> 8; }
-    int32_t lower_q6() const { return most_of(a->y, b->y, c->y) >> 8; }
-    int32_t left_q6() const { return least_of(a->x, b->x, c->x) >> 8; }
-    int32_t right_q6() const { return most_of(a->x, b->x, c->x) >> 8; }
-};
-
-// Twice an area's sign, as that of doubled_area (planes.h), where 32 bits do not hold it.
-__attribute__((noinline)) int32_t wide_sign(int32_t ax, int32_t by, int32_t bx, int32_t ay)
-{
-    const int64_t area = wide_product(ax, by) - wide_product(bx, ay);
-    return area < 0 ? -1 : area > 0 ? 1 : 0;
-}
-
-bool has_curved_edge(const SurfaceFrame& frame, const Seen& s)
-{
-    const SamplePoint a = unpacked(*s.a), b = unpacked(*s.b), c = unpacked(*s.c);
-    const uint32_t from = frame.projection.curved_from;
-    if (a.depth < from && b.depth < from && c.depth < from) return false;
-    return is_curved(frame, a, b) || is_curved(frame, b, c) || is_curved(frame, c, a);
 }
 
 class Lister

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/split.h"
 
+#include "surface/textures.h"
+
 namespace lumi::detail
 {
 namespace
@@ -149,8 +151,20 @@ private:
 
 }  // namespace
 
-void begin_parts(Parts& parts, const SurfaceFrame& frame)
+void begin_parts(Parts& parts, const SurfaceFrame& frame, uint32_t triangle)
 {
+    const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
+    const bool is_first = (triangle & 1) == 0;
+    const Places p = places_of(patch, is_first);
+    const uint32_t b = patch.corner[1], c = patch.corner[2];
+    parts.vertex[0] = patch.corner[is_first ? 0 : 3];
+    parts.vertex[1] = is_first ? b : c;
+    parts.vertex[2] = is_first ? c : b;
+    parts.u_q8[0] = parts.u_q8[2] = p.u_q8;
+    parts.v_q8[0] = parts.v_q8[1] = p.v_q8;
+    parts.u_q8[1] = p.across_q8;
+    parts.v_q8[2] = p.down_q8;
+    parts.texture = texture_of(patch, frame.field);
     for (int k = 0; k < 3; ++k)
         parts.view[k] = view_point(frame.projection, surface_vertex(frame.field, parts.vertex[k]));
     parts.pending[0] = {{{0, 0}, {kWhole, 0}, {0, kWhole}}};

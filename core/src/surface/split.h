@@ -10,8 +10,7 @@
 namespace lumi::detail
 {
 
-// Begins a triangle, whose vertices, texture and places in it are set.
-void begin_parts(Parts& parts, const SurfaceFrame& frame);
+void begin_parts(Parts& parts, const SurfaceFrame& frame, uint32_t triangle);
 // Sets `corner`, and the parts' vertices that it names, to the next part that can be drawn as a whole; false after the
 // last.
 bool next_part(Parts& parts, const SurfaceFrame& frame, const Target& target, Corner (&corner)[3]);
