@@ -7,7 +7,9 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
+#include <ImfOutputFile.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "image/picture_bytes.h"
@@ -42,6 +44,29 @@ private:
     uint64_t position_ = 0;
 };
 
+// A file that OpenEXR writes into memory.
+class GrowingStream : public Imf::OStream
+{
+public:
+    GrowingStream() : Imf::OStream("picture") {}
+
+    void write(const char bytes[], int count) override
+    {
+        const size_t size = static_cast<size_t>(count);
+        bytes_.resize(std::max(bytes_.size(), position_ + size));
+        std::memcpy(bytes_.data() + position_, bytes, size);
+        position_ += size;
+    }
+    uint64_t tellp() override { return position_; }
+    void seekp(uint64_t position) override { position_ = position; }
+
+    std::string take() { return std::move(bytes_); }
+
+private:
+    std::string bytes_;
+    size_t position_ = 0;
+};
+
 // Far above what a picture of the world packs into: a few bytes must not claim gigabytes.
 constexpr int64_t kMostPixelsAByte = 2048;
 
@@ -71,7 +96,33 @@ RadiancePicture read(BytesStream& stream)
     return picture;
 }
 
+// Pixels of four floats, as OpenEXR wants to find them.
+Imf::FrameBuffer frame_of(const RadianceView& picture)
+{
+    constexpr size_t kPixelBytes = 4 * sizeof(float);
+    Imf::FrameBuffer frame;
+    char* base = const_cast<char*>(reinterpret_cast<const char*>(picture.rgba));  // OpenEXR only reads it
+    for (const char* name : {"R", "G", "B", "A"}) {
+        frame.insert(name, Imf::Slice(Imf::FLOAT, base, kPixelBytes, kPixelBytes * static_cast<size_t>(picture.width)));
+        base += sizeof(float);
+    }
+    return frame;
+}
+
 }  // namespace
+
+std::string exr_bytes(const RadianceView& picture)
+{
+    Imf::Header header(picture.width, picture.height, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+    for (const char* name : {"R", "G", "B", "A"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    GrowingStream stream;
+    {
+        Imf::OutputFile output(stream, header, 0);
+        output.setFrameBuffer(frame_of(picture));
+        output.writePixels(picture.height);
+    }  // writes where each scanline lies
+    return stream.take();
+}
 
 bool is_exr(const std::string& bytes)
 {

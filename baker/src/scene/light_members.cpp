@@ -108,17 +108,23 @@ Environment read_gradient(JsonMembers& members)
 
 Environment read_picture(const std::filesystem::path& file, JsonMembers& members, std::vector<std::string>& warnings)
 {
-    Environment environment = constant_environment(0);
     const JsonValue& name = members.require("picture");
     const std::filesystem::path picture = find_beside(file, members.text_of(name, "picture"));
     if (picture.empty())
         members.fail(name, "the picture '" + name.text + "' is missing; put it beside " + file.filename().string());
-    environment.picture = std::make_shared<RadiancePicture>(read_radiance_picture(picture, warnings));
+    Environment environment = picture_environment(picture, warnings);
     members.number("rotate", kAngle, environment.rotation_degrees);
     return environment;
 }
 
 }  // namespace
+
+Environment picture_environment(const std::filesystem::path& file, std::vector<std::string>& warnings)
+{
+    Environment environment = constant_environment(0);
+    environment.picture = std::make_shared<RadiancePicture>(read_radiance_picture(file, warnings));
+    return environment;
+}
 
 Fixture read_fixture(const std::string& file, const JsonValue& value, UpAxis up)
 {

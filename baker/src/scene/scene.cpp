@@ -190,6 +190,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       materials(scaled(std::move(parts.materials), radius, parts.exposure)),
       textures(std::move(parts.textures)),
       tone(parts.tone),
+      exposure(parts.exposure),
       has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
       mesh_is_shell(parts.mesh_is_shell),
       catcher(moved_into_sphere(parts.catcher, {centre, radius}, up)),
@@ -202,6 +203,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
 
 Scene build_scene(SceneParts parts, const LoadOptions& options)
 {
+    if (options.exposure_stops) parts.exposure = static_cast<float>(std::exp2(*options.exposure_stops));
     if (options.solid_volume && parts.volume && parts.mesh.corners.empty()) add_shell(parts);
     if (parts.mesh.corners.empty() && !parts.volume)
         throw SceneError("the scene holds no triangles; export at least one face");

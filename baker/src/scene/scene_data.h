@@ -27,6 +27,7 @@ struct SceneData {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     ToneCurve tone;
+    float exposure;         // factor that all light below already has
     bool has_transparency;  // some material may let light pass
     bool mesh_is_shell;     // the mesh only tells where the volume looks solid: light passes it
     std::optional<Disc> catcher;

@@ -55,8 +55,9 @@ void add(Digest& digest, const Texture& texture)
 
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
-    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, mesh_is_shell, catcher, medium,
-                 accelerator, lights] = scene;
+    const auto& [centre, radius, up, mesh, materials, textures, tone, exposure, has_transparency, mesh_is_shell,
+                 catcher, medium, accelerator, lights] = scene;
+    static_cast<void>(exposure);  // the lights have it
     static_cast<void>(has_transparency);
     static_cast<void>(accelerator);
     Digest digest;

@@ -29,6 +29,9 @@ public:
     bool mostly_covered() const { return hits_ != 0 && 2 * hits_ >= samples_; }
     // The mean of those that do, through the tone curve, encoded.
     Rgb8 colour() const { return srgb_encode(toned(tone_, sum_ * (1 / static_cast<float>(std::max(hits_, 1u))))); }
+    // Linear light of all samples: already multiplied by the share of those that meet the scene.
+    Rgb covered_radiance() const { return sum_ * (1 / static_cast<float>(std::max(samples_, 1u))); }
+    float coverage() const { return static_cast<float>(hits_) / static_cast<float>(std::max(samples_, 1u)); }
     // Premultiplied by the share of those that do.
     detail::Rgba8 covered_colour() const
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/reference.h"
 
+#include <algorithm>
+
 #include "lumi/baker/bake.h"
 #include "trace/camera_rays.h"
 #include "trace/estimate.h"
@@ -26,30 +28,54 @@ Estimate pixel_estimate(ToneCurve tone, const CameraRays& rays, const Integrator
     return result;
 }
 
+// Traces every pixel; put(i, estimate) gets the i-th one, row by row, from several threads.
+template <class Put>
+void trace_pixels(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
+                  const ProgressCallback& progress, const Put& put)
+{
+    if (settings.samples == 0) throw BakeError("the number of samples must be at least 1");
+    const uint32_t width = static_cast<uint32_t>(camera.width_px());
+    const uint32_t height = static_cast<uint32_t>(camera.height_px());
+    const CameraRays rays(camera);
+    const PathTracer tracer(scene.data());
+    Job job(uint64_t{width} * height * settings.samples, settings.threads, progress);
+    job.run(height, [&](uint32_t y) {
+        for (uint32_t x = 0; x < width && !job.stopping(); ++x) {
+            put(size_t{width} * y + x, pixel_estimate(scene.data().tone, rays, tracer, settings, x, y));
+            job.add_rays(settings.samples);
+        }
+    });
+    job.finish();
+}
+
+size_t pixel_count(const Camera& camera)
+{
+    return static_cast<size_t>(camera.width_px()) * static_cast<size_t>(camera.height_px());
+}
+
 }  // namespace
 
 RgbaImage render_reference(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
                            const ProgressCallback& progress)
 {
-    if (settings.samples == 0) throw BakeError("the number of samples must be at least 1");
-    const uint32_t width = static_cast<uint32_t>(camera.width_px());
-    const uint32_t height = static_cast<uint32_t>(camera.height_px());
-    RgbaImage image{camera.width_px(), camera.height_px(), std::vector<uint8_t>(size_t{4} * width * height)};
-    const CameraRays rays(camera);
-    const PathTracer tracer(scene.data());
-    Job job(uint64_t{width} * height * settings.samples, settings.threads, progress);
-    job.run(height, [&](uint32_t y) {
-        uint8_t* out = image.rgba.data() + size_t{4} * width * y;
-        for (uint32_t x = 0; x < width && !job.stopping(); ++x, out += 4) {
-            const detail::Rgba8 c = pixel_estimate(scene.data().tone, rays, tracer, settings, x, y).covered_colour();
-            out[0] = c.r;
-            out[1] = c.g;
-            out[2] = c.b;
-            out[3] = c.a;
-            job.add_rays(settings.samples);
-        }
+    RgbaImage image{camera.width_px(), camera.height_px(), std::vector<uint8_t>(4 * pixel_count(camera))};
+    trace_pixels(scene, camera, settings, progress, [&](size_t pixel, const Estimate& estimate) {
+        const detail::Rgba8 c = estimate.covered_colour();
+        const uint8_t values[4] = {c.r, c.g, c.b, c.a};
+        std::copy_n(values, 4, &image.rgba[4 * pixel]);
     });
-    job.finish();
+    return image;
+}
+
+RadianceImage trace_radiance(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
+                             const ProgressCallback& progress)
+{
+    RadianceImage image{camera.width_px(), camera.height_px(), std::vector<float>(4 * pixel_count(camera))};
+    trace_pixels(scene, camera, settings, progress, [&](size_t pixel, const Estimate& estimate) {
+        const Rgb light = estimate.covered_radiance() * (1 / scene.data().exposure);
+        const float values[4] = {light.r, light.g, light.b, estimate.coverage()};
+        std::copy_n(values, 4, &image.rgba[4 * pixel]);
+    });
     return image;
 }
 

@@ -112,6 +112,23 @@ TEST_CASE("picture file: JPEG, grey and coloured, sequential and progressive")
     }
 }
 
+TEST_CASE("picture file: OpenEXR is read as it was written, beyond white and to the last bit")
+{
+    // 3 by 2 pixels; the alpha of each is 1/2.
+    std::vector<float> rgba;
+    for (int k = 0; k < 6; ++k) rgba.insert(rgba.end(), {0.1f * static_cast<float>(k), 70000.0f, 1e-6f, 0.5f});
+    const std::string bytes = exr_bytes({3, 2, rgba.data()});
+    REQUIRE(is_exr(bytes));
+    const RadiancePicture read = decode_exr(bytes);
+    REQUIRE(read.width == 3);
+    REQUIRE(read.height == 2);
+    for (size_t k = 0; k < 6; ++k) {
+        CHECK(read.pixels[k].r == rgba[4 * k]);
+        CHECK(read.pixels[k].g == 70000.0f);
+        CHECK(read.pixels[k].b == 1e-6f);
+    }
+}
+
 TEST_CASE("picture file: other formats are refused by name, before a pixel is read")
 {
     // 16 bits a channel: the reader of old read 2 bytes a channel where it had allocated one.

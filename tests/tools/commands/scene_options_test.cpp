@@ -26,7 +26,7 @@ Outcome reference(const std::string& picture, const test::Arguments& more)
 Picture lit_by(const std::string& environment, const std::string& background = "ff00ff")
 {
     const test::TemporaryFolder folder;
-    const Outcome outcome = reference(folder / "p.png", {"--environment", environment, "--background", background});
+    const Outcome outcome = reference(folder / "p.png", {"--sky", environment, "--background", background});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return read_png(folder / "p.png");
@@ -41,7 +41,7 @@ double mean_of(const Picture& picture, size_t channel)
 
 }  // namespace
 
-TEST_CASE("environment: black leaves a scene without lamps black, before an untouched background")
+TEST_CASE("sky: black leaves a scene without lamps black, before an untouched background")
 {
     const Picture picture = lit_by("black");
     size_t black = 0, background = 0;
@@ -54,7 +54,7 @@ TEST_CASE("environment: black leaves a scene without lamps black, before an unto
     CHECK(background > 50);
 }
 
-TEST_CASE("environment: --environment takes one number for grey, or a colour")
+TEST_CASE("sky: --sky takes one number for grey, or a colour")
 {
     CHECK(lit_by("0.4").rgb == lit_by("0.4,0.4,0.4").rgb);
     const Picture red = lit_by("0.8,0.1,0.1", "000000"), studio = lit_by("studio");
@@ -62,7 +62,7 @@ TEST_CASE("environment: --environment takes one number for grey, or a colour")
     CHECK(studio.rgb != red.rgb);
 }
 
-TEST_CASE("environment: --environment counts more than the scene file, which counts more than the studio")
+TEST_CASE("sky: --sky counts more than the scene file, which counts more than the studio")
 {
     const test::TemporaryFolder folder;
     test::write_content(folder / "s.json",
@@ -75,21 +75,85 @@ TEST_CASE("environment: --environment counts more than the scene file, which cou
         return read_png(folder / "p.png").rgb;
     };
     CHECK(picture({}) == lit_by("0.4").rgb);
-    CHECK(picture({"--environment", "0.7"}) == lit_by("0.7").rgb);
+    CHECK(picture({"--sky", "0.7"}) == lit_by("0.7").rgb);
 }
 
-TEST_CASE("environment: one that cannot be is a wrong call that says what can")
+TEST_CASE("sky: one that cannot be is a wrong call that says what can")
 {
     const test::TemporaryFolder folder;
     for (const char* word :
          {"", "red", "-1", "1,2", "1,2,3,4", "1,,2", "1,2,", "nan", "inf", "1e12", "0.5x", "studio,1"}) {
         INFO(word);
-        const Outcome outcome = reference(folder / "p.png", {"--environment", word});
+        const Outcome outcome = reference(folder / "p.png", {"--sky", word});
         CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err, Catch::Contains("--environment") &&
-                                    Catch::Contains("takes studio, black or a colour such as 0.8 or 1,0.9,0.7"));
+        CHECK_THAT(outcome.err,
+                   Catch::Contains("--sky") &&
+                       Catch::Contains("takes studio, black, a colour such as 0.8 or 1,0.9,0.7, or a picture"));
     }
     CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("sky: --sky takes a picture, which lights as its pixels say")
+{
+    const test::TemporaryFolder folder;
+    // Two scanlines of eight grey pixels of radiance 1/2, flat RGBE.
+    std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+    for (int pixel = 0; pixel < 8; ++pixel) hdr += "\x80\x80\x80\x80";
+    test::write_content(folder / "room.hdr", hdr);
+    const double picture = mean_of(lit_by(folder / "room.hdr"), 1), colour = mean_of(lit_by("0.5"), 1);
+    CHECK(picture == Approx(colour).epsilon(0.02));
+    const Outcome missing = reference(folder / "p.png", {"--sky", folder / "no.exr"});
+    CHECK(missing.code == 1);
+    CHECK_THAT(missing.err, Catch::Contains("no.exr"));
+}
+
+TEST_CASE("exposure: --exposure multiplies all light, counts more than the scene file, and bake and reference agree")
+{
+    const test::TemporaryFolder folder;
+    const auto picture = [&](const test::Arguments& more) {
+        const Outcome outcome = reference(folder / "p.png", more);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return read_png(folder / "p.png").rgb;
+    };
+    CHECK(picture({"--sky", "0.8", "--exposure", "-1"}) == picture({"--sky", "0.4"}));
+    const auto baked = [&](const test::Arguments& more) {
+        test::Arguments call = {"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--origins",
+                                "40",   "--directions",  "40", "--spp",           "4"};
+        call.insert(call.end(), more.begin(), more.end());
+        const Outcome outcome = lumi(call);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return test::content_of(folder / "f.lumi");
+    };
+    CHECK(baked({"--sky", "0.8", "--exposure", "-1"}) == baked({"--sky", "0.4"}));
+    for (const char* stops : {"nan", "inf", "-21", "20.5", "", "x"})
+        CHECK(reference(folder / "p.png", {"--exposure", stops}).code == 2);
+}
+
+TEST_CASE("reference: an .exr holds linear light, before exposure, and its coverage in place of a background")
+{
+    const test::TemporaryFolder folder;
+    const auto bytes = [&](const test::Arguments& more) {
+        const Outcome outcome = reference(folder / "p.exr", more);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return test::content_of(folder / "p.exr");
+    };
+    const std::string light = bytes({"--sky", "40"});
+    CHECK(light.substr(0, 4) == "\x76\x2f\x31\x01");
+    CHECK(bytes({"--sky", "40", "--exposure", "-3"}) == light);
+    CHECK(bytes({"--sky", "20"}) != light);
+    // A sky of that picture is read: the reader of skies takes what the writer wrote.
+    CHECK(reference(folder / "q.png", {"--sky", folder / "p.exr"}).code == 0);
+    for (const test::Arguments& more : {test::Arguments{"--background", "ff00ff"}, test::Arguments{"--stereo", "0.1"},
+                                        test::Arguments{"--over", folder / "q.png", "--pose", folder / "pose.txt"}}) {
+        test::Arguments call = {"reference", LUMI_TEST_SCENE, "-o", folder / "q.exr"};
+        call.insert(call.end(), more.begin(), more.end());
+        const Outcome outcome = lumi(call);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains(more[0]) && Catch::Contains("leave it out"));
+    }
 }
 
 TEST_CASE("footprint: --footprint says what a texel is the mean of")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands/camera_options.h"
 
-#include "image/png.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -109,12 +108,10 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
         ->excludes("--background");
 }
 
-void add_picture_output(CLI::App& command, std::string& output)
+void add_picture_output(CLI::App& command, std::string& output, const std::string& type,
+                        std::string (*wrong_name)(const std::string&))
 {
-    command.add_option("-o,--output", output, "Picture to write")
-        ->type_name("OUT.png")
-        ->check(wrong_png_name)
-        ->required();
+    command.add_option("-o,--output", output, "Picture to write")->type_name(type)->check(wrong_name)->required();
 }
 
 }  // namespace lumi::tools

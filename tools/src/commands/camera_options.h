@@ -16,7 +16,8 @@ void add_camera_options(CLI::App& command, ViewOptions& options);
 // Adds --orbit and --background alone.
 void add_start_options(CLI::App& command, ViewOptions& options);
 
-// Adds -o, which takes names of PNG files.
-void add_picture_output(CLI::App& command, std::string& output);
+// Adds -o, which takes names that `wrong_name` has nothing to say about.
+void add_picture_output(CLI::App& command, std::string& output, const std::string& type,
+                        std::string (*wrong_name)(const std::string&));
 
 }  // namespace lumi::tools

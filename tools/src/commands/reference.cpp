@@ -6,6 +6,7 @@
 #include "commands/camera_options.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
+#include "image/exr.h"
 #include "lumi/baker/reference.h"
 #include "program/parse_problem.h"
 #include "terminal/failure.h"
@@ -36,28 +37,57 @@ Picture over_background(const baker::RgbaImage& image, const Rgb8& background)
     return picture;
 }
 
+// An .exr file holds one eye's linear light and its coverage.
+void check_linear(const CLI::App& command)
+{
+    for (const char* option : {"--stereo", "--background", "--over"})
+        if (command.count(option) > 0)
+            throw UsageError(
+                std::string(option) +
+                " does not go with a picture of linear light, whose channel A holds the coverage; leave it "
+                "out, or write a .png");
+}
+
+std::vector<std::string> write_linear(const ReferenceOptions& options, const baker::ReferenceSettings& settings,
+                                      const baker::Scene& scene, const baker::ProgressCallback& progress)
+{
+    return write_each_view(
+        options.views, options.output,
+        [&](const Eye& eye, const std::string& path) {
+            write_exr(path, baker::trace_radiance(scene, eye.camera, settings, progress));
+        });
+}
+
+std::vector<std::string> write_encoded(const ReferenceOptions& options, const baker::ReferenceSettings& settings,
+                                       const baker::Scene& scene, const baker::ProgressCallback& progress)
+{
+    baker::RgbaImage image;
+    const Eye* traced = nullptr;  // what `image` shows: over another colour it need not be traced again
+    const auto draw = [&](const Eye& eye, const Rgb8& background) {
+        if (traced != &eye) image = baker::render_reference(scene, eye.camera, settings, progress);
+        traced = &eye;
+        return over_background(image, background);
+    };
+    return write_views(options.views, options.output, draw);
+}
+
 // Draws and writes all views under one progress bar.
 std::vector<std::string> write_references(const ReferenceOptions& options, const baker::Scene& scene)
 {
     baker::ReferenceSettings settings = options.settings;
     settings.threads = options.scene.threads;
     ProgressPrinter printer(stderr, stderr_is_terminal());
-    baker::RgbaImage image;
-    const Eye* traced = nullptr;  // what `image` shows: over another colour it need not be traced again
-    const auto draw = [&](const Eye& eye, const Rgb8& background) {
-        if (traced != &eye) image = baker::render_reference(scene, eye.camera, settings, watch(printer));
-        traced = &eye;
-        return over_background(image, background);
-    };
+    const auto write = is_exr_name(options.output) ? write_linear : write_encoded;
     try {
-        return write_views(options.views, options.output, draw);
+        return write(options, settings, scene, watch(printer));
     } catch (const baker::Cancelled&) {
         throw Interrupted();
     }
 }
 
-void run(const ReferenceOptions& options)
+void run(const ReferenceOptions& options, const CLI::App& command)
 {
+    if (is_exr_name(options.output)) check_linear(command);
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
     for (const std::string& path : write_references(options, scene)) std::printf("%s\n", path.c_str());
@@ -71,7 +101,7 @@ void add_reference(CLI::App& lumi)
     CLI::App* command =
         lumi.add_subcommand("reference", "Path-trace views of a scene: the truth that fields approximate");
     add_scene_options(*command, options->scene);
-    add_picture_output(*command, options->output);
+    add_picture_output(*command, options->output, "OUT.png|OUT.exr", wrong_png_or_exr_name);
     add_camera_options(*command, options->views);
     command->add_option("--spp", options->settings.samples, "Light paths per pixel")
         ->type_name("S")
@@ -83,8 +113,9 @@ void add_reference(CLI::App& lumi)
         ->capture_default_str();
     command->footer(
         "The bounding sphere is fitted as in lumi bake, so equal camera options show the same view.\n"
+        "An .exr holds linear light, before exposure and tone curve, and the coverage in its channel A.\n"
         "Example:\n  lumi reference product.obj -o truth.png --orbit 30,20,3 --spp 256");
-    command->callback([options] { run(*options); });
+    command->callback([options, command] { run(*options, *command); });
 }
 
 }  // namespace lumi::tools

@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
+#include "image/png.h"
 #include "lumi/chord/render_spans.h"
 #include "program/choice.h"
 #include "program/plugin.h"
@@ -132,7 +133,7 @@ void add_render(CLI::App& lumi)
     CLI::App* command =
         lumi.add_subcommand("render", "Draw views of a field, pixel for pixel as a microcontroller does");
     command->add_option("FIELD", options->field, "A field file")->required();
-    add_picture_output(*command, options->output);
+    add_picture_output(*command, options->output, "OUT.png", wrong_png_name);
     add_camera_options(*command, options->views);
     add_drawing_options(*command, *options);
     Stages stages;

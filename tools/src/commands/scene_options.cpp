@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
 #include "program/choice.h"
@@ -32,15 +35,43 @@ std::optional<std::array<float, 3>> colour_of(const std::string& word)
     return sound && (count == 1 || count == 3) && word.back() != ',' ? std::optional(colour) : std::nullopt;
 }
 
-baker::Environment environment_of(const std::string& word)
+bool is_picture_name(const std::string& word)
+{
+    std::string ending = std::filesystem::path(word).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending == ".hdr" || ending == ".exr";
+}
+
+baker::Environment sky_of(const std::string& word)
 {
     if (word == "studio") return baker::studio_environment();
     if (word == "black") return baker::constant_environment(0);
     const auto colour = colour_of(word);
     if (!colour)
-        throw CLI::ValidationError("--environment",
-                                   "takes studio, black or a colour such as 0.8 or 1,0.9,0.7, not \"" + word + "\"");
+        throw CLI::ValidationError("--sky",
+                                   "takes studio, black, a colour such as 0.8 or 1,0.9,0.7, or a picture (.hdr or "
+                                   ".exr), not \"" +
+                                       word + "\"");
     return baker::constant_environment(*colour);
+}
+
+void set_sky(const std::string& word, SceneOptions& options)
+{
+    if (is_picture_name(word))
+        options.sky_picture = word;
+    else
+        options.sky = sky_of(word);
+}
+
+void set_exposure(const std::string& word, SceneOptions& options)
+{
+    double stops = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), stops);
+    if (error != std::errc() || end != word.data() + word.size() || !(std::abs(stops) <= baker::kMostStops))
+        throw CLI::ValidationError("--exposure",
+                                   "takes stops from -20 to 20 such as -1.5: all light is multiplied by 2 "
+                                   "to this power");
+    options.exposure_stops = stops;
 }
 
 }  // namespace
@@ -68,13 +99,18 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str()
         ->type_name("SHARE");
-    const auto set_environment = [&options](const std::string& word) { options.environment = environment_of(word); };
     command
         .add_option_function<std::string>(
-            "--environment", set_environment,
-            "Light from far away: studio, black, or a colour of linear radiance such as 0.8 or 1,0.9,0.7 [as the scene "
-            "file says, or studio]")
-        ->type_name("studio|black|COLOUR");
+            "--sky", [&options](const std::string& word) { set_sky(word, options); },
+            "Light from far away: studio, black, a colour of linear radiance such as 0.8 or 1,0.9,0.7, or a "
+            "latitude-longitude picture (.hdr, .exr) [as the scene file says, or studio]")
+        ->type_name("studio|black|COLOUR|FILE");
+    command
+        .add_option_function<std::string>(
+            "--exposure", [&options](const std::string& word) { set_exposure(word, options); },
+            "All light is multiplied by 2 to this power, from -20 to 20; equal for bake, reference and report [as the "
+            "scene file says, or 0]")
+        ->type_name("STOPS");
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
         ->type_name("T");
 }
@@ -84,10 +120,12 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     std::vector<std::string> lines;
     baker::LoadOptions load;
     load.up = options.up;
-    load.environment = options.environment;
+    load.exposure_stops = options.exposure_stops;
+    load.environment = options.sky;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;
+    if (!options.sky_picture.empty()) load.environment = baker::picture_environment(options.sky_picture, lines);
     baker::Scene scene = baker::load_scene(options.path, load, lines);
     for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", line.c_str());
     warnings = lines.size();

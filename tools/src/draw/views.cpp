@@ -145,4 +145,17 @@ std::vector<std::string> write_views(ViewOptions options, const std::string& out
     return written;
 }
 
+std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,
+                                         const std::function<void(const Eye&, const std::string&)>& write)
+{
+    const std::vector<View> views = all_views(options, output);
+    announce_outputs(paths_of(views, ""));
+    std::vector<std::string> written;
+    for (const View& view : views) {
+        write(view.eyes.front(), view.path);
+        written.push_back(view.path);
+    }
+    return written;
+}
+
 }  // namespace lumi::tools

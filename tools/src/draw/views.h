@@ -41,4 +41,8 @@ using Drawer = std::function<Picture(const Eye&, const Rgb8& background)>;
 // UsageError for a camera that core refuses, before anything is drawn; Failure where a file cannot be read or written.
 std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw);
 
+// The same, but one eye a view, each of which write(eye, path) draws and writes; no background and no contact sheet.
+std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,
+                                         const std::function<void(const Eye&, const std::string&)>& write);
+
 }  // namespace lumi::tools

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one reader and the one writer of PNG and of JPEG, with 8 bits a channel; for radiance the baker also reads
-// Radiance .hdr and OpenEXR. Strangers may have made the files: the size is checked before a pixel is decoded.
+// Radiance .hdr and OpenEXR, and writes OpenEXR. Strangers may have made the files: the size is checked before a pixel
+// is decoded.
 #pragma once
 
 #include <cstdint>
@@ -45,5 +46,15 @@ struct PictureView {
 // firmware read it, with chroma of half the resolution; quality 1 to 100.
 std::string png_bytes(const PictureView& picture);
 std::string jpeg_bytes(const PictureView& picture, int quality);
+
+// Borrowed pixels of linear light: red, green and blue (Rec. 709 primaries), multiplied by the coverage that follows.
+// Top row first, without gaps. At least one.
+struct RadianceView {
+    int width, height;
+    const float* rgba;
+};
+
+// The bytes of an OpenEXR file: one part, scanlines, channels A, B, G and R of 32 bits, packed without loss.
+std::string exr_bytes(const RadianceView& picture);
 
 }  // namespace lumi::baker

@@ -19,6 +19,13 @@ struct RgbaImage {
     std::vector<uint8_t> rgba;
 };
 
+// The same in linear light: r, g, b as the scene's lights send it, without its exposure and its tone curve,
+// premultiplied by the coverage a, 0 to 1.
+struct RadianceImage {
+    int width = 0, height = 0;
+    std::vector<float> rgba;
+};
+
 struct ReferenceSettings {
     uint32_t samples = 64;  // 1: through the pixel's centre; more: spread uniformly over the pixel
     uint64_t seed = 1;
@@ -31,5 +38,7 @@ struct ReferenceSettings {
 // scene, camera, samples and seed, never on `threads`. Throws Cancelled; BakeError for samples = 0.
 RgbaImage render_reference(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
                            const ProgressCallback& progress = {});
+RadianceImage trace_radiance(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
+                             const ProgressCallback& progress = {});
 
 }  // namespace lumi::baker

@@ -44,6 +44,12 @@ Environment constant_environment(const std::array<float, 3>& radiance);
 // A bright, slightly cool sky over a dimmer, warm floor.
 Environment studio_environment();
 
+// A latitude-longitude map in a Radiance .hdr or an OpenEXR file, as docs/scenes.md says. Throws SceneError; appends to
+// `warnings`.
+Environment picture_environment(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+inline constexpr double kMostStops = 20;  // of exposure, to either side
+
 // The surface in a volume where its values cross a number.
 struct IsoSurface {
     float value = 0;  // what is above is inside
@@ -61,7 +67,9 @@ struct LoadOptions {
     // The studio by default, also for scenes with emissive materials: a lamp on a product rarely lights it all. A room
     // with lamps of its own wants constant_environment(0).
     std::optional<Environment> environment = std::nullopt;
-    std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
+    // In stops: all light is multiplied by 2 to this power. At most kMostStops to either side.
+    std::optional<double> exposure_stops = std::nullopt;  // 0
+    std::optional<IsoSurface> iso = std::nullopt;         // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
 };
