@@ -57,6 +57,7 @@ set(LUMI_PLAIN_FILES
   tools/commands/fit_test.cpp
   tools/commands/report_test.cpp
   tools/commands/scale_test.cpp
+  tools/commands/options_test.cpp
   tools/commands/own_files_test.cpp
   tools/commands/standard_streams_test.cpp)
 

@@ -33,19 +33,6 @@ Books& books()
     return all;
 }
 
-// Where a name leads, also if nothing lies there yet: what one output creates, another one's link may then lead to.
-fs::path followed(fs::path file)
-{
-    constexpr int kMaxLinks = 40;  // as many as Linux follows
-    std::error_code failed;
-    for (int k = 0; k < kMaxLinks && fs::is_symlink(file, failed); ++k) {
-        const fs::path link = fs::read_symlink(file, failed);
-        file = file.parent_path() / link;
-    }
-    const fs::path place = fs::weakly_canonical(fs::absolute(file, failed), failed);
-    return failed ? file : place;
-}
-
 // None for what no output could destroy.
 std::vector<FileId> ids_of(const fs::path& file)
 {
@@ -110,6 +97,18 @@ void announce(Books& all, const fs::path& file)
 }
 
 }  // namespace
+
+fs::path followed(fs::path file)
+{
+    constexpr int kMaxLinks = 40;  // as many as Linux follows
+    std::error_code failed;
+    for (int k = 0; k < kMaxLinks && fs::is_symlink(file, failed); ++k) {
+        const fs::path link = fs::read_symlink(file, failed);
+        file = file.parent_path() / link;
+    }
+    const fs::path place = fs::weakly_canonical(fs::absolute(file, failed), failed);
+    return failed ? file : place;
+}
 
 FileGuard::FileGuard()
 {

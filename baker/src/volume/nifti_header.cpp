@@ -55,16 +55,23 @@ public:
         read_size();
         read_type();
         read_offset();
-        if (std::isfinite(h_.scl_slope) && std::isfinite(h_.scl_inter) && h_.scl_slope != 0) {  // else not scaled
-            result_.slope = static_cast<double>(h_.scl_slope);
-            result_.intercept = static_cast<double>(h_.scl_inter);
-        }
+        read_scale();
         read_place();
         return result_;
     }
 
 private:
     [[noreturn]] void fail(const std::string& text) const { throw SceneError(at({name_}, text)); }
+
+    // A slope of 0 or NaN says that values are not scaled.
+    void read_scale()
+    {
+        if (!std::isfinite(h_.scl_slope) || h_.scl_slope == 0) return;
+        if (!std::isfinite(h_.scl_inter))
+            fail("the header scales values, but its scl_inter is no number; write the volume again");
+        result_.slope = static_cast<double>(h_.scl_slope);
+        result_.intercept = static_cast<double>(h_.scl_inter);
+    }
 
     void read_size()
     {

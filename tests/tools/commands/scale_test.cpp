@@ -209,7 +209,8 @@ TEST_CASE("numbers below 0, texts in UTF-16 and pipes are refused by name")
     const test::TemporaryFolder folder;
     const Outcome seed = lumi(bake(folder / "f.lumi", {"--seed", "-1"}));
     CHECK(seed.code == 2);
-    CHECK_THAT(seed.err, Catch::Contains("--seed") && Catch::Contains("takes a whole number from 0 on, not \"-1\""));
+    CHECK_THAT(seed.err, Catch::Contains("--seed") &&
+                             Catch::Contains("takes a whole number from 0 to 18446744073709551615, not \"-1\""));
     test::write_content(folder / "wide.obj", std::string("\xFF\xFEv\0 \0", 6));
     const Outcome wide = lumi({"bake", folder / "wide.obj", "-o", folder / "f.lumi"});
     CHECK(wide.code == 1);

@@ -16,7 +16,7 @@
 #include "lumi/chord/texel.h"
 #include "lumi/detail/lattice.h"
 #include "program/choice.h"
-#include "program/parse_problem.h"
+#include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
 #include "terminal/text.h"
@@ -205,7 +205,7 @@ void add_scale_options(CLI::App& command, BakeOptions& options)
 void add_lattice_options(CLI::App& command, BakeOptions& options)
 {
     baker::BakeSettings& settings = options.settings;
-    const auto sizes = CLI::Range(uint32_t{1}, detail::kMaxLatticeSize);
+    const auto sizes = whole_number(1, detail::kMaxLatticeSize);
     command.add_option("--origins", settings.origins, "chord: points on the near side of the sphere, M")
         ->type_name("M")
         ->check(sizes)
@@ -253,7 +253,7 @@ void add_bake(CLI::App& lumi)
         ->add_option("--spp", options->settings.samples,
                      "chord: light paths per texel, at most; more cost time, never bytes")
         ->type_name("S")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1, kMostPaths))
         ->capture_default_str();
     command
         ->add_option(
@@ -261,11 +261,11 @@ void add_bake(CLI::App& lumi)
             "chord: end a texel before --spp paths, from 16 on, once its standard error is below this many steps of "
             "255; 0: never")
         ->type_name("LEVELS")
-        ->check(CLI::Range(0.0f, 255.0f))
+        ->check(number(0, 255))
         ->capture_default_str();
     command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
         ->type_name("K")
-        ->check(whole_number)
+        ->check(whole_number(0, UINT64_MAX))
         ->capture_default_str();
     add_fit_options(*command, options->fit);
     add_scale_options(*command, *options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands/camera_options.h"
 
+#include "program/option_checks.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -80,18 +81,18 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
                     "Field of view over the longer side in degrees [so that the "
                     "sphere fills the frame]")
         ->type_name("DEG")
-        ->check(CLI::Range(kMinFovDeg, kMaxFovDeg));
+        ->check(number(kMinFovDeg, kMaxFovDeg));
     command
         .add_option("--stereo", options.eye_distance,
                     "Draw a stereo pair side by side, the eyes E radii apart with parallel axes; start with a "
                     "thirtieth of DIST")
         ->type_name("E")
-        ->check(CLI::Range(0.0, kMaxEyeDistance));
+        ->check(number(0, kMaxEyeDistance));
     command
         .add_option("--turntable", options.turntable,
                     "Draw COUNT views around the vertical axis: OUT-000.png, OUT-001.png, ... and OUT-sheet.png")
         ->type_name("COUNT")
-        ->check(CLI::Range(1, kMaxTurntable));
+        ->check(whole_number(1, kMaxTurntable));
     add_background(command, options);
     command
         .add_option("--pose", options.pose,

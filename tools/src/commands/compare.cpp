@@ -15,6 +15,7 @@
 #include "metrics/flip.h"
 #include "metrics/psnr.h"
 #include "metrics/ssim.h"
+#include "program/option_checks.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -138,7 +139,7 @@ void add_compare(CLI::App& lumi)
         ->add_option("--ppd", options->pixels_per_degree,
                      "Pixels a degree of the observer's view, for FLIP: the distance to the screen in pixels times "
                      "0.01745")
-        ->check(CLI::Range(1.0, kMaxPixelsPerDegree))
+        ->check(number(1, kMaxPixelsPerDegree))
         ->type_name("PPD")
         ->capture_default_str();
     command->footer("Example:\n  lumi compare view.png truth.png --json");

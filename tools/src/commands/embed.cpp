@@ -55,18 +55,11 @@ std::string symbol_of(const EmbedOptions& options)
     return symbol;
 }
 
-void check_options(const EmbedOptions& options, EmbedKind kind)
+constexpr unsigned kFieldAlignment = 8;
+
+unsigned alignment_of(const EmbedOptions& options)
 {
-    if (!options.section.empty() && !is_section(options.section))
-        throw UsageError("--section takes letters, digits and . _ $ -, not \"" + options.section + "\"");
-    if (!options.section.empty() && kind == EmbedKind::flashed)
-        throw UsageError("a .bin or .uf2 has no --section: it is flashed on its own");
-    if (!options.address.empty() && kind != EmbedKind::flashed)
-        throw UsageError("--address is for a .bin or .uf2 alone");
-    if (options.address.empty() && is_uf2(options))
-        throw UsageError("a .uf2 needs --address, where its bytes are flashed, such as 0x10100000");
-    if (!options.incbin.empty() && kind != EmbedKind::assembler && kind != EmbedKind::cpp)
-        throw UsageError("--incbin is for a .S or .cpp alone");
+    return is_uf2(options) ? kUf2SectorBytes : kFieldAlignment;
 }
 
 // A number divisible by `alignment`, with room for the field below 2^32.
@@ -81,6 +74,21 @@ uint32_t parsed_address(const std::string& text, unsigned alignment, size_t byte
         throw UsageError("--address takes a number divisible by " + std::to_string(alignment) +
                          ", with room for the field below 2^32, such as 0x10100000, not \"" + text + "\"");
     return static_cast<uint32_t>(address);
+}
+
+void check_options(const EmbedOptions& options, EmbedKind kind)
+{
+    if (!options.section.empty() && !is_section(options.section))
+        throw UsageError("--section takes letters, digits and . _ $ -, not \"" + options.section + "\"");
+    if (!options.section.empty() && kind == EmbedKind::flashed)
+        throw UsageError("a .bin or .uf2 has no --section: it is flashed on its own");
+    if (!options.address.empty() && kind != EmbedKind::flashed)
+        throw UsageError("--address is for a .bin or .uf2 alone");
+    if (!options.address.empty()) parsed_address(options.address, alignment_of(options), 0);
+    if (options.address.empty() && is_uf2(options))
+        throw UsageError("a .uf2 needs --address, where its bytes are flashed, such as 0x10100000");
+    if (!options.incbin.empty() && kind != EmbedKind::assembler && kind != EmbedKind::cpp)
+        throw UsageError("--incbin is for a .S or .cpp alone");
 }
 
 // The boot loader writes to the family's flash alone, in whole sectors, and a program begins in the first of them.
@@ -106,10 +114,8 @@ void require_in_flash(const EmbedOptions& options, uint32_t address, size_t byte
 // Where the bytes are flashed; nothing if that is not said.
 std::optional<uint32_t> address_of(const EmbedOptions& options, size_t bytes)
 {
-    constexpr unsigned kFieldAlignment = 8;
     if (options.address.empty()) return std::nullopt;
-    const uint32_t address =
-        parsed_address(options.address, is_uf2(options) ? kUf2SectorBytes : kFieldAlignment, bytes);
+    const uint32_t address = parsed_address(options.address, alignment_of(options), bytes);
     if (is_uf2(options)) require_in_flash(options, address, bytes);
     return address;
 }

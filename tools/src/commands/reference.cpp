@@ -8,7 +8,7 @@
 #include "commands/scene_options.h"
 #include "image/exr.h"
 #include "lumi/baker/reference.h"
-#include "program/parse_problem.h"
+#include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
 
@@ -105,11 +105,11 @@ void add_reference(CLI::App& lumi)
     add_camera_options(*command, options->views);
     command->add_option("--spp", options->settings.samples, "Light paths per pixel")
         ->type_name("S")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1, kMostPaths))
         ->capture_default_str();
     command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
         ->type_name("K")
-        ->check(whole_number)
+        ->check(whole_number(0, UINT64_MAX))
         ->capture_default_str();
     command->footer(
         "The bounding sphere is fitted as in lumi bake, so equal camera options show the same view.\n"

@@ -11,6 +11,7 @@
 #include "image/png.h"
 #include "lumi/chord/render_spans.h"
 #include "program/choice.h"
+#include "program/option_checks.h"
 #include "program/plugin.h"
 #include "terminal/failure.h"
 
@@ -111,7 +112,7 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         ->capture_default_str();
     command.add_option("--neighbours", options.drawing.neighbours, "Neighbours a side for --mode paper")
         ->type_name("K")
-        ->check(CLI::Range(1u, uint32_t{detail::kMaxNeighbours}))
+        ->check(whole_number(1, detail::kMaxNeighbours))
         ->capture_default_str();
     command
         .add_option("--span", options.drawing.span_px,

@@ -10,6 +10,7 @@
 #include "commands/scene_options.h"
 #include "files/output_file.h"
 #include "program/choice.h"
+#include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
 
@@ -123,11 +124,11 @@ void add_report(CLI::App& lumi)
         "Where views lie: all around, upper half, or ring [all]");
     constexpr int kMaxViews = 100;
     command->add_option("--count", options->views, "Number of views")
-        ->check(CLI::Range(1, kMaxViews))
+        ->check(whole_number(1, kMaxViews))
         ->type_name("COUNT")
         ->capture_default_str();
     command->add_option("--spp", options->reference.samples, "Light paths per pixel of the references")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1, kMostPaths))
         ->type_name("S")
         ->capture_default_str();
     command->add_option("--cache", options->cache, "Folder for references, kept for the next report")
@@ -136,7 +137,7 @@ void add_report(CLI::App& lumi)
     add_modes(*command, options->modes);
     constexpr int kLeastSide = 16, kMostSide = 2048;
     command->add_option("--size", options->size_px, "Pixels of a side of the square views")
-        ->check(CLI::Range(kLeastSide, kMostSide))
+        ->check(whole_number(kLeastSide, kMostSide))
         ->type_name("PX")
         ->capture_default_str();
     command->footer("Example:\n  lumi report product.obj small.lumi large.lumi -o report.html --json report.json");

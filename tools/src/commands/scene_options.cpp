@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "program/choice.h"
+#include "program/option_checks.h"
 #include "terminal/interrupt.h"
 
 namespace lumi::tools
@@ -92,11 +93,12 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
             "--iso", options.iso,
             "For a volume: the value whose surface is the scene; in CT, 300 (HU) is bone. In millimetres, z up: "
             "azimuth 0 shows the patient's right side, 90 the face")
+        ->check(any_number())
         ->type_name("VALUE");
     command
         .add_option("--pieces", options.pieces,
                     "With --iso: leave out pieces with less than this share of the largest one's area")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number(0, 1))
         ->capture_default_str()
         ->type_name("SHARE");
     command
@@ -112,6 +114,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
             "scene file says, or 0]")
         ->type_name("STOPS");
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
+        ->check(whole_number(0, kMostThreads))
         ->type_name("T");
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "lumi/surface/format.h"
+#include "program/option_checks.h"
 
 namespace lumi::tools
 {
@@ -12,22 +13,22 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
 {
     command.add_option("--triangles", s.triangles, "surface: triangles of the mesh, before long edges are split")
         ->type_name("T")
-        ->check(CLI::Range(uint32_t{1}, 2 * detail::format::kMaxPatches))
+        ->check(whole_number(1, 2 * detail::format::kMaxPatches))
         ->capture_default_str();
     command.add_option("--longest-edge", s.longest_edge, "surface: longer edges of the mesh are split, in radii")
         ->type_name("R")
-        ->check(CLI::Range(0.02f, 2.0f))
+        ->check(number(0.02, 2))
         ->capture_default_str();
     command.add_option("--texel-density", s.texels_per_radius, "surface: texels along a line of one radius")
         ->type_name("D")
-        ->check(CLI::Range(1.0f, 4096.0f))
+        ->check(number(1, 4096))
         ->capture_default_str();
     command.add_flag_callback(
         "--no-view-tables", [&s] { s.view_tables = false; },
         "surface: colours that do not depend on the direction of view: fewer bytes, no gloss");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
         ->type_name("P")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1, kMostPaths))
         ->capture_default_str();
 }
 
@@ -44,12 +45,8 @@ std::string surface_text(const baker::SurfaceBake& bake)
 
 nlohmann::json surface_json(const baker::SurfaceBake& bake)
 {
-    return {{"triangles", bake.triangles},
-            {"vertices", bake.vertices},
-            {"viewed_vertices", bake.viewed_vertices},
-            {"texels", bake.texels},
-            {"missed", bake.loss.missed},
-            {"added", bake.loss.added},
+    return {{"triangles", bake.triangles},     {"vertices", bake.vertices},  {"viewed_vertices", bake.viewed_vertices},
+            {"texels", bake.texels},           {"missed", bake.loss.missed}, {"added", bake.loss.added},
             {"displaced", bake.loss.displaced}};
 }
 

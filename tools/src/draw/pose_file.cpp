@@ -8,6 +8,7 @@
 
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
+#include "terminal/interrupt.h"
 
 namespace lumi::tools
 {
@@ -86,6 +87,7 @@ void require(bool good, const std::string& path, const std::string& problem, con
 Matrix4 read_matrix(const std::string& path)
 {
     baker::note_input(path);
+    const LeaveAtOnce reading;
     std::ifstream file(path);
     require(file.good(), path, "cannot be read", kWanted);
     Matrix4 matrix{};

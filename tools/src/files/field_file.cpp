@@ -42,7 +42,8 @@ std::vector<uint8_t> read_whole(const std::string& path)
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     const bool is_device = exists(status) && !is_regular_file(status);
-    int error = is_directory(status) ? EISDIR : is_device ? ENODEV : 0;
+    if (is_device && !is_directory(status)) throw Failure(path, "is a device or a pipe", "name a file");
+    int error = is_directory(status) ? EISDIR : 0;
     std::vector<uint8_t> bytes;
     if (error == 0) {
         std::ifstream stream(path, std::ios::binary | std::ios::ate);

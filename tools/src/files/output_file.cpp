@@ -28,6 +28,10 @@ namespace fs = std::filesystem;
         mend = "create its folder first or choose another path";
     else if (error == EISDIR)
         mend = "name a file, not a folder";
+    else if (error == ELOOP)
+        mend = "remove that link or choose another path";
+    else if (error == EFBIG)
+        mend = "raise `ulimit -f`";
     else if (error == ENOSPC)
         mend = "free some space on that disk";
     throw Failure(path, std::string("cannot be written (") + std::strerror(error) + ")", mend);
@@ -36,15 +40,17 @@ namespace fs = std::filesystem;
 // Where the bytes end up: the target of a link, so that the link itself survives.
 fs::path resolved(const std::string& path)
 {
-    std::error_code error;
-    const fs::path target = fs::weakly_canonical(path, error);
-    return error ? fs::path(path) : target;
+    std::error_code ignored;
+    return fs::is_symlink(path, ignored) ? baker::followed(path) : fs::path(path);
 }
 
 bool holds_earlier_output(const fs::path& path)
 {
     struct stat status = {};
-    if (stat(path.c_str(), &status) != 0) return true;
+    if (stat(path.c_str(), &status) != 0) {
+        if (errno == ELOOP) fail(path.string(), ELOOP);
+        return true;
+    }
     if (S_ISDIR(status.st_mode)) fail(path.string(), EISDIR);
     return S_ISREG(status.st_mode);
 }

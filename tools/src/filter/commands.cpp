@@ -14,7 +14,7 @@
 #include "filter/training.h"
 #include "filter/verdict.h"
 #include "filter/weights_file.h"
-#include "program/parse_problem.h"
+#include "program/option_checks.h"
 #include "program/plugin.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
@@ -135,26 +135,26 @@ void add_lesson_options(CLI::App& command, FilterOptions& options)
         .add_option(
             "--views", options.lessons.views,
             "Views: 85 % to learn from, 8 % to tell when to stop, 7 % to be judged by, as in the LumiPath paper")
-        ->check(CLI::Range(kLeastViews, kMostViews))
+        ->check(whole_number(kLeastViews, kMostViews))
         ->type_name("COUNT")
         ->capture_default_str();
     command.add_option("--side", options.lessons.side_px, "Width and height of a view, pixels")
-        ->check(CLI::Range(kLeastSide, kMostSide))
+        ->check(whole_number(kLeastSide, kMostSide))
         ->type_name("PX")
         ->capture_default_str();
     command
         .add_option("--spp", options.lessons.samples,
                     "Light paths per pixel of the truths to learn from; the others have four times as many")
-        ->check(CLI::Range(1u, 1u << 16))
+        ->check(whole_number(1, 1 << 16))
         ->type_name("S")
         ->capture_default_str();
     command.add_option("--epochs", options.training.epochs, "Times that each view is seen, at most")
-        ->check(CLI::Range(1, kMostEpochs))
+        ->check(whole_number(1, kMostEpochs))
         ->type_name("E")
         ->capture_default_str();
     command.add_option("--seed", options.lessons.seed, "Seed of the random numbers")
         ->type_name("K")
-        ->check(whole_number)
+        ->check(whole_number(0, UINT64_MAX))
         ->capture_default_str();
     command.add_option("--cache", options.lessons.cache, "Folder of truths, kept for the next call [WEIGHTS.truths]")
         ->type_name("DIR");
@@ -229,11 +229,11 @@ void add_judge(CLI::App& filter)
     add_scene_options(*command, options->scene);
     constexpr int kMaxViews = 100;
     command->add_option("--count", options->views, "Number of views")
-        ->check(CLI::Range(1, kMaxViews))
+        ->check(whole_number(1, kMaxViews))
         ->type_name("COUNT")
         ->capture_default_str();
     command->add_option("--spp", options->samples, "Light paths per pixel of the truths")
-        ->check(CLI::Range(1u, 1u << 16))
+        ->check(whole_number(1, 1 << 16))
         ->type_name("S")
         ->capture_default_str();
     command->add_option("--cache", options->cache, "Folder of truths, that of lumi report")

@@ -14,7 +14,7 @@
 
 #include "lumi/baker/file_guard.h"
 #include "program/help_formatter.h"
-#include "program/parse_problem.h"
+#include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
 
@@ -96,6 +96,7 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());
     describe(app);
+    require_plain_words(app);
     const baker::FileGuard guard;
     try {
         app.parse(argc, argv);
@@ -113,6 +114,7 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
             "the system gives no further thread; choose fewer --threads, or raise `ulimit -v` and `ulimit -u`",
             kExitFailed);
     } catch (const std::exception& error) {
+        if (interrupt_flag()) return report(Interrupted().what(), kExitInterrupted);  // what it waited for failed
         return report(error.what(), kExitFailed);
     }
     return kExitOk;

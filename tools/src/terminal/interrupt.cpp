@@ -33,9 +33,10 @@ void catch_interrupts()
 {
     struct sigaction action = {};
     action.sa_handler = on_signal;
-    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+    action.sa_flags = static_cast<int>(SA_RESETHAND);  // no SA_RESTART: to open a pipe may wait for ever
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond `ulimit -f` fails, and its error is told
 }
 
 const std::atomic<bool>& interrupt_flag()

@@ -8,6 +8,7 @@ namespace lumi::tools
 {
 
 // From now on the first SIGINT or SIGTERM only sets interrupt_flag(); a second one ends the process at once.
+// What waits to open a pipe fails then.
 void catch_interrupts();
 
 const std::atomic<bool>& interrupt_flag();

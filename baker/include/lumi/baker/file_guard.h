@@ -19,6 +19,10 @@ struct FileClash : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// Where a name leads through links, also if nothing lies there yet. A link that leads nowhere, since it leads to
+// itself, stays a link.
+std::filesystem::path followed(std::filesystem::path file);
+
 // A command's book of files. An inner guard shares the book of the outer one, which is emptied with the last of them.
 // The book belongs to the process; any thread may read and write files meanwhile.
 class FileGuard
