@@ -39,8 +39,11 @@ all_packages=(
   libtorch-dev           # `lumi filter train`, `lumi render --filter`
   python3-matplotlib     # `tools/lab/pages.py --plots`
   chromium)              # the page of `lumi view`
-npm_packages=(rp2040js@1.4.1)  # for tests: an emulator of the RP2040. They go to build/npm.
-all_npm_packages=(puppeteer-core@24.43.1)  # moves Chromium
+# Each with the hash of its archive; they go to build/npm.
+npm_packages=(  # for tests: an emulator of the RP2040
+  rp2040js@1.4.1=sha512-Yzr5xG7ZwbtA50IYAU1k/oSoSyDAhPtT5qC/Q2eFApoLuAYE8DQbPIMPs/0kh4Ietd4P0OpKk3CIkfNqjcr56g==)
+all_npm_packages=(  # moves Chromium
+  puppeteer-core@24.43.1=sha512-T5ScUMAsmhdNbgDR41AGESYeS6V9MSgetkSnVhhW+gXvzC42VesKCn5ld87gAZDJ6vLHL9GkRvY9WtQWSnwFbw==)
 command -v npm >/dev/null || test_packages+=(nodejs npm)  # whichever source they come from
 
 is_installed() {
@@ -82,15 +85,25 @@ install_missing() {
     </dev/null
 }
 
+# require_hash FOLDER NAME HASH: npm noted the hash of the archive that it unpacked.
+require_hash() {
+  grep --quiet --fixed-strings "\"integrity\": \"$3\"" "$1/package-lock.json" && return
+  rm -rf "${1:?}/node_modules/$2"
+  die "npm's archive of $2 is another one than expected; it was removed. Find out why before you change its hash here."
+}
+
 # Without them (no network) one test is skipped; `tools/test.sh --all` then fails.
 install_npm_packages() {
-  local package folder=$root/build/npm
-  for package in "$@"; do
-    [[ ! -d $folder/node_modules/${package%@*} ]] || continue
+  local entry package name folder=$root/build/npm
+  for entry in "$@"; do
+    package=${entry%%=*} name=${entry%%@*}
+    [[ ! -d $folder/node_modules/$name ]] || continue
     if ! command -v npm >/dev/null; then
       echo "npm is missing: $package is not installed"
     elif ! npm install --prefix "$folder" --no-audit --no-fund "$package" </dev/null; then
       echo "npm could not install $package"
+    else
+      require_hash "$folder" "$name" "${entry#*=}"
     fi
   done
 }

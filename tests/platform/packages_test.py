@@ -169,6 +169,16 @@ def bills(archives):
         print(f"{path.name}: {len(bill['packages'])} packages, {len(listed)} files")
 
 
+def licences(archives):
+    """The page of licences names what the command loads, which its bill of materials says."""
+    bill = json.loads(next(archives.glob("lumi-[0-9]*.spdx.json")).read_text())
+    names = {p["SPDXID"]: p["name"] for p in bill["packages"]}
+    loaded = sorted(names[r["relatedSpdxElement"]] for r in bill["relationships"] if r["relationshipType"] == "DYNAMIC_LINK")
+    told = [row["package"] for row in json.loads((ROOT / "docs/log/data/licences.json").read_text())["rows"]]
+    if loaded != sorted(told):
+        sys.exit(f"error: docs/licences.md is old: {set(loaded) ^ set(told)}; the page says how it is made anew")
+
+
 def tagging(build):
     """A release tags the commit that it packs, once, and refuses a tree with changes. In a repository of its own."""
     if shutil.which("git") is None:
@@ -244,6 +254,7 @@ def main(arguments):
     core = next(unpacked.iterdir())
     manifests(core)
     bills(archives)
+    licences(archives)
     tagging(build)
     old_standard(build, core)
     platformio(build, core)

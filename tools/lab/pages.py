@@ -48,6 +48,7 @@ TABLES = {
     "soak": scripts.soak,
     "fuzzing": scripts.fuzzing,
     "attacks": scripts.attacks,
+    "licences": scripts.licences,
     "speed steps": scripts.speed_steps,
     "speed modes": scripts.speed_modes,
     "volumes": scripts.volumes,

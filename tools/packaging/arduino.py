@@ -37,13 +37,10 @@ def field_files(lumi, field):
         return {FIELDS + name: (folder / name).read_bytes() for name in (f"{FIELD}.c", f"{FIELD}.h")}
 
 
-def library(core, words, fields):
+def library(core, added, words, fields):
     """Files of the library. Arduino compiles all of src and has src alone in its include path, so headers and sources lie
-    there together. `core`: its files; `words`: what stands for @NAME@ in library.properties."""
-    files = dict(fields, LICENSE=core["LICENSE"])
-    for path in sorted(ADDED.rglob("*")):
-        if path.is_file():
-            files[path.relative_to(ADDED).as_posix()] = path.read_bytes()
+    there together. `core`: its files; `added`: those of ADDED; `words`: what stands for @NAME@ in library.properties."""
+    files = dict(fields, LICENSE=core["LICENSE"], **added)
     properties = files["library.properties"].decode()
     for name, value in words.items():
         properties = properties.replace(f"@{name}@", value)

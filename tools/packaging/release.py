@@ -3,7 +3,8 @@
 """release.py [--check | --set-version X.Y.Z | --tag] [--lumi COMMAND] [--field FILE.lumi] [OUT]
 
 Writes core's archives for firmware ecosystems, bills of materials (SPDX 2.3) and SHA256SUMS into OUT (out/release): the
-same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. core/VERSION is
+same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. Only files that
+git tracks are packed. core/VERSION is
 the version; --set-version writes it wherever a tool wants to read it, --check finds where it differs. --tag also tags
 the commit vX.Y.Z, of a tree without changes, before it writes. Archives: core for CMake, ESP-IDF, Zephyr, the Pico SDK
 and PlatformIO; the Arduino library; the CMSIS-Pack.
@@ -59,11 +60,15 @@ def set_version(new):
         path.write_text(text[: match.start(1)] + new + text[match.end(1):])
 
 
+def tracked(folder):
+    """{name in the folder: bytes} of what git tracks: nothing that an editor or a build left there."""
+    names = git("ls-files", "-z", "--", folder).split("\0")
+    files = (ROOT / name for name in names if name)
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files if path.is_file()}
+
+
 def core_files():
-    files = {}
-    for path in sorted(CORE.rglob("*")):
-        if path.is_file():
-            files[path.relative_to(CORE).as_posix()] = path.read_bytes()
+    files = tracked(CORE)
     files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
     return files
 
@@ -118,28 +123,28 @@ def write_tar(path, files, top):
             archive.addfile(entry, io.BytesIO(files[name]))
 
 
-def write_bills(out, core):
+def write_bills(out, core, lumi):
     (out / f"lumi-core-{version()}.spdx.json").write_bytes(spdx.of_core(core, version(), HOME))
     listed = subprocess.run([ROOT / "tools/install_packages.sh", "build", "--print"], capture_output=True, text=True)
     try:
-        bill = spdx.of_tool(sorted(listed.stdout.split()), version(), HOME)
-    except FileNotFoundError as error:  # not Debian, or a package is missing
+        bill = spdx.of_tool(sorted(listed.stdout.split()), lumi, version(), HOME)
+    except (FileNotFoundError, subprocess.CalledProcessError) as error:  # not Debian, or a package or lumi is missing
         print(f"SKIPPED lumi-{version()}.spdx.json: {error}", file=sys.stderr)
     else:
         (out / f"lumi-{version()}.spdx.json").write_bytes(bill)
 
 
-def write_archives(out, fields):
+def write_archives(out, fields, lumi):
     out.mkdir(parents=True, exist_ok=True)
     core = core_files()
     top = f"lumi-core-{version()}/"
     write_tar(out / f"lumi-core-{version()}.tar.xz", core, top)
-    library = arduino.library(core, {"VERSION": version(), "HOME": HOME}, fields)
+    library = arduino.library(core, tracked(arduino.ADDED), {"VERSION": version(), "HOME": HOME}, fields)
     write_zip(out / f"lumi-arduino-{version()}.zip", library, "Lumi/")
     pack = dict(core)
     pack["Lumi.lumi.pdsc"] = pack_description(sorted(core)).encode()
     write_zip(out / f"Lumi.lumi.{version()}.pack", pack)
-    write_bills(out, core)
+    write_bills(out, core, lumi)
     names = sorted(p.name for p in out.iterdir() if p.name != "SHA256SUMS")
     sums = "".join(f"{hashlib.sha256((out / n).read_bytes()).hexdigest()}  {n}\n" for n in names)
     (out / "SHA256SUMS").write_text(sums)
@@ -188,7 +193,7 @@ def main(arguments):
     fields = arduino.field_files(options.lumi, options.field)
     if options.tag:
         git("tag", "--annotate", f"v{version()}", "--message", f"LumiPath {version()}")
-    write_archives(options.out, fields)
+    write_archives(options.out, fields, options.lumi)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Bills of materials for tools/packaging/release.py: SPDX 2.3 as JSON. One lists core's files with checksums, the same bytes from the
-same sources; one lists what the `lumi` command is built from and with, as Debian packages of this machine."""
+same sources; one lists what the `lumi` command is built from and with and what it loads, as Debian packages of this machine."""
 import hashlib
 import json
 import subprocess
+
+import libraries
 
 CREATED = "2020-01-01T00:00:00Z"  # a time of writing would change the bytes
 COPYRIGHT = "The LumiPath for microcontrollers developers"
@@ -63,20 +65,27 @@ def debian_package(name):
         return None
     _, version, architecture, homepage = result.stdout.split("\t")
     locator = f"pkg:deb/debian/{name}@{version.replace('+', '%2B')}?arch={architecture}"
-    entry = package(name, version, supplier="Organization: Debian", externalRefs=[
+    main, parts = libraries.licences_of(name)
+    licence = f"Most files: {main}." + (f" All files, those that only build it included: {', '.join(parts)}." if parts else "")
+    entry = package(name, version, supplier="Organization: Debian", licenseComments=licence, externalRefs=[
         {"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl", "referenceLocator": locator}])
     return {**entry, "homepage": homepage} if homepage else entry
 
 
-def of_tool(names, version, url):
-    """`names`: Debian packages that the build takes; those of libraries end with -dev. Missing ones are an error."""
-    found = {name: debian_package(name) for name in names}
+def of_tool(names, program, version, url):
+    """`names`: Debian packages that the build takes; those of libraries end with -dev. Missing ones are an error.
+    `program`: the command that was built, whose shared objects are listed by the packages that hold them."""
+    loaded = libraries.packages_of(program)
+    found = {name: debian_package(name) for name in [*names, *(name for name in loaded if name not in names)]}
     missing = [name for name, entry in found.items() if entry is None]
     if missing:
         raise FileNotFoundError(f"these packages are not installed, so their versions are unknown: {' '.join(missing)}")
     tool = ours("lumi", version, url)
-    relations = [relation(entry["SPDXID"], "BUILD_DEPENDENCY_OF" if is_library(name) else "BUILD_TOOL_OF", tool["SPDXID"])
-                 for name, entry in found.items()]
+    relations = [relation(found[name]["SPDXID"], "BUILD_DEPENDENCY_OF" if is_library(name) else "BUILD_TOOL_OF",
+                          tool["SPDXID"]) for name in names]
+    for name, objects in loaded.items():
+        found[name]["sourceInfo"] = "Loaded: " + ", ".join(objects)
+        relations.append(relation(tool["SPDXID"], "DYNAMIC_LINK", found[name]["SPDXID"]))
     return document(f"lumi-{version}", url, [tool, *found.values()], [], relations)
 
 

@@ -40,6 +40,11 @@ def soak():
                  lambda row: [row[key] for key in ("cpu", "minutes", "frames", "stripes", "refused", "stack_bytes")])
 
 
+def licences():
+    return table(["package", "loaded", "licence of most files"], load("licences")["rows"], lambda row: [
+        row["package"], ", ".join(row["objects"]), row["licence"]])
+
+
 def speed_steps():
     return table(["step", "M4", "M0+"], load("speed")["steps"],
                  lambda row: [row["step"], decimal(row["m4"]), decimal(row["m0plus"])])
