@@ -30,6 +30,7 @@ set(LUMI_CORE_TEST_SOURCES
   surface/extreme_surface_test.cpp
   surface/planes_test.cpp
   surface/render_test.cpp
+  surface/see_through_test.cpp
   surface/field_test.cpp
   surface/quality_test.cpp
   surface/surface_twin_test.cpp

@@ -186,6 +186,57 @@ ViewError draw_surface_view_over_nothing(PolicyView& view, const Stripe& stripe)
     return view.draw(stripe, OverNothing{});
 }
 
+// The same with see-through parts.
+struct SeeThroughView {
+    SeeThroughField field;
+    SurfaceCamera camera;
+    SeeThroughMemory memory;
+    SeeThroughFrame frame;
+    void* samples;
+};
+using PrepareSeeThrough = void (*)(SeeThroughView&, SurfaceMode);
+using DrawSeeThrough = void (*)(const SeeThroughView&, const void* background, const Stripe&);
+
+template <class Pixel>
+void prepare_surface_see_through(SeeThroughView& view, SurfaceMode mode)
+{
+    prepare_surface<Pixel>(view.field, view.camera, mode, view.memory, view.frame);
+}
+
+template <class Pixel, class Background>
+void draw_surface_see_through(const SeeThroughView& view, const void* background, const Stripe& stripe)
+{
+    render_surface<Pixel>(view.frame, *static_cast<const Background*>(background), stripe, view.samples);
+}
+
+FieldError draw_surface_open_see_through(SeeThroughView& view, const uint8_t* bytes, size_t size)
+{
+    return open_surface(bytes, size, view.field);
+}
+
+void draw_surface_see_through_coverage(const SeeThroughView& view, const Stripe& stripe)
+{
+    render_coverage(view.frame, stripe, view.samples);
+}
+
+template <class Pixel>
+struct SeeThroughPixels {
+    PrepareSeeThrough prepare = prepare_surface_see_through<Pixel>;
+    DrawSeeThrough over_black = draw_surface_see_through<Pixel, OverBlack>;
+    DrawSeeThrough over_colour = draw_surface_see_through<Pixel, OverColour>;
+    DrawSeeThrough over_stripe = draw_surface_see_through<Pixel, OverStripe>;
+    DrawSeeThrough over_nothing = draw_surface_see_through<Pixel, OverNothing>;
+};
+
+struct EverySeeThrough {
+    SeeThroughPixels<PixelRgb565> rgb565;
+    SeeThroughPixels<PixelRgb565Swapped> rgb565_swapped;
+    SeeThroughPixels<PixelRgb888> rgb888;
+    SeeThroughPixels<PixelArgb8888> argb8888;
+};
+extern const EverySeeThrough kEverySeeThrough;
+const EverySeeThrough kEverySeeThrough = {};
+
 struct EverySurface {
     SurfacePixels<PixelRgb565> rgb565;
     SurfacePixels<PixelRgb565Swapped> rgb565_swapped;

@@ -83,8 +83,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     Choices choose(data, size);
     const Scene scene = scene_of(choose);
     const bool is_chord = choose.once_in(4);
-    const test::Bytes file = is_chord ? test::ExtremeChords(choose, test::kSmallChord).next()
-                                      : test::ExtremeSurfaces(choose, test::kSmallSurface).next();
+    const bool is_opaque = choose.once_in(2);
+    test::ExtremeSurfaces surfaces(choose, test::kSmallSurface);
+    const test::Bytes file = is_chord    ? test::ExtremeChords(choose, test::kSmallChord).next()
+                             : is_opaque ? surfaces.next()
+                                         : surfaces.next_see_through();
     if (verify_field(file.data(), file.size()) != FieldError::none) std::abort();
     const uint64_t before = fuzz::drawn.chords + fuzz::drawn.surfaces;
     fuzz::draw_field(file.data(), file.size(), scene);

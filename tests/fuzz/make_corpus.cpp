@@ -55,7 +55,10 @@ void write_extremes(const std::filesystem::path& folder)
     test::ExtremeChords chords(choices, test::kSmallChord);
     test::ExtremeSurfaces surfaces(choices, test::kSmallSurface);
     for (uint32_t k = 0; k < kExtremeFields; ++k)
-        write_seed(folder / ("extreme-" + std::to_string(k)), k % 3 == 0 ? chords.next() : surfaces.next(),
+        write_seed(folder / ("extreme-" + std::to_string(k)),
+                   k % 3 == 0   ? chords.next()
+                   : k % 3 == 1 ? surfaces.next()
+                                : surfaces.next_see_through(),
                    kControlBytes);
 }
 

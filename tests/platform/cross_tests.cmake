@@ -19,6 +19,7 @@ set(LUMI_SPAN_STACK_LIMIT 2624)
 set(LUMI_SURFACE_STACK_LIMIT 3072)
 # What no program holds that draws chord fields alone.
 set(lumi_surface_symbols ".*([Ss]urface|view_taps|view_frame).*")
+set(lumi_see_through_symbols ".*([Ss]ee_?[Tt]hrough|blend_(565|packed)).*")
 set(lumi_build_timeout_s 1500)
 set(lumi_run_timeout_s 900)
 
@@ -100,7 +101,11 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
   add_test(NAME ${cpu}.chord_firmware_links_no_surface
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_firmware}/lumi_demo_firmware.elf
       -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
-  list(APPEND lumi_cpu_tests ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
+  add_test(NAME ${cpu}.opaque_firmware_links_no_see_through
+    COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm}
+      -D FILES=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FORBIDDEN=${lumi_see_through_symbols}"
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  list(APPEND lumi_cpu_tests ${cpu}.opaque_firmware_links_no_see_through ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
     ${cpu}.chord_firmware_links_no_surface)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
     TIMEOUT ${lumi_run_timeout_s})

@@ -36,7 +36,7 @@ core/include/lumi: fixed.h
 core/include/lumi/detail
 core/include/lumi
 core/include/lumi/surface/detail: hot.h packed_colour.h samples.h
-core/include/lumi/surface: format.h field.h frame.h
+core/include/lumi/surface: format.h field.h frame.h see_through_frame.h
 core/include/lumi/surface/detail
 core/include/lumi/surface
 core/include/lumi/chord

@@ -70,6 +70,8 @@ inline constexpr uint32_t kColourSection = four_cc('S', 'T', 'E', 'X');     // r
 inline constexpr uint32_t kPaletteRgb = four_cc('S', 'P', 'A', 'L');        // required, 256 × (r, g, b)
 inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');       // view tables, where there are any
 inline constexpr uint32_t kNeighbourSection = four_cc('S', 'N', 'E', 'I');  // optional, patches × kNeighbourBytes
+// Where there are see-through patches, required: kSeeThroughBytes.
+inline constexpr uint32_t kSeeThroughSection = four_cc('S', 'S', 'E', 'E');
 
 // Guided fields ended with version 0.1.0. Their other names stay reserved, too: PROX, MEAN, CHRT, CPAL, OCCL.
 inline constexpr uint32_t kGuidedSection = four_cc('G', 'U', 'I', 'D');

@@ -14,8 +14,9 @@ using namespace detail;
 using namespace detail::format;
 using namespace detail::container;
 
-constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection,  kPaletteSection, kSurfaceSection, kVertexSection,
-                                  kPatchSection,  kColourSection, kPaletteRgb,     kViewSection,    kNeighbourSection};
+constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection,     kPaletteSection,   kSurfaceSection,
+                                  kVertexSection, kPatchSection,     kColourSection,    kPaletteRgb,
+                                  kViewSection,   kNeighbourSection, kSeeThroughSection};
 
 }  // namespace
 
@@ -97,6 +98,10 @@ const char* describe(FieldError error)
             return "the view tables have the wrong size";
         case FieldError::section_crc:
             return "a section's bytes are damaged";
+        case FieldError::see_through:
+            return "the field has see-through parts (section SSEE), which this reader does not draw";
+        case FieldError::bad_see_through:
+            return "the section of see-through parts is malformed";
     }
     return "unknown error";
 }

@@ -15,14 +15,6 @@ uint8_t share_of_four(const SampleRows& rows, int32_t x, int32_t y)
     return static_cast<uint8_t>((count * 255 + 2) >> 2);
 }
 
-bool is_marked(const SampleRows& rows, int32_t x, int32_t y)
-{
-    if (rows.marks == nullptr) return false;
-    const uint32_t column = static_cast<uint32_t>(x);
-    const uint32_t word = rows.marks[rows.marks_words() * static_cast<uint32_t>(y) + column / 32];
-    return ((word >> (column & 31)) & 1) != 0;
-}
-
 uint8_t share_of_one(const SampleRows& rows, int32_t x, int32_t y)
 {
     if (is_marked(rows, x, y)) return static_cast<uint8_t>((Mark(rows, x, y).covered() * 255 + 16) >> 5);

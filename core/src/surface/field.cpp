@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/surface/field.h"
-
-#include "field/sections.h"
+#include "surface/open_mesh.h"
 
 namespace lumi
 {
@@ -12,8 +10,6 @@ using namespace detail;
 using namespace detail::format;
 using namespace detail::container;
 
-constexpr uint32_t kSurfaceTypes[] = {kSurfaceSection, kVertexSection, kPatchSection,    kColourSection,
-                                      kPaletteRgb,     kViewSection,   kNeighbourSection};
 constexpr int32_t kOneQ14 = 1 << 14;
 
 FieldError read_counts(const uint8_t* b, SurfaceField& out)
@@ -85,16 +81,6 @@ bool fits(const SurfacePatch& patch, const SurfaceField& field)
            patch.texels + patch_reach(patch.columns) <= field.texel_bytes;
 }
 
-bool has_fitting_neighbours(const SurfaceField& field)
-{
-    if (field.neighbours == nullptr) return true;
-    for (uint32_t k = 0; k < 4 * field.patch_count; ++k) {
-        const uint32_t triangle = load_u16(field.neighbours + 2 * k);
-        if (triangle >= 2 * field.patch_count && triangle != kNoNeighbour) return false;
-    }
-    return true;
-}
-
 FieldError check_mesh(const SurfaceField& field)
 {
     for (uint32_t k = 0; k < field.vertex_count; ++k)
@@ -106,13 +92,22 @@ FieldError check_mesh(const SurfaceField& field)
 
 }  // namespace
 
-FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
+bool detail::has_fitting_neighbours(const SurfaceField& field)
+{
+    if (field.neighbours == nullptr) return true;
+    for (uint32_t k = 0; k < 4 * field.patch_count; ++k) {
+        const uint32_t triangle = load_u16(field.neighbours + 2 * k);
+        if (triangle >= 2 * field.patch_count && triangle != kNoNeighbour) return false;
+    }
+    return true;
+}
+
+FieldError detail::open_mesh(const uint8_t* bytes, size_t size, KnownTypes known, SurfaceField& out)
 {
     if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
     if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
     if (has_section(bytes, kLayoutSection)) return FieldError::chord_field;
-    if (const FieldError error = check_sections(bytes, known_types(kSurfaceTypes)); error != FieldError::none)
-        return error;
+    if (const FieldError error = check_sections(bytes, known); error != FieldError::none) return error;
     Section header{};
     if (!find_section(bytes, kSurfaceSection, header)) return FieldError::missing_surface;
     if (header.size != kSurfaceBytes) return FieldError::bad_surface;
@@ -122,6 +117,13 @@ FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
     if (const FieldError error = check_mesh(field); error != FieldError::none) return error;
     out = field;
     return FieldError::none;
+}
+
+FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
+{
+    const FieldError error = open_mesh(bytes, size, kOpaqueSections, out);
+    const bool is_see_through = error == FieldError::unknown_required && has_section(bytes, kSeeThroughSection);
+    return is_see_through ? FieldError::see_through : error;
 }
 
 }  // namespace lumi

@@ -110,7 +110,7 @@ LUMI_ALWAYS_INLINE void draw_samples(uint16_t* depth_at, const uint16_t* end, ty
     } while (++depth_at != end);
 }
 
-template <class Sample, Filter kFilter>
+template <class Sample, Filter kFilter, auto kDrawSamples = draw_samples<Sample, kFilter>>
 LUMI_ALWAYS_INLINE void draw_rows(Rows& state, int32_t count)
 {
     Rows rows = state;
@@ -120,9 +120,8 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& state, int32_t count)
             const uint32_t column = static_cast<uint32_t>(first);
             uint16_t* const depths = reinterpret_cast<uint16_t*>(rows.row);
             auto* const colours = reinterpret_cast<typename Sample::Colour*>(rows.row + rows.colours_at);
-            draw_samples<Sample, kFilter>(
-                depths + first, depths + last, colours + first, rows.depth + column * rows.depth_right,
-                rows.place + column * rows.place_right, rows.colour + column * rows.colour_right, rows);
+            kDrawSamples(depths + first, depths + last, colours + first, rows.depth + column * rows.depth_right,
+                         rows.place + column * rows.place_right, rows.colour + column * rows.colour_right, rows);
         }
         rows.edge_q16[0] += rows.edge_step_q16[0];
         rows.edge_q16[1] += rows.edge_step_q16[1];

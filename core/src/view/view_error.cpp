@@ -15,6 +15,8 @@ const char* describe_field(FieldError error)
             return "the field is cut off: fewer bytes were given, or flashed, than its header says";
         case FieldError::bad_magic:
             return "no field lies at this address: look at the section in the map file, or flash the field";
+        case FieldError::see_through:
+            return "the field has see-through parts (section SSEE): build with the header that `lumi embed` wrote";
         default:
             return describe(error);
     }

@@ -32,7 +32,32 @@ TestSurface wild_mesh(uint32_t seed)
     return s;
 }
 
-uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
+struct OrderMemory {
+    SurfaceMemory opaque;
+    std::vector<uint16_t> order;
+
+    void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, SurfaceFrame& frame) const
+    {
+        prepare_surface<PixelRgb565>(field, camera, mode, opaque, frame);
+    }
+    void prepare(const SeeThroughField& field, const SurfaceCamera& camera, SurfaceMode mode, SeeThroughFrame& frame)
+    {
+        order.resize(see_through_order(field.see_through_count));
+        prepare_surface<PixelRgb565>(field, camera, mode, SeeThroughMemory{opaque, order.data()}, frame);
+    }
+};
+
+SurfaceFrame frame_for(const SurfaceField&)
+{
+    return {};
+}
+SeeThroughFrame frame_for(const SeeThroughField&)
+{
+    return {};
+}
+
+template <class Field>
+uint64_t draw_surface(const Field& field, const Extreme& e, bool twice)
 {
     SurfaceCamera camera;
     REQUIRE(make_surface_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
@@ -41,8 +66,9 @@ uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count));
     std::vector<uint16_t> bands(surface_bands(e.edge.image.height_px, band_log2));
-    SurfaceFrame frame;
-    prepare_surface<PixelRgb565>(field, camera, mode, {vertices.data(), links.data(), bands.data(), band_log2}, frame);
+    auto frame = frame_for(field);
+    OrderMemory memory = {{vertices.data(), links.data(), bands.data(), band_log2}, {}};
+    memory.prepare(field, camera, mode, frame);
     return draw_frame(e.edge, PixelRgb565::kBytes, twice, [&](const Stripe& stripe, uint8_t held) {
         const uint32_t words = (surface_stripe_bytes(stripe.width_px, stripe.height_px, mode) + 3) / 4;
         std::vector<uint32_t> samples(words, held * 0x01010101u);
@@ -91,6 +117,22 @@ TEST_CASE("surface fields whose every number is at its end open, verify and hold
             shown += draw_surface(surface.field(), extremes.next(), frame == 0);
     }
     check_shown("generated surface fields", kGeneratedFrames, shown, 20);
+}
+
+TEST_CASE("see-through fields whose every number is at its end open, verify and hold in random frames at every extreme")
+{
+    Choices choices(15);
+    Extremes extremes(16);
+    uint64_t shown = 0;
+    for (uint32_t k = 0; k < kGeneratedFrames; k += kFramesAField) {
+        const OpenedGlass surface(ExtremeSurfaces(choices, kLargestSurface).next_see_through());
+        INFO("field " << k / kFramesAField);
+        REQUIRE(surface.error() == FieldError::none);
+        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
+        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
+            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
+    }
+    check_shown("generated see-through fields", kGeneratedFrames, shown, 20);
 }
 
 TEST_CASE("surface fields hold in random frames at every extreme")

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "choices.h"
-#include "surface/surface_bytes.h"
+#include "surface/see_through_bytes.h"
 
 namespace lumi::test
 {
@@ -27,6 +27,35 @@ public:
     Bytes next()
     {
         TestSurface s;
+        std::vector<TestSection> sections = sections_of(s);
+        if (choose_.below(4) != 0) sections.push_back(choose_.once_in(2) ? neighbour_section(s) : neighbours(s));
+        return file_of(sections);
+    }
+
+    // Some patches or all of them are see-through.
+    Bytes next_see_through()
+    {
+        TestSurface s;
+        std::vector<TestSection> sections = sections_of(s);
+        const auto patches = static_cast<uint32_t>(s.patches.size());
+        const uint32_t first = choose_.end_or_any(0, patches - 1);
+        GlassPalette palette;
+        for (TestGlass& glass : palette)
+            for (size_t c = 0; c < 3; ++c)
+                glass.added[c] = choose_.extreme_byte(), glass.passed[c] = choose_.extreme_byte();
+        sections.push_back(see_through_section(first, palette));
+        if (choose_.once_in(2)) {
+            s.patches.resize(first);
+            sections.push_back(neighbours(s));
+            sections.back().bytes.resize(patches * detail::format::kNeighbourBytes, 0xFF);
+        }
+        return file_of(sections);
+    }
+
+private:
+    // All but neighbours.
+    std::vector<TestSection> sections_of(TestSurface& s)
+    {
         set_counts(s);
         const bool has_both_sides = choose_.below(2) != 0;
         set_other_numbers(s);
@@ -44,11 +73,9 @@ public:
                                              {detail::format::kColourSection, detail::format::kRequired, s.texels},
                                              palette()};
         if (s.viewed != 0) sections.push_back(views(s));
-        if (choose_.below(4) != 0) sections.push_back(choose_.once_in(2) ? neighbour_section(s) : neighbours(s));
-        return file_of(sections);
+        return sections;
     }
 
-private:
     // Few, some, or now and then as many as there may be.
     uint32_t mostly_few(uint32_t least, uint32_t most)
     {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "field_bytes.h"
-#include "lumi/surface/render.h"
+#include "lumi/surface/see_through.h"
 #include "views.h"
 
 namespace lumi::test
@@ -15,25 +15,28 @@ namespace lumi::test
 inline constexpr Rgb8 kSurfaceBackground = {1, 2, 3};
 
 // A field with the bytes that it is read from.
-class OpenedSurface
+template <class Field>
+class Opened
 {
 public:
-    explicit OpenedSurface(Bytes bytes) : bytes_(std::move(bytes))
+    explicit Opened(Bytes bytes) : bytes_(std::move(bytes))
     {
         error_ = open_surface(bytes_.data(), bytes_.size(), field_);
     }
-    OpenedSurface(const OpenedSurface&) = delete;
-    OpenedSurface& operator=(const OpenedSurface&) = delete;
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
 
     FieldError error() const { return error_; }
-    const SurfaceField& field() const { return field_; }
+    const Field& field() const { return field_; }
     const Bytes& bytes() const { return bytes_; }
 
 private:
     Bytes bytes_;
-    SurfaceField field_;
+    Field field_;
     FieldError error_;
 };
+using OpenedSurface = Opened<SurfaceField>;
+using OpenedGlass = Opened<SeeThroughField>;
 
 // A frame with its memory.
 class SurfaceScreen

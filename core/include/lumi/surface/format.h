@@ -66,6 +66,18 @@ constexpr uint32_t patch_reach(uint32_t n)
 inline constexpr uint32_t kNeighbourBytes = 8;
 inline constexpr uint32_t kNoNeighbour = 0xFFFF;
 
+// See-through parts: the last patches, from kFirstAt on. Their texels name entries of the section's own palette: what
+// the surface adds, multiplied by its coverage, and how much of what lies behind passes, 0 .. 255, for each channel. A
+// pixel becomes added + passed · behind / 255.
+namespace see_through
+{
+inline constexpr uint32_t kFirstAt = 0;     // u16, number of the first see-through patch, below the number of patches
+inline constexpr uint32_t kReservedAt = 2;  // u16, 0
+inline constexpr uint32_t kPaletteAt = 4;   // 256 × (r, g, b added, r, g, b passed)
+inline constexpr uint32_t kEntryBytes = 6;
+}  // namespace see_through
+inline constexpr uint32_t kSeeThroughBytes = see_through::kPaletteAt + kPaletteEntries * see_through::kEntryBytes;
+
 // View tables: colours of nodes, then a record for each vertex that has one.
 inline constexpr uint32_t kViewLattice = 66;
 inline constexpr uint32_t kViewNodes = 40;  // down to z = -0.2

@@ -3,15 +3,15 @@
 #pragma once
 #pragma GCC system_header
 
-#include "lumi/surface/render.h"
+#include "lumi/surface/see_through.h"
 #include "lumi/view.h"
 
 namespace lumi::detail
 {
 
-template <class Pixel, SurfaceMode kFinest>
-ViewError look_at_surface(const SurfaceField& field, const Pose& pose, const Image& image, SurfaceMode mode,
-                          const SurfaceMemory& memory, SurfaceFrame& out)
+template <class Pixel, SurfaceMode kFinest, class Field, class Memory, class Frame>
+ViewError look_at_surface(const Field& field, const Pose& pose, const Image& image, SurfaceMode mode,
+                          const Memory& memory, Frame& out)
 {
     SurfaceCamera camera;
     if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
@@ -28,16 +28,38 @@ ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint3
     return fits ? ViewError::none : ViewError::stripe_too_large;
 }
 
+// What a view holds of fields with up to so many see-through patches.
+template <uint32_t kSeeThrough>
+struct SurfaceParts {
+    using Field = SeeThroughField;
+    using Frame = SeeThroughFrame;
+    uint16_t order[see_through_order(kSeeThrough)] = {};
+
+    static bool fits(const Field& field) { return field.see_through_count <= kSeeThrough; }
+    SeeThroughMemory with(const SurfaceMemory& memory) { return {memory, order}; }
+};
+template <>
+struct SurfaceParts<0> {
+    using Field = SurfaceField;
+    using Frame = SurfaceFrame;
+
+    static bool fits(const Field&) { return true; }
+    SurfaceMemory with(const SurfaceMemory& memory) { return memory; }
+};
+
 }  // namespace lumi::detail
 
 namespace lumi
 {
 
 // Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for all modes up to kFinest:
-// 2 × 2 takes four times as many samples as the others.
-template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased>
+// 2 × 2 takes four times as many samples as the others. Of the patches so many more may be see-through; for 0 open()
+// refuses fields that have any, and nothing that draws them is linked.
+template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased,
+          uint32_t kSeeThrough = 0>
 struct SurfaceDrawing {
-    static_assert(kVertices <= detail::format::kMaxSurfaceVertices && kPatches <= detail::format::kMaxPatches,
+    static_assert(kVertices <= detail::format::kMaxSurfaceVertices &&
+                      kPatches + kSeeThrough <= detail::format::kMaxPatches,
                   "more than a field has");
     using Mode = SurfaceMode;
     static constexpr Mode kDefaultMode = kFinest;
@@ -50,15 +72,18 @@ struct SurfaceDrawing {
     };
 
     template <class ScreenOf>
-    class State
+    class State : detail::SurfaceParts<kSeeThrough>  // a base: an empty one takes no memory
     {
+        using Parts = detail::SurfaceParts<kSeeThrough>;
+
     public:
         ViewError open(const uint8_t* bytes, size_t size)
         {
-            SurfaceField field;
+            typename Parts::Field field;
             if (const FieldError error = open_surface(bytes, size, field); error != FieldError::none)
                 return detail::view_error(error);
-            if (field.vertex_count > kVertices || field.patch_count > kPatches) return ViewError::field_too_large;
+            if (field.vertex_count > kVertices || field.patch_count > kPatches || !Parts::fits(field))
+                return ViewError::field_too_large;
             field_ = field;
             return ViewError::none;
         }
@@ -67,7 +92,7 @@ struct SurfaceDrawing {
         {
             if (mode > kFinest) return ViewError::mode_too_fine;
             return detail::look_at_surface<typename ScreenOf::Pixel, kFinest>(
-                field_, pose, image, mode, {vertices_, links_, bands_, kBandLog2}, frame_);
+                field_, pose, image, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_);
         }
 
         template <class Background>
@@ -93,8 +118,8 @@ struct SurfaceDrawing {
     private:
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
-        SurfaceField field_{};
-        SurfaceFrame frame_{};
+        typename Parts::Field field_{};
+        typename Parts::Frame frame_{};
         SurfaceVertex vertices_[kVertices] = {};
         uint16_t links_[surface_links(kPatches)] = {};
         uint16_t bands_[surface_bands(ScreenOf::kHeightPx, kBandLog2)] = {};

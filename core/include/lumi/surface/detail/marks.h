@@ -11,12 +11,22 @@ namespace lumi::detail
 {
 
 inline constexpr uint32_t kMarkBits = 6, kMostShare = 15;
-static_assert(1u << kMarkBits <= kFarDepth, "a marked pixel without a surface is still below every depth");
+// A sample shows a colour of its own from this depth on; from kFarDepth on it is a surface's that hides what is behind.
+inline constexpr uint32_t kShownDepth = 1u << kMarkBits;
+static_assert(kShownDepth <= kFarDepth, "a marked pixel without a surface is still below every depth");
 enum class PixelSide : uint8_t { right, left, below, above };
 
 constexpr uint32_t mark_bits(uint32_t share, PixelSide other)
 {
     return (share > kMostShare ? kMostShare : share) << 2 | static_cast<uint32_t>(other);
+}
+
+inline bool is_marked(const SampleRows& rows, int32_t x, int32_t y)
+{
+    if (rows.marks == nullptr) return false;
+    const uint32_t column = static_cast<uint32_t>(x);
+    const uint32_t word = rows.marks[rows.marks_words() * static_cast<uint32_t>(y) + column / 32];
+    return ((word >> (column & 31)) & 1) != 0;
 }
 
 // What the mark of a pixel says: which one shows in it, and how much of that, 1/32.
@@ -31,8 +41,8 @@ struct Mark {
         other += steps[*own & 3];
         share = (*own >> 2) & kMostShare;
     }
-    bool has_own() const { return *own >= kFarDepth; }
-    bool has_other() const { return *other >= kFarDepth; }
+    bool has_own() const { return *own >= kShownDepth; }
+    bool has_other() const { return *other >= kShownDepth; }
     // Of the pixel, 1/32.
     uint32_t covered() const { return (has_own() ? 32 - share : 0) + (has_other() ? share : 0); }
 

@@ -95,7 +95,6 @@ public:
     TrianglePiece piece;
 
 private:
-    bool begin_listed(uint32_t triangle);
     bool next_part();
 
     const SurfaceFrame& frame_;

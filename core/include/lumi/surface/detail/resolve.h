@@ -165,6 +165,14 @@ private:
     }
 };
 
+// The colour of the sample whose depth lies there.
+inline Rgb8 packed_at(const SampleRows& rows, const uint16_t* depth)
+{
+    const uint32_t before = static_cast<uint32_t>(reinterpret_cast<const uint8_t*>(depth) - rows.first);
+    const uint32_t y = before / rows.row_bytes, column = (before - y * rows.row_bytes) / sizeof *depth;
+    return unpacked(rows.template colours<PackedColour>(static_cast<int32_t>(y))[column]);
+}
+
 template <class Pixel>
 struct PackedSamples : StripeSamples {
     static constexpr bool kArePixels = false;
@@ -193,19 +201,14 @@ struct PackedSamples : StripeSamples {
         const uint16_t* depth_at = rows.depths(row) + begin;
         const PackedColour* colour_at = rows.template colours<PackedColour>(row) + begin;
         for (const uint16_t* const last = rows.depths(row) + end; depth_at != last; ++depth_at, ++colour_at) {
-            if (*depth_at >= kFarDepth)
+            if (*depth_at >= kShownDepth)
                 store_colour<Pixel>(pixel, *colour_at);
             else if (Background::kFills)
                 store_background<Pixel>(pixel, background);
             pixel += Pixel::kBytes;
         }
     }
-    Rgb8 colour_at(const uint16_t* depth) const
-    {
-        const uint32_t before = static_cast<uint32_t>(reinterpret_cast<const uint8_t*>(depth) - rows.first);
-        const uint32_t y = before / rows.row_bytes, column = (before - y * rows.row_bytes) / sizeof *depth;
-        return unpacked(rows.template colours<PackedColour>(static_cast<int32_t>(y))[column]);
-    }
+    Rgb8 colour_at(const uint16_t* depth) const { return packed_at(rows, depth); }
 };
 
 // What modes of one sample a pixel take.
@@ -295,6 +298,7 @@ struct FourSamples : StripeSamples {
             below += 2;
         }
     }
+    Rgb8 colour_at(const uint16_t* depth) const { return packed_at(rows, depth); }
 };
 
 // A scanline of coverage, a byte a pixel, from the samples of any of these.

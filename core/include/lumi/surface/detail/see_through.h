@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The see-through triangles of a frame and the loops that blend their rows over what samples hold.
+//
+// A sample without a surface tells in its depth how much of the background shows: below kShownDepth all of it, and
+// nothing was drawn there; from there up to kFarDepth - 1, what is between the two is the share that is covered.
+#pragma once
+
+#include "lumi/surface/detail/marks.h"
+#include "lumi/surface/detail/pieces.h"
+#include "lumi/surface/see_through_frame.h"
+
+namespace lumi::detail
+{
+
+// The triangles of that list that reach a target, as TrianglePieces has them.
+class SeeThroughPieces
+{
+public:
+    SeeThroughPieces(const SeeThroughFrame& frame, const Target& target) : frame_(frame), target_(target)
+    {
+        piece.bend = nullptr;
+    }
+
+    // Makes `piece` the next one; false after the last.
+    LUMI_HOT bool next();
+
+    TrianglePiece piece;
+
+private:
+    const SeeThroughFrame& frame_;
+    const Target& target_;
+    uint32_t at_ = 0;
+    Parts parts_;
+};
+
+// Loops over rows whose palette is SeeThroughFrame::added_and_passed.
+LUMI_HOT void blend_565_nearest(Rows& rows, int32_t count);
+LUMI_HOT void blend_565_two_taps(Rows& rows, int32_t count);
+LUMI_HOT void blend_565_bilinear(Rows& rows, int32_t count);
+LUMI_HOT void blend_565_swapped_nearest(Rows& rows, int32_t count);
+LUMI_HOT void blend_565_swapped_two_taps(Rows& rows, int32_t count);
+LUMI_HOT void blend_565_swapped_bilinear(Rows& rows, int32_t count);
+LUMI_HOT void blend_packed_nearest(Rows& rows, int32_t count);
+LUMI_HOT void blend_packed_two_taps(Rows& rows, int32_t count);
+LUMI_HOT void blend_packed_bilinear(Rows& rows, int32_t count);
+
+template <class Pixel>
+inline constexpr RowFilters kPixelBlends = {};
+template <>
+inline constexpr RowFilters kPixelBlends<PixelRgb565> = {blend_565_nearest, blend_565_two_taps, blend_565_bilinear};
+template <>
+inline constexpr RowFilters kPixelBlends<PixelRgb565Swapped> = {blend_565_swapped_nearest, blend_565_swapped_two_taps,
+                                                                blend_565_swapped_bilinear};
+inline constexpr RowFilters kPackedBlends = {blend_packed_nearest, blend_packed_two_taps, blend_packed_bilinear};
+
+// Draws see-through triangles over samples.
+template <DrawRows kPlain, DrawRows kMagnified>
+__attribute__((noinline)) void blend_triangles(const SeeThroughFrame& frame, const Target& opaque)
+{
+    Target target = opaque;
+    target.palette = frame.added_and_passed;
+    SeeThroughPieces pieces(frame, target);
+    while (pieces.next())
+        if (pieces.piece.is_magnified)
+            draw_piece<kMagnified>(pieces.piece, target.rows.width);
+        else
+            draw_piece<kPlain>(pieces.piece, target.rows.width);
+}
+
+// The same where textures are not read bilinearly.
+template <DrawRows kDraw>
+void blend_triangles(const SeeThroughFrame& frame, const Target& target)
+{
+    blend_triangles<kDraw, kDraw>(frame, target);
+}
+
+}  // namespace lumi::detail

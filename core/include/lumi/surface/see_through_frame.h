@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Fields, memory and frames of see-through.h.
+#pragma once
+#pragma GCC system_header
+
+#include "lumi/surface/frame.h"
+
+namespace lumi
+{
+
+// A SurfaceField that holds its opaque patches, and see-through ones behind them in the same memory.
+struct SeeThroughField : SurfaceField {
+    const uint8_t* see_through_palette = nullptr;  // 256 × (r, g, b added, r, g, b passed)
+    uint32_t see_through_count = 0;                // patches; 0: none, and no palette
+};
+
+// As open_surface for a SurfaceField, and takes files with and without see-through parts.
+FieldError open_surface(const uint8_t* bytes, size_t size, SeeThroughField& out);
+
+// Numbers in SeeThroughMemory::order for a field with so many see-through patches.
+constexpr uint32_t see_through_order(uint32_t see_through_patches)
+{
+    return 2 * see_through_patches;
+}
+
+// The caller's memory for a frame; see SurfaceMemory.
+struct SeeThroughMemory : SurfaceMemory {
+    uint16_t* order;  // see_through_order()
+};
+
+struct SeeThroughFrame : SurfaceFrame {
+    const uint16_t* order;  // see_through.cpp
+    uint32_t order_count;
+    detail::PackedColour added_and_passed[512];  // 256 each; PackedColour, but what passes has no fraction for rounding
+};
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
+// Lists the triangles that face the eye, from far to near, and lights them. After prepare().
+void put_see_through(uint32_t patches, uint16_t* order, SeeThroughFrame& frame);
+
+// Of each channel the share in 1/1024, less one of them so that ten bits hold it; of blue in 1/512.
+LUMI_ALWAYS_INLINE PackedColour share_of(PackedColour shares, PackedColour c)
+{
+    const uint32_t g = ((shares >> 21) + 1) * (c >> 21) >> 10;
+    const uint32_t r = (((shares >> 10) & 0x3FF) + 1) * ((c >> 10) & 0x3FF) >> 10;
+    const uint32_t b = ((shares & 0x1FF) + 1) * (c & 0x1FF) >> 9;
+    return g << 21 | r << 10 | b;
+}
+
+// How much of what lies behind passes, 0 .. 255 a channel, as share_of() takes it.
+constexpr PackedColour packed_shares(const uint8_t* passed)
+{
+    const auto share = [&](int channel, uint32_t most) { return (passed[channel] * most + 127) / 255; };
+    return share(1, 1023) << 21 | share(0, 1023) << 10 | share(2, 511);
+}
+
+// What the frame's palette holds of an entry: what lies behind brings its share of the rounding that palette_colour()
+// adds, so what is added brings the rest.
+template <class Pixel>
+void put_see_through_palette(const SeeThroughField& field, SurfaceMode mode, SeeThroughFrame& frame)
+{
+    constexpr PackedColour kBlack = palette_colour<Pixel>({0, 0, 0});
+    const bool has_halves = mode == SurfaceMode::antialiased;
+    const uint8_t* entry = field.see_through_palette;
+    for (uint32_t k = 0; k < format::kPaletteEntries; ++k, entry += format::see_through::kEntryBytes) {
+        const PackedColour passed = packed_shares(entry + 3);
+        const PackedColour added = palette_colour<Pixel>({entry[0], entry[1], entry[2]}) - share_of(passed, kBlack);
+        frame.added_and_passed[k] = has_halves ? mean_of(added, 0) : added;
+        frame.added_and_passed[k + format::kPaletteEntries] = has_halves ? mean_of(passed, 0) : passed;
+    }
+}
+
+}  // namespace lumi::detail
+
+namespace lumi
+{
+
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two>
+void prepare_surface(const SeeThroughField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                     const SeeThroughMemory& memory, SeeThroughFrame& out)
+{
+    const SurfaceField& opaque = field;
+    const SurfaceMemory& of_opaque = memory;
+    SurfaceFrame& frame = out;
+    prepare_surface<Pixel, kFinest>(opaque, camera, mode, of_opaque, frame);
+    out.order = memory.order;
+    detail::put_see_through(field.see_through_count, memory.order, out);
+    if (field.see_through_count != 0) detail::put_see_through_palette<Pixel>(field, mode, out);
+}
+
+}  // namespace lumi

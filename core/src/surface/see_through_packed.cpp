@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// See-through triangles over samples that hold a PackedColour.
+#include "surface/see_through_rows.h"
+
+namespace lumi::detail
+{
+
+LUMI_HOT void blend_packed_nearest(Rows& rows, int32_t count)
+{
+    blend_rows<BlendedPacked, Filter::nearest>(rows, count);
+}
+
+LUMI_HOT void blend_packed_two_taps(Rows& rows, int32_t count)
+{
+    blend_rows<BlendedPacked, Filter::two_taps>(rows, count);
+}
+
+LUMI_HOT void blend_packed_bilinear(Rows& rows, int32_t count)
+{
+    blend_rows<BlendedPacked, Filter::bilinear>(rows, count);
+}
+
+}  // namespace lumi::detail

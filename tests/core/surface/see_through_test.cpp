@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/surface/see_through.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "lumi/detail/crc32.h"
+#include "lumi/surface/view.h"
+#include "see_through_bytes.h"
+#include "surface_drawing.h"
+#include "truncation.h"
+
+using namespace lumi;
+using namespace lumi::detail;
+using namespace lumi::test;
+
+namespace
+{
+
+constexpr int32_t kSide = 40;
+constexpr uint32_t kFirstOfBall = 60;  // of 118 patches or so
+#ifdef LUMI_TEST_LIGHT
+constexpr int kViews = 6;
+#else
+constexpr int kViews = 60;
+#endif
+
+struct Area {
+    int32_t width, height;  // of the rectangles that a picture is drawn in
+    bool is_odd = false;    // whether rows begin in the middle of a word
+};
+
+template <class Pixel>
+struct Drawn {
+    std::vector<uint32_t> words;
+    Bytes coverage;
+    bool is_odd;
+
+    uint8_t* first() { return reinterpret_cast<uint8_t*>(words.data()) + (is_odd && Pixel::kBytes == 2 ? 2 : 0); }
+    Bytes pixels() { return Bytes(first(), first() + Pixel::kBytes * kSide * kSide); }
+    Rgb8 at(int32_t x, int32_t y)
+    {
+        return Pixel::load(first() + static_cast<uint32_t>(y * kSide + x) * Pixel::kBytes);
+    }
+};
+
+// A frame in memory of its very size, over a stripe that holds a pattern.
+template <class Pixel, class Background>
+Drawn<Pixel> drawn(const SeeThroughField& field, const test::View& view, SurfaceMode mode, const Background& background,
+                   const Area& area = {kSide, kSide})
+{
+    std::vector<SurfaceVertex> vertices(field.vertex_count);
+    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kSide, 3));
+    std::vector<uint16_t> order(see_through_order(field.see_through_count));
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
+    SeeThroughFrame frame;
+    const SeeThroughMemory memory = {{vertices.data(), links.data(), bands.data(), 3}, order.data()};
+    prepare_surface<Pixel>(field, camera, mode, memory, frame);
+    Drawn<Pixel> result = {std::vector<uint32_t>(kSide * kSide * Pixel::kBytes / 4 + 2), Bytes(kSide * kSide),
+                           area.is_odd};
+    for (int32_t k = 0; k < kSide * kSide; ++k)
+        Pixel::store(result.first() + static_cast<uint32_t>(k) * Pixel::kBytes,
+                     {static_cast<uint8_t>(k), static_cast<uint8_t>(k / kSide * 6), static_cast<uint8_t>(k % kSide)});
+    for (int32_t y = 0; y < kSide; y += area.height) {
+        for (int32_t x = 0; x < kSide; x += area.width) {
+            const Stripe stripe = {result.first() + static_cast<uint32_t>(y * kSide + x) * Pixel::kBytes,
+                                   x,
+                                   y,
+                                   std::min(area.width, kSide - x),
+                                   std::min(area.height, kSide - y),
+                                   kSide * Pixel::kBytes};
+            std::vector<uint32_t> samples(
+                (surface_stripe_bytes<Pixel>(stripe.width_px, stripe.height_px, mode) + 3) / 4, 0x5A5A5A5A);
+            render_surface<Pixel>(frame, background, stripe, samples.data());
+            if constexpr (kKeepsCoverage<Background>)
+                render_coverage(
+                    frame, {result.coverage.data() + y * kSide + x, x, y, stripe.width_px, stripe.height_px, kSide},
+                    samples.data());
+        }
+    }
+    return result;
+}
+
+test::View from_above()
+{
+    test::View view;
+    view.pose = pose_of({0, degrees(90), radii(3)});
+    view.image = {kSide, kSide, degrees(45)};
+    return view;
+}
+
+double mixed(const TestGlass& glass, size_t channel, double behind)
+{
+    return std::min(255.0, glass.added[channel] + glass.passed[channel] * behind / 255);
+}
+
+// The worst difference in the middle of a picture from what stands there, of 255.
+double off_middle(const Rgb8& shown, const std::array<double, 3>& wanted)
+{
+    return std::max({std::abs(shown.r - wanted[0]), std::abs(shown.g - wanted[1]), std::abs(shown.b - wanted[2])});
+}
+
+const TestGlass kRed = {{60, 8, 0}, {160, 90, 30}}, kBlue = {{5, 20, 90}, {100, 190, 240}};
+
+GlassPalette red_and_blue()
+{
+    GlassPalette palette{};
+    palette[1] = kRed;
+    palette[2] = kBlue;
+    return palette;
+}
+
+// An opaque pane below a red one and, above that, a blue one; `swapped`: in the file, blue is first.
+Bytes two_panes(bool swapped)
+{
+    const TestPane red = {7000, 1000, 1}, blue = {7000, 6000, 2}, below = {9000, -4000, 100};
+    return see_through_file(panes(swapped ? std::vector{below, blue, red} : std::vector{below, red, blue}), 1,
+                            red_and_blue());
+}
+
+std::array<double, 3> through_both(const std::array<double, 3>& behind)
+{
+    std::array<double, 3> result{};
+    for (size_t c = 0; c < 3; ++c) result[c] = mixed(kBlue, c, mixed(kRed, c, behind[c]));
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("panes blend over what lies behind, from far to near, in any order of the file")
+{
+    const std::array<double, 3> wanted = through_both({100, 155, 90});  // colour 100 of the opaque palette
+    for (const bool swapped : {false, true}) {
+        const OpenedGlass opened(two_panes(swapped));
+        REQUIRE(opened.error() == FieldError::none);
+        CHECK(opened.field().patch_count == 1);
+        CHECK(opened.field().see_through_count == 2);
+        for (const SurfaceMode mode : kSurfaceModes) {
+            CAPTURE(swapped, static_cast<int>(mode));
+            const test::View view = from_above();
+            // A level for each rounding; of 5-6-5 pixels, which hold what lies behind too, a step for each pane.
+            const auto middle = [&](auto pixel) {
+                using Pixel = decltype(pixel);
+                return off_middle(drawn<Pixel>(opened.field(), view, mode, OverBlack{}).at(kSide / 2, kSide / 2),
+                                  wanted);
+            };
+            CHECK(middle(PixelRgb888{}) <= 2);
+            CHECK(middle(PixelRgb565{}) <= 10);
+            CHECK(middle(PixelRgb565Swapped{}) <= 10);
+            CHECK(middle(PixelBgr555{}) <= 10);
+        }
+    }
+}
+
+TEST_CASE("glass that opaque parts hide does not show, and clear glass changes nothing")
+{
+    GlassPalette palette = red_and_blue();
+    palette[3] = {{0, 0, 0}, {255, 255, 255}};
+    const OpenedGlass bare(see_through_file(panes({{9000, 0, 100}, {7000, -5000, 1}}), 1, palette));
+    const OpenedGlass hidden(see_through_file(panes({{9000, 0, 100}, {7000, -5000, 2}}), 1, palette));
+    const OpenedGlass clear(see_through_file(panes({{9000, 0, 100}, {7000, 5000, 3}}), 1, palette));
+    for (const SurfaceMode mode : kSurfaceModes) {
+        const test::View view = from_above();
+        CAPTURE(static_cast<int>(mode));
+        const auto pixels = [&](const OpenedGlass& opened, auto pixel) {
+            return drawn<decltype(pixel)>(opened.field(), view, mode, OverBlack{}).pixels();
+        };
+        CHECK((pixels(bare, PixelRgb888{}) == pixels(hidden, PixelRgb888{})));
+        CHECK((pixels(bare, PixelRgb565{}) == pixels(clear, PixelRgb565{})));
+        if (mode != SurfaceMode::antialiased) CHECK((pixels(bare, PixelRgb888{}) == pixels(clear, PixelRgb888{})));
+    }
+}
+
+TEST_CASE("a colour and a stripe's own content show through glass")
+{
+    const OpenedGlass opened(see_through_file(panes({{500, -9000, 100}, {8000, 1000, 1}}), 1, red_and_blue()));
+    const int32_t x = kSide / 2 - 5, y = kSide / 2 + 5;
+    for (const SurfaceMode mode : kSurfaceModes) {
+        CAPTURE(static_cast<int>(mode));
+        const auto check = [&](auto pixel, double tolerance) {
+            using Pixel = decltype(pixel);
+            const Rgb8 grey = {200, 200, 200};
+            const Rgb8 over = drawn<Pixel>(opened.field(), from_above(), mode, OverColour{grey}).at(x, y);
+            CHECK(off_middle(over, {mixed(kRed, 0, 200), mixed(kRed, 1, 200), mixed(kRed, 2, 200)}) <= tolerance);
+            const int32_t k = y * kSide + x;
+            const Rgb8 shown = drawn<Pixel>(opened.field(), from_above(), mode, OverStripe{}).at(x, y);
+            CHECK(off_middle(shown, {mixed(kRed, 0, k & 255), mixed(kRed, 1, y * 6), mixed(kRed, 2, x)}) <= tolerance);
+        };
+        check(PixelRgb888{}, 2);
+        check(PixelRgb565{}, 10);
+        check(PixelBgr555{}, 10);
+    }
+}
+
+TEST_CASE("glass over nothing, laid over a colour, is glass over that colour")
+{
+    // Grey glass: one number of coverage tells all of it.
+    GlassPalette palette{};
+    palette[1] = {{70, 30, 10}, {120, 120, 120}};
+    palette[2] = {{10, 60, 20}, {200, 200, 200}};
+    const OpenedGlass opened(
+        see_through_file(panes({{2000, -6000, 100}, {8000, 1000, 1}, {6000, 5000, 2}}), 1, palette));
+    constexpr int32_t kUnder = 180;
+    for (const SurfaceMode mode : kSurfaceModes) {
+        Drawn<PixelArgb8888> argb = drawn<PixelArgb8888>(opened.field(), from_above(), mode, OverNothing{});
+        Drawn<PixelRgb888> over =
+            drawn<PixelRgb888>(opened.field(), from_above(), mode, OverColour{{kUnder, kUnder, kUnder}});
+        Drawn<PixelA8> alone = drawn<PixelA8>(opened.field(), from_above(), mode, OverNothing{});
+        double worst = 0, worst_inside = 0;
+        int32_t worst_coverage = 0;
+        for (int32_t k = 0; k < kSide * kSide; ++k) {
+            const uint8_t* p = argb.first() + 4 * k;
+            const Rgb8 wanted = over.at(k % kSide, k / kSide);
+            const auto laid = [&](uint8_t level) { return (level * p[3] + kUnder * (255.0 - p[3])) / 255; };
+            const double off = off_middle(wanted, {laid(p[2]), laid(p[1]), laid(p[0])});
+            const bool is_inside = std::abs(k % kSide - kSide / 2) > 8;  // no outline of the opaque pane
+            worst = std::max(worst, off);
+            if (is_inside) worst_inside = std::max(worst_inside, off);
+            worst_coverage = std::max({worst_coverage, std::abs(p[3] - argb.coverage[static_cast<size_t>(k)]),
+                                       std::abs(p[3] - alone.first()[k])});
+        }
+        CAPTURE(static_cast<int>(mode), worst, worst_inside);
+        CHECK(worst_coverage == 0);
+        // Where the pane ends, 2 × 2 mixes four samples as light over a colour, and as levels over nothing.
+        CHECK(worst_inside <= (mode == SurfaceMode::two_by_two ? 30 : 4));
+        CHECK(worst <= 30);
+    }
+}
+
+TEST_CASE("surfaces with glass are the same in rectangles of any size, over everything")
+{
+    std::minstd_rand random(5);
+    const OpenedGlass opened(see_through_file(bumpy_ball(), kFirstOfBall));
+    REQUIRE(opened.error() == FieldError::none);
+    for (int k = 0; k < kViews; ++k) {
+        const test::View view = random_view(random, kSide);
+        const SurfaceMode mode = kSurfaceModes[k % 3];
+        const Area area = {1 + static_cast<int32_t>(random() % kSide), 1 + static_cast<int32_t>(random() % 20),
+                           k % 2 == 0};
+        CAPTURE(k, static_cast<int>(mode), area.width, area.height);
+        const auto is_same = [&](auto pixel, const auto& background) {
+            using Pixel = decltype(pixel);
+            return drawn<Pixel>(opened.field(), view, mode, background).pixels() ==
+                   drawn<Pixel>(opened.field(), view, mode, background, area).pixels();
+        };
+        CHECK(is_same(PixelRgb565{}, OverColour{{90, 80, 70}}));
+        CHECK(is_same(PixelRgb565{}, OverStripe{}));
+        CHECK(is_same(PixelRgb888{}, OverColour{{90, 80, 70}}));
+        CHECK(is_same(PixelRgb888{}, OverStripe{}));
+        CHECK(is_same(PixelArgb8888{}, OverNothing{}));
+        Bytes swapped = drawn<PixelRgb565Swapped>(opened.field(), view, mode, OverBlack{}, area).pixels();
+        for (size_t p = 0; p < swapped.size(); p += 2) std::swap(swapped[p], swapped[p + 1]);
+        CHECK((swapped == drawn<PixelRgb565>(opened.field(), view, mode, OverBlack{}).pixels()));
+    }
+}
+
+TEST_CASE("surfaces with glass are the same on every processor")
+{
+    const OpenedGlass opened(see_through_file(bumpy_ball(), kFirstOfBall));
+    uint32_t crc = 0;
+    for (int k = 0; k < 6; ++k) {
+        const double turn = 0.7 * k, height = k - 2.5;
+        const test::View view = {"",
+                                 look_at({2.2 * std::cos(turn), 2.2 * std::sin(turn), 0.6 * height}, {0, 0, 0}),
+                                 {kSide, kSide, degrees(50)}};
+        const auto add = [&](auto pixel, const auto& background) {
+            const Bytes pixels =
+                drawn<decltype(pixel)>(opened.field(), view, kSurfaceModes[k % 3], background).pixels();
+            crc = crc32(crc, pixels.data(), pixels.size());
+        };
+        add(PixelRgb565{}, OverBlack{});
+        add(PixelRgb888{}, OverColour{{200, 100, 50}});
+        add(PixelArgb8888{}, OverNothing{});
+    }
+    CHECK(crc == 0x6C957D94);
+}
+
+TEST_CASE("a field without glass shows the same pixels where glass could be")
+{
+    std::minstd_rand random(6);
+    const Bytes file = surface_file(bumpy_ball());
+    const OpenedGlass opened(file);
+    const OpenedSurface plain(file);
+    REQUIRE(opened.error() == FieldError::none);
+    for (int k = 0; k < kViews; ++k) {
+        const test::View view = random_view(random, kSide);
+        const SurfaceMode mode = kSurfaceModes[k % 3];
+        SurfaceScreen screen(plain.field(), view.pose, view.image, mode);
+        CHECK((drawn<PixelRgb888>(opened.field(), view, mode, OverColour{kSurfaceBackground}).pixels() ==
+               screen.picture(kSide, kSide)));
+    }
+}
+
+TEST_CASE("glass is refused by name where nothing draws it, and where there is more than memory for it")
+{
+    const Bytes file = see_through_file(bumpy_ball(), kFirstOfBall);
+    SurfaceField opaque;
+    CHECK(open_surface(file.data(), file.size(), opaque) == FieldError::see_through);
+    static lumi::View<SurfaceDrawing<98, 128>, Screen<kSide, kSide, 8>> without;
+    static lumi::View<SurfaceDrawing<98, 60, SurfaceMode::antialiased, 20>, Screen<kSide, kSide, 8>> few;
+    static lumi::View<SurfaceDrawing<98, 60, SurfaceMode::antialiased, 68>, Screen<kSide, kSide, 8>> enough;
+    CHECK(without.open(file.data(), file.size()) == static_cast<ViewError>(FieldError::see_through));
+    CHECK(std::string(error_text(static_cast<ViewError>(FieldError::see_through))).find("SSEE") != std::string::npos);
+    CHECK(few.open(file.data(), file.size()) == ViewError::field_too_large);
+    REQUIRE(enough.open(file.data(), file.size()) == ViewError::none);
+    REQUIRE(enough.look(Orbit{degrees(30), degrees(20), radii(3)}) == ViewError::none);
+    alignas(4) static uint8_t pixels[2 * kSide * 8];
+    CHECK(enough.draw({pixels, 0, 16, kSide, 8, 2 * kSide}) == ViewError::none);
+}
+
+TEST_CASE("sections of see-through parts that are wrong are refused by name")
+{
+    const TestSurface ball = bumpy_ball();
+    const auto opened = [&](uint32_t first, const std::function<void(Bytes&)>& change) {
+        std::vector<TestSection> sections = see_through_sections(ball, kFirstOfBall, many_glasses());
+        sections.back() = see_through_section(first, many_glasses());
+        change(sections.back().bytes);
+        return OpenedGlass(file_of(sections)).error();
+    };
+    const auto patches = static_cast<uint32_t>(ball.patches.size());
+    CHECK(opened(
+              kFirstOfBall, [](Bytes&) {}) == FieldError::none);
+    CHECK(opened(
+              kFirstOfBall, [](Bytes& b) { b.pop_back(); }) == FieldError::bad_see_through);
+    CHECK(opened(
+              kFirstOfBall, [](Bytes& b) { b.push_back(0); }) == FieldError::bad_see_through);
+    CHECK(opened(kFirstOfBall, [](Bytes& b) { b[2] = 1; }) == FieldError::bad_see_through);
+    CHECK(opened(patches, [](Bytes&) {}) == FieldError::bad_see_through);
+    CHECK(opened(patches - 1, [](Bytes&) {}) == FieldError::none);
+    CHECK(opened(kFirstOfBall - 8, [](Bytes&) {}) == FieldError::bad_neighbours);
+    check_other_sizes_are_refused(see_through_file(ball, kFirstOfBall), [](const Bytes& bytes) {
+        SeeThroughField field;
+        return open_surface(bytes.data(), bytes.size(), field);
+    });
+}
