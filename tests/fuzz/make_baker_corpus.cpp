@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "support/bake_scenes.h"
+#include "support/facet_bytes.h"
 #include "support/gltf_bytes.h"
 #include "support/nifti_bytes.h"
 #include "support/picture_bytes.h"
@@ -157,6 +158,15 @@ void write_gltf(Seeds seeds)
     seeds.add(testing::square().json("data:application/octet-stream;base64,AAAA"));
 }
 
+void write_facets(Seeds stl, Seeds ply)
+{
+    stl.add(testing::binary_stl());
+    stl.add(testing::text_stl());
+    ply.add(testing::text_ply());
+    ply.add(testing::binary_ply<uint8_t>(false, "uchar"));
+    ply.add(testing::binary_ply<int32_t>(true, "int"));
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -169,6 +179,7 @@ int main(int argc, char** argv)
     write_pictures(Seeds(folder / "picture"));
     Seeds(folder / "obj").add(std::string(kObj) + '\xFF' + kMtl);
     write_gltf(Seeds(folder / "gltf"));
+    write_facets(Seeds(folder / "stl"), Seeds(folder / "ply"));
     Seeds(folder / "scene").add(kJson);
     write_volumes(Seeds(folder / "nifti"));
     write_shards(Seeds(folder / "shard"));

@@ -82,6 +82,8 @@ baker/src/light
 baker/src/volume
 baker/src/model
 baker/src/model/gltf
+baker/src/model/ply
+baker/src/model/stl
 baker/src/scene
 baker/src/trace
 baker/src/store

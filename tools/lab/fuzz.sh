@@ -5,7 +5,7 @@
 # as there are cores, and says executions and coverage; --docs adds them to the sums in docs/log/tests.md, of which
 # SECURITY.md has a copy. A finding ends the run, and nothing of it is added; the input that shows it lies in
 # build/fuzz/findings. What is learnt stays in build/fuzz/corpus, so the next run goes on from there. Needs clang.
-# Targets: field, extreme, picture, obj, gltf, scene, nifti, shard, weights; all if none is named.
+# Targets: field, extreme, picture, obj, gltf, stl, ply, scene, nifti, shard, weights; all if none is named.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -22,12 +22,12 @@ parse_arguments() {
       --docs) write_docs=true ;;
       --help) help "$0" && exit ;;
       --hours) minutes=$((60 * ${2:?"--hours needs a number"})) && shift ;;
-      field | extreme | picture | obj | gltf | scene | nifti | shard | weights) targets+=("$1") ;;
+      field | extreme | picture | obj | gltf | stl | ply | scene | nifti | shard | weights) targets+=("$1") ;;
       *) wrong_call "unknown argument '$1'" ;;
     esac
     shift
   done
-  if ((${#targets[@]} == 0)); then targets=(field extreme picture obj gltf scene nifti shard weights); fi
+  if ((${#targets[@]} == 0)); then targets=(field extreme picture obj gltf stl ply scene nifti shard weights); fi
 }
 
 build_targets() {

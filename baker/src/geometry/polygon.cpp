@@ -73,12 +73,34 @@ bool is_ear(const std::vector<Flat>& flat, const std::vector<uint32_t>& ring, si
     return true;
 }
 
+// Turns left at each corner, and once around in all: then it goes right at most once, and left at most once.
+bool is_convex(const std::vector<Flat>& flat)
+{
+    const size_t n = flat.size();
+    size_t changes = 0;
+    for (size_t k = 0; k < n; ++k) {
+        const Flat &a = flat[k], &b = flat[(k + 1) % n], &c = flat[(k + 2) % n];
+        if (!(cross2(a, b, c) > 0)) return false;
+        changes += (b.x > a.x) != (c.x > b.x) ? 1u : 0u;
+    }
+    return changes <= 2;
+}
+
+// What cutting ears makes of a convex polygon.
+std::vector<std::array<uint32_t, 3>> fan(uint32_t corners)
+{
+    std::vector<std::array<uint32_t, 3>> triangles;
+    for (uint32_t k = 2; k < corners; ++k) triangles.push_back({0, k - 1, k});
+    return triangles;
+}
+
 }  // namespace
 
 std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<Vec3>& corners)
 {
     std::vector<std::array<uint32_t, 3>> triangles;
     const std::vector<Flat> flat = flattened(corners);
+    if (corners.size() > kMostEars || is_convex(flat)) return fan(static_cast<uint32_t>(corners.size()));
     std::vector<uint32_t> ring;
     for (uint32_t k = 0; k < corners.size(); ++k) ring.push_back(k);
     while (ring.size() >= 3) {

@@ -12,7 +12,9 @@ namespace lumi::baker
 {
 
 // Indices into `corners`, n-2 triangles at most, wound like the polygon. Concave polygons are cut by their ears; a
-// polygon that crosses itself gets triangles, but not the ones its author had in mind. Cost: quadratic to cubic in n.
+// polygon that crosses itself gets triangles, but not the ones its author had in mind. Cost: linear in n if it is
+// convex, or has more corners than kMostEars, when it is cut as if it were; else quadratic to cubic.
+inline constexpr size_t kMostEars = 4096;
 std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<Vec3>& corners);
 
 // Whether a triangle is so thin that binary32 cannot say which way it faces. Relative to its edges, so that neither

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/patch_mesh.h"
 
+#include "geometry/smooth_groups.h"
 #include "lumi/surface/format.h"
 #include "mesh/edge_split.h"
 #include "mesh/mesh_draft.h"
@@ -10,7 +11,6 @@
 #include "mesh/rounded_mesh.h"
 #include "mesh/seen_part.h"
 #include "mesh/silhouettes.h"
-#include "mesh/smooth_groups.h"
 #include "store/bake_stages.h"
 
 namespace lumi::baker

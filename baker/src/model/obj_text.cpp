@@ -2,13 +2,13 @@
 #include "model/obj_text.h"
 
 #include "lumi/baker/scene.h"
+#include "model/positions.h"
 
 namespace lumi::baker
 {
 namespace
 {
 
-constexpr double kMaxCoordinate = 1e15;  // squares and differences stay exact enough in binary64 and finite in binary32
 constexpr size_t kMaxCorners = 255;      // the parser counts a face's corners in 8 bits
 
 class ObjPreparation

@@ -2,6 +2,7 @@
 // What a reader of a file format delivers of a scene.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Disc {
 // indices and materials are in range.
 struct SceneParts {
     Mesh mesh;
+    std::array<double, 3> origin = {0, 0, 0};  // what to add to the mesh's positions, and to nothing else
     std::vector<Material> materials;  // finished
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;

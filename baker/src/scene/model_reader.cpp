@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: MIT
 #include "scene/model_reader.h"
 
-#include <algorithm>
-#include <cctype>
-
+#include "model/foreign_format.h"
+#include "model/gltf/container.h"
 #include "model/gltf/reader.h"
 #include "model/obj_reader.h"
+#include "model/ply/reader.h"
+#include "model/stl/reader.h"
+#include "util/text_lines.h"
 
 namespace lumi::baker
 {
 namespace
 {
 
-std::string extension_of(const std::filesystem::path& file)
+std::string head_of(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+    std::ifstream stream = open_file(file);
+    std::string head(kHeadBytesOfModel, '\0');
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<size_t>(stream.gcount()));
+    return head;
 }
 
 }  // namespace
 
 SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const std::string extension = extension_of(file);
-    if (extension == ".glb" || extension == ".gltf") return read_gltf(file, warnings);
+    const std::string head = head_of(file), end = extension_of(file);
+    if (is_glb(head)) return read_gltf(file, warnings);
+    if (is_ply(head)) return read_ply(file, warnings);
+    if (is_stl(head, std::filesystem::file_size(file))) return read_stl(file, warnings);
+    refuse_foreign_model(file, head);
+    if (end == ".glb" || end == ".gltf") return read_gltf(file, warnings);
+    if (end == ".ply") return read_ply(file, warnings);
+    if (end == ".stl") return read_stl(file, warnings);
     return read_obj(file, warnings);
 }
 

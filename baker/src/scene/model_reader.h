@@ -11,8 +11,8 @@
 namespace lumi::baker
 {
 
-// What ends in .glb or .gltf, in any letter case, is read as glTF, and all else as OBJ. Throws SceneError; appends to
-// `warnings`.
+// What a file holds counts before its name's end: glTF, PLY, STL, or else OBJ. Throws SceneError, which names other
+// formats; appends to `warnings`.
 SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 }  // namespace lumi::baker

@@ -2,6 +2,7 @@
 #include "scene/placement.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/number_ranges.h"
 
@@ -71,11 +72,14 @@ void read_scale(JsonMembers& members, Vec3& scale)
 
 }  // namespace
 
-void place(const Placement& placement, Mesh& mesh)
+void place(const Placement& placement, SceneParts& parts)
 {
+    Mesh& mesh = parts.mesh;
     const Vec3& s = placement.scale;
-    for (Vec3& p : mesh.positions)
-        p = turned({p.x * s.x, p.y * s.y, p.z * s.z}, placement.rotation_degrees) + placement.translation;
+    const auto& [x, y, z] = std::exchange(parts.origin, {0, 0, 0});
+    const std::array<double, 3> o = point_of(affine_of(placement), x, y, z);
+    const Vec3 move = {static_cast<float>(o[0]), static_cast<float>(o[1]), static_cast<float>(o[2])};
+    for (Vec3& p : mesh.positions) p = turned({p.x * s.x, p.y * s.y, p.z * s.z}, placement.rotation_degrees) + move;
     for (Vec3& n : mesh.normals) {
         const Vec3 scaled = {n.x / s.x, n.y / s.y, n.z / s.z};
         const float size = length(scaled);

@@ -18,7 +18,8 @@ struct Placement {
 };
 
 // Mirrored triangles turn their winding, so that outsides stay outsides.
-void place(const Placement& placement, Mesh& mesh);
+// Takes the parts' origin back to 0.
+void place(const Placement& placement, SceneParts& parts);
 // The same for points.
 Affine affine_of(const Placement& placement);
 

@@ -183,7 +183,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       up(options.up.value_or(parts.up.value_or(UpAxis::y))),
       mesh([&] {
           const BoundingSphere sphere = sphere_of(parts, options.margin, up);
-          centre = sphere.centre;
+          for (size_t k = 0; k < 3; ++k) centre[k] = sphere.centre[k] + parts.origin[k];
           radius = sphere.radius;
           return moved_into_sphere(std::move(parts.mesh), sphere, up);
       }()),

@@ -77,7 +77,7 @@ private:
         const Placement placement = read_placement(members);
         SceneParts parts = members.find("volume") ? read_iso_object(file_, members) : read_model_object(members);
         members.finish();
-        place(placement, parts.mesh);
+        place(placement, parts);
         append(parts_, std::move(parts));
     }
 

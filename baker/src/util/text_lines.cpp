@@ -113,11 +113,10 @@ std::string read_text(const std::filesystem::path& file)
     return text;
 }
 
-std::vector<Line> split_lines(std::string_view text)
+void for_each_line(std::string_view text, const std::function<void(Line&)>& use)
 {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
-    std::vector<Line> lines;
     uint32_t number = 0;
     while (!text.empty()) {
         const uint32_t first = ++number;
@@ -130,9 +129,16 @@ std::vector<Line> split_lines(std::string_view text)
         const std::string_view content = trimmed(without_comment(joined));
         if (!content.empty()) {
             const size_t end = std::min(content.find_first_of(kBlanks), content.size());
-            lines.push_back({first, std::string(content.substr(0, end)), std::string(trimmed(content.substr(end)))});
+            Line line = {first, std::string(content.substr(0, end)), std::string(trimmed(content.substr(end)))};
+            use(line);
         }
     }
+}
+
+std::vector<Line> split_lines(std::string_view text)
+{
+    std::vector<Line> lines;
+    for_each_line(text, [&](Line& line) { lines.push_back(std::move(line)); });
     return lines;
 }
 

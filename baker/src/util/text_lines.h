@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,8 @@ struct Line {
     std::string argument;  // the rest
 };
 
-// Calls for every line that says something, in order. Accepts LF, CR LF and CR.
+// Calls for every line that says something, in order; `use` may change its line. Accepts LF, CR LF and CR.
+void for_each_line(std::string_view text, const std::function<void(Line&)>& use);
 std::vector<Line> split_lines(std::string_view text);
 
 // The words of a line's argument.

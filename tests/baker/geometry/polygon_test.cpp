@@ -42,6 +42,20 @@ TEST_CASE("polygon: convex, concave and star-shaped ones are cut without overlap
     check_area(star, 10 * 0.4 * std::sin(static_cast<double>(kPi) / 10));
 }
 
+TEST_CASE("polygon: a disc of a million corners, and a large star, are cut at once")
+{
+    for (const bool star : {false, true}) {
+        std::vector<Vec3> around;
+        constexpr int kCorners = 1'000'000;
+        for (int k = 0; k < kCorners; ++k) {
+            const double angle = 2 * static_cast<double>(kPi) * k / kCorners, radius = star && k % 2 ? 0.5 : 1;
+            around.push_back(
+                {static_cast<float>(radius * std::cos(angle)), static_cast<float>(radius * std::sin(angle)), 0});
+        }
+        CHECK(triangulate(around).size() == kCorners - 2);
+    }
+}
+
 TEST_CASE("polygon: a corner on an edge and a repeated corner still leave the whole area")
 {
     check_area({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, 2);

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "geometry/smooth_groups.h"
 #include "math/sampler.h"
 #include "mesh/edge_split.h"
-#include "mesh/smooth_groups.h"
 #include "support/mesh_checks.h"
 
 namespace lumi::baker::testing

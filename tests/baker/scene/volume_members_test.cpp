@@ -5,6 +5,7 @@
 #include "scene/scene_file.h"
 #include "support/nifti_bytes.h"
 #include "support/scratch_folder.h"
+#include "volume/affine.h"
 
 namespace lumi::baker
 {

@@ -81,9 +81,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
 {
     command
         .add_option("SCENE", options.path,
-                    "A scene file (.json); a model (.glb, .gltf, or .obj with its files beside it); or a volume (.nii, "
-                    ".nii.gz, "
-                    ".vdb) with --iso")
+                    "A scene file (.json); a model (.glb, .gltf, .stl, .ply, or .obj with its files beside it); or a "
+                    "volume (.nii, .nii.gz, .vdb) with --iso")
         ->required();
     add_choice<std::optional<baker::UpAxis>>(command, "--up", options.up,
                                              {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}}, "y|z",

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/polygon.h"
+#include "model/positions.h"
 #include "model/vertex_colours.h"
 
 namespace lumi::baker
@@ -12,7 +13,6 @@ namespace lumi::baker
 namespace
 {
 
-constexpr double kMaxCoordinate = 1e15;  // as of OBJ files
 constexpr size_t kMaxTriangles = 100'000'000;
 constexpr Mesh::OptionalCorners kNone = {kNoIndex, kNoIndex, kNoIndex};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/smooth_groups.h"
+#include "geometry/smooth_groups.h"
 
 #include <catch2/catch.hpp>
 

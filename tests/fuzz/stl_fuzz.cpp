@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Fuzz target: a STL file from a stranger.
+#include "fuzz_folder.h"
+#include "model/stl/reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+{
+    static const lumi::fuzz::FuzzFolder folder;
+    std::vector<std::string> warnings;
+    try {
+        lumi::baker::read_stl(folder.write("m.stl", std::string(reinterpret_cast<const char*>(data), size)), warnings);
+    } catch (const lumi::baker::SceneError&) {
+    }
+    return 0;
+}
