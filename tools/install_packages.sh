@@ -14,6 +14,7 @@ build_packages=(
   libtinyobjloader-dev             # OBJ and MTL
   libtinygltf-dev                  # glTF and GLB
   libpng-dev libturbojpeg0-dev     # PNG and JPEG
+  libwebp-dev                      # turning pictures
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # meshes of few triangles
   libnifti2-dev zlib1g-dev         # volumes

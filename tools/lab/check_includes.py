@@ -132,6 +132,7 @@ THIRD_PARTIES = {
     "tiny_gltf.h": "baker/src/model/gltf/file.cpp",
     "png.h": "baker/src/image/png_file.cpp",
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
+    "webp/": "tools/src/image/webp.cpp",
     "Imf": "baker/src/image/exr_file.cpp",
     "meshoptimizer.h": "baker/src/mesh/simplify.cpp",
     "nifti": "baker/src/volume/nifti_header.cpp",

@@ -47,6 +47,34 @@ TEST_CASE("one view is written to the output itself")
     CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("a turntable in one file holds a frame for each view, and turns in four seconds")
+{
+    const test::TemporaryFolder folder;
+    uint8_t grey = 0;
+    const Drawer drawer = [&grey](const Eye& eye, const Rgb8&) {
+        grey = static_cast<uint8_t>(grey + 60);  // frames that look alike become one
+        return Picture(eye.image.width_px, eye.image.height_px, {grey, grey, grey});
+    };
+    ViewOptions options = small_views();
+    CHECK_THROWS_AS(write_views(options, folder / "a.webp", drawer), UsageError);
+    options.turntable = 4;
+    CHECK(write_views(options, folder / "a.webp", drawer) == std::vector<std::string>{folder / "a.webp"});
+    CHECK(folder.entries() == 1);
+    const std::string bytes = test::content_of(folder / "a.webp");
+    REQUIRE(bytes.substr(0, 4) == "RIFF");
+    size_t frames = 0;
+    for (size_t at = bytes.find("ANMF"); at != std::string::npos; at = bytes.find("ANMF", at + 1)) {
+        constexpr size_t kDurationAt = 8 + 12;  // behind the chunk's head: place and size, then milliseconds in 24 bits
+        const auto byte = [&](size_t k) { return static_cast<unsigned char>(bytes[at + kDurationAt + k]); };
+        CHECK((byte(0) | byte(1) << 8 | byte(2) << 16) == 1000);
+        ++frames;
+    }
+    CHECK(frames == 4);
+    options.width_px = 8192;
+    options.eye_distance = 0.1;  // a pair beside each other: 16384 pixels
+    CHECK_THROWS_WITH(write_views(options, folder / "b.webp", drawer), Catch::Contains("smaller --size"));
+}
+
 TEST_CASE("a turntable writes numbered pictures and a contact sheet")
 {
     const test::TemporaryFolder folder;

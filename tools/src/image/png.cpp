@@ -13,15 +13,20 @@
 namespace lumi::tools
 {
 
+std::string small_ending(const std::string& path)
+{
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending;
+}
+
 std::string wrong_png_name(const std::string& path)
 {
     namespace fs = std::filesystem;
     const fs::path name(path);
-    std::string ending = name.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     std::error_code ignored;
     const fs::file_status status = fs::status(name, ignored);
-    if (ending == ".png" || fs::is_character_file(status) || fs::is_fifo(status)) return "";
+    if (small_ending(path) == ".png" || fs::is_character_file(status) || fs::is_fifo(status)) return "";
     return "pictures are PNG files; name it " + fs::path(name).replace_extension(".png").string() + ", not \"" + path +
            "\"";
 }

@@ -9,6 +9,9 @@
 namespace lumi::tools
 {
 
+// Of "a/b.PNG": ".png".
+std::string small_ending(const std::string& path);
+
 // What is wrong with it as the name of a picture to write; nothing if it ends in ".png", or is a device or a pipe.
 std::string wrong_png_name(const std::string& path);
 
