@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * lumi_lvgl FOLDER
  * A desk clock that a finger turns, under labels and a slider. Writes the screen before and after a drag to
- * FOLDER/frame-0.raw and frame-1.raw, and what tools/lab/devices.sh compares them by: where the object is, its orbit, and
- * where widgets lie over it. */
+ * FOLDER/frame-0.raw and frame-1.raw, and what tools/lab/devices.sh compares them by: where the object is, its orbit,
+ * and where widgets lie over it. */
 #include <stdio.h>
 
 #include "desk_clock.h" /* written by lumi_add_field */

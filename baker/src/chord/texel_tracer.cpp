@@ -43,8 +43,7 @@ Estimate TexelTracer::estimate(const OriginDisc& disc, uint32_t i, uint32_t j) c
     return result;
 }
 
-void encode_texel(TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
-                  uint32_t j)
+void encode_texel(TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row, uint32_t j)
 {
     uint8_t* const at = row + static_cast<size_t>(j) * detail::format::bytes_per_texel(format);
     detail::with_texel(format, [&](auto texel) {

@@ -42,7 +42,6 @@ private:
 };
 
 // Writes texel j of a row. `palette` is only read for palette8.
-void encode_texel(TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row,
-                  uint32_t j);
+void encode_texel(TexelFormat format, const Palette& palette, const Estimate& estimate, uint8_t* row, uint32_t j);
 
 }  // namespace lumi::baker

@@ -45,11 +45,7 @@ int16_t q12(float v)
 }  // namespace
 
 SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const ViewCap& cap)
-    : scene_(scene),
-      shape_(shape),
-      cap_(cap),
-      mesh_(triangles_of(shape.mesh, numbers_), Faces::front),
-      tracer_(scene)
+    : scene_(scene), shape_(shape), cap_(cap), mesh_(triangles_of(shape.mesh, numbers_), Faces::front), tracer_(scene)
 {
 }
 

@@ -9,7 +9,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr size_t kMaxCorners = 255;      // the parser counts a face's corners in 8 bits
+constexpr size_t kMaxCorners = 255;  // the parser counts a face's corners in 8 bits
 
 class ObjPreparation
 {

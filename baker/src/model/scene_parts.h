@@ -29,7 +29,7 @@ struct Disc {
 struct SceneParts {
     Mesh mesh;
     std::array<double, 3> origin = {0, 0, 0};  // what to add to the mesh's positions, and to nothing else
-    std::vector<Material> materials;  // finished
+    std::vector<Material> materials;           // finished
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;
     std::optional<Disc> catcher;  // catches shadows, see catcher.h

@@ -29,8 +29,7 @@ public:
         choose_.set_bounds(layout.centre, layout.radius);
         set_sizes(layout);
         std::vector<TestSection> sections = {layout_section(layout), texels(layout)};
-        if (layout.texel == TexelFormat::palette8 || choose_.once_in(8))
-            sections.push_back(palette_with_miss());
+        if (layout.texel == TexelFormat::palette8 || choose_.once_in(8)) sections.push_back(palette_with_miss());
         return file_of(sections);
     }
 
@@ -48,7 +47,8 @@ private:
     // Lattices of all sizes where something changes, as many of their texels as there is room for.
     void set_sizes(TestLayout& layout)
     {
-        const uint32_t sizes[] = {1, 2, 5, 63, 64, 65, 65535, 65536, 65537, detail::kMaxLatticeSize, 1 + choose_.below(300)};
+        const uint32_t sizes[] = {
+            1, 2, 5, 63, 64, 65, 65535, 65536, 65537, detail::kMaxLatticeSize, 1 + choose_.below(300)};
         layout.origins = choose_.one_of(sizes);
         layout.directions = choose_.one_of(sizes);
         const uint32_t texel_bytes = detail::format::bytes_per_texel(layout.texel);

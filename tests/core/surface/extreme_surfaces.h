@@ -16,7 +16,8 @@ namespace lumi::test
 struct SurfaceLimits {
     uint32_t vertices, patches, texels;
 };
-inline constexpr SurfaceLimits kLargestSurface = {detail::format::kMaxSurfaceVertices, detail::format::kMaxPatches, 1u << 14};
+inline constexpr SurfaceLimits kLargestSurface = {detail::format::kMaxSurfaceVertices, detail::format::kMaxPatches,
+                                                  1u << 14};
 inline constexpr SurfaceLimits kSmallSurface = {12, 10, 4100};
 
 class ExtremeSurfaces
@@ -97,7 +98,8 @@ private:
         s.longest_edge_q6 = choose_.end_or_any(1, 128);
         choose_.set_bounds(s.centre, s.radius);
         // A texel more than any patch may reach, all that any may, or as few as some do.
-        const uint32_t most = detail::format::patch_reach(detail::format::kMaxPatchSide), least = detail::format::patch_reach(1);
+        const uint32_t most = detail::format::patch_reach(detail::format::kMaxPatchSide),
+                       least = detail::format::patch_reach(1);
         s.texels.resize(choose_.below(3) != 0 ? most + choose_.below(2) : choose_.end_or_any(least, limits_.texels));
         const uint8_t fill = choose_.extreme_byte();
         const bool is_even = choose_.once_in(4);
@@ -154,10 +156,11 @@ private:
         const auto corner = [&](uint32_t k) { return is_walk ? (first + k) % vertices : choose_.below(vertices); };
         TestPatch p{first, corner(1), corner(2)};
         if (choose_.below(3) != 0) p.d = corner(3);
-        const uint32_t widest =
-            std::min(detail::format::kMaxPatchSide, (texels - detail::format::patch_reach(0)) / detail::format::kMaxPatchSide);
+        const uint32_t widest = std::min(detail::format::kMaxPatchSide,
+                                         (texels - detail::format::patch_reach(0)) / detail::format::kMaxPatchSide);
         p.columns = has_largest_texture ? widest : choose_.end_or_any(1, widest);
-        p.rows = has_largest_texture ? detail::format::kMaxPatchSide : choose_.end_or_any(1, detail::format::kMaxPatchSide);
+        p.rows =
+            has_largest_texture ? detail::format::kMaxPatchSide : choose_.end_or_any(1, detail::format::kMaxPatchSide);
         p.begin = choose_.end_or_any(0, texels - detail::format::patch_reach(p.columns));
         return p;
     }

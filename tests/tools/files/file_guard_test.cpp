@@ -135,7 +135,8 @@ TEST_CASE("a file guard is asked again at the moment of writing")
 TEST_CASE("every source that opens a file for reading or writing tells the file guard")
 {
     const fs::path root = fs::path(LUMI_TEST_SCENE).parent_path() / "../..";
-    // They carry out what their callers have told: the class of files, and what looks at a command's own earlier output.
+    // They carry out what their callers have told: the class of files, and what looks at a command's own earlier
+    // output.
     const std::set<std::string> told_by_callers = {"posix_file.cpp", "output_names.cpp", "embed_purpose.cpp"};
     const std::vector<std::string> reads = {"std::ifstream", ".open(path)", "Mode::read", "fopen("};
     const std::vector<std::string> writes = {"std::ofstream", "Mode::create", "rename(", "O_CREAT"};

@@ -112,12 +112,9 @@ void append_chord(std::string& text, const Field& field)
 
 nlohmann::ordered_json json_of(const SurfaceField& field)
 {
-    return {{"triangles", triangles_of(field)},
-            {"patches", field.patch_count},
-            {"vertices", field.vertex_count},
-            {"viewed_vertices", field.viewed_count},
-            {"texels", field.texel_bytes},
-            {"neighbours", field.neighbours != nullptr},
+    return {{"triangles", triangles_of(field)},      {"patches", field.patch_count},
+            {"vertices", field.vertex_count},        {"viewed_vertices", field.viewed_count},
+            {"texels", field.texel_bytes},           {"neighbours", field.neighbours != nullptr},
             {"longest_edge", longest_edge_of(field)}};
 }
 

@@ -48,8 +48,10 @@ void add_chord_rows(const tools::FieldFile& file, const Options& options, bench:
         for (const int span : options.spans) {
             if (span == 0 && (mode == "dither" || mode == "voronoi")) continue;
             tools::leave_if_interrupted();
-            Json row = {
-                {"texel", detail::texel_name(file.field().texel_format)}, {"mode", mode}, {"span", span}, {"view", view.name}};
+            Json row = {{"texel", detail::texel_name(file.field().texel_format)},
+                        {"mode", mode},
+                        {"span", span},
+                        {"view", view.name}};
             put_facts(row, bench::chord_facts(judge, file, mode, span, view));
             rows.push_back(row);
         }
