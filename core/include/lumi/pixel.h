@@ -19,7 +19,8 @@ struct PixelRgb565 {
     static void store(uint8_t* p, const Rgb8& c) { store_packed(p, detail::pack_rgb565(c)); }
     static void store_packed(uint8_t* p, uint16_t v) { detail::store_aligned<uint16_t>(p, v); }
     static void store_grey(uint8_t* p, uint8_t v) { detail::store_aligned<uint16_t>(p, detail::kGreyTable.rgb565[v]); }
-    static Rgb8 load(const uint8_t* p) { return detail::unpack_rgb565(detail::load_aligned<uint16_t>(p)); }
+    static uint16_t load_packed(const uint8_t* p) { return detail::load_aligned<uint16_t>(p); }
+    static Rgb8 load(const uint8_t* p) { return detail::unpack_rgb565(load_packed(p)); }
 };
 
 // 16 bits, high byte first: the order in which SPI panels take them.
@@ -28,10 +29,8 @@ struct PixelRgb565Swapped {
     static void store(uint8_t* p, const Rgb8& c) { store_packed(p, detail::pack_rgb565(c)); }
     static void store_packed(uint8_t* p, uint16_t v) { detail::store_aligned<uint16_t>(p, __builtin_bswap16(v)); }
     static void store_grey(uint8_t* p, uint8_t v) { store_packed(p, detail::kGreyTable.rgb565[v]); }
-    static Rgb8 load(const uint8_t* p)
-    {
-        return detail::unpack_rgb565(__builtin_bswap16(detail::load_aligned<uint16_t>(p)));
-    }
+    static uint16_t load_packed(const uint8_t* p) { return __builtin_bswap16(detail::load_aligned<uint16_t>(p)); }
+    static Rgb8 load(const uint8_t* p) { return detail::unpack_rgb565(load_packed(p)); }
 };
 
 // 16 bits, low byte first: red in the low bits, as the Game Boy Advance has it. The top bit is 0.
@@ -93,7 +92,7 @@ struct PixelA8 {
 namespace lumi::detail
 {
 
-// Formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits).
+// Formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits) and load_packed(pointer).
 template <class Pixel>
 inline constexpr bool kPacks565 = false;
 template <>

@@ -24,10 +24,33 @@ struct Reciprocal {
     int32_t leading;  // zeros of v
 };
 
+// A number shifted left until its top bit is set, and how far; v > 0.
+struct Normalized {
+    uint32_t v;
+    int32_t leading;
+};
+inline Normalized normalized(uint32_t v)
+{
+#if defined(__arm__) && !defined(__ARM_FEATURE_CLZ)
+    int32_t leading = 0;  // in line, where the compiler would call a library
+#pragma GCC unroll 5
+    for (int32_t step = 16; step != 0; step >>= 1) {
+        if (v >> (32 - step) != 0) continue;
+        v <<= step;
+        leading += step;
+    }
+#else
+    const int32_t leading = __builtin_clz(v);
+    v <<= leading;
+#endif
+    return {v, leading};
+}
+
 inline Reciprocal reciprocal(uint32_t v)
 {
-    const int32_t leading = __builtin_clz(v);
-    const uint32_t v17 = (v << leading) >> 15;
+    const Normalized n = normalized(v);
+    const int32_t leading = n.leading;
+    const uint32_t v17 = n.v >> 15;
     const uint32_t coarse = coarse_q29(v17);
     const uint32_t rest_q29 = (uint32_t{1} << 29) - v17 * coarse;
     return {(coarse << 3) +

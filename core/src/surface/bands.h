@@ -23,15 +23,16 @@ constexpr uint32_t list_of(uint32_t band, uint32_t nearness)
     return band * kBandLists + nearness;
 }
 
-// Four bits a triangle, after the links: its sides that are outlines.
-inline uint16_t* outline_bits(const SurfaceFrame& frame)
+// A byte a patch, after the links: the sides that are outlines, those of its second triangle in the upper bits.
+inline constexpr uint32_t kSideBits = 4;
+inline uint8_t* outline_sides(const SurfaceFrame& frame)
 {
-    return frame.memory.links + 2 * frame.field.patch_count;
+    return reinterpret_cast<uint8_t*>(frame.memory.links + 2 * frame.field.patch_count);
 }
 
-inline uint32_t outline_sides(const SurfaceFrame& frame, uint32_t triangle)
+inline uint32_t outline_sides_of(const SurfaceFrame& frame, uint32_t triangle)
 {
-    return uint32_t{outline_bits(frame)[triangle >> 2]} >> (4 * (triangle & 3)) & 15u;
+    return uint32_t{outline_sides(frame)[triangle >> 1]} >> (kSideBits * (triangle & 1)) & 15u;
 }
 
 }  // namespace lumi::detail

@@ -9,14 +9,9 @@ namespace lumi::detail
 namespace
 {
 
-// Where an edge crosses the rows, Q16 samples.
-struct Walk {
-    int32_t x_q16, step_q16;
-};
-
 // At a row from the upper end's first on, which is 0 to 63/64 below it. An edge less than a row high crosses one at
 // most.
-LUMI_ALWAYS_INLINE Walk walk_down(const SurfaceVertex& top, const SurfaceVertex& bottom, int32_t row)
+LUMI_ALWAYS_INLINE EdgeWalk walk_down(const SurfaceVertex& top, const SurfaceVertex& bottom, int32_t row)
 {
     const int32_t x = x_q6(top), y = y_q6(top);
     const int32_t first = line_from(y), ahead_q6 = 64 * first + 32 - y;
@@ -55,12 +50,42 @@ LUMI_ALWAYS_INLINE Outline outline_of(const SurfaceVertex* a, const SurfaceVerte
     return {top, right, left, 1};
 }
 
-LUMI_ALWAYS_INLINE void set_edge(Rows& rows, uint32_t edge, const SurfaceVertex& top, const SurfaceVertex& bottom,
-                                 int32_t row, const Target& target)
+// From the target's first column on, where it is asked for the first sample at a crossing or to its right.
+LUMI_ALWAYS_INLINE EdgeWalk edge_walk(const SurfaceVertex& top, const SurfaceVertex& bottom, int32_t row,
+                                      const Target& target)
 {
-    const Walk w = walk_down(top, bottom, row);
-    rows.edge_q16[edge] = w.x_q16 + kCentreBias - target.x * 65536;
+    const EdgeWalk w = walk_down(top, bottom, row);
+    return {w.x_q16 + kCentreBias - target.x * 65536, w.step_q16};
+}
+
+LUMI_ALWAYS_INLINE void set_edge(Rows& rows, uint32_t edge, const EdgeWalk& w)
+{
+    rows.edge_q16[edge] = w.x_q16;
     rows.edge_step_q16[edge] = w.step_q16;
+}
+
+// The rows of a box, of which the first may lie below the bend.
+LUMI_ALWAYS_INLINE void set_edges(Rows& rows, const Outline& o, const Box& box, const Target& target)
+{
+    const int32_t row = box.first_row, bend = line_from(y_q6(*o.bend));
+    set_edge(rows, o.short_edge ^ 1, edge_walk(*o.top, *o.bottom, row, target));
+    rows.count = box.end_row - row;
+    rows.count_below = 0;
+    if (row < bend) {
+        end_part();
+        set_edge(rows, o.short_edge, edge_walk(*o.top, *o.bend, row, target));
+        if (bend >= box.end_row) return;
+        rows.count = bend - row;
+        rows.count_below = box.end_row - bend;
+    }
+    end_part();
+    const EdgeWalk below = edge_walk(*o.bend, *o.bottom, row < bend ? bend : row, target);
+    if (row < bend) {
+        rows.bent_edge = o.short_edge;
+        rows.below = below;
+    } else {
+        set_edge(rows, o.short_edge, below);
+    }
 }
 
 LUMI_ALWAYS_INLINE void set_planes(Rows& rows, const PlaneMaker& maker)
@@ -113,31 +138,9 @@ LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], co
         target.magnified_q10 >= 0 && is_magnified(rows.place_right, rows.place_down, target.magnified_q10);
     if (target.has_two_taps && !piece.is_magnified) rows.place -= kQuarter;
     piece.is_cut = box.is_cut;
-    piece.bend = o.bend;
-    piece.bottom = o.bottom;
-    piece.short_edge = o.short_edge;
-    piece.end_row = box.end_row;
-    const int32_t row = box.first_row, bend = line_from(y_q6(*o.bend));
     end_part();
-    set_edge(rows, o.short_edge ^ 1, *o.top, *o.bottom, row, target);
-    piece.row = row;
-    if (row >= bend) {
-        end_triangle(piece, target);
-        return true;
-    }
-    end_part();
-    set_edge(rows, o.short_edge, *o.top, *o.bend, row, target);
-    piece.row = bend < box.end_row ? bend : box.end_row;
-    piece.count = piece.row - row;
-    if (piece.row == box.end_row) piece.bend = nullptr;
+    set_edges(rows, o, box, target);
     return true;
-}
-
-LUMI_HOT void end_triangle(TrianglePiece& piece, const Target& target)
-{
-    set_edge(piece.rows, piece.short_edge, *piece.bend, *piece.bottom, piece.row, target);
-    piece.count = piece.end_row - piece.row;
-    piece.bend = nullptr;
 }
 
 }  // namespace lumi::detail

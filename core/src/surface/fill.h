@@ -27,7 +27,5 @@ struct Box;
 // false: it lies another way. `box` is the one around it, not empty.
 LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const Box& box, const Texture& texture,
                              const Target& target);
-// Goes on to what is left of it.
-LUMI_HOT void end_triangle(TrianglePiece& piece, const Target& target);
 
 }  // namespace lumi::detail

@@ -60,13 +60,22 @@ void put(SurfaceFrame& frame, uint32_t list, uint32_t triangle, int32_t reach)
     first = static_cast<uint16_t>(triangle);
 }
 
+// A triangle as long as this may be too large for a list, or curved. Of packed numbers.
+int32_t long_from(const SurfaceFrame& frame)
+{
+    const int32_t straight_px = frame.projection.straight_px, small_px = kSmallQ6 >> (6 + frame.samples_log2);
+    const int32_t length_px = straight_px < small_px ? straight_px : small_px;
+    return length_px << (14 + frame.samples_log2);
+}
+
 class Lister
 {
 public:
     explicit Lister(SurfaceFrame& frame)
         : frame_(frame),
           scanlines_(frame.height_px << frame.samples_log2),
-          right_q6_(frame.width_px << (frame.samples_log2 + 6)),
+          right_(frame.width_px << (frame.samples_log2 + 14)),
+          long_from_(long_from(frame)),
           band_log2_(frame.samples_log2 + frame.memory.band_log2)
     {
     }
@@ -75,54 +84,66 @@ public:
     LUMI_ALWAYS_INLINE void add(uint32_t patch, const uint32_t (&corner)[4])
     {
         const SurfaceVertex* v = frame_.memory.vertices;
-        const SurfaceVertex &b = v[corner[1]], &c = v[corner[2]];
+        uint16_t* const links = frame_.memory.links + 2 * patch;
+        const SurfaceVertex &a = v[corner[0]], &b = v[corner[1]], &c = v[corner[2]];
         const int32_t x = x_q6(b), y = y_q6(b), across = x_q6(c) - x, down = y_q6(c) - y;
         const auto area_with = [&](const SurfaceVertex& other) {
             const int32_t right = x_q6(other) - x, below = y_q6(other) - y;
             return frame_.is_narrow ? across * below - right * down : wide_sign(across, below, right, down);
         };
-        add(2 * patch, area_with(v[corner[0]]), {&v[corner[0]], &b, &c});
-        if (corner[3] != format::kNoVertex)
-            add(2 * patch + 1, -area_with(v[corner[3]]), {&v[corner[3]], &c, &b});
-        else
-            frame_.memory.links[2 * patch + 1] = kTurnedAway;
+        links[0] = links[1] = kTurnedAway;
+        if (area_with(a) < 0 || is_cut(a, b, c)) list_triangle(2 * patch, &a, &b, &c);
+        if (corner[3] == format::kNoVertex) return;
+        const SurfaceVertex& d = v[corner[3]];
+        if (area_with(d) > 0 || is_cut(d, c, b)) list_triangle(2 * patch + 1, &d, &c, &b);
     }
 
 private:
-    LUMI_ALWAYS_INLINE void add(uint32_t triangle, int32_t area, const Seen& s)
+    LUMI_ALWAYS_INLINE bool is_cut(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) const
     {
-        if (!frame_.is_whole && !s.are_there())
+        return !frame_.is_whole && !Seen{&a, &b, &c}.are_there();
+    }
+
+    // One that faces the eye, or is cut.
+    __attribute__((noinline)) void list_triangle(uint32_t triangle, const SurfaceVertex* a, const SurfaceVertex* b,
+                                                 const SurfaceVertex* c)
+    {
+        if (is_cut(*a, *b, *c)) {
             put(frame_, frame_.other_list, triangle, 0);
-        else if (area >= 0)
-            return void(frame_.memory.links[triangle] = kTurnedAway);
-        else if (!list(triangle, s))
-            return void(frame_.memory.links[triangle] = kWithoutSamples);
-        light(frame_, s.a);
-        light(frame_, s.b);
-        light(frame_, s.c);
+        } else if (!list(triangle, {a, b, c})) {
+            frame_.memory.links[triangle] = kWithoutSamples;
+            return;
+        }
+        light(frame_, a);
+        light(frame_, b);
+        light(frame_, c);
     }
 
     // False if it lies beside the image or between the scanlines.
-    __attribute__((noinline)) bool list(uint32_t triangle, const Seen& s)
+    LUMI_ALWAYS_INLINE bool list(uint32_t triangle, const Seen& s)
     {
-        const int32_t upper_q6 = s.upper_q6(), lower_q6 = s.lower_q6(), left_q6 = s.left_q6(), right_q6 = s.right_q6();
-        const int32_t first = line_from(upper_q6), last = line_from(lower_q6);
+        const int32_t upper = s.upper(), lower = s.lower();
+        const int32_t first = line_from_packed(upper), last = line_from_packed(lower);
         const int32_t begin = first > 0 ? first : 0, end = last < scanlines_ ? last : scanlines_;
-        if (begin >= end || right_q6 < 0 || left_q6 > right_q6_) return false;
-        const bool is_small = lower_q6 - upper_q6 < kSmallQ6 && right_q6 - left_q6 < kSmallQ6;
+        if (begin >= end) return false;
+        const int32_t left = s.left(), right = s.right();
+        if (right < 0 || left > right_) return false;
         const uint32_t band = static_cast<uint32_t>(begin + frame_.margin) >> band_log2_;
         const uint32_t last_band = static_cast<uint32_t>(end - 1 + frame_.margin) >> band_log2_;
         const int32_t reach = static_cast<int32_t>(last_band - band);
-        const bool is_listed = is_small && reach < kBandReach &&
-                               (frame_.projection.curved_from == UINT32_MAX || !has_curved_edge(frame_, s));
+        const bool is_short = lower - upper < long_from_ && right - left < long_from_;
+        if (reach >= kBandReach || !(is_short || is_small(frame_, s))) {
+            put(frame_, frame_.other_list, triangle, 0);
+            return true;
+        }
         const uint32_t nearness = static_cast<uint32_t>(s.a->y & 0xFF) * kBandLists >> 8;
-        if (is_listed && reach > frame_.reach) frame_.reach = reach;
-        put(frame_, is_listed ? list_of(band, nearness) : frame_.other_list, triangle, is_listed ? reach : 0);
+        if (reach > frame_.reach) frame_.reach = reach;
+        put(frame_, list_of(band, nearness), triangle, reach);
         return true;
     }
 
     SurfaceFrame& frame_;
-    const int32_t scanlines_, right_q6_;
+    const int32_t scanlines_, right_, long_from_;
     const uint32_t band_log2_;
 };
 
@@ -166,10 +187,31 @@ void put_vertices(SurfaceFrame& frame)
 void put_triangles(SurfaceFrame& frame)
 {
     Lister lister(frame);
-    for (uint32_t k = 0; k < frame.field.patch_count; ++k) {
-        const SurfacePatch patch = surface_patch(frame.field, k);
-        lister.add(k, patch.corner);
-    }
+    for (uint32_t k = 0; k < frame.field.patch_count; ++k) lister.add(k, surface_patch(frame.field, k).corner);
+}
+
+// Whether a patch's nth side is an outline: nothing that faces the eye lies across.
+LUMI_ALWAYS_INLINE uint32_t is_outline(const SurfaceFrame& frame, const uint8_t* neighbours, uint32_t n)
+{
+    const uint32_t across = static_cast<uint32_t>(neighbours[2 * n] | neighbours[2 * n + 1] << 8);
+    return across == format::kNoNeighbour || frame.memory.links[across] == kTurnedAway ? 1 : 0;
+}
+
+// Bits of the sides of a patch's first triangle that are outlines, numbered as in sides.h; `other`: the second's link.
+LUMI_ALWAYS_INLINE uint32_t first_outlines(const SurfaceFrame& frame, uint32_t patch, const uint8_t* neighbours,
+                                           uint32_t other)
+{
+    const uint32_t sides = is_outline(frame, neighbours, 0) | is_outline(frame, neighbours, 1) << 1;
+    if (other != kTurnedAway) return sides;
+    const bool is_alone = surface_patch(frame.field, patch).corner[3] == format::kNoVertex;
+    return sides | (is_alone ? is_outline(frame, neighbours, 2) : 1) << 2;
+}
+
+// The same of the second; `other`: the first's link.
+LUMI_ALWAYS_INLINE uint32_t second_outlines(const SurfaceFrame& frame, const uint8_t* neighbours, uint32_t other)
+{
+    return is_outline(frame, neighbours, 2) | is_outline(frame, neighbours, 3) << 1 |
+           (other == kTurnedAway ? 1u : 0u) << 2;
 }
 
 }  // namespace
@@ -195,15 +237,16 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
 
 void put_outlines(SurfaceFrame& frame)
 {
-    uint16_t* const bits = outline_bits(frame);
-    for (uint32_t triangle = 0; triangle < 2 * frame.field.patch_count; ++triangle) {
-        if ((triangle & 3) == 0) bits[triangle >> 2] = 0;
-        if (frame.memory.links[triangle] >= kWithoutSamples) continue;
-        const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
-        uint32_t sides = 0;
-        for (uint32_t k = 0; k < 3; ++k)
-            if (is_outline(frame, side_of(frame.field, patch, triangle, k))) sides |= 1u << k;
-        bits[triangle >> 2] = static_cast<uint16_t>(bits[triangle >> 2] | sides << (4 * (triangle & 3)));
+    const uint16_t* link = frame.memory.links;
+    const uint8_t* neighbour = frame.field.neighbours;
+    uint8_t* const sides = outline_sides(frame);
+    for (uint32_t patch = 0; patch < frame.field.patch_count; ++patch) {
+        uint32_t bits = 0;
+        if (link[0] < kWithoutSamples) bits = first_outlines(frame, patch, neighbour, link[1]);
+        if (link[1] < kWithoutSamples) bits |= second_outlines(frame, neighbour, link[0]) << kSideBits;
+        sides[patch] = static_cast<uint8_t>(bits);
+        link += 2;
+        neighbour += format::kNeighbourBytes;
     }
 }
 

@@ -26,7 +26,7 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Tar
     if (!reaches(v[patch.corner[3 * odd]], v[patch.corner[1]], v[patch.corner[2]], target)) return;
     for (uint32_t m = 0; sides != 0; ++m, sides >>= 1) {
         if ((sides & 1) == 0) continue;
-        const Side side = side_of(frame.field, patch, k, m);
+        const Side side = side_of(patch, k, m);
         if (is_there(v[side.from]) && is_there(v[side.to])) mark_edge(v[side.from], v[side.to], target);
     }
 }
@@ -36,7 +36,7 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Tar
 LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target)
 {
     const auto mark = [&](uint32_t triangle) {
-        if (const uint32_t sides = outline_sides(frame, triangle); sides != 0)
+        if (const uint32_t sides = outline_sides_of(frame, triangle); sides != 0)
             mark_sides(frame, triangle, sides, target);
     };
     ListWalk walk = walk_of(frame, target);

@@ -10,15 +10,10 @@ namespace lumi::detail
 TrianglePieces::TrianglePieces(const SurfaceFrame& frame, const Target& target)
     : frame_(frame), target_(target), walk_(walk_of(frame, target)), other_(frame.memory.bands[frame.other_list])
 {
-    piece.bend = nullptr;
 }
 
 LUMI_HOT bool TrianglePieces::next()
 {
-    if (piece.bend != nullptr) {
-        end_triangle(piece, target_);
-        return true;
-    }
     for (uint32_t triangle = 0; next_listed(walk_, frame_, triangle);)
         if (begin_whole(piece, frame_, triangle, target_)) return true;
     return next_part();

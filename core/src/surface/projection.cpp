@@ -105,20 +105,14 @@ void set_depth_factor(SurfaceProjection& p)
     p.depth_offset = static_cast<uint32_t>(offset_q16 >> 16);
 }
 
-// The depth from which on no edge of the mesh can be curved: an edge e long at depth z is at most focal·e/z pixels long
-// and lies at most e/4z of that off, together a pixel where z = e·√focal/2.
-void set_curved_from(SurfaceProjection& p, const SurfaceCamera& camera, uint32_t longest_edge_q6)
+// How long an edge is at least that is_curved finds curved. An edge e long rises by at most e/2z of the sum of its
+// ends' depths, and by as much as these are rounded.
+void set_straight_length(SurfaceProjection& p, uint32_t longest_edge_q6)
 {
-    const int64_t root_q6 = square_root(camera.focal_q12);
-    const int64_t z = shifted(longest_edge_q6 * root_q6, p.depth_bits - 13);
-    if (z <= p.near_z) {
-        p.curved_from = UINT32_MAX;
-    } else if (z >= p.far_z) {
-        p.curved_from = 0;
-    } else {
-        p.curved_from = kFarDepth + static_cast<uint32_t>(p.depth_offset * static_cast<uint64_t>(p.far_z - z) /
-                                                          static_cast<uint64_t>(z));
-    }
+    constexpr int64_t kMost = 1 << 14;
+    const int64_t edge = shifted(longest_edge_q6, p.depth_bits - 6), near = p.near_z, offset = p.depth_offset;
+    const int64_t length_px = 4 * near * offset / (edge * offset + 4 * near);
+    p.straight_px = static_cast<int32_t>(length_px < kMost ? length_px : kMost);
 }
 
 void set_viewer(SurfaceProjection& p, const Vec3q20& eye)
@@ -149,7 +143,7 @@ bool set_projection(const SurfaceCamera& camera, SurfaceFrame& out)
     if (!set_depth_range(p)) return false;
     set_places(p, camera, out.samples_log2);
     set_depth_factor(p);
-    set_curved_from(p, camera, out.field.longest_edge_q6);
+    set_straight_length(p, out.field.longest_edge_q6);
     set_viewer(p, camera.position);
     return true;
 }

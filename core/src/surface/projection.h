@@ -87,6 +87,11 @@ LUMI_ALWAYS_INLINE int32_t line_from(int32_t y_q6)
     return (y_q6 + 31) >> 6;
 }
 
+LUMI_ALWAYS_INLINE int32_t line_from_packed(int32_t y)
+{
+    return (y + (31 << 8)) >> 14;
+}
+
 // Whether depths differ so much along an edge that texture, affine in the image, would lie more than a pixel off.
 bool is_curved(const SurfaceFrame& frame, const SamplePoint& a, const SamplePoint& b);
 

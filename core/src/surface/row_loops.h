@@ -94,8 +94,9 @@ struct Sample565 {
 // stored, `Colour` and stored().
 template <class Sample, Filter kFilter>
 LUMI_ALWAYS_INLINE void draw_samples(uint16_t* depth_at, const uint16_t* end, typename Sample::Colour* colour_at,
-                                     uint32_t depth, uint32_t place, PackedColour colour, const Rows& rows)
+                                     uint32_t depth, uint32_t place, PackedColour colour, const Rows& state)
 {
+    const Rows rows = state;  // none of it changes when a colour is stored
     do {
         if (depth >> 16 > *depth_at) {
             *depth_at = static_cast<uint16_t>(depth >> 16);
@@ -111,10 +112,9 @@ LUMI_ALWAYS_INLINE void draw_samples(uint16_t* depth_at, const uint16_t* end, ty
 }
 
 template <class Sample, Filter kFilter, auto kDrawSamples = draw_samples<Sample, kFilter>>
-LUMI_ALWAYS_INLINE void draw_rows(Rows& state, int32_t count)
+LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
 {
-    Rows rows = state;
-    do {
+    while (true) {
         const int32_t first = rows.edge_q16[0] >> 16, last = rows.edge_q16[1] >> 16;
         if (first < last) {
             const uint32_t column = static_cast<uint32_t>(first);
@@ -129,8 +129,13 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& state, int32_t count)
         rows.place += rows.place_down;
         rows.colour += rows.colour_down;
         rows.row += rows.row_bytes;
-    } while (--count != 0);
-    state = rows;
+        if (--rows.count != 0) continue;
+        if (rows.count_below == 0) return;
+        rows.count = rows.count_below;
+        rows.count_below = 0;
+        rows.edge_q16[rows.bent_edge] = rows.below.x_q16;
+        rows.edge_step_q16[rows.bent_edge] = rows.below.step_q16;
+    }
 }
 
 }  // namespace lumi::detail

@@ -20,6 +20,8 @@ static_assert(offsetof(Rows, depth_down) == 40 && offsetof(Rows, colour_down) ==
 static_assert(offsetof(Rows, row) == 52, "ROW");
 static_assert(offsetof(Rows, texels) == 56 && offsetof(Rows, columns) == 60 && offsetof(Rows, palette) == 64, "TEXELS");
 static_assert(offsetof(Rows, row_bytes) == 68 && offsetof(Rows, colours_at) == 72, "ROW_BYTES, COLOURS_AT");
+static_assert(offsetof(Rows, count) == 76 && offsetof(Rows, count_below) == 80, "COUNT, COUNT_BELOW");
+static_assert(offsetof(Rows, bent_edge) == 84 && offsetof(Rows, below) == 88, "BENT_EDGE");
 static_assert(2 * kQuarter == (400u << 16 | 400u), "TAPS_APART");
 static_assert(kGuardBits == 0x80100200, "GUARD_BITS");
 

@@ -6,20 +6,20 @@
 namespace lumi::detail
 {
 
-LUMI_HOT void rows_565_swapped_bilinear(Rows& rows, int32_t count)
+LUMI_HOT void rows_565_swapped_bilinear(Rows& rows)
 {
-    draw_rows<Sample565<PixelRgb565Swapped>, Filter::bilinear>(rows, count);
+    draw_rows<Sample565<PixelRgb565Swapped>, Filter::bilinear>(rows);
 }
 
 #ifndef LUMI_ROW_LOOPS_IN_ASSEMBLY
-LUMI_HOT void lumi_rows_565_swapped_nearest(Rows& rows, int32_t count)
+LUMI_HOT void lumi_rows_565_swapped_nearest(Rows& rows)
 {
-    draw_rows<Sample565<PixelRgb565Swapped>, Filter::nearest>(rows, count);
+    draw_rows<Sample565<PixelRgb565Swapped>, Filter::nearest>(rows);
 }
 
-LUMI_HOT void lumi_rows_565_swapped_two_taps(Rows& rows, int32_t count)
+LUMI_HOT void lumi_rows_565_swapped_two_taps(Rows& rows)
 {
-    draw_rows<Sample565<PixelRgb565Swapped>, Filter::two_taps>(rows, count);
+    draw_rows<Sample565<PixelRgb565Swapped>, Filter::two_taps>(rows);
 }
 #endif
 

@@ -14,19 +14,19 @@ struct PackedSample {
 
 }  // namespace
 
-LUMI_HOT void rows_packed_nearest(Rows& rows, int32_t count)
+LUMI_HOT void rows_packed_nearest(Rows& rows)
 {
-    draw_rows<PackedSample, Filter::nearest>(rows, count);
+    draw_rows<PackedSample, Filter::nearest>(rows);
 }
 
-LUMI_HOT void rows_packed_two_taps(Rows& rows, int32_t count)
+LUMI_HOT void rows_packed_two_taps(Rows& rows)
 {
-    draw_rows<PackedSample, Filter::two_taps>(rows, count);
+    draw_rows<PackedSample, Filter::two_taps>(rows);
 }
 
-LUMI_HOT void rows_packed_bilinear(Rows& rows, int32_t count)
+LUMI_HOT void rows_packed_bilinear(Rows& rows)
 {
-    draw_rows<PackedSample, Filter::bilinear>(rows, count);
+    draw_rows<PackedSample, Filter::bilinear>(rows);
 }
 
 }  // namespace lumi::detail

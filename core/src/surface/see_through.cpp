@@ -39,15 +39,8 @@ bool faces_eye(const Seen& s)
 
 bool is_beside(const SurfaceFrame& frame, const Seen& s)
 {
-    const uint32_t shift = frame.samples_log2 + 6;
-    return s.lower_q6() < 0 || s.right_q6() < 0 || s.upper_q6() > frame.height_px << shift ||
-           s.left_q6() > frame.width_px << shift;
-}
-
-bool is_whole(const SurfaceFrame& frame, const Seen& s)
-{
-    return s.lower_q6() - s.upper_q6() < kSmallQ6 && s.right_q6() - s.left_q6() < kSmallQ6 &&
-           (frame.projection.curved_from == UINT32_MAX || !has_curved_edge(frame, s));
+    const uint32_t shift = frame.samples_log2 + 14;
+    return s.lower() < 0 || s.right() < 0 || s.upper() > frame.height_px << shift || s.left() > frame.width_px << shift;
 }
 
 // A heap sort: no memory, and no order of triangles that takes much longer than others.
@@ -101,7 +94,7 @@ uint32_t entry_of(const SurfaceFrame& frame, uint32_t triangle)
     light(frame, s.a);
     light(frame, s.b);
     light(frame, s.c);
-    return is_there && is_whole(frame, s) ? triangle : triangle | kInParts;
+    return is_there && is_small(frame, s) ? triangle : triangle | kInParts;
 }
 
 }  // namespace
@@ -121,10 +114,6 @@ void put_see_through(uint32_t patches, uint16_t* order, SeeThroughFrame& frame)
 
 LUMI_HOT bool SeeThroughPieces::next()
 {
-    if (piece.bend != nullptr) {
-        end_triangle(piece, target_);
-        return true;
-    }
     while (true) {
         if (parts_.count != 0 && begin_part(piece, frame_, parts_, target_)) return true;
         if (at_ == frame_.order_count) return false;

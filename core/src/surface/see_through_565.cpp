@@ -5,19 +5,19 @@
 namespace lumi::detail
 {
 
-LUMI_HOT void blend_565_nearest(Rows& rows, int32_t count)
+LUMI_HOT void blend_565_nearest(Rows& rows)
 {
-    blend_rows<Blended565<PixelRgb565, false>, Filter::nearest>(rows, count);
+    blend_rows<Blended565<PixelRgb565, false>, Filter::nearest>(rows);
 }
 
-LUMI_HOT void blend_565_two_taps(Rows& rows, int32_t count)
+LUMI_HOT void blend_565_two_taps(Rows& rows)
 {
-    blend_rows<Blended565<PixelRgb565, false>, Filter::two_taps>(rows, count);
+    blend_rows<Blended565<PixelRgb565, false>, Filter::two_taps>(rows);
 }
 
-LUMI_HOT void blend_565_bilinear(Rows& rows, int32_t count)
+LUMI_HOT void blend_565_bilinear(Rows& rows)
 {
-    blend_rows<Blended565<PixelRgb565, false>, Filter::bilinear>(rows, count);
+    blend_rows<Blended565<PixelRgb565, false>, Filter::bilinear>(rows);
 }
 
 }  // namespace lumi::detail

@@ -5,19 +5,19 @@
 namespace lumi::detail
 {
 
-LUMI_HOT void blend_565_swapped_nearest(Rows& rows, int32_t count)
+LUMI_HOT void blend_565_swapped_nearest(Rows& rows)
 {
-    blend_rows<Blended565<PixelRgb565Swapped, true>, Filter::nearest>(rows, count);
+    blend_rows<Blended565<PixelRgb565Swapped, true>, Filter::nearest>(rows);
 }
 
-LUMI_HOT void blend_565_swapped_two_taps(Rows& rows, int32_t count)
+LUMI_HOT void blend_565_swapped_two_taps(Rows& rows)
 {
-    blend_rows<Blended565<PixelRgb565Swapped, true>, Filter::two_taps>(rows, count);
+    blend_rows<Blended565<PixelRgb565Swapped, true>, Filter::two_taps>(rows);
 }
 
-LUMI_HOT void blend_565_swapped_bilinear(Rows& rows, int32_t count)
+LUMI_HOT void blend_565_swapped_bilinear(Rows& rows)
 {
-    blend_rows<Blended565<PixelRgb565Swapped, true>, Filter::bilinear>(rows, count);
+    blend_rows<Blended565<PixelRgb565Swapped, true>, Filter::bilinear>(rows);
 }
 
 }  // namespace lumi::detail

@@ -5,19 +5,19 @@
 namespace lumi::detail
 {
 
-LUMI_HOT void blend_packed_nearest(Rows& rows, int32_t count)
+LUMI_HOT void blend_packed_nearest(Rows& rows)
 {
-    blend_rows<BlendedPacked, Filter::nearest>(rows, count);
+    blend_rows<BlendedPacked, Filter::nearest>(rows);
 }
 
-LUMI_HOT void blend_packed_two_taps(Rows& rows, int32_t count)
+LUMI_HOT void blend_packed_two_taps(Rows& rows)
 {
-    blend_rows<BlendedPacked, Filter::two_taps>(rows, count);
+    blend_rows<BlendedPacked, Filter::two_taps>(rows);
 }
 
-LUMI_HOT void blend_packed_bilinear(Rows& rows, int32_t count)
+LUMI_HOT void blend_packed_bilinear(Rows& rows)
 {
-    blend_rows<BlendedPacked, Filter::bilinear>(rows, count);
+    blend_rows<BlendedPacked, Filter::bilinear>(rows);
 }
 
 }  // namespace lumi::detail

@@ -43,16 +43,16 @@ struct Blended565 : Sample565<Pixel> {
     // In the middle of the levels that become this pixel.
     static PackedColour loaded(uint16_t pixel)
     {
-        constexpr uint32_t kFields = 0x07E0F81F;  // packed_565()
-        const uint32_t v = kIsSwapped ? __builtin_bswap16(pixel) : pixel;
-        return (((v | v << 16) & kFields) << 4) + palette_colour<Pixel>({0, 0, 0});
+        const uint16_t v = kIsSwapped ? __builtin_bswap16(pixel) : pixel;
+        return (apart(v).word << 4) + palette_colour<Pixel>({0, 0, 0});
     }
 };
 
 template <class Sample, Filter kFilter>
 LUMI_ALWAYS_INLINE void blend_samples(uint16_t* depth_at, const uint16_t* end, typename Sample::Colour* colour_at,
-                                      uint32_t depth, uint32_t place, PackedColour colour, const Rows& rows)
+                                      uint32_t depth, uint32_t place, PackedColour colour, const Rows& state)
 {
+    const Rows rows = state;  // none of it changes when a colour is stored
     Rows of_passed = rows;
     of_passed.palette += format::kPaletteEntries;
     do {
@@ -72,9 +72,9 @@ LUMI_ALWAYS_INLINE void blend_samples(uint16_t* depth_at, const uint16_t* end, t
 }
 
 template <class Sample, Filter kFilter>
-LUMI_ALWAYS_INLINE void blend_rows(Rows& rows, int32_t count)
+LUMI_ALWAYS_INLINE void blend_rows(Rows& rows)
 {
-    draw_rows<Sample, kFilter, blend_samples<Sample, kFilter>>(rows, count);
+    draw_rows<Sample, kFilter, blend_samples<Sample, kFilter>>(rows);
 }
 
 }  // namespace lumi::detail

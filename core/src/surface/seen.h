@@ -25,10 +25,10 @@ struct Seen {
     const SurfaceVertex *a, *b, *c;
 
     bool are_there() const { return is_there(*a) && is_there(*b) && is_there(*c); }
-    int32_t upper_q6() const { return least_of(a->y, b->y, c->y) >> 8; }
-    int32_t lower_q6() const { return most_of(a->y, b->y, c->y) >> 8; }
-    int32_t left_q6() const { return least_of(a->x, b->x, c->x) >> 8; }
-    int32_t right_q6() const { return most_of(a->x, b->x, c->x) >> 8; }
+    int32_t upper() const { return least_of(a->y, b->y, c->y); }
+    int32_t lower() const { return most_of(a->y, b->y, c->y); }
+    int32_t left() const { return least_of(a->x, b->x, c->x); }
+    int32_t right() const { return most_of(a->x, b->x, c->x); }
 };
 
 // Twice an area's sign, as that of doubled_area (planes.h), where 32 bits do not hold it.
@@ -38,12 +38,13 @@ __attribute__((noinline)) inline int32_t wide_sign(int32_t ax, int32_t by, int32
     return area < 0 ? -1 : area > 0 ? 1 : 0;
 }
 
-inline bool has_curved_edge(const SurfaceFrame& frame, const Seen& s)
+// Whether a triangle can be drawn as a whole.
+inline bool is_small(const SurfaceFrame& frame, const Seen& s)
 {
+    constexpr int32_t kSmall = (kSmallQ6 - 1) << 8;
+    if (s.lower() - s.upper() >= kSmall || s.right() - s.left() >= kSmall) return false;
     const SamplePoint a = unpacked(*s.a), b = unpacked(*s.b), c = unpacked(*s.c);
-    const uint32_t from = frame.projection.curved_from;
-    if (a.depth < from && b.depth < from && c.depth < from) return false;
-    return is_curved(frame, a, b) || is_curved(frame, b, c) || is_curved(frame, c, a);
+    return !is_curved(frame, a, b) && !is_curved(frame, b, c) && !is_curved(frame, c, a);
 }
 
 }  // namespace lumi::detail

@@ -42,11 +42,13 @@ DrawnPart drawn_part(const SurfaceFrame& frame, const Stripe& stripe)
                       within(stripe.right_px(), frame.columns),
                       within(stripe.y_px, frame.scanlines),
                       within(stripe.bottom_px(), frame.scanlines),
-                      {}};
+                      {},
+                      false};
     const int32_t x = within(part.left_px - frame.margin, frame.columns);
     const int32_t y = within(part.top_px - frame.margin, frame.scanlines);
     part.rect = {x, y, within(part.right_px + frame.margin, frame.columns) - x,
                  within(part.bottom_px + frame.margin, frame.scanlines) - y};
+    part.is_odd = ((x ^ stripe.x_px) & 1) != 0;
     return part;
 }
 
@@ -55,9 +57,8 @@ SampleRows samples_of(const SurfaceFrame& frame, const DrawnPart& part, bool are
     const int32_t width = part.rect.width_px << frame.samples_log2, height = part.rect.height_px << frame.samples_log2;
     const uint32_t row_bytes = sample_row_bytes(static_cast<uint32_t>(width), are_pixels ? 2 : 4);
     uint8_t* const bytes = static_cast<uint8_t*>(memory);
-    const uint32_t ahead = are_pixels ? static_cast<uint32_t>(part.left_px - part.rect.x_px) & 1 : 0;
     uint8_t* const end = bytes + row_bytes * static_cast<uint32_t>(height);
-    return {bytes + ahead * sizeof(uint16_t),
+    return {are_pixels && part.is_odd ? bytes + sizeof(uint16_t) : bytes,
             row_bytes,
             are_pixels ? row_bytes / 2 : row_bytes / 3,
             width,

@@ -179,6 +179,7 @@ ViewTaps view_taps(int32_t x, int32_t y, int32_t z)
         weight[1] = weight_at(kTables.weight[k][0], p);
         weight[2] = weight_at(kTables.weight[k][1], p);
         weight[0] = 256 - weight[1] - weight[2];
+        if ((weight[0] | weight[1] | weight[2]) >= 0) break;
         const uint8_t next = across_lowest(k, weight);
         if (next == kNone || step == kMostSteps) break;
         k = next;
@@ -187,16 +188,14 @@ ViewTaps view_taps(int32_t x, int32_t y, int32_t z)
     for (int m = 0; m < 3; ++m) weight[m] = weight[m] < 0 ? 0 : weight[m];
     const int32_t sum = weight[0] + weight[1] + weight[2];
     if (sum != 256) {
-        weight[1] = weight[1] * 256 / sum;
-        weight[2] = weight[2] * 256 / sum;
+        const Reciprocal r = reciprocal(static_cast<uint32_t>(sum));
+        const auto over_sum = [&](int32_t w) { return (w * static_cast<int32_t>(r.mantissa)) >> (39 - r.leading); };
+        weight[1] = over_sum(weight[1]);
+        weight[2] = over_sum(weight[2]);
         weight[0] = 256 - weight[1] - weight[2];
     }
-    ViewTaps taps = {};
-    for (int m = 0; m < 3; ++m) {
-        taps.node[m] = kCorners[k][m];
-        taps.weight_q8[m] = static_cast<uint16_t>(weight[m]);
-    }
-    return taps;
+    const auto share = [&](int m) { return static_cast<uint16_t>(weight[m]); };
+    return {{kCorners[k][0], kCorners[k][1], kCorners[k][2]}, {share(0), share(1), share(2)}};
 }
 
 }  // namespace lumi::detail

@@ -45,8 +45,8 @@ def licences():
         row["package"], ", ".join(row["objects"]), row["licence"]])
 
 
-def speed_steps():
-    return table(["step", "M4", "M0+"], load("speed")["steps"],
+def speed_steps(steps):
+    return table(["step", "M4", "M0+"], load("speed")[steps],
                  lambda row: [row["step"], decimal(row["m4"]), decimal(row["m0plus"])])
 
 

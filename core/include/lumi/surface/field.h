@@ -54,17 +54,18 @@ struct SurfacePatch {
 };
 
 // The three words of a patch, where a field may lie at any address.
-inline uint32_t patch_word(const uint8_t* p)
-{
-    if ((reinterpret_cast<uintptr_t>(p) & 3) == 0) return load_aligned<uint32_t>(p);
-    return static_cast<uint32_t>(p[0]) | static_cast<uint32_t>(p[1]) << 8 | static_cast<uint32_t>(p[2]) << 16 |
-           static_cast<uint32_t>(p[3]) << 24;
-}
-
 inline SurfacePatch surface_patch(const SurfaceField& field, uint32_t k)
 {
     const uint8_t* p = field.patches + k * format::kPatchBytes;
-    const uint32_t ab = patch_word(p), cd = patch_word(p + 4), place = patch_word(p + format::patch::kTexelsAt);
+    const auto word = [&](const uint8_t* at) {
+        return static_cast<uint32_t>(at[0]) | static_cast<uint32_t>(at[1]) << 8 | static_cast<uint32_t>(at[2]) << 16 |
+               static_cast<uint32_t>(at[3]) << 24;
+    };
+    const bool is_aligned = (reinterpret_cast<uintptr_t>(p) & 3) == 0;
+    const uint32_t ab = is_aligned ? load_aligned<uint32_t>(p) : word(p);
+    const uint32_t cd = is_aligned ? load_aligned<uint32_t>(p + 4) : word(p + 4);
+    const uint8_t* const at = p + format::patch::kTexelsAt;
+    const uint32_t place = is_aligned ? load_aligned<uint32_t>(at) : word(at);
     return {{ab & 0xFFFF, ab >> 16, cd & 0xFFFF, cd >> 16}, place & 0xFFFFF, (place >> 20) & 63, place >> 26};
 }
 

@@ -40,7 +40,7 @@ struct SurfaceProjection {
     uint32_t depth_factor;  // 16 bits
     int32_t depth_shift;
     uint32_t depth_offset;  // a depth's number + this is proportional to 1/z
-    uint32_t curved_from;   // edges that come nearer than this depth may look bent along their texture
+    int32_t straight_px;    // edges up to so long cannot look bent along their texture
     VertexQ14 viewer;       // the eye in the vertices' format, shifted right
     int32_t viewer_shift;
 };
@@ -82,7 +82,7 @@ struct SurfaceMemory {
     SurfaceVertex* vertices;  // one for each vertex of the field
     uint16_t* links;          // surface_links(): of every triangle, then which of its sides are outlines
     uint16_t* bands;          // surface_bands()
-    // Scanlines a band: best those of a stripe, 2^0 .. 2^8. Where several
+    // Scanlines a band, 2^0 .. 2^8: see surface_band_log2. Where several
     // triangles have one depth, the bands decide which one shows.
     uint32_t band_log2;
 };
@@ -97,11 +97,12 @@ constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
     return ((static_cast<uint32_t>(height_px) >> band_log2) + 1) * detail::kBandLists + 1;
 }
 
-// The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher.
+// The band of SurfaceMemory for stripes so many scanlines high: up to half of that, so that few triangles are offered
+// to a stripe that they do not reach.
 constexpr uint32_t surface_band_log2(int32_t stripe_height_px)
 {
     uint32_t log2 = 0;
-    while (log2 < 8 && (2 << log2) <= stripe_height_px) ++log2;
+    while (log2 < 8 && (4 << log2) <= stripe_height_px) ++log2;
     return log2;
 }
 

@@ -11,8 +11,7 @@
         .equ    APART_AT, 8
         .equ    COLOURS, 12
         .equ    COLUMNS, 16
-        .equ    COUNT, 20
-        .equ    STATE, 24
+        .equ    STATE, 20
         .equ    FRAME_BYTES, 28
 
 depth_at        .req    r0
@@ -66,7 +65,6 @@ depth_end       .req    lr
         mov     texels, r4
         mov     palette, r6
         str     r5, [sp, #COLUMNS]
-        str     r1, [sp, #COUNT]
         str     r0, [sp, #STATE]
 .Lrow_\name:
         movs    r7, r0
@@ -145,10 +143,24 @@ depth_end       .req    lr
         stm     r7!, {r4-r6}
         str     r3, [r7, #(ROW - RIGHT)]
         ldr     r0, [sp, #STATE]
-        ldr     r1, [sp, #COUNT]
+        ldr     r1, [r0, #COUNT]
         subs    r1, #1
-        str     r1, [sp, #COUNT]
+        str     r1, [r0, #COUNT]
         bne     .Lrow_\name
+        ldr     r2, [r0, #COUNT_BELOW]
+        cmp     r2, #0
+        beq     .Lend_\name
+        str     r2, [r0, #COUNT]
+        str     r1, [r0, #COUNT_BELOW]
+        adds    r0, #BENT_EDGE
+        ldm     r0!, {r1, r2, r3}
+        ldr     r0, [sp, #STATE]
+        lsls    r1, r1, #2
+        adds    r1, r1, r0
+        str     r2, [r1, #EDGES]
+        str     r3, [r1, #STEPS]
+        b       .Lrow_\name
+.Lend_\name:
         add     sp, #FRAME_BYTES
         pop     {r4-r7}
         mov     r8, r4

@@ -10,9 +10,8 @@
         .equ    GUARD_AT, 0
         .equ    FIELDS_AT, 4
         .equ    COLOURS, 8
-        .equ    COUNT, 12
-        .equ    STATE, 16
-        .equ    FRAME_BYTES, 24
+        .equ    STATE, 12
+        .equ    FRAME_BYTES, 20
 
 depth_at        .req    r0
 depth_end       .req    r1
@@ -44,8 +43,7 @@ palette         .req    r10
         ldr     r4, [r0, #COLOURS_AT]
         strd    r2, r3, [sp, #GUARD_AT]
         subs    r4, #2                  // depth_at is one further when a colour is stored
-        strd    r4, r1, [sp, #COLOURS]
-        str     r0, [sp, #STATE]
+        strd    r4, r0, [sp, #COLOURS]
         add     r1, r0, #RIGHT
         ldm     r1, {depth_right, place_right, colour_right}
         add     r1, r0, #TEXELS
@@ -111,10 +109,19 @@ palette         .req    r10
         stm     r12, {r1, r2, r3}
         add     lr, r4
         str     lr, [r0, #ROW]
-        ldr     r1, [sp, #COUNT]
+        ldrd    r1, r2, [r0, #COUNT]                // and those below
         subs    r1, #1
-        str     r1, [sp, #COUNT]
+        str     r1, [r0, #COUNT]
         bne     .Lrow_\name
+        cbz     r2, .Lend_\name
+        strd    r2, r1, [r0, #COUNT]
+        add     r1, r0, #BENT_EDGE
+        ldm     r1, {r1, r2, r3}
+        add     r1, r0, r1, lsl #2
+        str     r2, [r1, #EDGES]
+        str     r3, [r1, #STEPS]
+        b       .Lrow_\name
+.Lend_\name:
         add     sp, #FRAME_BYTES
         pop     {r4-r11, pc}
 .Lclamp_\name:

@@ -14,7 +14,7 @@ inline constexpr uint32_t kMarkBits = 6, kMostShare = 15;
 // A sample shows a colour of its own from this depth on; from kFarDepth on it is a surface's that hides what is behind.
 inline constexpr uint32_t kShownDepth = 1u << kMarkBits;
 static_assert(kShownDepth <= kFarDepth, "a marked pixel without a surface is still below every depth");
-enum class PixelSide : uint8_t { right, left, below, above };
+enum class PixelSide : uint8_t { right, left, below, above };  // 1: backwards, 2: along a column
 
 constexpr uint32_t mark_bits(uint32_t share, PixelSide other)
 {
@@ -36,23 +36,29 @@ struct Mark {
 
     Mark(const SampleRows& rows, int32_t x, int32_t y) : own(rows.depths(y) + x), other(own), share(0)
     {
-        const int32_t pitch = static_cast<int32_t>(rows.row_bytes / sizeof *own);
-        const int32_t steps[] = {1, -1, pitch, -pitch};
-        other += steps[*own & 3];
-        share = (*own >> 2) & kMostShare;
+        const uint32_t mark = *own;
+        const int32_t step = (mark & 2) != 0 ? static_cast<int32_t>(rows.row_bytes / sizeof *own) : 1;
+        other += (mark & 1) != 0 ? -step : step;
+        share = (mark >> 2) & kMostShare;
     }
     bool has_own() const { return *own >= kShownDepth; }
     bool has_other() const { return *other >= kShownDepth; }
     // Of the pixel, 1/32.
     uint32_t covered() const { return (has_own() ? 32 - share : 0) + (has_other() ? share : 0); }
-
-    Rgb8 mixed(const Rgb8& a, const Rgb8& b) const
-    {
-        const auto channel = [&](uint32_t p, uint32_t q) {
-            return static_cast<uint8_t>((p * (32 - share) + q * share + 16) >> 5);
-        };
-        return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
-    }
 };
+
+// A colour with so much of another, 1/32.
+inline Rgb8 mixed(const Rgb8& a, const Rgb8& b, uint32_t share)
+{
+    const auto channel = [&](uint32_t p, uint32_t q) {
+        return static_cast<uint8_t>((p * (32 - share) + q * share + 16) >> 5);
+    };
+    return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+inline Fields565 mixed(Fields565 a, Fields565 b, uint32_t share)
+{
+    constexpr uint32_t kHalf = 16u << 21 | 16u << 11 | 16u;
+    return {((a.word * (32 - share) + b.word * share + kHalf) >> 5) & kFields565};
+}
 
 }  // namespace lumi::detail

@@ -58,24 +58,46 @@ constexpr Rgb8 unpacked(PackedColour c)
 template <class Pixel>
 constexpr PackedColour palette_colour(const Rgb8& c)
 {
+    // 4v · 248/255 and 4v · 252/255, rounded: a constant divides without a library only 16 bits.
+    const auto over_255 = [](uint32_t v) { return (v * 0x8081) >> 23; };
+    const auto five = [&](uint32_t v) { return 4 * v - over_255(28 * v + 127) + 16; };
     if constexpr (kPacks565<Pixel>) {
-        const auto five = [](uint32_t v) { return (v * 4 * 248 + 127) / 255 + 16; };
-        const auto six = [](uint32_t v) { return (v * 4 * 252 + 127) / 255 + 8; };
+        const auto six = [&](uint32_t v) { return 4 * v - over_255(12 * v + 127) + 8; };
         return packed_colour(five(c.r), six(c.g), five(c.b));
     } else if constexpr (kPacks555<Pixel>) {
-        const auto five = [](uint32_t v) { return (v * 4 * 248 + 127) / 255 + 16; };
         return packed_colour(five(c.r), five(c.g), five(c.b));
     } else {
         return packed_colour(4u * c.r + 2, 4u * c.g + 2, 4u * c.b + 2);
     }
 }
 
+// The channels of a pixel in 5, 6 and 5 bits with room above each: green in the upper half of a word.
+inline constexpr uint32_t kFields565 = 0x07E0F81F;
+struct Fields565 {
+    uint32_t word;
+};
+constexpr Fields565 apart(uint16_t pixel)
+{
+    return {(pixel | static_cast<uint32_t>(pixel) << 16) & kFields565};
+}
+constexpr uint16_t together(Fields565 f)
+{
+    return static_cast<uint16_t>(f.word | f.word >> 16);
+}
+
+constexpr Rgb8 levels_of(Fields565 f)
+{
+    return unpack_rgb565(together(f));
+}
+constexpr Rgb8 levels_of(const Rgb8& c)
+{
+    return c;
+}
+
 // The 16 bits of a colour in 5, 6 and 5 bits.
 LUMI_ALWAYS_INLINE uint16_t packed_565(PackedColour c)
 {
-    constexpr uint32_t kFields = 0x07E0F81F;  // green in the upper half, red and blue in the lower
-    const uint32_t fields = (c >> 4) & kFields;
-    return static_cast<uint16_t>(fields | fields >> 16);
+    return together({(c >> 4) & kFields565});
 }
 
 // In 5 bits each, blue above.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a frame that reach a target, one after the other, as pieces: rows between two straight edges. The
-// loops that draw them are the caller's, so that a firmware links those that it names.
+// The triangles of a frame that reach a target, one after the other, as pieces. The loops that draw them are the
+// caller's, so that a firmware links those that it names.
 //
 //     TrianglePieces pieces(frame, target);
-//     while (pieces.next()) loop(pieces.piece.rows, pieces.piece.count);
+//     while (pieces.next()) loop(pieces.piece.rows);
 //
 // A sample belongs to a triangle if it lies right of the left edge or on it, left of the right edge, and between the
 // rows of its ends. All of this is decided exactly on the vertices' grid: triangles that share an edge share neither a
@@ -37,16 +37,11 @@ struct Corner {
     int32_t u_q8, v_q8;  // texels
 };
 
-// Rows of a triangle between two straight edges, and what is left of the triangle below them.
+// What of a triangle lies in a target.
 struct TrianglePiece {
     Rows rows;
-    int32_t count;
     bool is_magnified;
     bool is_cut;  // rows may reach beyond the target's sides
-    // The edge from `bend` to `bottom` takes the place of the left one (0) or the right one; null: nothing is left.
-    const SurfaceVertex *bend, *bottom;
-    uint32_t short_edge;
-    int32_t row, end_row;  // of the rest, in the frame
 };
 
 // A place before the division by its depth, formats of SurfaceProjection.
@@ -104,18 +99,28 @@ private:
     Parts parts_;
 };
 
-// Draws the rows of a piece, each cut to what lies in the target.
+// Draws rows, each cut to what lies in the target.
 template <DrawRows kDraw>
-void draw_cut(TrianglePiece& piece, int32_t width)
+void draw_cut(Rows& rows, int32_t width)
 {
-    Rows& rows = piece.rows;
-    for (int32_t count = piece.count; count > 0; --count) {
-        const int32_t left = rows.edge_q16[0], right = rows.edge_q16[1], end = width * 65536;
-        if (left < 0) rows.edge_q16[0] = 0;
-        if (right > end) rows.edge_q16[1] = end;
-        kDraw(rows, 1);
-        rows.edge_q16[0] = left + rows.edge_step_q16[0];
-        rows.edge_q16[1] = right + rows.edge_step_q16[1];
+    const int32_t end = width * 65536;
+    int32_t count = rows.count, below = rows.count_below;
+    rows.count_below = 0;
+    while (true) {
+        for (; count > 0; --count) {
+            const int32_t left = rows.edge_q16[0], right = rows.edge_q16[1];
+            if (left < 0) rows.edge_q16[0] = 0;
+            if (right > end) rows.edge_q16[1] = end;
+            rows.count = 1;
+            kDraw(rows);
+            rows.edge_q16[0] = left + rows.edge_step_q16[0];
+            rows.edge_q16[1] = right + rows.edge_step_q16[1];
+        }
+        if (below == 0) return;
+        count = below;
+        below = 0;
+        rows.edge_q16[rows.bent_edge] = rows.below.x_q16;
+        rows.edge_step_q16[rows.bent_edge] = rows.below.step_q16;
     }
 }
 
@@ -123,9 +128,9 @@ template <DrawRows kDraw>
 LUMI_ALWAYS_INLINE void draw_piece(TrianglePiece& piece, int32_t width)
 {
     if (piece.is_cut)
-        draw_cut<kDraw>(piece, width);
+        draw_cut<kDraw>(piece.rows, width);
     else
-        kDraw(piece.rows, piece.count);
+        kDraw(piece.rows);
 }
 
 // Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth.

@@ -40,30 +40,32 @@ void draw_one_sample(const SurfaceFrame& frame, const Target& target)
 }
 
 // A pixel that an outline cuts: its column of samples, and what shows there.
+template <class Colour>
 struct Blended {
     int32_t x;
-    Rgb8 colour;
+    Colour colour;
     uint8_t coverage;
 };
 
-// A marked pixel over a background; `colour_at` gives the colour of the sample whose depth lies there.
-template <class Pixel, class Background, class ColourAt>
-Blended blended(const Mark& mark, int32_t x, const Background& background, const uint8_t* pixel,
-                const ColourAt& colour_at)
+// A marked pixel over a background.
+template <class Samples, class Background>
+Blended<typename Samples::Colour> blended(const Samples& s, const Mark& mark, int32_t x, const Background& background,
+                                          const uint8_t* pixel)
 {
     if constexpr (kKeepsCoverage<Background>) {
         // Over nothing: where one of the two is empty, the other's colour with its share.
         const uint32_t covered = mark.covered();
-        if (covered == 0) return {x, {0, 0, 0}, 0};
+        if (covered == 0) return {x, s.converted({0, 0, 0}), 0};
         const uint16_t* const own = mark.has_own() ? mark.own : mark.other;
-        const Rgb8 colour = mark.mixed(colour_at(own), colour_at(mark.has_other() ? mark.other : own));
+        const auto colour = mixed(s.colour_at(own), s.colour_at(mark.has_other() ? mark.other : own), mark.share);
         return {x, colour, static_cast<uint8_t>((covered * 255 + 16) >> 5)};
     } else {
-        const Rgb8 under = background.template under<Pixel>(pixel);
-        return {
-            x,
-            mark.mixed(mark.has_own() ? colour_at(mark.own) : under, mark.has_other() ? colour_at(mark.other) : under),
-            255};
+        const auto colour_at = [&](const uint16_t* depth, bool has_surface) {
+            if (has_surface) return s.colour_at(depth);
+            return s.converted(background.template under<typename Samples::PixelType>(pixel));
+        };
+        return {x, mixed(colour_at(mark.own, mark.has_own()), colour_at(mark.other, mark.has_other()), mark.share),
+                255};
     }
 }
 
@@ -73,10 +75,9 @@ LUMI_ALWAYS_INLINE void each_marked(const SampleRows& rows, int32_t row, int32_t
 {
     const uint32_t* word = rows.marks + rows.marks_words() * static_cast<uint32_t>(row);
     for (int32_t first = 0; first < end; first += 32) {
-        uint32_t bits = *word++;
-        for (int32_t x = first; bits != 0; ++x, bits >>= 1) {
-            for (; (bits & 0xFF) == 0; x += 8) bits >>= 8;
-            if ((bits & 1) != 0 && x >= begin && x < end) visit(x);
+        for (uint32_t bits = *word++; bits != 0; bits &= bits - 1) {
+            const int32_t x = first + __builtin_ctz(bits);
+            if (x >= begin && x < end) visit(x);
         }
     }
 }
@@ -88,28 +89,24 @@ __attribute__((noinline)) void resolve_marked(const Samples& s, const Background
                                               int32_t row)
 {
     constexpr int32_t kMost = 16;
-    Blended pending[kMost];
+    Blended<typename Samples::Colour> pending[kMost];
     int32_t count = 0, done = s.begin();
     const auto place = [&](int32_t x) { return pixel + (x - s.begin()) * static_cast<int32_t>(Pixel::kBytes); };
-    const auto colour_at = [&](const uint16_t* depth) { return s.colour_at(depth); };
     const auto write = [&](int32_t end) {
         s.put(background, place(done), row, done, end);
-        for (int32_t k = 0; k < count; ++k) {
-            const Blended& b = pending[k];
-            store_part<Pixel>(place(b.x), b.colour, b.coverage);
-        }
+        for (int32_t k = 0; k < count; ++k) s.store(place(pending[k].x), pending[k].colour, pending[k].coverage);
         count = 0;
         done = end;
     };
     each_marked(s.rows, row, s.begin(), s.end(), [&](int32_t x) {
         if (count == kMost) write(x);
-        pending[count++] = blended<Pixel>(Mark(s.rows, x, row), x, background, place(x), colour_at);
+        pending[count++] = blended(s, Mark(s.rows, x, row), x, background, place(x));
     });
     write(s.end());
 }
 
-// A scanline of the stripe, of samples that have put(), the pixels of a row from `begin` to `end`, and colour_at(), the
-// colour of the sample whose depth lies there.
+// A scanline of the stripe, of samples that have put(), the pixels of a row from `begin` to `end`; colour_at(), the
+// colour of the sample whose depth lies there, as their Colour; and store(), a pixel of that.
 template <class Pixel, SurfaceMode kFinest, class Samples, class Background>
 LUMI_ALWAYS_INLINE void resolve_one_sample(const Samples& s, const Background& background, int32_t y)
 {
@@ -122,6 +119,8 @@ LUMI_ALWAYS_INLINE void resolve_one_sample(const Samples& s, const Background& b
 template <class Pixel>
 struct PixelSamples : StripeSamples {
     static constexpr bool kArePixels = true;
+    using PixelType = Pixel;
+    using Colour = Fields565;
 
     template <class Background>
     void clear(const Background& background) const
@@ -153,10 +152,12 @@ struct PixelSamples : StripeSamples {
     {
         copy_pixels(pixel, sample(row, begin), static_cast<uint32_t>(end - begin));
     }
-    Rgb8 colour_at(const uint16_t* depth) const
+    Colour colour_at(const uint16_t* depth) const
     {
-        return Pixel::load(reinterpret_cast<const uint8_t*>(depth) + rows.colours_at);
+        return apart(Pixel::load_packed(reinterpret_cast<const uint8_t*>(depth) + rows.colours_at));
     }
+    static Colour converted(const Rgb8& c) { return apart(pack_rgb565(c)); }
+    static void store(uint8_t* pixel, Colour c, uint8_t) { Pixel::store_packed(pixel, together(c)); }
 
 private:
     uint8_t* sample(int32_t row, int32_t x) const
@@ -176,6 +177,8 @@ inline Rgb8 packed_at(const SampleRows& rows, const uint16_t* depth)
 template <class Pixel>
 struct PackedSamples : StripeSamples {
     static constexpr bool kArePixels = false;
+    using PixelType = Pixel;
+    using Colour = Rgb8;
 
     template <class Background>
     void clear(const Background&) const
@@ -209,6 +212,8 @@ struct PackedSamples : StripeSamples {
         }
     }
     Rgb8 colour_at(const uint16_t* depth) const { return packed_at(rows, depth); }
+    static Colour converted(const Rgb8& c) { return c; }
+    static void store(uint8_t* pixel, const Colour& c, uint8_t coverage) { store_part<Pixel>(pixel, c, coverage); }
 };
 
 // What modes of one sample a pixel take.

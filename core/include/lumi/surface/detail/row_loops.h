@@ -14,7 +14,12 @@ namespace lumi::detail
 // rectangle.
 inline constexpr uint32_t kQuarter = 200 << 16 | 200;
 
-// A row of a triangle and what it takes to go on to the next. A row's samples are those from the left edge up to the
+// Where an edge crosses a row, samples, and by how much more the next.
+struct EdgeWalk {
+    int32_t x_q16, step_q16;
+};
+
+// A triangle's rows: the next one and what it takes to go on. A row's samples are those from the left edge up to the
 // right one, both rounded down to a column. Quantities are affine, modulo 2^32, and given for the sample in column 0.
 // Of two taps `place` is the upper left one's. Assembly reads this by its offsets.
 struct Rows {
@@ -28,26 +33,30 @@ struct Rows {
     uint32_t columns;  // of the rectangle of texels
     const PackedColour* palette;
     uint32_t row_bytes, colours_at;  // SampleRows
+    int32_t count;                   // rows, at least one
+    int32_t count_below;             // rows after these
+    uint32_t bent_edge;              // for which `below` takes the place of this edge
+    EdgeWalk below;
     uint32_t texel_rows;
     bool has_two_taps;  // the palette has halves
 };
 
-// Draws `count` rows, at least one, and leaves `rows` at the one after them.
-using DrawRows = void (*)(Rows& rows, int32_t count);
+// Draws the rows, and leaves `rows` at the one after them.
+using DrawRows = void (*)(Rows& rows);
 
 extern "C" {
 // 5-6-5 pixels, and the same with their bytes swapped.
-void lumi_rows_565_nearest(Rows& rows, int32_t count);
-void lumi_rows_565_two_taps(Rows& rows, int32_t count);
-void lumi_rows_565_swapped_nearest(Rows& rows, int32_t count);
-void lumi_rows_565_swapped_two_taps(Rows& rows, int32_t count);
+void lumi_rows_565_nearest(Rows& rows);
+void lumi_rows_565_two_taps(Rows& rows);
+void lumi_rows_565_swapped_nearest(Rows& rows);
+void lumi_rows_565_swapped_two_taps(Rows& rows);
 }
-LUMI_HOT void rows_565_bilinear(Rows& rows, int32_t count);
-LUMI_HOT void rows_565_swapped_bilinear(Rows& rows, int32_t count);
+LUMI_HOT void rows_565_bilinear(Rows& rows);
+LUMI_HOT void rows_565_swapped_bilinear(Rows& rows);
 // PackedColour.
-LUMI_HOT void rows_packed_nearest(Rows& rows, int32_t count);
-LUMI_HOT void rows_packed_two_taps(Rows& rows, int32_t count);
-LUMI_HOT void rows_packed_bilinear(Rows& rows, int32_t count);
+LUMI_HOT void rows_packed_nearest(Rows& rows);
+LUMI_HOT void rows_packed_two_taps(Rows& rows);
+LUMI_HOT void rows_packed_bilinear(Rows& rows);
 
 // Nearest texel, two taps, four texels, for samples that hold a kind of pixel.
 struct RowFilters {

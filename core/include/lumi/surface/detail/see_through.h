@@ -16,10 +16,7 @@ namespace lumi::detail
 class SeeThroughPieces
 {
 public:
-    SeeThroughPieces(const SeeThroughFrame& frame, const Target& target) : frame_(frame), target_(target)
-    {
-        piece.bend = nullptr;
-    }
+    SeeThroughPieces(const SeeThroughFrame& frame, const Target& target) : frame_(frame), target_(target) {}
 
     // Makes `piece` the next one; false after the last.
     LUMI_HOT bool next();
@@ -34,15 +31,15 @@ private:
 };
 
 // Loops over rows whose palette is SeeThroughFrame::added_and_passed.
-LUMI_HOT void blend_565_nearest(Rows& rows, int32_t count);
-LUMI_HOT void blend_565_two_taps(Rows& rows, int32_t count);
-LUMI_HOT void blend_565_bilinear(Rows& rows, int32_t count);
-LUMI_HOT void blend_565_swapped_nearest(Rows& rows, int32_t count);
-LUMI_HOT void blend_565_swapped_two_taps(Rows& rows, int32_t count);
-LUMI_HOT void blend_565_swapped_bilinear(Rows& rows, int32_t count);
-LUMI_HOT void blend_packed_nearest(Rows& rows, int32_t count);
-LUMI_HOT void blend_packed_two_taps(Rows& rows, int32_t count);
-LUMI_HOT void blend_packed_bilinear(Rows& rows, int32_t count);
+LUMI_HOT void blend_565_nearest(Rows& rows);
+LUMI_HOT void blend_565_two_taps(Rows& rows);
+LUMI_HOT void blend_565_bilinear(Rows& rows);
+LUMI_HOT void blend_565_swapped_nearest(Rows& rows);
+LUMI_HOT void blend_565_swapped_two_taps(Rows& rows);
+LUMI_HOT void blend_565_swapped_bilinear(Rows& rows);
+LUMI_HOT void blend_packed_nearest(Rows& rows);
+LUMI_HOT void blend_packed_two_taps(Rows& rows);
+LUMI_HOT void blend_packed_bilinear(Rows& rows);
 
 template <class Pixel>
 inline constexpr RowFilters kPixelBlends = {};

@@ -106,7 +106,7 @@ bool covered_by_glass(const Samples& s, int32_t x, int32_t y, CoveredSum& sum)
     const auto add = [&](int32_t column, int32_t row) {
         const uint16_t* const depth = s.rows.depths(row) + column;
         const bool is_shown = *depth >= kShownDepth;
-        if (is_shown) sum.add(s.colour_at(depth), *depth >= kFarDepth ? 255 : glass_coverage(*depth), 1);
+        if (is_shown) sum.add(levels_of(s.colour_at(depth)), *depth >= kFarDepth ? 255 : glass_coverage(*depth), 1);
         return is_glass_alone(*depth);
     };
     if (s.frame.samples_log2 != 0) {
@@ -117,8 +117,8 @@ bool covered_by_glass(const Samples& s, int32_t x, int32_t y, CoveredSum& sum)
         return add(left + 1, top + 1) || has_glass;
     }
     const MixedPair pair = mixed_pair(s.rows, x, y);
-    if (*pair.own >= kShownDepth) sum.add(s.colour_at(pair.own), pair.own_coverage(), 32 - pair.share);
-    if (*pair.other >= kShownDepth) sum.add(s.colour_at(pair.other), pair.other_coverage(), pair.share);
+    if (*pair.own >= kShownDepth) sum.add(levels_of(s.colour_at(pair.own)), pair.own_coverage(), 32 - pair.share);
+    if (*pair.other >= kShownDepth) sum.add(levels_of(s.colour_at(pair.other)), pair.other_coverage(), pair.share);
     return pair.has_glass();
 }
 

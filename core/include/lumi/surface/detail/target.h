@@ -19,6 +19,7 @@ struct SampleRect {
 struct DrawnPart {
     int32_t left_px, right_px, top_px, bottom_px;
     SampleRect rect;
+    bool is_odd;  // its first sample has an odd column in the stripe
 
     bool is_empty() const { return left_px >= right_px || top_px >= bottom_px; }
 };
