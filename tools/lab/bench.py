@@ -27,7 +27,8 @@ QUICK = {"core": ["m0plus", "m4"], "mode": ["nearest", "linear", *SURFACE_MODES]
          "view": ["generic"], "pixel": ["rgb565"], "span": [16]}
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
-SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, "stack", "ram", "crc"]
+# "tall": instructions in stripes of 24 rows.
+SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, "tall", "stack", "ram", "crc"]
 # What one would do without this library: a title, the firmware, and the cores that it is counted on.
 BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
              ("paper 5×5 in float, FPU", "baseline_float_fpu", ["m4", "m7"]),
@@ -199,7 +200,7 @@ def surface_rows(options, boards):
             for count in board.count(f"surface_{pixel}", field, [*options.view, *modes], SURFACE_COUNTS):
                 row = {"layout": "surface", "core": board.core, "mode": count["mode"], "pixel": pixel,
                        "view": count["view"], "instructions_per_pixel": hundredths(count["instructions"] / count["covered"])}
-                row.update({part: hundredths(count[part] / count["covered"]) for part in PARTS})
+                row.update({part: hundredths(count[part] / count["covered"]) for part in [*PARTS, "tall"]})
                 row.update({"instructions_per_frame": count["instructions"], "covered_pixels": count["covered"],
                             "code_bytes": code_bytes, "stack_bytes": count["stack"], "ram_bytes": count["ram"]})
                 rows.append({**with_facts(row, count, frames), **facts})

@@ -17,7 +17,7 @@ SurfaceFrame frame;
 SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];
 uint16_t bands[surface_bands(kSidePx, kSurfaceBandLog2)];
-uint32_t samples[surface_stripe_bytes(kSidePx, kSurfaceStripeHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
+uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
 
 }  // namespace
 
@@ -52,12 +52,12 @@ void fill_alone(int32_t width_px, bool with_outlines)
     }
 }
 
-void draw_surface(const SurfaceField& field, const SurfaceView& view, uint8_t* pixels)
+void draw_surface(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels)
 {
     prepare_alone(field, view);
-    for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeHeight) {
+    for (int32_t y = 0; y < kSidePx; y += stripe_height) {
         uint8_t* const at = pixels + static_cast<uint32_t>(y) * kStrideBytes;
-        render_surface<Pixel>(frame, kBackground, {at, 0, y, kSidePx, kSurfaceStripeHeight, kStrideBytes}, samples);
+        render_surface<Pixel>(frame, kBackground, {at, 0, y, kSidePx, stripe_height, kStrideBytes}, samples);
     }
 }
 

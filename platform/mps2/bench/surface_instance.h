@@ -16,8 +16,8 @@ struct SurfaceView {
 // Bytes of a frame of pixels.
 extern const uint32_t kSurfaceFrameBytes;
 
-// Draws a whole frame: prepares it and draws every stripe.
-void draw_surface(const SurfaceField& field, const SurfaceView& view, uint8_t* pixels);
+// Draws a whole frame: prepares it and draws every stripe, at most kTallStripeHeight high.
+void draw_surface(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels);
 
 // The first part of that.
 void prepare_alone(const SurfaceField& field, const SurfaceView& view);

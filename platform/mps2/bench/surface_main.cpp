@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Counts what drawing a surface field costs, one line per view and mode:
 //     view generic mode one-sample covered 42272 instructions 2345678 palette 8000 vertices 345678 lists 145678
-//     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 stack 600 ram 46000 crc 1234abcd
+//     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 tall 2234567 stack 600 ram 46000 crc
+//     1234abcd
 // Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; the
 // triangles' lists; what vertices show to the eye; triangles and rows without their samples; samples; outlines; pixels.
+// "tall" are all instructions again, in stripes of kTallStripeHeight.
 // The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none:
 // all).
 #include "loaded_view.h"
@@ -58,27 +60,28 @@ Parts count_parts(const SurfaceField& field, const SurfaceView& view)
             edges,   less(samples, edges),    less(all, samples)};
 }
 
-void write_costs(TextLine& line, const Parts& parts, uint64_t whole)
+void write_costs(TextLine& line, const Parts& parts, uint64_t whole, uint64_t tall)
 {
     line.text(" instructions ").decimal(whole);
     line.text(" palette ").decimal(parts.palette).text(" vertices ").decimal(parts.vertices);
     line.text(" lists ").decimal(parts.lists).text(" lights ").decimal(parts.lights);
     line.text(" edges ").decimal(parts.edges).text(" samples ").decimal(parts.samples);
     line.text(" outlines ").decimal(parts.outlines);
-    line.text(" resolve ").decimal(less(whole, parts.sum()));
+    line.text(" resolve ").decimal(less(whole, parts.sum())).text(" tall ").decimal(tall);
 }
 
 void report(const char* view_name, const char* mode_name, const SurfaceField& field, const SurfaceView& view,
             uint32_t covered)
 {
     const Parts parts = count_parts(field, view);
+    const uint64_t tall = instructions_of([&] { draw_surface(field, view, kTallStripeHeight, pixels); });
     mps2::StackMeter meter;
     meter.paint();
-    const uint64_t whole = instructions_of([&] { draw_surface(field, view, pixels); });
+    const uint64_t whole = instructions_of([&] { draw_surface(field, view, kSurfaceStripeHeight, pixels); });
     const uint32_t stack_bytes = meter.high_water_bytes();
     TextLine line;
     line.text("view ").text(view_name).text(" mode ").text(mode_name).text(" covered ").decimal(covered);
-    write_costs(line, parts, whole);
+    write_costs(line, parts, whole, tall);
     line.text(" stack ").decimal(stack_bytes).text(" ram ");
     line.decimal(surface_ram_bytes(field.vertex_count, field.patch_count, view.mode));
     mps2::write(line.text(" crc ").hex32(detail::crc32(0, pixels, kSurfaceFrameBytes)).text("\n").c_str());

@@ -9,6 +9,6 @@ int main(int, char**)
     const SurfaceCamera* volatile camera = nullptr;
     volatile SurfaceMode mode = SurfaceMode::one_sample;
     uint8_t* volatile pixels = nullptr;
-    bench::draw_surface(*field, {*camera, mode}, pixels);
+    bench::draw_surface(*field, {*camera, mode}, bench::kSurfaceStripeHeight, pixels);
     return 0;
 }

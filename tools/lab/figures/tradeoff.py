@@ -143,9 +143,11 @@ class Tradeoff:
             return [*(cell(self.surface_row(core, mode, pixel), per_pixel()) for core in CORES),
                     *(cell(find(self.surface, mode=mode, pixel=pixel, view=view), exactness) for view in VIEWS),
                     cell(find(self.surface, mode=mode, pixel=pixel), lambda row: row["ram_bytes"]),
-                    cell(small, lambda row: f"{row['code_bytes']} / {row['stack_bytes']}")]
+                    cell(small, lambda row: f"{row['code_bytes']} / {row['stack_bytes']}"),
+                    *(cell(self.surface_row(core, mode, pixel), lambda row: decimal(row["tall"]) if "tall" in row else NONE)
+                      for core in ("m0plus", "m4"))]
         return self.by_surface_renderer([*CORES, *(f"{view}, dB / worst" for view in VIEWS), "RAM, bytes",
-                                         "m0plus code / stack, bytes"], texts)
+                                         "m0plus code / stack, bytes", "m0plus, 24 rows", "m4, 24 rows"], texts)
 
     def surface_split(self):
         return self.by_surface_renderer(

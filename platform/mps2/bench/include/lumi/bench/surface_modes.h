@@ -19,9 +19,9 @@ inline constexpr NamedSurfaceMode kSurfaceModes[] = {
     {"2x2", SurfaceMode::two_by_two},
 };
 
-// As firmware does that feeds a panel from a small buffer: a band of the lists is a stripe.
-inline constexpr uint32_t kSurfaceBandLog2 = 4;
-inline constexpr int32_t kSurfaceStripeHeight = 1 << kSurfaceBandLog2;
+// As firmware does that feeds a panel from a small buffer, and with half as much more memory.
+inline constexpr int32_t kSurfaceStripeHeight = 16, kTallStripeHeight = 24;
+inline constexpr uint32_t kSurfaceBandLog2 = surface_band_log2(kSurfaceStripeHeight);
 
 // Memory that drawing a frame takes, the stripe's pixels left out.
 constexpr uint32_t surface_ram_bytes(uint32_t vertices, uint32_t patches, SurfaceMode mode)
