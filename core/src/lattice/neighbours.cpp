@@ -55,6 +55,7 @@ SearchRange search_range(uint32_t count)
 {
     if (count == 1) return {-1, 1, 2048, 16, 6144};
     if (count <= 4) return {-1, 2, 0, 12, 10240};
+    if (count == 5) return {-1, 2, 0, 24, 16384};
     return {-2, 3, 0, 24, 16384};
 }
 

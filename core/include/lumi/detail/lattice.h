@@ -61,7 +61,7 @@ struct Neighbour {
 
 // The `count` points nearest to the unit vector `direction`, nearest first, by true distance in space; ties by
 // scan order. Returns how many were written: min(count, n). 1 <= count <= kMaxNeighbours. Constant time: looks at 3×3
-// cells for one point, 4×4 for up to four, 6×6 for up to nine, near a pole at a ring of indices, below 64 points at
+// cells for one point, 4×4 for up to five, 6×6 for up to nine, near a pole at a ring of indices, below 64 points at
 // all.
 uint32_t neighbours(const Lattice& lattice, const Vec3q30& direction, uint32_t count, Neighbour* out);
 
