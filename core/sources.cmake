@@ -8,6 +8,7 @@ set(LUMI_CORE_SOURCES
   src/lattice/hull_triangle.cpp
   src/lattice/lattice.cpp
   src/lattice/lattice_query.cpp
+  src/lattice/local_distances.cpp
   src/lattice/neighbours.cpp
   src/lattice/polar.cpp
   src/lattice/polar_triangle.cpp

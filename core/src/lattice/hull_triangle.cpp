@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/hull_triangle.h"
 
+#include "lattice/lattice_query.h"
+
 namespace lumi::detail
 {
 namespace
@@ -60,7 +62,7 @@ struct Passed {
     }
 };
 
-// Not inlined: neighbours() has returned its stack before the outlook takes its own.
+// Not inlined: nearest_of_all() has returned its stack before the outlook takes its own.
 __attribute__((noinline)) Passed outermost(const Lattice& lattice, const Vec3q30& direction, const Neighbour* near,
                                            uint32_t count)
 {
@@ -90,7 +92,7 @@ Triangle hull_triangle(const Lattice& lattice, const Vec3q30& direction)
 {
     if (lattice.size() < kMinHull) return between_heights(lattice, direction.z);
     Neighbour near[kMaxNeighbours];
-    const uint32_t count = neighbours(lattice, direction, kMaxNeighbours, near);
+    const uint32_t count = nearest_of_all(lattice, direction, kMaxNeighbours, near);
     const Passed passed = outermost(lattice, direction, near, count);
     Triangle result{};
     uint32_t rest = kWeightOneQ12;

@@ -7,14 +7,15 @@ namespace lumi::detail
 {
 
 Lattice::Lattice(uint32_t size)
-    : size_(size), reciprocal_q62_(((uint64_t{1} << 62) + size / 2) / size), spacing2_(0), distance_shift_(0)
+    : size_(size), reciprocal_q62_(((uint64_t{1} << 62) + size / 2) / size), spacing2_(0), unit_bits_(0)
 {
     constexpr uint64_t kFourPiQ56 = 905502432259640355u;  // 4π
     const uint64_t spacing2_q56 = kFourPiQ56 / size;
     const uint32_t spacing_q28 = square_root(spacing2_q56);
-    constexpr int kSpacingBits = 12;  // the spacing is in [2^11, 2^12) units
-    distance_shift_ = 32 - __builtin_clz(spacing_q28) - kSpacingBits + 2;
-    spacing2_ = static_cast<uint32_t>(spacing2_q56 >> (2 * distance_shift_ - 4));
+    constexpr int kSpacingBits = 14;  // the spacing is in [2^13, 2^14) units
+    const int shift = 32 - __builtin_clz(spacing_q28) - kSpacingBits;
+    unit_bits_ = 28 - shift;
+    spacing2_ = static_cast<uint32_t>(spacing2_q56 >> (2 * shift));
 }
 
 int32_t Lattice::height_q30(uint32_t i) const
@@ -37,7 +38,7 @@ int32_t Lattice::index_at_q10(int32_t z_q30) const
 uint32_t longitude_turns32(uint32_t i)
 {
     // 2^32/Φ = 0x9E3779B9 + 0.4972…; the second product adds that fraction, 2036/4096.
-    return i * 0x9E3779B9u + ((i * 2036u) >> 12);
+    return i * 0x9E3779B9u + static_cast<uint32_t>(static_cast<int32_t>(i * 2036u) >> 12);
 }
 
 Vec3q30 point(const Lattice& lattice, uint32_t i)

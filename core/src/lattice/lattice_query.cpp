@@ -40,11 +40,6 @@ Query make_query(const Lattice& lattice, const Vec3q30& d)
     return {longitude_turns32(lattice.size() - 1) - longitude, lattice.index_at_q10(-z), -z, true};
 }
 
-int32_t polar_radius_q12(const Query& q)
-{
-    return static_cast<int32_t>(square_root(static_cast<uint64_t>(q.height_q10 + 512) << 14));
-}
-
 Cell cell_of(const Query& q)
 {
     const int k = zone_of(q);

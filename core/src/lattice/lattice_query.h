@@ -20,14 +20,15 @@ struct Query {
 
 Query make_query(const Lattice& lattice, const Vec3q30& direction);
 
+// The `count` nearest points of a lattice below kSmallSize, or all, nearest first; count <= kMaxNeighbours. Returns how
+// many.
+uint32_t nearest_of_all(const Lattice& lattice, const Vec3q30& direction, uint32_t count, Neighbour* out);
+
 // The index of a query's hemisphere as an index of the lattice.
 inline uint32_t unmirrored(const Lattice& lattice, const Query& query, uint32_t i)
 {
     return query.mirrored ? lattice.size() - 1 - i : i;
 }
-
-// Distance of a query from the pole in the polar pattern, where point i lies at sqrt(i + 1/2).
-int32_t polar_radius_q12(const Query& q);
 
 // Lattice coordinates of a query in the basis (F_k, F_k+1) of its zone: the point with coordinates (a, b) has index
 // F_k·a + F_k+1·b. The basis has determinant ±1, and adding a turn to the longitude moves (u, v) by (F_k+1, -F_k),

@@ -97,6 +97,14 @@ ReciprocalRoot detail::reciprocal_root(uint64_t v)
     return {y_q30, 62 - shift / 2};  // v = m·2^(64-shift)
 }
 
+uint32_t detail::coarse_inverse_root_q15(uint32_t m_q32)
+{
+    const uint32_t y_q15 = kTables.reciprocal_root_q15[(m_q32 >> 24) - 64];
+    const uint32_t my2_q31 = (m_q32 >> 16) * ((y_q15 * y_q15) >> 15);
+    const int32_t rest_q16 = static_cast<int32_t>((1u << 31) - my2_q31) >> 15;
+    return y_q15 + static_cast<uint32_t>((static_cast<int32_t>(y_q15) * rest_q16) >> 17);
+}
+
 uint32_t detail::square_root(uint64_t v)
 {
     if (v == 0) return 0;

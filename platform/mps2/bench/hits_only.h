@@ -13,7 +13,7 @@ struct NoReconstruction {
     static detail::Taps<kTaps> taps(const detail::Lattice&, const Vec3q30& direction)
     {
         __asm volatile("" ::"r"(direction.x), "r"(direction.y), "r"(direction.z));  // someone wants the hit
-        return {{0}, {0}};
+        return {1, {0}, {0}};
     }
 };
 

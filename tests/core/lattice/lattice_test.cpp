@@ -17,9 +17,26 @@ using twin::Vec3;
 namespace
 {
 
-// Distances of two lattice points may differ by this share of the mean spacing before the wrong one is called wrong:
-// distances are compared in units between 2^-12 and 2^-11 of it, and three squares round.
-constexpr double kTolerance = 1.0 / 512;
+// A point farther than the nearest by this share of the mean spacing is a wrong one.
+constexpr double kWrong = 1e-3;
+// Distances are rounded to a unit between 2^-14 and 2^-13 of the spacing, as their terms are before.
+constexpr double kDistanceTolerance = 1e-3;
+// Of the weights of a query in all: those of nine taps are rounded down to 2^-12, and distances before by their part.
+constexpr double kWeightTolerance = 1.0 / 400;
+
+struct Found {
+    std::vector<Neighbour> near;
+    uint32_t weight_q12[kMaxNeighbours] = {};
+};
+
+Found find(const Lattice& lattice, const Vec3q30& query, uint32_t count)
+{
+    Found found;
+    found.near.resize(count);
+    found.near.resize(kernel_points(lattice, query, count, found.near.data()));
+    kernel_weights(lattice, found.near.data(), static_cast<uint32_t>(found.near.size()), found.weight_q12);
+    return found;
+}
 
 // The squares of the distances to the nearest points, kMaxNeighbours of them where there are so many.
 std::vector<double> nearest_squares(const std::vector<Vec3>& all, const Vec3& q)
@@ -33,34 +50,41 @@ std::vector<double> nearest_squares(const std::vector<Vec3>& all, const Vec3& q)
     return squares;
 }
 
-// How far the k-th found neighbour is beyond the k-th true one, as a share of the spacing; the largest over k.
-double excess(const Lattice& lattice, const std::vector<Vec3>& all, const Vec3q30& query,
-              const std::vector<double>& truth, uint32_t count)
+// Of the kernel's weights from the true ones, nearest first, the sum; points that only one of both has count in full.
+double weight_error(const Found& found, const std::vector<double>& squares, uint32_t n)
 {
-    const Vec3 q = twin::decoded(query);
-    const uint32_t expected = std::min<uint32_t>(count, lattice.size());
-    Neighbour found[kMaxNeighbours];
-    if (neighbours(lattice, query, count, found) != expected) return INFINITY;
+    std::vector<double> truth;
+    double sum = 0, error = 0;
+    for (const double square : squares) {
+        truth.push_back(std::pow(std::fmax(0.0, 1 - square * n / (4 * twin::kPi)), 2));
+        sum += truth.back();
+    }
+    for (size_t k = 0; k < std::max(truth.size(), found.near.size()); ++k) {
+        const double mine = k < found.near.size() ? found.weight_q12[k] / static_cast<double>(kWeightOneQ12) : 0;
+        error += std::fabs(mine - (k < truth.size() ? truth[k] / sum : 0));
+    }
+    return error;
+}
+
+// How far a distance that was found is from the true one, as a share of the spacing; the largest over all found.
+double distance_error(const Lattice& lattice, const std::vector<Vec3>& all, const Found& found, const Vec3& q)
+{
     double worst = 0;
-    for (uint32_t k = 0; k < expected; ++k) {
-        for (uint32_t m = 0; m < k; ++m)
-            if (found[m].index == found[k].index) return INFINITY;
-        const double distance = twin::length(all[found[k].index] - q);
-        worst = std::max(worst, (distance - std::sqrt(truth[k])) / twin::spacing(lattice.size()));
+    for (const Neighbour& n : found.near) {
+        const double units = std::sqrt(static_cast<double>(n.distance2));
+        const double error = std::ldexp(units, -lattice.unit_bits()) - twin::length(all[n.index] - q);
+        worst = std::max(worst, std::fabs(error) / twin::spacing(lattice.size()));
     }
     return worst;
 }
 
-void sweep(uint32_t n, uint32_t queries, const std::vector<uint32_t>& counts, Worst& worst)
+template <class Visit>
+void for_queries(uint32_t n, uint32_t queries, Visit visit)
 {
-    const Lattice lattice(n);
-    const std::vector<Vec3> all = twin::points(n);
     Directions directions(n);
     for (uint32_t k = 0; k < queries; ++k) {
         const Vec3q30 query = twin::encoded(directions.next(k));
-        const std::vector<double> truth = nearest_squares(all, twin::decoded(query));
-        for (const uint32_t count : counts)
-            worst.see(excess(lattice, all, query, truth, count), uint64_t{n} * 1000000 + k);
+        visit(query, twin::decoded(query), uint64_t{n} * 1000000 + k);
     }
 }
 
@@ -113,12 +137,45 @@ TEST_CASE("every point is its own nearest", "[lattice]")
     CHECK(wrong == 0);
 }
 
-TEST_CASE("the nearest 1 to 9 neighbours agree with brute force", "[lattice]")
+TEST_CASE("the nearest point and the kernel's points and weights agree with brute force", "[lattice]")
 {
-    Worst worst;
-    for_sizes([&](uint32_t n, uint32_t queries) { sweep(n, queries, {1, 2, 3, 4, 5, 6, 7, 8, 9}, worst); });
-    worst.report("neighbours, excess distance in spacings");
-    CHECK(worst.error < kTolerance);
+    Worst excess, weights, distances;
+    for_sizes([&](uint32_t n, uint32_t queries) {
+        const Lattice lattice(n);
+        const std::vector<Vec3> all = twin::points(n);
+        for_queries(n, queries, [&](const Vec3q30& query, const Vec3& q, uint64_t place) {
+            const std::vector<double> squares = nearest_squares(all, q);
+            const double distance = twin::length(all[nearest(lattice, query)] - q);
+            excess.see((distance - std::sqrt(squares[0])) / twin::spacing(n), place);
+            const Found found = find(lattice, query, kMaxNeighbours);
+            weights.see(weight_error(found, squares, n), place);
+            distances.see(distance_error(lattice, all, found, q), place);
+        });
+    });
+    excess.report("nearest, excess distance in spacings");
+    weights.report("kernel weights, sum of errors");
+    distances.report("kernel points, error of distance in spacings");
+    CHECK(excess.error < kWrong);
+    CHECK(weights.error < kWeightTolerance);
+    CHECK(distances.error < kDistanceTolerance);
+}
+
+TEST_CASE("fewer points of the kernel are the nearest of all", "[lattice]")
+{
+    uint32_t wrong = 0;
+    for_sizes([&](uint32_t n, uint32_t queries) {
+        const Lattice lattice(n);
+        for_queries(n, queries, [&](const Vec3q30& query, const Vec3&, uint64_t) {
+            const Found all = find(lattice, query, kMaxNeighbours);
+            for (uint32_t count = 1; count < kMaxNeighbours; ++count) {
+                const Found some = find(lattice, query, count);
+                const size_t expected = std::min<size_t>(count, all.near.size());
+                wrong += some.near.size() != expected;
+                for (size_t k = 0; k < expected; ++k) wrong += some.near[k].distance2 != all.near[k].distance2;
+            }
+        });
+    });
+    CHECK(wrong == 0);
 }
 
 TEST_CASE("kernel weights sum to one and fall with distance", "[lattice]")
@@ -127,17 +184,15 @@ TEST_CASE("kernel weights sum to one and fall with distance", "[lattice]")
     bool falls = true;
     for_sizes([&](uint32_t n, uint32_t queries) {
         const Lattice lattice(n);
-        Directions directions(n);
-        for (uint32_t k = 0; k < queries; ++k) {
-            Neighbour near[kMaxNeighbours];
-            uint32_t weight[kMaxNeighbours];
-            const uint32_t count = neighbours(lattice, twin::encoded(directions.next(k)), 1 + k % 9, near);
-            kernel_weights(lattice, near, count, weight);
-            uint32_t sum = 0;
-            for (uint32_t m = 0; m < count; ++m) sum += weight[m];
-            for (uint32_t m = 1; m < count; ++m) falls = falls && weight[m] <= weight[m - 1];
+        for_queries(n, queries, [&](const Vec3q30& query, const Vec3&, uint64_t place) {
+            const Found found = find(lattice, query, 1 + static_cast<uint32_t>(place % kMaxNeighbours));
+            uint32_t sum = found.weight_q12[0];
+            for (size_t m = 1; m < found.near.size(); ++m) {
+                sum += found.weight_q12[m];
+                falls = falls && found.weight_q12[m] <= found.weight_q12[m - 1];
+            }
             sums = sums && sum == kWeightOneQ12;
-        }
+        });
     });
     CHECK(sums);
     CHECK(falls);

@@ -12,11 +12,12 @@
 namespace lumi::detail
 {
 
-// Weights sum to kWeightOneQ12. Unused taps have weight zero and a valid index.
-template <uint32_t Count>
+// `count` of them are used, 1 at least; their weights sum to kWeightOneQ12.
+template <uint32_t Most>
 struct Taps {
-    uint32_t index[Count];
-    uint32_t weight_q12[Count];
+    uint32_t count;
+    uint32_t index[Most];
+    uint32_t weight_q12[Most];
 };
 
 }  // namespace lumi::detail
@@ -29,7 +30,7 @@ struct Nearest {
     static constexpr uint32_t kTaps = 1;
     static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
     {
-        return {{detail::nearest(lattice, direction)}, {detail::kWeightOneQ12}};
+        return {1, {detail::nearest(lattice, direction)}, {detail::kWeightOneQ12}};
     }
 };
 
@@ -50,12 +51,12 @@ struct Linear {
     static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
     {
         const detail::Triangle t = detail::triangle(lattice, direction);
-        return {{t.index[0], t.index[1], t.index[2]}, {t.weight_q12[0], t.weight_q12[1], t.weight_q12[2]}};
+        return {kTaps, {t.index[0], t.index[1], t.index[2]}, {t.weight_q12[0], t.weight_q12[1], t.weight_q12[2]}};
     }
 };
 
-// The paper's kernel over the K nearest points of each side: K × K texels a pixel. Its radius is the paper's, the
-// fall-off of its weights is ours.
+// The paper's kernel over the K nearest points of each side: up to K × K texels a pixel; those beyond its radius weigh
+// nothing and are not read. Its radius is the paper's, the fall-off of its weights is ours.
 template <uint32_t K = 5>
 struct Paper {
     static_assert(K >= 1 && K <= detail::kMaxNeighbours, "the paper's kernel takes 1 to 9 neighbours a side");
@@ -63,10 +64,10 @@ struct Paper {
     static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
     {
         detail::Neighbour near[K];
-        const uint32_t count = detail::neighbours(lattice, direction, K, near);
-        detail::Taps<K> result{};
-        for (uint32_t k = 0; k < count; ++k) result.index[k] = near[k].index;
-        detail::kernel_weights(lattice, near, count, result.weight_q12);
+        detail::Taps<K> result;
+        result.count = detail::kernel_points(lattice, direction, K, near);
+        for (uint32_t k = 0; k < result.count; ++k) result.index[k] = near[k].index;
+        detail::kernel_weights(lattice, near, result.count, result.weight_q12);
         return result;
     }
 };
@@ -106,10 +107,10 @@ Gathered gather(const Field& field, const Vec3q30& front, const Vec3q30& back)
     const Taps<kTaps> origins = Reconstruction::taps(field.origins, front);
     const Taps<kTaps> directions = Reconstruction::taps(field.directions, back);
     Gathered sums;
-    for (uint32_t m = 0; m < kTaps; ++m) {
+    for (uint32_t m = 0; m < origins.count; ++m) {
         const uint8_t* row = field.row(origins.index[m]);
         if (row == nullptr) continue;
-        for (uint32_t k = 0; k < kTaps; ++k)
+        for (uint32_t k = 0; k < directions.count; ++k)
             sums.add(origins.weight_q12[m] * directions.weight_q12[k], Texel::load(field, row, directions.index[k]));
     }
     return sums;

@@ -33,9 +33,12 @@ public:
     int32_t height_at_q30(int32_t index_q10) const;
     // The real-valued index t = n(1-z)/2 - 1/2 at height z, Q10; the inverse of height_q30. In [-1/2, n-1/2].
     int32_t index_at_q10(int32_t z_q30) const;
-    // The square of the mean point spacing, 4π/n (the area of a point), in the units of Neighbour. In [2^22, 2^24].
+    // The square of the mean point spacing, 4π/n (the area of a point), in the units of Neighbour. In [2^26, 2^28).
     uint32_t spacing2() const { return spacing2_; }
-    int distance_shift() const { return distance_shift_; }
+    // A unit of Neighbour is 2^-unit_bits of the radius.
+    int unit_bits() const { return unit_bits_; }
+    // By how much a point lies south of the one before, in these units, Q14. At most 2^24 for 64 points and more.
+    int32_t index_step_q14() const { return static_cast<int32_t>(reciprocal_q62_ >> (47 - unit_bits_)); }
     // 1/n, Q30, rounded down.
     uint32_t reciprocal_q30() const { return static_cast<uint32_t>(reciprocal_q62_ >> 32); }
 
@@ -43,33 +46,36 @@ private:
     uint32_t size_ = 0;
     uint64_t reciprocal_q62_ = 0;  // 1/n
     uint32_t spacing2_ = 0;
-    int distance_shift_ = 0;
+    int unit_bits_ = 0;
 };
 
-// Longitude of point i; the same for every n. i < kMaxLatticeSize.
+// Longitude of point i; the same for every n. -kMaxLatticeSize < i < kMaxLatticeSize: steps between points have one,
+// too.
 uint32_t longitude_turns32(uint32_t i);
 
 // Position of point i on the unit sphere.
 Vec3q30 point(const Lattice& lattice, uint32_t i);
 
-// A lattice point near a query. `distance2` is the squared chord length in units of (2^(shift-30))², with
-// shift = lattice.distance_shift(), chosen so that the mean spacing is between 2^11 and 2^12 units for every n.
+// A lattice point near a query. `distance2` is the squared chord length in units of 2^-unit_bits, chosen so that the
+// mean spacing is between 2^13 and 2^14 units for every n.
 struct Neighbour {
     uint32_t index;
     uint32_t distance2;
 };
 
-// The `count` points nearest to the unit vector `direction`, nearest first, by true distance in space; ties by
-// scan order. Returns how many were written: min(count, n). 1 <= count <= kMaxNeighbours. Constant time: looks at 3×3
-// cells for one point, 4×4 for up to five, 6×6 for up to nine, near a pole at a ring of indices, below 64 points at
-// all.
-uint32_t neighbours(const Lattice& lattice, const Vec3q30& direction, uint32_t count, Neighbour* out);
-
-// The nearest point alone.
+// The nearest point to the unit vector `direction` by true distance in space: another one only where both distances
+// differ by less than 1/1000 of the mean spacing. Constant time: looks at the corners of one cell, near a pole at 22
+// points, below 64 points at all.
 uint32_t nearest(const Lattice& lattice, const Vec3q30& direction);
 
 // The paper's kernel: weights that fall from 1 at the query to 0 at the mean spacing, R·⁴√5·√(4π/(√5·n)) = R·√(4π/n),
-// as (1 - d²/r²)². Normalised to kWeightOneQ12, the nearest takes what rounding leaves. 1 <= count <= kMaxNeighbours.
+// as (1 - d²/r²)².
+//
+// Finds the points nearer than the mean spacing, nearest first; the nearest `count` where there are more. Returns how
+// many were written: 1 at least. 1 <= count <= kMaxNeighbours. Looks at 4 to 9 points, otherwise as above.
+uint32_t kernel_points(const Lattice& lattice, const Vec3q30& direction, uint32_t count, Neighbour* out);
+
+// Their weights, normalised to kWeightOneQ12; the nearest takes what rounding leaves.
 inline constexpr uint32_t kWeightOneQ12 = 4096;
 void kernel_weights(const Lattice& lattice, const Neighbour* near, uint32_t count, uint32_t* weight_q12);
 
