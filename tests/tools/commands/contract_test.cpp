@@ -31,6 +31,9 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
     const std::vector<std::pair<Arguments, std::string>> calls = {
         {{}, "lumi --help"},
         {{"frob"}, "there is no subcommand \"frob\""},
+        {{"rendr", field}, "there is no subcommand \"rendr\" (did you mean render?)"},
+        {{"help", "bak"}, "there is no subcommand \"bak\" (did you mean bake?)"},
+        {render("--orbits", "30,20,3"), "there is no option --orbits (did you mean --orbit?)"},
         {{"render"}, "lumi render --help"},
         {{"render", field}, "--output"},
         {bake("--layout", "guided"), "auto, surface or chord"},
@@ -92,12 +95,36 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
     }
 }
 
+TEST_CASE("help says what --help says")
+{
+    CHECK(lumi({"help"}).out == lumi({"--help"}).out);
+    CHECK(lumi({"help", "render"}).out == lumi({"render", "--help"}).out);
+    CHECK(lumi({"help", "render"}).code == 0);
+}
+
+TEST_CASE("compare ends with 1 for a picture below the wanted PSNR, and still tells all figures")
+{
+    const test::TemporaryFolder folder;
+    write_png(folder / "black.png", Picture(20, 20));
+    write_png(folder / "dark.png", Picture(20, 20, {16, 16, 16}));  // 24.05 dB
+    const Arguments call = {"compare", folder / "dark.png", folder / "black.png", "--json", "--min-psnr"};
+    const auto with = [&](const std::string& least) {
+        Arguments arguments = call;
+        arguments.push_back(least);
+        return lumi(arguments);
+    };
+    CHECK(with("24").code == 0);
+    CHECK(with("24.1").code == 1);
+    CHECK(with("24.1").out == with("24").out);
+    CHECK_THAT(with("24.1").err, Catch::Contains("dark.png: has 24.05 dB, less than --min-psnr 24.1; "));
+}
+
 TEST_CASE("every subcommand has a help text with an example")
 {
     CHECK(lumi({"--help"}).code == 0);
     CHECK_THAT(lumi({"--help"}).out, Catch::Contains("130 interrupted"));
     CHECK(lumi({"--version"}).code == 0);
-    for (const char* command : {"bake", "render", "reference", "compare", "inspect", "embed"}) {
+    for (const char* command : {"bake", "render", "reference", "compare", "inspect", "embed", "help"}) {
         const Outcome outcome = lumi({command, "--help"});
         CHECK(outcome.code == 0);
         CHECK_THAT(outcome.out, Catch::Contains(std::string("Example:\n  lumi ") + command));

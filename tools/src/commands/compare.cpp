@@ -27,6 +27,7 @@ namespace
 struct CompareOptions {
     std::string a, b, mask, error_picture;
     double pixels_per_degree = kFlipPixelsPerDegree;
+    double least_psnr_db = 0;
     bool json = false;
 };
 
@@ -113,6 +114,11 @@ void run(const CompareOptions& options)
     const std::optional<MaskedLikeness> masked = masked_likeness(options, a, b);
     if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
     (options.json ? print_likeness : print_text)(likeness, masked);
+    const double psnr = masked ? masked->psnr_db : likeness.psnr_db;
+    if (psnr >= options.least_psnr_db) return;
+    char problem[64];
+    std::snprintf(problem, sizeof problem, "has %.2f dB, less than --min-psnr %g", psnr, options.least_psnr_db);
+    throw Failure(options.a, problem, "look at --error-picture");
 }
 
 }  // namespace
@@ -134,6 +140,12 @@ void add_compare(CLI::App& lumi)
         ->check(wrong_png_name);
     command->add_option("--mask", options->mask, "Also compare only where this picture is not black")
         ->type_name("MASK.png");
+    constexpr double kMostDb = 100;
+    command
+        ->add_option("--min-psnr", options->least_psnr_db,
+                     "End with 1 if PSNR is below this, with --mask inside of it: for automatic tests")
+        ->check(number(0, kMostDb))
+        ->type_name("DB");
     constexpr double kMaxPixelsPerDegree = 1000;
     command
         ->add_option("--ppd", options->pixels_per_degree,

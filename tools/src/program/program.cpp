@@ -15,6 +15,7 @@
 #include "lumi/baker/file_guard.h"
 #include "program/help_formatter.h"
 #include "program/option_checks.h"
+#include "program/wrong_call.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
 
@@ -82,10 +83,7 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error)
 {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
         return app.exit(error);  // --help or --version: prints to stdout
-    const auto rest = app.remaining();
-    const bool unknown = app.get_subcommands().empty() && !rest.empty();
-    const std::string problem = unknown ? "there is no subcommand \"" + rest.front() + "\"" : parse_problem(error);
-    report((problem + "; see `" + help_call(app) + "`").c_str(), kExitUsage);
+    report((problem_of(app, error) + "; see `" + help_call(app) + "`").c_str(), kExitUsage);
     return kExitUsage;
 }
 
@@ -96,6 +94,7 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());
     describe(app);
+    add_help_command(app, program_name);
     require_plain_words(app);
     const baker::FileGuard guard;
     try {
