@@ -110,13 +110,9 @@ LUMI_ALWAYS_INLINE void set_planes(Rows& rows, const PlaneMaker& maker)
 LUMI_ALWAYS_INLINE void set_memory(Rows& rows, const Texture& texture, const Target& target, int32_t row)
 {
     rows.row = target.rows.row(row - target.y);
-    rows.row_bytes = target.rows.row_bytes;
-    rows.colours_at = target.rows.colours_at;
     rows.texels = texture.texels;
     rows.columns = texture.columns;
     rows.texel_rows = texture.rows;
-    rows.palette = target.palette;
-    rows.has_two_taps = target.has_two_taps;
 }
 
 }  // namespace

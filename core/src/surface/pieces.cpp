@@ -8,7 +8,11 @@ namespace lumi::detail
 {
 
 TrianglePieces::TrianglePieces(const SurfaceFrame& frame, const Target& target)
-    : frame_(frame), target_(target), walk_(walk_of(frame, target)), other_(frame.memory.bands[frame.other_list])
+    : piece(target),
+      frame_(frame),
+      target_(target),
+      walk_(walk_of(frame, target)),
+      other_(frame.memory.bands[frame.other_list])
 {
 }
 

@@ -109,9 +109,9 @@ void set_depth_factor(SurfaceProjection& p)
 // ends' depths, and by as much as these are rounded.
 void set_straight_length(SurfaceProjection& p, uint32_t longest_edge_q6)
 {
-    constexpr int64_t kMost = 1 << 14;
-    const int64_t edge = shifted(longest_edge_q6, p.depth_bits - 6), near = p.near_z, offset = p.depth_offset;
-    const int64_t length_px = 4 * near * offset / (edge * offset + 4 * near);
+    constexpr uint64_t kMost = 1 << 14;
+    const uint64_t edge = static_cast<uint64_t>(shifted(longest_edge_q6, p.depth_bits - 6)), offset = p.depth_offset;
+    const uint64_t near = static_cast<uint32_t>(p.near_z), length_px = 4 * near * offset / (edge * offset + 4 * near);
     p.straight_px = static_cast<int32_t>(length_px < kMost ? length_px : kMost);
 }
 

@@ -55,7 +55,7 @@ enum class SurfaceMode : uint8_t {
     antialiased,  // the same, with two taps of the texture, and outlines blended by coverage where the field has
                   // neighbours
     two_by_two,   // the mean light of four, at 1/4 and 3/4 of a pixel's sides
-    // Where a texel is larger than two pixels, the last two read four texels and blend between their middles.
+    // Where a texel is larger than three pixels, the last two read four texels and blend between their middles.
 };
 
 struct SurfaceCamera {

@@ -39,6 +39,14 @@ struct Corner {
 
 // What of a triangle lies in a target.
 struct TrianglePiece {
+    explicit TrianglePiece(const Target& target)
+    {
+        rows.row_bytes = target.rows.row_bytes;
+        rows.colours_at = target.rows.colours_at;
+        rows.palette = target.palette;
+        rows.has_two_taps = target.has_two_taps;
+    }
+
     Rows rows;
     bool is_magnified;
     bool is_cut;  // rows may reach beyond the target's sides

@@ -16,7 +16,9 @@ namespace lumi::detail
 class SeeThroughPieces
 {
 public:
-    SeeThroughPieces(const SeeThroughFrame& frame, const Target& target) : frame_(frame), target_(target) {}
+    SeeThroughPieces(const SeeThroughFrame& frame, const Target& target) : piece(target), frame_(frame), target_(target)
+    {
+    }
 
     // Makes `piece` the next one; false after the last.
     LUMI_HOT bool next();

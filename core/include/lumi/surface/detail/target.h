@@ -36,6 +36,9 @@ LUMI_HOT void clear_pixels(const SampleRows& rows, uint16_t pixel);
 // Copies pixels; best where both lie equally in a word.
 LUMI_HOT void copy_pixels(uint8_t* to, const uint8_t* from, uint32_t count);
 
+// Texels larger than so many pixels are read bilinearly in modes that do so.
+inline constexpr int32_t kMagnifiedPx = 3;
+
 inline Target target_of(const SurfaceFrame& frame, const DrawnPart& part, const SampleRows& rows)
 {
     const uint32_t log2 = frame.samples_log2;
@@ -44,7 +47,7 @@ inline Target target_of(const SurfaceFrame& frame, const DrawnPart& part, const 
             part.rect.y_px << log2,
             frame.palette,
             frame.mode == SurfaceMode::antialiased,
-            frame.mode == SurfaceMode::one_sample ? -1 : 512 >> log2};
+            frame.mode == SurfaceMode::one_sample ? -1 : (1024 / kMagnifiedPx) >> log2};
 }
 
 }  // namespace lumi::detail
