@@ -35,11 +35,11 @@ struct SceneParts {
     std::optional<Disc> catcher;  // catches shadows, see catcher.h
     std::optional<Volume> volume;
     bool mesh_is_shell = false;  // see SceneData
-    float exposure = 1;          // factor on all light
     ToneCurve tone = ToneCurve::srgb;
     // In place of the defaults, where LoadOptions leave them open:
     std::optional<UpAxis> up;
     std::optional<Environment> environment;
+    std::optional<float> exposure;  // factor on all light
     std::optional<BoundingSphere> sphere;  // in place of the fitted one
 };
 

@@ -38,7 +38,9 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings)
 {
-    return build_scene(read_parts(file, options, warnings), options);
+    Scene scene = build_scene(read_parts(file, options, warnings), options);
+    for (const std::string& warning : scene.data().choice.warnings) warnings.push_back(at({file.string()}, warning));
+    return scene;
 }
 
 }  // namespace lumi::baker

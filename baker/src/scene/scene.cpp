@@ -120,21 +120,29 @@ std::optional<Medium> medium_of(std::optional<Volume> volume, const Affine& to_w
     return volume ? std::optional<Medium>(std::in_place, std::move(*volume), to_world, radius) : std::nullopt;
 }
 
-std::vector<Material> scaled(std::vector<Material> materials, double radius, float exposure)
+std::vector<Material> scaled(std::vector<Material> materials, double radius)
 {
-    for (Material& m : materials) {
-        m.emission = m.emission * exposure;
-        m.absorption = m.absorption * static_cast<float>(radius);
-    }
+    for (Material& m : materials) m.absorption = m.absorption * static_cast<float>(radius);
     return materials;
 }
 
-Environment environment_of(const SceneParts& parts, const LoadOptions& options)
+Environment exposed(Environment environment, float exposure)
 {
-    Environment environment =
-        options.environment ? *options.environment : parts.environment.value_or(studio_environment());
-    environment.scale *= parts.exposure;
+    environment.scale *= exposure;
     return environment;
+}
+
+const std::vector<Material>& expose(std::vector<Material>& materials, float exposure)
+{
+    for (Material& m : materials) m.emission = m.emission * exposure;
+    return materials;
+}
+
+std::optional<float> stated_exposure(const SceneParts& parts, const LoadOptions& options)
+{
+    if (options.exposure_stops) return static_cast<float>(std::exp2(*options.exposure_stops));
+    // A shell must not be metered: what it stands for is not.
+    return parts.exposure || !parts.mesh_is_shell ? parts.exposure : std::optional<float>(1.0f);
 }
 
 std::vector<Fixture> moved_into_sphere(const std::vector<Fixture>& fixtures, const std::array<double, 3>& centre,
@@ -187,23 +195,25 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
           radius = sphere.radius;
           return moved_into_sphere(std::move(parts.mesh), sphere, up);
       }()),
-      materials(scaled(std::move(parts.materials), radius, parts.exposure)),
+      materials(scaled(std::move(parts.materials), radius)),
       textures(std::move(parts.textures)),
       tone(parts.tone),
-      exposure(parts.exposure),
       has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
       mesh_is_shell(parts.mesh_is_shell),
       catcher(moved_into_sphere(parts.catcher, {centre, radius}, up)),
       medium(medium_of(std::move(parts.volume), out_of_sphere(centre, radius, up), radius)),
       accelerator(mesh),
-      lights(mesh, materials, textures, environment_of(parts, options),
-             moved_into_sphere(parts.fixtures, centre, radius, up, parts.exposure))
+      choice(choose_light(
+          {options.environment ? options.environment : parts.environment,
+           moved_into_sphere(parts.fixtures, centre, radius, up, 1), stated_exposure(parts, options), tone},
+          {mesh, materials, textures, accelerator})),
+      lights(mesh, expose(materials, choice.exposure), textures, exposed(choice.environment, choice.exposure),
+             moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure))
 {
 }
 
 Scene build_scene(SceneParts parts, const LoadOptions& options)
 {
-    if (options.exposure_stops) parts.exposure = static_cast<float>(std::exp2(*options.exposure_stops));
     if (options.solid_volume && parts.volume && parts.mesh.corners.empty()) add_shell(parts);
     if (parts.mesh.corners.empty() && !parts.volume)
         throw SceneError("the scene holds no triangles; export at least one face");
@@ -244,6 +254,11 @@ size_t Scene::material_count() const
 size_t Scene::light_count() const
 {
     return data_->lights.count();
+}
+
+const std::vector<std::string>& Scene::notes() const
+{
+    return data_->choice.notes;
 }
 
 bool Scene::mesh_is_shell() const

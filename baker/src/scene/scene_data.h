@@ -9,6 +9,7 @@
 #include "geometry/accelerator.h"
 #include "light/light_set.h"
 #include "model/scene_parts.h"
+#include "scene/light_choice.h"
 #include "volume/medium.h"
 
 namespace lumi::baker
@@ -27,12 +28,12 @@ struct SceneData {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     ToneCurve tone;
-    float exposure;         // factor that all light below already has
     bool has_transparency;  // some material may let light pass
     bool mesh_is_shell;     // the mesh only tells where the volume looks solid: light passes it
     std::optional<Disc> catcher;
     std::optional<Medium> medium;
     Accelerator accelerator;
+    LightChoice choice;  // its exposure is a factor that the light of `materials` and `lights` already has
     LightSet lights;
 };
 

@@ -178,9 +178,11 @@ private:
 
     void read_picture()
     {
-        double stops = 0;
-        scene_.number("exposure", {-kMostStops, kMostStops}, stops);
-        parts_.exposure = static_cast<float>(std::exp2(stops));
+        if (scene_.find("exposure")) {
+            double stops = 0;
+            scene_.number("exposure", {-kMostStops, kMostStops}, stops);
+            parts_.exposure = static_cast<float>(std::exp2(stops));
+        }
         parts_.tone = static_cast<ToneCurve>(scene_.choice("tone", {"srgb", "reinhard", "aces"}, 0));
     }
 

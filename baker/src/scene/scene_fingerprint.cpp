@@ -55,11 +55,11 @@ void add(Digest& digest, const Texture& texture)
 
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
-    const auto& [centre, radius, up, mesh, materials, textures, tone, exposure, has_transparency, mesh_is_shell,
-                 catcher, medium, accelerator, lights] = scene;
-    static_cast<void>(exposure);  // the lights have it
+    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, mesh_is_shell, catcher, medium,
+                 accelerator, choice, lights] = scene;
     static_cast<void>(has_transparency);
     static_cast<void>(accelerator);
+    static_cast<void>(choice);  // materials and lights have it
     Digest digest;
     digest.add(centre);
     digest.add(radius);

@@ -72,7 +72,7 @@ RadianceImage trace_radiance(const Scene& scene, const Camera& camera, const Ref
 {
     RadianceImage image{camera.width_px(), camera.height_px(), std::vector<float>(4 * pixel_count(camera))};
     trace_pixels(scene, camera, settings, progress, [&](size_t pixel, const Estimate& estimate) {
-        const Rgb light = estimate.covered_radiance() * (1 / scene.data().exposure);
+        const Rgb light = estimate.covered_radiance() * (1 / scene.data().choice.exposure);
         const float values[4] = {light.r, light.g, light.b, estimate.coverage()};
         std::copy_n(values, 4, &image.rgba[4 * pixel]);
     });

@@ -28,6 +28,7 @@ Scene square(const std::string& mtl, const std::array<uint8_t, 6>& bytes, const 
     LoadOptions options;
     options.up = UpAxis::z;
     options.environment = environment;
+    options.exposure_stops = 0;
     std::vector<std::string> warnings;
     Scene scene = load_scene(folder.write("s.obj", kSquare), options, warnings);
     INFO((warnings.empty() ? "" : warnings[0]));

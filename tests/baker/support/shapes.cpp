@@ -76,6 +76,16 @@ void SceneMaker::fill(const Volume& volume)
     parts_.volume = volume;
 }
 
+void SceneMaker::surround(const Environment& environment)
+{
+    parts_.environment = environment;
+}
+
+void SceneMaker::see_through(ToneCurve tone)
+{
+    parts_.tone = tone;
+}
+
 void SceneMaker::expose(float factor)
 {
     parts_.exposure = factor;
@@ -136,10 +146,16 @@ void SceneMaker::span_unit_sphere()
 
 Scene SceneMaker::make(const Environment& environment)
 {
+    parts_.environment = environment;
+    parts_.exposure = parts_.exposure.value_or(1.0f);
+    return make_open();
+}
+
+Scene SceneMaker::make_open()
+{
     LoadOptions options;
     options.up = UpAxis::z;
     options.margin = 0;
-    options.environment = environment;
     return build_scene(std::move(parts_), options);
 }
 

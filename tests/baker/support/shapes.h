@@ -23,6 +23,8 @@ public:
     void catch_shadows(const Disc& disc);
     void fill(const Volume& volume);
     void expose(float factor);
+    void surround(const Environment& environment);
+    void see_through(ToneCurve tone);
     // Corners in order around the edge.
     void quad(uint32_t material, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
     // A convex ball of flat faces whose corners lie on the sphere.
@@ -33,7 +35,8 @@ public:
     // Fixes the bounding sphere to the unit sphere: adds six specks at its axis points, which nothing else may exceed.
     void span_unit_sphere();
 
-    Scene make(const Environment& environment);
+    Scene make(const Environment& environment);  // exposed by 1 unless expose() was called
+    Scene make_open();                           // the scene chooses what nobody stated
 
 private:
     void triangle(uint32_t material, const Vec3& a, const Vec3& b, const Vec3& c);

@@ -27,7 +27,7 @@ const char* const kRows =
     R"([{"view": "generic", "core": "m4", "mode": "linear", "texel": "rgb565", "span": 8, "instructions_per_pixel": 1}])";
 const std::string kTinyBake = " --origins 8 --directions 8 --spp 1";
 const std::string kTinySurfaceBake = " --layout surface --triangles 20 --longest-edge 2 --texel-density 4 --paths 4";
-const std::string kTinyPicture = " --size 16x16 --spp 1";
+const std::string kTinyPicture = " --size 16x16 --spp 1 --sky studio";
 
 // A folder with something of everything that commands read, and other names for some of it.
 struct Workshop {
@@ -144,7 +144,7 @@ TEST_CASE("own files: a clash ends a bake before its work begins")
     check_input_kept("bake s.obj -o t.png --fit 100kB" + endless, "t.png");
     check_input_kept("bake s.obj -o x.lumi --fit 100kB --plan s.mtl" + endless, "s.mtl");
     check_twins_refused("bake s.obj -o x.lumi --fit 100kB --plan x.lumi" + endless, "x.lumi");
-    check_input_kept("reference s.obj -o mtl.png --size 16x16" + endless, "mtl.png");
+    check_input_kept("reference s.obj -o mtl.png --size 16x16 --sky studio" + endless, "mtl.png");
     check_input_kept("report s.obj f.lumi -o t.png" + endless, "t.png");
 }
 

@@ -174,7 +174,7 @@ TEST_CASE("a checkpoint of other options is refused with the mend, and --restart
 TEST_CASE("json progress writes nothing but JSON to stdout, and ends with what was done")
 {
     const test::TemporaryFolder folder;
-    const Outcome outcome = lumi(bake(folder / "f.lumi", {"--progress", "json"}));
+    const Outcome outcome = lumi(bake(folder / "f.lumi", {"--progress", "json", "--sky", "studio"}));
     const auto lines = json_lines(outcome.out);
     REQUIRE(lines.size() >= 3);
     CHECK(lines.front().at("state") == "baking");

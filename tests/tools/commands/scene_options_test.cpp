@@ -130,6 +130,26 @@ TEST_CASE("exposure: --exposure multiplies all light, counts more than the scene
         CHECK(reference(folder / "p.png", {"--exposure", stops}).code == 2);
 }
 
+TEST_CASE("exposure: bake and reference choose and say the same one, and --exposure is another")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "s.json",
+                        std::string(R"({"objects": [{"obj": ")") + LUMI_TEST_SCENE +
+                            R"("}], "lights": [{"type": "directional", "direction": [-1, -1, -1], "irradiance": 900}]})");
+    const auto said = [&](const test::Arguments& call) {
+        const Outcome outcome = lumi(call);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        const size_t begin = outcome.err.find("lumi: the exposure is set to -");
+        return begin == std::string::npos ? "" : outcome.err.substr(begin, outcome.err.find('\n', begin) - begin);
+    };
+    const std::string line = said({"reference", folder / "s.json", "-o", folder / "p.png", "--size", "8x8"});
+    CHECK_THAT(line, Catch::Contains("stops"));
+    CHECK(said({"bake", folder / "s.json", "-o", folder / "f.lumi", "--origins", "40", "--directions", "40", "--spp",
+                "1"}) == line);
+    CHECK(said({"reference", folder / "s.json", "-o", folder / "p.png", "--size", "8x8", "--exposure", "-9"}).empty());
+}
+
 TEST_CASE("reference: an .exr holds linear light, before exposure, and its coverage in place of a background")
 {
     const test::TemporaryFolder folder;

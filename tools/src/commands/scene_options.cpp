@@ -104,13 +104,14 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
         .add_option_function<std::string>(
             "--sky", [&options](const std::string& word) { set_sky(word, options); },
             "Light from far away: studio, black, a colour of linear radiance such as 0.8 or 1,0.9,0.7, or a "
-            "latitude-longitude picture (.hdr, .exr) [as the scene file says, or studio]")
+            "latitude-longitude picture (.hdr, .exr) [as the scene file says, or studio for what has no light of its "
+            "own]")
         ->type_name("studio|black|COLOUR|FILE");
     command
         .add_option_function<std::string>(
             "--exposure", [&options](const std::string& word) { set_exposure(word, options); },
             "All light is multiplied by 2 to this power, from -20 to 20; equal for bake, reference and report [as the "
-            "scene file says, or 0]")
+            "scene file says, or what lamps need, or 0]")
         ->type_name("STOPS");
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
         ->check(whole_number(0, kMostThreads))
@@ -130,6 +131,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     if (!options.sky_picture.empty()) load.environment = baker::picture_environment(options.sky_picture, lines);
     baker::Scene scene = baker::load_scene(options.path, load, lines);
     for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", line.c_str());
+    for (const std::string& note : scene.notes()) std::fprintf(stderr, "lumi: %s\n", note.c_str());
     warnings = lines.size();
     return scene;
 }

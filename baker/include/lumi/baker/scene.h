@@ -64,11 +64,11 @@ struct LoadOptions {
     // The sphere's radius is the smallest one around all triangles times (1 + margin), so that nothing touches it. >=
     // 0.
     double margin = 0.01;
-    // The studio by default, also for scenes with emissive materials: a lamp on a product rarely lights it all. A room
-    // with lamps of its own wants constant_environment(0).
+    // The studio, unless the scene has lamps, or materials that shine and by themselves light most of it.
     std::optional<Environment> environment = std::nullopt;
-    // In stops: all light is multiplied by 2 to this power. At most kMostStops to either side.
-    std::optional<double> exposure_stops = std::nullopt;  // 0
+    // In stops: all light is multiplied by 2 to this power. At most kMostStops to either side. 0; for light of lamps or
+    // a picture what gives the scene a middle tone.
+    std::optional<double> exposure_stops = std::nullopt;
     std::optional<IsoSurface> iso = std::nullopt;         // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
@@ -92,6 +92,8 @@ public:
     size_t triangle_count() const;
     size_t material_count() const;
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
+    // What was chosen of the light, because files and options leave it open: a sentence each.
+    const std::vector<std::string>& notes() const;
     bool mesh_is_shell() const;  // a volume without objects got its mesh by LoadOptions::solid_volume
 
     // A hash of all that decides light paths: the same files and options give the same value on every machine and in
