@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/agx.h"
 #include "image/srgb.h"
 
 namespace lumi::baker
@@ -73,6 +74,27 @@ Tangent filmic_at(const Rgb& linear)
     return t;
 }
 
+Tangent agx_at(const Rgb& linear)
+{
+    constexpr float kDarkest = 1e-5f, kBrightest = 0.98f;  // below, the curve is flat; above, light has no end
+    const Rgb ends = agx::mixed(linear);
+    const float values[3] = {ends.r, ends.g, ends.b};
+    float light[3], slopes[3];
+    for (size_t k = 0; k < 3; ++k) {
+        light[k] = std::max(agx::inverse_curve(std::clamp(values[k], 0.0f, kBrightest)), kDarkest);
+        slopes[k] = agx::slope(light[k]);
+    }
+    Tangent t = {agx::unmixed({light[0], light[1], light[2]}), {}};
+    for (size_t column = 0; column < 3; ++column) {
+        const Rgb in = agx::mixed({column == 0 ? 1.0f : 0, column == 1 ? 1.0f : 0, column == 2 ? 1.0f : 0});
+        const Rgb out = agx::unmixed({slopes[0] * in.r, slopes[1] * in.g, slopes[2] * in.b});
+        t.slope[0][column] = out.r;
+        t.slope[1][column] = out.g;
+        t.slope[2][column] = out.b;
+    }
+    return t;
+}
+
 Tangent tangent_at(ToneCurve curve, const Rgb& linear)
 {
     switch (curve) {
@@ -80,6 +102,8 @@ Tangent tangent_at(ToneCurve curve, const Rgb& linear)
             return reinhard_at(linear);
         case ToneCurve::aces:
             return filmic_at(linear);
+        case ToneCurve::agx:
+            return agx_at(linear);
         case ToneCurve::srgb:
             break;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "image/tone.h"
 
+#include "image/agx.h"
+
 namespace lumi::baker
 {
 namespace
@@ -9,6 +11,12 @@ namespace
 float filmic(float x)
 {
     return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
+}
+
+Rgb agx_toned(const Rgb& c)
+{
+    const Rgb m = agx::mixed(c);
+    return agx::unmixed({agx::curve(m.r), agx::curve(m.g), agx::curve(m.b)});
 }
 
 }  // namespace
@@ -20,6 +28,8 @@ Rgb toned(ToneCurve curve, const Rgb& c)
             return c * (1 / (1 + luminance(c)));
         case ToneCurve::aces:
             return {filmic(c.r), filmic(c.g), filmic(c.b)};
+        case ToneCurve::agx:
+            return agx_toned(c);
         case ToneCurve::srgb:
             break;
     }

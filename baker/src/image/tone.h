@@ -14,9 +14,12 @@ enum class ToneCurve : uint8_t {
     reinhard,  // luminance L becomes L/(1+L): Reinhard et al., "Photographic Tone Reproduction for Digital Images",
                // SIGGRAPH 2002, equation 3; hue stays
     aces,      // a fit of the ACES filmic curve per channel: K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016
+    agx,  // like AgX (T. Sobotka, github.com/sobotka/AgX, 2022; Blender's default since 4.0): strong colours fade to
+          // white as they get brighter; agx.h
 };
+inline constexpr ToneCurve kLastToneCurve = ToneCurve::agx;
 
-// Still linear; values above 1 clip later.
+// Still linear; values above 1 clip later, and so do those below 0 that AgX gives to dark, strong colours.
 Rgb toned(ToneCurve curve, const Rgb& radiance);
 
 }  // namespace lumi::baker

@@ -39,7 +39,7 @@ struct SceneParts {
     // In place of the defaults, where LoadOptions leave them open:
     std::optional<UpAxis> up;
     std::optional<Environment> environment;
-    std::optional<float> exposure;  // factor on all light
+    std::optional<float> exposure;         // factor on all light
     std::optional<BoundingSphere> sphere;  // in place of the fitted one
 };
 

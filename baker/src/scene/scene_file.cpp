@@ -183,7 +183,7 @@ private:
             scene_.number("exposure", {-kMostStops, kMostStops}, stops);
             parts_.exposure = static_cast<float>(std::exp2(stops));
         }
-        parts_.tone = static_cast<ToneCurve>(scene_.choice("tone", {"srgb", "reinhard", "aces"}, 0));
+        parts_.tone = static_cast<ToneCurve>(scene_.choice("tone", {"srgb", "reinhard", "aces", "agx"}, 0));
     }
 
     void read_sphere()

@@ -29,7 +29,7 @@ bool is_sound(const FitBasis& basis)
 {
     constexpr float kReach = 1.9f, kMostDensity = 1e6f;
     const PatchMesh& mesh = basis.mesh;
-    return is_within(mesh.longest_edge, 1e6f) && basis.tone <= ToneCurve::aces &&
+    return is_within(mesh.longest_edge, 1e6f) && basis.tone <= kLastToneCurve &&
            std::all_of(mesh.positions.begin(), mesh.positions.end(),
                        [](const Vec3& p) { return is_within(p, kReach); }) &&
            std::all_of(mesh.normals.begin(), mesh.normals.end(), [](const Vec3& n) { return is_within(n, kReach); }) &&

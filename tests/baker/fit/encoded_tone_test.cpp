@@ -8,7 +8,7 @@ namespace lumi::baker::testing
 namespace
 {
 
-constexpr ToneCurve kCurves[] = {ToneCurve::srgb, ToneCurve::reinhard, ToneCurve::aces};
+constexpr ToneCurve kCurves[] = {ToneCurve::srgb, ToneCurve::reinhard, ToneCurve::aces, ToneCurve::agx};
 const LevelColour kColours[] = {{0, 0, 0}, {2, 30, 90}, {128, 128, 128}, {200, 40, 7}, {250, 251, 252}};
 
 float largest_difference(const LevelColour& a, const LevelColour& b)

@@ -216,4 +216,27 @@ TEST_CASE("tone: the named curves have their values")
     CHECK(static_cast<double>(c.r / c.b) == Approx(4));
 }
 
+TEST_CASE("tone: AgX keeps greys and middle grey, never clips light, and lets a strong red fade to white")
+{
+    const auto agx = [](const Rgb& c) { return toned(ToneCurve::agx, c); };
+    CHECK(is_black(agx({})));
+    CHECK(agx(grey(0.18f)).g == Approx(0.18).epsilon(0.005));
+    float before = 0;
+    for (float light = 1e-4f; light < 1e4f; light *= 2) {
+        const Rgb c = agx(grey(light));
+        CHECK(c.r == Approx(c.b).epsilon(1e-5));
+        CHECK(c.g > before);
+        CHECK(c.g < 1);
+        before = c.g;
+    }
+    float green = 0;
+    for (const float light : {0.5f, 2.0f, 8.0f, 32.0f, 1000.0f}) {
+        const Rgb red = agx({light, 0.1f * light, 0.1f * light});
+        CHECK(red.r > red.g);
+        CHECK(red.g > green);
+        green = red.g;
+    }
+    CHECK(green > 0.95f);
+}
+
 }  // namespace lumi::baker

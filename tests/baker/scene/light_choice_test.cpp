@@ -104,7 +104,7 @@ TEST_CASE("light choice: clay in the studio shows the middle tone that lamps are
 TEST_CASE("light choice: lamps of any unit give what they light a middle tone, through every tone curve")
 {
     for (const float light : {1e-4f, 0.01f, 10.0f, 3000.0f}) {
-        for (const ToneCurve tone : {ToneCurve::srgb, ToneCurve::reinhard, ToneCurve::aces}) {
+        for (const ToneCurve tone : {ToneCurve::srgb, ToneCurve::reinhard, ToneCurve::aces, ToneCurve::agx}) {
             INFO(light);
             const LightChoice choice = choice_in_sun(light, testing::diffuse(grey(0.5f)), tone);
             const float shown = luminance(toned(tone, grey(kClayShare * light * choice.exposure)));

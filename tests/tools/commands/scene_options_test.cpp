@@ -133,9 +133,10 @@ TEST_CASE("exposure: --exposure multiplies all light, counts more than the scene
 TEST_CASE("exposure: bake and reference choose and say the same one, and --exposure is another")
 {
     const test::TemporaryFolder folder;
-    test::write_content(folder / "s.json",
-                        std::string(R"({"objects": [{"obj": ")") + LUMI_TEST_SCENE +
-                            R"("}], "lights": [{"type": "directional", "direction": [-1, -1, -1], "irradiance": 900}]})");
+    test::write_content(
+        folder / "s.json",
+        std::string(R"({"objects": [{"obj": ")") + LUMI_TEST_SCENE +
+            R"("}], "lights": [{"type": "directional", "direction": [-1, -1, -1], "irradiance": 900}]})");
     const auto said = [&](const test::Arguments& call) {
         const Outcome outcome = lumi(call);
         INFO(outcome.err);

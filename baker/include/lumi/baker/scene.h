@@ -69,7 +69,7 @@ struct LoadOptions {
     // In stops: all light is multiplied by 2 to this power. At most kMostStops to either side. 0; for light of lamps or
     // a picture what gives the scene a middle tone.
     std::optional<double> exposure_stops = std::nullopt;
-    std::optional<IsoSurface> iso = std::nullopt;         // only for a volume
+    std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
 };
