@@ -11,7 +11,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 build_packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtbb-dev         # ray queries
-  libtinyobjloader-dev             # OBJ and MTL
   libtinygltf-dev                  # glTF and GLB
   libpng-dev libturbojpeg0-dev     # PNG and JPEG
   libwebp-dev                      # turning pictures

@@ -48,6 +48,7 @@ TABLES = {
     "soak": scripts.soak,
     "fuzzing": scripts.fuzzing,
     "attacks": scripts.attacks,
+    "cases": scripts.cases,
     "licences": scripts.licences,
     "speed steps": lambda: scripts.speed_steps("steps"),
     "speed steps of 24 rows": lambda: scripts.speed_steps("steps_24"),

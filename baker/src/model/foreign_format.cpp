@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
@@ -163,10 +162,7 @@ std::string_view first_word_on(std::string_view head)
 
 std::string extension_of(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+    return in_small_letters(file.extension().string());
 }
 
 void refuse_foreign_model(const std::filesystem::path& file, std::string_view head)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reader of a model leaves out, counted: one warning for each kind.
+// What a reader of a model leaves out or doubts, counted: one warning for each kind.
 #pragma once
 
 #include <filesystem>
@@ -16,16 +16,27 @@ class Losses
 {
 public:
     // `kind` goes on after the count, and says the mend: "normal map(s) are left out; ...".
-    void add(const std::string& kind, size_t count = 1) { counts_[kind] += count; }
+    void add(const std::string& kind, size_t count = 1) { kinds_[kind].count += count; }
+    // The warning names the line of the first one.
+    void add_at(uint32_t line, const std::string& kind)
+    {
+        Kind& k = kinds_[kind];
+        if (k.count++ == 0) k.line = line;
+    }
 
     void report(const std::filesystem::path& file, std::vector<std::string>& warnings) const
     {
-        for (const auto& [kind, count] : counts_)
-            if (count != 0) warnings.push_back(at({file.string()}, std::to_string(count) + " " + kind));
+        for (const auto& [text, kind] : kinds_)
+            if (kind.count != 0)
+                warnings.push_back(at({file.string(), kind.line}, std::to_string(kind.count) + " " + text));
     }
 
 private:
-    std::map<std::string, size_t> counts_;
+    struct Kind {
+        size_t count = 0;
+        uint32_t line = 0;
+    };
+    std::map<std::string, Kind> kinds_;
 };
 
 }  // namespace lumi::baker

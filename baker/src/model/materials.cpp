@@ -13,6 +13,32 @@ namespace lumi::baker
 namespace
 {
 
+std::string with_slashes(std::string name)
+{
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return name;
+}
+
+std::string without_quotes(const std::string& name)
+{
+    const bool quoted = name.size() > 2 && name.front() == '"' && name.back() == '"';
+    return quoted ? name.substr(1, name.size() - 2) : name;
+}
+
+// The first by name, so that every machine finds the same.
+std::filesystem::path find_in_any_case(const std::filesystem::path& folder, const std::string& name)
+{
+    std::filesystem::path found;
+    std::error_code failed;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, failed)) {
+        const std::filesystem::path file = entry.path().filename();
+        const bool better = found.empty() || file < found.filename();
+        if (better && in_small_letters(file.string()) == in_small_letters(name) && entry.is_regular_file(failed))
+            found = folder / file;
+    }
+    return found;
+}
+
 class TextureStore
 {
 public:
@@ -30,13 +56,32 @@ public:
         const std::filesystem::path file = find_beside(mtl, map.name);
         if (file.empty()) {
             warnings_.push_back(at(place, "the picture '" + map.name +
-                                              "' is missing, the plain number is used; put it beside " +
-                                              mtl.filename().string()));
+                                              "' is missing, the plain number is used; put it beside " + mtl.string()));
             return {};
+        }
+        if (is_in_other_case(file, map.name)) {
+            warnings_.push_back(at(place, "the picture '" + map.name + "' is found as '" + file.filename().string() +
+                                              "'; write the name as the file's"));
         }
         const Key key = {file.string(), use};
         const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
         if (fresh) entry->second = load(place, file, use);
+        return {entry->second, map.scale, map.offset};
+    }
+
+    // What the picture's alpha cuts out: a part of it, or nothing.
+    TextureSlot alpha_slot(const std::filesystem::path& mtl, const MtlMap& map)
+    {
+        const Key key = {find_beside(mtl, map.name).string(), PictureUse::opacity};
+        const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
+        if (fresh) {
+            Texture opacity = read_texture(key.first, key.second);
+            const auto [least, most] = std::minmax_element(opacity.rgb.begin(), opacity.rgb.end());
+            if (*least < *most) {
+                textures_.push_back(std::move(opacity));
+                entry->second = static_cast<int32_t>(textures_.size() - 1);
+            }
+        }
         return {entry->second, map.scale, map.offset};
     }
 
@@ -124,6 +169,14 @@ Rgb colour_of(const MtlMaterial& mtl, const char* keyword, const char* map)
     return mtl.map(map) && !mtl.has(keyword) ? grey(1) : mtl.colour(keyword);
 }
 
+// The usual grey where neither a number nor a picture gives it. A black one beside a picture is what some exporters
+// write for white.
+Rgb base_of(const MtlMaterial& mtl)
+{
+    if (mtl.map("map_Kd")) return mtl.has("Kd") && !is_black(mtl.colour("Kd")) ? mtl.colour("Kd") : grey(1);
+    return mtl.has("Kd") ? mtl.colour("Kd") : MaterialNumbers().base;
+}
+
 // What the body wears: a skin, and from Blender coat and fibres.
 void take_layers(const MtlMaterial& mtl, Material& m)
 {
@@ -135,7 +188,7 @@ void take_layers(const MtlMaterial& mtl, Material& m)
     m.sheen = std::min(m.sheen, 1.0f) * kSheen;
     if (mtl.has("Ps") || mtl.map("map_Ps")) m.sheen_roughness = static_cast<float>(kMinSheenRoughness);
     constexpr int kMirror = 3;
-    if (mtl.illum == kMirror && !m.rough_body && m.specular && is_black(m.base) && !mtl.map("map_Kd")) {
+    if (mtl.illum == kMirror && !m.rough_body && m.specular && is_black(mtl.colour("Kd")) && !mtl.map("map_Kd")) {
         m.metalness = 1;
         m.base = ks;
     }
@@ -153,7 +206,7 @@ Material to_material(const MtlMaterial& mtl)
         else
             m.*std::get<float MaterialNumbers::*>(p.member) = stated(p, mtl.number(p.mtl, 0));
     }
-    m.base = colour_of(mtl, "Kd", "map_Kd");
+    m.base = base_of(mtl);
     m.opacity = mtl.opacity;
     const bool physical = mtl.has("Pr") || m.metalness > 0 || mtl.map("map_Pr") || mtl.map("map_Pm");
     m.alpha = physical ? alpha_from_roughness(mtl.number("Pr", 0)) : alpha_from_phong_exponent(mtl.number("Ns", 1));
@@ -183,6 +236,8 @@ void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
     const bool metal = m.metalness > 0 && !mtl.map("map_Kd");
     m.maps.base = textures.slot(mtl.file, mtl.map(metal ? "map_Ks" : "map_Kd"), PictureUse::colour);
     for (const MapUse& use : kMaps) m.maps.*use.slot = textures.slot(mtl.file, mtl.map(use.keyword), use.use);
+    if (!metal && m.maps.base.used() && !mtl.map("map_d") && !m.glass)
+        m.maps.opacity = textures.alpha_slot(mtl.file, *mtl.map("map_Kd"));
     const MtlMap* normals = nullptr;
     for (const char* keyword : {"bump", "map_bump", "map_Bump", "norm"})
         if (mtl.map(keyword)) normals = mtl.map(keyword);
@@ -193,25 +248,29 @@ void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
 
 std::filesystem::path find_beside(const std::filesystem::path& beside, const std::string& name)
 {
-    std::string slashed = name;
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    const std::string plain = without_quotes(name), slashed = with_slashes(plain);
     const std::filesystem::path folder = beside.parent_path();
     const std::filesystem::path last = std::filesystem::path(slashed).filename();
-    for (const std::filesystem::path& candidate : {folder / name, folder / slashed, folder / last}) {
+    for (const std::filesystem::path& candidate : {folder / plain, folder / slashed, folder / last}) {
         std::error_code ignored;
         if (!candidate.filename().empty() && std::filesystem::is_regular_file(candidate, ignored)) return candidate;
     }
-    return {};
+    return last.empty() ? std::filesystem::path() : find_in_any_case(folder, last.string());
 }
 
-MaterialSet resolve_materials(const std::string& obj_file, const std::vector<ObjText::Use>& uses,
+bool is_in_other_case(const std::filesystem::path& found, const std::string& name)
+{
+    return found.filename() != std::filesystem::path(with_slashes(without_quotes(name))).filename();
+}
+
+MaterialSet resolve_materials(const std::string& obj_file, const std::vector<ObjName>& uses,
                               const std::vector<MtlMaterial>& known, std::vector<std::string>& warnings)
 {
     MaterialSet set;
     TextureStore textures(set.textures, warnings);
     std::unordered_map<std::string_view, const MtlMaterial*> by_name;
     for (const MtlMaterial& m : known) by_name.try_emplace(m.name, &m);  // the first one counts
-    for (const ObjText::Use& use : uses) {
+    for (const ObjName& use : uses) {
         const auto found = by_name.find(use.name);
         if (found == by_name.end()) {
             warnings.push_back(

@@ -9,14 +9,16 @@
 #include "image/texture.h"
 #include "material/material.h"
 #include "model/mtl_reader.h"
-#include "model/obj_text.h"
+#include "model/obj_scan.h"
 
 namespace lumi::baker
 {
 
 // The file that `name`, written in a file beside `beside`, means: as written, or only its last part; both kinds of
-// slash. Empty if there is none.
+// slash, with or without quotes, and the last part in another letter case. Empty if there is none.
 std::filesystem::path find_beside(const std::filesystem::path& beside, const std::string& name);
+// Whether that file was found only by another letter case.
+bool is_in_other_case(const std::filesystem::path& found, const std::string& name);
 
 struct MaterialSet {
     std::vector<Material> materials;  // in the order of `uses`
@@ -24,7 +26,7 @@ struct MaterialSet {
 };
 
 // One material for each use; what is not found is a grey that a warning names.
-MaterialSet resolve_materials(const std::string& obj_file, const std::vector<ObjText::Use>& uses,
+MaterialSet resolve_materials(const std::string& obj_file, const std::vector<ObjName>& uses,
                               const std::vector<MtlMaterial>& known, std::vector<std::string>& warnings);
 
 }  // namespace lumi::baker

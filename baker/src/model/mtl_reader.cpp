@@ -6,6 +6,7 @@
 
 #include "lumi/baker/scene.h"
 #include "material/material.h"
+#include "model/losses.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -26,6 +27,8 @@ constexpr NumberRule kOtherRules[] = {{"Ks", 3, 0, 1}, {"Ns", 1, 0, 1e9}, {"Tr",
 constexpr const char* kPictures[] = {"map_Kd", "map_Ks", "map_Ke", "map_Pr",   "map_Pm",  "map_Ps",
                                      "map_d",  "norm",   "bump",   "map_Bump", "map_bump"};
 constexpr const char* kIgnored[] = {"map_Ns", "disp", "decal", "refl", "map_Tr"};
+// Keywords that take something else, and those that change nothing in a traced picture.
+constexpr const char* kOtherWords[] = {"newmtl", "illum", "Ka", "map_Ka", "Km", "sharpness", "map_aat", "Tf"};
 
 // Before a picture's name, with so many words at most.
 struct MapOption {
@@ -53,6 +56,23 @@ NumberRule rule_of(const std::string& keyword)
     const auto* rule = std::find_if(std::begin(kOtherRules), std::end(kOtherRules),
                                     [&](const NumberRule& r) { return keyword == r.keyword; });
     return rule == std::end(kOtherRules) ? NumberRule{nullptr, 0, 0, 0} : *rule;
+}
+
+// As it is, or else with the capitals that it should have; empty if MTL has no such word.
+std::string known_keyword(const std::string& word)
+{
+    std::vector<std::string> all;
+    for (const char* keyword : kPictures) all.push_back(keyword);
+    for (const char* keyword : kIgnored) all.push_back(keyword);
+    for (const char* keyword : kOtherWords) all.push_back(keyword);
+    for (const NumberRule& rule : kOtherRules) all.push_back(rule.keyword);
+    for (const MaterialParameter& p : kMaterialParameters)
+        if (p.mtl) all.push_back(p.mtl);
+    if (std::find(all.begin(), all.end(), word) != all.end()) return word;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const std::string& keyword) {
+        return in_small_letters(keyword) == in_small_letters(word);
+    });
+    return found == all.end() ? "" : *found;
 }
 
 std::string_view take_word(std::string_view& text)
@@ -121,7 +141,30 @@ public:
     {
     }
 
-    void take(Line line)
+    void take(Line& line)
+    {
+        const std::string keyword = known_keyword(line.keyword);
+        if (keyword.empty()) {
+            losses_.add_at(line.number, "line(s) begin with '" + line.keyword +
+                                            "', which is no word of MTL, and are left out; check the material");
+            return;
+        }
+        if (keyword != line.keyword) {
+            losses_.add_at(line.number, "line(s) write '" + line.keyword + "' for '" + keyword +
+                                            "', and are read so; write capitals as MTL has them");
+            line.keyword = keyword;
+        }
+        take_known(line);
+    }
+
+    std::vector<MtlMaterial> finish()
+    {
+        losses_.report(file_, warnings_);
+        return std::move(materials_);
+    }
+
+private:
+    void take_known(Line& line)
     {
         if (line.keyword == "newmtl") {
             begin(line);
@@ -134,24 +177,22 @@ public:
         } else if (!is_one_of(kIgnored, line.keyword)) {
             take_numbers_of(line);
         } else if (line.argument != "0" && line.argument.rfind("0.0", 0) != 0) {
-            warn(line, "'" + line.keyword + "' is not drawn; remove it if the picture looks right");
+            losses_.add_at(line.number,
+                           "line(s) '" + line.keyword + "' are not drawn; remove them if the picture looks right");
         }
     }
 
-    std::vector<MtlMaterial> finish() { return std::move(materials_); }
-
-private:
     MtlMaterial& current() { return skipped_ ? ignored_ : materials_.back(); }
     Place place(const Line& line) const { return {file_.string(), line.number}; }
     void warn(const Line& line, const std::string& text) { warnings_.push_back(at(place(line), text)); }
 
     void begin(const Line& line)
     {
-        if (line.argument.empty()) throw SceneError(at(place(line), "'newmtl' without a name; give the material one"));
+        if (line.argument.empty()) losses_.add_at(line.number, "material(s) have no name; give them one");
         skipped_ = !names_.insert(line.argument).second;
         if (skipped_) {
             ignored_ = {};
-            warn(line, "material '" + line.argument + "' is defined twice, the first one counts; rename one");
+            losses_.add_at(line.number, "material(s) have the name of an earlier one, which counts; rename them");
             return;
         }
         materials_.emplace_back();
@@ -169,7 +210,7 @@ private:
     void take_numbers_of(Line& line)
     {
         const NumberRule rule = rule_of(line.keyword);
-        if (rule.count == 0) return;
+        if (rule.count == 0 || !has_plain_numbers(line)) return;
         if (rule.count == 3 && words(line.argument).size() == 1)
             line.argument += " " + line.argument + " " + line.argument;
         require_numbers(place(line), line, rule.count, rule.count, 1e30);
@@ -185,6 +226,23 @@ private:
         }
         current().numbers[line.keyword] = rule.count == 3 ? Rgb{numbers[0], numbers[1], numbers[2]} : grey(numbers[0]);
         take_opacity(line, numbers[0]);
+    }
+
+    // "d -halo 0.5" is drawn as "d 0.5".
+    bool has_plain_numbers(Line& line)
+    {
+        const std::vector<std::string_view> list = words(line.argument);
+        const std::string first(list.empty() ? "" : list[0]);
+        if (first == "xyz" || first == "spectral") {
+            losses_.add_at(line.number,
+                           "colour(s) are given as '" + first + "', and are left out; give red, green and blue");
+            return false;
+        }
+        if (first == "-halo") {
+            losses_.add_at(line.number, "opacities '-halo' are drawn alike from all sides; remove the word");
+            line.argument = line.argument.substr(first.size());
+        }
+        return true;
     }
 
     void take_opacity(const Line& line, float value)
@@ -204,6 +262,7 @@ private:
     std::vector<std::string>& warnings_;
     std::vector<MtlMaterial> materials_;
     std::set<std::string> names_;
+    Losses losses_;
     MtlMaterial ignored_;  // takes what stands before the first material or in a double one
     bool skipped_ = true;
 };
@@ -213,7 +272,7 @@ private:
 std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
     MtlReader reader(file, warnings);
-    for (Line& line : split_lines(read_text(file))) reader.take(std::move(line));
+    for_each_line(read_text(file), [&](Line& line) { reader.take(line); });
     return reader.finish();
 }
 

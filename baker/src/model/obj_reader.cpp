@@ -6,9 +6,11 @@
 #include <set>
 
 #include "geometry/polygon.h"
+#include "image/srgb.h"
+#include "lumi/baker/scene.h"
 #include "model/materials.h"
-#include "model/obj_parser.h"
-#include "model/obj_text.h"
+#include "model/obj_scan.h"
+#include "model/vertex_colours.h"
 
 namespace lumi::baker
 {
@@ -18,13 +20,15 @@ namespace
 using Key = std::pair<uint32_t, int32_t>;  // group, vertex
 
 // Newell's sum: the area vector of a polygon, bent or not.
-Vec3 area_vector(const ObjContent& content, const ObjFace& face)
+Vec3 area_vector(const std::vector<Vec3>& positions, const ObjContent& content, const ObjFace& face)
 {
     Vec3 sum;
-    const Vec3 base = content.positions[static_cast<size_t>(content.corners[face.first].position)];
+    const auto corner = [&](uint32_t k) {
+        return positions[static_cast<size_t>(content.corners[face.first + k].position)];
+    };
+    const Vec3 base = corner(0);
     for (uint32_t k = 1; k + 1 < face.count; ++k) {
-        const Vec3 a = content.positions[static_cast<size_t>(content.corners[face.first + k].position)] - base;
-        const Vec3 b = content.positions[static_cast<size_t>(content.corners[face.first + k + 1].position)] - base;
+        const Vec3 a = corner(k) - base, b = corner(k + 1) - base;
         sum = sum + cross(a, b);
     }
     return sum;
@@ -32,12 +36,12 @@ Vec3 area_vector(const ObjContent& content, const ObjFace& face)
 
 // Gives each corner without a normal, of a face in a smoothing group, the mean of the normals of that group's faces at
 // the same vertex, weighted by area. Faces outside groups stay flat.
-void smooth_normals(ObjContent& content)
+void smooth_normals(const std::vector<Vec3>& positions, ObjContent& content)
 {
     std::map<Key, Vec3> sums;
     for (const ObjFace& face : content.faces) {
         if (face.smoothing != 0) {
-            const Vec3 area = area_vector(content, face);
+            const Vec3 area = area_vector(positions, content, face);
             for (uint32_t k = 0; k < face.count; ++k) {
                 Vec3& sum = sums[{face.smoothing, content.corners[face.first + k].position}];
                 sum = sum + area;
@@ -57,51 +61,70 @@ void smooth_normals(ObjContent& content)
     }
 }
 
-// The libraries that one mtllib line names: all of it is one name with blanks, or each word is a name.
-std::vector<std::filesystem::path> libraries_of(const std::filesystem::path& obj, const ObjText::Library& library,
-                                                std::vector<std::string>& warnings)
+class Libraries
 {
-    const std::filesystem::path whole = find_beside(obj, library.name);
-    if (!whole.empty()) return {whole};
-    std::vector<std::filesystem::path> files;
-    std::string missing = library.name;
-    for (const std::string_view word : words(library.name)) {
-        const std::filesystem::path file = find_beside(obj, std::string(word));
-        if (!file.empty()) {
-            files.push_back(file);
-            missing.clear();
+public:
+    Libraries(const std::filesystem::path& obj, Losses& losses, std::vector<std::string>& warnings)
+        : obj_(obj), losses_(losses), warnings_(warnings)
+    {
+    }
+
+    // The materials of all libraries. Each library is read once, however often the OBJ names it.
+    std::vector<MtlMaterial> materials_of(const ObjContent& content)
+    {
+        std::set<std::string> names;
+        for (const ObjName& library : content.libraries)
+            if (names.insert(library.name).second) read_all(library);
+        if (known_.empty() && !content.materials.empty()) read_namesake();
+        return std::move(known_);
+    }
+
+private:
+    // All of a line is one name with blanks, or each word is a name.
+    void read_all(const ObjName& library)
+    {
+        if (read(library.name, library.line)) return;
+        bool found = false;
+        for (const std::string_view word : words(library.name)) found = read(std::string(word), library.line) || found;
+        if (!found) {
+            warnings_.push_back(at({obj_.string(), library.line},
+                                   "the material file '" + library.name + "' is missing; put it beside the OBJ file"));
         }
     }
-    if (!missing.empty() || library.name.empty()) {
-        warnings.push_back(at({obj.string(), library.line},
-                              "the material file '" + library.name + "' is missing; put it beside the OBJ file"));
-    }
-    return files;
-}
 
-// The materials of all libraries. Each library is read once, however often the OBJ names it.
-std::vector<MtlMaterial> materials_of(const std::filesystem::path& file, const ObjText& obj,
-                                      std::vector<std::string>& warnings)
-{
-    std::vector<MtlMaterial> known;
-    std::set<std::string> names, read;
-    for (const ObjText::Library& library : obj.libraries) {
-        if (!names.insert(library.name).second) continue;
-        for (const std::filesystem::path& mtl : libraries_of(file, library, warnings))
-            if (read.insert(std::filesystem::weakly_canonical(mtl).string()).second)
-                for (MtlMaterial& material : read_mtl(mtl, warnings)) known.push_back(std::move(material));
+    bool read(const std::string& name, uint32_t line)
+    {
+        const std::filesystem::path mtl = find_beside(obj_, name);
+        if (mtl.empty()) return false;
+        if (is_in_other_case(mtl, name))
+            losses_.add_at(line, "material file(s) are found by another letter case; write the name as the file's");
+        if (read_.insert(std::filesystem::weakly_canonical(mtl).string()).second)
+            for (MtlMaterial& material : read_mtl(mtl, warnings_)) known_.push_back(std::move(material));
+        return true;
     }
-    return known;
-}
+
+    // Programs that lose the line still write the file.
+    void read_namesake()
+    {
+        if (read(obj_.stem().string() + ".mtl", 0))
+            losses_.add("material file(s) are found by the OBJ's own name; name them in a line 'mtllib'");
+    }
+
+    const std::filesystem::path& obj_;
+    Losses& losses_;
+    std::vector<std::string>& warnings_;
+    std::vector<MtlMaterial> known_;
+    std::set<std::string> read_;
+};
 
 // Turns polygons into the triangles of a mesh.
 class ObjMeshBuilder
 {
 public:
-    ObjMeshBuilder(const ObjContent& content, uint32_t default_material)
+    ObjMeshBuilder(std::vector<Vec3> positions, const ObjContent& content, uint32_t default_material)
         : content_(content), default_material_(default_material)
     {
-        mesh_.positions = content.positions;
+        mesh_.positions = std::move(positions);
         mesh_.uvs = content.uvs;
         for (const Vec3& n : content.normals) {
             const float size = length(n);
@@ -114,7 +137,7 @@ public:
     {
         std::vector<Vec3> polygon;
         for (uint32_t k = 0; k < face.count; ++k)
-            polygon.push_back(content_.positions[static_cast<size_t>(corner(face, k).position)]);
+            polygon.push_back(mesh_.positions[static_cast<size_t>(corner(face, k).position)]);
         bool sound = true;
         for (const std::array<uint32_t, 3>& t : triangulate(polygon)) {
             const bool flat = has_no_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
@@ -153,46 +176,94 @@ private:
     Mesh mesh_;
 };
 
-Mesh build_mesh(const std::string& file, const ObjText& obj, const ObjContent& content,
-                std::vector<std::string>& warnings)
+Mesh build_mesh(const std::string& file, std::vector<Vec3> positions, const ObjContent& content, Losses& losses)
 {
-    ObjMeshBuilder builder(content, static_cast<uint32_t>(obj.materials.size()));
-    size_t flat_faces = 0, first_flat = 0;
-    for (size_t f = 0; f < content.faces.size(); ++f) {
-        if (!builder.add(content.faces[f])) {
-            first_flat = flat_faces == 0 ? f : first_flat;
-            ++flat_faces;
-        }
+    ObjMeshBuilder builder(std::move(positions), content, static_cast<uint32_t>(content.materials.size()));
+    for (const ObjFace& face : content.faces) {
+        if (!builder.add(face))
+            losses.add_at(face.line,
+                          "face(s) are or contain triangles without area, which are left out; merge doubled vertices");
     }
     Mesh mesh = builder.take();
-    if (flat_faces != 0) {
-        warnings.push_back(at({file, obj.face_lines[first_flat]},
-                              std::to_string(flat_faces) + " face(s) from here on are or contain triangles without "
-                                                           "area, which are left out; merge doubled vertices"));
-    }
     if (mesh.corners.empty()) throw SceneError(at({file}, "no face has an area; check the scale and the vertices"));
     return mesh;
+}
+
+bool has_pictures(const Material& m)
+{
+    const TextureSlots& s = m.maps;
+    return s.base.used() || s.emission.used() || s.roughness.used() || s.metalness.used() || s.sheen.used() ||
+           s.opacity.used() || s.normal.used();
+}
+
+CornerColours colours_at(const std::vector<Rgb>& colours, const Mesh::Corners& corners)
+{
+    CornerColours result;
+    for (size_t k = 0; k < 3; ++k) {
+        const Rgb& c = colours[corners[k]];
+        const auto linear = [](float v) { return static_cast<float>(srgb_linear(static_cast<double>(v))); };
+        result[k] = {linear(c.r), linear(c.g), linear(c.b)};
+    }
+    return result;
+}
+
+// Colours at vertices are a picture of materials that have none.
+void paint(const std::vector<Rgb>& colours, size_t undefined, SceneParts& parts, Losses& losses)
+{
+    const auto is_white = [](const Rgb& c) { return std::min({c.r, c.g, c.b}) >= 1; };
+    if (std::all_of(colours.begin(), colours.end(), is_white)) return;
+    std::vector<CornerColours> corners;
+    for (const Mesh::Corners& c : parts.mesh.corners) corners.push_back(colours_at(colours, c));
+    const std::vector<Mesh::OptionalCorners> mapping = parts.mesh.mapping;
+    const int32_t picture = static_cast<int32_t>(parts.textures.size());
+    parts.textures.push_back(picture_of_corners(parts.mesh, 0, corners));
+    std::vector<bool> painted;
+    for (size_t k = 0; k < parts.materials.size(); ++k) {
+        Material& m = parts.materials[k];
+        painted.push_back(!has_pictures(m));
+        if (!painted[k]) {
+            losses.add("material(s) have pictures, and colours at vertices, which are left out; bake them together");
+            continue;
+        }
+        m.maps.base.texture = picture;
+        if (k == undefined) m.base = grey(1);
+    }
+    for (size_t t = 0; t < mapping.size(); ++t)
+        if (!painted[parts.mesh.materials[t]]) parts.mesh.mapping[t] = mapping[t];
+}
+
+void count_unmapped(const SceneParts& parts, Losses& losses)
+{
+    size_t count = 0;
+    for (size_t t = 0; t < parts.mesh.triangle_count(); ++t)
+        count +=
+            parts.mesh.mapping[t][0] == kNoIndex && has_pictures(parts.materials[parts.mesh.materials[t]]) ? 1u : 0u;
+    losses.add("triangle(s) have no texture coordinates and do not show their material's pictures; unwrap them", count);
 }
 
 }  // namespace
 
 SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const ObjText obj = prepare_obj(file.string(), read_text(file));
-    const std::vector<MtlMaterial> known = materials_of(file, obj, warnings);
-    ObjContent content = parse_obj(file.string(), obj.text, obj.materials.size());
-    if (content.faces.size() != obj.face_lines.size())
-        throw SceneError(at({file.string()}, "the parser lost faces; export it again as triangles"));
-    smooth_normals(content);
+    Losses losses;
+    ObjContent content = scan_obj(file.string(), read_text(file), losses);
+    const std::vector<MtlMaterial> known = Libraries(file, losses, warnings).materials_of(content);
+    CentredPositions at = centred(content.positions);
+    smooth_normals(at.positions, content);
 
     SceneParts parts;
-    parts.mesh = build_mesh(file.string(), obj, content, warnings);
-    MaterialSet set = resolve_materials(file.string(), obj.materials, known, warnings);
+    parts.origin = at.origin;
+    parts.mesh = build_mesh(file.string(), std::move(at.positions), content, losses);
+    MaterialSet set = resolve_materials(file.string(), content.materials, known, warnings);
     parts.materials = std::move(set.materials);
+    const size_t undefined = content.materials.size();
     const auto& used = parts.mesh.materials;
-    if (std::find(used.begin(), used.end(), obj.materials.size()) != used.end())
+    if (std::find(used.begin(), used.end(), undefined) != used.end())
         parts.materials.emplace_back().finish();  // the material of faces before the first usemtl
     parts.textures = std::move(set.textures);
+    if (!content.colours.empty()) paint(content.colours, undefined, parts, losses);
+    count_unmapped(parts, losses);
+    losses.report(file, warnings);
     return parts;
 }
 

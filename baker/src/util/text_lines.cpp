@@ -44,6 +44,15 @@ std::string_view without_comment(std::string_view line)
     return line;
 }
 
+// A backslash at the end of a comment, or of a name, is a part of it.
+bool goes_on(std::string_view line)
+{
+    if (line.empty() || line.back() != '\\' || without_comment(line).size() != line.size()) return false;
+    const std::string_view text = trimmed(line);
+    const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+    return word != "newmtl" && word != "usemtl";
+}
+
 std::string_view without_plus(std::string_view word)
 {
     return !word.empty() && word[0] == '+' ? word.substr(1) : word;
@@ -121,7 +130,7 @@ void for_each_line(std::string_view text, const std::function<void(Line&)>& use)
     while (!text.empty()) {
         const uint32_t first = ++number;
         std::string joined(take_line(text));
-        while (!joined.empty() && joined.back() == '\\') {
+        while (goes_on(joined)) {
             joined.back() = ' ';
             number += text.empty() ? 0u : 1u;
             joined += take_line(text);
@@ -152,6 +161,13 @@ std::vector<std::string_view> words(std::string_view argument)
         result.push_back(argument.substr(0, end));
         argument.remove_prefix(end);
     }
+}
+
+std::string in_small_letters(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
 }
 
 std::string joined(const std::vector<std::string>& parts, const char* separator)

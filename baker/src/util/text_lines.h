@@ -30,7 +30,8 @@ std::string read_file(const std::filesystem::path& file);
 // The same, of a text. Refuses UTF-16.
 std::string read_text(const std::filesystem::path& file);
 
-// One logical line: continuation lines (ending in a backslash) joined, comment and surrounding blanks cut off.
+// One logical line: continuation lines (ending in a backslash) joined, comment and surrounding blanks cut off. A
+// backslash at the end of a comment, or of the name behind newmtl or usemtl, joins nothing.
 struct Line {
     uint32_t number;       // the number of its first physical line, from 1
     std::string keyword;   // first word
@@ -43,6 +44,9 @@ std::vector<Line> split_lines(std::string_view text);
 
 // The words of a line's argument.
 std::vector<std::string_view> words(std::string_view argument);
+
+// Of ASCII only.
+std::string in_small_letters(std::string text);
 
 // All parts with the separator between them.
 std::string joined(const std::vector<std::string>& parts, const char* separator);

@@ -40,6 +40,11 @@ def soak():
                  lambda row: [row[key] for key in ("cpu", "minutes", "frames", "stripes", "refused", "stack_bytes")])
 
 
+def cases():
+    return table(["kind", "cases", "right before", "right now"], load("cases")["cases"],
+                 lambda row: [row["kind"], row["cases"], row["before"], row["after"]])
+
+
 def licences():
     return table(["package", "loaded", "licence of most files"], load("licences")["rows"], lambda row: [
         row["package"], ", ".join(row["objects"]), row["licence"]])

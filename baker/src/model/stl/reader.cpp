@@ -88,8 +88,7 @@ private:
         uint32_t last = 0;
         for_each_line(text, [&](Line& line) {
             last = line.number;
-            std::transform(line.keyword.begin(), line.keyword.end(), line.keyword.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            line.keyword = in_small_letters(line.keyword);
             if (line.keyword == "solid" || line.keyword == "endsolid")
                 open = line.keyword == "solid";
             else if (line.keyword == "vertex")
