@@ -158,7 +158,7 @@ TEST_CASE("report measures a surface field and tells how fast parts draw it")
 TEST_CASE("inspect --rates: every named part draws finer modes slower, of both kinds of fields")
 {
     const test::TemporaryFolder folder;
-    test::write_content(folder / "c.lumi", test::field_bytes({}));
+    test::write_content(folder / "c.lumi", test::field_bytes({100, 120, 100}));  // spans draw it
     const auto rates_of = [](const std::string& path) {
         return nlohmann::json::parse(lumi({"inspect", path, "--rates", "--json"}).out)["frames_per_second"];
     };

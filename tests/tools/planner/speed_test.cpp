@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How fast parts draw chord fields.
+// How instructions become rates, and what a pace is.
 #include "planner/speed.h"
 
 #include <catch2/catch.hpp>
 
 namespace lumi::planner
 {
-
-namespace
-{
-
-double rate_at(const char* part, const ChordMode& mode)
-{
-    return modelled_rate(*parse_pace(std::string(part) + "@1fps")->chip, mode);
-}
-
-}  // namespace
 
 TEST_CASE("the slower of drawing and sending limits the frame rate")
 {
@@ -42,31 +32,6 @@ TEST_CASE("a pace is a part and a rate")
     for (const char* text : {"", "rp2040", "rp2040@", "rp2040@30", "rp2040@fps", "@30fps", "z80@30fps", "rp2040@0fps",
                              "rp2040@-1fps", "rp2040@nanfps", "rp2040@30fpsx", "rp2040@3 fps", "rp2040@infs"})
         CHECK_FALSE(parse_pace(text));
-}
-
-TEST_CASE("cheaper modes are faster, on every part, and no mode is faster than the display")
-{
-    for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3"}) {
-        double before = 0.5;
-        for (const ChordMode& mode : chord_modes()) {
-            CHECK(rate_at(part, mode) >= before);
-            CHECK(rate_at(part, mode) < 67.9);
-            before = rate_at(part, mode);
-        }
-    }
-}
-
-TEST_CASE("modes are listed dearest first")
-{
-    for (const char* core : {"m0plus", "m4"}) {
-        double before = 1e18;
-        for (const ChordMode& mode : chord_modes()) {
-            const double cost = frame_cost(core, mode).instructions;
-            INFO(core << " " << mode.name);
-            CHECK(cost < before);
-            before = cost;
-        }
-    }
 }
 
 }  // namespace lumi::planner

@@ -7,6 +7,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "../planner/chord_speed.h"
 #include "../planner/surface_speed.h"
 #include "../quality/quick_check.h"
 #include "commands/rates.h"
@@ -80,16 +81,18 @@ struct RatedMode {
 // Best and dearest first.
 std::vector<RatedMode> rated_modes(const BakeSummary& summary, const planner::Chip& chip)
 {
+    const FieldFile file(summary.job.target, FieldFile::Role::own_output);
     std::vector<RatedMode> modes;
-    if (!summary.job.surface) {
+    const auto rate = [&](const char* name, const std::vector<planner::PartRate>& rates) {
+        for (const planner::PartRate& part : rates)
+            if (part.chip == &chip) modes.push_back({name, part.mean});
+    };
+    if (!file.is_surface())
         for (const planner::ChordMode& mode : planner::chord_modes())
-            modes.push_back({mode.name, planner::modelled_rate(chip, mode)});
-        return modes;
-    }
-    const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-    for (const SurfaceMode mode : {SurfaceMode::two_by_two, SurfaceMode::antialiased, SurfaceMode::one_sample})
-        for (const planner::PartRate& rate : planner::surface_rates(field.surface(), mode))
-            if (rate.chip == &chip) modes.push_back({name_of(mode), rate.mean});
+            rate(mode.name, planner::chord_rates(file.field(), mode.mode));
+    else
+        for (const SurfaceMode mode : {SurfaceMode::two_by_two, SurfaceMode::antialiased, SurfaceMode::one_sample})
+            rate(name_of(mode), planner::surface_rates(file.surface(), mode));
     return modes;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "../planner/chord_speed.h"
 #include "../planner/speed.h"
 #include "draw/draw_surface.h"
 
@@ -12,20 +13,11 @@ namespace lumi::tools
 namespace
 {
 
-std::vector<planner::PartRate> chord_rates(const planner::ChordMode& mode)
-{
-    std::vector<planner::PartRate> rates;
-    for (const planner::Chip& chip : planner::kChipList) {
-        const double rate = planner::modelled_rate(chip, mode);
-        rates.push_back({&chip, rate, rate});
-    }
-    return rates;
-}
-
 std::string part_text(const planner::PartRate& rate, bool has_worst)
 {
     char text[80];
-    std::snprintf(text, sizeof text, has_worst ? "%s %.0f (%.0f)" : "%s %.0f", rate.chip->title, rate.mean, rate.worst);
+    const char* const form = has_worst ? "%s %.0f (%.0f)" : rate.mean < 1 ? "%s %.1g" : "%s %.0f";
+    std::snprintf(text, sizeof text, form, rate.chip->title, rate.mean, rate.worst);
     return text;
 }
 
@@ -38,14 +30,18 @@ std::vector<ModeRates> rates_of(const FieldFile& file)
         for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two})
             rates.push_back({name_of(mode), planner::surface_rates(file.surface(), mode)});
     else
-        for (const planner::ChordMode& mode : planner::chord_modes()) rates.push_back({mode.name, chord_rates(mode)});
+        for (const planner::ChordMode& mode : planner::chord_modes())
+            rates.push_back({mode.name, planner::chord_rates(file.field(), mode.mode)});
     return rates;
 }
 
 std::string rates_text(const FieldFile& file)
 {
     std::string text = "frames a second of 240 x 240 pixels, modelled, one core";
-    if (file.is_surface()) text += ", mean (worst) of " + std::to_string(planner::kRatedPoses) + " poses";
+    if (file.is_surface())
+        text += ", mean (worst) of " + std::to_string(planner::kRatedPoses) + " poses";
+    else if (!planner::is_drawn_by_spans(file.field()))
+        text += ", every pixel exact: spans refuse this field";
     text += ":\n";
     for (const ModeRates& mode : rates_of(file)) {
         char name[80];

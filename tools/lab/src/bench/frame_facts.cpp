@@ -64,7 +64,7 @@ FrameFacts chord_facts(Judge& judge, const tools::FieldFile& file, const std::st
     if (make_view_camera(view, camera) != CameraError::none)
         throw std::logic_error("a view of the bench has no camera");
     const HostFrame frame = draw_on_host(mode, span, file.field(), file.bytes(), camera);
-    return {judge.judge(mode, file.field(), view, frame.picture), traffic_of(frame.reads), frame.rgb565_crc};
+    return {judge.judge(mode, file.field(), view, frame.picture), planner::traffic_of(frame.reads), frame.rgb565_crc};
 }
 
 FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
@@ -74,7 +74,8 @@ FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& m
     const bool is_565 = pixel == "rgb565";
     const tools::DisplayFormat display = is_565 ? tools::DisplayFormat::rgb565 : tools::DisplayFormat::rgb888;
     const tools::Picture drawn = tools::draw_surface(file.surface(), eye, {mode.mode, display, kBackgroundColour});
-    return {judge_surface(exact_surface(file, view, mode.mode), drawn), traffic_of(reads_of(file, view, mode.mode)),
+    return {judge_surface(exact_surface(file, view, mode.mode), drawn),
+            planner::traffic_of(reads_of(file, view, mode.mode)),
             is_565 ? crc_as<PixelRgb565>(drawn) : crc_as<PixelRgb888>(drawn)};
 }
 

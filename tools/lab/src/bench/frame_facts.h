@@ -4,17 +4,17 @@
 
 #include <string>
 
-#include "bench/cache_model.h"
 #include "bench/judge.h"
 #include "files/field_file.h"
 #include "lumi/bench/surface_modes.h"
+#include "planner/cache_model.h"
 
 namespace lumi::bench
 {
 
 struct FrameFacts {
     Accuracy accuracy;
-    AllTraffic traffic;
+    planner::AllTraffic traffic;
     uint32_t crc = 0;
 };
 

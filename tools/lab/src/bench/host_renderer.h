@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "bench/cache_model.h"
 #include "image/picture.h"
 #include "lumi/chord/camera.h"
 #include "lumi/chord/field.h"
+#include "planner/cache_model.h"
 
 namespace lumi::bench
 {
+
+using planner::Read;
 
 struct HostFrame {
     tools::Picture picture;   // drawn as RGB888, so that a display's rounding hides nothing

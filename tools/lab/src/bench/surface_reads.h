@@ -6,12 +6,14 @@
 
 #include <vector>
 
-#include "bench/cache_model.h"
 #include "files/field_file.h"
 #include "lumi/bench/surface_modes.h"
+#include "planner/cache_model.h"
 
 namespace lumi::bench
 {
+
+using planner::Read;
 
 // In the renderer's order; addresses count from the file's start.
 std::vector<Read> reads_of(const tools::FieldFile& file, const View& view, SurfaceMode mode);

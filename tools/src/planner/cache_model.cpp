@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bench/cache_model.h"
+#include "planner/cache_model.h"
 
 #include <algorithm>
 
-namespace lumi::bench
+namespace lumi::planner
 {
 namespace
 {
@@ -12,8 +12,7 @@ constexpr uint32_t kEmpty = 0xFFFFFFFF;  // no line has this number: addresses a
 
 }  // namespace
 
-CacheModel::CacheModel(const planner::CacheShape& shape)
-    : shape_(shape), lines_(size_t{shape.bytes / shape.line_bytes}, kEmpty)
+CacheModel::CacheModel(const CacheShape& shape) : shape_(shape), lines_(size_t{shape.bytes / shape.line_bytes}, kEmpty)
 {
 }
 
@@ -41,11 +40,11 @@ AllTraffic traffic_of(const std::vector<Read>& reads)
 {
     AllTraffic traffic;
     for (size_t i = 0; i < traffic.size(); ++i) {
-        CacheModel cache(planner::kChipList[i].cache);
+        CacheModel cache(kChipList[i].cache);
         for (const Read& read : reads) cache.read(read);
         traffic[i] = {cache.lines_touched(), cache.misses()};
     }
     return traffic;
 }
 
-}  // namespace lumi::bench
+}  // namespace lumi::planner

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "bench/cache_model.h"
+#include "planner/cache_model.h"
 
-using namespace lumi::bench;
-using lumi::planner::CacheShape;
+using namespace lumi::planner;
 
 namespace
 {

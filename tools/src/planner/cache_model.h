@@ -9,7 +9,7 @@
 
 #include "planner/chips.h"
 
-namespace lumi::bench
+namespace lumi::planner
 {
 
 // A read of `bytes` bytes at `address`.
@@ -20,7 +20,7 @@ struct Read {
 class CacheModel
 {
 public:
-    explicit CacheModel(const planner::CacheShape& shape);
+    explicit CacheModel(const CacheShape& shape);
 
     // A read that crosses into another line counts for both.
     void read(const Read& read);
@@ -32,7 +32,7 @@ public:
 private:
     void touch(uint32_t line);
 
-    planner::CacheShape shape_;
+    CacheShape shape_;
     std::vector<uint32_t> lines_;  // per set, most recently used first
     std::unordered_set<uint32_t> touched_;
     uint64_t misses_ = 0;
@@ -41,8 +41,8 @@ private:
 struct Traffic {
     uint64_t lines = 0, misses = 0;
 };
-// Through the caches of planner::kChipList.
-using AllTraffic = std::array<Traffic, planner::kChips>;
+// Through the caches of kChipList.
+using AllTraffic = std::array<Traffic, kChips>;
 AllTraffic traffic_of(const std::vector<Read>& reads);
 
-}  // namespace lumi::bench
+}  // namespace lumi::planner

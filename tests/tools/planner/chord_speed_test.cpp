@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// How fast parts draw chord fields.
+#include "planner/chord_speed.h"
+
+#include <catch2/catch.hpp>
+
+#include "planner/speed.h"
+#include "support/test_field.h"
+
+namespace lumi::planner
+{
+
+namespace
+{
+
+using tools::Mode;
+
+// A field in memory.
+class Opened
+{
+public:
+    explicit Opened(uint32_t origins, uint32_t directions, TexelFormat texel = TexelFormat::rgb888)
+    {
+        tools::test::TestField layout;
+        layout.origins = layout.used_origins = origins;
+        layout.directions = directions;
+        layout.texel = texel;
+        bytes_ = tools::test::field_bytes(layout);
+        REQUIRE(open_field(reinterpret_cast<const uint8_t*>(bytes_.data()), bytes_.size(), field) == FieldError::none);
+    }
+
+    Field field;
+
+private:
+    std::string bytes_;
+};
+
+double rate_of(const char* part, const Field& field, Mode mode)
+{
+    for (const PartRate& rate : chord_rates(field, mode))
+        if (rate.chip->key == std::string(part)) return rate.mean;
+    FAIL("no part is called " << part);
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("a field that spans refuse has the rate of exact pixels, which is far below")
+{
+    // 56 × 56 rays, by counted instructions: 0.5 million clocks a scanline on an RP2040.
+    const Opened refused(56, 56), taken(64, 64);
+    CHECK_FALSE(is_drawn_by_spans(refused.field));
+    CHECK(is_drawn_by_spans(taken.field));
+    CHECK(rate_of("rp2040", refused.field, Mode::linear) < 0.1);
+    CHECK(rate_of("rp2040", taken.field, Mode::linear) > 3);
+}
+
+TEST_CASE("a larger field misses more lines and is slower, as is a dearer texel")
+{
+    const Opened small(100, 100), large(2000, 3000);
+    CHECK(rate_of("rp2040", large.field, Mode::nearest) < 0.99 * rate_of("rp2040", small.field, Mode::nearest));
+    const Opened grey(100, 100, TexelFormat::luma8);
+    CHECK(rate_of("stm32f4", small.field, Mode::linear) < 0.9 * rate_of("stm32f4", grey.field, Mode::linear));
+}
+
+TEST_CASE("exact pixels of fewer points cost less where all of them are looked at")
+{
+    const Opened few(8, 8), more(63, 63);
+    for (const char* core : {"m0plus", "m4"})
+        for (const ChordMode& mode : chord_modes())
+            CHECK(chord_instructions(core, mode.mode, few.field) < chord_instructions(core, mode.mode, more.field) / 2);
+}
+
+TEST_CASE("cheaper modes of a field are faster, on every part, and no mode is faster than the display")
+{
+    const Opened opened(300, 400, TexelFormat::palette8);
+    for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3"}) {
+        double before = 0.5;
+        for (const ChordMode& mode : chord_modes()) {
+            const double rate = rate_of(part, opened.field, mode.mode);
+            CHECK(rate >= before);
+            CHECK(rate < 67.9);
+            before = rate;
+        }
+    }
+}
+
+}  // namespace lumi::planner

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// How fast parts draw a chord field: a model of instructions that `lumi-lab bench` counted, and of what the field's own
+// rows of texels miss in the parts' caches.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/draw.h"
+#include "planner/surface_speed.h"
+
+namespace lumi::planner
+{
+
+// Whether firmware draws the field by spans, here of 8 pixels; else every pixel is drawn exactly.
+bool is_drawn_by_spans(const Field& field);
+
+// Instructions of a pixel of the sphere with the code of `core` ("m0plus", else M4 code): docs/log/tradeoff.md, generic
+// view, by the field's texel format; for exact pixels docs/log/exact.md.
+double chord_instructions(const std::string& core, tools::Mode mode, const Field& field);
+
+// Frames of 240 × 240 pixels a second by one core, of a view that the sphere fills. In the order of kChipList; mean and
+// worst are the same. Modes: nearest, linear and paper. Cost: the taps of such a frame.
+std::vector<PartRate> chord_rates(const Field& field, tools::Mode mode);
+
+}  // namespace lumi::planner
