@@ -42,14 +42,15 @@ set(LUMI_PLAIN_FILES
   tools/metrics/psnr_test.cpp
   tools/metrics/ssim_test.cpp
   tools/metrics/steerable_pyramid_test.cpp
-  lab/bench/cache_model_test.cpp
   lab/bench/surface_reads_test.cpp
   lab/comparison/baselines_test.cpp
   tools/draw/draw_surface_test.cpp
   tools/quality/quality_test.cpp
   tools/filter/lessons_test.cpp
   tools/filter/training_test.cpp
+  tools/planner/cache_model_test.cpp
   tools/planner/chord_plan_test.cpp
+  tools/planner/chord_speed_test.cpp
   tools/planner/speed_test.cpp
   tools/planner/surface_plan_test.cpp
   tools/planner/surface_speed_test.cpp
