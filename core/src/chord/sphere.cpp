@@ -142,7 +142,8 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
     const int32_t along_q30 = mul_q30(half_chord_q30, ray.facing_q30);
     const int32_t shrink_q30 = mul_q30(camera.inverse_distance_q30(), half_chord_q30);
 
-    const auto over_q = [&](int64_t numerator_q30) { return multiply_shift(numerator_q30, inverse_q26, 26); };
+    // Numerators are below 2, so 64 bits hold their products.
+    const auto over_q = [&](int64_t numerator_q30) { return (numerator_q30 * inverse_q26) >> 26; };
     const auto combine = [&](int64_t axial_q30, int64_t radial_q30) {
         const int32_t a = static_cast<int32_t>(axial_q30);
         const int64_t r_q30 = radial_q30;  // up to 8: the products with P, at most 1 in all, still fit

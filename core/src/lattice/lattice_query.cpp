@@ -43,12 +43,14 @@ Query make_query(const Lattice& lattice, const Vec3q30& d)
 Cell cell_of(const Query& q)
 {
     const int k = zone_of(q);
-    const int64_t odd_sign = (k & 1) != 0 ? 1 : -1;
     const int32_t first = kFibonacci[k];
     const int32_t second = kFibonacci[k + 1];
+    // (longitude · F) >> 20 by halves: a 64-bit product is a library call on a Cortex-M0+.
     const auto along_longitude = [&](int32_t fibonacci) {
-        return odd_sign * static_cast<int64_t>(
-                              (static_cast<uint64_t>(q.longitude_turns32) * static_cast<uint32_t>(fibonacci)) >> 20);
+        const auto f = static_cast<uint32_t>(fibonacci);
+        const auto way = static_cast<int32_t>(
+            ((q.longitude_turns32 >> 16) * f + (((q.longitude_turns32 & 0xFFFFu) * f) >> 16)) >> 4);
+        return (k & 1) != 0 ? way : -way;
     };
     const auto along_height = [&](int32_t step_q30) { return (static_cast<int64_t>(q.height_q10) * step_q30) >> 28; };
     return {k, first, second,

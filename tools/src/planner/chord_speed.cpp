@@ -32,7 +32,7 @@ struct SpanCosts {
 constexpr SpanCosts kSpans[] = {{{{113, 194}, {90, 167}, {121, 209}, {101, 182}}},
                                 {{{197, 359}, {205, 345}, {205, 373}, {155, 262}}},
                                 {{{429, 915}, {472, 922}, {484, 1008}, {381, 780}}}};
-constexpr Cost kExact[] = {{2709, 9087}, {2007, 7850}, {3947, 10982}};
+constexpr Cost kExact[] = {{2615, 8402}, {1914, 7168}, {3854, 10297}};
 // Of lattices below kSmallLattice points, all points are looked at, and Linear looks for the hull: what a side takes
 // beyond the exact cost above, and for each point. Fitted to fields of 8 × 8, 32 × 32 and 63 × 63 rays.
 constexpr uint32_t kSmallLattice = 64;
