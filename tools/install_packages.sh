@@ -17,13 +17,13 @@ build_packages=(
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # meshes of few triangles
   libnifti2-dev zlib1g-dev         # volumes
-  libopenvdb-dev                   # more of them, and their iso-surfaces
-  libboost-dev                     # headers, which those of libopenvdb-dev include and its package does not name
   libkissfft-dev                   # CW-SSIM
   libcli11-dev nlohmann-json3-dev
   clang lld)                       # the pages of `lumi view`, in WebAssembly
 test_packages=(
   catch2
+  libopenvdb-dev                                                            # .vdb volumes and iso-surfaces, a module
+  libboost-dev                                                              # headers, which those of OpenVDB include
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib  # code for Cortex-M
   qemu-system-arm                                                           # boards to run it on
   gcc-riscv64-unknown-elf qemu-system-misc                                  # the same for RISC-V

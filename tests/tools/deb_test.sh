@@ -15,6 +15,7 @@ grep --quiet '^ Depends: .*libembree' "$folder/info"
 dpkg --extract "$package" "$folder/root"
 [[ $("$folder/root/usr/bin/lumi" --version) == "$version" ]]
 "$folder/root/usr/bin/lumi" view "${BASH_SOURCE[0]%/*}/commands/chord-420e9fe.lumi" -o "$folder/view.html"
+test -e "$folder"/root/usr/lib/*/lumi/modules/lumi_openvdb.so || test -e "$folder/root/usr/lib/lumi/modules/lumi_openvdb.so"
 gunzip "$folder"/root/usr/share/man/man1/*.gz
 "${BASH_SOURCE[0]%/*}/pages_test.sh" "$folder/root/usr/bin/lumi" "$folder/root/usr/share"
 if command -v lintian >/dev/null; then

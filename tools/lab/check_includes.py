@@ -135,7 +135,7 @@ THIRD_PARTIES = {
     "Imf": "baker/src/image/exr_file.cpp",
     "meshoptimizer.h": "baker/src/mesh/simplify.cpp",
     "nifti": "baker/src/volume/nifti_header.cpp",
-    "openvdb/": "baker/src/volume/openvdb.cpp",
+    "openvdb/": "baker/src/volume/openvdb_module/module.cpp",
     "zlib.h": "baker/src/util/gzip.cpp",
     "kissfft": "tools/src/metrics/spectrum.cpp",
     "torch/": "tools/src/filter/torch/unet.h",

@@ -34,10 +34,15 @@ def package_of(file):
     raise FileNotFoundError(f"no Debian package holds {file}")
 
 
+MODULES = ["lumi_openvdb.so"]  # beside a program, which loads them when they are needed
+
+
 def packages_of(program):
-    """{package: names of the objects of it that `program` loads}"""
+    """{package: names of the objects of it that `program` and its modules load}"""
+    modules = [path for path in (pathlib.Path(program).parent / name for name in MODULES) if path.exists()]
+    objects = {name: file for part in [program, *modules] for name, file in loaded_by(part).items()}
     packages = {}
-    for name, file in sorted(loaded_by(program).items()):
+    for name, file in sorted(objects.items()):
         packages.setdefault(package_of(file), []).append(name)
     return packages
 

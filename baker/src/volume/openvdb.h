@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What OpenVDB does for us: it reads its own files, and finds surfaces in grids. The one door to it.
+// What OpenVDB does for us: it reads its own files, and finds surfaces in grids. It is a module (openvdb_module), which
+// is loaded at the first call: both functions also throw SceneError where lumi was built without it.
 #pragma once
 
 #include <array>

@@ -189,6 +189,18 @@ TEST_CASE("an old guided field is refused by every command, with what to do")
     CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("lumi starts without OpenVDB's libraries, and names them where their module is missing")
+{
+    CHECK_THAT(test::run_program({"ldd", LUMI_PROGRAM}).out,
+               !Catch::Contains("openvdb") && !Catch::Contains("log4cplus"));
+    const test::TemporaryFolder folder;
+    std::filesystem::copy_file(LUMI_PROGRAM, folder / "lumi");  // alone
+    test::write_content(folder / "smoke.vdb", "any");
+    const Outcome outcome = test::run_program({folder / "lumi", "bake", folder / "smoke.vdb", "--iso", "1"});
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("lumi was built without OpenVDB; ") && Catch::Contains("libopenvdb-dev"));
+}
+
 TEST_CASE("an output in a folder that does not exist is refused before the work begins")
 {
     const test::TemporaryFolder folder;
