@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mode is a SurfaceMode.
 #include "drawing.h"
-#include "lumi/surface/render.h"
+#include "lumi/surface/see_through.h"
 
 namespace lumi::wasm
 {
@@ -11,8 +11,8 @@ namespace
 constexpr uint32_t kModes = 3;
 constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
 
-LUMI_CONSTANT SurfaceField field = {};
-LUMI_CONSTANT SurfaceFrame frame = {};
+LUMI_CONSTANT SeeThroughField field = {};
+LUMI_CONSTANT SeeThroughFrame frame = {};
 void* samples = nullptr;
 
 }  // namespace
@@ -32,14 +32,15 @@ namespace
 
 // Without padding: vertices are words, links and bands half words, samples words again.
 struct Layout {
-    uint32_t links, bands, samples;
+    uint32_t links, bands, order, samples;
 
     explicit Layout(int32_t height_px)
     {
         constexpr uint32_t kHalf = sizeof(uint16_t), kWord = sizeof(uint32_t);
         links = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
         bands = links + surface_links(field.patch_count) * kHalf;
-        const uint32_t end = bands + surface_bands(height_px, kBandLog2) * kHalf;
+        order = bands + surface_bands(height_px, kBandLog2) * kHalf;
+        const uint32_t end = order + see_through_order(field.see_through_count) * kHalf;
         samples = (end + kWord - 1) / kWord * kWord;
     }
 };
@@ -53,7 +54,9 @@ uint32_t drawing_bytes(int32_t width_px, int32_t height_px)
 
 uint32_t device_bytes(int32_t width_px, int32_t height_px, uint32_t mode)
 {
-    return static_cast<uint32_t>(sizeof frame) +
+    const bool has_glass = field.see_through_count != 0;
+    return static_cast<uint32_t>(has_glass ? sizeof frame : sizeof(SurfaceFrame)) +
+           see_through_order(field.see_through_count) * static_cast<uint32_t>(sizeof(uint16_t)) +
            surface_frame_bytes(field.vertex_count, field.patch_count, height_px, kBandLog2) +
            surface_stripe_bytes(width_px, kStripeRows, static_cast<SurfaceMode>(mode));
 }
@@ -64,9 +67,10 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
     if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
         return detail::view_error(error);
     const Layout layout(image.height_px);
-    const SurfaceMemory borrowed = {reinterpret_cast<SurfaceVertex*>(memory),
-                                    reinterpret_cast<uint16_t*>(memory + layout.links),
-                                    reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2};
+    const SeeThroughMemory borrowed = {
+        {reinterpret_cast<SurfaceVertex*>(memory), reinterpret_cast<uint16_t*>(memory + layout.links),
+         reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2},
+        reinterpret_cast<uint16_t*>(memory + layout.order)};
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
         prepare_surface<decltype(pixel)>(field, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);

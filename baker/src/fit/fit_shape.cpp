@@ -15,9 +15,10 @@ ViewTurn view_turn(const Vec3& normal)
     return {step(h.x), step(h.y), step(h.z)};
 }
 
-FitShape::FitShape(PatchMesh m, const std::vector<float>& densities)
-    : mesh(std::move(m)), layout(layout_of(mesh, densities))
+FitShape::FitShape(PatchMesh m, const std::vector<float>& densities, std::vector<SeeThroughTexel> of_see_through)
+    : mesh(std::move(m)), layout(layout_of(mesh, densities)), see_through(std::move(of_see_through))
 {
+    see_through.resize(mesh.see_through_patches != 0 ? layout.texels : 0);  // a damaged shard may have others
     const auto step = [](float v) { return static_cast<int16_t>(std::lround(v * kEyeScale)); };
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
         const Vec3& p = mesh.positions[v];

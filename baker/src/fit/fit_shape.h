@@ -21,8 +21,21 @@ struct EyePoint {
     int16_t x, y, z;
 };
 
+struct SeeThroughTexel {
+    float coverage = 0;  // the share of light that does not pass
+    float open = 1;      // of the light that passes, the share behind which there is nothing
+    Rgb behind;          // mean radiance of the other light that passes
+};
+
+template <class Io>
+void fields(Io& io, SeeThroughTexel& texel)
+{
+    io(texel.coverage, texel.open, texel.behind);
+}
+
 struct FitShape {
-    FitShape(PatchMesh mesh, const std::vector<float>& densities);  // texels a radius, by patch
+    // Densities are texels a radius, by patch.
+    FitShape(PatchMesh mesh, const std::vector<float>& densities, std::vector<SeeThroughTexel> see_through = {});
 
     // Where an eye lies between the nodes of a vertex's view table.
     detail::ViewTaps taps(uint32_t vertex, const EyePoint& eye) const;
@@ -37,8 +50,9 @@ struct FitShape {
 
     PatchMesh mesh;
     TexelLayout layout;
-    std::vector<EyePoint> points;  // by vertex
-    std::vector<ViewTurn> turns;   // by vertex
+    std::vector<EyePoint> points;              // by vertex
+    std::vector<ViewTurn> turns;               // by vertex
+    std::vector<SeeThroughTexel> see_through;  // by texel, where the mesh has see-through patches
 };
 
 }  // namespace lumi::baker

@@ -2,6 +2,7 @@
 #include "fit/sample_tracer.h"
 
 #include "math/warp.h"
+#include "mesh/see_through.h"
 #include "mesh/survey.h"
 #include "trace/hit_point.h"
 
@@ -14,11 +15,12 @@ namespace
 // pictures are mostly drawn from, in radii from the centre.
 constexpr float kEyeDistance = 3;
 
-Mesh triangles_of(const PatchMesh& mesh, std::vector<uint32_t>& numbers)
+// Of patches from `begin` to `end`.
+Mesh triangles_of(const PatchMesh& mesh, uint32_t begin, uint32_t end, std::vector<uint32_t>& numbers)
 {
     Mesh result;
     result.positions = mesh.positions;
-    for (uint32_t p = 0; p < mesh.patches.size(); ++p) {
+    for (uint32_t p = begin; p < end; ++p) {
         const PatchMesh::Patch& patch = mesh.patches[p];
         result.corners.push_back({patch.a, patch.b, patch.c});
         numbers.push_back(2 * p);
@@ -37,6 +39,24 @@ Vec3 eye_of(const Ray& ray)
     return ray.origin - ray.direction * back;
 }
 
+// Of the hits along a ray the one nearest to a distance, with its own distance.
+std::optional<Hit> hit_near(const MeshTracer& mesh, const Ray& ray, float distance)
+{
+    constexpr float kStep = 1e-4f;
+    constexpr int kMostLayers = 32;
+    std::optional<Hit> best;
+    float from = std::max(0.0f, distance - kMaxDepthError);
+    for (int k = 0; k < kMostLayers; ++k) {
+        const float rest = distance + kMaxDepthError - from;
+        std::optional<Hit> hit = mesh.closest({ray.origin + ray.direction * from, ray.direction, rest});
+        if (!hit) break;
+        hit->distance += from;
+        from = hit->distance + kStep;
+        if (!best || std::abs(hit->distance - distance) < std::abs(best->distance - distance)) best = hit;
+    }
+    return best;
+}
+
 int16_t q12(float v)
 {
     return static_cast<int16_t>(std::lround(v * kEyeScale));
@@ -45,19 +65,63 @@ int16_t q12(float v)
 }  // namespace
 
 SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const ViewCap& cap)
-    : scene_(scene), shape_(shape), cap_(cap), mesh_(triangles_of(shape.mesh, numbers_), Faces::front), tracer_(scene)
+    : scene_(scene),
+      shape_(shape),
+      cap_(cap),
+      see_through_(shape.mesh.see_through_patches != 0 ? see_through_materials(scene) : std::vector<bool>()),
+      mesh_(triangles_of(shape.mesh, 0, shape.mesh.opaque_patches(), numbers_), Faces::front),
+      see_through_mesh_(triangles_of(shape.mesh, shape.mesh.opaque_patches(),
+                                     static_cast<uint32_t>(shape.mesh.patches.size()), see_through_numbers_),
+                        Faces::front),
+      tracer_(scene)
 {
 }
 
-std::optional<SampleTracer::Line> SampleTracer::line(Sampler& sampler) const
+std::optional<Ray> SampleTracer::ray(Sampler& sampler) const
 {
     const Vec3 direction = square_to_sphere(sampler.next_2d());
     const Vec2 place = square_to_disc(sampler.next_2d());
     const Frame frame(direction);
     const float inwards = std::sqrt(std::max(0.0f, 1 - place.x * place.x - place.y * place.y));
     const Ray ray = {frame.to_world({place.x, place.y, -inwards}), direction};
-    const std::optional<Hit> hit = cap_.sees(ray) ? mesh_.closest(ray) : std::nullopt;
-    return hit ? std::optional<Line>({ray, *hit}) : std::nullopt;
+    return cap_.sees(ray) ? std::optional<Ray>(ray) : std::nullopt;
+}
+
+std::optional<SampleTracer::Line> SampleTracer::line(Sampler& sampler) const
+{
+    const std::optional<Ray> r = ray(sampler);
+    std::optional<Hit> hit = r ? mesh_.closest(*r) : std::nullopt;
+    if (!hit) return std::nullopt;
+    hit->triangle = numbers_[hit->triangle];
+    return Line{*r, *hit};
+}
+
+bool SampleTracer::is_see_through(const Hit& in_scene) const
+{
+    return see_through_[scene_.mesh.materials[in_scene.triangle]];
+}
+
+std::optional<SampleTracer::Line> SampleTracer::line_to(const Ray& ray, const Hit& in_scene) const
+{
+    const bool passes = is_see_through(in_scene);
+    std::optional<Hit> hit = passes ? hit_near(see_through_mesh_, ray, in_scene.distance) : mesh_.closest(ray);
+    if (!hit || std::abs(hit->distance - in_scene.distance) > kMaxDepthError) return std::nullopt;
+    hit->triangle = (passes ? see_through_numbers_ : numbers_)[hit->triangle];
+    return Line{ray, *hit};
+}
+
+std::optional<SampleTracer::Line> SampleTracer::see_through_line(Sampler& sampler) const
+{
+    const std::optional<Ray> r = ray(sampler);
+    if (!r) return std::nullopt;
+    Sampler ahead = sampler;  // the path's first hit draws the same numbers
+    const std::optional<Hit> hit = closest_opaque(scene_, *r, ahead);
+    return hit ? line_to(*r, *hit) : std::nullopt;
+}
+
+uint32_t SampleTracer::texel_of(const Hit& hit) const
+{
+    return texel_at(shape_.layout.rectangles[hit.triangle / 2], hit.triangle % 2 != 0, hit.u, hit.v);
 }
 
 bool SampleTracer::scene_is_there(const Line& line, Sampler sampler) const
@@ -67,15 +131,10 @@ bool SampleTracer::scene_is_there(const Line& line, Sampler sampler) const
 
 FitSample SampleTracer::sample(const Line& line, const Rgb& radiance) const
 {
-    const uint32_t triangle = numbers_[line.hit.triangle];
-    const PatchRectangle& rectangle = shape_.layout.rectangles[triangle / 2];
     const Vec3 eye = eye_of(line.ray);
-    return {triangle,
-            texel_at(rectangle, triangle % 2 != 0, line.hit.u, line.hit.v),
-            q12(line.hit.u),
-            q12(line.hit.v),
-            {q12(eye.x), q12(eye.y), q12(eye.z)},
-            radiance};
+    return {
+        line.hit.triangle, texel_of(line.hit), q12(line.hit.u), q12(line.hit.v), {q12(eye.x), q12(eye.y), q12(eye.z)},
+        radiance};
 }
 
 std::vector<FitSample> SampleTracer::samples(uint64_t seed, uint32_t batch) const
@@ -84,11 +143,42 @@ std::vector<FitSample> SampleTracer::samples(uint64_t seed, uint32_t batch) cons
     Sampler sampler(seed, batch, 0);
     for (uint32_t k = 0; k < kLines; ++k) {
         sampler.start(k);
-        const std::optional<Line> l = line(sampler);
-        if (!l || !scene_is_there(*l, sampler))  // the path's first hit draws the same numbers
+        const std::optional<Line> l = see_through_.empty() ? line(sampler) : see_through_line(sampler);
+        if (!l ||
+            (see_through_.empty() && !scene_is_there(*l, sampler)))  // the path's first hit draws the same numbers
             continue;
         const PathResult path = tracer_.trace(l->ray, sampler);
         if (path.covered) result.push_back(sample(*l, path.radiance));
+    }
+    return result;
+}
+
+std::vector<PassingSample> SampleTracer::passing(uint64_t seed, uint32_t batch) const
+{
+    std::vector<PassingSample> result;
+    Sampler sampler(seed, batch, 0);
+    for (uint32_t k = 0; k < kLines; ++k) {
+        sampler.start(k);
+        const std::optional<Ray> r = ray(sampler);
+        if (!r) continue;
+        Sampler ahead = sampler;
+        std::vector<Hit> passed;
+        const std::optional<Hit> hit = closest_opaque(scene_, *r, ahead, passed);
+        const size_t first = result.size();
+        const auto add = [&](const Hit& in_scene, bool passes) {
+            if (!is_see_through(in_scene)) return;
+            if (const std::optional<Line> l = line_to(*r, in_scene))
+                result.push_back({texel_of(l->hit), opacity_of(scene_, in_scene), passes, false, {}});
+        };
+        for (const Hit& surface : passed) add(surface, true);
+        if (hit) add(*hit, false);
+        if (first == result.size() || !result[first].passes) continue;
+        const PathResult path = tracer_.trace(*r, sampler);
+        for (size_t s = first; s < result.size(); ++s) {
+            if (!result[s].passes) continue;
+            result[s].covered = path.covered;
+            result[s].radiance = path.radiance;
+        }
     }
     return result;
 }
@@ -99,9 +189,9 @@ SampleTracer::Meeting SampleTracer::meeting(uint64_t seed, uint32_t batch) const
     Sampler sampler(seed, batch, 0);
     for (uint32_t k = 0; k < kLines; ++k) {
         sampler.start(k);
-        if (const std::optional<Line> l = line(sampler)) {
+        if (const std::optional<Line> l = see_through_.empty() ? line(sampler) : see_through_line(sampler)) {
             ++result.mesh;
-            result.scene += scene_is_there(*l, sampler) ? 1u : 0u;
+            result.scene += !see_through_.empty() || scene_is_there(*l, sampler) ? 1u : 0u;
         }
     }
     return result;

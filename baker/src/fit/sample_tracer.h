@@ -19,6 +19,15 @@ struct FitSample {
     Rgb radiance;
 };
 
+// What the light along a line says of a see-through texel on its way.
+struct PassingSample {
+    uint32_t texel;
+    float opacity;
+    bool passes;   // goes on behind the texel
+    bool covered;  // meets something there
+    Rgb radiance;  // that, or 0
+};
+
 using SampleBatches = std::vector<std::vector<FitSample>>;
 
 template <class Io>
@@ -40,6 +49,9 @@ public:
     // The light along those of a batch that meet the mesh where the scene is.
     std::vector<FitSample> samples(uint64_t seed, uint32_t batch) const;
 
+    // See-through texels of those lines.
+    std::vector<PassingSample> passing(uint64_t seed, uint32_t batch) const;
+
     struct Meeting {
         uint32_t mesh = 0, scene = 0;  // lines that meet the mesh, and those of them that count
     };
@@ -49,17 +61,25 @@ public:
 private:
     struct Line {
         Ray ray;
-        Hit hit;
+        Hit hit;  // its triangle has the mesh's number
     };
+    std::optional<Ray> ray(Sampler& sampler) const;
     std::optional<Line> line(Sampler& sampler) const;
     bool scene_is_there(const Line& line, Sampler sampler) const;
+    // The line to the mesh's triangle that stands for the surface at which the path of a scene with see-through parts
+    // begins. Draws what makes the ray.
+    std::optional<Line> see_through_line(Sampler& sampler) const;
+    std::optional<Line> line_to(const Ray& ray, const Hit& in_scene) const;
+    bool is_see_through(const Hit& in_scene) const;
+    uint32_t texel_of(const Hit& hit) const;
     FitSample sample(const Line& line, const Rgb& radiance) const;
 
     const SceneData& scene_;
     const FitShape& shape_;
     const ViewCap cap_;
-    std::vector<uint32_t> numbers_;  // the mesh's triangle for each of the accelerator's
-    MeshTracer mesh_;
+    std::vector<bool> see_through_;                        // by material; empty where the mesh has no such part
+    std::vector<uint32_t> numbers_, see_through_numbers_;  // the mesh's triangle for each of an accelerator's
+    MeshTracer mesh_, see_through_mesh_;
     PathTracer tracer_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/outside.h"
 
+#include <algorithm>
 #include <numeric>
 #include <unordered_map>
 
@@ -110,7 +111,7 @@ bool is_degenerate(const Mesh::Corners& c)
 }
 
 // Welds all triangles; those that are degenerate then have equal corners.
-Mesh welded(const Mesh& mesh)
+Mesh all_welded(const Mesh& mesh)
 {
     Mesh result;
     Welder welder(result);
@@ -223,7 +224,7 @@ Outside outside_of(const Mesh& mesh, const Accelerator& accelerator, const ViewC
     const std::vector<Openness> open = survey(mesh, accelerator, cap, job);
     Outside result;
     job.run(1, [&](uint32_t) {
-        result.mesh = welded(mesh);
+        result.mesh = all_welded(mesh);
         Turner turner(result.mesh, open);
         std::vector<Mesh::Corners> turned = turner.turned();
         result.two_sided = turner.lost_share() > kMaxBothSides;
@@ -233,6 +234,14 @@ Outside outside_of(const Mesh& mesh, const Accelerator& accelerator, const ViewC
 }
 
 }  // namespace
+
+Mesh welded(const Mesh& mesh)
+{
+    Mesh result = all_welded(mesh);
+    std::vector<Mesh::Corners>& corners = result.corners;
+    corners.erase(std::remove_if(corners.begin(), corners.end(), is_degenerate), corners.end());
+    return result;
+}
 
 Outside outside_of(const SceneData& scene, Job& job, const ViewCap& cap)
 {

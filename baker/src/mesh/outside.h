@@ -23,6 +23,9 @@ void fields(Io& io, Outside& outside)
     io(outside.two_sided, outside.mesh);
 }
 
+// Positions and corners with vertices at one place as one, without triangles that are degenerate then.
+Mesh welded(const Mesh& mesh);
+
 Outside outside_of(const SceneData& scene, Job& job, const ViewCap& cap = {});
 
 }  // namespace lumi::baker

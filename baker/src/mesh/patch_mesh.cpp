@@ -45,28 +45,6 @@ Mesh shaped(const SceneData& scene, Mesh draft, Faces faces, const MeshSettings&
         with_short_edges(mesh, s.longest_edge, [](const Vec3& middle, const Vec3&, float) { return middle; }));
 }
 
-PatchMesh assembled(const Mesh& shape, float crease_cosine)
-{
-    Mesh mesh = with_creases(shape, crease_cosine);
-    PatchMesh result;
-    result.patches = paired(mesh);
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        for (size_t i = 0; i < 3; ++i) {
-            const float edge = length(mesh.position(k, i) - mesh.position(k, (i + 1) % 3));
-            result.longest_edge = std::max(result.longest_edge, edge);
-        }
-    }
-    result.positions = std::move(mesh.positions);
-    result.normals = std::move(mesh.normals);
-    return result;
-}
-
-bool fits(const PatchMesh& mesh)
-{
-    return mesh.positions.size() <= detail::format::kMaxSurfaceVertices &&
-           mesh.patches.size() <= detail::format::kMaxPatches;
-}
-
 // What asks for a smaller mesh: fewer triangles, or longer edges where most triangles come from splitting.
 MeshSettings smaller(MeshSettings s)
 {
@@ -88,6 +66,28 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& shape, const ViewCap&
 }
 
 }  // namespace
+
+PatchMesh assembled(const Mesh& shape, float crease_cosine)
+{
+    Mesh mesh = with_creases(shape, crease_cosine);
+    PatchMesh result;
+    result.patches = paired(mesh);
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
+        for (size_t i = 0; i < 3; ++i) {
+            const float edge = length(mesh.position(k, i) - mesh.position(k, (i + 1) % 3));
+            result.longest_edge = std::max(result.longest_edge, edge);
+        }
+    }
+    result.positions = std::move(mesh.positions);
+    result.normals = std::move(mesh.normals);
+    return result;
+}
+
+bool fits(const PatchMesh& mesh)
+{
+    return mesh.positions.size() <= detail::format::kMaxSurfaceVertices &&
+           mesh.patches.size() <= detail::format::kMaxPatches;
+}
 
 BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
 {

@@ -29,7 +29,10 @@ struct PatchMesh {
     std::vector<Vec3> positions;  // in the unit sphere's frame, rounded to steps of 2^-14
     std::vector<Vec3> normals;    // unit length: about where the surface around a vertex faces; view tables turn by it
     std::vector<Patch> patches;
-    float longest_edge = 0;  // the longest edge of any triangle
+    float longest_edge = 0;            // the longest edge of any triangle
+    uint32_t see_through_patches = 0;  // the last so many
+
+    uint32_t opaque_patches() const { return static_cast<uint32_t>(patches.size()) - see_through_patches; }
 };
 
 struct BuiltMesh {
@@ -44,6 +47,11 @@ struct MeshSettings {
     float crease_cosine = 0.2f;  // faces that turn more than this, 78°, get vertices of their own
     ViewCap cap = {};            // what cannot be seen from there is left out
 };
+
+// The patches of a mesh whose vertices at creases are parted.
+PatchMesh assembled(const Mesh& shape, float crease_cosine);
+// Whether the format can hold it.
+bool fits(const PatchMesh& mesh);
 
 // About as much work as tracing so many light paths.
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);

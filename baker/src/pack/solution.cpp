@@ -14,6 +14,7 @@
 #include "image/k_means.h"
 #include "lumi/color.h"
 #include "lumi/field_format.h"
+#include "pack/see_through_palette.h"
 #include "pack/view_quantiser.h"
 
 namespace lumi::baker
@@ -46,10 +47,10 @@ std::vector<ColourPoint> centres_for(const std::vector<LevelColour>& texels)
     return centres;
 }
 
-// The least squared error, of colours as they can be shown.
-PalettedTexels paletted(const std::vector<LevelColour>& texels)
+// The least squared error of opaque texels, of colours as they can be shown.
+PalettedTexels paletted(const std::vector<LevelColour>& texels, const std::vector<LevelColour>& opaque)
 {
-    const std::vector<ColourPoint> centres = centres_for(texels);
+    const std::vector<ColourPoint> centres = centres_for(opaque);
     PalettedTexels result;
     for (size_t k = 0; k < centres.size(); ++k) {
         const ColourPoint& c = centres[k];
@@ -58,6 +59,20 @@ PalettedTexels paletted(const std::vector<LevelColour>& texels)
     for (const LevelColour& t : texels)
         result.texels.push_back(static_cast<uint8_t>(nearest_centre(centres, point_of(t)).index));
     return result;
+}
+
+// The texels that are not see-through.
+std::vector<LevelColour> opaque_texels(const FitShape& shape, std::vector<LevelColour> texels)
+{
+    std::vector<bool> is_opaque(texels.size(), true);
+    for (size_t p = shape.mesh.opaque_patches(); p < shape.mesh.patches.size(); ++p)
+        for (uint32_t k = 0; k < shape.layout.rectangles[p].size(); ++k)
+            is_opaque[shape.layout.rectangles[p].begin + k] = false;
+    size_t count = 0;
+    for (size_t t = 0; t < texels.size(); ++t)
+        if (is_opaque[t]) texels[count++] = texels[t];
+    texels.resize(count);
+    return texels;
 }
 
 constexpr int kMostIterations = 60, kIterationsAtOnce = 10;
@@ -142,6 +157,14 @@ private:
     Job& job_;
 };
 
+// What glass adds does not depend on the view.
+void forget_see_through(const FitShape& shape, std::vector<uint8_t>& viewed)
+{
+    for (uint32_t p = shape.mesh.opaque_patches(); p < shape.mesh.patches.size(); ++p)
+        for (uint32_t corner = 0; corner < 4; ++corner)
+            if (const uint32_t v = shape.vertex(p, corner); v != PatchMesh::kNone) viewed[v] = 0;
+}
+
 }  // namespace
 
 uint64_t solution_work(const FitShape& shape)
@@ -159,6 +182,7 @@ FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, 
     if (view_tables) {
         solution.solve(model, {}, "all tables");
         job.run(1, [&](uint32_t) { viewed = viewed_vertices(state.sums, model); });
+        forget_see_through(state.shape, viewed);
     }
     solution.solve(model, viewed, "tables");
     QuantisedViews views;
@@ -167,10 +191,13 @@ FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, 
     PalettedTexels texels;
     job.run(1, [&](uint32_t) {
         solution.refit_texels(model);
-        texels = paletted(model.texels);
+        texels = paletted(model.texels, opaque_texels(state.shape, model.texels));
     });
-    return {sphere.centre, sphere.radius,         texels.palette, std::move(texels.texels),
-            views.colours, std::move(views.views)};
+    FieldParts parts = {sphere.centre, sphere.radius,         texels.palette, std::move(texels.texels),
+                        views.colours, std::move(views.views)};
+    if (state.shape.mesh.see_through_patches != 0)
+        put_see_through(state.shape, state.tone, model.texels, parts.see_through, parts.texels);
+    return parts;
 }
 
 }  // namespace lumi::baker

@@ -58,11 +58,12 @@ uint16_t across(const PatchMesh& mesh, const SidesByEdge& sides, const PatchSide
     return result;
 }
 
-// In the order that the section has them. Vertices at one place are one here, whatever their normals.
+// In the order that the section has them. Vertices at one place are one here, whatever their normals. Outlines of
+// see-through patches are not drawn.
 std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
 {
     SidesByEdge sides;
-    for (uint32_t k = 0; k < mesh.patches.size(); ++k)
+    for (uint32_t k = 0; k < mesh.opaque_patches(); ++k)
         for (const PatchSide& side : patch_sides(mesh.patches[k], k))
             sides[{place(mesh, side.from), place(mesh, side.to)}].push_back(side);
     std::vector<std::array<uint16_t, 4>> result;
@@ -70,7 +71,8 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
         std::array<uint16_t, 4> neighbours;
         neighbours.fill(kNothingAcross);
         size_t at = 0;
-        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) neighbours[at++] = across(mesh, sides, side);
+        if (k < mesh.opaque_patches())
+            for (const PatchSide& side : patch_sides(mesh.patches[k], k)) neighbours[at++] = across(mesh, sides, side);
         result.push_back(neighbours);
     }
     return result;
@@ -205,6 +207,20 @@ std::vector<uint8_t> view_section(const FitShape& shape, const FieldParts& parts
     return b.take();
 }
 
+std::vector<uint8_t> see_through_section(const FitShape& shape, const FieldParts& parts)
+{
+    namespace at = detail::format::see_through;
+    Bytes b(detail::format::kSeeThroughBytes);
+    b.put16(at::kFirstAt, static_cast<uint16_t>(shape.mesh.opaque_patches()));
+    b.put16(at::kReservedAt, 0);
+    for (size_t k = 0; k < parts.see_through.size(); ++k) {
+        size_t byte = at::kPaletteAt + k * at::kEntryBytes;
+        for (const Rgb8& c : {parts.see_through[k].added, parts.see_through[k].passed})
+            for (const uint8_t v : {c.r, c.g, c.b}) b.put8(byte++, v);
+    }
+    return b.take();
+}
+
 std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 {
     std::vector<Section> sections;
@@ -229,6 +245,8 @@ std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts
                                       {detail::format::kPaletteRgb, palette_section(parts)},
                                       {detail::format::kNeighbourSection, neighbour_section(shape)}};
     if (order.viewed != 0) contents.push_back({detail::format::kViewSection, view_section(shape, parts, order)});
+    if (shape.mesh.see_through_patches != 0)
+        contents.push_back({detail::format::kSeeThroughSection, see_through_section(shape, parts)});
     return file_of(contents);
 }
 

@@ -23,6 +23,11 @@ struct NodeColours {
     std::array<std::array<Colour, detail::format::kNodeColours>, detail::format::kViewNodes> colours{};
 };
 
+// An entry of the palette of see-through patches.
+struct SeeThroughColour {
+    Rgb8 added, passed;
+};
+
 struct FieldParts {
     std::array<double, 3> centre;
     double radius;
@@ -30,6 +35,7 @@ struct FieldParts {
     std::vector<uint8_t> texels;
     NodeColours node_colours;
     std::vector<ViewCode> views;  // by vertex
+    std::array<SeeThroughColour, detail::format::kPaletteEntries> see_through{};
 };
 
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts);

@@ -15,6 +15,7 @@ struct FitBasis {
     MeshLoss loss;
     ToneCurve tone;
     FieldSphere sphere;
+    std::vector<SeeThroughTexel> see_through;  // FitShape
 };
 
 // As bytes for checkpoints and shards.

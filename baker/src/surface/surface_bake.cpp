@@ -5,6 +5,7 @@
 
 #include "chord/tracing_fingerprint.h"
 #include "fit/light_fit.h"
+#include "fit/see_through_light.h"
 #include "fit/texel_density.h"
 #include "store/bake_stages.h"
 #include "store/checkpoint.h"
@@ -65,11 +66,14 @@ FitBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const Surfa
     const BuiltMesh& built = draft.built();
     if (built.mesh.patches.empty())
         throw BakeError("the scene has no surface that could be seen; choose --layout chord");
-    return {built.mesh,
-            texel_densities(scene, built.mesh, settings, progress),
-            built.loss,
-            scene.tone,
-            {scene.centre, scene.radius}};
+    FitBasis basis = {built.mesh,
+                      texel_densities(scene, built.mesh, settings, progress),
+                      built.loss,
+                      scene.tone,
+                      {scene.centre, scene.radius},
+                      {}};
+    basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, progress);
+    return basis;
 }
 
 class SurfaceBaker
@@ -84,7 +88,7 @@ public:
           keeper_(keeper),
           basis_(basis_for(scene, output, draft)),
           stages_(output.empty() ? output : stages_of(output), scene.fingerprint(), settings),
-          shape_(basis_.mesh, basis_.densities),
+          shape_(basis_.mesh, basis_.densities, basis_.see_through),
           tone_(basis_.tone),
           state_(shape_, tone_),
           fit_(scene.data(), shape_, settings_, shard),

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/surface.h"
 
+#include <algorithm>
+
 #include "fit/texel_layout.h"
 #include "lumi/surface/format.h"
+#include "mesh/see_through.h"
 #include "store/bake_stages.h"
 #include "store/output_names.h"
 #include "store/section_writer.h"
@@ -13,19 +16,44 @@ namespace lumi::baker
 namespace
 {
 
-constexpr size_t kMostSections = 7;
+constexpr size_t kMostSections = 7;  // of opaque fields
 
 uint64_t file_bytes(const PatchMesh& mesh, uint64_t texels)
 {
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
-    uint64_t bytes = aligned(detail::format::kHeaderBytes + kMostSections * detail::format::kEntryBytes);
+    const bool has_see_through = mesh.see_through_patches != 0;
+    const size_t sections = kMostSections + (has_see_through ? 1 : 0);
+    uint64_t bytes = aligned(detail::format::kHeaderBytes + sections * detail::format::kEntryBytes);
     for (const uint64_t section :
          {uint64_t{detail::format::kSurfaceBytes}, vertices * detail::format::kVertexBytes,
           patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
           patches * detail::format::kNeighbourBytes,
           detail::format::kViewColoursBytes + vertices * detail::format::kViewBytes})
         bytes += aligned(section);
-    return bytes;
+    return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
+}
+
+// Both parts of the scene, where one sees through some of it.
+BuiltMesh built_mesh(const SceneData& scene, MeshSettings mesh, BakeStages& stages, Job& job)
+{
+    constexpr uint32_t kSeeThroughParts = 4, kFewest = 64;
+    const std::unique_ptr<SceneData> opaque = opaque_part(scene);
+    if (!opaque) return build_mesh(scene, mesh, stages, job);
+    for (;; mesh.triangles = mesh.triangles / 4 * 3) {
+        BuiltMesh built = opaque->mesh.corners.empty() ? BuiltMesh() : build_mesh(*opaque, mesh, stages, job);
+        MeshSettings see_through = mesh;
+        see_through.triangles = std::max(kFewest, mesh.triangles / kSeeThroughParts);
+        add_see_through(scene, *opaque, see_through, built.mesh, job);
+        if (fits(built.mesh)) return built;
+        if (mesh.triangles < kFewest) throw BakeError("the scene's see-through parts are too many for a surface field");
+    }
+}
+
+bool has_bending_glass(const SceneData& scene)
+{
+    return std::any_of(
+        scene.mesh.materials.begin(), scene.mesh.materials.end(),
+        [&](uint32_t material) { return scene.materials[material].glass; });
 }
 
 }  // namespace
@@ -40,7 +68,11 @@ SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, 
     mesh.cap = ViewCap(settings.cap);
     Job job(mesh_work(scene.data(), mesh), settings.threads, progress);
     BakeStages stages(output.empty() ? output : stages_of(output), scene.fingerprint());
-    built_ = std::make_unique<BuiltMesh>(build_mesh(scene.data(), mesh, stages, job));
+    built_ = std::make_unique<BuiltMesh>(built_mesh(scene.data(), mesh, stages, job));
+    if (has_bending_glass(scene.data()))
+        built_->warnings.push_back(
+            "the scene has bodies of glass: a surface field shows what they bend as a coarse colour that depends on "
+            "the view; give thin panes an opacity (d) instead");
 }
 
 SurfaceDraft::~SurfaceDraft() = default;

@@ -49,7 +49,7 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
     std::optional<FitBasis> basis = common_basis(set);
     set.throw_problems();
     const SurfaceSettings settings = std::get<SurfaceSettings>(set.shards().begin()->second->identity().settings);
-    const FitShape shape(std::move(basis->mesh), basis->densities);
+    const FitShape shape(std::move(basis->mesh), basis->densities, std::move(basis->see_through));
     const EncodedTone tone(basis->tone);
     FitState state(shape, tone);
     add_shards(set, state, leave_if_cancelled);

@@ -116,12 +116,6 @@ Ray beyond(const SceneData& scene, const Ray& ray, const Hit& hit)
     return {position_at(scene.mesh, hit) + away * kOffset, ray.direction, ray.end - hit.distance};
 }
 
-float opacity_of(const SceneData& scene, const Hit& hit)
-{
-    const Material& material = scene.materials[scene.mesh.materials[hit.triangle]];
-    return material.opacity * slot_at(scene, material.maps.opacity, hit).g;
-}
-
 }  // namespace
 
 HitPoint hit_point_at(const SceneData& scene, const Ray& ray, const Hit& hit)
@@ -157,7 +151,17 @@ Ray HitPoint::ray_to_light(const Vec3& direction, float distance) const
     return ray;
 }
 
-std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler)
+float opacity_of(const SceneData& scene, const Hit& hit)
+{
+    const Material& material = scene.materials[scene.mesh.materials[hit.triangle]];
+    return material.opacity * slot_at(scene, material.maps.opacity, hit).g;
+}
+
+namespace
+{
+
+template <class Passed>
+std::optional<Hit> closest_stopping(const SceneData& scene, const Ray& ray, Sampler& sampler, const Passed& passed)
 {
     if (scene.mesh_is_shell) return std::nullopt;
     Ray rest = ray;
@@ -167,11 +171,30 @@ std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sample
         const float opacity = opacity_of(scene, *hit);
         if (opacity >= 1 || sampler.next_1d() < opacity) break;
         travelled += hit->distance;
+        passed(*hit, travelled);
         rest = beyond(scene, rest, *hit);
         hit = scene.accelerator.closest(rest);
     }
     if (hit) hit->distance += travelled;
     return hit;
+}
+
+}  // namespace
+
+std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler)
+{
+    return closest_stopping(
+        scene, ray, sampler, [](const Hit&, float) {});
+}
+
+std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler, std::vector<Hit>& passed)
+{
+    return closest_stopping(
+        scene, ray, sampler,
+        [&](Hit hit, float distance) {
+            hit.distance = distance;
+            passed.push_back(hit);
+        });
 }
 
 float first_meeting(const SceneData& scene, const Ray& ray, Sampler& sampler)

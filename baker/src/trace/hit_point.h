@@ -32,6 +32,11 @@ HitPoint hit_point_at(const SceneData& scene, const Ray& ray, const Hit& hit);
 // The nearest hit that does not let the ray pass: each surface on the way is opaque with the probability of its
 // opacity.
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler);
+// The same; `passed` gets the surfaces that it passes, with distances along the ray.
+std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler, std::vector<Hit>& passed);
+
+// The opacity of the surface at a hit.
+float opacity_of(const SceneData& scene, const Hit& hit);
 
 // How far the ray gets: to the nearest hit that does not let it pass, or to where the volume scatters or absorbs it.
 // Draws what a path draws there. Infinite if nothing stops it.

@@ -11,6 +11,7 @@
  *
  *     LUMI_C_PIXEL      PixelRgb565Swapped if not defined; any policy of pixel.h
  *     LUMI_C_TEXEL      a policy of texel.h: draws chord fields of that format. Not defined: surface fields
+ *     LUMI_C_SEE_THROUGH  if defined, surface fields may have see-through parts
  *     LUMI_C_BACKGROUND OverBlack() if not defined; any background of background.h
  *
  * Frame and units: the sphere around the scene has radius 1; z is up. Angles are turns times 2^32, of either sign as

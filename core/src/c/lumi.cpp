@@ -19,8 +19,14 @@ using namespace lumi;
 
 #ifdef LUMI_C_TEXEL
 using AnyField = Field;
+#elif defined(LUMI_C_SEE_THROUGH)
+using AnyField = SeeThroughField;
+using AnyFrame = SeeThroughFrame;
+using AnyMemory = SeeThroughMemory;
 #else
 using AnyField = SurfaceField;
+using AnyFrame = SurfaceFrame;
+using AnyMemory = SurfaceMemory;
 #endif
 
 struct lumi_view {
@@ -30,8 +36,8 @@ struct lumi_view {
 #ifdef LUMI_C_TEXEL
     Camera camera;
 #else
-    SurfaceFrame frame;
-    SurfaceMemory memory;
+    AnyFrame frame;
+    AnyMemory memory;
     uint32_t samples_bytes;
     uint32_t* samples;
 #endif
@@ -93,7 +99,7 @@ ViewError draw_coverage_of_part(const lumi_view&, const Stripe&, const detail::S
 
 // What lies behind the view in the caller's memory, in this order.
 struct Places {
-    size_t vertices, samples, links, bands, end;
+    size_t vertices, samples, links, bands, order, end;
 };
 
 uint32_t samples_bytes(const lumi_screen& s)
@@ -101,24 +107,47 @@ uint32_t samples_bytes(const lumi_screen& s)
     return (surface_stripe_bytes<Pixel>(s.width_px, s.rows_px, static_cast<SurfaceMode>(s.mode)) + 3) / 4 * 4;
 }
 
-Places places_of(const SurfaceField& field, const lumi_screen& s)
+#ifdef LUMI_C_SEE_THROUGH
+uint32_t order_of(const SeeThroughField& field)
+{
+    return see_through_order(field.see_through_count);
+}
+
+SeeThroughMemory memory_of(const SurfaceMemory& opaque, void* order)
+{
+    return {opaque, static_cast<uint16_t*>(order)};
+}
+#else
+uint32_t order_of(const SurfaceField&)
+{
+    return 0;
+}
+
+SurfaceMemory memory_of(const SurfaceMemory& memory, void*)
+{
+    return memory;
+}
+#endif
+
+Places places_of(const AnyField& field, const lumi_screen& s)
 {
     Places p{};
     p.vertices = sizeof(lumi_view);
     p.samples = p.vertices + field.vertex_count * sizeof(SurfaceVertex);
     p.links = p.samples + samples_bytes(s);
     p.bands = p.links + surface_links(field.patch_count) * sizeof(uint16_t);
-    p.end = p.bands + surface_bands(s.height_px, surface_band_log2(s.rows_px)) * sizeof(uint16_t);
+    p.order = p.bands + surface_bands(s.height_px, surface_band_log2(s.rows_px)) * sizeof(uint16_t);
+    p.end = p.order + order_of(field) * sizeof(uint16_t);
     return p;
 }
 
-ViewError open_any(const uint8_t* bytes, size_t size, const lumi_screen& screen, SurfaceField& field)
+ViewError open_any(const uint8_t* bytes, size_t size, const lumi_screen& screen, AnyField& field)
 {
     if (screen.mode > LUMI_TWO_BY_TWO) return ViewError::bad_argument;
     return detail::view_error(open_surface(bytes, size, field));
 }
 
-size_t size_of(const SurfaceField& field, const lumi_screen& screen)
+size_t size_of(const AnyField& field, const lumi_screen& screen)
 {
     return places_of(field, screen).end;
 }
@@ -128,8 +157,9 @@ void set_memory(lumi_view& view)
     uint8_t* const base = reinterpret_cast<uint8_t*>(&view);
     const Places p = places_of(view.field, view.screen);
     const auto at = [&](size_t place) { return static_cast<void*>(base + place); };
-    view.memory = {static_cast<SurfaceVertex*>(at(p.vertices)), static_cast<uint16_t*>(at(p.links)),
-                   static_cast<uint16_t*>(at(p.bands)), surface_band_log2(view.screen.rows_px)};
+    const SurfaceMemory memory = {static_cast<SurfaceVertex*>(at(p.vertices)), static_cast<uint16_t*>(at(p.links)),
+                                  static_cast<uint16_t*>(at(p.bands)), surface_band_log2(view.screen.rows_px)};
+    view.memory = memory_of(memory, at(p.order));
     view.samples = static_cast<uint32_t*>(at(p.samples));
     view.samples_bytes = samples_bytes(view.screen);
 }

@@ -15,15 +15,23 @@ namespace lumi::tools
 namespace
 {
 
-std::string reason(const planner::SurfacePlan& plan, double limit)
+std::string reason(const planner::SurfacePlan& plan, bool of_volume)
 {
     const baker::MeshLoss& loss = plan.draft->loss();
-    if (loss.missed <= limit) return "";
-    char text[160];
+    const double limit = of_volume ? kMostMissedOfVolume : kMostMissed, wrong = loss.added + loss.displaced;
+    char text[200];
+    if (loss.missed > limit) {
+        std::snprintf(text, sizeof text,
+                      "of the light paths that meet the scene %.1f %% miss a mesh of %u triangles (limit %.0f %%), "
+                      "%.1f %% meet it elsewhere",
+                      100 * loss.missed, plan.draft->triangles(), 100 * limit, 100 * loss.displaced);
+        return text;
+    }
+    if (of_volume || wrong <= kMostWrong) return "";
     std::snprintf(text, sizeof text,
-                  "of the light paths that meet the scene %.1f %% miss a mesh of %u triangles (limit %.0f %%), %.1f %% "
-                  "meet it elsewhere",
-                  100 * loss.missed, plan.draft->triangles(), 100 * limit, 100 * loss.displaced);
+                  "for 100 light paths that meet the scene %.1f meet a mesh of %u triangles where the scene is not "
+                  "(limit %.0f)",
+                  100 * wrong, plan.draft->triangles(), 100 * kMostWrong);
     return text;
 }
 
@@ -35,7 +43,7 @@ SurfaceChoice surface_choice(const baker::Scene& scene, const planner::SurfaceTa
     try {
         planner::SurfacePlan plan = planner::plan_surface(scene, task, progress);
         if (plan.draft->triangles() == 0) return {{}, "no light path meets a surface"};
-        return {plan, reason(plan, scene.mesh_is_shell() ? kMostMissedOfVolume : kMostMissed)};
+        return {plan, reason(plan, scene.mesh_is_shell())};
     } catch (const planner::NoPlan& none) {
         return {{}, none.what()};
     } catch (const baker::BakeError& error) {

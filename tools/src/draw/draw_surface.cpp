@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "draw/display.h"
-#include "lumi/surface/render.h"
+#include "lumi/surface/see_through.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
 
@@ -29,23 +29,24 @@ SurfaceCamera camera_of(const Eye& eye)
 // What a frame borrows from its caller.
 struct FrameMemory {
     std::vector<SurfaceVertex> vertices;
-    std::vector<uint16_t> links, bands;
+    std::vector<uint16_t> links, bands, order;
 
-    FrameMemory(const SurfaceField& field, int32_t height_px)
+    FrameMemory(const SeeThroughField& field, int32_t height_px)
         : vertices(field.vertex_count),
           links(surface_links(field.patch_count)),
-          bands(surface_bands(height_px, kBandLog2))
+          bands(surface_bands(height_px, kBandLog2)),
+          order(see_through_order(field.see_through_count))
     {
     }
-    SurfaceMemory borrowed() { return {vertices.data(), links.data(), bands.data(), kBandLog2}; }
+    SeeThroughMemory borrowed() { return {{vertices.data(), links.data(), bands.data(), kBandLog2}, order.data()}; }
 };
 
 template <class Pixel>
-Picture draw_as(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
+Picture draw_as(const SeeThroughField& field, const Eye& eye, const SurfaceDrawSettings& settings)
 {
     const int32_t width = eye.image.width_px, height = eye.image.height_px;
     FrameMemory memory(field, height);
-    SurfaceFrame frame;
+    SeeThroughFrame frame;
     prepare_surface<Pixel>(field, camera_of(eye), settings.mode, memory.borrowed(), frame);
     Picture picture(width, height);
     const uint32_t stride = static_cast<uint32_t>(width) * Pixel::kBytes;
@@ -88,18 +89,28 @@ const char* name_of(SurfaceMode mode)
     return "unknown";
 }
 
-Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
+Picture draw_surface(const SeeThroughField& field, const Eye& eye, const SurfaceDrawSettings& settings)
 {
     return with_pixel(
         settings.display, [&](auto pixel) { return draw_as<decltype(pixel)>(field, eye, settings); });
 }
 
+Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
+{
+    SeeThroughField opaque;
+    static_cast<SurfaceField&>(opaque) = field;
+    return draw_surface(opaque, eye, settings);
+}
+
 Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye)
 {
     const int32_t width = eye.image.width_px, height = eye.image.height_px;
-    FrameMemory memory(field, height);
+    SeeThroughField opaque;
+    static_cast<SurfaceField&>(opaque) = field;
+    FrameMemory memory(opaque, height);
     SurfaceFrame frame;
-    prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, memory.borrowed(), frame);
+    const SurfaceMemory borrowed = memory.borrowed();
+    prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, borrowed, frame);
     std::vector<uint32_t> samples(surface_stripe_bytes(width, height, SurfaceMode::one_sample) / sizeof(uint32_t) + 1);
     std::vector<uint8_t> pixels(static_cast<size_t>(width) * static_cast<size_t>(height) * PixelRgb888::kBytes);
     const Stripe stripe = {pixels.data(), 0, 0, width, height, static_cast<uint32_t>(width) * PixelRgb888::kBytes};

@@ -68,8 +68,9 @@ uint32_t read_u32(const uint8_t* bytes)
 std::string title_of(const std::string& type)
 {
     static const std::map<std::string, std::string> titles = {
-        {"TEXL", "texel"}, {"LAYO", "layout"},    {"PALT", "palette"}, {"SURF", "surface"}, {"SVTX", "vertex"},
-        {"SPAT", "patch"}, {"SNEI", "neighbour"}, {"STEX", "texel"},   {"SPAL", "palette"}, {"SVIE", "view table"}};
+        {"TEXL", "texel"},   {"LAYO", "layout"},     {"PALT", "palette"},    {"SURF", "surface"},
+        {"SVTX", "vertex"},  {"SPAT", "patch"},      {"SNEI", "neighbour"},  {"STEX", "texel"},
+        {"SPAL", "palette"}, {"SVIE", "view table"}, {"SSEE", "see-through"}};
     const auto title = titles.find(type);
     return title != titles.end() ? title->second : "\"" + type + "\"";
 }

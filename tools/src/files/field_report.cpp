@@ -92,12 +92,14 @@ double longest_edge_of(const SurfaceField& field)
     return field.longest_edge_q6 / kOneQ6;
 }
 
-void append_surface(std::string& text, const SurfaceField& field)
+void append_surface(std::string& text, const SeeThroughField& field)
 {
     append_line(text, "  mesh          %" PRIu32 " triangles in %" PRIu32 " patches, edges up to %.2f radii",
                 triangles_of(field), field.patch_count, longest_edge_of(field));
     append_line(text, "  vertices      %" PRIu32 ", of which %" PRIu32 " with a view table", field.vertex_count,
                 field.viewed_count);
+    if (field.see_through_count != 0)
+        append_line(text, "  see-through   %" PRIu32 " patches besides", field.see_through_count);
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 
@@ -110,11 +112,15 @@ void append_chord(std::string& text, const Field& field)
                 field.row_stride_bytes);
 }
 
-nlohmann::ordered_json json_of(const SurfaceField& field)
+nlohmann::ordered_json json_of(const SeeThroughField& field)
 {
-    return {{"triangles", triangles_of(field)},      {"patches", field.patch_count},
-            {"vertices", field.vertex_count},        {"viewed_vertices", field.viewed_count},
-            {"texels", field.texel_bytes},           {"neighbours", field.neighbours != nullptr},
+    return {{"triangles", triangles_of(field)},
+            {"patches", field.patch_count},
+            {"see_through_patches", field.see_through_count},
+            {"vertices", field.vertex_count},
+            {"viewed_vertices", field.viewed_count},
+            {"texels", field.texel_bytes},
+            {"neighbours", field.neighbours != nullptr},
             {"longest_edge", longest_edge_of(field)}};
 }
 

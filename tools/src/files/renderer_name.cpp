@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "files/renderer_name.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "lumi/chord/render_spans.h"
@@ -18,25 +19,29 @@ std::string texel_policy(TexelFormat format)
     return "lumi::Texel" + name;
 }
 
-// `drawing` lacks its last parameter and the closing bracket.
+// `drawing` lacks its last parameters and the closing bracket; an example has other ones.
 RendererName named(const char* header, const char* opener, const char* parameters, const std::string& drawing,
-                   const char* last)
+                   const std::string& last, const std::string& last_of_example = "")
 {
     return {header, opener, parameters, "lumi::View<" + drawing + ", " + last + ">, Screen>",
-            "lumi::View<" + drawing + ">, lumi::Screen<240, 240, 16>>"};
+            "lumi::View<" + drawing + last_of_example + ">, lumi::Screen<240, 240, 16>>"};
+}
+
+RendererName renderer_of(const SeeThroughField& field)
+{
+    const uint32_t patches = std::max(field.patch_count, 1u);  // memory for none is no array
+    const std::string drawing =
+        "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(patches);
+    const std::string glass = field.see_through_count == 0 ? "" : ", " + std::to_string(field.see_through_count);
+    return named("lumi/surface/view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
+                 drawing, "Finest" + glass, glass.empty() ? "" : ", lumi::SurfaceMode::antialiased" + glass);
 }
 
 }  // namespace
 
 RendererName renderer_of(const FieldFile& field)
 {
-    if (field.is_surface()) {
-        const SurfaceField& surface = field.surface();
-        return named(
-            "lumi/surface/view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
-            "lumi::SurfaceDrawing<" + std::to_string(surface.vertex_count) + ", " + std::to_string(surface.patch_count),
-            "Finest");
-    }
+    if (field.is_surface()) return renderer_of(field.surface());
     const std::string drawing = fits_spans(field.field()) ? "ChordDrawing" : "ExactChordDrawing";
     return named("lumi/chord/view.h", "open_field", "class Reconstruction = lumi::Linear",
                  "lumi::" + drawing + "<" + texel_policy(field.field().texel_format), "Reconstruction");

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "fit/see_through_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr uint64_t kPassingSeedOffset = 0x70617373;
+constexpr double kPassingPaths = 48;            // a see-through texel
+constexpr double kMostPassingPaths = 1e7;       // for all of them together
+constexpr double kPatchPassingPaths = 8;        // the weight of a patch's mean in each of its texels, in paths
+constexpr uint32_t kPassingBatchesAtOnce = 64;  // batches
+constexpr uint32_t kMostPassingBatches = 1u << 14;
+
+struct PassingSums {
+    double paths = 0, opacity = 0, passed = 0, covered = 0;
+    std::array<double, 3> radiance{};
+
+    void add(const PassingSample& s)
+    {
+        paths += 1;
+        opacity += static_cast<double>(s.opacity);
+        passed += s.passes ? 1 : 0;
+        covered += s.covered ? 1 : 0;
+        const float channels[3] = {s.radiance.r, s.radiance.g, s.radiance.b};
+        for (size_t c = 0; c < 3 && s.covered; ++c) radiance[c] += static_cast<double>(channels[c]);
+    }
+    void add(const PassingSums& s, double weight)
+    {
+        paths += weight * s.paths;
+        opacity += weight * s.opacity;
+        passed += weight * s.passed;
+        covered += weight * s.covered;
+        for (size_t c = 0; c < 3; ++c) radiance[c] += weight * s.radiance[c];
+    }
+    SeeThroughTexel texel() const
+    {
+        SeeThroughTexel t;
+        if (paths > 0) t.coverage = static_cast<float>(opacity / paths);
+        if (passed > 0) t.open = static_cast<float>(1 - covered / passed);
+        const auto mean = [&](size_t c) { return covered > 0 ? static_cast<float>(radiance[c] / covered) : 0.0f; };
+        t.behind = {mean(0), mean(1), mean(2)};
+        return t;
+    }
+};
+
+std::vector<PassingSums> passing_sums(const SampleTracer& tracer, uint64_t seed, uint32_t texels, double paths,
+                                      Job& job)
+{
+    std::vector<PassingSums> sums(texels);
+    double got = 0;
+    for (uint32_t first = 0; first < kMostPassingBatches && got < paths; first += kPassingBatchesAtOnce) {
+        std::vector<std::vector<PassingSample>> batches(kPassingBatchesAtOnce);
+        job.run(kPassingBatchesAtOnce, [&](uint32_t k) { batches[k] = tracer.passing(seed, first + k); });
+        for (const std::vector<PassingSample>& batch : batches) {
+            for (const PassingSample& s : batch) sums[s.texel].add(s);
+            got += static_cast<double>(batch.size());
+        }
+        if (got == 0) break;
+        job.add_rays(static_cast<uint64_t>(kPassingBatchesAtOnce) * SampleTracer::kLines);
+    }
+    return sums;
+}
+
+}  // namespace
+
+std::vector<SeeThroughTexel> see_through_light(const SceneData& scene, const FitShape& shape,
+                                               const SurfaceSettings& settings, const ProgressCallback& progress)
+{
+    if (shape.mesh.see_through_patches == 0) return {};
+    const SampleTracer tracer(scene, shape, ViewCap(settings.cap));
+    double texels = 0;
+    for (size_t p = shape.mesh.opaque_patches(); p < shape.mesh.patches.size(); ++p)
+        texels += shape.layout.rectangles[p].size();
+    const double paths = std::min(kPassingPaths * texels, kMostPassingPaths);
+    Job job(static_cast<uint64_t>(paths), settings.threads, progress);
+    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kMostPassingBatches / kPassingBatchesAtOnce);
+    const std::vector<PassingSums> sums =
+        passing_sums(tracer, settings.seed + kPassingSeedOffset, shape.layout.texels, paths, job);
+    std::vector<SeeThroughTexel> result(shape.layout.texels);
+    for (size_t p = shape.mesh.opaque_patches(); p < shape.mesh.patches.size(); ++p) {
+        const PatchRectangle& r = shape.layout.rectangles[p];
+        PassingSums patch;
+        for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) patch.add(sums[t], 1);
+        for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) {
+            PassingSums texel = sums[t];
+            texel.add(patch, kPatchPassingPaths / std::max(1.0, patch.paths));
+            result[t] = texel.texel();
+        }
+    }
+    return result;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/see_through.h"
+
+#include <algorithm>
+
+#include "math/frame.h"
+#include "math/sampler.h"
+#include "math/warp.h"
+#include "mesh/edge_split.h"
+#include "mesh/outside.h"
+#include "mesh/rounded_mesh.h"
+#include "mesh/simplify.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kInvisible = 1.0f / 255;  // an opacity that no display shows
+constexpr float kSoftShare = 0.25f;       // the share of a picture between transparent and opaque that makes it soft
+constexpr uint8_t kSoftLow = 26, kSoftHigh = 229;
+constexpr uint32_t kOpenRays = 256;  // a side that none of so many reaches past opaque triangles is hidden
+constexpr float kAboveSide = 1e-4f;  // radii, as in outside.cpp
+constexpr uint64_t kSidesSeed = 0x73696465;
+
+bool is_soft(const Texture& picture)
+{
+    size_t between = 0;
+    const size_t pixels = picture.rgb.size() / 3;
+    for (size_t k = 0; k < pixels; ++k) {
+        const uint8_t v = picture.rgb[3 * k + 1];
+        between += v > kSoftLow && v < kSoftHigh ? 1u : 0u;
+    }
+    return static_cast<float>(between) > kSoftShare * static_cast<float>(pixels);
+}
+
+bool is_see_through(const SceneData& scene, const Material& m)
+{
+    if (m.glass || !m.may_pass()) return false;
+    const TextureSlot& picture = m.maps.opacity;
+    return m.opacity < 1 - kInvisible ||
+           (picture.used() && is_soft(scene.textures[static_cast<size_t>(picture.texture)]));
+}
+
+bool is_invisible(const Material& m)
+{
+    return m.opacity < kInvisible && !m.emits();
+}
+
+// The triangles whose materials are wanted.
+template <class Wanted>
+Mesh part_of(const Mesh& mesh, const Wanted& wanted)
+{
+    Mesh part;
+    part.positions = mesh.positions;
+    part.normals = mesh.normals;
+    part.uvs = mesh.uvs;
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
+        if (!wanted(mesh.materials[k])) continue;
+        part.corners.push_back(mesh.corners[k]);
+        part.shading.push_back(mesh.shading[k]);
+        part.mapping.push_back(mesh.mapping[k]);
+        part.materials.push_back(mesh.materials[k]);
+    }
+    return part;
+}
+
+// Whether light gets from a side of a triangle past all that is opaque.
+bool is_open(const Mesh& mesh, uint32_t triangle, float side, const SceneData& opaque, const ViewCap& cap)
+{
+    const Vec3 area = mesh.area_vector(triangle) * side;
+    if (!(length(area) > 0)) return false;
+    const Frame frame(normalized(area));
+    Sampler sampler(kSidesSeed, triangle, 0);
+    for (uint32_t k = 0; k < kOpenRays; ++k) {
+        sampler.start(k);
+        const Vec2 w = square_to_triangle(sampler.next_2d());
+        const Vec3& a = mesh.position(triangle, 0);
+        const Vec3 place = a + (mesh.position(triangle, 1) - a) * w.x + (mesh.position(triangle, 2) - a) * w.y;
+        const Vec2 square = sampler.next_2d();
+        const Vec3 outwards = frame.to_world(direction_at(square.x, square.y));
+        const Vec3 start = place + frame.normal * kAboveSide;
+        const bool is_seen = cap.sees({start, -outwards});
+        if (is_seen && (opaque.mesh.corners.empty() || !opaque.accelerator.blocked({start, outwards}))) return true;
+    }
+    return false;
+}
+
+Mesh open_sides(const Mesh& mesh, const SceneData& opaque, const ViewCap& cap, Job& job)
+{
+    struct Open {
+        bool front = false, back = false;
+    };
+    constexpr uint32_t kSidesATask = 64;
+    const auto triangles = static_cast<uint32_t>(mesh.triangle_count());
+    std::vector<Open> open(triangles);
+    job.run((triangles + kSidesATask - 1) / kSidesATask, [&](uint32_t task) {
+        const uint32_t end = std::min(triangles, (task + 1) * kSidesATask);
+        for (uint32_t k = task * kSidesATask; k < end && !job.stopping(); ++k)
+            open[k] = {is_open(mesh, k, 1, opaque, cap), is_open(mesh, k, -1, opaque, cap)};
+    });
+    Mesh result;
+    result.positions = mesh.positions;
+    for (uint32_t k = 0; k < triangles; ++k) {
+        const Mesh::Corners& c = mesh.corners[k];
+        if (open[k].front) result.corners.push_back(c);
+        if (open[k].back) result.corners.push_back({c[0], c[2], c[1]});
+    }
+    return result;
+}
+
+void append_see_through(PatchMesh& mesh, const PatchMesh& part)
+{
+    const auto from = static_cast<uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+    mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+    for (PatchMesh::Patch p : part.patches) {
+        for (uint32_t* corner : {&p.a, &p.b, &p.c, &p.d})
+            if (*corner != PatchMesh::kNone) *corner += from;
+        mesh.patches.push_back(p);
+    }
+    mesh.see_through_patches = static_cast<uint32_t>(part.patches.size());
+    mesh.longest_edge = std::max(mesh.longest_edge, part.longest_edge);
+}
+
+}  // namespace
+
+std::vector<bool> see_through_materials(const SceneData& scene)
+{
+    std::vector<bool> result;
+    for (const Material& m : scene.materials) result.push_back(!scene.medium && is_see_through(scene, m));
+    return result;
+}
+
+std::unique_ptr<SceneData> opaque_part(const SceneData& scene)
+{
+    const std::vector<bool> see_through = see_through_materials(scene);
+    const auto is_seen_through = [&](uint32_t material) { return see_through[material]; };
+    if (!std::any_of(scene.mesh.materials.begin(), scene.mesh.materials.end(), is_seen_through)) return nullptr;
+    SceneParts parts;
+    parts.mesh = part_of(scene.mesh, [&](uint32_t material) { return !see_through[material]; });
+    parts.materials = scene.materials;
+    parts.textures = scene.textures;
+    parts.catcher = scene.catcher;
+    parts.tone = scene.tone;
+    parts.sphere = BoundingSphere{{0, 0, 0}, 1};
+    LoadOptions options;
+    options.up = UpAxis::z;
+    options.environment = constant_environment(0);
+    return std::make_unique<SceneData>(std::move(parts), options);
+}
+
+void add_see_through(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings, PatchMesh& mesh,
+                     Job& job)
+{
+    const std::vector<bool> see_through = see_through_materials(scene);
+    const Mesh all = welded(part_of(
+        scene.mesh,
+        [&](uint32_t material) { return see_through[material] && !is_invisible(scene.materials[material]); }));
+    const auto stays = [](const Vec3& middle, const Vec3&, float) { return middle; };
+    const Mesh few = with_short_edges(simplified(all, settings.triangles).mesh, settings.longest_edge, stays);
+    append_see_through(mesh, assembled(rounded(open_sides(few, opaque, settings.cap, job)), settings.crease_cosine));
+}
+
+}  // namespace lumi::baker
