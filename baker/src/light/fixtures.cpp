@@ -239,6 +239,19 @@ Fixtures::Fixtures(std::vector<Fixture> fixtures) : fixtures_(std::move(fixtures
     choice_ = Distribution(powers);
 }
 
+std::vector<Vec3> Fixtures::positions() const
+{
+    std::vector<Vec3> result;
+    for (const Fixture& fixture : fixtures_) {
+        if (const auto* point = std::get_if<PointLight>(&fixture)) result.push_back(point->position);
+        if (const auto* spot = std::get_if<SpotLight>(&fixture)) result.push_back(spot->position);
+        if (const auto* sphere = std::get_if<SphereLight>(&fixture)) result.push_back(sphere->centre);
+        if (const auto* panel = std::get_if<RectangleLight>(&fixture))
+            result.push_back(panel->corner + (panel->side_u + panel->side_v) * 0.5f);
+    }
+    return result;
+}
+
 LightSample Fixtures::sample(const Vec3& from, float u_select, const Vec2& u) const
 {
     const size_t k = choice_.draw(u_select).index;

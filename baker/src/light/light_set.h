@@ -18,6 +18,8 @@ public:
 
     bool empty() const { return choice_.empty(); }
     size_t count() const { return emitters_.count() + fixtures_.count(); }
+    // Where fixtures stand that stand somewhere.
+    std::vector<Vec3> positions() const { return fixtures_.positions(); }
 
     LightSample sample(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
     // The same for the light from outside, without the emissive triangles of the objects themselves.

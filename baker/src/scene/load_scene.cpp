@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "scene/doubts.h"
 #include "scene/iso_reader.h"
 #include "scene/model_reader.h"
 #include "scene/scene_data.h"
@@ -38,8 +39,11 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings)
 {
-    Scene scene = build_scene(read_parts(file, options, warnings), options);
+    SceneParts parts = read_parts(file, options, warnings);
+    const std::array<double, 3> origin = parts.origin;
+    Scene scene = build_scene(std::move(parts), options);
     for (const std::string& warning : scene.data().choice.warnings) warnings.push_back(at({file.string()}, warning));
+    report_doubts(scene.data(), origin, file, warnings);
     return scene;
 }
 

@@ -17,7 +17,9 @@ const Choices<Layout> kLayouts = {{"auto", Layout::automatic}, {"surface", Layou
 
 constexpr std::array kChordOnly = {"--origins", "--directions", "--texel",   "--footprint",
                                    "--beam",    "--spp",        "--adaptive"};
-constexpr std::array kSurfaceOnly = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables", "--paths"};
+constexpr std::array kSurfaceShape = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables"};
+// Only surface fields take it, but it says nothing of the layout: a scene may still suit only the other one.
+constexpr std::array kSurfaceTime = {"--paths"};
 
 // The first of them that was given; null if none was.
 template <class Names>
@@ -51,14 +53,15 @@ void add_layout_option(CLI::App& command, Layout& layout)
 Layout resolved_layout(const CLI::App& command, Layout layout)
 {
     const char* chord = is_chord_cap(command) ? "--cap with a number of origins" : first_given(command, kChordOnly);
-    const char* surface = first_given(command, kSurfaceOnly);
+    const char* shape = first_given(command, kSurfaceShape);
+    const char* surface = shape != nullptr ? shape : first_given(command, kSurfaceTime);
     if (layout == Layout::chord) refuse(surface, "chord");
     if (layout == Layout::surface) refuse(chord, "surface");
     if (layout != Layout::automatic) return layout;
     if (chord != nullptr && surface != nullptr)
         throw UsageError(std::string(chord) + " belongs to chord fields, " + surface +
                          " to surface fields; leave one of them out");
-    return chord != nullptr ? Layout::chord : surface != nullptr ? Layout::surface : Layout::automatic;
+    return chord != nullptr ? Layout::chord : shape != nullptr ? Layout::surface : Layout::automatic;
 }
 
 }  // namespace lumi::tools
