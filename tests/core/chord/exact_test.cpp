@@ -3,8 +3,8 @@
 // quadratic equation, and a look at every point of both lattices. Texels are random: nothing shows errors more.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <random>
+#include <string>
 
 #include "field_bytes.h"
 #include "lumi/chord/render.h"
@@ -172,9 +172,9 @@ TEST_CASE("exact pixels of random texels agree with brute force", "[render]")
         const RandomField scene(sizes.origins, sizes.directions);
         Errors errors;
         for (const View& view : views_of(sizes.side_px)) compare(scene, view, errors);
-        std::printf("%u x %u: paper %.1f dB, ", sizes.origins, sizes.directions, errors.db());
-        errors.levels.report("levels");
-        INFO(sizes.origins << " x " << sizes.directions);
+        const std::string name = std::to_string(sizes.origins) + " x " + std::to_string(sizes.directions);
+        errors.levels.report((name + ", paper, levels; dB " + std::to_string(errors.db())).c_str());
+        INFO(name);
         CHECK(errors.levels.error <= kMostLevels);
         CHECK(errors.db() >= kLeastDb);
         CHECK(errors.wrong_nearest == 0);
