@@ -7,6 +7,7 @@
 #include "lumi/baker/scene.h"
 #include "material/material.h"
 #include "model/losses.h"
+#include "model/mtl_colours.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -269,11 +270,20 @@ private:
 
 }  // namespace
 
-std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, std::vector<std::string>& warnings)
+std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                                  ColourScale colours)
 {
     MtlReader reader(file, warnings);
-    for_each_line(read_text(file), [&](Line& line) { reader.take(line); });
-    return reader.finish();
+    const std::string text = read_text(file);
+    for_each_line(text, [&](Line& line) { reader.take(line); });
+    std::vector<MtlMaterial> materials = reader.finish();
+    if (colours == ColourScale::display) std::for_each(materials.begin(), materials.end(), linearise);
+    if (colours == ColourScale::unstated && look_displayed(text, materials)) {
+        warnings.push_back(at({file.string()},
+                              "its colours look as if they were stated for a display, and are taken for linear light; "
+                              "say --colours display, or --colours linear if they are right"));
+    }
+    return materials;
 }
 
 }  // namespace lumi::baker

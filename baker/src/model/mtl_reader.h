@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lumi/baker/scene.h"
 #include "math/vec3.h"
 
 namespace lumi::baker
@@ -37,7 +38,8 @@ struct MtlMaterial {
     const MtlMap* map(const char* keyword) const { return maps.count(keyword) != 0 ? &maps.at(keyword) : nullptr; }
 };
 
-// In the order of the file; of two with one name the first. Throws SceneError; appends to `warnings`.
-std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, std::vector<std::string>& warnings);
+// In the order of the file, in linear light; of two with one name the first. Throws SceneError; appends to `warnings`.
+std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                                  ColourScale colours = ColourScale::unstated);
 
 }  // namespace lumi::baker

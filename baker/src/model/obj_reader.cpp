@@ -64,8 +64,8 @@ void smooth_normals(const std::vector<Vec3>& positions, ObjContent& content)
 class Libraries
 {
 public:
-    Libraries(const std::filesystem::path& obj, Losses& losses, std::vector<std::string>& warnings)
-        : obj_(obj), losses_(losses), warnings_(warnings)
+    Libraries(const std::filesystem::path& obj, ColourScale colours, Losses& losses, std::vector<std::string>& warnings)
+        : obj_(obj), colours_(colours), losses_(losses), warnings_(warnings)
     {
     }
 
@@ -99,7 +99,7 @@ private:
         if (is_in_other_case(mtl, name))
             losses_.add_at(line, "material file(s) are found by another letter case; write the name as the file's");
         if (read_.insert(std::filesystem::weakly_canonical(mtl).string()).second)
-            for (MtlMaterial& material : read_mtl(mtl, warnings_)) known_.push_back(std::move(material));
+            for (MtlMaterial& material : read_mtl(mtl, warnings_, colours_)) known_.push_back(std::move(material));
         return true;
     }
 
@@ -111,6 +111,7 @@ private:
     }
 
     const std::filesystem::path& obj_;
+    const ColourScale colours_;
     Losses& losses_;
     std::vector<std::string>& warnings_;
     std::vector<MtlMaterial> known_;
@@ -243,11 +244,11 @@ void count_unmapped(const SceneParts& parts, Losses& losses)
 
 }  // namespace
 
-SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings)
+SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings, ColourScale colours)
 {
     Losses losses;
     ObjContent content = scan_obj(file.string(), read_text(file), losses);
-    const std::vector<MtlMaterial> known = Libraries(file, losses, warnings).materials_of(content);
+    const std::vector<MtlMaterial> known = Libraries(file, colours, losses, warnings).materials_of(content);
     CentredPositions at = centred(content.positions);
     smooth_normals(at.positions, content);
 

@@ -12,6 +12,7 @@ namespace lumi::baker
 {
 
 // Throws SceneError; appends to `warnings`.
-SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings);
+SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                    ColourScale colours = ColourScale::unstated);
 
 }  // namespace lumi::baker

@@ -32,7 +32,8 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
                             "this is no volume, and only volumes have iso-surfaces; leave out --iso, or "
                             "name a .nii, .nii.gz or .vdb file"));
     }
-    return file.extension() == ".json" ? read_scene_file(file, options.up, warnings) : read_model(file, warnings);
+    return file.extension() == ".json" ? read_scene_file(file, options.up, warnings, options.colours)
+                                       : read_model(file, warnings, options.colours);
 }
 
 }  // namespace

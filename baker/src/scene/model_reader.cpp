@@ -25,7 +25,7 @@ std::string head_of(const std::filesystem::path& file)
 
 }  // namespace
 
-SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings)
+SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings, ColourScale colours)
 {
     const std::string head = head_of(file), end = extension_of(file);
     if (is_glb(head)) return read_gltf(file, warnings);
@@ -35,7 +35,7 @@ SceneParts read_model(const std::filesystem::path& file, std::vector<std::string
     if (end == ".glb" || end == ".gltf") return read_gltf(file, warnings);
     if (end == ".ply") return read_ply(file, warnings);
     if (end == ".stl") return read_stl(file, warnings);
-    return read_obj(file, warnings);
+    return read_obj(file, warnings, colours);
 }
 
 }  // namespace lumi::baker

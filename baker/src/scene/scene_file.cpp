@@ -41,8 +41,9 @@ SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonMembers&
 class SceneFileReader
 {
 public:
-    SceneFileReader(const std::filesystem::path& file, const JsonValue& root, std::vector<std::string>& warnings)
-        : file_(file), name_(file.string()), scene_(name_, root, "the scene"), warnings_(warnings)
+    SceneFileReader(const std::filesystem::path& file, const JsonValue& root, std::vector<std::string>& warnings,
+                    ColourScale colours)
+        : file_(file), name_(file.string()), scene_(name_, root, "the scene"), warnings_(warnings), colours_(colours)
     {
     }
 
@@ -87,7 +88,7 @@ private:
         const std::filesystem::path path = find_beside(file_, members.text_of(obj, "obj"));
         if (path.empty())
             members.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
-        SceneParts parts = read_model(path, warnings_);
+        SceneParts parts = read_model(path, warnings_, colours_);
         if (!parts.fixtures.empty()) {
             warnings_.push_back(at({name_, obj.line}, "the lamps of '" + obj.text + "' (" +
                                                           std::to_string(parts.fixtures.size()) +
@@ -202,6 +203,7 @@ private:
     std::string name_;
     JsonMembers scene_;
     std::vector<std::string>& warnings_;
+    const ColourScale colours_;
     UpAxis up_ = UpAxis::y;
     SceneParts parts_;
 };
@@ -209,11 +211,11 @@ private:
 }  // namespace
 
 SceneParts read_scene_file(const std::filesystem::path& file, std::optional<UpAxis> up,
-                           std::vector<std::string>& warnings)
+                           std::vector<std::string>& warnings, ColourScale colours)
 {
     const std::string name = file.string();
     const JsonValue root = parse_json(name, read_text(file));
-    return SceneFileReader(file, root, warnings).read(up);
+    return SceneFileReader(file, root, warnings, colours).read(up);
 }
 
 }  // namespace lumi::baker

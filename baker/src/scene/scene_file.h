@@ -11,8 +11,9 @@
 namespace lumi::baker
 {
 
-// Throws SceneError; appends to `warnings`. `up`, if given, counts in place of what the file says.
+// Throws SceneError; appends to `warnings`. `up`, if given, counts in place of what the file says. `colours`: of MTL
+// files.
 SceneParts read_scene_file(const std::filesystem::path& file, std::optional<UpAxis> up,
-                           std::vector<std::string>& warnings);
+                           std::vector<std::string>& warnings, ColourScale colours = ColourScale::unstated);
 
 }  // namespace lumi::baker

@@ -151,6 +151,23 @@ TEST_CASE("exposure: bake and reference choose and say the same one, and --expos
     CHECK(said({"reference", folder / "s.json", "-o", folder / "p.png", "--size", "8x8", "--exposure", "-9"}).empty());
 }
 
+TEST_CASE("colours: --colours display darkens what MTL says, also of a model in a scene file")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "m.mtl", "newmtl a\nKd 0.5 0.5 0.5\n");
+    test::write_content(folder / "m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    test::write_content(folder / "s.json", R"({"objects": [{"obj": "m.obj"}]})");
+    const auto brightness = [&](const char* scene, const char* colours) {
+        const Outcome outcome = lumi({"reference", folder / scene, "-o", folder / "p.png", "--size", "16x16", "--spp",
+                                      "64", "--sky", "1", "--colours", colours});
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return mean_of(read_png(folder / "p.png"), 1);
+    };
+    for (const char* scene : {"m.obj", "s.json"})
+        CHECK(brightness(scene, "display") < 0.8 * brightness(scene, "linear"));
+}
+
 TEST_CASE("reference: an .exr holds linear light, before exposure, and its coverage in place of a background")
 {
     const test::TemporaryFolder folder;

@@ -113,6 +113,12 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
             "All light is multiplied by 2 to this power, from -20 to 20; equal for bake, reference and report [as the "
             "scene file says, or what lamps need, or 0]")
         ->type_name("STOPS");
+    add_choice<baker::ColourScale>(command, "--colours", options.colours,
+                                   {{"linear", baker::ColourScale::linear}, {"display", baker::ColourScale::display}},
+                                   "linear|display",
+                                   "What Kd, Ks, Ke and Tf of MTL files are: linear light, or as a display shows them, "
+                                   "which 3ds Max, SketchUp and "
+                                   "Sweet Home 3D write [linear, with a warning where they look otherwise]");
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
         ->check(whole_number(0, kMostThreads))
         ->type_name("T");
@@ -125,6 +131,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     load.up = options.up;
     load.exposure_stops = options.exposure_stops;
     load.environment = options.sky;
+    load.colours = options.colours;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;

@@ -48,6 +48,10 @@ Environment studio_environment();
 // `warnings`.
 Environment picture_environment(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
+// What the colours of MTL files are: linear light, or encoded (sRGB) as a display shows them. Unstated: linear, and a
+// warning where they look encoded.
+enum class ColourScale : uint8_t { unstated, linear, display };
+
 inline constexpr double kMostStops = 20;  // of exposure, to either side
 
 // The surface in a volume where its values cross a number.
@@ -69,6 +73,7 @@ struct LoadOptions {
     // In stops: all light is multiplied by 2 to this power. At most kMostStops to either side. 0; for light of lamps or
     // a picture what gives the scene a middle tone.
     std::optional<double> exposure_stops = std::nullopt;
+    ColourScale colours = ColourScale::unstated;
     std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
