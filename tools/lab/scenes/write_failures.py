@@ -260,7 +260,7 @@ def curtain():
 
 
 LIGHTS = {
-    "curtain": {"environment": "black",
+    "curtain": {"environment": "black", "exposure": 0,
                 "lights": [{"type": "rectangle", "position": [0, 0.5, -3], "target": [0, 0, 0], "size": [2, 2],
                             "radiance": 8}]},
 }
