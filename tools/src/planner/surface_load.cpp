@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumi/surface/detail/target.h"
+
 namespace lumi::planner
 {
 
@@ -79,7 +81,8 @@ bool is_magnified(const Place& a, const Place& b, const Place& c, const detail::
 // Texels a sample, as target_of (lumi/surface/detail/target.h) has them.
 double most_magnified(SurfaceMode mode)
 {
-    return mode == SurfaceMode::one_sample ? -1 : mode == SurfaceMode::antialiased ? 0.5 : 0.25;
+    constexpr double kMost = 1.0 / detail::kMagnifiedPx;
+    return mode == SurfaceMode::one_sample ? -1 : mode == SurfaceMode::antialiased ? kMost : kMost / 2;
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace lumi::planner
 namespace
 {
 
-// Instructions a frame and a unit of load, fitted to counts of `lumi-lab bench`: the desk clock in 120 and 240 kB,
-// finishes in 185 kB, plant and terrain of tools/lab/failure_scenes.sh in 490 kB, a model in 167 kB and a plain ball in
-// 50 kB, each in the views `generic` and `pole`. Frame, vertices, patches, lit vertices and outlines are fitted to
-// their parts of the counts, the others to what is left of the whole; none below 0.
+// Instructions a frame and a unit of load, fitted to counts of `lumi-lab bench`: the desk clock in four sizes, the test
+// card in two, finishes, a plain ball and three models, each in the views `generic` and `pole`. Frame, vertices,
+// patches, lit vertices and outlines are fitted to their parts of the counts, the others to what is left of the whole;
+// none below 0.
 struct Costs {
     double frame, vertex, patch, lit, seen, scanline, sample, magnified, outline, image;
 
@@ -27,12 +27,12 @@ struct Costs {
 };
 
 // By SurfaceMode.
-constexpr Costs kM4[] = {{9390, 143, 256, 314, 589, 18.4, 24, 0, 0, 11.8},
-                         {9400, 143, 340, 314, 618, 0, 47.9, 61.8, 326, 12.3},
-                         {9380, 143, 248, 317, 582, 0, 27, 57.3, 0, 51.4}};
-constexpr Costs kM0plus[] = {{64500, 227, 375, 692, 935, 13.1, 34.5, 0, 0, 18.6},
-                             {64000, 227, 478, 690, 861, 0, 67.3, 119, 486, 21.6},
-                             {61900, 227, 357, 697, 815, 0, 37.3, 101, 0, 81.5}};
+constexpr Costs kM4[] = {{9120, 143, 208, 304, 762, 9.75, 28.9, 0, 0, 3.53},
+                         {9120, 143, 242, 304, 692, 0, 52.1, 31.7, 320, 4.91},
+                         {9120, 143, 208, 305, 664, 0, 42.7, 37.3, 0, 12.7}};
+constexpr Costs kM0plus[] = {{15900, 231, 301, 585, 1210, 0, 43.3, 0, 0, 4.95},
+                             {16700, 231, 366, 585, 985, 0, 77.6, 65.8, 482, 7.81},
+                             {15900, 231, 302, 586, 914, 0, 59.6, 74.9, 0, 17.6}};
 
 }  // namespace
 

@@ -11,10 +11,10 @@
 namespace lumi::planner
 {
 
-// Instructions of a frame in RGB565 with the code of `core` ("m0plus", else M4 code). Within 10 % of 68 of the 84
-// counts that it was fitted to, 27 % in the worst (four samples of a plant, most of which is hidden); 9 % in the root
-// mean square. Triangles that are drawn in parts are unknown to the model, as they are large or cut by the image:
-// nearer than two radii, and for meshes of some hundred triangles, counts are up to twice as high.
+// Instructions of a frame in RGB565 with the code of `core` ("m0plus", else M4 code). Within 10 % of 90 of the 132
+// counts that it was fitted to, 21 % in the worst (four samples of a plain ball); 9 % in the root mean square.
+// Triangles that are drawn in parts are unknown to the model, as they are large or cut by the image: nearer than two
+// radii, and for meshes of some hundred triangles, counts are up to twice as high.
 double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceLoad& load);
 
 // Flash lines of so many bytes that a frame misses, about.
