@@ -53,6 +53,7 @@ TABLES = {
     "speed steps": lambda: scripts.speed_steps("steps"),
     "speed steps of 24 rows": lambda: scripts.speed_steps("steps_24"),
     "speed modes": scripts.speed_modes,
+    "speed parts": scripts.speed_parts,
     "volumes": scripts.volumes,
     "volume choices": scripts.volume_choices,
     "filter": scripts.filters,

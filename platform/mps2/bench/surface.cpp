@@ -16,16 +16,17 @@ constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
 SurfaceFrame frame;
 SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];
-uint16_t bands[surface_bands(kSidePx, kSurfaceBandLog2)];
+uint16_t bands[surface_bands(kSidePx, surface_band_log2(kTallStripeHeight))];
 uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
 
 }  // namespace
 
 const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
 
-void prepare_alone(const SurfaceField& field, const SurfaceView& view)
+void prepare_alone(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height)
 {
-    prepare_surface<Pixel>(field, view.camera, view.mode, {vertices, links, bands, kSurfaceBandLog2}, frame);
+    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height)};
+    prepare_surface<Pixel>(field, view.camera, view.mode, memory, frame);
 }
 
 void fill_alone(int32_t width_px, bool with_outlines)
@@ -54,7 +55,7 @@ void fill_alone(int32_t width_px, bool with_outlines)
 
 void draw_surface(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels)
 {
-    prepare_alone(field, view);
+    prepare_alone(field, view, stripe_height);
     for (int32_t y = 0; y < kSidePx; y += stripe_height) {
         uint8_t* const at = pixels + static_cast<uint32_t>(y) * kStrideBytes;
         render_surface<Pixel>(frame, kBackground, {at, 0, y, kSidePx, stripe_height, kStrideBytes}, samples);

@@ -20,7 +20,7 @@ extern const uint32_t kSurfaceFrameBytes;
 void draw_surface(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels);
 
 // The first part of that.
-void prepare_alone(const SurfaceField& field, const SurfaceView& view);
+void prepare_alone(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height);
 
 // Fills the stripes of the frame that was prepared last, its first `width_px` columns, and makes no pixels of them.
 // Outlines are blended or not.

@@ -50,7 +50,9 @@ Parts count_parts(const SurfaceField& field, const SurfaceView& view)
     unlit.viewed_count = 0;
     bare.patch_count = 0;
     empty.patch_count = empty.vertex_count = 0;
-    const auto preparing = [&](const SurfaceField& f) { return instructions_of([&] { prepare_alone(f, view); }); };
+    const auto preparing = [&](const SurfaceField& f) {
+        return instructions_of([&] { prepare_alone(f, view, kSurfaceStripeHeight); });
+    };
     const uint64_t palette = preparing(empty), vertices = preparing(bare), lists = preparing(unlit);
     const uint64_t lights = preparing(field);
     const uint64_t edges = instructions_of([] { fill_alone(0, false); });

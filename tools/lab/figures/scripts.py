@@ -55,6 +55,14 @@ def speed_steps(steps):
                  lambda row: [row["step"], decimal(row["m4"]), decimal(row["m0plus"])])
 
 
+def speed_parts():
+    def cells(row, core):
+        prototype = row[f"{core}_prototype"]
+        return [" → ".join(map(decimal, row[core])), NONE if prototype is None else decimal(prototype)]
+    return table(["part", "M4", "prototype", "M0+", "prototype, M0+"], load("speed")["parts_24"], lambda row: [
+        row["part"], *cells(row, "m4"), *cells(row, "m0plus")])
+
+
 def speed_modes():
     return table(["mode", "M4", "M0+", "RAM, bytes"], load("speed")["modes"], lambda row: [
         row["mode"], *(" → ".join(map(decimal, row[core])) for core in ("m4", "m0plus")), " → ".join(map(str, row["ram"]))])

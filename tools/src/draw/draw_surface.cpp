@@ -15,8 +15,8 @@ namespace lumi::tools
 namespace
 {
 
-constexpr uint32_t kBandLog2 = 4;  // rows of a stripe: what firmware with some kilobytes to spare draws at once
-constexpr int kStripeHeight = 1 << kBandLog2;
+constexpr int kStripeHeight = 16;  // what firmware with some kilobytes to spare draws at once
+constexpr uint32_t kBandLog2 = surface_band_log2(kStripeHeight);
 
 SurfaceCamera camera_of(const Eye& eye)
 {
