@@ -26,6 +26,7 @@
 // norm, map_Bump           a normal map; a grey picture is a height map
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -56,6 +57,11 @@ struct TextureSlot {
 struct TextureSlots {
     TextureSlot base, emission, roughness, metalness, opacity, normal, sheen;
 };
+// All of them.
+inline constexpr std::array kTextureSlots = {
+    &TextureSlots::base,    &TextureSlots::emission, &TextureSlots::roughness, &TextureSlots::metalness,
+    &TextureSlots::opacity, &TextureSlots::normal,   &TextureSlots::sheen};
+static_assert(sizeof(TextureSlots) == kTextureSlots.size() * sizeof(TextureSlot), "a slot is missing");
 
 // A material's numbers at one point, with its textures.
 struct PointValues {

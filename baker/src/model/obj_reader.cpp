@@ -192,9 +192,8 @@ Mesh build_mesh(const std::string& file, std::vector<Vec3> positions, const ObjC
 
 bool has_pictures(const Material& m)
 {
-    const TextureSlots& s = m.maps;
-    return s.base.used() || s.emission.used() || s.roughness.used() || s.metalness.used() || s.sheen.used() ||
-           s.opacity.used() || s.normal.used();
+    return std::any_of(
+        kTextureSlots.begin(), kTextureSlots.end(), [&m](auto slot) { return (m.maps.*slot).used(); });
 }
 
 CornerColours colours_at(const std::vector<Rgb>& colours, const Mesh::Corners& corners)

@@ -47,9 +47,8 @@ void extend(std::vector<T>& list, std::vector<T>& more)
 
 void shift_textures(Material& m, size_t by)
 {
-    TextureSlots& s = m.maps;
-    for (TextureSlot* slot : {&s.base, &s.emission, &s.roughness, &s.metalness, &s.opacity, &s.normal})
-        slot->texture += slot->used() ? static_cast<int32_t>(by) : 0;
+    for (const auto slot : kTextureSlots)
+        if ((m.maps.*slot).used()) (m.maps.*slot).texture += static_cast<int32_t>(by);
 }
 
 constexpr NumberRange kScale = {-1e9, 1e9};

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "scene/scene_data.h"
+#include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 
 namespace lumi::baker
@@ -89,6 +90,28 @@ TEST_CASE("scene file: objects are scaled, turned and moved, in this order, and 
     CHECK(parts.mesh.materials[2] == 2);
     CHECK(parts.mesh.shading[2][0] == 1);
     CHECK(parts.mesh.shading[3][0] == kNoIndex);
+}
+
+TEST_CASE("scene file: each of two objects keeps its own pictures, whatever they are for")
+{
+    const ScratchFolder folder;
+    const std::string maps =
+        "Kd 1 1 1\nPr 0.5\nPm 0.5\nPs 0.5\nKe 1 1 1\nmap_Kd t.png\nmap_Ke t.png\nmap_Pr t.png\nmap_Pm t.png\nmap_Ps "
+        "t.png\n"
+        "map_d t.png\nnorm t.png\n";
+    folder.write("t.png", testing::rgb_png(2, {0, 0, 0, 255, 255, 255}));
+    folder.write("m.mtl", "newmtl x\n" + maps);
+    folder.write("o.obj",
+                 "mtllib m.mtl\nusemtl x\nv 0 0 0\nv 1 0 0\nv 1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n");
+    std::vector<std::string> warnings;
+    const SceneParts parts = read_scene_file(
+        folder.write("s.json", R"({"objects": [{"obj": "o.obj"}, {"obj": "o.obj"}]})"), std::nullopt, warnings);
+    REQUIRE(parts.materials.size() == 2);
+    const auto pictures = static_cast<int32_t>(parts.textures.size()) / 2;
+    for (const auto slot : kTextureSlots) {
+        CHECK((parts.materials[0].maps.*slot).used());
+        CHECK((parts.materials[1].maps.*slot).texture == (parts.materials[0].maps.*slot).texture + pictures);
+    }
 }
 
 TEST_CASE("scene file: lights are read in the units and axes of the scene")
