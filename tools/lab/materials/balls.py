@@ -4,7 +4,7 @@
 
 Draws eight balls (matte, plastic, black plastic, rubber, gold, glass, coated paint, velvet) under a lamp of each kind by
 `LUMI reference`: a row for a point, a ball of light, a spot, a square and a sun, which all bring the same light to the
-middle of the row by the table of docs/blender.md. So the rows must be equally bright; `lumi` chooses their exposure.
+middle of the row by the table of docs/blender.md. So the rows must be equally bright there, at one exposure.
 """
 import json
 import math
@@ -36,6 +36,7 @@ IRRADIANCE = 50  # that each lamp brings to the middle of the row
 POINT_WATTS = IRRADIANCE * 4 * math.pi * DISTANCE**2
 SQUARE_WATTS = IRRADIANCE * 4 * DISTANCE**2
 RADIUS, SIDE = 0.5, 1
+STOPS = -3.3  # of exposure: what lumi chooses for the sun
 LAMPS = [
     {"type": "point", "intensity": POINT_WATTS / (4 * math.pi)},
     {"type": "sphere", "radius": RADIUS, "radiance": POINT_WATTS / (4 * math.pi**2 * RADIUS**2)},
@@ -77,14 +78,13 @@ def draw(lumi, folder, lamp):
         "ground": {"radius": 9.5, "height": -1, "material": {"colour": 0.4}},
         "environment": 0.1 * IRRADIANCE / math.pi,
         "lights": [light],
+        "exposure": STOPS,
         "tone": "agx",
     }
     scene_file, picture = os.path.join(folder, "balls.json"), os.path.join(folder, "balls.png")
     with open(scene_file, "w") as out:
         json.dump(scene, out)
     result = subprocess.run([lumi, "reference", scene_file, "-o", picture, *VIEW], capture_output=True, text=True)
-    notes = [line for line in result.stderr.splitlines() if line.startswith("lumi: ")]
-    print(lamp["type"] + ":", "; ".join(notes))
     if result.returncode:
         sys.exit(result.stderr)
     return read_png(picture)
