@@ -97,13 +97,14 @@ constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
     return ((static_cast<uint32_t>(height_px) >> band_log2) + 1) * detail::kBandLists + 1;
 }
 
-// The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher, or half of it if stripes
-// do not begin where it does. So few triangles are offered to a stripe that they do not reach.
+// The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher. Where stripes do not
+// begin with bands of 16 or more, half of it: so few triangles are offered to a stripe that they do not reach.
 constexpr uint32_t surface_band_log2(int32_t stripe_height_px)
 {
     uint32_t log2 = 0;
     while (log2 < 8 && (2 << log2) <= stripe_height_px) ++log2;
-    return (stripe_height_px & ((1 << log2) - 1)) == 0 ? log2 : log2 - 1;
+    const bool begins_bands = (stripe_height_px & ((1 << log2) - 1)) == 0;
+    return begins_bands || log2 < 4 ? log2 : log2 - 1;
 }
 
 // Bytes that a frame needs besides sizeof(SurfaceFrame).
