@@ -93,7 +93,7 @@ TEST_CASE("bake: the formats agree on coverage and colour")
     CHECK(covered < 2500);
 }
 
-TEST_CASE("bake: the same bytes for any number of threads and every run; others for another seed")
+TEST_CASE("bake: the same bytes for any number of threads and every run, others for another seed")
 {
     const Scene scene = small_scene();
     for (const TexelFormat texel : {TexelFormat::rgb888, TexelFormat::palette8}) {

@@ -63,7 +63,7 @@ TEST_CASE("palette: a two-dimensional cloud of colours is met within a few level
     CHECK(rms < 6);  // 256 cells on a unit square have an rms error of 255/16/√12 = 4.6 a side
 }
 
-TEST_CASE("palette: the same samples give the same palette; none give an empty one")
+TEST_CASE("palette: the same samples give the same palette, none give an empty one")
 {
     const Palette a = fit_palette(cloud(3000)), b = fit_palette(cloud(3000));
     for (size_t k = 0; k < a.size(); ++k)

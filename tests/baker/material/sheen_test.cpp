@@ -84,7 +84,7 @@ TEST_CASE("sheen: reciprocal")
     for (const Named& named : white_sheened()) check_reciprocal(named);
 }
 
-TEST_CASE("sheen: a white furnace gains nothing; over matt paint it loses nothing, over the others a little")
+TEST_CASE("sheen: a white furnace gains nothing, over matt paint it loses nothing, over the others a little")
 {
     std::map<std::string, double> worst;
     for (const Named& named : white_sheened()) {

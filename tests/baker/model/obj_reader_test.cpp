@@ -67,7 +67,7 @@ const std::string kRedPixel = testing::rgb_png(1, {255, 0, 0});
 
 }  // namespace
 
-TEST_CASE("obj: triangles, quads and polygons keep their area; without normals they are flat")
+TEST_CASE("obj: triangles, quads and polygons keep their area, without normals they are flat")
 {
     const Loaded l = load_obj(std::string(kCorners) + "v 0.5 0.5 0\nf 1 2 3 4\nf 1 2 5\nf 1 2 3 5 4\n");
     CHECK(l.warnings.empty());
@@ -200,7 +200,7 @@ TEST_CASE("obj: vertices far from the origin keep their shape to the last digit 
           Approx(0.1 * std::sqrt(2) * 1.01).epsilon(1e-2));
 }
 
-TEST_CASE("obj: colours at vertices are drawn where a material has no picture; they run to 1 or to 255")
+TEST_CASE("obj: colours at vertices are drawn where a material has no picture, they run to 1 or to 255")
 {
     const std::string red = "v 0 0 0 255 0 0\nv 1 0 0 255 0 0\nv 0 1 0 255 0 0\nf 1 2 3\n";
     const Loaded l = load_obj(red);
@@ -387,7 +387,7 @@ TEST_CASE("mtl: a black Kd under Ks is black plastic, unless illum 3 says that i
     CHECK(is_black(only_material("Kd 0 0 0\nKs 0.5 0.5 0.5\nPr 0.3\nPm 1\nillum 3\n").base));
 }
 
-TEST_CASE("mtl: without Kd a material is grey, or shows its picture; so it does with a black one")
+TEST_CASE("mtl: without Kd a material is grey, or shows its picture, so it does with a black one")
 {
     CHECK(only_material("Ns 10\n").base.r == 0.6f);
     CHECK(only_material("Ks 0.2 0.2 0.2\nNs 50\n").base.r == 0.6f);
@@ -485,7 +485,7 @@ TEST_CASE("obj: a library is read once, however often and by whatever name it is
     CHECK_THAT(warnings[0], Catch::Contains("m.mtl:2") && Catch::Contains("out of range"));
 }
 
-TEST_CASE("obj: of many materials each face gets its own; of two with one name the first counts")
+TEST_CASE("obj: of many materials each face gets its own, of two with one name the first counts")
 {
     constexpr uint32_t kCount = 20000;
     const testing::ScratchFolder folder;

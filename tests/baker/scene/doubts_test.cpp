@@ -88,7 +88,7 @@ TEST_CASE("doubts: a ground, or a stray triangle, that makes the rest tiny is na
     CHECK(doubts_of(cube_at(0, 1) + "v 9 0 0\nv 9 1 0\nv 9 0 1\nf 9 10 11\n").empty());
 }
 
-TEST_CASE("doubts: faces of two materials in one place; those of one material are harmless")
+TEST_CASE("doubts: faces of two materials in one place, those of one material are harmless")
 {
     const std::string mtl = "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n", cube = cube_at(0, 1);
     const std::string faces = cube.substr(cube.find("f "));

@@ -321,7 +321,7 @@ TEST_CASE("catcher: it widens the fitted sphere and must lie in a given one")
     CHECK(static_cast<double>(moved.radius) == Approx(2 / static_cast<double>(scene.radius())));
 }
 
-TEST_CASE("catcher: its shadow reaches palette texels as partial coverage; other texels are refused by name")
+TEST_CASE("catcher: its shadow reaches palette texels as partial coverage, other texels are refused by name")
 {
     const Scene scene = hovering_ball().make(constant_environment(1));
     BakeSettings settings = testing::tiny_settings(TexelFormat::palette8);

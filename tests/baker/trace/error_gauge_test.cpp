@@ -161,7 +161,7 @@ TEST_CASE("adaptive sampling: zero levels take every path, and so do bakes of si
     CHECK(saved_share(sparkling_scene(), adaptive_settings(ErrorGauge::kFirstLook, 5)) == 0);
 }
 
-TEST_CASE("adaptive sampling: threads and shards do not change a byte; saved rays count as done")
+TEST_CASE("adaptive sampling: threads and shards do not change a byte, saved rays count as done")
 {
     const Scene scene = sparkling_scene();
     for (const TexelFormat texel : {TexelFormat::rgb888, TexelFormat::palette8}) {

@@ -84,7 +84,7 @@ TEST_CASE("opacity surface: light passes the shell, and neither paths nor finger
     }
 }
 
-TEST_CASE("opacity surface: of a dense ball few paths miss the mesh; where nothing is solid surface fields are refused")
+TEST_CASE("opacity surface: of a dense ball few paths miss the mesh, where nothing is solid surface fields are refused")
 {
     SurfaceSettings settings;
     settings.triangles = 200;

@@ -269,7 +269,7 @@ TEST_CASE("origins that are not baked stay transparent on spans, and their bytes
     }
 }
 
-TEST_CASE("lattices of every size are drawn; the small and the huge ones are refused", "[span]")
+TEST_CASE("lattices of every size are drawn, the small and the huge ones are refused", "[span]")
 {
     const View view = extreme_views(kSide / 2)[0];
     const uint32_t sizes[] = {1, 2, 63, 64, 65, 89, 144, 1000, 10000};

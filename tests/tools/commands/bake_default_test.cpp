@@ -89,11 +89,11 @@ TEST_CASE("a plan's options bake the planned surface field")
     CHECK((test::content_of(folder / "a.lumi") == test::content_of(folder / "b.lumi")));
 }
 
-TEST_CASE("where light paths miss the mesh, bake takes a chord field and says why; --layout surface only warns")
+TEST_CASE("where light paths miss the mesh, bake takes a chord field and says why, --layout surface only warns")
 {
     const test::TemporaryFolder folder;
     const std::string scene = write_specks(folder.path()), field = folder / "f.lumi";
-    const Outcome chord = lumi({"bake", scene, "-o", field, "--fit", "20kB", "--plan-only", "--progress", "json"});
+    const Outcome chord = lumi({"bake", scene, "-o", field, "--fit", "30kB", "--plan-only", "--progress", "json"});
     INFO(chord.err);
     CHECK(chord.code == 0);
     std::istringstream lines(chord.out);
@@ -101,7 +101,7 @@ TEST_CASE("where light paths miss the mesh, bake takes a chord field and says wh
     std::getline(lines, first);
     CHECK(nlohmann::json::parse(first)["layout"] == "chord");
     CHECK_THAT(first, Catch::Contains("miss a mesh of") && Catch::Contains("limit 5 %"));
-    const Outcome surface = lumi({"bake", scene, "-o", field, "--fit", "20kB", "--layout", "surface", "--plan-only"});
+    const Outcome surface = lumi({"bake", scene, "-o", field, "--fit", "30kB", "--layout", "surface", "--plan-only"});
     INFO(surface.err);
     CHECK(surface.code == 0);
     CHECK_THAT(surface.out, Catch::StartsWith("layout surface: "));

@@ -119,7 +119,7 @@ TEST_CASE("a filter takes pictures of the best mode only")
 }
 
 #ifdef LUMI_TEST_TRAINING
-TEST_CASE("training makes pictures of unseen views more alike, the same bytes each time; another scene is refused")
+TEST_CASE("training makes pictures of unseen views more alike, the same bytes each time, another scene is refused")
 {
     const FilterShop shop;
     const Arguments call = {"filter", "train", shop.field, shop.scene, "--views", "40",      "--side",

@@ -112,7 +112,7 @@ TEST_CASE("a plan fits its budget, keeps what is set by hand, and its options ba
     CHECK(test::content_of(again) == test::content_of(planned));
 }
 
-TEST_CASE("a plan alone writes no field; for machines it is JSON lines")
+TEST_CASE("a plan alone writes no field, for machines it is JSON lines")
 {
     const test::TemporaryFolder folder;
     const Outcome outcome =

@@ -128,7 +128,7 @@ TEST_CASE(
 }
 #endif
 
-TEST_CASE("shards baked by separate calls merge to the bytes of one bake; --restart bakes anew")
+TEST_CASE("shards baked by separate calls merge to the bytes of one bake, --restart bakes anew")
 {
     const test::TemporaryFolder folder;
     REQUIRE(lumi(bake(folder / "one.lumi")).code == 0);
@@ -187,7 +187,7 @@ TEST_CASE("json progress writes nothing but JSON to stdout, and ends with what w
     CHECK(outcome.err.empty());
 }
 
-TEST_CASE("a bake says how many rays adaptive sampling saved; --adaptive 0 saves none")
+TEST_CASE("a bake says how many rays adaptive sampling saved, --adaptive 0 saves none")
 {
     const test::TemporaryFolder folder;
     Arguments more = bake(folder / "f.lumi", {"--progress", "json"});

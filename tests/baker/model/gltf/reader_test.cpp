@@ -95,7 +95,7 @@ TEST_CASE("glTF: a square of two triangles, flat without normals, grey without a
     CHECK_FALSE(l.parts.materials[0].specular);
 }
 
-TEST_CASE("glTF: nodes scale, then turn, then move, one inside the other; a mirror turns the winding")
+TEST_CASE("glTF: nodes scale, then turn, then move, one inside the other, a mirror turns the winding")
 {
     // A quarter about z: x becomes y.
     const char* turned = "\"rotation\":[0,0,0.70710678,0.70710678],\"scale\":[2,3,1],\"translation\":[5,0,0]";
@@ -120,7 +120,7 @@ TEST_CASE("glTF: nodes scale, then turn, then move, one inside the other; a mirr
     check_gltf(both.parts.mesh.position(1, 1), {3, 0, 0});
 }
 
-TEST_CASE("glTF: strips and fans become triangles of one winding; points are counted")
+TEST_CASE("glTF: strips and fans become triangles of one winding, points are counted")
 {
     GltfMaker maker;
     const std::string p = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}));
@@ -172,7 +172,7 @@ TEST_CASE("glTF: quantised, normalised, interleaved and sparse numbers are those
                                        std::to_string(replaced) + "}}")));
 }
 
-TEST_CASE("glTF: metallic and roughness are those of a scene file; the body shows what the skin lets in")
+TEST_CASE("glTF: metallic and roughness are those of a scene file, the body shows what the skin lets in")
 {
     const Material plastic = gltf_material(
         "\"name\":\"p\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,1,1],\"metallicFactor\":0,"
@@ -220,7 +220,7 @@ TEST_CASE("glTF: extensions of materials: index, specular, coat, sheen, emission
     CHECK(old.alpha == Approx(0.25));
 }
 
-TEST_CASE("glTF: pictures lie upright; roughness is green, metalness blue")
+TEST_CASE("glTF: pictures lie upright, roughness is green, metalness blue")
 {
     const LoadedGltf base =
         load_with_picture(four_colours(), "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}");
