@@ -16,7 +16,7 @@ namespace
 
 std::string head_of(const std::filesystem::path& file)
 {
-    std::ifstream stream = open_file(file);
+    auto stream = open_file(file);
     std::string head(kHeadBytesOfModel, '\0');
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<size_t>(stream.gcount()));
