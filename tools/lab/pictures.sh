@@ -24,10 +24,8 @@ trace() {
 draw_readme() {
   "$lumi" bake "$scenes/product.obj" -o "$work/surface.lumi"
   "$lumi" bake "$scenes/product.obj" -o "$work/chord.lumi" --layout chord
-  local field
-  for field in surface chord; do
-    "$lumi" render "$work/$field.lumi" -o "$root/docs/img/readme-$field.png" "${readme_view[@]}" >/dev/null
-  done
+  "$lumi" render "$work/surface.lumi" -o "$root/docs/img/readme-surface.webp" --turntable 36 "${readme_view[@]}" >/dev/null
+  "$lumi" render "$work/chord.lumi" -o "$root/docs/img/readme-chord.png" "${readme_view[@]}" >/dev/null
   "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/readme-reference.png" --spp 256 "${readme_view[@]}" >/dev/null
 }
 
