@@ -22,7 +22,7 @@ measure() {
 
 mean_db() {
   python3 -c 'import json, sys
-for field in json.load(open(sys.argv[1]))["fields"]: print("%.2f" % field["renderers"][0]["mean"]["psnr_db"])' "$1"
+for field in json.load(open(sys.argv[1]))["fields"]: print("%.2f" % field["psnr_db"])' "$1"
 }
 
 main() {

@@ -39,7 +39,8 @@ std::string rates_text(const FieldFile& file)
 {
     std::string text = "frames a second of 240 x 240 pixels, modelled, one core";
     if (file.is_surface())
-        text += ", mean (worst) of " + std::to_string(planner::kRatedPoses) + " poses";
+        text += ", mean (worst) of " + std::to_string(planner::kRatedPoses) + " poses" +
+                (file.surface().see_through_count != 0 ? ", without its see-through parts, which take more" : "");
     else if (!planner::is_drawn_by_spans(file.field()))
         text += ", every pixel exact: spans refuse this field";
     text += ":\n";
