@@ -53,12 +53,12 @@ set(LUMI_CORE_SOURCES
   src/surface/rows_565.cpp
   src/surface/rows_565_swapped.cpp
   src/surface/rows_packed.cpp
-  src/surface/see_through.cpp
-  src/surface/see_through_565.cpp
-  src/surface/see_through_565_swapped.cpp
-  src/surface/see_through_coverage.cpp
-  src/surface/see_through_field.cpp
-  src/surface/see_through_packed.cpp
+  src/surface/see_through/coverage.cpp
+  src/surface/see_through/field.cpp
+  src/surface/see_through/pieces.cpp
+  src/surface/see_through/rows_565.cpp
+  src/surface/see_through/rows_565_swapped.cpp
+  src/surface/see_through/rows_packed.cpp
   src/surface/silhouette.cpp
   src/surface/split.cpp
   src/surface/target.cpp

@@ -4,7 +4,6 @@
 
 #include "surface/box.h"
 #include "surface/split.h"
-#include "surface/textures.h"
 
 namespace lumi::detail
 {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "surface/split.h"
 
-#include "surface/textures.h"
-
 namespace lumi::detail
 {
 namespace

@@ -29,7 +29,7 @@ struct SeeThroughMemory : SurfaceMemory {
 };
 
 struct SeeThroughFrame : SurfaceFrame {
-    const uint16_t* order;  // see_through.cpp
+    const uint16_t* order;  // src/surface/see_through/pieces.cpp
     uint32_t order_count;
     detail::PackedColour added_and_passed[512];  // 256 each; PackedColour, but what passes has no fraction for rounding
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See-through triangles over samples that hold a PackedColour.
-#include "surface/see_through_rows.h"
+#include "surface/see_through/rows.h"
 
 namespace lumi::detail
 {

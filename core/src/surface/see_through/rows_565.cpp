@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See-through triangles over samples that hold a pixel in 5, 6 and 5 bits, low byte first.
-#include "surface/see_through_rows.h"
+#include "surface/see_through/rows.h"
 
 namespace lumi::detail
 {
