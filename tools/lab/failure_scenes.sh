@@ -28,20 +28,8 @@ show_scene() {
 }
 
 main() {
-  local chosen=() scene
-  while (($#)); do
-    case $1 in
-      --scene) chosen+=("${2:?"--scene needs a name"}") && shift ;;
-      --paths) paths=${2:?"--paths needs a number"} && shift ;;
-      --help) help "$0" && exit ;;
-      *) wrong_call "unknown option '$1'" ;;
-    esac
-    shift
-  done
-  if ((${#chosen[@]})); then scenes=("${chosen[@]}"); fi
-  mkdir -p "$work"
-  if [[ -z ${LUMI:-} ]]; then run_step "Build" build_lumi; fi
-  run_step "Write the scenes" python3 "$root/tools/lab/scenes/write_failures.py" "$work/scenes"
+  local scene
+  write_scenes write_failures.py "$@"
   for scene in "${scenes[@]}"; do
     run_step "$scene" show_scene "$scene"
   done

@@ -26,21 +26,8 @@ for field in json.load(open(sys.argv[1]))["fields"]: print("%.2f" % field["psnr_
 }
 
 main() {
-  local chosen=() scene bare
-  while (($#)); do
-    case $1 in
-      --scene) chosen+=("${2:?"--scene needs a name"}") && shift ;;
-      --paths) paths=${2:?"--paths needs a number"} && shift ;;
-      --fit) fit=${2:?"--fit needs a size"} && shift ;;
-      --help) help "$0" && exit ;;
-      *) wrong_call "unknown option '$1'" ;;
-    esac
-    shift
-  done
-  if ((${#chosen[@]})); then scenes=("${chosen[@]}"); fi
-  mkdir -p "$work"
-  if [[ -z ${LUMI:-} ]]; then run_step "Build" build_lumi; fi
-  run_step "Write the scenes" python3 "$root/tools/lab/scenes/write_see_through.py" "$work/scenes"
+  local scene bare
+  write_scenes write_see_through.py "$@"
   for scene in "${scenes[@]}"; do
     run_step "$scene" measure "$scene"
     if [[ $scene != faint ]]; then run_step "$scene without glass" measure "$scene-bare"; fi
