@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <sstream>
 
+#include "image/png.h"
 #include "program/choice.h"
 #include "program/option_checks.h"
 #include "terminal/interrupt.h"
@@ -38,8 +36,7 @@ std::optional<std::array<float, 3>> colour_of(const std::string& word)
 
 bool is_picture_name(const std::string& word)
 {
-    std::string ending = std::filesystem::path(word).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = small_ending(word);
     return ending == ".hdr" || ending == ".exr";
 }
 
@@ -62,17 +59,6 @@ void set_sky(const std::string& word, SceneOptions& options)
         options.sky_picture = word;
     else
         options.sky = sky_of(word);
-}
-
-void set_exposure(const std::string& word, SceneOptions& options)
-{
-    double stops = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), stops);
-    if (error != std::errc() || end != word.data() + word.size() || !(std::abs(stops) <= baker::kMostStops))
-        throw CLI::ValidationError("--exposure",
-                                   "takes stops from -20 to 20 such as -1.5: all light is multiplied by 2 "
-                                   "to this power");
-    options.exposure_stops = stops;
 }
 
 }  // namespace
@@ -108,17 +94,17 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
             "own]")
         ->type_name("studio|black|COLOUR|FILE");
     command
-        .add_option_function<std::string>(
-            "--exposure", [&options](const std::string& word) { set_exposure(word, options); },
-            "All light is multiplied by 2 to this power, from -20 to 20; equal for bake, reference and report [as the "
-            "scene file says, or what lamps need, or 0]")
+        .add_option("--exposure", options.exposure_stops,
+                    "All light is multiplied by 2 to this power, from -20 to 20; equal for bake, reference and report "
+                    "[as the scene file says, or what lamps need, or 0]")
+        ->check(number(-baker::kMostStops, baker::kMostStops))
         ->type_name("STOPS");
-    add_choice<baker::ColourScale>(command, "--colours", options.colours,
-                                   {{"linear", baker::ColourScale::linear}, {"display", baker::ColourScale::display}},
-                                   "linear|display",
-                                   "What Kd, Ks, Ke and Tf of MTL files are: linear light, or as a display shows them, "
-                                   "which 3ds Max, SketchUp and "
-                                   "Sweet Home 3D write [linear, with a warning where they look otherwise]");
+    add_choice<baker::ColourScale>(
+        command, "--colours", options.colours,
+        {{"linear", baker::ColourScale::linear}, {"display", baker::ColourScale::display}}, "linear|display",
+        "What Kd, Ks, Ke and Tf of MTL files are: linear light, or as a display shows them, "
+        "which 3ds Max, SketchUp and Sweet Home 3D write [linear, with a warning where they look "
+        "otherwise]");
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
         ->check(whole_number(0, kMostThreads))
         ->type_name("T");

@@ -26,6 +26,13 @@ SurfaceCamera camera_of(const Eye& eye)
     return camera;
 }
 
+SeeThroughField with_nothing_to_see_through(const SurfaceField& opaque)
+{
+    SeeThroughField field;
+    static_cast<SurfaceField&>(field) = opaque;
+    return field;
+}
+
 // What a frame borrows from its caller.
 struct FrameMemory {
     std::vector<SurfaceVertex> vertices;
@@ -97,17 +104,13 @@ Picture draw_surface(const SeeThroughField& field, const Eye& eye, const Surface
 
 Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
 {
-    SeeThroughField opaque;
-    static_cast<SurfaceField&>(opaque) = field;
-    return draw_surface(opaque, eye, settings);
+    return draw_surface(with_nothing_to_see_through(field), eye, settings);
 }
 
 Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye)
 {
     const int32_t width = eye.image.width_px, height = eye.image.height_px;
-    SeeThroughField opaque;
-    static_cast<SurfaceField&>(opaque) = field;
-    FrameMemory memory(opaque, height);
+    FrameMemory memory(with_nothing_to_see_through(field), height);
     SurfaceFrame frame;
     const SurfaceMemory borrowed = memory.borrowed();
     prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, borrowed, frame);
