@@ -19,6 +19,7 @@ namespace
 
 namespace fs = std::filesystem;
 using test::Arguments;
+using test::joined;
 using test::lumi;
 using test::Outcome;
 
@@ -95,9 +96,7 @@ TEST_CASE("render refuses weights that are missing, damaged or another field's")
         {{shop.folder / "c.lumi", "--filter", shop.weights}, "is a chord field"},
     };
     for (const auto& [call, hint] : calls) {
-        Arguments all = {"render", "-o", shop.folder / "o.png"};
-        all.insert(all.end(), call.begin(), call.end());
-        const Outcome outcome = lumi(all);
+        const Outcome outcome = lumi(joined({"render", "-o", shop.folder / "o.png"}, call));
         CHECK(outcome.code == 1);
         CHECK_THAT(outcome.err, Catch::Contains(hint));
         CHECK_FALSE(fs::exists(shop.folder / "o.png"));
@@ -109,9 +108,7 @@ TEST_CASE("a filter takes pictures of the best mode only")
     const FilterShop shop;
     shop.write_weights(false);
     for (const Arguments& more : {Arguments{"--mode", "one-sample"}, {"--pixel", "rgb565"}}) {
-        Arguments call = {"--filter", shop.weights};
-        call.insert(call.end(), more.begin(), more.end());
-        const Outcome outcome = shop.render(call);
+        const Outcome outcome = shop.render(joined({"--filter", shop.weights}, more));
         CHECK(outcome.code == 2);
         CHECK_THAT(outcome.err, Catch::Contains("--filter"));
     }

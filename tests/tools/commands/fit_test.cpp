@@ -12,6 +12,7 @@ namespace lumi::tools
 {
 
 using test::Arguments;
+using test::joined;
 using test::kScene;
 using test::lumi;
 using test::Outcome;
@@ -21,18 +22,10 @@ namespace
 
 Arguments fit(const std::string& output, const Arguments& more)
 {
-    Arguments call = {"bake", kScene, "-o", output, "--spp", "1"};
-    call.insert(call.end(), more.begin(), more.end());
-    return call;
+    return joined({"bake", kScene, "-o", output, "--spp", "1"}, more);
 }
 
 const Arguments kOriginsByHand = {"--layout", "chord", "--origins", "70"};
-
-Arguments joined(Arguments a, const Arguments& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
 
 }  // namespace
 

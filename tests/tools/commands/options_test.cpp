@@ -21,8 +21,8 @@ namespace lumi::tools
 namespace
 {
 
-namespace fs = std::filesystem;
 using test::Arguments;
+using test::joined;
 using test::lumi;
 using test::Outcome;
 
@@ -44,18 +44,12 @@ const std::vector<Command> kCommands = {
     {{"filter", "judge"}, {"none.weights", "none.lumi", "none.obj"}},
 };
 
-Arguments operator+(Arguments a, const Arguments& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 // Options that take a word, and what the help calls it. Those that several commands share are tried once.
 std::map<std::string, std::string> options_of(const Command& command, std::set<std::string>& shared)
 {
     static const std::regex line("  (?:-[a-z],)?(--[a-z-]+)(?: ([^ =:]+))?.*");
     std::map<std::string, std::string> options;
-    std::istringstream help(lumi(command.name + Arguments{"--help"}).out);
+    std::istringstream help(lumi(joined(command.name, {"--help"})).out);
     std::smatch match;
     for (std::string text; std::getline(help, text);)
         if (std::regex_match(text, match, line) && match[2].matched && shared.insert(match.str()).second)
@@ -71,7 +65,7 @@ bool is_text(const std::string& type)
 
 std::string subcommands(const Arguments& name)
 {
-    std::string text = lumi(name + Arguments{"--help"}).out, names;
+    std::string text = lumi(joined(name, {"--help"})).out, names;
     std::istringstream lines(text.substr(std::min(text.size(), text.find("Subcommands:\n"))));
     static const std::regex line("  ([a-z]+) .*");
     std::smatch match;
@@ -101,7 +95,7 @@ TEST_CASE("no option takes an empty word, a line break, or a number that is none
     for (const Command& command : kCommands)
         for (const auto& [option, type] : options_of(command, shared))
             for (const std::string word : {"", "a\nb", "nan", "inf", "-1"}) {
-                const Outcome outcome = lumi(command.name + command.inputs + Arguments{option, word});
+                const Outcome outcome = lumi(joined(joined(command.name, command.inputs), {option, word}));
                 INFO(command.name.back() << " " << option << " \"" << word << "\": " << outcome.err);
                 const bool is_no_number = word == "nan" || word == "inf";
                 const bool is_wrong = word.empty() || word == "a\nb" || (is_no_number && !is_text(type));
@@ -141,18 +135,18 @@ TEST_CASE("an output follows a link that leads nowhere yet, and refuses one that
     for (const Writer& writer : writers(folder)) {
         const std::string link = folder / ("link" + writer.ending), circle = folder / ("circle" + writer.ending),
                           target = folder / ("target" + writer.ending);
-        fs::create_symlink("target" + writer.ending, link);
-        fs::create_symlink("circle" + writer.ending, circle);
-        const Outcome followed = lumi(writer.call + Arguments{link});
+        std::filesystem::create_symlink("target" + writer.ending, link);
+        std::filesystem::create_symlink("circle" + writer.ending, circle);
+        const Outcome followed = lumi(joined(writer.call, {link}));
         INFO(writer.call.front() << ": " << followed.err);
         CHECK(followed.code == 0);
-        CHECK(fs::is_symlink(link));
-        CHECK(fs::is_regular_file(target));
-        const Outcome refused = lumi(writer.call + Arguments{circle});
+        CHECK(std::filesystem::is_symlink(link));
+        CHECK(std::filesystem::is_regular_file(target));
+        const Outcome refused = lumi(joined(writer.call, {circle}));
         INFO(refused.err);
         CHECK(refused.code == 1);
         CHECK_THAT(refused.err, Catch::Contains("remove that link"));
-        CHECK(fs::is_symlink(circle));
+        CHECK(std::filesystem::is_symlink(circle));
     }
 }
 

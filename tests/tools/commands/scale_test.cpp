@@ -16,6 +16,7 @@ namespace lumi::tools
 
 using test::Arguments;
 using test::content_of;
+using test::joined;
 using test::kScene;
 using test::lumi;
 using test::Outcome;
@@ -27,10 +28,9 @@ namespace
 
 Arguments bake(const std::string& output, const Arguments& more = {})
 {
-    Arguments all = {"bake",         kScene, "-o",    output, "--origins", "60",
-                     "--directions", "80",   "--spp", "16",   "--texel",   "rgb565"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return joined(
+        {"bake", kScene, "-o", output, "--origins", "60", "--directions", "80", "--spp", "16", "--texel", "rgb565"},
+        more);
 }
 
 // Enough writes to be killed in ten times.
@@ -56,9 +56,7 @@ namespace
 
 Outcome lumi_with(const std::string& fault, const Arguments& arguments)
 {
-    Arguments all = {"env", "LD_PRELOAD=" LUMI_FAULT_SHIM, fault, LUMI_PROGRAM};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return test::run_program(all);
+    return test::run_program(joined({"env", "LD_PRELOAD=" LUMI_FAULT_SHIM, fault, LUMI_PROGRAM}, arguments));
 }
 
 // How often the program itself writes to files.

@@ -10,6 +10,7 @@
 namespace lumi::tools
 {
 
+using test::joined;
 using test::lumi;
 using test::Outcome;
 
@@ -18,9 +19,7 @@ namespace
 
 Outcome reference(const std::string& picture, const test::Arguments& more)
 {
-    test::Arguments call = {"reference", LUMI_TEST_SCENE, "-o", picture, "--size", "24x24", "--spp", "16"};
-    call.insert(call.end(), more.begin(), more.end());
-    return lumi(call);
+    return lumi(joined({"reference", LUMI_TEST_SCENE, "-o", picture, "--size", "24x24", "--spp", "16"}, more));
 }
 
 Picture lit_by(const std::string& environment, const std::string& background = "ff00ff")
@@ -68,10 +67,10 @@ TEST_CASE("sky: --sky counts more than the scene file, which counts more than th
     test::write_content(folder / "s.json",
                         std::string(R"({"objects": [{"obj": ")") + LUMI_TEST_SCENE + R"("}], "environment": 0.4})");
     const auto picture = [&](const test::Arguments& more) {
-        test::Arguments call = {"reference", folder / "s.json", "-o", folder / "p.png", "--size",
-                                "24x24",     "--spp",           "16", "--background",   "ff00ff"};
-        call.insert(call.end(), more.begin(), more.end());
-        REQUIRE(lumi(call).code == 0);
+        REQUIRE(lumi(joined({"reference", folder / "s.json", "-o", folder / "p.png", "--size", "24x24", "--spp", "16",
+                             "--background", "ff00ff"},
+                            more))
+                    .code == 0);
         return read_png(folder / "p.png").rgb;
     };
     CHECK(picture({}) == lit_by("0.4").rgb);
@@ -117,10 +116,9 @@ TEST_CASE("exposure: --exposure multiplies all light, counts more than the scene
     };
     CHECK(picture({"--sky", "0.8", "--exposure", "-1"}) == picture({"--sky", "0.4"}));
     const auto baked = [&](const test::Arguments& more) {
-        test::Arguments call = {"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--origins",
-                                "40",   "--directions",  "40", "--spp",           "4"};
-        call.insert(call.end(), more.begin(), more.end());
-        const Outcome outcome = lumi(call);
+        const Outcome outcome = lumi(joined(
+            {"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--origins", "40", "--directions", "40", "--spp", "4"},
+            more));
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
         return test::content_of(folder / "f.lumi");
@@ -185,9 +183,7 @@ TEST_CASE("reference: an .exr holds linear light, before exposure, and its cover
     CHECK(reference(folder / "q.png", {"--sky", folder / "p.exr"}).code == 0);
     for (const test::Arguments& more : {test::Arguments{"--background", "ff00ff"}, test::Arguments{"--stereo", "0.1"},
                                         test::Arguments{"--over", folder / "q.png", "--pose", folder / "pose.txt"}}) {
-        test::Arguments call = {"reference", LUMI_TEST_SCENE, "-o", folder / "q.exr"};
-        call.insert(call.end(), more.begin(), more.end());
-        const Outcome outcome = lumi(call);
+        const Outcome outcome = lumi(joined({"reference", LUMI_TEST_SCENE, "-o", folder / "q.exr"}, more));
         CHECK(outcome.code == 2);
         CHECK_THAT(outcome.err, Catch::Contains(more[0]) && Catch::Contains("leave it out"));
     }

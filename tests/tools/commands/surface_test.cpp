@@ -16,18 +16,13 @@ namespace lumi::tools
 namespace
 {
 
+using test::joined;
 using test::lumi;
 
 std::string write_surface(const test::TemporaryFolder& folder)
 {
     test::write_content(folder / "s.lumi", test::small_surface_bytes());
     return folder / "s.lumi";
-}
-
-test::Arguments joined(test::Arguments a, const test::Arguments& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
 }
 
 }  // namespace

@@ -32,9 +32,7 @@ std::string field()
 
 test::Outcome view(const test::Arguments& arguments)
 {
-    test::Arguments all = {"view", field()};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return test::lumi(all);
+    return test::lumi(test::joined({"view", field()}, arguments));
 }
 
 bool has_modules()

@@ -15,6 +15,12 @@ struct Outcome {
 
 using Arguments = std::vector<std::string>;
 
+inline Arguments joined(Arguments a, const Arguments& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
 // A small scene that the command line can bake.
 inline const std::string kScene = LUMI_TEST_SCENE;
 
