@@ -3,8 +3,11 @@
 #include "planner/chord_speed.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "planner/speed.h"
+#include "support/temporary_folder.h"
 #include "support/test_field.h"
 
 namespace lumi::planner
@@ -15,18 +18,20 @@ namespace
 
 using tools::Mode;
 
-// A field in memory.
+// A field in memory, on request at an odd address, where spans refuse RGB565.
 class Opened
 {
 public:
-    explicit Opened(uint32_t origins, uint32_t directions, TexelFormat texel = TexelFormat::rgb888)
+    explicit Opened(uint32_t origins, uint32_t directions, TexelFormat texel = TexelFormat::rgb888, bool is_odd = false)
     {
         tools::test::TestField layout;
         layout.origins = layout.used_origins = origins;
         layout.directions = directions;
         layout.texel = texel;
-        bytes_ = tools::test::field_bytes(layout);
-        REQUIRE(open_field(reinterpret_cast<const uint8_t*>(bytes_.data()), bytes_.size(), field) == FieldError::none);
+        const std::string file = tools::test::field_bytes(layout), before(is_odd ? 1 : 0, '\0');
+        bytes_ = before + file;
+        REQUIRE(open_field(reinterpret_cast<const uint8_t*>(bytes_.data()) + before.size(), file.size(), field) ==
+                FieldError::none);
     }
 
     Field field;
@@ -34,6 +39,24 @@ public:
 private:
     std::string bytes_;
 };
+
+struct Count {
+    const char *core, *texel;
+    std::string mode;
+    int span_px;  // 0: every pixel exact
+};
+
+// Instructions of a pixel of the sphere, generic view, that `lumi-lab bench --docs` wrote down.
+double counted(const Count& wanted)
+{
+    static const auto bench = nlohmann::json::parse(tools::test::content_of(LUMI_COUNTS));
+    for (const auto& row : bench["rows"])
+        if (row["layout"] == "chord" && row["view"] == "generic" && row["core"] == wanted.core &&
+            row["texel"] == wanted.texel && row["mode"] == wanted.mode && row["span"] == wanted.span_px)
+            return row["instructions_per_pixel"];
+    FAIL("the bench has no row of " << wanted.mode << ", " << wanted.texel << ", " << wanted.core);
+    return 0;
+}
 
 double rate_of(const char* part, const Field& field, Mode mode)
 {
@@ -44,6 +67,26 @@ double rate_of(const char* part, const Field& field, Mode mode)
 }
 
 }  // namespace
+
+TEST_CASE("the planner's instructions of a chord pixel are those that the bench counted, to whole ones")
+{
+    constexpr double kHalf = 0.5;
+    constexpr int kSpanPx = 8;
+    const char* const texels[] = {"rgb888", "rgb565", "palette8", "luma8"};  // in the order of TexelFormat
+    const Opened exact(64, 64, TexelFormat::rgb565, true);
+    REQUIRE_FALSE(is_drawn_by_spans(exact.field));
+    for (const char* core : {"m0plus", "m4"})
+        for (const ChordMode& mode : chord_modes()) {
+            INFO(core << " " << mode.name);
+            for (size_t k = 0; k < std::size(texels); ++k) {
+                const Opened spans(64, 64, static_cast<TexelFormat>(k));
+                CHECK(std::abs(chord_instructions(core, mode.mode, spans.field) -
+                               counted({core, texels[k], mode.name, kSpanPx})) <= kHalf);
+            }
+            CHECK(std::abs(chord_instructions(core, mode.mode, exact.field) -
+                           counted({core, "rgb565", mode.name, 0})) <= kHalf);
+        }
+}
 
 TEST_CASE("a field that spans refuse has the rate of exact pixels, which is far below")
 {
