@@ -61,7 +61,6 @@ std::vector<PassingSums> passing_sums(const SampleTracer& tracer, uint64_t seed,
             got += static_cast<double>(batch.size());
         }
         if (got == 0) break;
-        job.add_rays(static_cast<uint64_t>(kPassingBatchesAtOnce) * SampleTracer::kLines);
     }
     return sums;
 }
