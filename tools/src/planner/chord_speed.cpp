@@ -25,13 +25,13 @@ struct Cost {
 
 // A fill of the background, a pixel.
 constexpr Cost kBackground = {3, 4};
-// By spans, for texels in the order of their numbers.
-struct SpanCosts {
-    Cost of_texel[4];
+// By kind_of() the mode. By spans, for texels in the order of their numbers.
+constexpr Cost kSpans[][detail::format::kTexelFormats] = {
+    {{113, 194}, {90, 167}, {121, 209}, {101, 182}},
+    {{197, 359}, {205, 345}, {205, 373}, {155, 262}},
+    {{429, 915}, {472, 922}, {484, 1008}, {381, 780}},
 };
-constexpr SpanCosts kSpans[] = {{{{113, 194}, {90, 167}, {121, 209}, {101, 182}}},
-                                {{{197, 359}, {205, 345}, {205, 373}, {155, 262}}},
-                                {{{429, 915}, {472, 922}, {484, 1008}, {381, 780}}}};
+// Every pixel exact, RGB565.
 constexpr Cost kExact[] = {{2615, 8402}, {1914, 7168}, {3854, 10297}};
 // Of lattices below kSmallLattice points, all points are looked at, and Linear looks for the hull: what a side takes
 // beyond the exact cost above, and for each point. Fitted to fields of 8 × 8, 32 × 32 and 63 × 63 rays.
@@ -131,7 +131,7 @@ double chord_instructions(const std::string& core, Mode mode, const Field& field
 {
     const bool m0plus = core == "m0plus";
     const size_t kind = kind_of(mode);
-    if (is_drawn_by_spans(field)) return kSpans[kind].of_texel[static_cast<size_t>(field.texel_format)].of(m0plus);
+    if (is_drawn_by_spans(field)) return kSpans[kind][static_cast<size_t>(field.texel_format)].of(m0plus);
     double sum = kExact[kind].of(m0plus);
     for (const detail::Lattice* side : {&field.origins, &field.directions})
         if (side->size() < kSmallLattice)

@@ -15,8 +15,8 @@ namespace lumi::planner
 // Whether firmware draws the field by spans, here of 8 pixels; else every pixel is drawn exactly.
 bool is_drawn_by_spans(const Field& field);
 
-// Instructions of a pixel of the sphere with the code of `core` ("m0plus", else M4 code): docs/log/tradeoff.md, generic
-// view, by the field's texel format; for exact pixels docs/log/exact.md.
+// Instructions of a pixel of the sphere with the code of `core` ("m0plus", else M4 code): docs/log/data/tradeoff.json,
+// generic view, by the field's texel format; exact pixels in RGB565, of small lattices by docs/log/exact.md.
 double chord_instructions(const std::string& core, tools::Mode mode, const Field& field);
 
 // Frames of 240 × 240 pixels a second by one core, of a view that the sphere fills. In the order of kChipList; mean and
