@@ -60,7 +60,7 @@ TEST_CASE("render shows in every mode what stands behind a pane, and beside the 
     }
 }
 
-TEST_CASE("inspect counts see-through patches, and says that rates leave them out")
+TEST_CASE("inspect counts see-through patches, and it and the page of view say that rates leave them out")
 {
     const test::TemporaryFolder folder;
     const std::string field = folder / "f.lumi";
@@ -71,6 +71,8 @@ TEST_CASE("inspect counts see-through patches, and says that rates leave them ou
     CHECK_THAT(success({"inspect", field, "--rates"}).out, Catch::Contains("see-through   1 patches besides") &&
                                                                Catch::Contains("SSEE") &&
                                                                Catch::Contains("without its see-through parts"));
+    success({"view", field, "-o", folder / "view.html"});
+    CHECK_THAT(test::content_of(folder / "view.html"), Catch::Contains("modelled, without its see-through parts"));
 }
 
 TEST_CASE("the view of an embedded field has room for its see-through patches, and compiles")
