@@ -32,6 +32,7 @@ TABLES = {
         "surface_split", "surface_rates", "baselines")},
     "quality": quality.flash_table,
     "quality low": quality.low_rows,
+    "quality first": quality.first_table,
     "quality readme": quality.readme_table,
     "sweep trade": sweep.trade,
     "sweep kernel": sweep.kernel,

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/quality_table.sh [--check]
-# Measures surface and chord fields of the demo scene against path-traced references for the table of README.md. With
-# --check it leaves docs/log/data/readme_quality.json alone and fails if the figures there differ.
+# Measures surface and chord fields of the demo scene against path-traced references for the tables of README.md, and
+# notes the modelled rates of surface fields. With --check it leaves docs/log/data/readme_quality.json alone and fails if
+# the figures there differ.
 # Scene, seeds, views and samples are fixed, so the figures are the same on every run.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -46,6 +47,12 @@ figures() {
   done | mean_figures $((${#orbits[@]} * views))
 }
 
+# rates FIELD MODE: modelled frames a second by part, as JSON.
+rates() {
+  "$lumi" inspect "$1" --rates --json | python3 -c 'import json, sys
+print(json.dumps({part: round(rate, 1) for part, rate in json.load(sys.stdin)["frames_per_second"][sys.argv[1]].items()}))' "$2"
+}
+
 # Row k, into a file of its own.
 measure_row() {
   local k=$1 kind mode drawing bake row layout=${names[$1]%%,*}
@@ -59,6 +66,7 @@ measure_row() {
     draw_rings "$lumi" render "$field" --mode "$mode"
     row+=("$kind" "$(figures)")
   done
+  if [[ $layout == surface ]]; then row+=(frames_per_second "$(rates "$field" "${fast[surface]}")"); fi
   json_row "${row[@]}" >"$work/$k.row"
 }
 

@@ -73,6 +73,17 @@ def low_rows():
     return f"Rows whose worst view lies more than {MOST_BELOW_MEAN_DB} dB below the mean: {'; '.join(low) or 'none'}.\n"
 
 
+CHIPS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3", "stm32f4": "STM32F407", "stm32h7": "STM32H743"}
+
+
+def first_table():
+    """What a visitor asks first: how large, how like the truth, how fast; surface fields, antialiased."""
+    return Table(["flash", "likeness", *CHIPS.values()],
+                 [[byte_text(row["flash_bytes"], 1), f"{decimal(row['fast']['psnr_db'])} dB",
+                   *(whole(row["frames_per_second"][chip]) for chip in CHIPS)]
+                  for row in load("readme_quality")["rows"] if "frames_per_second" in row])
+
+
 def readme_table():
     def text(mode):
         return f"{decimal(mode['psnr_db'])} dB / {decimal(mode['ssim'], 3)}"
