@@ -85,10 +85,10 @@ private:
     void read_texel(const uint8_t* row, uint32_t j)
     {
         const uint32_t bytes = detail::format::bytes_per_texel(field_.texel_format);
-        const uint8_t* texel = row + size_t{bytes} * j;
-        reads_.push_back({address_of(texel), bytes});
+        const size_t offset = size_t{bytes} * j;
+        reads_.push_back({address_of(row + offset), bytes});
         if (field_.texel_format == TexelFormat::palette8)
-            reads_.push_back({address_of(field_.palette + 4 * *texel), 4});
+            reads_.push_back({address_of(field_.palette + 4 * row[offset]), 4});
     }
 
     uint32_t address_of(const uint8_t* at) const { return static_cast<uint32_t>(at - field_.texels); }
