@@ -33,4 +33,15 @@ uint32_t angle_turns32(int32_t y, int32_t x);
 // (a·b) >> shift without losing the high bits of the 96-bit product; rounds down. 0 < shift <= 32; the result must fit.
 int64_t multiply_shift(int64_t a, int32_t b, int shift);
 
+// v / kDivisor of numbers up to kMost, in 32 bits: where a product has no more, a compiler calls a library to divide.
+template <uint32_t kDivisor, uint32_t kMost>
+constexpr uint32_t quotient(uint32_t v)
+{
+    constexpr int kShift = 16 + 31 - __builtin_clz(kDivisor);
+    constexpr uint32_t kFactor = (uint32_t{1} << kShift) / kDivisor + 1;  // at most 2^16 + 1
+    static_assert(kMost < 1u << 16, "the product fits");
+    static_assert(uint64_t{kMost} * (kFactor * kDivisor - (uint32_t{1} << kShift)) < uint64_t{1} << kShift, "exact");
+    return (v * kFactor) >> kShift;
+}
+
 }  // namespace lumi::detail

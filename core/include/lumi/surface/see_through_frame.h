@@ -54,8 +54,10 @@ LUMI_ALWAYS_INLINE PackedColour share_of(PackedColour shares, PackedColour c)
 // How much of what lies behind passes, 0 .. 255 a channel, as share_of() takes it.
 constexpr PackedColour packed_shares(const uint8_t* passed)
 {
-    const auto share = [&](int channel, uint32_t most) { return (passed[channel] * most + 127) / 255; };
-    return share(1, 1023) << 21 | share(0, 1023) << 10 | share(2, 511);
+    // v · 1023/255 and v · 511/255, rounded.
+    const auto ten = [](uint32_t v) { return 4 * v + quotient<255, 3 * 255 + 127>(3 * v + 127); };
+    const auto nine = [](uint32_t v) { return 2 * v + quotient<255, 255 + 127>(v + 127); };
+    return ten(passed[1]) << 21 | ten(passed[0]) << 10 | nine(passed[2]);
 }
 
 // What the frame's palette holds of an entry: what lies behind brings its share of the rounding that palette_colour()

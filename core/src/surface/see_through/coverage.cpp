@@ -10,10 +10,7 @@ uint8_t coverage_of_four(const SampleRows& rows, int32_t x, int32_t y)
 {
     uint32_t sum = 0;
     for (int32_t row = 2 * y; row < 2 * y + 2; ++row)
-        for (int32_t column = 2 * x; column < 2 * x + 2; ++column) {
-            const uint32_t depth = rows.depths(row)[column];
-            sum += depth >= kFarDepth ? 255 : glass_coverage(depth);
-        }
+        for (int32_t column = 2 * x; column < 2 * x + 2; ++column) sum += coverage_of(rows.depths(row)[column]);
     return static_cast<uint8_t>((sum + 2) >> 2);
 }
 

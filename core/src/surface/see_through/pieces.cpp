@@ -22,13 +22,21 @@ Seen seen(const SurfaceFrame& frame, uint32_t triangle)
     return {v + patch.corner[3], c, b};
 }
 
-// 0 for a triangle that reaches nearer than the near plane: it is the last to be drawn.
-uint32_t farness(const SurfaceFrame& frame, uint32_t entry)
+// An entry of the order and where it stands there: by the nearest depth of its triangle, then by that one's number.
+// Triangles that reach nearer than the near plane are the last to be drawn.
+struct Ranked {
+    uint32_t rank;
+    uint16_t entry;
+};
+
+Ranked ranked(const SurfaceFrame& frame, uint16_t entry)
 {
-    const Seen s = seen(frame, entry & kLinkMask);
-    if (!s.are_there()) return 0;
+    const uint32_t triangle = entry & kLinkMask;
+    const Seen s = seen(frame, triangle);
     const auto depth = [](const SurfaceVertex* v) { return static_cast<int32_t>(depth_of(*v)); };
-    return kNearDepth - static_cast<uint32_t>(most_of(depth(s.a), depth(s.b), depth(s.c))) + 1;
+    const uint32_t nearest =
+        s.are_there() ? static_cast<uint32_t>(most_of(depth(s.a), depth(s.b), depth(s.c))) : uint32_t{UINT16_MAX} + 1;
+    return {nearest << kLinkBits | triangle, entry};
 }
 
 bool faces_eye(const Seen& s)
@@ -51,34 +59,34 @@ public:
 
     void sort(uint32_t count)
     {
-        for (uint32_t root = count / 2; root-- > 0;) sink(root, count);
+        for (uint32_t root = count / 2; root-- > 0;) sink(order_[root], root, count);
         for (uint32_t end = count; end > 1;) {
             --end;
             const uint16_t last = order_[end];
             order_[end] = order_[0];
-            order_[0] = last;
-            sink(0, end);
+            sink(last, 0, end);
         }
     }
 
 private:
-    // Whether a triangle is drawn after another one.
-    bool follows(uint32_t entry, uint32_t other) const
+    // Puts an entry into the heap below a free root.
+    void sink(uint16_t entry, uint32_t root, uint32_t count)
     {
-        const uint32_t far = farness(frame_, entry), far_of_other = farness(frame_, other);
-        return far != far_of_other ? far < far_of_other : (entry & kLinkMask) > (other & kLinkMask);
-    }
-
-    void sink(uint32_t root, uint32_t count)
-    {
+        const uint32_t rank = ranked(frame_, entry).rank;
         for (uint32_t child = 2 * root + 1; child < count; child = 2 * root + 1) {
-            if (child + 1 < count && follows(order_[child + 1], order_[child])) ++child;
-            if (!follows(order_[child], order_[root])) return;
-            const uint16_t other = order_[root];
-            order_[root] = order_[child];
-            order_[child] = other;
+            Ranked later = ranked(frame_, order_[child]);
+            if (child + 1 < count) {
+                const Ranked other = ranked(frame_, order_[child + 1]);
+                if (other.rank > later.rank) {
+                    later = other;
+                    ++child;
+                }
+            }
+            if (later.rank <= rank) break;
+            order_[root] = later.entry;
             root = child;
         }
+        order_[root] = entry;
     }
 
     const SurfaceFrame& frame_;

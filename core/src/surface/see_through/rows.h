@@ -18,7 +18,7 @@ LUMI_ALWAYS_INLINE PackedColour saturated_sum(PackedColour a, PackedColour b)
     return (sum | full) & ~kGuardBits;
 }
 
-// How clear a sample stays for the background, as glass_coverage() reads it from the depth, behind what passes light by
+// How clear a sample stays for the background, as coverage_of() reads it from the depth, behind what passes light by
 // these shares and shows this colour. What shines brighter than it covers counts as covering.
 LUMI_ALWAYS_INLINE uint16_t depth_behind(uint32_t depth, PackedColour shares, PackedColour shown)
 {
@@ -28,7 +28,7 @@ LUMI_ALWAYS_INLINE uint16_t depth_behind(uint32_t depth, PackedColour shares, Pa
     const uint32_t passed = (clear * mean + 512) >> 10;
     const uint32_t green = shown >> 26, red = (shown >> 15) & 31, blue = (shown >> 4) & 31;
     const uint32_t brighter = red > blue ? red : blue, brightest = green > brighter ? green : brighter;  // of 31
-    const uint32_t most = kMostClear * (31 - brightest) / 31;
+    const uint32_t most = quotient<31, kMostClear * 31>(kMostClear * (31 - brightest));
     return static_cast<uint16_t>(kFarDepth - 1 - (passed < most ? passed : most));
 }
 

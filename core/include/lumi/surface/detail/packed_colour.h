@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lumi/color.h"
+#include "lumi/detail/math.h"
 #include "lumi/detail/register_hints.h"
 #include "lumi/pixel.h"
 #include "lumi/surface/detail/hot.h"
@@ -58,11 +59,10 @@ constexpr Rgb8 unpacked(PackedColour c)
 template <class Pixel>
 constexpr PackedColour palette_colour(const Rgb8& c)
 {
-    // 4v · 248/255 and 4v · 252/255, rounded: a constant divides without a library only 16 bits.
-    const auto over_255 = [](uint32_t v) { return (v * 0x8081) >> 23; };
-    const auto five = [&](uint32_t v) { return 4 * v - over_255(28 * v + 127) + 16; };
+    // 4v · 248/255 and 4v · 252/255, rounded.
+    const auto five = [](uint32_t v) { return 4 * v - quotient<255, 28 * 255 + 127>(28 * v + 127) + 16; };
     if constexpr (kPacks565<Pixel>) {
-        const auto six = [&](uint32_t v) { return 4 * v - over_255(12 * v + 127) + 8; };
+        const auto six = [](uint32_t v) { return 4 * v - quotient<255, 12 * 255 + 127>(12 * v + 127) + 8; };
         return packed_colour(five(c.r), six(c.g), five(c.b));
     } else if constexpr (kPacks555<Pixel>) {
         return packed_colour(five(c.r), five(c.g), five(c.b));

@@ -141,24 +141,24 @@ LUMI_ALWAYS_INLINE void draw_piece(TrianglePiece& piece, int32_t width)
         kDraw(piece.rows);
 }
 
-// Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth.
-template <DrawRows kDraw>
-__attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
+// All pieces; textures whose texels are larger than samples take the second loop.
+template <DrawRows kPlain, DrawRows kMagnified, class Pieces>
+LUMI_ALWAYS_INLINE void draw_pieces(Pieces& pieces, const Target& target)
 {
-    TrianglePieces pieces(frame, target);
-    while (pieces.next()) draw_piece<kDraw>(pieces.piece, target.rows.width);
-}
-
-// The same; textures whose texels are larger than samples take the second loop.
-template <DrawRows kPlain, DrawRows kMagnified>
-__attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
-{
-    TrianglePieces pieces(frame, target);
+    constexpr bool kReadsAlike = kPlain == kMagnified;
     while (pieces.next())
-        if (pieces.piece.is_magnified)
+        if (!kReadsAlike && pieces.piece.is_magnified)
             draw_piece<kMagnified>(pieces.piece, target.rows.width);
         else
             draw_piece<kPlain>(pieces.piece, target.rows.width);
+}
+
+// Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth.
+template <DrawRows kPlain, DrawRows kMagnified = kPlain>
+__attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
+{
+    TrianglePieces pieces(frame, target);
+    draw_pieces<kPlain, kMagnified>(pieces, target);
 }
 
 }  // namespace lumi::detail

@@ -53,24 +53,13 @@ inline constexpr RowFilters kPixelBlends<PixelRgb565Swapped> = {blend_565_swappe
 inline constexpr RowFilters kPackedBlends = {blend_packed_nearest, blend_packed_two_taps, blend_packed_bilinear};
 
 // Draws see-through triangles over samples.
-template <DrawRows kPlain, DrawRows kMagnified>
+template <DrawRows kPlain, DrawRows kMagnified = kPlain>
 __attribute__((noinline)) void blend_triangles(const SeeThroughFrame& frame, const Target& opaque)
 {
     Target target = opaque;
     target.palette = frame.added_and_passed;
     SeeThroughPieces pieces(frame, target);
-    while (pieces.next())
-        if (pieces.piece.is_magnified)
-            draw_piece<kMagnified>(pieces.piece, target.rows.width);
-        else
-            draw_piece<kPlain>(pieces.piece, target.rows.width);
-}
-
-// The same where textures are not read bilinearly.
-template <DrawRows kDraw>
-void blend_triangles(const SeeThroughFrame& frame, const Target& target)
-{
-    blend_triangles<kDraw, kDraw>(frame, target);
+    draw_pieces<kPlain, kMagnified>(pieces, target);
 }
 
 }  // namespace lumi::detail

@@ -12,15 +12,18 @@ namespace lumi::detail
 // How much of a sample without a surface is covered, as its depth says it: kMostClear, which is nothing, to 0.
 inline constexpr uint32_t kMostClear = kFarDepth - 1 - kShownDepth;
 
-// 0 .. 255; of depths that are no surface's and not marked.
-LUMI_ALWAYS_INLINE uint32_t glass_coverage(uint32_t depth)
-{
-    return depth < kShownDepth ? 0 : ((depth - kShownDepth) * 255 + kMostClear / 2) / kMostClear;
-}
-
 constexpr bool is_glass_alone(uint32_t depth)
 {
     return depth >= kShownDepth && depth < kFarDepth;
+}
+
+// How much of a sample is covered, 0 .. 255; of depths that are not marked.
+LUMI_ALWAYS_INLINE uint32_t coverage_of(uint32_t depth)
+{
+    constexpr uint32_t kHalf = kMostClear / 2;
+    if (depth >= kFarDepth) return 255;
+    if (depth < kShownDepth) return 0;
+    return quotient<kMostClear, kMostClear * 255 + kHalf>((depth - kShownDepth) * 255 + kHalf);
 }
 
 // Two samples whose colours mix in a pixel of one sample, in 1/32; of a pixel that no outline cuts both are its own.
@@ -39,8 +42,7 @@ private:
     static uint32_t coverage(uint32_t depth, bool is_marked)
     {
         constexpr uint32_t kMarkMask = (1u << kMarkBits) - 1, kMiddle = 1u << (kMarkBits - 1);
-        if (depth >= kFarDepth) return 255;
-        return glass_coverage(is_marked && depth >= kShownDepth ? (depth & ~kMarkMask) + kMiddle : depth);
+        return coverage_of(is_marked && is_glass_alone(depth) ? (depth & ~kMarkMask) + kMiddle : depth);
     }
 };
 MixedPair mixed_pair(const SampleRows& rows, int32_t x, int32_t y);
@@ -100,26 +102,26 @@ void fill_colours(const StripeSamples& s, const Background& background)
 void unmark_glass(const SampleRows& rows);
 
 // What of a pixel is covered, where glass alone covers some of it.
-template <class Pixel, class Samples>
+template <class Samples>
 bool covered_by_glass(const Samples& s, int32_t x, int32_t y, CoveredSum& sum)
 {
-    const auto add = [&](int32_t column, int32_t row) {
-        const uint16_t* const depth = s.rows.depths(row) + column;
-        const bool is_shown = *depth >= kShownDepth;
-        if (is_shown) sum.add(levels_of(s.colour_at(depth)), *depth >= kFarDepth ? 255 : glass_coverage(*depth), 1);
-        return is_glass_alone(*depth);
+    const auto add = [&](const uint16_t* depth, uint32_t of_255, uint32_t weight) {
+        if (*depth >= kShownDepth) sum.add(levels_of(s.colour_at(depth)), of_255, weight);
     };
     if (s.frame.samples_log2 != 0) {
-        const int32_t left = 2 * x, top = 2 * y;
-        bool has_glass = add(left, top);
-        has_glass = add(left + 1, top) || has_glass;
-        has_glass = add(left, top + 1) || has_glass;
-        return add(left + 1, top + 1) || has_glass;
+        const uint16_t *const upper = s.rows.depths(2 * y) + 2 * x, *const lower = s.rows.depths(2 * y + 1) + 2 * x;
+        const uint16_t* const depths[] = {upper, upper + 1, lower, lower + 1};
+        bool has_glass = false;
+        for (const uint16_t* depth : depths) has_glass = has_glass || is_glass_alone(*depth);
+        if (!has_glass) return false;
+        for (const uint16_t* depth : depths) add(depth, coverage_of(*depth), 1);
+        return true;
     }
     const MixedPair pair = mixed_pair(s.rows, x, y);
-    if (*pair.own >= kShownDepth) sum.add(levels_of(s.colour_at(pair.own)), pair.own_coverage(), 32 - pair.share);
-    if (*pair.other >= kShownDepth) sum.add(levels_of(s.colour_at(pair.other)), pair.other_coverage(), pair.share);
-    return pair.has_glass();
+    if (!pair.has_glass()) return false;
+    add(pair.own, pair.own_coverage(), 32 - pair.share);
+    add(pair.other, pair.other_coverage(), pair.share);
+    return true;
 }
 
 // Where glass alone covers some of a scanline's pixels, writes these over.
@@ -130,7 +132,7 @@ void store_glass(const Samples& s, int32_t y)
     uint8_t* pixel = pixel_of<Pixel>(s.stripe, s.part.left_px, y);
     for (int32_t x = s.begin(); x < s.end(); ++x, pixel += Pixel::kBytes) {
         CoveredSum sum;
-        if (!covered_by_glass<Pixel>(s, x, s.row(y), sum)) continue;
+        if (!covered_by_glass(s, x, s.row(y), sum)) continue;
         const uint32_t half = 1u << (shift - 1);
         store_part<Pixel>(pixel, sum.colour(), static_cast<uint8_t>((sum.coverage + half) >> shift));
     }
