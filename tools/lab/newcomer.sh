@@ -53,7 +53,7 @@ run_page() {
 }
 
 main() {
-  local page how
+  local page picture how
   parse_arguments "$@"
   if [[ -z $folder ]]; then
     folder=$(mktemp -d)
@@ -65,8 +65,8 @@ main() {
   [[ -z $(ls -A "$folder") ]] || wrong_call "$folder is not empty"
   run_step "A copy of the repository" copy_repository
   for page in "${pages[@]}"; do run_step "$page" run_page "$page"; done
-  for page in frame-0.png panel.png; do
-    [[ -s $folder/$page ]] || die "the pages promise $page, and it is not there"
+  for picture in frame-0.bmp panel.png; do
+    [[ -s $folder/$picture ]] || die "the pages promise $picture, and it is not there"
   done
   print_step_times
   how=${sdk:+with the Pico SDK, $sdk}
