@@ -26,6 +26,7 @@ EXR of 430 bytes (fuzzing); sparse PNG of 6 GB|gigabytes; read whole|fuzz\.pictu
 volume of a few bytes that claims 10^12 voxels; NIfTI cut short|nothing|baker\.(every truncation is refused, packed|a small file that claims)|fuzz\.nifti
 OBJ, MTL, scene files, damaged at random and cut short|nothing|baker\.(mutation|obj: every truncation)|fuzz\.(obj|scene)
 library named 2,000 times; 100,000 materials|4 minutes; 3 minutes|baker\.obj: (a library is read once|of many materials)
+OBJ line of 100,000 pieces; 200,000 triangles at one edge (at f6b01a4)|23 s; above 1 minute|baker\.(text lines: a line of a million|Triangles share an edge)
 shards and checkpoints: every truncation, damaged bytes|nothing|baker\.(merge: every truncation|checkpoint: every truncation|stage file)|fuzz\.shard
 bakes killed before random writes, or each life before its fifth|a surface bake began again and again|tools\.(a bake that was killed ten|a surface bake of which each)
 an allocation, a read, write, sync or rename fails, one after the other|`terminate`; no mend; `embed` left one file of two|faults\.fail_on_purpose

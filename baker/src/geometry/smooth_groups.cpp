@@ -26,6 +26,9 @@ private:
     std::vector<uint32_t> parent_;
 };
 
+// An edge of more triangles is no part of a surface. Each of its triangles is compared with all others.
+constexpr size_t kMostSides = 64;
+
 // An edge as one triangle has it: the corners at its lower and its higher vertex.
 struct Side {
     uint32_t low, high;
@@ -59,6 +62,7 @@ CornerSets joined(const Mesh& mesh, const std::vector<Vec3>& facings, float crea
 {
     CornerSets sets(3 * mesh.triangle_count());
     for (const auto& [edge, around] : sides_of(mesh)) {
+        if (around.size() > kMostSides) continue;
         for (size_t a = 0; a < around.size(); ++a) {
             for (size_t b = 0; b < a; ++b) {
                 if (dot(facings[around[a].triangle()], facings[around[b].triangle()]) >= crease_cosine) {

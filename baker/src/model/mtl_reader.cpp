@@ -59,16 +59,21 @@ NumberRule rule_of(const std::string& keyword)
     return rule == std::end(kOtherRules) ? NumberRule{nullptr, 0, 0, 0} : *rule;
 }
 
+std::vector<std::string> all_keywords()
+{
+    std::vector<std::string> all(std::begin(kPictures), std::end(kPictures));
+    all.insert(all.end(), std::begin(kIgnored), std::end(kIgnored));
+    all.insert(all.end(), std::begin(kOtherWords), std::end(kOtherWords));
+    for (const NumberRule& rule : kOtherRules) all.emplace_back(rule.keyword);
+    for (const MaterialParameter& p : kMaterialParameters)
+        if (p.mtl) all.emplace_back(p.mtl);
+    return all;
+}
+
 // As it is, or else with the capitals that it should have; empty if MTL has no such word.
 std::string known_keyword(const std::string& word)
 {
-    std::vector<std::string> all;
-    for (const char* keyword : kPictures) all.push_back(keyword);
-    for (const char* keyword : kIgnored) all.push_back(keyword);
-    for (const char* keyword : kOtherWords) all.push_back(keyword);
-    for (const NumberRule& rule : kOtherRules) all.push_back(rule.keyword);
-    for (const MaterialParameter& p : kMaterialParameters)
-        if (p.mtl) all.push_back(p.mtl);
+    static const std::vector<std::string> all = all_keywords();
     if (std::find(all.begin(), all.end(), word) != all.end()) return word;
     const auto found = std::find_if(all.begin(), all.end(), [&](const std::string& keyword) {
         return in_small_letters(keyword) == in_small_letters(word);
@@ -214,14 +219,13 @@ private:
         if (rule.count == 0 || !has_plain_numbers(line)) return;
         if (rule.count == 3 && words(line.argument).size() == 1)
             line.argument += " " + line.argument + " " + line.argument;
-        require_numbers(place(line), line, rule.count, rule.count, 1e30);
+        constexpr double kMost = 1e30;  // binary32 holds it
+        const std::vector<std::string_view> list = words(line.argument);
         std::vector<float> numbers;
-        for (const std::string_view word : words(line.argument)) {
-            double value = 0;
-            if (!parse_finite(word, value)) continue;
+        for (const double value : numbers_of(place(line), line, rule.count, rule.count, kMost)) {
             if (value < rule.low || value > rule.high) {
-                warn(line,
-                     line.keyword + " " + std::string(word) + " is out of range and is clamped; correct the value");
+                warn(line, line.keyword + " " + std::string(list[numbers.size()]) +
+                               " is out of range and is clamped; correct the value");
             }
             numbers.push_back(static_cast<float>(value));
         }

@@ -101,13 +101,11 @@ private:
     // Three numbers; then a weight, a colour, or both.
     void take_position(const Line& line)
     {
-        require_numbers(place(line), line, 3, 3, kMaxCoordinate);
+        const std::vector<double> p = numbers_of(place(line), line, 3, 3, kMaxCoordinate);
         const std::vector<std::string_view> list = words(line.argument);
-        Point p{};
-        for (size_t k = 0; k < 3; ++k) parse_finite(list[k], p[k]);
         constexpr size_t kWithColour = 6;
         if (list.size() >= kWithColour) take_colour(&list[list.size() == kWithColour ? 3 : 4]);
-        out_.positions.push_back(p);
+        out_.positions.push_back({p[0], p[1], p[2]});
     }
 
     void take_colour(const std::string_view* list)
@@ -133,25 +131,14 @@ private:
 
     void take_normal(const Line& line)
     {
-        require_numbers(place(line), line, 3, 3, kMaxCoordinate);
-        const std::array<double, 3> n = first_numbers(line);
+        const std::vector<double> n = numbers_of(place(line), line, 3, 3, kMaxCoordinate);
         out_.normals.push_back({static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])});
     }
 
     void take_uv(const Line& line)
     {
-        require_numbers(place(line), line, 1, 2, kMaxCoordinate);
-        const std::array<double, 3> uv = first_numbers(line);
-        out_.uvs.push_back({static_cast<float>(uv[0]), static_cast<float>(uv[1])});
-    }
-
-    // 0 where there is none.
-    static std::array<double, 3> first_numbers(const Line& line)
-    {
-        const std::vector<std::string_view> list = words(line.argument);
-        std::array<double, 3> numbers{};
-        for (size_t k = 0; k < std::min<size_t>(list.size(), 3); ++k) parse_finite(list[k], numbers[k]);
-        return numbers;
+        const std::vector<double> uv = numbers_of(place(line), line, 1, 2, kMaxCoordinate);
+        out_.uvs.push_back({static_cast<float>(uv[0]), uv.size() > 1 ? static_cast<float>(uv[1]) : 0.0f});
     }
 
     void take_face(const Line& line)

@@ -44,13 +44,36 @@ std::string_view without_comment(std::string_view line)
     return line;
 }
 
-// A backslash at the end of a comment, or of a name, is a part of it.
+// A backslash at the end of a comment is a part of it.
 bool goes_on(std::string_view line)
 {
-    if (line.empty() || line.back() != '\\' || without_comment(line).size() != line.size()) return false;
-    const std::string_view text = trimmed(line);
-    const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
-    return word != "newmtl" && word != "usemtl";
+    return !line.empty() && line.back() == '\\' && without_comment(line).size() == line.size();
+}
+
+// Of a line without blanks in front.
+bool begins_with_a_name(std::string_view line)
+{
+    constexpr size_t kWord = 6;
+    const std::string_view word = line.substr(0, kWord);
+    return (word == "newmtl" || word == "usemtl") && line.size() > kWord &&
+           kBlanks.find(line[kWord]) != std::string_view::npos;
+}
+
+// Takes one logical line off the front of `rest`, without blanks in front, and counts its physical lines. Looks at each
+// piece once, however many there are.
+std::string take_joined_line(std::string_view& rest, uint32_t& number)
+{
+    std::string joined;
+    for (;;) {
+        std::string_view line = take_line(rest);
+        ++number;
+        const bool joins = goes_on(line);
+        if (joined.empty()) line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+        joined += line;
+        if (!joins || begins_with_a_name(joined)) return joined;
+        joined.back() = ' ';
+        if (joined.size() == 1) joined.clear();
+    }
 }
 
 std::string_view without_plus(std::string_view word)
@@ -128,13 +151,8 @@ void for_each_line(std::string_view text, const std::function<void(Line&)>& use)
     if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
     uint32_t number = 0;
     while (!text.empty()) {
-        const uint32_t first = ++number;
-        std::string joined(take_line(text));
-        while (goes_on(joined)) {
-            joined.back() = ' ';
-            number += text.empty() ? 0u : 1u;
-            joined += take_line(text);
-        }
+        const uint32_t first = number + 1;
+        const std::string joined = take_joined_line(text, number);
         const std::string_view content = trimmed(without_comment(joined));
         if (!content.empty()) {
             const size_t end = std::min(content.find_first_of(kBlanks), content.size());
@@ -194,22 +212,23 @@ bool parse_integer(std::string_view word, int64_t& value)
     return parse_whole(word, value);
 }
 
-void require_numbers(const Place& place, const Line& line, size_t least, size_t most, double limit)
+std::vector<double> numbers_of(const Place& place, const Line& line, size_t least, size_t most, double limit)
 {
     const std::vector<std::string_view> list = words(line.argument);
     if (list.size() < least) {
         throw SceneError(at(place, "'" + line.keyword + "' needs " + std::to_string(least) + " numbers and has " +
                                        std::to_string(list.size()) + "; export the file again"));
     }
-    for (size_t k = 0; k < std::min(list.size(), most); ++k) {
-        double value = 0;
-        if (!parse_finite(list[k], value)) {
+    std::vector<double> numbers(std::min(list.size(), most));
+    for (size_t k = 0; k < numbers.size(); ++k) {
+        if (!parse_finite(list[k], numbers[k])) {
             throw SceneError(
                 at(place, "'" + std::string(list[k]) + "' is not a finite number; correct it or remove what uses it"));
         }
-        if (std::abs(value) > limit)
+        if (std::abs(numbers[k]) > limit)
             throw SceneError(at(place, "the number " + std::string(list[k]) + " is too large; scale the scene down"));
     }
+    return numbers;
 }
 
 }  // namespace lumi::baker

@@ -58,8 +58,8 @@ std::string number_text(double value);
 bool parse_finite(std::string_view word, double& value);
 bool parse_integer(std::string_view word, int64_t& value);
 
-// Checks that the first `least` to `most` words of the line are finite numbers of at most `limit` in magnitude; throws
+// The first `least` to `most` words of the line, which must be finite numbers of at most `limit` in magnitude. Throws
 // SceneError.
-void require_numbers(const Place& place, const Line& line, size_t least, size_t most, double limit);
+std::vector<double> numbers_of(const Place& place, const Line& line, size_t least, size_t most, double limit);
 
 }  // namespace lumi::baker

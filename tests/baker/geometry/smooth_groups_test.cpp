@@ -58,6 +58,20 @@ TEST_CASE("Two sides of one sheet share no vertices", "[surface]")
             CHECK(result.normals[corner].z == Approx(k < front.size() ? 1 : -1));
 }
 
+TEST_CASE("Triangles share an edge like pages of a book, unless they are more than a surface can have", "[surface]")
+{
+    for (const uint32_t pages : {64u, 65u}) {
+        Mesh book;
+        book.positions = {{0, 0, 0}, {0, 0, 1}};
+        for (uint32_t k = 0; k < pages; ++k) {
+            const float angle = 0.01f * static_cast<float>(k);
+            book.positions.push_back({std::cos(angle), std::sin(angle), 0});
+            book.corners.push_back({0, 1, k + 2});
+        }
+        CHECK(with_creases(book, 0.7f).positions.size() == (pages == 64 ? pages + 2 : 3 * pages));
+    }
+}
+
 TEST_CASE("A crease that ends inside a surface splits only the vertices that it parts", "[surface]")
 {
     // Squares along x, of which the far half of the last one stands up.

@@ -27,6 +27,17 @@ TEST_CASE("text lines: every line ending, comments, continuations and blanks")
     CHECK(split_lines("\\\n").empty());
 }
 
+TEST_CASE("text lines: a line of a million pieces is read in a time that grows with its length alone")
+{
+    constexpr size_t kPieces = 1000000;
+    std::string text = "f";
+    for (size_t k = 0; k < kPieces; ++k) text += "\\\n1 ";
+    const std::vector<Line> lines = split_lines(text + "\\\n\nv");
+    REQUIRE(lines.size() == 2);
+    CHECK(words(lines[0].argument).size() == kPieces);
+    CHECK(lines[1].number == kPieces + 3);
+}
+
 TEST_CASE("text lines: numbers are finite or none")
 {
     double v = 0;

@@ -67,11 +67,7 @@ private:
         if (bytes.size() < size_of_binary(count)) short_of(bytes.size(), size_of_binary(count));
         for (size_t f = 0; f < count; ++f) {
             const char* corner = bytes.data() + size_of_binary(static_cast<uint32_t>(f)) + kNormalBytes;
-            for (size_t k = 0; k < 3; ++k, corner += 3 * sizeof(float)) {
-                add({static_cast<double>(float_at(corner)), static_cast<double>(float_at(corner + 4)),
-                     static_cast<double>(float_at(corner + 8))},
-                    "facet " + std::to_string(f + 1), 0);
-            }
+            for (size_t k = 0; k < 3; ++k, corner += 3 * sizeof(float)) add(point_at(corner, f));
             close();
         }
     }
@@ -104,11 +100,8 @@ private:
 
     void take_vertex(const Line& line)
     {
-        require_numbers({file_, line.number}, line, 3, 3, kMaxCoordinate);
-        Point p{};
-        const std::vector<std::string_view> list = words(line.argument);
-        for (size_t k = 0; k < 3; ++k) parse_finite(list[k], p[k]);
-        add(p, "", line.number);
+        const std::vector<double> p = numbers_of({file_, line.number}, line, 3, 3, kMaxCoordinate);
+        add({p[0], p[1], p[2]});
     }
 
     void take_loop(const Line& line)
@@ -123,14 +116,22 @@ private:
         throw SceneError(at({file_, line.number}, text));
     }
 
-    void add(const Point& p, const std::string& where, uint32_t line)
+    Point point_at(const char* bytes, size_t facet) const
     {
-        for (const double c : p) {
-            if (!(std::abs(c) <= kMaxCoordinate)) {
-                throw SceneError(at({file_, line}, where + " has a coordinate that is not finite or above " +
-                                                       number_text(kMaxCoordinate) + "; export it again"));
+        Point p{};
+        for (size_t k = 0; k < p.size(); ++k) {
+            p[k] = static_cast<double>(float_at(bytes + k * sizeof(float)));
+            if (!(std::abs(p[k]) <= kMaxCoordinate)) {
+                throw SceneError(at({file_}, "facet " + std::to_string(facet + 1) +
+                                                 " has a coordinate that is not finite or above " +
+                                                 number_text(kMaxCoordinate) + "; export it again"));
             }
         }
+        return p;
+    }
+
+    void add(const Point& p)
+    {
         facets_.positions.push_back(p);
         ++corners_;
     }
