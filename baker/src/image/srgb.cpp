@@ -27,6 +27,12 @@ double srgb_linear(double encoded)
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+Rgb srgb_linear(const Rgb& encoded)
+{
+    const auto linear = [](float v) { return static_cast<float>(srgb_linear(static_cast<double>(v))); };
+    return {linear(encoded.r), linear(encoded.g), linear(encoded.b)};
+}
+
 double srgb_encoded(double linear)
 {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;

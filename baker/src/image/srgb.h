@@ -10,9 +10,10 @@
 namespace lumi::baker
 {
 
-// Both take any number and clip nothing: 1 stands for white on both sides.
+// They take any number and clip nothing: 1 stands for white on both sides.
 double srgb_linear(double encoded);
 double srgb_encoded(double linear);
+Rgb srgb_linear(const Rgb& encoded);
 
 float srgb_decode(uint8_t encoded);
 

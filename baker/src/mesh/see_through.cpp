@@ -147,6 +147,7 @@ std::unique_ptr<SceneData> opaque_part(const SceneData& scene)
     LoadOptions options;
     options.up = UpAxis::z;
     options.environment = constant_environment(0);
+    options.exposure_stops = 0;  // or it would be metered
     return std::make_unique<SceneData>(std::move(parts), options);
 }
 

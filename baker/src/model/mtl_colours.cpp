@@ -39,12 +39,9 @@ bool names_a_program(std::string_view text)
 
 void linearise(MtlMaterial& material)
 {
-    const auto linear = [](float v) { return static_cast<float>(srgb_linear(static_cast<double>(v))); };
     for (const char* keyword : kColours) {
         const auto found = material.numbers.find(keyword);
-        if (found == material.numbers.end()) continue;
-        Rgb& c = found->second;
-        c = {linear(c.r), linear(c.g), linear(c.b)};
+        if (found != material.numbers.end()) found->second = srgb_linear(found->second);
     }
 }
 

@@ -198,13 +198,7 @@ bool has_pictures(const Material& m)
 
 CornerColours colours_at(const std::vector<Rgb>& colours, const Mesh::Corners& corners)
 {
-    CornerColours result;
-    for (size_t k = 0; k < 3; ++k) {
-        const Rgb& c = colours[corners[k]];
-        const auto linear = [](float v) { return static_cast<float>(srgb_linear(static_cast<double>(v))); };
-        result[k] = {linear(c.r), linear(c.g), linear(c.b)};
-    }
-    return result;
+    return {srgb_linear(colours[corners[0]]), srgb_linear(colours[corners[1]]), srgb_linear(colours[corners[2]])};
 }
 
 // Colours at vertices are a picture of materials that have none.

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <random>
 #include <unordered_map>
 
+#include "math/frame.h"
+#include "math/sampler.h"
+#include "math/warp.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -182,20 +183,22 @@ public:
 
     void look_for_open_glass()
     {
-        std::map<std::pair<uint32_t, uint32_t>, size_t> sides;
-        const auto each_edge = [&](size_t t, const auto& use) {
-            for (size_t k = 0; k < 3; ++k) {
-                const uint32_t a = places_[t][k], b = places_[t][(k + 1) % 3];
-                use(std::pair(std::min(a, b), std::max(a, b)));
-            }
-        };
-        const auto is_glass = [&](size_t t) { return scene_.materials[scene_.mesh.materials[t]].glass; };
         const auto& materials = scene_.materials;
         if (std::none_of(materials.begin(), materials.end(), [](const Material& m) { return m.glass; })) return;
-        for (size_t t = 0; t < places_.size(); ++t) each_edge(t, [&](const auto& edge) { ++sides[edge]; });
+        std::vector<std::pair<std::pair<uint32_t, uint32_t>, bool>> sides;  // edges of triangles, and which are glass
+        for (size_t t = 0; t < places_.size(); ++t) {
+            for (size_t k = 0; k < 3; ++k) {
+                const uint32_t a = places_[t][k], b = places_[t][(k + 1) % 3];
+                sides.emplace_back(std::minmax(a, b), materials[scene_.mesh.materials[t]].glass);
+            }
+        }
+        std::sort(sides.begin(), sides.end());
         size_t open = 0;
-        for (size_t t = 0; t < places_.size(); ++t)
-            if (is_glass(t)) each_edge(t, [&](const auto& edge) { open += sides[edge] == 1 ? 1u : 0u; });
+        for (size_t k = 0; k < sides.size(); ++k) {
+            const bool as_before = k > 0 && sides[k - 1].first == sides[k].first;
+            const bool as_after = k + 1 < sides.size() && sides[k + 1].first == sides[k].first;
+            open += sides[k].second && !as_before && !as_after ? 1u : 0u;
+        }
         if (open != 0) {
             warn("glass is open at " + std::to_string(open) +
                  " edge(s), and light is lost there; close its body: give panes a thickness (in Blender: Solidify)");
@@ -229,41 +232,31 @@ private:
     // Whether some path of diffuse reflections gets out, or through something.
     bool light_leaves(const Vec3& lamp) const
     {
-        constexpr int kPaths = 256, kBounces = 64;
-        std::minstd_rand random(1);
-        for (int path = 0; path < kPaths; ++path) {
-            Ray ray = {lamp, direction(random)};
-            for (int bounce = 0; bounce < kBounces; ++bounce) {
+        constexpr uint32_t kPaths = 256, kBounces = 64;
+        constexpr uint64_t kSeed = 0x6c616d70;
+        Sampler sampler(kSeed, 0, 0);
+        for (uint32_t path = 0; path < kPaths; ++path) {
+            sampler.start(path);
+            Ray ray = {lamp, square_to_sphere(sampler.next_2d())};
+            for (uint32_t bounce = 0; bounce < kBounces; ++bounce) {
                 const std::optional<Hit> hit = scene_.accelerator.closest(ray);
                 if (!hit) return true;
                 const Material& m = scene_.materials[scene_.mesh.materials[hit->triangle]];
                 if (m.glass || m.may_pass()) return true;
-                ray = reflected(ray, *hit, direction(random));
+                ray = reflected(ray, *hit, sampler);
             }
         }
         return false;
     }
 
-    static Vec3 direction(std::minstd_rand& random)
-    {
-        const auto unit = [&] {
-            return 2 * static_cast<float>(random()) / static_cast<float>(std::minstd_rand::max()) - 1;
-        };
-        for (;;) {
-            const Vec3 v = {unit(), unit(), unit()};
-            const float size = length(v);
-            constexpr float kLeast = 0.1f;
-            if (size > kLeast && size < 1) return v / size;
-        }
-    }
-
     // Away from the side that was met.
-    Ray reflected(const Ray& ray, const Hit& hit, const Vec3& way) const
+    Ray reflected(const Ray& ray, const Hit& hit, Sampler& sampler) const
     {
         Vec3 n = normalized(scene_.mesh.area_vector(hit.triangle));
         if (dot(n, ray.direction) > 0) n = -n;
         constexpr float kOff = 1e-5f;
-        return {ray.origin + ray.direction * hit.distance + n * kOff, dot(way, n) < 0 ? -way : way};
+        return {ray.origin + ray.direction * hit.distance + n * kOff,
+                Frame(n).to_world(square_to_cosine_hemisphere(sampler.next_2d()))};
     }
 
     const SceneData& scene_;

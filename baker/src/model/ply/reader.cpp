@@ -116,12 +116,12 @@ private:
 
     void read_vertices(const PlyElement& element)
     {
-        std::array<bool, kRoles> has{};
-        for (const PlyProperty& p : element.properties)
-            if (role_of(p) != kRoles) has[role_of(p)] = true;
+        std::vector<Role> roles;
+        std::array<bool, kRoles + 1> has{};
+        for (const PlyProperty& p : element.properties) has[roles.emplace_back(role_of(p))] = true;
         if (!has[kX] || !has[kY] || !has[kZ]) fail("its vertices have no x, y and z; export it again");
         for (uint64_t k = 0; k < element.count; ++k) {
-            const std::array<double, kRoles> v = next_vertex(element);
+            const std::array<double, kRoles> v = next_vertex(element, roles);
             check_position(v);
             facets_.positions.push_back({v[kX], v[kY], v[kZ]});
             if (has[kNormalX] && has[kNormalY] && has[kNormalZ])
@@ -133,17 +133,17 @@ private:
         }
     }
 
-    std::array<double, kRoles> next_vertex(const PlyElement& element)
+    std::array<double, kRoles> next_vertex(const PlyElement& element, const std::vector<Role>& roles)
     {
         std::array<double, kRoles> values{};
-        for (const PlyProperty& p : element.properties) {
-            if (p.is_list) {
-                skip_list(p);
+        for (size_t k = 0; k < roles.size(); ++k) {
+            const PlyProperty& p = element.properties[k];
+            if (roles[k] == kRoles) {
+                skip(p);
                 continue;
             }
             const double value = numbers_.next(p.type);
-            const Role role = role_of(p);
-            if (role != kRoles) values[role] = role >= kRed ? static_cast<double>(linear_of(value, p.type)) : value;
+            values[roles[k]] = roles[k] >= kRed ? static_cast<double>(linear_of(value, p.type)) : value;
         }
         return values;
     }
