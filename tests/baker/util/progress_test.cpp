@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <vector>
 
 namespace lumi::baker
 {
@@ -53,6 +54,61 @@ TEST_CASE("rate meter: work that stands still for a while is expected to go on a
     CHECK(meter.per_second() == 0);
     CHECK(meter.eta_seconds(2000) == Approx(500 / (0.5 * 10)));
     CHECK(meter.eta_seconds(1000) == Approx(0));  // there was more to do than expected
+}
+
+namespace
+{
+
+// What a series reports of jobs of so many rays each, every one of which reports at its beginning, half-way and at its
+// end.
+std::vector<Progress> reports_of(JobSeries& series, std::vector<Progress>& reports,
+                                 std::initializer_list<uint64_t> jobs)
+{
+    for (const uint64_t rays : jobs) {
+        const ProgressCallback report = series.next(rays);
+        for (const uint64_t done : {uint64_t{0}, rays / 2, rays}) {
+            Progress job;
+            job.rays_total = rays;
+            job.rays_done = done;
+            CHECK(report(job));
+        }
+    }
+    return reports;
+}
+
+std::vector<uint64_t> done_in(const std::vector<Progress>& reports)
+{
+    std::vector<uint64_t> done;
+    for (const Progress& report : reports) done.push_back(report.rays_done);
+    return done;
+}
+
+}  // namespace
+
+TEST_CASE("job series: jobs of known size fill one bar, and those that need not run count as done")
+{
+    std::vector<Progress> reports;
+    JobSeries series([&](const Progress& p) { return reports.push_back(p), true; }, 100);
+    series.skip(20);
+    CHECK(done_in(reports_of(series, reports, {20, 60})) == std::vector<uint64_t>{20, 30, 40, 40, 70, 100});
+    for (const Progress& report : reports) CHECK(report.rays_total == 100);
+}
+
+TEST_CASE("job series: nobody knows how many jobs, and still progress never goes back, and no time is promised")
+{
+    std::vector<Progress> reports;
+    JobSeries series([&](const Progress& p) { return reports.push_back(p), true; });
+    const std::vector<uint64_t> done = done_in(reports_of(series, reports, {1000, 10, 500, 20}));
+    CHECK(std::is_sorted(done.begin(), done.end()));
+    CHECK(done.back() < reports.back().rays_total);
+    for (const Progress& report : reports) CHECK(report.eta_seconds < 0);
+}
+
+TEST_CASE("job series: what the caller answers reaches the job")
+{
+    JobSeries series([](const Progress&) { return false; }, 10);
+    CHECK_FALSE(series.next(10)(Progress()));
+    CHECK_FALSE(JobSeries({}, 10).next(10));  // nobody listens
 }
 
 }  // namespace lumi::baker

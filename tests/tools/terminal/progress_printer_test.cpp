@@ -22,13 +22,13 @@ baker::Progress at(uint64_t done, double elapsed_seconds)
 }
 
 // What a printer writes for these reports.
-std::string printed(bool is_terminal, std::initializer_list<baker::Progress> reports)
+std::string printed(bool is_terminal, std::initializer_list<baker::Progress> reports, const char* step = "")
 {
     char* text = nullptr;
     size_t size = 0;
     std::FILE* stream = open_memstream(&text, &size);
     {
-        ProgressPrinter printer(stream, is_terminal);
+        ProgressPrinter printer(stream, is_terminal, step);
         for (const baker::Progress& report : reports) printer.print(report);
     }
     std::fclose(stream);
@@ -65,6 +65,15 @@ TEST_CASE("on a terminal one line redraws itself and ends with a line break")
     CHECK(text ==
           "\r[..............................] 0 %  1.24 M rays/s  1:12 left\x1b[K"
           "\r[###############...............] 50 %  1.24 M rays/s  1:12 left\x1b[K\n");
+}
+
+TEST_CASE("a step of a longer job says which it is, and lines stay narrower than the terminal")
+{
+    CHECK(printed(false, {at(0, 0)}, "2 of 3 baking: ") == "2 of 3 baking: 0 %  1.24 M rays/s  1:12 left\n");
+    const std::string text = printed(true, {at(500, 1)}, "2 of 3 baking, of a very long name: ");
+    CHECK(text == "\r[#####.....] 2 of 3 baking, of a very long name: 50 %  1.24 M rays/s  1:12 left\x1b[K\n");
+    const std::string much = std::string(100, 'x');
+    CHECK(printed(true, {at(500, 1)}, much.c_str()) == "\r" + much.substr(0, 79) + "\x1b[K\n");
 }
 
 }  // namespace lumi::tools

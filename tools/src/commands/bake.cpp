@@ -18,6 +18,7 @@
 #include "program/choice.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
+#include "terminal/json_progress.h"
 #include "terminal/progress_printer.h"
 #include "terminal/text.h"
 
@@ -161,8 +162,7 @@ private:
     {
         const planner::SurfaceTask task = surface_task(options_, command_, job.target);
         if (options_.restart) baker::discard_stages(job.target);
-        ProgressPrinter printer(stderr, stderr_is_terminal());
-        const SurfaceChoice choice = surface_choice(scene, task, json_ ? watch_interrupt() : watch(printer));
+        const SurfaceChoice choice = planned_choice(scene, task);
         const bool takes = choice.plan.draft && (choice.against.empty() || options_.layout == Layout::surface);
         if (!takes) baker::discard_stages(job.target);
         if (!choice.plan.draft && options_.layout == Layout::surface) throw baker::BakeError(choice.against);
@@ -175,6 +175,18 @@ private:
         job.draft = choice.plan.draft;
         return true;
     }
+
+    SurfaceChoice planned_choice(const baker::Scene& scene, const planner::SurfaceTask& task) const
+    {
+        if (json_) {
+            JsonProgress printer(stdout, "planning");
+            return surface_choice(scene, task, watch(printer));
+        }
+        ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(BakeStep::planning, steps()));
+        return surface_choice(scene, task, watch(printer));
+    }
+
+    int steps() const { return options_.fit.plan_only ? 1 : options_.shard.empty() ? 3 : 2; }
 
     void plan_chord(BakeJob& job) const
     {

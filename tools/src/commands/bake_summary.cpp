@@ -44,13 +44,13 @@ double cap_of(const BakeJob& job)
 }
 
 // What the field shows; nothing where it is not to be judged.
-std::optional<double> checked_db(const BakeSummary& summary)
+std::optional<double> checked_db(const BakeSummary& summary, const baker::ProgressCallback& progress)
 {
     if (!summary.checks || summary.job.shard) return std::nullopt;
     const unsigned threads = summary.job.surface ? summary.job.surface->threads : summary.job.settings.threads;
     try {
         const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-        return quality::quick_psnr_db(summary.scene, field, cap_of(summary.job), threads, watch_interrupt());
+        return quality::quick_psnr_db(summary.scene, field, cap_of(summary.job), threads, progress);
     } catch (const baker::Cancelled&) {
         return std::nullopt;  // the field is there, and that is what counts
     }
@@ -132,11 +132,17 @@ void tell_of_written(const BakeSummary& summary, Tell tell)
     }
 }
 
+std::optional<double> checked_db_for_people(const BakeSummary& summary)
+{
+    ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(BakeStep::measuring, summary.steps()));
+    return checked_db(summary, watch(printer));
+}
+
 void tell_people(const BakeSummary& summary, const BakeOutcome& outcome)
 {
     std::string text = file_line(summary, outcome);
     if (outcome.surface) text += surface_text(*outcome.surface);
-    if (const auto psnr_db = checked_db(summary)) text += check_line(*psnr_db);
+    if (const auto psnr_db = checked_db_for_people(summary)) text += check_line(*psnr_db);
     if (outcome.surface) {
         const FieldFile field(summary.job.target, FieldFile::Role::own_output);
         text += rates_text(field);
@@ -157,7 +163,8 @@ void tell_machines(const BakeSummary& summary, const BakeOutcome& outcome)
                            {"elapsed_seconds", seconds_since(summary.start)},
                            {"warnings", summary.warnings}};
     if (outcome.surface) line["surface"] = surface_json(*outcome.surface);
-    if (const auto psnr_db = checked_db(summary)) line["quick_psnr_db"] = *psnr_db;
+    JsonProgress printer(stdout, "measuring");
+    if (const auto psnr_db = checked_db(summary, watch(printer))) line["quick_psnr_db"] = *psnr_db;
     print_json(line);
 }
 
@@ -169,6 +176,14 @@ std::vector<std::string> warnings_of(const SurfaceChoice& choice)
 }
 
 }  // namespace
+
+std::string step_text(BakeStep step, int steps)
+{
+    if (steps == 1) return "";
+    constexpr const char* kNames[] = {"planning", "baking", "measuring"};
+    const auto k = static_cast<size_t>(step);
+    return std::to_string(k + 1) + " of " + std::to_string(steps) + " " + kNames[k] + ": ";
+}
 
 size_t tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
 {
@@ -193,7 +208,7 @@ void bake_for_people(const BakeSummary& summary)
 {
     BakeOutcome outcome;
     {
-        ProgressPrinter printer(stderr, stderr_is_terminal());
+        ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(BakeStep::baking, summary.steps()));
         outcome = run_job(summary.scene, summary.job, watch(printer));
     }
     tell_of_written(summary, [&] { tell_people(summary, outcome); });

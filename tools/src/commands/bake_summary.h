@@ -13,6 +13,11 @@
 namespace lumi::tools
 {
 
+enum class BakeStep { planning, baking, measuring };
+
+// What progress begins with in a bake of so many steps: "2 of 3 baking: "; nothing where there is one.
+std::string step_text(BakeStep step, int steps);
+
 struct BakeSummary {
     using Clock = std::chrono::steady_clock;
 
@@ -21,7 +26,9 @@ struct BakeSummary {
     size_t warnings;
     Clock::time_point start;
     std::optional<planner::Pace> pace;  // that the field should be drawn at
-    bool checks;                        // whether the field is judged by a few path-traced views
+    bool checks;                        // whether it was planned by its mesh, and is judged by a few path-traced views
+
+    int steps() const { return !checks ? 1 : job.shard ? 2 : 3; }
 };
 
 // The layout, its reason and its figures, before the bake; what a surface will not show goes to stderr. Returns how

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lumi reference: path-traced pictures for the views of lumi render.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -37,6 +38,18 @@ Picture over_background(const baker::RgbaImage& image, const Rgb8& background)
     return picture;
 }
 
+uint64_t eyes_of(const ViewOptions& views)
+{
+    return static_cast<uint64_t>(std::max(1, views.turntable)) * (views.eye_distance > 0 ? 2 : 1);
+}
+
+// With --over the picture may have another size, and then this is off.
+uint64_t rays_of_an_eye(const ReferenceOptions& options)
+{
+    const ViewOptions& views = options.views;
+    return static_cast<uint64_t>(views.width_px) * static_cast<uint64_t>(views.height_px) * options.settings.samples;
+}
+
 // An .exr file holds one eye's linear light and its coverage.
 void check_linear(const CLI::App& command)
 {
@@ -49,22 +62,23 @@ void check_linear(const CLI::App& command)
 }
 
 std::vector<std::string> write_linear(const ReferenceOptions& options, const baker::ReferenceSettings& settings,
-                                      const baker::Scene& scene, const baker::ProgressCallback& progress)
+                                      const baker::Scene& scene, baker::JobSeries& series)
 {
     return write_each_view(
         options.views, options.output,
         [&](const Eye& eye, const std::string& path) {
-            write_exr(path, baker::trace_radiance(scene, eye.camera, settings, progress));
+            write_exr(path, baker::trace_radiance(scene, eye.camera, settings, series.next(rays_of_an_eye(options))));
         });
 }
 
 std::vector<std::string> write_encoded(const ReferenceOptions& options, const baker::ReferenceSettings& settings,
-                                       const baker::Scene& scene, const baker::ProgressCallback& progress)
+                                       const baker::Scene& scene, baker::JobSeries& series)
 {
     baker::RgbaImage image;
     const Eye* traced = nullptr;  // what `image` shows: over another colour it need not be traced again
     const auto draw = [&](const Eye& eye, const Rgb8& background) {
-        if (traced != &eye) image = baker::render_reference(scene, eye.camera, settings, progress);
+        if (traced != &eye)
+            image = baker::render_reference(scene, eye.camera, settings, series.next(rays_of_an_eye(options)));
         traced = &eye;
         return over_background(image, background);
     };
@@ -77,9 +91,10 @@ std::vector<std::string> write_references(const ReferenceOptions& options, const
     baker::ReferenceSettings settings = options.settings;
     settings.threads = options.scene.threads;
     ProgressPrinter printer(stderr, stderr_is_terminal());
+    baker::JobSeries series(watch(printer), eyes_of(options.views) * rays_of_an_eye(options));
     const auto write = is_exr_name(options.output) ? write_linear : write_encoded;
     try {
-        return write(options, settings, scene, watch(printer));
+        return write(options, settings, scene, series);
     } catch (const baker::Cancelled&) {
         throw Interrupted();
     }

@@ -2,7 +2,6 @@
 #include "filter/lessons.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -15,7 +14,6 @@ namespace
 
 using quality::HeldOutView;
 using quality::Reference;
-using Clock = std::chrono::steady_clock;
 
 constexpr int kPaperTraining = 2220, kPaperValidation = 204, kPaperTest = 195;
 constexpr int kPaperAll = kPaperTraining + kPaperValidation + kPaperTest;
@@ -36,55 +34,21 @@ void deal_out(std::vector<HeldOutView>& views, std::mt19937_64& random)
     for (size_t i = views.size(); i > 1; --i) std::swap(views[i - 1], views[random() % i]);
 }
 
-// The rays of one view after the other as those of one job.
-class Course
-{
-public:
-    Course(uint64_t rays, const baker::ProgressCallback& report) : rays_(rays), report_(report) {}
-
-    baker::ProgressCallback part()
-    {
-        return [this](const baker::Progress& view) { return tell(view.rays_done); };
-    }
-    void end_part(uint64_t rays) { before_ += rays; }
-
-private:
-    bool tell(uint64_t rays_done)
-    {
-        baker::Progress all;
-        all.rays_done = before_ + rays_done;
-        all.rays_total = rays_;
-        all.elapsed_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-        meter_.add(all.elapsed_seconds, all.rays_done);
-        all.rays_per_second = meter_.per_second();
-        all.eta_seconds = meter_.eta_seconds(rays_);
-        return report_(all);
-    }
-
-    const uint64_t rays_;
-    const baker::ProgressCallback& report_;
-    const Clock::time_point start_ = Clock::now();
-    uint64_t before_ = 0;
-    baker::RateMeter meter_;
-};
-
 // Draws and traces, view by view.
 class Maker
 {
 public:
     Maker(const tools::FieldFile& field, const baker::Scene& scene, const LessonSettings& settings, uint64_t rays,
           const baker::ProgressCallback& progress)
-        : field_(field), scene_(scene), settings_(settings), course_(rays, progress)
+        : field_(field), scene_(scene), settings_(settings), course_(progress, rays)
     {
     }
 
     Reference reference(const HeldOutView& view, uint32_t samples)
     {
         const baker::ReferenceSettings settings = {samples, settings_.seed, settings_.threads, false};
-        Reference reference =
-            std::move(quality::references_of(scene_, {view}, settings, settings_.cache, course_.part()).front());
-        course_.end_part(reference.mask.values.size() * samples);
-        return reference;
+        const uint64_t rays = quality::rays_of({view}, settings);
+        return std::move(quality::references_of(scene_, {view}, settings, settings_.cache, course_.next(rays)).front());
     }
 
     std::vector<Pair> pairs(const std::vector<HeldOutView>& views, uint32_t samples)
@@ -109,7 +73,7 @@ private:
     const tools::FieldFile& field_;
     const baker::Scene& scene_;
     const LessonSettings& settings_;
-    Course course_;
+    baker::JobSeries course_;
 };
 
 }  // namespace

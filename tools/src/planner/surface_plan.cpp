@@ -87,8 +87,9 @@ SurfacePlan plan_surface(const baker::Scene& scene, const SurfaceTask& task, con
     SurfacePlan plan = {task.settings, nullptr, 0};
     if (!task.triangles_by_hand) plan.settings.triangles = triangles_for(budget);
     if (!task.edge_by_hand) plan.settings.longest_edge = edge_for(budget);
+    baker::JobSeries trials(progress);
     for (;;) {
-        plan.draft = std::make_shared<SurfaceDraft>(scene, plan.settings, progress, task.output);
+        plan.draft = std::make_shared<SurfaceDraft>(scene, plan.settings, trials.next(), task.output);
         if (plan.draft->triangles() == 0) return plan;
         const int coarsest = task.density_by_hand ? 0 : kCoarsest;
         const float density = task.density_by_hand ? task.settings.texels_per_radius : density_of(coarsest);

@@ -36,8 +36,11 @@ double quick_psnr_db(const baker::Scene& scene, const tools::FieldFile& field, d
                      const baker::ProgressCallback& progress)
 {
     const auto views = held_out_views(ViewSet::all, kQuickViews, kSidePx, cap);
-    const auto a = references_of(scene, views, {kSamples, 1, threads, false}, {}, progress);
-    const auto b = references_of(scene, views, {kSamples, 2, threads, false}, {}, progress);
+    const auto half = [&](uint64_t seed) { return baker::ReferenceSettings{kSamples, seed, threads, false}; };
+    const uint64_t rays = rays_of(views, half(1));
+    baker::JobSeries series(progress, 2 * rays);
+    const auto a = references_of(scene, views, half(1), {}, series.next(rays));
+    const auto b = references_of(scene, views, half(2), {}, series.next(rays));
     double sum = 0;
     for (size_t v = 0; v < views.size(); ++v)
         sum += decibels(squared_error(drawn(field, views[v]), a[v].picture, b[v].picture));

@@ -66,6 +66,14 @@ std::string cache_key(const baker::Scene& scene)
     return text;
 }
 
+uint64_t rays_of(const std::vector<HeldOutView>& views, const baker::ReferenceSettings& settings)
+{
+    uint64_t pixels = 0;
+    for (const HeldOutView& view : views)
+        pixels += static_cast<uint64_t>(view.eye.image.width_px) * static_cast<uint64_t>(view.eye.image.height_px);
+    return pixels * settings.samples;
+}
+
 std::vector<Reference> references_of(const baker::Scene& scene, const std::vector<HeldOutView>& views,
                                      const baker::ReferenceSettings& settings, const std::filesystem::path& cache,
                                      const baker::ProgressCallback& progress)
@@ -74,14 +82,16 @@ std::vector<Reference> references_of(const baker::Scene& scene, const std::vecto
     std::error_code ignored;  // what cannot be made is told by the write
     if (!cache.empty()) std::filesystem::create_directories(folder, ignored);
     std::vector<Reference> references;
+    baker::JobSeries series(progress, rays_of(views, settings));
     for (const HeldOutView& view : views) {
         const std::string stem = (folder / file_stem(view, settings)).string();
         const std::string picture = stem + ".png", mask = stem + "-mask.png";
         if (!cache.empty() && std::filesystem::exists(picture) && std::filesystem::exists(mask)) {
             references.push_back(read_reference(picture, mask));
+            series.skip(rays_of({view}, settings));
             continue;
         }
-        references.push_back(traced(scene, view, settings, progress));
+        references.push_back(traced(scene, view, settings, series.next(rays_of({view}, settings))));
         if (cache.empty()) continue;
         tools::write_png(mask, grey_picture(references.back().mask));
         tools::write_png(picture, references.back().picture);  // last: it says that both are there

@@ -14,6 +14,9 @@ namespace lumi::quality
 // The name of a scene in caches: of its fingerprint.
 std::string cache_key(const baker::Scene& scene);
 
+// Light paths that references of these views take.
+uint64_t rays_of(const std::vector<HeldOutView>& views, const baker::ReferenceSettings& settings);
+
 // Traces, or reads from `cache`: CACHE/SCENE/… .png and -mask.png. Nothing is kept if `cache` is empty. The background
 // is black. Throws Failure where the folder cannot be written, Cancelled.
 std::vector<Reference> references_of(const baker::Scene& scene, const std::vector<HeldOutView>& views,

@@ -15,10 +15,10 @@ constexpr double kSecondsBetweenObjects = 1;
 
 }  // namespace
 
-std::string progress_json(const baker::Progress& progress)
+std::string progress_json(const baker::Progress& progress, const char* state)
 {
     constexpr const char* kStages[] = {"light", "mesh", "solving", "training"};
-    nlohmann::json line = {{"state", "baking"},
+    nlohmann::json line = {{"state", state},
                            {"stage", kStages[static_cast<size_t>(progress.stage)]},
                            {"rays_done", progress.rays_done},
                            {"rays_total", progress.rays_total},
@@ -35,7 +35,7 @@ void JsonProgress::print(const baker::Progress& progress)
     last_ = progress;
     const bool all = progress.rays_done >= progress.rays_total;
     if (all ? said_all_ : progress.elapsed_seconds < next_line_seconds_) return;
-    std::fprintf(stream_, "%s\n", progress_json(progress).c_str());
+    std::fprintf(stream_, "%s\n", progress_json(progress, state_).c_str());
     std::fflush(stream_);
     said_all_ = all;
     next_line_seconds_ = progress.elapsed_seconds + kSecondsBetweenObjects;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "terminal/progress_printer.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,7 +17,25 @@ namespace
 {
 
 constexpr double kSecondsBetweenLines = 5;
-constexpr int kBarCells = 30;
+constexpr size_t kMostCells = 30, kFewestCells = 5, kUsualColumns = 80;
+
+size_t columns_of(std::FILE* stream)
+{
+    winsize size = {};
+    return ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsualColumns;
+}
+
+// As wide as there is room beside the text, or nothing.
+std::string bar_text(double share, size_t room)
+{
+    constexpr size_t kFrame = 3;  // brackets and a blank
+    if (room < kFewestCells + kFrame) return "";
+    const size_t cells = std::min(kMostCells, room - kFrame);
+    const double filled = std::clamp(share, 0.0, 1.0) * static_cast<double>(cells);
+    std::string bar(static_cast<size_t>(filled), '#');
+    bar.resize(cells, '.');
+    return "[" + bar + "] ";
+}
 
 double share_done(const baker::Progress& progress)
 {
@@ -47,18 +66,18 @@ void ProgressPrinter::print(const baker::Progress& progress)
     if (progress.rays_done == 0 && next_line_seconds_ > 0)  // the next of several jobs: its clock starts again
         next_line_seconds_ = kSecondsBetweenLines;
     if (progress.elapsed_seconds < next_line_seconds_) return;
-    std::fprintf(stream_, "%s\n", progress_text(progress).c_str());
+    std::fprintf(stream_, "%s%s\n", step_.c_str(), progress_text(progress).c_str());
     std::fflush(stream_);
     next_line_seconds_ = progress.elapsed_seconds + kSecondsBetweenLines;
 }
 
 void ProgressPrinter::redraw_bar(const baker::Progress& progress)
 {
-    const int filled = std::clamp(static_cast<int>(kBarCells * share_done(progress)), 0, kBarCells);
-    std::string bar(static_cast<size_t>(filled), '#');
-    bar.resize(kBarCells, '.');
+    const size_t room = columns_of(stream_) - 1;  // a full last column begins a new line on some terminals
+    const std::string text = (step_ + progress_text(progress)).substr(0, room);
+    const std::string bar = bar_text(share_done(progress), room - text.size());
     // The escape clears what a longer earlier text left at the end of the line.
-    std::fprintf(stream_, "\r[%s] %s\x1b[K", bar.c_str(), progress_text(progress).c_str());
+    std::fprintf(stream_, "\r%s%s\x1b[K", bar.c_str(), text.c_str());
     std::fflush(stream_);
     line_is_open_ = true;
 }

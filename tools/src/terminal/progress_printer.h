@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "lumi/baker/progress.h"
 
@@ -13,11 +14,16 @@ namespace lumi::tools
 // "43 %  1.24 M rays/s  1:12 left", "mesh 43 %  0:05 left"; without what is not known yet.
 std::string progress_text(const baker::Progress& progress);
 
-// A bar that redraws itself on a terminal, else a plain line at the beginning and every few seconds.
+// A bar that redraws itself on a terminal, else a plain line at the beginning and every few seconds. Lines are no wider
+// than the terminal.
 class ProgressPrinter
 {
 public:
-    ProgressPrinter(std::FILE* stream, bool is_terminal) : stream_(stream), is_terminal_(is_terminal) {}
+    // step: what of a longer job this is, such as "2 of 3 baking: "; may be empty.
+    ProgressPrinter(std::FILE* stream, bool is_terminal, std::string step = "")
+        : stream_(stream), is_terminal_(is_terminal), step_(std::move(step))
+    {
+    }
     // Ends the bar's line, so that later messages begin on their own.
     ~ProgressPrinter();
     ProgressPrinter(const ProgressPrinter&) = delete;
@@ -30,6 +36,7 @@ private:
 
     std::FILE* stream_;
     bool is_terminal_;
+    std::string step_;
     bool line_is_open_ = false;
     double next_line_seconds_ = 0;
 };

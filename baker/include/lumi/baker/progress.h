@@ -2,6 +2,7 @@
 // How far a long computation is, and when it will end, judged by its recent pace.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -61,6 +62,31 @@ private:
     double window_seconds_;
     Report first_ = {};
     std::deque<Report> reports_;
+};
+
+// Jobs that run one after the other, reported as one whose progress never goes back.
+class JobSeries
+{
+public:
+    // rays_total: of all jobs together. 0: nobody knows how many jobs there will be. Then each takes half of what is
+    // left of a whole, and no ETA is told.
+    explicit JobSeries(ProgressCallback progress, uint64_t rays_total = 0);
+
+    // What the next job reports to; it keeps a reference. rays: its share of rays_total.
+    ProgressCallback next(uint64_t rays = 0);
+    // Counts a job that need not run.
+    void skip(uint64_t rays);
+
+private:
+    bool report(const Progress& job);
+
+    using Clock = std::chrono::steady_clock;
+    ProgressCallback progress_;
+    bool is_total_known_;
+    uint64_t rays_total_;
+    uint64_t rays_of_job_ = 0, rays_before_ = 0;
+    Clock::time_point start_ = Clock::now();
+    RateMeter meter_;
 };
 
 }  // namespace lumi::baker
