@@ -88,7 +88,7 @@ TEST_CASE("surfaces beside an eye that looks along the sphere hold at every dist
         for (const double fov : fovs) {
             for (const int32_t side : sides) {
                 for (uint32_t mode = 0; mode < 3; ++mode) {
-                    const int32_t width = std::min(side, 31), height = std::min(side, 15);
+                    const int32_t width = std::min<int32_t>(side, 31), height = std::min<int32_t>(side, 15);
                     Edge edge{look_at({0.6 * distance, 0, 0.8 * distance}, {0, 0, 0}),
                               {side, side, degrees(fov)},
                               (side - width) / 2,

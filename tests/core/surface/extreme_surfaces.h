@@ -118,7 +118,7 @@ private:
                 break;
             case 1:
                 v[choose_.below(2)] = choose_.one_of({-kOne, kOne});
-                v[2] = choose_.one_of({-kBeyond, kBeyond, -1, 1});
+                v[2] = choose_.one_of<int32_t>({-kBeyond, kBeyond, -1, 1});
                 break;
             case 2:
                 for (int32_t& c : v) c = choose_.one_of({-kCorner, kCorner});
