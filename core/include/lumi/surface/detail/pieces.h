@@ -10,8 +10,6 @@
 // sample nor leave one out.
 #pragma once
 
-#include <type_traits>
-
 #include "lumi/surface/detail/row_loops.h"
 #include "lumi/surface/frame.h"
 
@@ -143,15 +141,18 @@ LUMI_ALWAYS_INLINE void draw_piece(TrianglePiece& piece, int32_t width)
         kDraw(piece.rows);
 }
 
+// Compared as parameters of templates: sanitizers compare addresses of functions at run time.
+template <DrawRows, DrawRows>
+inline constexpr bool kIsOneLoop = false;
+template <DrawRows kDraw>
+inline constexpr bool kIsOneLoop<kDraw, kDraw> = true;
+
 // All pieces; textures whose texels are larger than samples take the second loop.
 template <DrawRows kPlain, DrawRows kMagnified, class Pieces>
 LUMI_ALWAYS_INLINE void draw_pieces(Pieces& pieces, const Target& target)
 {
-    using Plain = std::integral_constant<DrawRows, kPlain>;
-    using Magnified = std::integral_constant<DrawRows, kMagnified>;
-    constexpr bool kReadsAlike = std::is_same<Plain, Magnified>::value;  // sanitizers compare addresses at run time
     while (pieces.next())
-        if (!kReadsAlike && pieces.piece.is_magnified)
+        if (!kIsOneLoop<kPlain, kMagnified> && pieces.piece.is_magnified)
             draw_piece<kMagnified>(pieces.piece, target.rows.width);
         else
             draw_piece<kPlain>(pieces.piece, target.rows.width);
