@@ -30,17 +30,17 @@ uint32_t drawing_modes()
 namespace
 {
 
-// Without padding: vertices are words, links and bands half words, samples words again.
+// Without padding: vertices and the order are words, links and bands half words, samples words again.
 struct Layout {
-    uint32_t links, bands, order, samples;
+    uint32_t order, links, bands, samples;
 
     explicit Layout(int32_t height_px)
     {
         constexpr uint32_t kHalf = sizeof(uint16_t), kWord = sizeof(uint32_t);
-        links = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
+        order = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
+        links = order + see_through_order(field.see_through_count) * kWord;
         bands = links + surface_links(field.patch_count) * kHalf;
-        order = bands + surface_bands(height_px, kBandLog2) * kHalf;
-        const uint32_t end = order + see_through_order(field.see_through_count) * kHalf;
+        const uint32_t end = bands + surface_bands(height_px, kBandLog2) * kHalf;
         samples = (end + kWord - 1) / kWord * kWord;
     }
 };
@@ -56,7 +56,7 @@ uint32_t device_bytes(int32_t width_px, int32_t height_px, uint32_t mode)
 {
     const bool has_glass = field.see_through_count != 0;
     return static_cast<uint32_t>(has_glass ? sizeof frame : sizeof(SurfaceFrame)) +
-           see_through_order(field.see_through_count) * static_cast<uint32_t>(sizeof(uint16_t)) +
+           see_through_order(field.see_through_count) * static_cast<uint32_t>(sizeof(uint32_t)) +
            surface_frame_bytes(field.vertex_count, field.patch_count, height_px, kBandLog2) +
            surface_stripe_bytes(width_px, kStripeRows, static_cast<SurfaceMode>(mode));
 }
@@ -70,7 +70,7 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
     const SeeThroughMemory borrowed = {
         {reinterpret_cast<SurfaceVertex*>(memory), reinterpret_cast<uint16_t*>(memory + layout.links),
          reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2},
-        reinterpret_cast<uint16_t*>(memory + layout.order)};
+        reinterpret_cast<uint32_t*>(memory + layout.order)};
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
         prepare_surface<decltype(pixel)>(field, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);

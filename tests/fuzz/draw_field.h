@@ -94,7 +94,7 @@ inline void draw_surface(const SeeThroughField& field, const Scene& s)
     const std::unique_ptr<SurfaceVertex[]> vertices(new SurfaceVertex[field.vertex_count]);
     const std::unique_ptr<uint16_t[]> links(new uint16_t[surface_links(field.patch_count)]);
     const std::unique_ptr<uint16_t[]> bands(new uint16_t[surface_bands(s.image.height_px, band_log2)]);
-    const std::unique_ptr<uint16_t[]> order(new uint16_t[see_through_order(field.see_through_count)]);
+    const std::unique_ptr<uint32_t[]> order(new uint32_t[see_through_order(field.see_through_count)]);
     SeeThroughFrame frame;
     const SeeThroughMemory memory = {{vertices.get(), links.get(), bands.get(), band_log2}, order.get()};
     prepare_surface<PixelRgb565>(field, camera, mode, memory, frame);

@@ -17,7 +17,7 @@ from figures.table import load  # noqa: E402
 
 LINE = "view pole span 8 covered 1000 instructions 123456 setup 23456 stack 640 crc 0badcafe\n"
 SURFACE_LINE = ("view generic mode 2x2 covered 1000 instructions 100000 palette 100 vertices 9900 lists 10000 lights 20000 "
-                "edges 30000 samples 20000 outlines 4000 resolve 6000 tall 95000 stack 640 ram 48000 crc 0badcafe\n")
+                "edges 30000 samples 20000 outlines 4000 resolve 6000 order 0 blends 0 tall 95000 stack 640 ram 48000 crc 0badcafe\n")
 CHIPS = ("rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3")
 CHORD_KEYS = {"layout", "core", "mode", "texel", "span", "view", "instructions_per_pixel", "setup", "inner",
               "instructions_per_frame", "covered_pixels", "code_bytes", "stack_bytes", "psnr_db", "psnr_all_db",
@@ -40,7 +40,7 @@ class Lines(unittest.TestCase):
 
     def test_parts_of_surface_frames_add_up(self):
         count = bench.parse_counts(SURFACE_LINE, bench.SURFACE_COUNTS)[0]
-        self.assertEqual(sum(count[part] for part in bench.PARTS), count["instructions"])
+        self.assertEqual(sum(count[part] for part in bench.PARTS + bench.SEE_THROUGH_PARTS), count["instructions"])
         self.assertEqual(count["ram"], 48000)
         with self.assertRaises(bench.BenchError):
             bench.parse_counts(LINE, bench.SURFACE_COUNTS)
@@ -71,6 +71,23 @@ class Lines(unittest.TestCase):
                 self.assertLessEqual(own / cost[core, pixel, view, modes[step - 1]], growth[step], (core, pixel, view, mode))
 
 
+# A red square, and a pane over it.
+MATERIALS = "newmtl red\nKd 0.8 0.1 0.1\nnewmtl pane\nKd 0.2 0.3 0.3\nd 0.4\n"
+PANE = """mtllib pane.mtl
+v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0
+v -0.5 -0.5 1\nv 0.5 -0.5 1\nv 0.5 0.5 1\nv -0.5 0.5 1
+usemtl red\nf 1 2 3 4
+usemtl pane\nf 5 6 7 8
+"""
+
+
+def bake_small(scene, field):
+    subprocess.run([os.environ["LUMI"], "bake", scene, "-o", field, "--layout", "surface", "--triangles", "200",
+                    "--longest-edge", "1", "--texel-density", "8", "--paths", "1"],
+                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return field
+
+
 class WholeRun(unittest.TestCase):
     def rows(self, folder, name, *words):
         path = pathlib.Path(folder) / name
@@ -93,10 +110,7 @@ class WholeRun(unittest.TestCase):
                 self.assertGreater(row["code_bytes"], 1000)
             self.assertGreater(rows[0]["psnr_db"], 60)  # the exact renderer, within rounding
 
-            field = pathlib.Path(folder) / "small.lumi"
-            subprocess.run([os.environ["LUMI"], "bake", ROOT / "baker/scenes/testcard.obj", "-o", field, "--layout", "surface",
-                            "--triangles", "200", "--longest-edge", "1", "--texel-density", "8", "--paths", "1"],
-                           check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            field = bake_small(ROOT / "baker/scenes/testcard.obj", pathlib.Path(folder) / "small.lumi")
             rows = self.rows(folder, "c.json", "--field", field, "--view", "generic", "--pixel", "rgb565")
             self.assertEqual([row["mode"] for row in rows], bench.SURFACE_MODES)
             for row in rows:
@@ -104,6 +118,22 @@ class WholeRun(unittest.TestCase):
                 self.assertAlmostEqual(sum(row[part] for part in bench.PARTS), row["instructions_per_pixel"], delta=0.1)
                 self.assertEqual(row["file_bytes"], field.stat().st_size)
                 self.assertGreater(row["fps2_rp2350"], row["fps_rp2350"])
+
+    def test_it_tells_what_see_through_triangles_take(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "pane.obj"
+            scene.write_text(PANE)
+            scene.with_suffix(".mtl").write_text(MATERIALS)
+            field = bake_small(scene, pathlib.Path(folder) / "pane.lumi")
+            rows = self.rows(folder, "a.json", "--field", field, "--view", "generic", "--pixel", "rgb565")
+            self.assertEqual([row["mode"] for row in rows], bench.SURFACE_MODES)
+            for row in rows:
+                parts = sum(row[part] for part in bench.PARTS + bench.SEE_THROUGH_PARTS)
+                self.assertAlmostEqual(parts, row["instructions_per_pixel"], delta=0.1)
+                self.assertGreater(row["order"], 0)
+                self.assertGreater(row["blends"], row["samples"] / 8)  # the pane is a quarter as large, and nearer
+                self.assertGreater(row["see_through_patches"], 0)
+                self.assertNotIn("fps_rp2350", row)
 
 
 if __name__ == "__main__":

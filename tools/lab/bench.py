@@ -27,8 +27,9 @@ QUICK = {"core": ["m0plus", "m4"], "mode": ["nearest", "linear", *SURFACE_MODES]
          "view": ["generic"], "pixel": ["rgb565"], "span": [16]}
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
+SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
 # "tall": instructions in stripes of 24 rows.
-SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, "tall", "stack", "ram", "crc"]
+SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "crc"]
 # What one would do without this library: a title, the firmware, and the cores that it is counted on.
 BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
              ("paper 5×5 in float, FPU", "baseline_float_fpu", ["m4", "m7"]),
@@ -148,10 +149,11 @@ def hundredths(value):
 def with_facts(row, count, frames):
     """The row with what the host says of that frame; no board may draw other bits."""
     keys = [key for key in ("texel", "pixel", "mode", "span", "view") if key in row]
+    of_field = ("crc", "triangles", "vertices", "see_through_patches")
     facts = next(frame for frame in frames if all(frame.get(key) == row[key] for key in keys))
     if facts["crc"] != count["crc"]:
         raise BenchError(f"{row['core']} draws other bits than this machine: {row}; build both from the same source")
-    row.update({key: value for key, value in facts.items() if key not in (*keys, "crc", "triangles", "vertices")})
+    row.update({key: value for key, value in facts.items() if key not in (*keys, *of_field)})
     return row
 
 
@@ -192,15 +194,20 @@ def surface_rows(options, boards):
                  ",".join(options.view))
     facts = {"file": field.name, "file_bytes": len(content), "triangles": frames[0]["triangles"],
              "sha256": hashlib.sha256(content).hexdigest()}
+    see_through_patches = frames[0]["see_through_patches"]
+    kind = "see_through" if see_through_patches else "surface"
+    parts = PARTS + SEE_THROUGH_PARTS * bool(see_through_patches)
+    if see_through_patches:
+        facts["see_through_patches"] = see_through_patches
     rows = []
     for board in boards:
-        board.build([f"surface_{pixel}" for pixel in options.pixel])
+        board.build([f"{kind}_{pixel}" for pixel in options.pixel])
         for pixel in options.pixel:
-            code_bytes = board.code_bytes(f"surface_{pixel}")
-            for count in board.count(f"surface_{pixel}", field, [*options.view, *modes], SURFACE_COUNTS):
+            code_bytes = board.code_bytes(f"{kind}_{pixel}")
+            for count in board.count(f"{kind}_{pixel}", field, [*options.view, *modes], SURFACE_COUNTS):
                 row = {"layout": "surface", "core": board.core, "mode": count["mode"], "pixel": pixel,
                        "view": count["view"], "instructions_per_pixel": hundredths(count["instructions"] / count["covered"])}
-                row.update({part: hundredths(count[part] / count["covered"]) for part in [*PARTS, "tall"]})
+                row.update({part: hundredths(count[part] / count["covered"]) for part in [*parts, "tall"]})
                 row.update({"instructions_per_frame": count["instructions"], "covered_pixels": count["covered"],
                             "code_bytes": code_bytes, "stack_bytes": count["stack"], "ram_bytes": count["ram"]})
                 rows.append({**with_facts(row, count, frames), **facts})
@@ -225,7 +232,8 @@ def baseline_rows(options, boards):
 def renewed(old, rows):
     """The old rows, with those of `rows` in the place of what counts the same."""
     def subject(row):
-        return tuple(row.get(name) for name in ("layout", "core", "mode", "texel", "pixel", "span", "view"))
+        names = ("layout", "core", "mode", "texel", "pixel", "span", "view")
+        return tuple(row.get(name) for name in (names + ("file",) if "see_through_patches" in row else names))
 
     fresh = {subject(row): row for row in rows}
     return [fresh.pop(subject(row), row) for row in old] + list(fresh.values())
@@ -235,10 +243,13 @@ def measure(options):
     boards = [Board(core, options.work) for core in options.core]
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
-    rows = lab("parts", "--rate", stdin=json.dumps(chord + surface))
+    is_see_through = "see_through_patches" in (facts or {})
+    rows = surface if is_see_through else lab("parts", "--rate", stdin=json.dumps(chord + surface))
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
-    if options.docs:
+    if options.docs and is_see_through:
+        save("see_through", {"rows": renewed(load("see_through")["rows"], rows)})
+    elif options.docs:
         data = load("tradeoff")
         data.update({"parts": lab("parts"), "rows": renewed(data["rows"], rows)})
         if surface:
@@ -282,11 +293,12 @@ def parse(arguments):
     add_list("--span", SPANS, "pixels between exact ones, 0 for the exact renderer")
     parser.add_argument("--json", metavar="FILE", help="write the rows here")
     parser.add_argument("--docs", action="store_true",
-                        help="write rows, parts and baselines into docs/log/data/tradeoff.json, which keeps the rows of what "
-                        "was not counted; pages.py writes the pages")
+                        help="write rows, parts and baselines into docs/log/data/tradeoff.json, rows of a see-through field "
+                        "into see_through.json; both keep the rows of what was not counted; pages.py writes the pages")
     parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
-    parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's")
+    parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts there are "
+                        "neither rates nor accuracy")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

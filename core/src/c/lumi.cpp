@@ -99,7 +99,7 @@ ViewError draw_coverage_of_part(const lumi_view&, const Stripe&, const detail::S
 
 // What lies behind the view in the caller's memory, in this order.
 struct Places {
-    size_t vertices, samples, links, bands, order, end;
+    size_t vertices, samples, order, links, bands, end;
 };
 
 uint32_t samples_bytes(const lumi_screen& s)
@@ -115,7 +115,7 @@ uint32_t order_of(const SeeThroughField& field)
 
 SeeThroughMemory memory_of(const SurfaceMemory& opaque, void* order)
 {
-    return {opaque, static_cast<uint16_t*>(order)};
+    return {opaque, static_cast<uint32_t*>(order)};
 }
 #else
 uint32_t order_of(const SurfaceField&)
@@ -134,10 +134,10 @@ Places places_of(const AnyField& field, const lumi_screen& s)
     Places p{};
     p.vertices = sizeof(lumi_view);
     p.samples = p.vertices + field.vertex_count * sizeof(SurfaceVertex);
-    p.links = p.samples + samples_bytes(s);
+    p.order = p.samples + samples_bytes(s);
+    p.links = p.order + order_of(field) * sizeof(uint32_t);
     p.bands = p.links + surface_links(field.patch_count) * sizeof(uint16_t);
-    p.order = p.bands + surface_bands(s.height_px, surface_band_log2(s.rows_px)) * sizeof(uint16_t);
-    p.end = p.order + order_of(field) * sizeof(uint16_t);
+    p.end = p.bands + surface_bands(s.height_px, surface_band_log2(s.rows_px)) * sizeof(uint16_t);
     return p;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surface renderer for the pixels that the build names: LUMI_BENCH_PIXEL.
+// The surface renderer for the pixels and parts that the build names: LUMI_BENCH_PIXEL, LUMI_BENCH_SEE_THROUGH.
 #include "surface_instance.h"
 
 namespace lumi::bench
@@ -13,7 +13,8 @@ using OneSample = detail::OneSampleOf<Pixel>::Type;
 
 constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
 
-SurfaceFrame frame;
+SurfaceParts::Frame frame;
+SurfaceParts parts;
 SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];
 uint16_t bands[surface_bands(kSidePx, surface_band_log2(kTallStripeHeight))];
@@ -23,9 +24,9 @@ uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, SurfaceMode::t
 
 const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
 
-void prepare_alone(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height)
+void prepare_alone(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
 {
-    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height)};
+    const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
     prepare_surface<Pixel>(field, view.camera, view.mode, memory, frame);
 }
 
@@ -53,7 +54,7 @@ void fill_alone(int32_t width_px, bool with_outlines)
     }
 }
 
-void draw_surface(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels)
+void draw_surface(const BenchField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels)
 {
     prepare_alone(field, view, stripe_height);
     for (int32_t y = 0; y < kSidePx; y += stripe_height) {

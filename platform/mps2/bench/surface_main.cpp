@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Counts what drawing a surface field costs, one line per view and mode:
 //     view generic mode one-sample covered 42272 instructions 2345678 palette 8000 vertices 345678 lists 145678
-//     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 tall 2234567 stack 600 ram 46000 crc
-//     1234abcd
+//     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 order 0 blends 0 tall 2234567 stack 600
+//     ram 46000 crc 1234abcd
 // Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; the
 // triangles' lists; what vertices show to the eye; triangles and rows without their samples; samples; outlines; pixels.
-// "tall" are all instructions again, in stripes of kTallStripeHeight.
-// The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none:
-// all).
+// Then see-through triangles: their order, lights and palette; what they add to drawing. "tall" are all instructions
+// again, in stripes of kTallStripeHeight. The field is loaded to the start of the board's PSRAM. Arguments: names of
+// views (none: all), then of modes (none: all).
 #include "loaded_view.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/mps2/instruction_counter.h"
@@ -32,9 +32,7 @@ __attribute__((noinline)) uint64_t instructions_of(const Work& work)
 }
 
 struct Parts {
-    uint64_t palette, vertices, lists, lights, edges, samples, outlines;
-
-    uint64_t sum() const { return palette + vertices + lists + lights + edges + samples + outlines; }
+    uint64_t palette, vertices, lists, lights, edges, samples, outlines, resolve, order, blends;
 };
 
 // Differences of next to nothing may come out below it: the counter ticks every few instructions.
@@ -43,23 +41,38 @@ uint64_t less(uint64_t count, uint64_t other)
     return count > other ? count - other : 0;
 }
 
-// Fields that lack a part tell what the part costs.
-Parts count_parts(const SurfaceField& field, const SurfaceView& view)
+uint64_t count_frame(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
 {
-    SurfaceField unlit = field, bare = field, empty = field;
+    return instructions_of([&] { draw_surface(field, view, stripe_height, pixels); });
+}
+
+// Fields that lack a part tell what the part costs. `whole`: of a frame of the field.
+Parts count_parts(const BenchField& field, const SurfaceView& view, uint64_t whole)
+{
+    const BenchField opaque = opaque_alone(field);
+    BenchField unlit = opaque, bare = opaque, empty = opaque;
     unlit.viewed_count = 0;
     bare.patch_count = 0;
     empty.patch_count = empty.vertex_count = 0;
-    const auto preparing = [&](const SurfaceField& f) {
+    const auto preparing = [&](const BenchField& f) {
         return instructions_of([&] { prepare_alone(f, view, kSurfaceStripeHeight); });
     };
     const uint64_t palette = preparing(empty), vertices = preparing(bare), lists = preparing(unlit);
-    const uint64_t lights = preparing(field);
+    const uint64_t order = preparing(field), lights = preparing(opaque);
     const uint64_t edges = instructions_of([] { fill_alone(0, false); });
     const uint64_t samples = instructions_of([] { fill_alone(kSidePx, false); });
     const uint64_t all = instructions_of([] { fill_alone(kSidePx, true); });
-    return {palette, less(vertices, palette), less(lists, vertices), less(lights, lists),
-            edges,   less(samples, edges),    less(all, samples)};
+    const uint64_t of_opaque = count_frame(opaque, view, kSurfaceStripeHeight);
+    return {palette,
+            less(vertices, palette),
+            less(lists, vertices),
+            less(lights, lists),
+            edges,
+            less(samples, edges),
+            less(all, samples),
+            less(of_opaque, lights + all),
+            less(order, lights),
+            less(whole, of_opaque + less(order, lights))};
 }
 
 void write_costs(TextLine& line, const Parts& parts, uint64_t whole, uint64_t tall)
@@ -69,24 +82,26 @@ void write_costs(TextLine& line, const Parts& parts, uint64_t whole, uint64_t ta
     line.text(" lists ").decimal(parts.lists).text(" lights ").decimal(parts.lights);
     line.text(" edges ").decimal(parts.edges).text(" samples ").decimal(parts.samples);
     line.text(" outlines ").decimal(parts.outlines);
-    line.text(" resolve ").decimal(less(whole, parts.sum())).text(" tall ").decimal(tall);
+    line.text(" resolve ").decimal(parts.resolve);
+    line.text(" order ").decimal(parts.order).text(" blends ").decimal(parts.blends).text(" tall ").decimal(tall);
 }
 
-void report(const char* view_name, const char* mode_name, const SurfaceField& field, const SurfaceView& view,
+void report(const char* view_name, const char* mode_name, const BenchField& field, const SurfaceView& view,
             uint32_t covered)
 {
-    const Parts parts = count_parts(field, view);
-    const uint64_t tall = instructions_of([&] { draw_surface(field, view, kTallStripeHeight, pixels); });
+    const uint64_t tall = count_frame(field, view, kTallStripeHeight);
     mps2::StackMeter meter;
     meter.paint();
-    const uint64_t whole = instructions_of([&] { draw_surface(field, view, kSurfaceStripeHeight, pixels); });
+    const uint64_t whole = count_frame(field, view, kSurfaceStripeHeight);
     const uint32_t stack_bytes = meter.high_water_bytes();
+    const uint32_t crc = detail::crc32(0, pixels, kSurfaceFrameBytes);
+    const Parts parts = count_parts(field, view, whole);
     TextLine line;
     line.text("view ").text(view_name).text(" mode ").text(mode_name).text(" covered ").decimal(covered);
     write_costs(line, parts, whole, tall);
     line.text(" stack ").decimal(stack_bytes).text(" ram ");
-    line.decimal(surface_ram_bytes(field.vertex_count, field.patch_count, view.mode));
-    mps2::write(line.text(" crc ").hex32(detail::crc32(0, pixels, kSurfaceFrameBytes)).text("\n").c_str());
+    line.decimal(surface_ram_bytes(field.vertex_count, field.patch_count, view.mode) + see_through_ram_bytes(field));
+    mps2::write(line.text(" crc ").hex32(crc).text("\n").c_str());
 }
 
 bool is_mode(const char* word)
@@ -96,7 +111,7 @@ bool is_mode(const char* word)
     return false;
 }
 
-bool report_view(const View& view, const SurfaceField& field, const Words& modes)
+bool report_view(const View& view, const BenchField& field, const Words& modes)
 {
     SurfaceCamera camera;
     Camera rays;
@@ -113,7 +128,7 @@ bool report_view(const View& view, const SurfaceField& field, const Words& modes
 int main(int argc, char** argv)
 {
     using namespace lumi;
-    SurfaceField field;
+    bench::BenchField field;
     if (!bench::open_loaded(open_surface, field)) return 1;
     mps2::start_instruction_counter();
     const bench::Words words = bench::words_of(argc, argv);

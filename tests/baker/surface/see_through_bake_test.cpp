@@ -43,8 +43,8 @@ Rgb8 colour_from_above(const SurfaceBake& bake, int32_t right_px)
     REQUIRE(make_surface_camera(pose_of(orbit), image_of(orbit, kPictureSide, kPictureSide), camera) ==
             CameraError::none);
     std::vector<SurfaceVertex> vertices(field.vertex_count);
-    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kPictureSide, 4)),
-        order(see_through_order(field.see_through_count));
+    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kPictureSide, 4));
+    std::vector<uint32_t> order(see_through_order(field.see_through_count));
     const SeeThroughMemory memory = {{vertices.data(), links.data(), bands.data(), 4}, order.data()};
     SeeThroughFrame frame;
     prepare_surface<PixelRgb888>(field, camera, SurfaceMode::one_sample, memory, frame);

@@ -34,7 +34,7 @@ TestSurface wild_mesh(uint32_t seed)
 
 struct OrderMemory {
     SurfaceMemory opaque;
-    std::vector<uint16_t> order;
+    std::vector<uint32_t> order;
 
     void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, SurfaceFrame& frame) const
     {

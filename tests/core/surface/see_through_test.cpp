@@ -51,7 +51,7 @@ Drawn<Pixel> drawn(const SeeThroughField& field, const test::View& view, Surface
 {
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kSide, 3));
-    std::vector<uint16_t> order(see_through_order(field.see_through_count));
+    std::vector<uint32_t> order(see_through_order(field.see_through_count));
     SurfaceCamera camera;
     REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
     SeeThroughFrame frame;

@@ -36,7 +36,8 @@ SeeThroughField with_nothing_to_see_through(const SurfaceField& opaque)
 // What a frame borrows from its caller.
 struct FrameMemory {
     std::vector<SurfaceVertex> vertices;
-    std::vector<uint16_t> links, bands, order;
+    std::vector<uint16_t> links, bands;
+    std::vector<uint32_t> order;
 
     FrameMemory(const SeeThroughField& field, int32_t height_px)
         : vertices(field.vertex_count),

@@ -25,11 +25,11 @@ constexpr uint32_t see_through_order(uint32_t see_through_patches)
 
 // The caller's memory for a frame; see SurfaceMemory.
 struct SeeThroughMemory : SurfaceMemory {
-    uint16_t* order;  // see_through_order()
+    uint32_t* order;  // see_through_order()
 };
 
 struct SeeThroughFrame : SurfaceFrame {
-    const uint16_t* order;  // src/surface/see_through/pieces.cpp
+    const uint32_t* order;  // src/surface/see_through/pieces.cpp
     uint32_t order_count;
     detail::PackedColour added_and_passed[512];  // 256 each; PackedColour, but what passes has no fraction for rounding
 };
@@ -40,7 +40,7 @@ namespace lumi::detail
 {
 
 // Lists the triangles that face the eye, from far to near, and lights them. After prepare().
-void put_see_through(uint32_t patches, uint16_t* order, SeeThroughFrame& frame);
+void put_see_through(uint32_t patches, uint32_t* order, SeeThroughFrame& frame);
 
 // Of each channel the share in 1/1024, less one of them so that ten bits hold it; of blue in 1/512.
 LUMI_ALWAYS_INLINE PackedColour share_of(PackedColour shares, PackedColour c)

@@ -33,7 +33,7 @@ template <uint32_t kSeeThrough>
 struct SurfaceParts {
     using Field = SeeThroughField;
     using Frame = SeeThroughFrame;
-    uint16_t order[see_through_order(kSeeThrough)] = {};
+    uint32_t order[see_through_order(kSeeThrough)] = {};
 
     static bool fits(const Field& field) { return field.see_through_count <= kSeeThrough; }
     SeeThroughMemory with(const SurfaceMemory& memory) { return {memory, order}; }

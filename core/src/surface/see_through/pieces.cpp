@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The order of see-through triangles. A number of it is the triangle's, and kInParts where it is not drawn as a whole.
+// The order of see-through triangles. A number of it has, from its upper bits down: the nearest depth of the triangle's
+// corners, the triangle, and whether it is drawn in parts. So the larger one of two is drawn later.
 #include "lumi/surface/detail/see_through.h"
 
 #include "surface/begin.h"
@@ -11,7 +12,11 @@ namespace lumi::detail
 namespace
 {
 
-constexpr uint32_t kInParts = kLinkMask + 1;
+constexpr uint32_t kInParts = 1, kTriangleShift = 1, kDepthShift = kTriangleShift + kLinkBits;
+constexpr uint32_t kNotSeen = 0;  // no triangle's number: depths are above 0
+// Triangles that reach nearer than the near plane are the last.
+constexpr uint32_t kNearestOfAll = UINT16_MAX;
+static_assert(kNearestOfAll > kNearDepth && kDepthShift + 16 <= 32, "a number holds all of it");
 
 Seen seen(const SurfaceFrame& frame, uint32_t triangle)
 {
@@ -20,23 +25,6 @@ Seen seen(const SurfaceFrame& frame, uint32_t triangle)
     const SurfaceVertex *b = v + patch.corner[1], *c = v + patch.corner[2];
     if ((triangle & 1) == 0) return {v + patch.corner[0], b, c};
     return {v + patch.corner[3], c, b};
-}
-
-// An entry of the order and where it stands there: by the nearest depth of its triangle, then by that one's number.
-// Triangles that reach nearer than the near plane are the last to be drawn.
-struct Ranked {
-    uint32_t rank;
-    uint16_t entry;
-};
-
-Ranked ranked(const SurfaceFrame& frame, uint16_t entry)
-{
-    const uint32_t triangle = entry & kLinkMask;
-    const Seen s = seen(frame, triangle);
-    const auto depth = [](const SurfaceVertex* v) { return static_cast<int32_t>(depth_of(*v)); };
-    const uint32_t nearest =
-        s.are_there() ? static_cast<uint32_t>(most_of(depth(s.a), depth(s.b), depth(s.c))) : uint32_t{UINT16_MAX} + 1;
-    return {nearest << kLinkBits | triangle, entry};
 }
 
 bool faces_eye(const Seen& s)
@@ -51,73 +39,57 @@ bool is_beside(const SurfaceFrame& frame, const Seen& s)
     return s.lower() < 0 || s.right() < 0 || s.upper() > frame.height_px << shift || s.left() > frame.width_px << shift;
 }
 
-// A heap sort: no memory, and no order of triangles that takes much longer than others.
-class FarToNear
+// Puts a number into the heap of `count` whose root is free.
+LUMI_ALWAYS_INLINE void sink(uint32_t number, uint32_t* order, uint32_t root, uint32_t count)
 {
-public:
-    FarToNear(const SurfaceFrame& frame, uint16_t* order) : frame_(frame), order_(order) {}
-
-    void sort(uint32_t count)
-    {
-        for (uint32_t root = count / 2; root-- > 0;) sink(order_[root], root, count);
-        for (uint32_t end = count; end > 1;) {
-            --end;
-            const uint16_t last = order_[end];
-            order_[end] = order_[0];
-            sink(last, 0, end);
-        }
+    for (uint32_t child = 2 * root + 1; child < count; child = 2 * root + 1) {
+        if (child + 1 < count && order[child + 1] > order[child]) ++child;
+        if (order[child] <= number) break;
+        order[root] = order[child];
+        root = child;
     }
+    order[root] = number;
+}
 
-private:
-    // Puts an entry into the heap below a free root.
-    void sink(uint16_t entry, uint32_t root, uint32_t count)
-    {
-        const uint32_t rank = ranked(frame_, entry).rank;
-        for (uint32_t child = 2 * root + 1; child < count; child = 2 * root + 1) {
-            Ranked later = ranked(frame_, order_[child]);
-            if (child + 1 < count) {
-                const Ranked other = ranked(frame_, order_[child + 1]);
-                if (other.rank > later.rank) {
-                    later = other;
-                    ++child;
-                }
-            }
-            if (later.rank <= rank) break;
-            order_[root] = later.entry;
-            root = child;
-        }
-        order_[root] = entry;
+// A heap sort: no memory, and no order of triangles that takes much longer than others.
+void sort(uint32_t* order, uint32_t count)
+{
+    for (uint32_t root = count / 2; root-- > 0;) sink(order[root], order, root, count);
+    for (uint32_t end = count; end > 1;) {
+        const uint32_t last = order[--end];
+        order[end] = order[0];
+        sink(last, order, 0, end);
     }
+}
 
-    const SurfaceFrame& frame_;
-    uint16_t* const order_;
-};
-
-// The order's number for a triangle, or nothing where none of it shows: kEmptyBand.
+// The order's number for a triangle, or kNotSeen where none of it shows.
 uint32_t entry_of(const SurfaceFrame& frame, uint32_t triangle)
 {
     const Seen s = seen(frame, triangle);
     const bool is_there = frame.is_whole || s.are_there();
-    if (is_there && (!faces_eye(s) || is_beside(frame, s))) return kEmptyBand;
+    if (is_there && (!faces_eye(s) || is_beside(frame, s))) return kNotSeen;
     light(frame, s.a);
     light(frame, s.b);
     light(frame, s.c);
-    return is_there && is_small(frame, s) ? triangle : triangle | kInParts;
+    const auto depth = [](const SurfaceVertex* v) { return static_cast<int32_t>(depth_of(*v)); };
+    const uint32_t nearest =
+        is_there ? static_cast<uint32_t>(most_of(depth(s.a), depth(s.b), depth(s.c))) : kNearestOfAll;
+    return nearest << kDepthShift | triangle << kTriangleShift | (is_there && is_small(frame, s) ? 0 : kInParts);
 }
 
 }  // namespace
 
-void put_see_through(uint32_t patches, uint16_t* order, SeeThroughFrame& frame)
+void put_see_through(uint32_t patches, uint32_t* order, SeeThroughFrame& frame)
 {
     frame.order_count = 0;
     if (frame.columns.begin == frame.columns.end) return;  // nothing shows, and vertices may not be known
     const uint32_t first = frame.field.patch_count;
     for (uint32_t triangle = 2 * first; triangle < 2 * (first + patches); ++triangle) {
         const bool is_lone = surface_patch(frame.field, triangle >> 1).corner[3] == format::kNoVertex;
-        const uint32_t entry = is_lone && (triangle & 1) != 0 ? kEmptyBand : entry_of(frame, triangle);
-        if (entry != kEmptyBand) order[frame.order_count++] = static_cast<uint16_t>(entry);
+        const uint32_t entry = is_lone && (triangle & 1) != 0 ? kNotSeen : entry_of(frame, triangle);
+        if (entry != kNotSeen) order[frame.order_count++] = entry;
     }
-    FarToNear(frame, order).sort(frame.order_count);
+    sort(order, frame.order_count);
 }
 
 LUMI_HOT bool SeeThroughPieces::next()
@@ -125,10 +97,10 @@ LUMI_HOT bool SeeThroughPieces::next()
     while (true) {
         if (parts_.count != 0 && begin_part(piece, frame_, parts_, target_)) return true;
         if (at_ == frame_.order_count) return false;
-        const uint32_t entry = frame_.order[at_++];
+        const uint32_t entry = frame_.order[at_++], triangle = entry >> kTriangleShift & kLinkMask;
         if ((entry & kInParts) != 0)
-            begin_parts(parts_, frame_, entry & kLinkMask);
-        else if (begin_whole(piece, frame_, entry, target_))
+            begin_parts(parts_, frame_, triangle);
+        else if (begin_whole(piece, frame_, triangle, target_))
             return true;
     }
 }

@@ -29,6 +29,19 @@ uint32_t crc_as(const tools::Picture& picture)
     return detail::crc32(0, shown.data(), shown.size());
 }
 
+tools::Picture drawn_as(const tools::FieldFile& file, SurfaceMode mode, const std::string& pixel, const View& view)
+{
+    using tools::DisplayFormat;
+    const DisplayFormat display = pixel == "rgb565" ? DisplayFormat::rgb565 : DisplayFormat::rgb888;
+    const tools::Eye eye = {view_pose(view), view_image(view), {}};
+    return tools::draw_surface(file.surface(), eye, {mode, display, kBackgroundColour});
+}
+
+uint32_t crc_of(const tools::Picture& drawn, const std::string& pixel)
+{
+    return pixel == "rgb565" ? crc_as<PixelRgb565>(drawn) : crc_as<PixelRgb888>(drawn);
+}
+
 // Against what the mode stands for: a pixel's centre, or the mean of 2×2 samples.
 twin::SurfacePicture exact_surface(const tools::FieldFile& file, const View& view, SurfaceMode mode)
 {
@@ -67,16 +80,18 @@ FrameFacts chord_facts(Judge& judge, const tools::FieldFile& file, const std::st
     return {judge.judge(mode, file.field(), view, frame.picture), planner::traffic_of(frame.reads), frame.rgb565_crc};
 }
 
+uint32_t surface_crc(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
+                     const View& view)
+{
+    return crc_of(drawn_as(file, mode.mode, pixel, view), pixel);
+}
+
 FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
                          const View& view)
 {
-    const tools::Eye eye = {view_pose(view), view_image(view), {}};
-    const bool is_565 = pixel == "rgb565";
-    const tools::DisplayFormat display = is_565 ? tools::DisplayFormat::rgb565 : tools::DisplayFormat::rgb888;
-    const tools::Picture drawn = tools::draw_surface(file.surface(), eye, {mode.mode, display, kBackgroundColour});
+    const tools::Picture drawn = drawn_as(file, mode.mode, pixel, view);
     return {judge_surface(exact_surface(file, view, mode.mode), drawn),
-            planner::traffic_of(reads_of(file, view, mode.mode)),
-            is_565 ? crc_as<PixelRgb565>(drawn) : crc_as<PixelRgb888>(drawn)};
+            planner::traffic_of(reads_of(file, view, mode.mode)), crc_of(drawn, pixel)};
 }
 
 }  // namespace lumi::bench

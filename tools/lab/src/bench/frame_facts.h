@@ -21,7 +21,11 @@ struct FrameFacts {
 // Facts about a frame of a chord field, in RGB565. `judge` is made for the field's lattices.
 FrameFacts chord_facts(Judge& judge, const tools::FieldFile& file, const std::string& mode, int span, const View& view);
 
-// Facts about a frame of a surface field; `pixel` is rgb565 or rgb888.
+// CRC of a frame of a surface field; `pixel` is rgb565 or rgb888.
+uint32_t surface_crc(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
+                     const View& view);
+
+// Facts about it. The double-precision picture and the reads have opaque parts alone.
 FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
                          const View& view);
 

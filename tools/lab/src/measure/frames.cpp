@@ -68,8 +68,12 @@ void add_surface_rows(const tools::FieldFile& file, const Options& options, cons
                         {"pixel", pixel},
                         {"view", view.name},
                         {"triangles", tools::triangles_of(file.surface())},
-                        {"vertices", file.surface().vertex_count}};
-            put_facts(row, bench::surface_facts(file, mode, pixel, view));
+                        {"vertices", file.surface().vertex_count},
+                        {"see_through_patches", file.surface().see_through_count}};
+            if (file.surface().see_through_count != 0)
+                row["crc"] = bench::surface_crc(file, mode, pixel, view);
+            else
+                put_facts(row, bench::surface_facts(file, mode, pixel, view));
             rows.push_back(row);
         }
     }
