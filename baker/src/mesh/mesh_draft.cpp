@@ -14,21 +14,36 @@ namespace
 constexpr float kSplitEarly = 0.95f;  // edges are split above this share of the longest edge: fitting makes some longer
 constexpr float kMostMove = 0.1f;     // how far a new vertex may move onto the scene, as a share of its edge's length
 constexpr float kMinFacing = 0.5f;    // cosine between the surface that it moves to and the triangles around
+constexpr float kNextLayer = 1e-5f;   // from one hit to where the next one is looked for, in radii
 constexpr double kEnoughSeen = 0.95;  // as a share of the triangles asked for
 constexpr int kAttempts = 3;          // attempts to have enough of them seen
 constexpr size_t kMaxTriangles = 65536;  // triangles that are fitted, hidden ones among them
 
-// Moves the middle of an edge onto the scene's surface, where that is near and faces the same way.
-PlaceMiddle onto(const SceneData& scene)
+// Where a ray meets a front face at no slant, as near as possible to the distance wanted; in radii along the ray.
+std::optional<float> nearest_front(const MeshTracer& fronts, const Ray& ray, float wanted)
 {
-    return [&scene](const Vec3& middle, const Vec3& facing, float edge) {
+    std::optional<float> nearest;
+    for (float passed = 0; passed < ray.end;) {
+        const auto hit = fronts.closest({ray.origin + ray.direction * passed, ray.direction, ray.end - passed});
+        if (!hit) break;
+        const float at = passed + hit->distance;
+        const Vec3 area = fronts.mesh().area_vector(hit->triangle);
+        const bool is_alike = std::abs(dot(area, ray.direction)) > kMinFacing * length(area);
+        if (is_alike && !(nearest && std::abs(*nearest - wanted) <= std::abs(at - wanted))) nearest = at;
+        passed = at + kNextLayer;
+    }
+    return nearest;
+}
+
+// Moves the middle of an edge onto the surface, where that is near and faces the same way. Another part may be within
+// reach, too, such as the second of two bars; the edge's own is the nearest one.
+PlaceMiddle onto(const MeshTracer& fronts)
+{
+    return [&](const Vec3& middle, const Vec3& facing, float edge) {
         const float reach = kMostMove * edge;
         const Ray ray = {middle + facing * reach, -facing, 2 * reach};
-        const std::optional<Hit> hit = scene.accelerator.closest(ray);
-        if (!hit) return middle;
-        const Vec3 area = scene.mesh.area_vector(hit->triangle);
-        const bool alike = std::abs(dot(area, facing)) > kMinFacing * length(area);
-        return alike ? ray.origin + ray.direction * hit->distance : middle;
+        const std::optional<float> at = nearest_front(fronts, ray, reach);
+        return at ? ray.origin + ray.direction * *at : middle;
     };
 }
 
@@ -60,10 +75,11 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
 
 }  // namespace
 
-MeshDraft drafted(const SceneData& scene, const Outside& outside, const MeshSettings& settings, Job& job)
+MeshDraft drafted(const Outside& outside, const MeshSettings& settings, Job& job)
 {
     Simplified simple = simplified_as_seen(outside, settings.triangles, settings.cap, job);
-    MeshDraft draft = {with_short_edges(std::move(simple.mesh), kSplitEarly * settings.longest_edge, onto(scene)),
+    const MeshTracer fronts(outside.mesh, Faces::front);
+    MeshDraft draft = {with_short_edges(std::move(simple.mesh), kSplitEarly * settings.longest_edge, onto(fronts)),
                        simple.rough, false};
     draft.fits = draft.mesh.triangle_count() <= kMaxTriangles &&
                  seen_triangles(draft.mesh, outside.faces(), settings.cap, job) <= 2 * detail::format::kMaxPatches;

@@ -21,6 +21,6 @@ void fields(Io& io, MeshDraft& draft)
 }
 
 // About as many triangles as `settings` ask for can be seen, before edges are split; hidden ones come on top.
-MeshDraft drafted(const SceneData& scene, const Outside& outside, const MeshSettings& settings, Job& job);
+MeshDraft drafted(const Outside& outside, const MeshSettings& settings, Job& job);
 
 }  // namespace lumi::baker

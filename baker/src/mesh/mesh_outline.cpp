@@ -69,7 +69,7 @@ std::vector<OutlinePoint> MeshOutline::seen_from(const Vec3& eye, uint32_t seed)
     for (auto begin = sides_.begin(), end = begin; begin != sides_.end(); begin = end) {
         const auto ends = ends_of(begin->from, begin->to);
         while (end != sides_.end() && ends_of(end->from, end->to) == ends) ++end;
-        const Side* side = only_facing(begin, end, eye);
+        const std::optional<Side> side = outer_side(begin, end, eye);
         if (!side) continue;
         sampler.start(static_cast<uint32_t>(begin - sides_.begin()));
         const Vec3 along = tracer_.mesh().positions[side->to] - tracer_.mesh().positions[side->from];
@@ -82,13 +82,16 @@ std::vector<OutlinePoint> MeshOutline::seen_from(const Vec3& eye, uint32_t seed)
     return result;
 }
 
-// That side of an edge whose triangle faces the eye; null if several do, or none.
-const MeshOutline::Side* MeshOutline::only_facing(Sides::const_iterator begin, Sides::const_iterator end,
-                                                  const Vec3& eye) const
+// That side of an edge whose triangle faces the eye; the border of a sheet that is seen from behind, as its back has
+// it. Nothing if several triangles face the eye, or none.
+std::optional<MeshOutline::Side> MeshOutline::outer_side(Sides::const_iterator begin, Sides::const_iterator end,
+                                                         const Vec3& eye) const
 {
     const auto faces = [&](const Side& side) { return dot(tracer_.mesh().area_vector(side.triangle), eye) > 0; };
     const auto first = std::find_if(begin, end, faces);
-    return first != end && std::none_of(first + 1, end, faces) ? &*first : nullptr;
+    if (first != end) return std::none_of(first + 1, end, faces) ? std::optional(*first) : std::nullopt;
+    const bool is_border = tracer_.faces() == Faces::both && end - begin == 1;
+    return is_border ? std::optional(Side{begin->to, begin->from, begin->triangle}) : std::nullopt;
 }
 
 std::optional<OutlinePoint> MeshOutline::point(const Side& side, float share, const Vec3& eye, Sampler& sampler) const

@@ -35,7 +35,7 @@ private:
     };
     using Sides = std::vector<Side>;
 
-    const Side* only_facing(Sides::const_iterator begin, Sides::const_iterator end, const Vec3& eye) const;
+    std::optional<Side> outer_side(Sides::const_iterator begin, Sides::const_iterator end, const Vec3& eye) const;
     std::optional<OutlinePoint> point(const Side& side, float share, const Vec3& eye, Sampler& sampler) const;
     bool is_outline(const Ray& inside, const Ray& outside) const;
 

@@ -8,6 +8,7 @@
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
+#include "mesh/copies.h"
 #include "mesh/cut_outs.h"
 #include "mesh/sheets.h"
 
@@ -29,6 +30,7 @@ constexpr uint64_t kOutsideSeed = 0x6F757473;
 // The shares of directions in which each side of a triangle is open to the outside.
 struct Openness {
     float front = 0, back = 0;
+    bool any() const { return front > 0 || back > 0; }
 };
 
 class Surveyor
@@ -51,7 +53,7 @@ public:
             sampler.start(k);
             const Vec3 place = at(triangle, k == 0 ? Vec2{1.0f / 3, 1.0f / 3} : square_to_triangle(sampler.next_2d()));
             const Openness result = {open_share(place, frame, 1, sampler), open_share(place, frame, -1, sampler)};
-            if (result.front > 0 || result.back > 0) return result;
+            if (result.any()) return result;
         }
         return {};
     }
@@ -132,6 +134,17 @@ std::vector<Openness> survey(const Mesh& mesh, const Accelerator& accelerator, c
         for (uint32_t k = task * kTrianglesATask; k < end && !job.stopping(); ++k) all[k] = surveyor.openness(k);
     });
     return all;
+}
+
+// Of triangles at one place that are seen, all but the first get equal corners. A wall between two bodies that touch is
+// not seen; it stays double, so that both bodies stay closed.
+void drop_seen_copies(Mesh& mesh, const std::vector<Openness>& open)
+{
+    const std::vector<uint32_t> first = first_copies(mesh);
+    std::vector<bool> is_seen(open.size(), false);
+    for (size_t k = 0; k < open.size(); ++k) is_seen[first[k]] = is_seen[first[k]] || open[k].any();
+    for (size_t k = 0; k < open.size(); ++k)
+        if (first[k] != k && is_seen[first[k]]) mesh.corners[k].fill(mesh.corners[k][0]);
 }
 
 // Sets of triangles that share vertices.
@@ -225,6 +238,7 @@ Outside outside_of(const Mesh& mesh, const Accelerator& accelerator, const ViewC
     Outside result;
     job.run(1, [&](uint32_t) {
         result.mesh = all_welded(mesh);
+        drop_seen_copies(result.mesh, open);
         Turner turner(result.mesh, open);
         std::vector<Mesh::Corners> turned = turner.turned();
         result.two_sided = turner.lost_share() > kMaxBothSides;

@@ -105,7 +105,7 @@ BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeS
         MeshDraft draft = [&] {
             const JobStage stage(job, Stage::mesh, job.part_of_rest(work.simplify / later), kSimplifyRuns);
             return stages.once<MeshDraft>(
-                "draft", [&] { return drafted(scene, outside, s, job); }, s.triangles, s.longest_edge, s.cap.lowest());
+                "draft", [&] { return drafted(outside, s, job); }, s.triangles, s.longest_edge, s.cap.lowest());
         }();
         if (!draft.fits) continue;
         const Mesh shape = [&] {

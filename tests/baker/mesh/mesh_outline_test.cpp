@@ -92,6 +92,25 @@ TEST_CASE("Outlines of a larger or smaller box lie as far from the box's as they
     }
 }
 
+TEST_CASE("The border of a sheet is an outline from in front and from behind", "[mesh]")
+{
+    constexpr float kHalf = 0.5f, kFactor = 0.98f;
+    SceneMaker maker;
+    maker.quad(maker.add(diffuse(grey(0.5f))), {-kHalf, -kHalf, 0}, {kHalf, -kHalf, 0}, {kHalf, kHalf, 0},
+               {-kHalf, kHalf, 0});
+    const Scene scene = maker.make(constant_environment(1));
+    const MeshTracer mesh(scaled(outside_mesh(scene), kFactor), Faces::both);
+    for (const float side : {1.0f, -1.0f}) {
+        const std::vector<OutlinePoint> points = MeshOutline(scene.data(), mesh).seen_from({0, 0, side}, 1);
+        CHECK(points.size() > 180);  // 4 edges, a point every 0.02
+        for (const OutlinePoint& p : points) {
+            const Vec3& from = mesh.mesh().positions[p.from];
+            CHECK(std::abs(p.offset - dot(p.outwards, from) * (1 / kFactor - 1)) < 5e-4f);
+            CHECK(dot(p.outwards, from) > 0);
+        }
+    }
+}
+
 TEST_CASE("Both sides of a gap in a mesh come half of the way where the scene goes on", "[mesh]")
 {
     constexpr float kTop = 0.5f, kHalfGap = 0.01f;
