@@ -15,9 +15,9 @@ namespace
 
 constexpr SurfaceMode kModes[] = {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two};
 
-SurfaceField opened()
+SeeThroughField opened()
 {
-    SurfaceField field;
+    SeeThroughField field;
     const auto& file = tools::test::small_surface().file;
     REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
     return field;
@@ -34,7 +34,7 @@ tools::Eye eye_at(double azimuth, double elevation, double distance)
 
 TEST_CASE("a view of a cube loads what its faces show")
 {
-    const SurfaceField field = opened();
+    const SeeThroughField field = opened();
     const SurfaceLoad front = load_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample);
     // The sphere's radius is √3 of the half edge: the front face lies 3 - 1/√3 away and is 2/√3 wide.
     const double focal = 120 / std::tan(21 * 3.14159265 / 180), side = focal * 1.1547 / (3 - 0.57735);
@@ -49,7 +49,7 @@ TEST_CASE("a view of a cube loads what its faces show")
 
 TEST_CASE("modes of surface fields cost more from one sample to four, and nearer eyes more than far ones")
 {
-    const SurfaceField field = opened();
+    const SeeThroughField field = opened();
     for (const char* core : {"m4", "m0plus"}) {
         double before = 0;
         for (const SurfaceMode mode : kModes) {
@@ -68,6 +68,27 @@ TEST_CASE("rates of parts are means and worst cases, at most what the display ta
         CHECK(rate.worst <= rate.mean + 1e-9);
         CHECK(rate.mean < 67.9);
     }
+}
+
+TEST_CASE("see-through triangles cost more than the same ones opaque, and slow every part down")
+{
+    const SeeThroughField opaque = opened();
+    SeeThroughField half = opaque;
+    half.patch_count = opaque.patch_count / 2;
+    SeeThroughField glass = half;
+    glass.see_through_count = opaque.patch_count - half.patch_count;
+    const tools::Eye eye = eye_at(45, 35, 3);
+    for (const SurfaceMode mode : kModes) {
+        const SurfaceLoad whole = load_of(opaque, eye, mode), with_glass = load_of(glass, eye, mode);
+        CHECK(with_glass.samples + with_glass.see_through.samples == Approx(whole.samples));
+        CHECK(with_glass.seen + with_glass.see_through.seen == Approx(whole.seen));
+        CHECK(with_glass.see_through.samples > 0);
+        for (const char* core : {"m4", "m0plus"})
+            CHECK(surface_instructions(core, mode, with_glass) > surface_instructions(core, mode, whole));
+    }
+    const std::vector<PartRate> slow = surface_rates(glass, SurfaceMode::antialiased),
+                                fast = surface_rates(half, SurfaceMode::antialiased);
+    for (size_t k = 0; k < slow.size(); ++k) CHECK(slow[k].mean < fast[k].mean);
 }
 
 }  // namespace lumi::planner

@@ -35,12 +35,6 @@ std::vector<ModeRates> rates_of(const FieldFile& file)
     return rates;
 }
 
-std::string left_out_of_rates(const FieldFile& file)
-{
-    const bool has_glass = file.is_surface() && file.surface().see_through_count != 0;
-    return has_glass ? "without its see-through parts, which take more" : "";
-}
-
 std::string rates_text(const FieldFile& file)
 {
     std::string text = "frames a second of 240 x 240 pixels, modelled, one core";
@@ -48,7 +42,6 @@ std::string rates_text(const FieldFile& file)
         text += ", mean (worst) of " + std::to_string(planner::kRatedPoses) + " poses";
     else if (!planner::is_drawn_by_spans(file.field()))
         text += ", every pixel exact: spans refuse this field";
-    if (const std::string left_out = left_out_of_rates(file); !left_out.empty()) text += ", " + left_out;
     text += ":\n";
     for (const ModeRates& mode : rates_of(file)) {
         char name[80];

@@ -19,9 +19,6 @@ struct ModeRates {
 // Surface fields: from the fastest mode to the finest; chord fields: from the best to the fastest.
 std::vector<ModeRates> rates_of(const FieldFile& file);
 
-// What the rates leave out: "without its see-through parts, which take more"; empty for most fields.
-std::string left_out_of_rates(const FieldFile& file);
-
 // For people; ends with a line break.
 std::string rates_text(const FieldFile& file);
 

@@ -98,7 +98,6 @@ std::string page_of(const PageOptions& options, const FieldFile& file)
     page.modes = modes_of(file);
     page.first_mode = first_mode_of(page.modes);
     page.chips = shown_chips();
-    page.left_out_of_rates = left_out_of_rates(file);
     page.home = options.views.orbit;
     page.background = options.views.background;
     if (!options.reference.empty()) page.references = read_turntable(options.reference);

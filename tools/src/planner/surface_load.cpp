@@ -85,42 +85,69 @@ double most_magnified(SurfaceMode mode)
     return mode == SurfaceMode::one_sample ? -1 : mode == SurfaceMode::antialiased ? kMost : kMost / 2;
 }
 
-}  // namespace
-
-SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMode mode)
+// A field's triangles as an eye sees them.
+class Triangles
 {
-    const Projection projected(eye, mode);
-    std::vector<Place> places;
-    for (uint32_t k = 0; k < field.vertex_count; ++k) places.push_back(projected(detail::surface_vertex(field, k)));
-    SurfaceLoad load;
-    load.vertices = field.vertex_count;
-    load.patches = field.patch_count;
-    load.image = 1.0 * eye.image.width_px * eye.image.height_px;
-    std::vector<bool> is_lit(field.vertex_count);
-    const double most = most_magnified(mode);
-    double turned = 0;  // length of the sides of patches that have one triangle facing the eye and one not
-    const auto add = [&](uint32_t a, uint32_t b, uint32_t c, const detail::SurfacePatch& patch) {
-        const double area = winding(places[a], places[b], places[c]);
+public:
+    Triangles(const SurfaceField& field, const tools::Eye& eye, SurfaceMode mode)
+        : field_(field), most_(most_magnified(mode)), is_seen_(field.vertex_count)
+    {
+        const Projection projected(eye, mode);
+        side_ = projected.side();
+        for (uint32_t k = 0; k < field.vertex_count; ++k)
+            places_.push_back(projected(detail::surface_vertex(field, k)));
+    }
+
+    // Adds a patch. The length of the side between its triangles in pixels, if one of them faces the eye and one does
+    // not.
+    double add(uint32_t k, TriangleLoad& load)
+    {
+        const detail::SurfacePatch patch = detail::surface_patch(field_, k);
+        const uint32_t* v = patch.corner;
+        const bool first = add(v[0], v[1], v[2], patch, load);
+        if (v[3] == detail::format::kNoVertex || add(v[3], v[2], v[1], patch, load) == first) return 0;
+        return std::hypot(places_[v[1]].x - places_[v[2]].x, places_[v[1]].y - places_[v[2]].y) / side_;
+    }
+
+    double lit() const
+    {
+        return static_cast<double>(std::count(is_seen_.begin(), is_seen_.begin() + field_.viewed_count, true));
+    }
+
+private:
+    bool add(uint32_t a, uint32_t b, uint32_t c, const detail::SurfacePatch& patch, TriangleLoad& load)
+    {
+        const double area = winding(places_[a], places_[b], places_[c]);
         if (area <= 0) return false;
-        const auto [low, high] = std::minmax({places[a].y, places[b].y, places[c].y});
+        const auto [low, high] = std::minmax({places_[a].y, places_[b].y, places_[c].y});
         load.seen += 1;
         load.scanlines += high - low;
         load.samples += area / 2;
-        if (is_magnified(places[a], places[b], places[c], patch, most)) load.magnified += area / 2;
-        for (const uint32_t v : {a, b, c}) is_lit[v] = true;
+        if (is_magnified(places_[a], places_[b], places_[c], patch, most_)) load.magnified += area / 2;
+        for (const uint32_t v : {a, b, c}) is_seen_[v] = true;
         return true;
-    };
-    for (uint32_t k = 0; k < field.patch_count; ++k) {
-        const detail::SurfacePatch patch = detail::surface_patch(field, k);
-        const uint32_t* v = patch.corner;
-        const bool first = add(v[0], v[1], v[2], patch);
-        if (v[3] == detail::format::kNoVertex) continue;
-        if (add(v[3], v[2], v[1], patch) != first)
-            turned += std::hypot(places[v[1]].x - places[v[2]].x, places[v[1]].y - places[v[2]].y);
     }
+
+    const SurfaceField& field_;
+    double most_, side_;
+    std::vector<Place> places_;
+    std::vector<bool> is_seen_;
+};
+
+}  // namespace
+
+SurfaceLoad load_of(const SeeThroughField& field, const tools::Eye& eye, SurfaceMode mode)
+{
+    Triangles triangles(field, eye, mode);
+    SurfaceLoad load;
+    load.vertices = field.vertex_count;
+    load.patches = field.patch_count;
+    load.see_through_patches = field.see_through_count;
+    load.image = 1.0 * eye.image.width_px * eye.image.height_px;
     constexpr double kSidesAPatch = 5.0 / 2;  // four, each shared by two patches, and the one inside
-    load.outline = kSidesAPatch * turned / projected.side();
-    for (uint32_t k = 0; k < field.viewed_count; ++k) load.lit += is_lit[k] ? 1 : 0;
+    for (uint32_t k = 0; k < field.patch_count; ++k) load.outline += kSidesAPatch * triangles.add(k, load);
+    for (uint32_t k = 0; k < field.see_through_count; ++k) triangles.add(field.patch_count + k, load.see_through);
+    load.lit = triangles.lit();
     return load;
 }
 

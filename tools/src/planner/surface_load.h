@@ -3,23 +3,30 @@
 #pragma once
 
 #include "draw/views.h"
-#include "lumi/surface/frame.h"
+#include "lumi/surface/see_through_frame.h"
 
 namespace lumi::planner
 {
 
-struct SurfaceLoad {
-    double vertices = 0, patches = 0;
-    double seen = 0;       // triangles that face the eye
-    double lit = 0;        // vertices of these that have a view table
-    double scanlines = 0;  // lines of samples that these triangles span, counted for each triangle
+// Of triangles that face the eye.
+struct TriangleLoad {
+    double seen = 0;       // how many they are
+    double scanlines = 0;  // lines of samples that they span, counted for each triangle
     double samples = 0;    // samples that they fill, hidden ones too
     double magnified = 0;  // samples of textures that are read bilinearly
-    double outline = 0;    // pixels along the edges between seen and unseen triangles
-    double image = 0;      // pixels of the image
+};
+
+// Triangles and patches are opaque ones, those of `see_through` left out.
+struct SurfaceLoad : TriangleLoad {
+    double vertices = 0, patches = 0;
+    double lit = 0;      // vertices of triangles that face the eye, with a view table
+    double outline = 0;  // pixels along the edges between seen and unseen triangles
+    double image = 0;    // pixels of the image
+    TriangleLoad see_through;
+    double see_through_patches = 0;
 };
 
 // Triangles in front of the eye are taken as planes seen in perspective; what a stripe or the image cuts is not known.
-SurfaceLoad load_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMode mode);
+SurfaceLoad load_of(const SeeThroughField& field, const tools::Eye& eye, SurfaceMode mode);
 
 }  // namespace lumi::planner

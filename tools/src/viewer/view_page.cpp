@@ -91,9 +91,7 @@ std::string filled(const std::string& html, const std::vector<Part>& parts)
 
 std::string html_of(const ViewPage& page)
 {
-    const std::string& left_out = page.left_out_of_rates;
     return filled(kPageHtml, {{"{{title}}", quality::escaped(page.title)},
-                              {"{{left_out}}", left_out.empty() ? "" : ", " + quality::escaped(left_out)},
                               {"{{style}}", kPageCss},
                               {"{{data}}", script_text(data_of(page))},
                               {"{{module}}", quality::base64(page.module)},

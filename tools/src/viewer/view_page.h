@@ -38,7 +38,6 @@ struct ViewPage {
     std::vector<ShownMode> modes;  // from the coarsest to the finest
     int first_mode = 0;            // an index of modes
     std::vector<ShownChip> chips;
-    std::string left_out_of_rates;  // may be empty
     host::Orbit home;
     Rgb8 background = {0, 0, 0};
     std::vector<std::string> references;  // PNG files: a turntable that begins at home; may be empty
