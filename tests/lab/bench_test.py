@@ -134,6 +134,10 @@ class WholeRun(unittest.TestCase):
                 self.assertGreater(row["blends"], row["samples"] / 8)  # the pane is a quarter as large, and nearer
                 self.assertGreater(row["see_through_patches"], 0)
                 self.assertNotIn("fps_rp2350", row)
+            poses, = self.rows(folder, "b.json", "--field", field, "--poses", "--pixel", "rgb565", "--mode", "one-sample")
+            self.assertEqual(poses["poses"], 200)
+            self.assertGreater(poses["worst"], poses["mean"])
+            self.assertGreater(poses["mean"], 0)
 
 
 if __name__ == "__main__":

@@ -30,6 +30,7 @@ PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines
 SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
 # "tall": instructions in stripes of 24 rows.
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "crc"]
+POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
 # What one would do without this library: a title, the firmware, and the cores that it is counted on.
 BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
              ("paper 5×5 in float, FPU", "baseline_float_fpu", ["m4", "m7"]),
@@ -214,6 +215,30 @@ def surface_rows(options, boards):
     return rows, {**facts, "vertices": frames[0]["vertices"]}
 
 
+def pose_rows(options, boards):
+    """Of each core, mode and pixel: the mean and the dearest of the firmware's poses. All cores must draw the same."""
+    modes = [mode for mode in options.mode if mode in SURFACE_MODES]
+    field = surface_field(options)
+    frame = lab("frames", field, "--mode", modes[0], "--pixel", options.pixel[0], "--view", "generic")[0]
+    kind = "see_through" if frame["see_through_patches"] else "surface"
+    rows, crcs = [], {}
+    for board in boards:
+        board.build([f"{kind}_{pixel}" for pixel in options.pixel])
+        for pixel in options.pixel:
+            counts = board.count(f"{kind}_{pixel}", field, ["poses", *modes], POSE_COUNTS)
+            for count in counts:
+                subject = (pixel, count["mode"], count["pose"])
+                if crcs.setdefault(subject, count["crc"]) != count["crc"]:
+                    raise BenchError(f"{board.core} draws other bits than {boards[0].core}: {subject}")
+            for mode in modes:
+                costs = {count["pose"]: count["instructions"] / count["covered"] for count in counts if count["mode"] == mode}
+                worst = max(costs, key=costs.get)
+                rows.append({"field": field.stem, "file_bytes": field.stat().st_size, "core": board.core, "mode": mode,
+                             "pixel": pixel, "poses": len(costs), "mean": hundredths(sum(costs.values()) / len(costs)),
+                             "worst": hundredths(costs[worst]), "worst_pose": int(worst)})
+    return rows
+
+
 def baseline_rows(options, boards):
     field = chord_field(options, "rgb565")
     rows = []
@@ -232,21 +257,29 @@ def baseline_rows(options, boards):
 def renewed(old, rows):
     """The old rows, with those of `rows` in the place of what counts the same."""
     def subject(row):
-        names = ("layout", "core", "mode", "texel", "pixel", "span", "view")
+        names = ("field", "layout", "core", "mode", "texel", "pixel", "span", "view")
         return tuple(row.get(name) for name in (names + ("file",) if "see_through_patches" in row else names))
 
     fresh = {subject(row): row for row in rows}
     return [fresh.pop(subject(row), row) for row in old] + list(fresh.values())
 
 
+def measure_poses(options, boards):
+    rows = pose_rows(options, boards)
+    if options.docs:
+        data = load("speed")
+        save("speed", {**data, "poses": renewed(data.get("poses", []), rows)})
+    return rows
+
+
 def measure(options):
     boards = [Board(core, options.work) for core in options.core]
+    if options.poses:
+        return written(options, measure_poses(options, boards))
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
     is_see_through = "see_through_patches" in (facts or {})
     rows = surface if is_see_through else lab("parts", "--rate", stdin=json.dumps(chord + surface))
-    if options.json:
-        pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
     if options.docs and is_see_through:
         save("see_through", {"rows": renewed(load("see_through")["rows"], rows)})
     elif options.docs:
@@ -259,11 +292,17 @@ def measure(options):
                                    "directions": options.directions, "spp": options.spp},
                          "baselines": baseline_rows(options, boards)})
         save("tradeoff", data)
+    return written(options, rows)
+
+
+def written(options, rows):
+    if options.json:
+        pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
     return rows
 
 
 def print_rows(rows):
-    columns = ["core", "mode", "texel", "pixel", "span", "view", "instructions_per_pixel", "code_bytes", "stack_bytes",
+    columns = ["core", "mode", "texel", "pixel", "span", "view", "poses", "mean", "worst", "worst_pose", "instructions_per_pixel", "code_bytes", "stack_bytes",
                "psnr_db", "worst_pixel"]
     for row in rows:
         rates = [f"{key[4:]} {value:.1f} frames/s" for key, value in row.items() if key.startswith("fps_")]
@@ -299,6 +338,9 @@ def parse(arguments):
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
     parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts there are "
                         "neither rates nor accuracy")
+    parser.add_argument("--poses", action="store_true",
+                        help="count a surface field from 200 poses, poles, rolls and 1.2 radii among them, in "
+                        "stripes of 24 rows, and tell their mean and the dearest; --docs writes them into docs/log/data/speed.json")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

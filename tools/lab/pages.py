@@ -55,6 +55,7 @@ TABLES = {
     "speed steps of 24 rows": lambda: scripts.speed_steps("steps_24"),
     "speed modes": scripts.speed_modes,
     "speed parts": scripts.speed_parts,
+    "speed poses": scripts.speed_poses,
     "see-through cost": scripts.see_through_cost,
     "volumes": scripts.volumes,
     "volume choices": scripts.volume_choices,

@@ -68,6 +68,17 @@ def speed_modes():
         row["mode"], *(" → ".join(map(decimal, row[core])) for core in ("m4", "m0plus")), " → ".join(map(str, row["ram"]))])
 
 
+def speed_poses():
+    rows = load("speed")["poses"]
+
+    def of_core(core, row):
+        return next(r for r in rows if r["core"] == core and all(r[key] == row[key] for key in ("field", "mode", "pixel")))
+    return table(["field", "mode", "M4, mean", "M4, worst", "M0+, mean", "M0+, worst", "dearest pose"],
+                 [row for row in rows if row["core"] == "m0plus"], lambda row: [
+                     row["field"], row["mode"], *(decimal(of_core(core, row)[key]) for core in ("m4", "m0plus")
+                                                  for key in ("mean", "worst")), row["worst_pose"]])
+
+
 def see_through_cost():
     """Instructions a covered pixel: all, and of these the order of see-through triangles and what they add to drawing."""
     rows = [row for row in load("see_through")["rows"] if row["view"] == "generic" and row["pixel"] == "rgb565"]
