@@ -50,6 +50,7 @@ TABLES = {
     "fuzzing": scripts.fuzzing,
     "attacks": scripts.attacks,
     "cases": scripts.cases,
+    "model_sheet": scripts.model_sheet,
     "licences": scripts.licences,
     "speed steps": lambda: scripts.speed_steps("steps"),
     "speed steps of 24 rows": lambda: scripts.speed_steps("steps_24"),

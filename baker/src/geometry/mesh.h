@@ -21,6 +21,7 @@ struct Mesh {
     std::vector<Vec3> positions;
     std::vector<Vec3> normals;  // unit length
     std::vector<Vec2> uvs;
+    std::vector<Vec2> second_uvs;  // another place for each of the first so many of `uvs`
     // One entry a triangle each:
     std::vector<Corners> corners;          // into positions
     std::vector<OptionalCorners> shading;  // into normals: all three or none

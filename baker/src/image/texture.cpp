@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "image/texture.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "image/picture_bytes.h"
 #include "image/srgb.h"
 
@@ -9,16 +12,33 @@ namespace lumi::baker
 namespace
 {
 
-int wrapped(int64_t i, int size)
+int64_t repeated(int64_t i, int64_t period)
 {
-    const int64_t r = i % size;
-    return static_cast<int>(r < 0 ? r + size : r);
+    const int64_t r = i % period;
+    return r < 0 ? r + period : r;
 }
 
-Rgb pixel(const Texture& t, int64_t x, int64_t y)
+int64_t wrapped(int64_t i, int size, Wrap wrap)
 {
-    const size_t row = static_cast<size_t>(wrapped(y, t.height)) * static_cast<size_t>(t.width);
-    const uint8_t* p = &t.rgb[3 * (row + static_cast<size_t>(wrapped(x, t.width)))];
+    if (wrap == Wrap::clamp) return std::clamp<int64_t>(i, 0, size - 1);
+    if (wrap == Wrap::repeat) return repeated(i, size);
+    const int64_t r = repeated(i, int64_t{2} * size);
+    return r < size ? r : int64_t{2} * size - 1 - r;
+}
+
+// A coordinate without what makes no difference. Taken in double so that far-off coordinates keep their pixel.
+double near_picture(float coordinate, Wrap wrap)
+{
+    const double c = static_cast<double>(coordinate);
+    if (wrap == Wrap::clamp) return std::clamp(c, -1.0, 2.0);
+    const double period = wrap == Wrap::repeat ? 1 : 2;
+    return c - std::floor(c / period) * period;
+}
+
+Rgb pixel(const Texture& t, int64_t x, int64_t y, const std::array<Wrap, 2>& wrap = {Wrap::repeat, Wrap::repeat})
+{
+    const int64_t row = wrapped(y, t.height, wrap[1]) * t.width;
+    const uint8_t* p = &t.rgb[3 * static_cast<size_t>(row + wrapped(x, t.width, wrap[0]))];
     if (t.encoded) return {srgb_decode(p[0]), srgb_decode(p[1]), srgb_decode(p[2])};
     constexpr float kUnit = 1.0f / 255;
     return {static_cast<float>(p[0]) * kUnit, static_cast<float>(p[1]) * kUnit, static_cast<float>(p[2]) * kUnit};
@@ -49,19 +69,18 @@ std::vector<uint8_t> blue_of(const std::vector<uint8_t>& rgb)
 
 }  // namespace
 
-Rgb Texture::at(const Vec2& uv) const
+Rgb Texture::at(const Vec2& uv, const std::array<Wrap, 2>& wrap) const
 {
-    // Only the fraction counts; taken in double so that far-off coordinates keep their pixel.
-    const double u = uv.x - std::floor(static_cast<double>(uv.x));
-    const double v = uv.y - std::floor(static_cast<double>(uv.y));
-    const double x = u * width - 0.5;
-    const double y = (1 - v) * height - 0.5;
+    const double x = near_picture(uv.x, wrap[0]) * width - 0.5;
+    const double y = (1 - near_picture(uv.y, wrap[1])) * height - 0.5;
     const int64_t x0 = static_cast<int64_t>(std::floor(x));
     const int64_t y0 = static_cast<int64_t>(std::floor(y));
     const float fx = static_cast<float>(x - static_cast<double>(x0));
     const float fy = static_cast<float>(y - static_cast<double>(y0));
-    const Rgb top = pixel(*this, x0, y0) * (1 - fx) + pixel(*this, x0 + 1, y0) * fx;
-    const Rgb bottom = pixel(*this, x0, y0 + 1) * (1 - fx) + pixel(*this, x0 + 1, y0 + 1) * fx;
+    const auto row = [&](int64_t row_y) {
+        return pixel(*this, x0, row_y, wrap) * (1 - fx) + pixel(*this, x0 + 1, row_y, wrap) * fx;
+    };
+    const Rgb top = row(y0), bottom = row(y0 + 1);
     return top * (1 - fy) + bottom * fy;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// An 8-bit picture that repeats over the plane, read with bilinear filtering in linear light.
+// An 8-bit picture, read with bilinear filtering in linear light.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,13 +14,16 @@
 namespace lumi::baker
 {
 
+// What lies beyond a picture's border: the picture again, its outermost pixels, or its mirror image.
+enum class Wrap : uint8_t { repeat, clamp, mirror };
+
 struct Texture {
     int width = 0, height = 0;  // > 0
     std::vector<uint8_t> rgb;   // 3 bytes a pixel, top row first
     bool encoded = true;        // sRGB; otherwise bytes stand for 0 to 1
 
-    // u to the right, v upwards, the picture fills [0,1]².
-    Rgb at(const Vec2& uv) const;
+    // u to the right, v upwards, the picture fills [0,1]². `wrap`: in u and in v.
+    Rgb at(const Vec2& uv, const std::array<Wrap, 2>& wrap = {Wrap::repeat, Wrap::repeat}) const;
 };
 
 // A grey picture of heights as a normal map: the slope is `strength` times the height's change from pixel to pixel, in

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "material/material.h"
 
+#include "material/stretch.h"
+
 namespace lumi::baker
 {
 namespace
@@ -56,10 +58,9 @@ float absorption_of(float transmittance, float distance)
     return -std::log(std::max(transmittance, kDarkest)) / distance;
 }
 
-// Burley's aspect: his course's section 5.4.
 Anisotropic stretched(float alpha, float anisotropy)
 {
-    const float aspect = std::sqrt(1 - 0.9f * anisotropy);
+    const float aspect = aspect_of(anisotropy);
     return {alpha / aspect, std::max(alpha * aspect, kMinAlpha)};
 }
 

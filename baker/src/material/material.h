@@ -34,6 +34,7 @@
 #include <variant>
 #include <vector>
 
+#include "image/texture.h"
 #include "material/bsdf.h"
 
 namespace lumi::baker
@@ -46,12 +47,20 @@ inline constexpr float kDefaultIndex = 1.5f;
 inline constexpr double kMinIndex = 1.01, kMaxIndex = 4;
 inline constexpr float kDefaultSheenRoughness = 0.3f;  // cloth
 
-// A picture on a surface: read at uv·scale + offset.
+// A picture on a surface: read where its coordinates lie once they are scaled, turned and moved, in this order.
 struct TextureSlot {
     int32_t texture = kNoTexture;
     Vec2 scale = {1, 1}, offset;
+    Vec2 turn = {1, 0};  // cosine and sine of an angle counterclockwise
+    std::array<Wrap, 2> wrap = {Wrap::repeat, Wrap::repeat};
+    bool takes_second_uvs = false;
 
     bool used() const { return texture != kNoTexture; }
+    Vec2 place(const Vec2& uv) const
+    {
+        const float u = uv.x * scale.x, v = uv.y * scale.y;
+        return {turn.x * u - turn.y * v + offset.x, turn.y * u + turn.x * v + offset.y};
+    }
 };
 
 struct TextureSlots {

@@ -15,19 +15,20 @@ struct CornerUvs {
     Vec2 p, q, r;
 };
 
-// Nothing on triangles without texture coordinates.
-inline std::optional<CornerUvs> corner_uvs(const Mesh& mesh, uint32_t triangle)
+// The coordinates that the slot takes. Nothing on triangles without them.
+inline std::optional<CornerUvs> corner_uvs(const Mesh& mesh, const TextureSlot& slot, uint32_t triangle)
 {
     const Mesh::OptionalCorners& c = mesh.mapping[triangle];
-    if (c[0] == kNoIndex) return std::nullopt;
-    return CornerUvs{mesh.uvs[static_cast<size_t>(c[0])], mesh.uvs[static_cast<size_t>(c[1])],
-                     mesh.uvs[static_cast<size_t>(c[2])]};
+    const std::vector<Vec2>& uvs = slot.takes_second_uvs ? mesh.second_uvs : mesh.uvs;
+    const auto is_there = [&](int32_t k) { return k != kNoIndex && static_cast<size_t>(k) < uvs.size(); };
+    if (!is_there(c[0]) || !is_there(c[1]) || !is_there(c[2])) return std::nullopt;
+    return CornerUvs{uvs[static_cast<size_t>(c[0])], uvs[static_cast<size_t>(c[1])], uvs[static_cast<size_t>(c[2])]};
 }
 
 // Weights of the second and third corner give the place. Nothing on triangles without texture coordinates.
-inline std::optional<Vec2> uv_at(const Mesh& mesh, uint32_t triangle, const Vec2& barycentric)
+inline std::optional<Vec2> uv_at(const Mesh& mesh, const TextureSlot& slot, uint32_t triangle, const Vec2& barycentric)
 {
-    const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
+    const std::optional<CornerUvs> uvs = corner_uvs(mesh, slot, triangle);
     if (!uvs) return std::nullopt;
     const auto& [p, q, r] = *uvs;
     const float w = 1 - barycentric.x - barycentric.y;
@@ -40,10 +41,9 @@ inline Rgb slot_colour(const Mesh& mesh, const std::vector<Texture>& textures, c
                        uint32_t triangle, const Vec2& barycentric)
 {
     if (!slot.used()) return grey(1);
-    const std::optional<Vec2> uv = uv_at(mesh, triangle, barycentric);
+    const std::optional<Vec2> uv = uv_at(mesh, slot, triangle, barycentric);
     if (!uv) return grey(1);
-    return textures[static_cast<size_t>(slot.texture)].at(
-        {uv->x * slot.scale.x + slot.offset.x, uv->y * slot.scale.y + slot.offset.y});
+    return textures[static_cast<size_t>(slot.texture)].at(slot.place(*uv), slot.wrap);
 }
 
 }  // namespace lumi::baker

@@ -119,8 +119,8 @@ private:
 
 bool has_picture(const SceneData& scene, uint32_t triangle)
 {
-    return scene.materials[scene.mesh.materials[triangle]].maps.opacity.used() &&
-           corner_uvs(scene.mesh, triangle).has_value();
+    const TextureSlot& slot = scene.materials[scene.mesh.materials[triangle]].maps.opacity;
+    return slot.used() && corner_uvs(scene.mesh, slot, triangle).has_value();
 }
 
 float longest_side(const Mesh& mesh, uint32_t k)

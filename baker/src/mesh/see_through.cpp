@@ -55,6 +55,7 @@ Mesh part_of(const Mesh& mesh, const Wanted& wanted)
     part.positions = mesh.positions;
     part.normals = mesh.normals;
     part.uvs = mesh.uvs;
+    part.second_uvs = mesh.second_uvs;
     for (size_t k = 0; k < mesh.triangle_count(); ++k) {
         if (!wanted(mesh.materials[k])) continue;
         part.corners.push_back(mesh.corners[k]);

@@ -39,6 +39,15 @@ std::filesystem::path find_in_any_case(const std::filesystem::path& folder, cons
     return found;
 }
 
+TextureSlot slot_of(const MtlMap& map, int32_t texture)
+{
+    TextureSlot slot;
+    slot.texture = texture;
+    slot.scale = map.scale;
+    slot.offset = map.offset;
+    return slot;
+}
+
 class TextureStore
 {
 public:
@@ -66,7 +75,7 @@ public:
         const Key key = {file.string(), use};
         const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
         if (fresh) entry->second = load(place, file, use);
-        return {entry->second, map.scale, map.offset};
+        return slot_of(map, entry->second);
     }
 
     // What the picture's alpha cuts out: a part of it, or nothing.
@@ -82,7 +91,7 @@ public:
                 entry->second = static_cast<int32_t>(textures_.size() - 1);
             }
         }
-        return {entry->second, map.scale, map.offset};
+        return slot_of(map, entry->second);
     }
 
     // A grey picture holds heights, any other one normals.

@@ -148,6 +148,7 @@ public:
         return sound;
     }
 
+    size_t triangle_count() const { return mesh_.triangle_count(); }
     Mesh take() { return std::move(mesh_); }
 
 private:
@@ -177,14 +178,19 @@ private:
     Mesh mesh_;
 };
 
-Mesh build_mesh(const std::string& file, std::vector<Vec3> positions, const ObjContent& content, Losses& losses)
+// Also names the mesh's parts.
+Mesh build_mesh(const std::string& file, std::vector<Vec3> positions, const ObjContent& content,
+                std::vector<NamedPart>& named, Losses& losses)
 {
+    std::vector<size_t> ends = {0};  // of triangles, by face
     ObjMeshBuilder builder(std::move(positions), content, static_cast<uint32_t>(content.materials.size()));
     for (const ObjFace& face : content.faces) {
         if (!builder.add(face))
             losses.add_at(face.line,
                           "face(s) are or contain triangles without area, which are left out; merge doubled vertices");
+        ends.push_back(builder.triangle_count());
     }
+    for (const ObjPart& part : content.parts) named.push_back({part.name, ends[part.first], ends[part.end]});
     Mesh mesh = builder.take();
     if (mesh.corners.empty()) throw SceneError(at({file}, "no face has an area; check the scale and the vertices"));
     return mesh;
@@ -247,7 +253,7 @@ SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>&
 
     SceneParts parts;
     parts.origin = at.origin;
-    parts.mesh = build_mesh(file.string(), std::move(at.positions), content, losses);
+    parts.mesh = build_mesh(file.string(), std::move(at.positions), content, parts.named, losses);
     MaterialSet set = resolve_materials(file.string(), content.materials, known, warnings);
     parts.materials = std::move(set.materials);
     const size_t undefined = content.materials.size();

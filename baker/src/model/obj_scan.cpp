@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "lumi/baker/scene.h"
 
@@ -14,11 +15,11 @@ namespace
 
 // What has no surface, and words that change nothing in a picture.
 constexpr const char* kFreeForms[] = {"curv", "curv2", "surf"};
-constexpr const char* kSilent[] = {"o",     "g",      "vp",       "cstype",   "deg", "bmat",       "step",
-                                   "parm",  "trim",   "hole",     "scrv",     "sp",  "end",        "con",
-                                   "mg",    "bevel",  "c_interp", "d_interp", "lod", "shadow_obj", "ctech",
-                                   "stech", "usemap", "maplib",   "call",     "csh", "trace_obj"};
-constexpr const char* kDrawn[] = {"v", "vn", "vt", "f", "fo", "s", "usemtl", "mtllib", "l", "p"};
+constexpr const char* kSilent[] = {"vp",       "cstype",   "deg", "bmat",       "step",  "parm",  "trim",
+                                   "hole",     "scrv",     "sp",  "end",        "con",   "mg",    "bevel",
+                                   "c_interp", "d_interp", "lod", "shadow_obj", "ctech", "stech", "usemap",
+                                   "maplib",   "call",     "csh", "trace_obj"};
+constexpr const char* kDrawn[] = {"v", "vn", "vt", "f", "fo", "s", "usemtl", "mtllib", "l", "p", "o", "g"};
 
 template <size_t Size>
 bool is_among(const char* const (&list)[Size], const std::string& word)
@@ -60,6 +61,8 @@ public:
         if (out_.faces.empty()) fail_without_faces();
         for (const ObjFace& face : out_.faces)
             for (uint32_t k = 0; k < face.count; ++k) check(face, out_.corners[face.first + k]);
+        end_part(object_);
+        end_part(group_);
         finish_colours();
         return std::move(out_);
     }
@@ -85,6 +88,8 @@ private:
             out_.libraries.push_back({line.argument, line.number});
         } else if (line.keyword == "s") {
             take_smoothing(line);
+        } else if (line.keyword == "o" || line.keyword == "g") {
+            take_part(line);
         } else if (line.keyword == "l" || line.keyword == "p") {
             has_lines_ = true;
             losses_.add_at(line.number,
@@ -212,6 +217,21 @@ private:
         smoothing_ = static_cast<uint32_t>(std::clamp<int64_t>(group, 0, std::numeric_limits<int32_t>::max()));
     }
 
+    void take_part(const Line& line)
+    {
+        const bool is_object = line.keyword == "o";
+        if (is_object) end_part(object_);
+        end_part(group_);
+        (is_object ? object_ : group_) = out_.parts.size();
+        out_.parts.push_back({line.argument, out_.faces.size(), 0});
+    }
+
+    void end_part(std::optional<size_t>& open)
+    {
+        if (open) out_.parts[*open].end = out_.faces.size();
+        open.reset();
+    }
+
     void take_use(const Line& line)
     {
         const auto [entry, fresh] = places_.try_emplace(line.argument, static_cast<int32_t>(out_.materials.size()));
@@ -225,6 +245,7 @@ private:
     std::map<std::string, int32_t> places_;  // of materials
     int32_t material_ = kNoIndex;
     uint32_t smoothing_ = 0;
+    std::optional<size_t> object_, group_;  // of the parts, what faces belong to
     bool has_lines_ = false, has_free_forms_ = false;
 };
 

@@ -30,6 +30,12 @@ struct ObjName {
     uint32_t line;
 };
 
+// Faces below a line 'o' or 'g', up to the next one; groups also end where an object begins.
+struct ObjPart {
+    std::string name;
+    size_t first = 0, end = 0;
+};
+
 struct ObjContent {
     std::vector<Point> positions;
     std::vector<Rgb> colours;  // as a display shows them, 0 to 1; empty, or one a position
@@ -38,6 +44,7 @@ struct ObjContent {
     std::vector<ObjCorner> corners;  // in range
     std::vector<ObjFace> faces;      // in the file's order
     std::vector<ObjName> libraries, materials;
+    std::vector<ObjPart> parts;
 };
 
 // Faces may come before what they use. `file` only serves messages. Throws SceneError, also where there is no face.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/bounding_sphere.h"
@@ -13,6 +14,7 @@
 #include "light/fixtures.h"
 #include "lumi/baker/scene.h"
 #include "material/material.h"
+#include "volume/affine.h"
 #include "volume/volume.h"
 
 namespace lumi::baker
@@ -24,6 +26,20 @@ struct Disc {
     float radius;
 };
 
+// Triangles that an object, a group or a node of the file names; those of nodes below it are among them.
+struct NamedPart {
+    std::string name;
+    size_t first = 0, end = 0;
+};
+
+// A camera of the file: from its axes (it looks along -z, y up) to those of the scene, with scale or shear if the file
+// has them.
+struct SceneView {
+    std::string name;
+    Affine to_scene{};
+    double fov_y = 0;  // radians, above 0
+};
+
 // A scene in its own units and axes, before the sphere is fitted. Positions are finite, every triangle has an area,
 // indices and materials are in range.
 struct SceneParts {
@@ -32,6 +48,8 @@ struct SceneParts {
     std::vector<Material> materials;           // finished
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;
+    std::vector<NamedPart> named;  // names may come twice
+    std::vector<SceneView> views;
     std::optional<Disc> catcher;  // catches shadows, see catcher.h
     std::optional<Volume> volume;
     bool mesh_is_shell = false;  // see SceneData

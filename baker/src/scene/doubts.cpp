@@ -222,9 +222,11 @@ private:
     {
         const std::string& name = scene_.materials[part.material].name;
         const double percent = std::ceil(static_cast<double>(share) * 1000) / 10;
-        warn("one part of " + std::to_string(part.triangles) + " triangle(s)" +
-             (name.empty() ? "" : " of the material '" + name + "'") + " makes the rest tiny: it fills " +
-             number_text(percent) + " % of the picture's width; leave the part out, or let it end near the rest");
+        warn(
+            "one part of " + std::to_string(part.triangles) + " triangle(s)" +
+            (name.empty() ? "" : " of the material '" + name + "'") + " makes the rest tiny: it fills " +
+            number_text(percent) +
+            " % of the picture's width; leave the part out, let it end near the rest, or name what matters by --frame");
     }
 
     void warn(const std::string& text) { warnings_.push_back(at({file_.string()}, text)); }

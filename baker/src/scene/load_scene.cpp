@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/doubts.h"
+#include "scene/framing.h"
 #include "scene/iso_reader.h"
 #include "scene/model_reader.h"
 #include "scene/scene_data.h"
@@ -41,6 +42,7 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings)
 {
     SceneParts parts = read_parts(file, options, warnings);
+    if (!options.frame.empty()) frame_part(file, options.frame, parts);
     const std::array<double, 3> origin = parts.origin;
     Scene scene = build_scene(std::move(parts), options);
     for (const std::string& warning : scene.data().choice.warnings) warnings.push_back(at({file.string()}, warning));

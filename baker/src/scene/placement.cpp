@@ -84,6 +84,7 @@ void place(const Placement& placement, SceneParts& parts)
         const float size = length(scaled);
         n = size > 0 ? turned(scaled / size, placement.rotation_degrees) : n;
     }
+    for (SceneView& view : parts.views) view.to_scene = combined(affine_of(placement), view.to_scene);
     if (s.x * s.y * s.z < 0) {
         for (size_t t = 0; t < mesh.triangle_count(); ++t) {
             std::swap(mesh.corners[t][1], mesh.corners[t][2]);
@@ -115,9 +116,17 @@ void append(SceneParts& parts, SceneParts&& other)
         shift(mesh.mapping[t], parts.mesh.uvs.size());
         mesh.materials[t] += static_cast<uint32_t>(parts.materials.size());
     }
+    for (NamedPart& part : other.named) {
+        part.first += parts.mesh.triangle_count();
+        part.end += parts.mesh.triangle_count();
+    }
+    extend(parts.named, other.named);
+    extend(parts.views, other.views);
     for (Material& m : other.materials) shift_textures(m, parts.textures.size());
     extend(parts.mesh.positions, mesh.positions);
     extend(parts.mesh.normals, mesh.normals);
+    if (!mesh.second_uvs.empty()) parts.mesh.second_uvs.resize(parts.mesh.uvs.size());
+    extend(parts.mesh.second_uvs, mesh.second_uvs);
     extend(parts.mesh.uvs, mesh.uvs);
     extend(parts.mesh.corners, mesh.corners);
     extend(parts.mesh.shading, mesh.shading);

@@ -157,6 +157,53 @@ std::vector<Fixture> moved_into_sphere(const std::vector<Fixture>& fixtures, con
     return result;
 }
 
+using Vec3d = std::array<double, 3>;
+
+Vec3d unit(const Vec3d& v)
+{
+    const double size = std::hypot(v[0], v[1], v[2]);
+    return {v[0] / size, v[1] / size, v[2] / size};
+}
+
+Vec3d cross_product(const Vec3d& a, const Vec3d& b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Without its scale and shear.
+NamedView moved_into_sphere(const SceneView& view, const Vec3d& centre, double radius, UpAxis up)
+{
+    const auto column = [&](size_t c) {
+        Vec3d v{};
+        for (size_t r = 0; r < 3; ++r) v[r] = view.to_scene[up == UpAxis::y ? (r + 2) % 3 : r][c];
+        return v;
+    };
+    const Vec3d back = unit(column(2)), right = unit(cross_product(column(1), back)),
+                above = cross_product(back, right);
+    const Vec3d place = column(3);
+    NamedView result{view.name, {}, view.fov_y * 180 / static_cast<double>(kPi)};
+    for (size_t r = 0; r < 3; ++r) {
+        const double middle = centre[up == UpAxis::y ? (r + 2) % 3 : r];
+        const double row[] = {right[r], above[r], back[r], (place[r] - middle) / radius};
+        std::copy(std::begin(row), std::end(row), &result.pose[4 * r]);
+    }
+    result.pose[15] = 1;
+    return result;
+}
+
+std::vector<NamedView> moved_into_sphere(const std::vector<SceneView>& views, const Vec3d& centre, double radius,
+                                         UpAxis up)
+{
+    std::vector<NamedView> result;
+    for (const SceneView& view : views) {
+        const NamedView moved = moved_into_sphere(view, centre, radius, up);
+        const bool is_finite =
+            std::all_of(moved.pose.begin(), moved.pose.end(), [](double v) { return std::isfinite(v); });
+        if (is_finite) result.push_back(moved);
+    }
+    return result;
+}
+
 void add_shell(SceneParts& parts)
 {
     parts.mesh = opacity_surface(*parts.volume);
@@ -208,7 +255,8 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
            moved_into_sphere(parts.fixtures, centre, radius, up, 1), stated_exposure(parts, options), tone},
           {mesh, materials, textures, accelerator})),
       lights(mesh, expose(materials, choice.exposure), textures, exposed(choice.environment, choice.exposure),
-             moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure))
+             moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure)),
+      views(moved_into_sphere(parts.views, centre, radius, up))
 {
 }
 
@@ -259,6 +307,11 @@ size_t Scene::light_count() const
 const std::vector<std::string>& Scene::notes() const
 {
     return data_->choice.notes;
+}
+
+const std::vector<NamedView>& Scene::views() const
+{
+    return data_->views;
 }
 
 bool Scene::mesh_is_shell() const

@@ -35,6 +35,7 @@ struct SceneData {
     Accelerator accelerator;
     LightChoice choice;  // its exposure is a factor that the light of `materials` and `lights` already has
     LightSet lights;
+    std::vector<NamedView> views;
 };
 
 // The parts of a volume without objects get their shell if the options ask for it, unless the volume is solid nowhere.

@@ -10,10 +10,11 @@ namespace
 
 void add(Digest& digest, const Mesh& mesh)
 {
-    const auto& [positions, normals, uvs, corners, shading, mapping, materials] = mesh;
+    const auto& [positions, normals, uvs, second_uvs, corners, shading, mapping, materials] = mesh;
     digest.add(positions);
     digest.add(normals);
     digest.add(uvs);
+    if (!second_uvs.empty()) digest.add(second_uvs);  // what older scenes have keeps its fingerprint
     digest.add(corners);
     digest.add(shading);
     digest.add(mapping);
@@ -24,10 +25,15 @@ void add(Digest& digest, const TextureSlots& slots)
 {
     const auto& [base, emission, roughness, metalness, opacity, normal, sheen] = slots;
     for (const TextureSlot* slot : {&base, &emission, &roughness, &metalness, &opacity, &normal, &sheen}) {
-        const auto& [texture, scale, offset] = *slot;
+        const auto& [texture, scale, offset, turn, wrap, takes_second_uvs] = *slot;
         digest.add(texture);
         digest.add(scale);
         digest.add(offset);
+        const bool is_plain = turn.y == 0 && turn.x == 1 && wrap == TextureSlot().wrap && !takes_second_uvs;
+        if (is_plain) continue;  // older scenes keep their fingerprint
+        digest.add(turn);
+        digest.add(wrap);
+        digest.add(takes_second_uvs);
     }
 }
 
@@ -56,10 +62,11 @@ void add(Digest& digest, const Texture& texture)
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
     const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, mesh_is_shell, catcher, medium,
-                 accelerator, choice, lights] = scene;
+                 accelerator, choice, lights, views] = scene;
     static_cast<void>(has_transparency);
     static_cast<void>(accelerator);
     static_cast<void>(choice);  // materials and lights have it
+    static_cast<void>(views);
     Digest digest;
     digest.add(centre);
     digest.add(radius);

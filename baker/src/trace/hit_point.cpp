@@ -14,12 +14,13 @@ struct Tangents {
     float handedness;  // -1 where the picture is mirrored: v grows against cross(normal, u)
 };
 
-// Nothing where the triangle has no texture coordinates or they do not span an area.
-inline std::optional<Tangents> tangents_of(const Mesh& mesh, uint32_t triangle)
+// Along u and v of the slot's picture. Nothing where the triangle has no texture coordinates or they do not span an
+// area.
+inline std::optional<Tangents> tangents_of(const Mesh& mesh, const TextureSlot& slot, uint32_t triangle)
 {
-    const std::optional<CornerUvs> uvs = corner_uvs(mesh, triangle);
+    const std::optional<CornerUvs> uvs = corner_uvs(mesh, slot, triangle);
     if (!uvs) return std::nullopt;
-    const auto& [p, q, r] = *uvs;
+    const Vec2 p = slot.place(uvs->p), q = slot.place(uvs->q), r = slot.place(uvs->r);
     const float area = (q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y);
     if (area == 0) return std::nullopt;
     const Vec3 e = mesh.position(triangle, 1) - mesh.position(triangle, 0);
@@ -65,7 +66,7 @@ Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hi
                  bool outside)
 {
     if (!material.maps.normal.used()) return normal;
-    const std::optional<Tangents> tangents = tangents_of(scene.mesh, hit.triangle);
+    const std::optional<Tangents> tangents = tangents_of(scene.mesh, material.maps.normal, hit.triangle);
     if (!tangents) return normal;
     const float side = outside ? 1.0f : -1.0f;
     const Vec3 front = normal * side;
@@ -84,7 +85,7 @@ Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hi
 Vec3 brushed_direction(const SceneData& scene, const Material& material, uint32_t triangle, const Vec3& front)
 {
     constexpr Vec3 kUp = {0, 0, 1};  // in the sphere's frame
-    const std::optional<Tangents> tangents = tangents_of(scene.mesh, triangle);
+    const std::optional<Tangents> tangents = tangents_of(scene.mesh, {}, triangle);
     const Frame level(front, tangents ? tangents->u : cross(kUp, front));
     const SineCosine turn = sine_cosine_of_turns(material.anisotropy_turns);
     return level.tangent * turn.cosine + level.bitangent * turn.sine;

@@ -36,6 +36,26 @@ TEST_CASE("texture: v points up, pixel centres give pixels, the picture repeats,
     CHECK(static_cast<double>(t.at({0, 0.75f}).g) == Approx(0.5));
 }
 
+TEST_CASE("texture: beyond its border a picture repeats, holds its outermost pixels, or is mirrored")
+{
+    const Texture t = {3, 1, {0, 0, 0, 100, 0, 0, 200, 0, 0}, false};
+    const auto at = [&](float pixel, Wrap wrap) {
+        return std::lround(t.at({(pixel + 0.5f) / 3, 0.5f}, {wrap, Wrap::repeat}).r * 255);
+    };
+    const long mirrored[] = {0, 100, 200, 200, 100, 0};
+    for (int k = -12; k < 12; ++k) {
+        INFO(k);
+        const size_t in_period = static_cast<size_t>(k + 12) % 6;
+        CHECK(at(static_cast<float>(k), Wrap::repeat) == 100 * static_cast<long>(in_period % 3));
+        CHECK(at(static_cast<float>(k), Wrap::clamp) == 100 * std::clamp(k, 0, 2));
+        CHECK(at(static_cast<float>(k), Wrap::mirror) == mirrored[in_period]);
+    }
+    CHECK(at(-0.5f, Wrap::repeat) == 100);
+    CHECK(at(-0.5f, Wrap::mirror) == 0);
+    CHECK(at(1e9f, Wrap::clamp) == 200);
+    CHECK(at(2.5f, Wrap::clamp) == 200);
+}
+
 TEST_CASE("estimate: coverage counts hits, colour is the mean of the hits alone")
 {
     Estimate e;

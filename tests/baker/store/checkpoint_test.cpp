@@ -199,6 +199,9 @@ TEST_CASE("checkpoint: anisotropy and sheen enter the identity by every number, 
         seen.push_back(fingerprint(number));
     CHECK(fingerprint(&Material::alpha) == seen[0]);
     seen.push_back(fingerprint(&Material::alpha, {kNoTexture, {1, 1}, {0.5f, 0}}));
+    seen.push_back(fingerprint(&Material::alpha, {kNoTexture, {1, 1}, {}, {0, 1}}));
+    seen.push_back(fingerprint(&Material::alpha, {kNoTexture, {1, 1}, {}, {1, 0}, {Wrap::clamp, Wrap::repeat}}));
+    seen.push_back(fingerprint(&Material::alpha, {kNoTexture, {1, 1}, {}, {1, 0}, {Wrap::repeat, Wrap::repeat}, true}));
     seen.push_back(fingerprint(&Material::alpha, {}, {1, std::nextafter(1.0f, 0.0f), 1}));
     std::sort(seen.begin(), seen.end());
     CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());

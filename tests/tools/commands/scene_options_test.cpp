@@ -229,4 +229,35 @@ TEST_CASE("beam: --beam says how a texel's rays lie, and is refused where there 
     CHECK_THAT(one_ray.err, Catch::Contains("--footprint point") && Catch::Contains("one ray"));
 }
 
+TEST_CASE("view: a camera of the file draws what its saved pose draws, and a name that no camera has is refused")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(
+        folder / "m.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AACAvwAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"cameras":[{"type":"perspective","perspective":{"yfov":0.6,"znear":0.1}}],
+"nodes":[{"mesh":0,"name":"leaf"},{"camera":0,"name":"Front","translation":[0.2,0.3,4]}],"scenes":[{"nodes":[0,1]}]})");
+    const auto reference = [&](const std::string& picture, const test::Arguments& more) {
+        return lumi(
+            joined({"reference", folder / "m.gltf", "-o", folder / picture, "--size", "40x24", "--spp", "4"}, more));
+    };
+    const Outcome seen = reference("a.png", {"--view", "Front", "--save-pose", folder / "p.txt"});
+    INFO(seen.err);
+    REQUIRE(seen.code == 0);
+    const size_t fov = seen.err.find("--fov ");
+    REQUIRE(fov != std::string::npos);
+    // 0.6 radians from top to bottom of 24 pixels are 54.5° over 40.
+    CHECK(std::stod(seen.err.substr(fov + 6)) == Approx(54.5).margin(0.1));
+    REQUIRE(reference("b.png", {"--pose", folder / "p.txt", "--fov", seen.err.substr(fov + 6, 5)}).code == 0);
+    CHECK(read_png(folder / "a.png").rgb == read_png(folder / "b.png").rgb);
+    CHECK_THAT(reference("c.png", {"--view", "front"}).err,
+               Catch::Contains("m.gltf") && Catch::Contains("choose among: Front"));
+    CHECK_THAT(lumi({"reference", LUMI_TEST_SCENE, "-o", folder / "c.png", "--view", "Front"}).err,
+               Catch::Contains("no camera in it"));
+    CHECK_THAT(reference("c.png", {"--frame", "twig"}).err, Catch::Contains("choose among: leaf"));
+}
+
 }  // namespace lumi::tools

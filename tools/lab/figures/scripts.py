@@ -45,6 +45,13 @@ def cases():
                  lambda row: [row["kind"], row["cases"], row["before"], row["after"]])
 
 
+def model_sheet():
+    return table(["model", "bytes", "dB of two sides", "what `lumi bake` warns of"], load("model_sheet")["models"],
+                 lambda row: [row["model"], f"{row['bytes']:,}" if row["bytes"] else "refused",
+                              " · ".join(decimal(value) for value in row["psnr_db"]),
+                              "<br>".join(row["said"]).replace("|", "\\|")])
+
+
 def licences():
     return table(["package", "loaded", "licence of most files"], load("licences")["rows"], lambda row: [
         row["package"], ", ".join(row["objects"]), row["licence"]])

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // lumi reference: path-traced pictures for the views of lumi render.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "commands/camera_options.h"
 #include "commands/commands.h"
 #include "commands/scene_options.h"
+#include "files/output_file.h"
 #include "image/exr.h"
 #include "lumi/baker/reference.h"
 #include "program/option_checks.h"
@@ -24,6 +26,8 @@ struct ReferenceOptions {
     ViewOptions views;
     baker::ReferenceSettings settings;
     std::string output;
+    std::string view;       // a camera of the scene's file; may be empty
+    std::string save_pose;  // a file to write; may be empty
 };
 
 Picture over_background(const baker::RgbaImage& image, const Rgb8& background)
@@ -100,11 +104,62 @@ std::vector<std::string> write_references(const ReferenceOptions& options, const
     }
 }
 
-void run(const ReferenceOptions& options, const CLI::App& command)
+std::string names_of(const std::vector<baker::NamedView>& views)
+{
+    std::string text;
+    for (const baker::NamedView& view : views) text += (text.empty() ? "" : ", ") + view.name;
+    return text;
+}
+
+const baker::NamedView& view_of(const std::string& name, const std::string& file,
+                                const std::vector<baker::NamedView>& views)
+{
+    const auto found =
+        std::find_if(views.begin(), views.end(), [&](const baker::NamedView& view) { return view.name == name; });
+    if (found != views.end()) return *found;
+    if (views.empty()) throw Failure(file, "there is no camera in it", "leave out --view, or export cameras, too");
+    throw Failure(file, "no camera in it is named '" + name + "'", "choose among: " + names_of(views));
+}
+
+// Cameras say how much they see from top to bottom.
+double fov_over_longer_side(double fov_y_degrees, const ViewOptions& views)
+{
+    if (views.width_px <= views.height_px) return fov_y_degrees;
+    constexpr double kDegree = 3.14159265358979324 / 180;
+    const double half = std::tan(fov_y_degrees * kDegree / 2) * views.width_px / views.height_px;
+    return 2 * std::atan(half) / kDegree;
+}
+
+std::string text_of(const Matrix4& matrix)
+{
+    std::string text;
+    for (size_t k = 0; k < matrix.size(); ++k) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%.9g", matrix[k]);
+        text += number + std::string(k % 4 == 3 ? "\n" : " ");
+    }
+    return text;
+}
+
+// The eye of a camera in the scene's file takes the place of --orbit.
+void look_through(const ReferenceOptions& options, const baker::Scene& scene, ViewOptions& views)
+{
+    const baker::NamedView& view = view_of(options.view, options.scene.path, scene.views());
+    views.matrix = view.pose;
+    views.pose = "view '" + view.name + "'";
+    if (views.fov_deg == 0) views.fov_deg = fov_over_longer_side(view.fov_y_degrees, views);
+    if (options.save_pose.empty()) return;
+    write_output(options.save_pose, text_of(view.pose));
+    std::fprintf(stderr, "lumi: the same view of a field: lumi render FIELD --pose %s --fov %.4g\n",
+                 options.save_pose.c_str(), views.fov_deg);
+}
+
+void run(ReferenceOptions options, const CLI::App& command)
 {
     if (is_exr_name(options.output)) check_linear(command);
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
+    if (!options.view.empty()) look_through(options, scene, options.views);
     for (const std::string& path : write_references(options, scene)) std::printf("%s\n", path.c_str());
 }
 
@@ -118,6 +173,17 @@ void add_reference(CLI::App& lumi)
     add_scene_options(*command, options->scene);
     add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.exr", wrong_reference_name);
     add_camera_options(*command, options->views);
+    CLI::Option* view = command
+                            ->add_option("--view", options->view,
+                                         "Look through the camera of this name in a glTF file, in place of --orbit")
+                            ->type_name("NAME")
+                            ->excludes("--orbit")
+                            ->excludes("--pose")
+                            ->excludes("--turntable")
+                            ->excludes("--over");
+    command->add_option("--save-pose", options->save_pose, "With --view: write the eye here, for lumi render --pose")
+        ->type_name("POSE.txt")
+        ->needs(view);
     command->add_option("--spp", options->settings.samples, "Light paths per pixel")
         ->type_name("S")
         ->check(whole_number(1, kMostPaths))

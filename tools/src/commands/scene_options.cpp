@@ -105,6 +105,10 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
         "What Kd, Ks, Ke and Tf of MTL files are: linear light, or as a display shows them, "
         "which 3ds Max, SketchUp and Sweet Home 3D write [linear, with a warning where they look "
         "otherwise]");
+    command
+        .add_option("--frame", options.frame,
+                    "Fit the sphere to the object, group, node or material of this name, and cut off what lies outside")
+        ->type_name("NAME");
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
         ->check(whole_number(0, kMostThreads))
         ->type_name("T");
@@ -118,6 +122,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     load.exposure_stops = options.exposure_stops;
     load.environment = options.sky;
     load.colours = options.colours;
+    load.frame = options.frame;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;

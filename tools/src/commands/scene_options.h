@@ -17,14 +17,15 @@ struct SceneOptions {
     std::string sky_picture;  // in place of `sky`; may be empty
     std::optional<double> exposure_stops;
     baker::ColourScale colours = baker::ColourScale::unstated;
+    std::string frame;  // may be empty, see baker::LoadOptions
     std::optional<float> iso;
     double pieces = baker::IsoSurface{}.pieces;
     bool solid_volume = false;  // for surface fields, see baker::LoadOptions
     unsigned threads = 0;
 };
 
-// Adds SCENE, --up, --sky, --exposure, --colours, --iso, --pieces and --threads; parsed values go to `options`, which
-// must outlive the parse.
+// Adds SCENE, --up, --sky, --exposure, --colours, --frame, --iso, --pieces and --threads; parsed values go to
+// `options`, which must outlive the parse.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
 // Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.

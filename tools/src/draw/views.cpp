@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "draw/over_photo.h"
-#include "draw/pose_file.h"
 #include "files/output_file.h"
 #include "image/png.h"
 #include "image/sheet.h"
@@ -66,7 +65,7 @@ Image image_of(const ViewOptions& options, double distance)
 
 std::vector<View> posed_view(const ViewOptions& options, const std::string& output)
 {
-    const Matrix4 matrix = read_matrix(options.pose);
+    const Matrix4 matrix = options.matrix ? *options.matrix : read_matrix(options.pose);
     const double distance = std::hypot(matrix[3], matrix[7], matrix[11]);
     const Pose pose = pose_of(matrix, options.pose);
     if (!(distance > 1))

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "draw/pose_file.h"
 #include "image/picture.h"
 #include "lumi/host/camera.h"
 
@@ -22,8 +23,9 @@ struct ViewOptions {
     double eye_distance = 0;  // in radii; above 0 = a stereo pair, left eye left
     int turntable = 0;        // views around the vertical axis; 0 = one view
     Rgb8 background = {0, 0, 0};
-    std::string pose;   // a file with a 4×4 matrix, in place of the orbit; may be empty
-    std::string photo;  // a PNG to draw over, which decides the size; may be empty
+    std::string pose;               // a file with a 4×4 matrix, in place of the orbit; may be empty
+    std::optional<Matrix4> matrix;  // the same, in place of the file, which then only names it in messages
+    std::string photo;              // a PNG to draw over, which decides the size; may be empty
 };
 
 // One camera: as people set it, and as core's chord renderer wants it.

@@ -62,6 +62,14 @@ struct IsoSurface {
     double pieces = 0.05;
 };
 
+// A camera of the scene's file.
+struct NamedView {
+    std::string name;
+    // Row by row, rigid: from the camera's axes (it looks along -z, y up) to those of the sphere, whose radius is 1.
+    std::array<double, 16> pose;
+    double fov_y_degrees;
+};
+
 // What is left open here is as the scene file says, or else the default.
 struct LoadOptions {
     std::optional<UpAxis> up = std::nullopt;  // y
@@ -74,6 +82,9 @@ struct LoadOptions {
     // a picture what gives the scene a middle tone.
     std::optional<double> exposure_stops = std::nullopt;
     ColourScale colours = ColourScale::unstated;
+    // An object, group, node or material: the sphere is fitted to it, and what lies outside of the sphere is cut off.
+    // Empty: the sphere holds all of the scene.
+    std::string frame;
     std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
@@ -99,6 +110,8 @@ public:
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
     // What was chosen of the light, because files and options leave it open: a sentence each.
     const std::vector<std::string>& notes() const;
+    // In the order of the file. Names may come twice or be empty.
+    const std::vector<NamedView>& views() const;
     bool mesh_is_shell() const;  // a volume without objects got its mesh by LoadOptions::solid_volume
 
     // A hash of all that decides light paths: the same files and options give the same value on every machine and in

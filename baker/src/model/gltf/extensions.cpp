@@ -12,17 +12,12 @@ namespace
 {
 
 constexpr const char* kDrawn[] = {
-    "KHR_lights_punctual",
-    "KHR_materials_clearcoat",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",
-    "KHR_materials_specular",
-    "KHR_materials_transmission",
-    "KHR_materials_unlit",
-    "KHR_materials_volume",
-    "KHR_mesh_quantization",
+    "KHR_lights_punctual",        "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",        "KHR_materials_specular",
+    "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_materials_volume",       "KHR_mesh_quantization",
     "KHR_texture_transform",
 };
 
@@ -117,7 +112,7 @@ GltfTextureUse texture_use_of(const GltfModel& model, int32_t texture, int32_t u
     const GltfTexture& named = element_of(model, model.textures, texture, "texture");
     GltfTextureUse use;
     use.image = named.image;
-    use.repeats = named.repeats;
+    use.wrap = named.wrap;
     use.uv_set = uv_set;
     const auto found = extensions.find("KHR_texture_transform");
     if (found == extensions.end()) return use;

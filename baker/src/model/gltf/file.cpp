@@ -162,6 +162,11 @@ GltfLight light_of(const tinygltf::Light& l)
     return result;
 }
 
+GltfCamera camera_of(const tinygltf::Camera& c)
+{
+    return {c.name, c.type == "perspective" ? c.perspective.yfov : 0};
+}
+
 template <class Info>
 GltfTextureUse use_of(const GltfModel& model, const Info& info)
 {
@@ -206,6 +211,13 @@ GltfImage image_of(const GltfModel& model, const tinygltf::Image& image)
     return result;
 }
 
+Wrap wrap_of(int mode)
+{
+    return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? Wrap::clamp
+           : mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirror
+                                                           : Wrap::repeat;
+}
+
 GltfTexture texture_of(const GltfModel& model, const tinygltf::Model& gltf, const tinygltf::Texture& texture)
 {
     GltfTexture result;
@@ -213,7 +225,7 @@ GltfTexture texture_of(const GltfModel& model, const tinygltf::Model& gltf, cons
     if (texture.source < 0) refuse_foreign_pictures(model, json_of(texture.extensions));
     if (texture.sampler >= 0 && static_cast<size_t>(texture.sampler) < gltf.samplers.size()) {
         const tinygltf::Sampler& sampler = gltf.samplers[static_cast<size_t>(texture.sampler)];
-        result.repeats = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_REPEAT && sampler.wrapT == TINYGLTF_TEXTURE_WRAP_REPEAT;
+        result.wrap = {wrap_of(sampler.wrapS), wrap_of(sampler.wrapT)};
     }
     return result;
 }
@@ -263,6 +275,7 @@ void take_looks(const tinygltf::Model& gltf, GltfModel& model)
     for (const tinygltf::Texture& texture : gltf.textures) model.textures.push_back(texture_of(model, gltf, texture));
     for (const tinygltf::Material& material : gltf.materials) model.materials.push_back(material_of(model, material));
     for (const tinygltf::Light& light : gltf.lights) model.lights.push_back(light_of(light));
+    for (const tinygltf::Camera& camera : gltf.cameras) model.cameras.push_back(camera_of(camera));
 }
 
 // The first of tinygltf's messages, as part of a sentence.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/stretch.h"
 #include "model/gltf/extensions.h"
 #include "model/gltf/textures.h"
 
@@ -15,12 +16,6 @@ namespace
 float float_member(const JsonValue& value, const char* name, double fallback)
 {
     return static_cast<float>(number_member(value, name, fallback));
-}
-
-bool is_alike(const GltfTextureUse& a, const GltfTextureUse& b)
-{
-    return a.scale.x == b.scale.x && a.scale.y == b.scale.y && a.offset.x == b.offset.x && a.offset.y == b.offset.y &&
-           a.rotation == b.rotation;
 }
 
 // Makes one material.
@@ -40,6 +35,7 @@ public:
         take_metal_and_roughness();
         take_specular_glossiness(colour, base);
         take_skin();
+        take_anisotropy();
         take_base(colour, base);
         take_emission();
         take_layers();
@@ -59,28 +55,23 @@ private:
         return found == gltf_.extensions.end() ? nullptr : &found->second;
     }
 
-    // The slot of a picture that is found. All pictures of a material take one set of coordinates, the first one's.
+    // The slot of a picture that is found.
     TextureSlot slot(const GltfTextureUse& use, int32_t texture)
     {
         if (texture == kNoTexture) return {};
-        result_.clamps = result_.clamps || !use.repeats;
-        if (!result_.has_pictures) {
-            result_.has_pictures = true;
-            result_.uv_set = use.uv_set;
-            if (use.rotation != 0) result_.turned = use;
-        }
-        if (use.uv_set != result_.uv_set) {
-            losses_.add("picture(s) have texture coordinates of their own and are left out; use one UV map a material");
+        std::vector<int32_t>& sets = result_.uv_sets;
+        const auto found = std::find(sets.begin(), sets.end(), use.uv_set);
+        const size_t place = static_cast<size_t>(found - sets.begin());
+        constexpr size_t kSets = 2;
+        if (place == kSets) {
+            losses_.add(
+                "picture(s) take a third set of texture coordinates and are left out; use two UV maps a material");
             return {};
         }
-        if (result_.turned.used()) {
-            if (!is_alike(use, result_.turned)) losses_.add(kTurned);
-            TextureSlot plain;
-            plain.texture = texture;
-            return plain;
-        }
-        if (use.rotation != 0) losses_.add(kTurned);
-        return slot_of(use, texture);
+        if (found == sets.end()) sets.push_back(use.uv_set);
+        TextureSlot slot = slot_of(use, texture);
+        slot.takes_second_uvs = place == 1;
+        return slot;
     }
 
     void take_metal_and_roughness()
@@ -110,6 +101,27 @@ private:
                 "picture(s) of specular and glossiness are left out; convert the model to metallic and roughness");
     }
 
+    // glTF widens the facets along the tangent towards 1 by the strength's square, and leaves them across.
+    void take_anisotropy()
+    {
+        const JsonValue* e = extension("KHR_materials_anisotropy");
+        if (!e) return;
+        const float strength = std::clamp(float_member(*e, "anisotropyStrength", 0), 0.0f, 1.0f);
+        const float across = m_.alpha, along = across + (1 - across) * strength * strength;
+        m_.alpha = std::sqrt(along * across);
+        m_.anisotropy = anisotropy_of(along / across);
+        m_.anisotropy_turns = std::remainder(float_member(*e, "anisotropyRotation", 0) / (2 * kPi), 1.0f);
+        if (has_one_of(*e, {"anisotropyTexture"}))
+            losses_.add("picture(s) of anisotropy are left out, its numbers are drawn; give parts their own materials");
+    }
+
+    // Of a picture's alpha, or 1 without one.
+    float mean_of_alpha(const JsonValue& extension, const char* texture)
+    {
+        const int32_t found = textures_.find(texture_member(model_, extension, texture), PictureUse::opacity);
+        return found == kNoTexture ? 1.0f : static_cast<float>(textures_.mean_of(found));
+    }
+
     void take_skin()
     {
         const JsonValue* ior = extension("KHR_materials_ior");
@@ -120,8 +132,11 @@ private:
         if (const JsonValue* e = extension("KHR_materials_specular")) {
             f0_ *= float_member(*e, "specularFactor", 1) *
                    max_component(colour_member(*e, "specularColorFactor", grey(1)));
-            if (find_member(*e, "specularTexture") || find_member(*e, "specularColorTexture"))
-                losses_.add("picture(s) of specular strength are left out; give it by a number");
+            f0_ *= mean_of_alpha(*e, "specularTexture");
+            if (has_one_of(*e, {"specularTexture"}))
+                losses_.add("picture(s) of specular strength count by their mean; give it by a number");
+            if (has_one_of(*e, {"specularColorTexture"}))
+                losses_.add("picture(s) of specular colours are left out; give the strength by a number");
         }
         constexpr float kMostReflectance = 0.36f;  // of the largest index that materials have
         f0_ = std::clamp(f0_, 0.0f, kMostReflectance);
@@ -151,19 +166,37 @@ private:
     {
         if (const JsonValue* e = extension("KHR_materials_clearcoat")) {
             m_.coat = std::clamp(float_member(*e, "clearcoatFactor", 0), 0.0f, 1.0f);
-            m_.coat_alpha = alpha_from_roughness(float_member(*e, "clearcoatRoughnessFactor", 0));
-            const GltfTextureUse use = texture_member(model_, *e, "clearcoatTexture");
-            const int32_t texture = m_.coat > 0 ? textures_.find(use, PictureUse::data) : kNoTexture;
-            if (texture != kNoTexture) m_.coat *= static_cast<float>(textures_.mean_of(texture));
-            if (m_.coat > 0 && (texture != kNoTexture || find_member(*e, "clearcoatRoughnessTexture") ||
-                                find_member(*e, "clearcoatNormalTexture")))
-                losses_.add("clear coat(s) are drawn without their pictures, with the mean strength; give numbers");
+            if (m_.coat > 0) take_means_of_coat(*e);
         }
         if (const JsonValue* e = extension("KHR_materials_sheen")) {
             m_.sheen_colour = colour_member(*e, "sheenColorFactor", {});
             m_.sheen = is_black(m_.sheen_colour) ? 0.0f : 1.0f;
             m_.sheen_roughness = float_member(*e, "sheenRoughnessFactor", 0);
+            if (m_.sheen > 0 && has_one_of(*e, {"sheenColorTexture", "sheenRoughnessTexture"}))
+                losses_.add("picture(s) of sheen are left out, its numbers are drawn; bake them into the base colour");
         }
+    }
+
+    // Red, 0, green, 1, or blue, 2, of a picture, or 1 without one.
+    float mean_of(const JsonValue& extension, const char* texture, size_t channel)
+    {
+        const int32_t found = textures_.find(texture_member(model_, extension, texture), PictureUse::data);
+        return found == kNoTexture ? 1.0f : static_cast<float>(textures_.mean_of(found, channel));
+    }
+
+    static bool has_one_of(const JsonValue& extension, std::initializer_list<const char*> members)
+    {
+        return std::any_of(
+            members.begin(), members.end(), [&](const char* name) { return find_member(extension, name) != nullptr; });
+    }
+
+    void take_means_of_coat(const JsonValue& coat)
+    {
+        m_.coat *= mean_of(coat, "clearcoatTexture", 0);
+        const float roughness = float_member(coat, "clearcoatRoughnessFactor", 0);
+        m_.coat_alpha = alpha_from_roughness(roughness * mean_of(coat, "clearcoatRoughnessTexture", 1));
+        if (has_one_of(coat, {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"}))
+            losses_.add("clear coat(s) are drawn without their pictures, by the means of these; give numbers");
     }
 
     void make_unlit(const Rgb& colour)
@@ -191,8 +224,11 @@ private:
     void take_transmission(const Rgb& colour)
     {
         const JsonValue* e = extension("KHR_materials_transmission");
-        const float share = e ? std::clamp(float_member(*e, "transmissionFactor", 0), 0.0f, 1.0f) : 0;
+        float share = e ? std::clamp(float_member(*e, "transmissionFactor", 0), 0.0f, 1.0f) : 0;
         if (!(share > 0) || m_.metalness >= 1) return;
+        share *= mean_of(*e, "transmissionTexture", 0);
+        if (has_one_of(*e, {"transmissionTexture"}))
+            losses_.add("picture(s) of transmission count by their mean; give parts that are clear their own material");
         constexpr float kMostlyClear = 0.5f;
         if (share < kMostlyClear) {
             m_.opacity *= 1 - share;
@@ -218,14 +254,12 @@ private:
 
     void note_losses()
     {
-        for (const char* name : {"KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_dispersion",
-                                 "KHR_materials_diffuse_transmission"})
+        for (const char* name :
+             {"KHR_materials_iridescence", "KHR_materials_dispersion", "KHR_materials_diffuse_transmission"})
             if (extension(name))
                 losses_.add("material(s) have " + std::string(name) + ", which is not drawn; check the picture");
     }
 
-    static constexpr const char* kTurned =
-        "picture(s) are turned otherwise than the material's other ones and lie wrong; use one placement a material";
     const GltfModel& model_;
     const GltfMaterial& gltf_;
     GltfTextures& textures_;

@@ -12,7 +12,7 @@
 // emissive, _emissive_strength          radiance from both sides
 // KHR_materials_unlit                   radiance of the base colour
 // alpha mode MASK, BLEND                opacity, cut at the cutoff; the share of light that does not pass
-// KHR_materials_clearcoat, _sheen       coat and fibres; only numbers
+// KHR_materials_clearcoat, _sheen       coat and fibres; of their pictures the means
 // occlusion                             nothing: it is traced
 // clang-format on
 #pragma once
@@ -26,13 +26,9 @@ namespace lumi::baker
 
 // A material, and which texture coordinates its pictures take.
 struct GltfSurface {
-    Material material;  // finished
-    int32_t uv_set = 0;
-    // Coordinates are turned by it before a slot's scale and offset: KHR_texture_transform of all of them alike.
-    GltfTextureUse turned;
-    bool has_pictures = false;
-    bool clamps = false;  // some picture does not repeat in the file
-    bool tinted = false;  // glass whose base colour colours what passes once through it
+    Material material;             // finished
+    std::vector<int32_t> uv_sets;  // the file's numbers of the first and the second one; as many as pictures use
+    bool tinted = false;           // glass whose base colour colours what passes once through it
 };
 
 // One for each material of the model, and a last one for primitives without a material. Pictures are appended to

@@ -48,20 +48,9 @@ Vec3 turned(const Affine& turn, const Vec3& n)
     return {static_cast<float>(v[0] / size), static_cast<float>(v[1] / size), static_cast<float>(v[2] / size)};
 }
 
-// With v upwards, and KHR_texture_transform where it cannot be the slots'.
-Vec2 mapped(const GltfTextureUse& turn, const Vec2& uv)
+Vec2 with_v_upwards(const Vec2& uv)
 {
-    if (!turn.used()) return {uv.x, 1 - uv.y};
-    const float c = static_cast<float>(std::cos(turn.rotation)), s = static_cast<float>(std::sin(turn.rotation));
-    const float u = uv.x * turn.scale.x, v = uv.y * turn.scale.y;
-    return {turn.offset.x + c * u + s * v, 1 - (turn.offset.y - s * u + c * v)};
-}
-
-bool reaches_beyond_picture(const std::vector<Vec2>& uvs)
-{
-    constexpr float kLow = -0.01f, kHigh = 1.01f;
-    return std::any_of(uvs.begin(), uvs.end(),
-                       [](const Vec2& uv) { return std::min(uv.x, uv.y) < kLow || std::max(uv.x, uv.y) > kHigh; });
+    return {uv.x, 1 - uv.y};
 }
 
 bool is_white(const Rgb& c)
@@ -92,8 +81,8 @@ void GltfMeshBuilder::add(int32_t mesh, const Affine& place)
         const GltfPrimitive& primitive = primitives[k];
         auto found = known_.find({mesh, k});
         if (found == known_.end()) {
-            const int32_t uv_set = surfaces_[surface_of(primitive)].uv_set;
-            found = known_.try_emplace({mesh, k}, shape_of(model_, primitive, uv_set, losses_)).first;
+            const std::vector<int32_t>& uv_sets = surfaces_[surface_of(primitive)].uv_sets;
+            found = known_.try_emplace({mesh, k}, shape_of(model_, primitive, uv_sets, losses_)).first;
         }
         add_primitive(primitive, found->second, place);
     }
@@ -115,14 +104,16 @@ uint32_t GltfMeshBuilder::material_of(size_t surface)
     return static_cast<uint32_t>(places_[surface]);
 }
 
-void GltfMeshBuilder::add_vertices(const GltfShape& shape, const GltfSurface& surface, const Affine& place)
+void GltfMeshBuilder::add_vertices(const GltfShape& shape, const Affine& place)
 {
     Mesh& mesh = parts_.mesh;
     const Affine turn = cofactors(place);
     for (const Vec3& p : shape.positions) mesh.positions.push_back(placed(model_, place, p));
     const float side = determinant(place) < 0 ? -1.0f : 1.0f;
     for (const Vec3& n : shape.normals) mesh.normals.push_back(turned(turn, n) * side);
-    for (const Vec2& uv : shape.uvs) mesh.uvs.push_back(mapped(surface.turned, uv));
+    if (!shape.second_uvs.empty()) mesh.second_uvs.resize(mesh.uvs.size());
+    for (const Vec2& uv : shape.second_uvs) mesh.second_uvs.push_back(with_v_upwards(uv));
+    for (const Vec2& uv : shape.uvs) mesh.uvs.push_back(with_v_upwards(uv));
 }
 
 void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfShape& shape, const Affine& place)
@@ -132,13 +123,10 @@ void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfSh
     if (shape.triangles.size() > kMaxTriangles - mesh.triangle_count())
         fail_gltf(model_, "it has more than " + std::to_string(kMaxTriangles) + " triangles; simplify it");
     const size_t surface = surface_of(primitive);
-    if (surfaces_[surface].clamps && reaches_beyond_picture(shape.uvs))
-        losses_.add(
-            "mesh(es) have pictures that do not repeat in the file and do here; keep texture coordinates in 0 to 1");
     const uint32_t position = static_cast<uint32_t>(mesh.positions.size());
     const int32_t normal = static_cast<int32_t>(mesh.normals.size()), uv = static_cast<int32_t>(mesh.uvs.size());
     const bool mirrored = determinant(place) < 0;
-    add_vertices(shape, surfaces_[surface], place);
+    add_vertices(shape, place);
     const size_t first = mesh.triangle_count();
     std::vector<std::array<uint32_t, 3>> kept;
     for (std::array<uint32_t, 3> t : shape.triangles) {
@@ -173,7 +161,7 @@ void GltfMeshBuilder::paint(const GltfShape& shape, size_t surface, size_t first
         return c.r == colours[0].r && c.g == colours[0].g && c.b == colours[0].b;
     });
     Rgb& tinted = is_black(material.base) ? material.emission : material.base;
-    if (even || surfaces_[surface].has_pictures) {
+    if (even || !surfaces_[surface].uv_sets.empty()) {
         tinted = tinted * mean_of(colours);
         if (!even)
             losses_.add("mesh(es) have pictures and colours at vertices, whose mean is taken; bake them together");

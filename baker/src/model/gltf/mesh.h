@@ -22,7 +22,7 @@ private:
     void add_primitive(const GltfPrimitive& primitive, const GltfShape& shape, const Affine& place);
     size_t surface_of(const GltfPrimitive& primitive) const;
     uint32_t material_of(size_t surface);
-    void add_vertices(const GltfShape& shape, const GltfSurface& surface, const Affine& place);
+    void add_vertices(const GltfShape& shape, const Affine& place);
     void paint(const GltfShape& shape, size_t surface, size_t first, const std::vector<std::array<uint32_t, 3>>& kept);
 
     const GltfModel& model_;

@@ -58,6 +58,11 @@ struct GltfLight {
     double inner_cone = 0, outer_cone = 0;
 };
 
+struct GltfCamera {
+    std::string name;
+    double fov_y = 0;  // radians; 0 without perspective
+};
+
 struct GltfImage {
     std::string name;   // for messages
     std::string bytes;  // of its file; empty where that is missing
@@ -70,7 +75,7 @@ struct GltfTextureUse {
     Vec2 scale = {1, 1}, offset;
     double rotation = 0;
     double strength = 1;  // of normals
-    bool repeats = true;
+    std::array<Wrap, 2> wrap = {Wrap::repeat, Wrap::repeat};
 
     bool used() const { return image != kNoIndex; }
 };
@@ -89,7 +94,7 @@ struct GltfMaterial {
 
 struct GltfTexture {
     int32_t image = kNoIndex;
-    bool repeats = true;
+    std::array<Wrap, 2> wrap = {Wrap::repeat, Wrap::repeat};
 };
 
 struct GltfModel {
@@ -104,6 +109,7 @@ struct GltfModel {
     std::vector<GltfTexture> textures;
     std::vector<GltfImage> images;
     std::vector<GltfLight> lights;
+    std::vector<GltfCamera> cameras;
     bool moves = false;  // animated, skinned or morphed
 };
 

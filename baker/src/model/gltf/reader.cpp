@@ -21,7 +21,8 @@ public:
     GltfSceneReader(const GltfModel& model, Losses& losses, std::vector<std::string>& warnings)
         : model_(model),
           surfaces_(surfaces_of(model, parts_.textures, losses, warnings)),
-          meshes_(model, surfaces_, parts_, losses)
+          meshes_(model, surfaces_, parts_, losses),
+          losses_(losses)
     {
     }
 
@@ -38,6 +39,7 @@ private:
     struct Placed {
         int32_t node;
         Affine parent;
+        int32_t part;  // the named part that the parent is, or kNoIndex
     };
 
     // Nodes are a forest: who comes twice would come for ever, or too often.
@@ -46,7 +48,8 @@ private:
         constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
         std::vector<bool> seen(model_.nodes.size(), false);
         std::vector<Placed> open;
-        for (auto root = model_.roots.rbegin(); root != model_.roots.rend(); ++root) open.push_back({*root, kIdentity});
+        for (auto root = model_.roots.rbegin(); root != model_.roots.rend(); ++root)
+            open.push_back({*root, kIdentity, kNoIndex});
         while (!open.empty()) {
             const Placed next = open.back();
             open.pop_back();
@@ -57,11 +60,40 @@ private:
             }
             seen[static_cast<size_t>(next.node)] = true;
             const Affine place = combined(next.parent, node.matrix);
+            const int32_t part = begin_part(node, next.part);
             if (node.mesh != kNoIndex) meshes_.add(node.mesh, place);
+            end_part(part);
             if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-                open.push_back({*child, place});
+                open.push_back({*child, place, part});
+            if (node.camera != kNoIndex)
+                add_view(node, element_of(model_, model_.cameras, node.camera, "camera"), place);
         }
+    }
+
+    int32_t begin_part(const GltfNode& node, int32_t parent)
+    {
+        const size_t triangles = parts_.mesh.triangle_count();
+        parts_.named.push_back({node.name, triangles, triangles});
+        parents_.push_back(parent);
+        return static_cast<int32_t>(parts_.named.size() - 1);
+    }
+
+    // Nodes come depth first, so that what lies below one stands together.
+    void end_part(int32_t part)
+    {
+        for (; part != kNoIndex; part = parents_[static_cast<size_t>(part)])
+            parts_.named[static_cast<size_t>(part)].end = parts_.mesh.triangle_count();
+    }
+
+    void add_view(const GltfNode& node, const GltfCamera& camera, const Affine& place)
+    {
+        constexpr double kWidest = 3.1;  // below half a turn
+        if (!(camera.fov_y > 0) || camera.fov_y > kWidest) {
+            losses_.add("camera(s) have no perspective and are no views; give them one");
+            return;
+        }
+        parts_.views.push_back({node.name.empty() ? camera.name : node.name, place, camera.fov_y});
     }
 
     void add_light(const GltfLight& light, const Affine& place)
@@ -126,6 +158,8 @@ private:
     SceneParts parts_;
     const std::vector<GltfSurface> surfaces_;
     GltfMeshBuilder meshes_;
+    Losses& losses_;
+    std::vector<int32_t> parents_;  // of named parts
 };
 
 }  // namespace

@@ -44,6 +44,11 @@ std::vector<T> elements_of(const GltfModel& model, const GltfPrimitive& primitiv
     return result;
 }
 
+std::vector<Vec2> uvs_of(const GltfModel& model, const GltfPrimitive& primitive, int32_t set)
+{
+    return elements_of<Vec2>(model, primitive, "TEXCOORD_" + std::to_string(set));
+}
+
 template <class T>
 void drop_if_short(std::vector<T>& list, size_t vertices, Losses& losses)
 {
@@ -80,7 +85,8 @@ std::array<uint32_t, 3> triangle_of(const std::vector<uint32_t>& corners, size_t
 
 }  // namespace
 
-GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, int32_t uv_set, Losses& losses)
+GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, const std::vector<int32_t>& uv_sets,
+                   Losses& losses)
 {
     GltfShape shape;
     if (primitive.compressed && primitive.attributes.empty())
@@ -96,10 +102,13 @@ GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, int32
     }
     const size_t vertices = shape.positions.size();
     shape.normals = elements_of<Vec3>(model, primitive, "NORMAL");
-    shape.uvs = elements_of<Vec2>(model, primitive, "TEXCOORD_" + std::to_string(uv_set));
+    shape.uvs = uvs_of(model, primitive, uv_sets.empty() ? 0 : uv_sets[0]);
+    if (uv_sets.size() > 1) shape.second_uvs = uvs_of(model, primitive, uv_sets[1]);
     shape.colours = elements_of<Rgb>(model, primitive, "COLOR_0");
     drop_if_short(shape.normals, vertices, losses);
     drop_if_short(shape.uvs, vertices, losses);
+    drop_if_short(shape.second_uvs, vertices, losses);
+    if (shape.uvs.empty() && !shape.second_uvs.empty()) shape.uvs.resize(shape.second_uvs.size());
     drop_if_short(shape.colours, vertices, losses);
     const std::vector<uint32_t> corners = corners_of(model, primitive, vertices);
     const size_t count = primitive.mode == kTriangles ? corners.size() / 3

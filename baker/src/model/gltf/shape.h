@@ -10,13 +10,15 @@ namespace lumi::baker
 
 struct GltfShape {
     std::vector<Vec3> positions;
-    std::vector<Vec3> normals;  // of any length; empty, or one a position, as the next two
-    std::vector<Vec2> uvs;      // as in the file, v downwards
+    std::vector<Vec3> normals;          // of any length; empty, or one a position, as the next two
+    std::vector<Vec2> uvs, second_uvs;  // as in the file, v downwards
     std::vector<Rgb> colours;
     std::vector<std::array<uint32_t, 3>> triangles;  // in range
 };
 
-// Without triangles where the primitive is points or lines. Throws SceneError where its numbers are damaged.
-GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, int32_t uv_set, Losses& losses);
+// Takes up to two sets of texture coordinates, or set 0. Without triangles where the primitive is points or lines.
+// Throws SceneError where its numbers are damaged.
+GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, const std::vector<int32_t>& uv_sets,
+                   Losses& losses);
 
 }  // namespace lumi::baker

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "util/text_lines.h"
 
@@ -106,11 +105,12 @@ int32_t GltfTextures::find_mask(const GltfTextureUse& use, float alpha, float cu
     return texture == kNoTexture || mean_of(texture) < 1 ? texture : kNoTexture;
 }
 
-double GltfTextures::mean_of(int32_t texture) const
+double GltfTextures::mean_of(int32_t texture, size_t channel) const
 {
     const std::vector<uint8_t>& bytes = textures_[static_cast<size_t>(texture)].rgb;
-    const uint64_t sum = std::accumulate(bytes.begin(), bytes.end(), uint64_t{0});
-    return static_cast<double>(sum) / (255.0 * static_cast<double>(bytes.size()));
+    uint64_t sum = 0;
+    for (size_t k = channel; k < bytes.size(); k += 3) sum += bytes[k];
+    return static_cast<double>(sum) / (255.0 * static_cast<double>(bytes.size() / 3));
 }
 
 TextureSlot slot_of(const GltfTextureUse& use, int32_t texture)
@@ -118,7 +118,10 @@ TextureSlot slot_of(const GltfTextureUse& use, int32_t texture)
     TextureSlot slot;
     slot.texture = texture;
     slot.scale = use.scale;
-    slot.offset = {use.offset.x, 1 - use.offset.y - use.scale.y};
+    const float c = static_cast<float>(std::cos(use.rotation)), s = static_cast<float>(std::sin(use.rotation));
+    slot.turn = {c, s};
+    slot.offset = {use.offset.x + s * use.scale.y, 1 - use.offset.y - c * use.scale.y};
+    slot.wrap = use.wrap;
     return slot;
 }
 

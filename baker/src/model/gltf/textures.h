@@ -28,8 +28,8 @@ public:
     int32_t find_opacity(const GltfTextureUse& use);
     int32_t find_mask(const GltfTextureUse& use, float alpha, float cutoff);
 
-    // Of all bytes, 0 to 1.
-    double mean_of(int32_t texture) const;
+    // Of the bytes of red, 0, green, 1, or blue, 2; from 0 to 1.
+    double mean_of(int32_t texture, size_t channel = 0) const;
 
 private:
     using Key = std::tuple<int32_t, PictureUse, double, double>;  // image, use, and two numbers that change it

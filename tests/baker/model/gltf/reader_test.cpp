@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "lumi/baker/scene.h"
 #include "material/texture_slot.h"
 #include "support/gltf_bytes.h"
 #include "support/picture_bytes.h"
@@ -201,6 +202,14 @@ TEST_CASE("glTF: extensions of materials: index, specular, coat, sheen, emission
     CHECK(coated.coat == 0.5f);
     CHECK(coated.coat_alpha == Approx(0.09));
     CHECK(with("sheen\":{\"sheenColorFactor\":[1,0,0],\"sheenRoughnessFactor\":0.4}").sheen_roughness == Approx(0.4));
+    // Widths of 0.25 across and 0.25 + 0.75 · 0.5² along.
+    const Material brushed = gltf_material(
+        "\"pbrMetallicRoughness\":{\"roughnessFactor\":0.5},\"extensions\":{\"KHR_materials_anisotropy\":{"
+        "\"anisotropyStrength\":0.5,\"anisotropyRotation\":1.5707963}}");
+    const float aspect = std::sqrt(1 - 0.9f * brushed.anisotropy);
+    CHECK(brushed.alpha / aspect == Approx(0.4375));
+    CHECK(brushed.alpha * aspect == Approx(0.25));
+    CHECK(brushed.anisotropy_turns == Approx(0.25));
     const Material lamp = with("emissive_strength\":{\"emissiveStrength\":5}", ",\"emissiveFactor\":[1,0.5,0]");
     check_gltf(lamp.emission, {5, 2.5f, 0}, 0);
     const Material unlit = with("unlit\":{}");
@@ -233,6 +242,48 @@ TEST_CASE("glTF: pictures lie upright, roughness is green, metalness blue")
     CHECK(shown_on_square(both.parts, &TextureSlots::metalness, 0.5f, 0.2f).g == Approx(64 / 255.0));
 }
 
+TEST_CASE("glTF: cameras are views by the name of their node, with the place of all nodes above, without their scale")
+{
+    GltfMaker maker = square("", "\"translation\":[0,0,-1],\"children\":[1,2,3]",
+                             ",{\"name\":\"Front\",\"camera\":0,\"translation\":[2,0,5],\"scale\":[3,3,3]},"
+                             "{\"camera\":0,\"rotation\":[0,0.70710678,0,0.70710678]},{\"camera\":1}");
+    maker.add(
+        "\"cameras\":[{\"name\":\"lens\",\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":1}},"
+        "{\"type\":\"orthographic\",\"orthographic\":{\"xmag\":1,\"ymag\":1,\"zfar\":9,\"znear\":1}}]");
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    const Scene scene = load_scene(folder.write("m.glb", maker.glb()), {}, warnings);
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Catch::Contains("1 camera(s) have no perspective"));
+    REQUIRE(scene.views().size() == 2);
+    const auto is_pose = [&](const NamedView& view, const std::array<double, 16>& pose) {
+        for (size_t k = 0; k < pose.size(); ++k) {
+            INFO(k);
+            CHECK(view.pose[k] == Approx(pose[k]).margin(1e-6));
+        }
+    };
+    // The square's middle is (0.5, 0.5, -1); the sphere's x, y, z are the scene's z, x, y.
+    const double r = static_cast<double>(scene.radius());
+    CHECK(scene.views()[0].name == "Front");
+    CHECK(scene.views()[0].fov_y_degrees == Approx(28.6479));
+    is_pose(scene.views()[0], {0, 0, 1, 5 / r, 1, 0, 0, 1.5 / r, 0, 1, 0, -0.5 / r, 0, 0, 0, 1});
+    // A quarter to the left: it looks along -x.
+    CHECK(scene.views()[1].name == "lens");
+    is_pose(scene.views()[1], {-1, 0, 0, 0, 0, 0, 1, -0.5 / r, 0, 1, 0, -0.5 / r, 0, 0, 0, 1});
+}
+
+TEST_CASE("glTF: a node's name stands for all triangles below it")
+{
+    GltfMaker maker = square("", "\"name\":\"all\",\"children\":[1,2]",
+                             ",{\"name\":\"left\",\"children\":[3]},{\"name\":\"right\",\"mesh\":0},"
+                             "{\"name\":\"below\",\"mesh\":0}");
+    const LoadedGltf l = load_glb(maker);
+    std::string text;
+    for (const NamedPart& part : l.parts.named)
+        text += part.name + " " + std::to_string(part.first) + "-" + std::to_string(part.end) + "; ";
+    CHECK(text == "all 0-6; left 2-4; below 2-4; right 4-6; ");
+}
+
 TEST_CASE("glTF: texture transforms scale, turn and move")
 {
     const auto at = [](const std::string& transform, float x, float y) {
@@ -250,6 +301,85 @@ TEST_CASE("glTF: texture transforms scale, turn and move")
     check_gltf(at("\"offset\":[0,0.5]", 0.25f, 0.75f), {0, 0, 1}, 1e-3f);
     // A quarter: (u, v) becomes (v, -u), so that the place at (0.25, 0.25) reads (0.25, -0.25), the lower left pixel.
     check_gltf(at("\"rotation\":1.5707963", 0.25f, 0.75f), {0, 0, 1}, 1e-3f);
+}
+
+TEST_CASE("glTF: pictures of one material may be turned and moved each by itself")
+{
+    const LoadedGltf l = load_with_picture(
+        four_colours(),
+        "\"emissiveFactor\":[1,1,1],\"emissiveTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{"
+        "\"rotation\":1.5707963,\"scale\":[2,1],\"offset\":[0.5,0]}}},\"pbrMetallicRoughness\":{"
+        "\"baseColorTexture\":{\"index\":0}}");
+    CHECK(l.warnings.empty());
+    check_gltf(shown_on_square(l.parts, &TextureSlots::base, 0.25f, 0.75f), {1, 0, 0}, 1e-3f);
+    // glTF's (u, v) = (0.125, 0.25) becomes (0.25, 0.25), then (0.25, -0.25) by the turn, then (0.75, -0.25).
+    check_gltf(shown_on_square(l.parts, &TextureSlots::emission, 0.125f, 0.75f), {1, 1, 1}, 1e-3f);
+}
+
+TEST_CASE("glTF: samplers repeat, hold the border, or mirror beyond the picture, in each direction by itself")
+{
+    const auto at = [](const std::string& modes, float x, float y) {
+        GltfMaker maker = square(
+            "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":{"
+            "\"KHR_texture_transform\":{\"scale\":[2,2]}}}}");
+        const std::string view = std::to_string(maker.view(four_colours()));
+        maker.add("\"images\":[{\"bufferView\":" + view +
+                  ",\"mimeType\":\"image/png\"}],\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{" + modes +
+                  "}]");
+        const LoadedGltf l = load_glb(maker);
+        CHECK(l.warnings.empty());
+        return shown_on_square(l.parts, &TextureSlots::base, x, y);
+    };
+    // x from 0.5 on lies beyond the picture; at 0.625 is its first quarter again, which the mirror shows as the last.
+    check_gltf(at("\"wrapS\":10497", 0.625f, 0.875f), {1, 0, 0}, 1e-3f);
+    check_gltf(at("\"wrapS\":33648", 0.625f, 0.875f), {0, 1, 0}, 1e-3f);
+    check_gltf(at("\"wrapS\":33648", 0.875f, 0.875f), {1, 0, 0}, 1e-3f);
+    check_gltf(at("\"wrapS\":33071", 0.875f, 0.875f), {0, 1, 0}, 1e-3f);
+    // v of glTF runs downwards, so that y below 0.5 lies beyond the lower border.
+    check_gltf(at("\"wrapT\":33648", 0.125f, 0.375f), {0, 0, 1}, 1e-3f);
+    check_gltf(at("\"wrapT\":33071", 0.125f, 0.125f), {0, 0, 1}, 1e-3f);
+}
+
+TEST_CASE("glTF: pictures take the set of texture coordinates that they name, up to two a material")
+{
+    GltfMaker maker;
+    const std::string positions = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
+    const std::string first = std::to_string(maker.vec2({0, 1, 1, 1, 1, 0, 0, 0}));
+    const std::string second = std::to_string(maker.vec2({0.75f, 0.25f, 0.75f, 0.25f, 0.75f, 0.25f, 0.75f, 0.25f}));
+    const std::string indices = std::to_string(maker.indices({0, 1, 2, 0, 2, 3}));
+    maker.add("\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{\"mesh\":1},{\"mesh\":0}]");
+    maker.add("\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" + positions + ",\"TEXCOORD_0\":" + first +
+              ",\"TEXCOORD_3\":" + second + "},\"indices\":" + indices +
+              ",\"material\":0}]},{\"primitives\":[{\"attributes\":{\"POSITION\":" + positions +
+              ",\"TEXCOORD_0\":" + first + "},\"indices\":" + indices + ",\"material\":1}]}]");
+    maker.add(
+        "\"materials\":[{\"emissiveFactor\":[1,1,1],\"emissiveTexture\":{\"index\":0,\"texCoord\":3},"
+        "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}},\"normalTexture\":{\"index\":0,"
+        "\"texCoord\":2}},{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]");
+    const std::string view = std::to_string(maker.view(four_colours()));
+    maker.add("\"images\":[{\"bufferView\":" + view + ",\"mimeType\":\"image/png\"}],\"textures\":[{\"source\":0}]");
+    const LoadedGltf l = load_glb(maker);
+    CHECK_THAT(l.warnings, Catch::Contains("1 picture(s) take a third set"));
+    const auto shown = [&](TextureSlot TextureSlots::*slot, uint32_t triangle) {
+        const TextureSlots& maps = l.parts.materials[l.parts.mesh.materials[triangle]].maps;
+        return slot_colour(l.parts.mesh, l.parts.textures, maps.*slot, triangle, {0.5f, 0.25f});
+    };
+    // The second node's triangles; the first node's mesh, which lies before it, has no second set.
+    check_gltf(shown(&TextureSlots::emission, 2), {0, 1, 0}, 1e-3f);
+    check_gltf(shown(&TextureSlots::emission, 3), {0, 1, 0}, 1e-3f);
+    check_gltf(shown(&TextureSlots::base, 2), {1, 1, 1}, 1e-3f);
+    check_gltf(shown(&TextureSlots::base, 0), {1, 1, 1}, 1e-3f);
+}
+
+TEST_CASE("glTF: a coat's pictures count by their means, of red and of green, with a word")
+{
+    const LoadedGltf l = load_with_picture(
+        testing::rgb_png(1, {51, 102, 255}),
+        "\"extensions\":{\"KHR_materials_clearcoat\":{\"clearcoatFactor\":0.5,\"clearcoatRoughnessFactor\":0.5,"
+        "\"clearcoatTexture\":{\"index\":0},\"clearcoatRoughnessTexture\":{\"index\":0}}}");
+    CHECK(l.parts.materials[0].coat == Approx(0.1));
+    CHECK(l.parts.materials[0].coat_alpha == Approx(0.04));
+    CHECK_THAT(l.warnings, Catch::Contains("1 clear coat(s)"));
 }
 
 TEST_CASE("glTF: alpha cuts at the cutoff, blends, or does nothing")
