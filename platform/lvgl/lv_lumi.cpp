@@ -28,7 +28,8 @@ void follow(lv_timer_t* timer)
     lv_obj_t* const obj = static_cast<lv_obj_t*>(lv_timer_get_user_data(timer));
     Widget& widget = widget_of(obj);
     lumi_orbit next = widget.image->orbit;
-    lumi::Orbit orbit = {next.azimuth_turns32, next.elevation_turns32, next.distance_q20, next.fov_turns32};
+    lumi::Orbit orbit = {next.azimuth_turns32, next.elevation_turns32, next.distance_q20, next.fov_turns32,
+                         next.zoom_q16};
     const bool is_moving = widget.drag.next(widget.touch, lv_tick_elaps(widget.last_ms), orbit);
     widget.last_ms = lv_tick_get();
     next.azimuth_turns32 = orbit.azimuth_turns32;
@@ -104,7 +105,8 @@ void lv_lumi_set_orbit(lv_obj_t* obj, lumi_orbit orbit)
 {
     const lumi_orbit before = lv_lumi_get_orbit(obj);
     if (orbit.azimuth_turns32 == before.azimuth_turns32 && orbit.elevation_turns32 == before.elevation_turns32 &&
-        orbit.distance_q20 == before.distance_q20 && orbit.fov_turns32 == before.fov_turns32)
+        orbit.distance_q20 == before.distance_q20 && orbit.fov_turns32 == before.fov_turns32 &&
+        orbit.zoom_q16 == before.zoom_q16)
         return;
     lv_lumi_image_set_orbit(widget_of(obj).image, orbit);
     lv_obj_invalidate(obj);

@@ -87,7 +87,7 @@ static int report(const char* folder, int frame)
 int main(int count, char** arguments)
 {
     const lumi_screen screen = {SIDE, SIDE, ROWS, LUMI_ANTIALIASED};
-    const lumi_orbit orbit = {LUMI_DEGREES(30), LUMI_DEGREES(20), LUMI_RADII(3), LUMI_FIT_SPHERE};
+    const lumi_orbit orbit = {LUMI_DEGREES(30), LUMI_DEGREES(20), LUMI_RADII(3), LUMI_FIT_SPHERE, LUMI_NO_ZOOM};
     if (count != 2) return 2;
     headless_start();
     lv_lumi_image_decoder_init();

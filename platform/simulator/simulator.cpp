@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip NAME]
-// Runs the Pico's program on this machine. The mouse turns the object, its wheel comes nearer, Escape ends.
+// Runs the Pico's program on this machine. The mouse turns the object, its wheel zooms, Escape ends.
 //   --frames FOLDER  writes what the display shows, FOLDER/frame-0.bmp and on; without --drag it opens no window
 //   --drag X,Y       drags the mouse by so many pixels after the first frame, draws, and ends
 //   --rate FPS       waits as long between frames as a chip of that rate would draw

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int kScale = 2;
-constexpr int32_t kNearest = 11 * (lumi::kOneQ20 / 10), kFarthest = 20 * lumi::kOneQ20;
+constexpr uint32_t kLeastZoom = lumi::kNoZoom / 4, kMostZoom = 16 * lumi::kNoZoom;
 
 SDL_Renderer* renderer;
 SDL_Texture* texture;
@@ -34,10 +34,10 @@ void turn(lumi::Orbit& orbit, int x_px, int y_px)
     orbit.elevation_turns32 = static_cast<uint32_t>(std::clamp<int64_t>(elevation, -limit, limit));
 }
 
-void come_nearer(lumi::Orbit& orbit, int steps)
+void zoom(lumi::Orbit& orbit, int steps)
 {
-    const int64_t distance = orbit.distance_q20 - int64_t{orbit.distance_q20} * std::clamp(steps, -4, 4) / 8;
-    orbit.distance_q20 = static_cast<int32_t>(std::clamp<int64_t>(distance, kNearest, kFarthest));
+    const int64_t zoom_q16 = orbit.zoom_q16 + int64_t{orbit.zoom_q16} * std::clamp(steps, -4, 4) / 8;
+    orbit.zoom_q16 = static_cast<uint32_t>(std::clamp<int64_t>(zoom_q16, kLeastZoom, kMostZoom));
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ bool wait_for_turn(lumi::Orbit& orbit)
                 is_turned = true;
             }
             if (event.type == SDL_MOUSEWHEEL) {
-                come_nearer(orbit, event.wheel.y);
+                zoom(orbit, event.wheel.y);
                 is_turned = true;
             }
             if (event.type == SDL_WINDOWEVENT) is_turned = true;  // uncovered, perhaps

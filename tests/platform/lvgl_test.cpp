@@ -16,7 +16,7 @@ namespace
 
 constexpr int32_t kSide = 48, kRows = 8;
 constexpr lumi_screen kScreen = {kSide, kSide, kRows, LUMI_ANTIALIASED};
-constexpr lumi_orbit kOrbit = {LUMI_DEGREES(30), LUMI_DEGREES(-20), LUMI_RADII(5) / 2, LUMI_FIT_SPHERE};
+constexpr lumi_orbit kOrbit = {LUMI_DEGREES(30), LUMI_DEGREES(-20), LUMI_RADII(5) / 2, LUMI_FIT_SPHERE, LUMI_NO_ZOOM};
 uint64_t memory[LUMI_MEMORY(98, 128, kSide, kSide, kRows) / 8 + 1];
 
 struct Planes {
@@ -123,7 +123,7 @@ TEST_CASE("the decoder tells an image's size, and leaves images of others alone"
 TEST_CASE("an eye inside the sphere, and a field cut off, are errors with a text")
 {
     lv_lumi_image_t& image = opened();
-    lv_lumi_image_set_orbit(&image, {0, 0, LUMI_RADII(1) / 2, LUMI_FIT_SPHERE});
+    lv_lumi_image_set_orbit(&image, {0, 0, LUMI_RADII(1) / 2, LUMI_FIT_SPHERE, LUMI_NO_ZOOM});
     Planes planes;
     CHECK(draw_part(image, {0, 0, kSide - 1, kSide - 1}, planes) == LV_RESULT_INVALID);
     CHECK(image.error == static_cast<lumi_error>(view_error(CameraError::eye_inside_sphere)));

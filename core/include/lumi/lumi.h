@@ -33,6 +33,8 @@ extern "C" {
 /* In place of a field of view: the sphere fills the image, as `lumi render` has it. */
 #define LUMI_FIT_SPHERE ((uint32_t)0)
 
+#define LUMI_NO_ZOOM ((uint32_t)65536)
+
 /* 0, or a value of lumi::ViewError (view_error.h); lumi_error_text says what to do. */
 typedef uint8_t lumi_error;
 
@@ -51,6 +53,7 @@ typedef struct {
     uint32_t azimuth_turns32, elevation_turns32;
     int32_t distance_q20;
     uint32_t fov_turns32; /* over the image's longer side, or LUMI_FIT_SPHERE */
+    uint32_t zoom_q16;    /* 2 * LUMI_NO_ZOOM shows everything twice as large; 0 counts as LUMI_NO_ZOOM */
 } lumi_orbit;
 
 /* A rectangle in the caller's memory, rows stride_bytes apart, top row first. */
@@ -86,7 +89,15 @@ lumi_error lumi_verify(const uint8_t* field, size_t field_bytes);
 /* The next frame's eye. A failure leaves the frame as it was. */
 lumi_error lumi_look(lumi_view* view, lumi_orbit orbit);
 
-/* Draws every pixel of the stripe. */
+/* A rectangle of the image; nothing where a side is 0. */
+typedef struct {
+    int32_t x_px, y_px, width_px, height_px;
+} lumi_rect;
+
+/* Where the object is in this frame: beside it, every pixel is background. Empty before a look. */
+lumi_rect lumi_bounds(const lumi_view* view);
+
+/* Draws every pixel of the stripe; where it lies beside the image, background. */
 lumi_error lumi_draw(lumi_view* view, lumi_stripe stripe);
 
 /* A surface field's coverage of the stripe that was drawn last, a byte a pixel: where LUMI_C_BACKGROUND is

@@ -28,12 +28,17 @@ constexpr int32_t radii(int32_t whole_radii)
 // In place of a field of view: the one in which the sphere fills the image, see fit_sphere.
 inline constexpr uint32_t kFitSphere = 0;
 
-// An eye that looks at the centre of the sphere, z up in the picture.
+inline constexpr uint32_t kNoZoom = 1u << 16;
+
+// An eye that looks at the centre of the sphere, z up in the picture. With a fitted sphere the distance changes the
+// perspective alone; zoom makes the object larger.
 struct Orbit {
     uint32_t azimuth_turns32 = 0;    // 0 looks from +x, a quarter turn from +y
     uint32_t elevation_turns32 = 0;  // -1/4 to 1/4 turn: degrees(-20) is below
     int32_t distance_q20 = 3 * kOneQ20;
     uint32_t fov_turns32 = kFitSphere;
+    uint32_t zoom_q16 = kNoZoom;  // 2 * kNoZoom shows everything twice as large, as far as a field of view of 1 to 120
+                                  // degrees does; 0 counts as kNoZoom
 };
 
 // The field of view over the image's longer side in which the sphere, seen from so far, fills the shorter side but for
@@ -48,5 +53,9 @@ inline Pose pose_of(const Orbit& o)
     return detail::orbit(o.azimuth_turns32, static_cast<int32_t>(o.elevation_turns32), o.distance_q20);
 }
 Image image_of(const Orbit& orbit, int32_t width_px, int32_t height_px);
+
+// The field of view that shows everything so many times as large, within what a camera takes. Precondition: a field of
+// view that a camera takes.
+uint32_t zoomed(uint32_t fov_turns32, uint32_t zoom_q16);
 
 }  // namespace lumi

@@ -55,6 +55,14 @@ struct PixelRgb888 {
     static Rgb8 load(const uint8_t* p) { return {p[0], p[1], p[2]}; }
 };
 
+// 3 bytes: blue, green, red, as LTDC, DMA2D and LVGL keep 24 bits.
+struct PixelBgr888 {
+    static constexpr uint32_t kBytes = 3;
+    static void store(uint8_t* p, const Rgb8& c) { PixelRgb888::store(p, {c.b, c.g, c.r}); }
+    static void store_grey(uint8_t* p, uint8_t v) { PixelRgb888::store(p, {v, v, v}); }
+    static Rgb8 load(const uint8_t* p) { return {p[2], p[1], p[0]}; }
+};
+
 // 1 byte of luma.
 struct PixelGrey8 {
     static constexpr uint32_t kBytes = 1;

@@ -27,6 +27,11 @@ private:
     static int32_t end_of(int32_t begin, int32_t size) { return begin > INT32_MAX - size ? INT32_MAX : begin + size; }
 };
 
+// A rectangle of the image; nothing where a side is 0.
+struct PixelRect {
+    int32_t x_px, y_px, width_px, height_px;
+};
+
 // Where a pixel of the stripe lies in memory.
 template <class Pixel>
 uint8_t* pixel_of(const Stripe& stripe, int32_t x, int32_t y)

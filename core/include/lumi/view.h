@@ -40,7 +40,7 @@ struct Screen {
 namespace lumi::detail
 {
 
-// What of a stripe lies in the image: nothing, or a rectangle with sides of 1 pixel or more.
+// What of a stripe lies in the image; nothing where a side is 0.
 struct ImageSize {
     int32_t width_px, height_px;
 };
@@ -103,7 +103,13 @@ public:
         return error;
     }
 
-    // Draws every pixel of the stripe over black, or over another background (background.h).
+    // Where the object is in this frame: beside it, every pixel is background. What a display must be sent is this
+    // rectangle and the last frame's. Empty before a look. Free for surface fields; for chord fields it finds the
+    // sphere's outline in every scanline.
+    PixelRect bounds() const { return has_look_ ? state_.bounds() : PixelRect{0, 0, 0, 0}; }
+
+    // Draws every pixel of the stripe over black, or over another background (background.h), which also fills what of
+    // the stripe lies beside the image.
     ViewError draw(const Stripe& stripe) { return draw(stripe, OverBlack{}); }
     template <class Background>
     ViewError draw(const Stripe& stripe, const Background& background)

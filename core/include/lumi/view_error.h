@@ -21,7 +21,7 @@ enum class [[nodiscard]] ViewError : uint8_t{
     no_pixels,             // a stripe without memory, or without width or height
     unaligned_pixels,      // an odd address or stride of 16-bit pixels, or one not divisible by 4 of 32-bit ones
     short_stride,          // rows of a stripe overlap
-    stripe_outside,        // no pixel of the stripe lies in the image
+    stripe_too_far,        // the stripe ends beyond what 32 bits count
     stripe_too_large,      // more of the image in one stripe than the build has memory for
     memory_too_small,      // C only: less than lumi_memory_size tells
     unaligned_memory,      // C only: an address that is not divisible by 8

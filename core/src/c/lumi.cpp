@@ -83,6 +83,11 @@ ViewError look_at(lumi_view& view, const Pose& pose, const Image& image)
     return detail::view_error(make_camera(pose, image, view.camera));
 }
 
+PixelRect bounds_of(const lumi_view& view)
+{
+    return detail::covered_rectangle(view.camera);
+}
+
 ViewError draw_part(const lumi_view& view, const Stripe& stripe, const detail::StripePart&)
 {
     const RenderError error =
@@ -170,6 +175,11 @@ ViewError look_at(lumi_view& view, const Pose& pose, const Image& image)
         view.field, pose, image, static_cast<SurfaceMode>(view.screen.mode), view.memory, view.frame);
 }
 
+PixelRect bounds_of(const lumi_view& view)
+{
+    return detail::bounds_of(view.frame);
+}
+
 ViewError draw_part(const lumi_view& view, const Stripe& stripe, const detail::StripePart& part)
 {
     const ViewError error = detail::check_samples<Pixel>(view.frame, part, view.samples_bytes);
@@ -245,11 +255,18 @@ lumi_error lumi_verify(const uint8_t* field, size_t field_bytes)
 lumi_error lumi_look(lumi_view* view, lumi_orbit o)
 {
     if (view == nullptr) return code(ViewError::no_field);
-    const Orbit orbit = {o.azimuth_turns32, o.elevation_turns32, o.distance_q20, o.fov_turns32};
+    const Orbit orbit = {o.azimuth_turns32, o.elevation_turns32, o.distance_q20, o.fov_turns32, o.zoom_q16};
     const ViewError error =
         look_at(*view, pose_of(orbit), image_of(orbit, view->screen.width_px, view->screen.height_px));
     if (error == ViewError::none) view->has_look = true;
     return code(error);
+}
+
+lumi_rect lumi_bounds(const lumi_view* view)
+{
+    if (view == nullptr || !view->has_look) return {0, 0, 0, 0};
+    const PixelRect r = bounds_of(*view);
+    return {r.x_px, r.y_px, r.width_px, r.height_px};
 }
 
 lumi_error lumi_draw(lumi_view* view, lumi_stripe s)

@@ -23,6 +23,15 @@ uint64_t tangent_length_q30(int32_t distance_q20)
     return down >= 0 ? root >> down : root << -down;
 }
 
+// The field of view of which half has the tangent across/along, within what a camera takes.
+uint32_t angle_of(uint64_t across, uint64_t along)
+{
+    while ((across | along) >= uint64_t{1} << 30) across >>= 1, along >>= 1;
+    const uint32_t half = angle_turns32(static_cast<int32_t>(across), static_cast<int32_t>(along));
+    if (half > kMaxFovTurns32 / 2) return kMaxFovTurns32;
+    return half < kMinFovTurns32 / 2 ? kMinFovTurns32 : 2 * half;
+}
+
 }  // namespace
 
 uint32_t fit_sphere(int32_t width_px, int32_t height_px, int32_t distance_q20)
@@ -34,16 +43,21 @@ uint32_t fit_sphere(int32_t width_px, int32_t height_px, int32_t distance_q20)
     const int64_t longer = is_wide ? width_px : height_px, shorter = is_wide ? height_px : width_px;
     uint64_t across = static_cast<uint64_t>(longer * kMarginQ20) << 10;                  // Q30, below 2^44
     uint64_t along = static_cast<uint64_t>(shorter) * tangent_length_q30(distance_q20);  // Q30, below 2^54
-    while ((across | along) >= uint64_t{1} << 30) across >>= 1, along >>= 1;
-    const uint32_t half = angle_turns32(static_cast<int32_t>(across), static_cast<int32_t>(along));
-    if (half > kMaxFovTurns32 / 2) return kMaxFovTurns32;
-    return half < kMinFovTurns32 / 2 ? kMinFovTurns32 : 2 * half;
+    return angle_of(across, along);
+}
+
+uint32_t zoomed(uint32_t fov_turns32, uint32_t zoom_q16)
+{
+    const SinCos half = sin_cos(fov_turns32 / 2);  // both are positive, Q30
+    return angle_of(static_cast<uint64_t>(half.sin_q30) << 16, static_cast<uint64_t>(half.cos_q30) * zoom_q16);
 }
 
 Image image_of(const Orbit& orbit, int32_t width_px, int32_t height_px)
 {
-    const bool fits = orbit.fov_turns32 == kFitSphere;
-    return {width_px, height_px, fits ? fit_sphere(width_px, height_px, orbit.distance_q20) : orbit.fov_turns32};
+    const bool fits = orbit.fov_turns32 == kFitSphere, zooms = orbit.zoom_q16 != 0 && orbit.zoom_q16 != kNoZoom;
+    const uint32_t fov = fits ? fit_sphere(width_px, height_px, orbit.distance_q20) : orbit.fov_turns32;
+    const bool is_valid = fov >= kMinFovTurns32 && fov <= kMaxFovTurns32;  // else make_camera finds the fault
+    return {width_px, height_px, zooms && is_valid ? zoomed(fov, orbit.zoom_q16) : fov};
 }
 
 }  // namespace lumi

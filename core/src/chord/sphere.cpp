@@ -172,4 +172,19 @@ Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t 
     return {first, last + 1};
 }
 
+PixelRect covered_rectangle(const Camera& camera)
+{
+    Extent columns = {camera.width_px(), 0}, scanlines = {camera.height_px(), 0};
+    for (int32_t y = 0; y < camera.height_px(); ++y) {
+        const Extent covered = covered_extent(camera, y, 0, camera.width_px());
+        if (covered.begin == covered.end) continue;
+        if (covered.begin < columns.begin) columns.begin = covered.begin;
+        if (covered.end > columns.end) columns.end = covered.end;
+        if (y < scanlines.begin) scanlines.begin = y;
+        scanlines.end = y + 1;
+    }
+    if (columns.end == 0) return {0, 0, 0, 0};
+    return {columns.begin, scanlines.begin, columns.end - columns.begin, scanlines.end - scanlines.begin};
+}
+
 }  // namespace lumi::detail

@@ -29,10 +29,9 @@ ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pi
         return ViewError::unaligned_pixels;
     const uint64_t row_bytes = static_cast<uint64_t>(stripe.width_px) * pixel_bytes;
     if (stripe.height_px > 1 && stripe.stride_bytes < row_bytes) return ViewError::short_stride;
-    const StripePart part = {overlap(stripe.x_px, stripe.right_px(), image.width_px),
-                             overlap(stripe.y_px, stripe.bottom_px(), image.height_px)};
-    if (part.width_px == 0 || part.rows_px == 0) return ViewError::stripe_outside;
-    out = part;
+    if (stripe.right_px() == INT32_MAX || stripe.bottom_px() == INT32_MAX) return ViewError::stripe_too_far;
+    out = {overlap(stripe.x_px, stripe.right_px(), image.width_px),
+           overlap(stripe.y_px, stripe.bottom_px(), image.height_px)};
     return ViewError::none;
 }
 

@@ -48,8 +48,8 @@ const char* error_text(ViewError error)
             return "the stripe's address or stride is not a multiple of a pixel's size";
         case ViewError::short_stride:
             return "the stripe's stride is shorter than a row";
-        case ViewError::stripe_outside:
-            return "the stripe lies outside of the image";
+        case ViewError::stripe_too_far:
+            return "the stripe's place and size are beyond 2147483647 pixels";
         case ViewError::stripe_too_large:
             return "the stripe shows more of the image than this build has memory for: draw fewer rows";
         case ViewError::memory_too_small:

@@ -63,3 +63,30 @@ TEST_CASE("a field of view that fits lies within what a camera takes")
             CHECK((fov >= kMinFovTurns32 && fov <= kMaxFovTurns32));
         }
 }
+
+TEST_CASE("a zoom makes everything so many times as large, to 1/100 pixel, within what a camera takes")
+{
+    constexpr int32_t kSide = 1000;
+    double worst = 0;
+    for (const double fov : {5.0, 40.0, 119.0})
+        for (const double zoom : {0.5, 0.99, 1.5, 3.0}) {
+            const auto fov_turns32 = static_cast<uint32_t>(std::llround(fov / 360 * kTurn));
+            const double expected = std::tan(fov / 360 * kPi) / zoom;
+            if (2 * std::atan(expected) > 120 / 180.0 * kPi) continue;
+            const double turns = zoomed(fov_turns32, static_cast<uint32_t>(std::lround(zoom * kNoZoom))) / kTurn;
+            worst = std::max(worst, std::abs(std::tan(turns * kPi) / expected - 1) * kSide / 2);
+        }
+    INFO("worst, in pixels: " << worst);
+    CHECK(worst < 1e-2);
+    CHECK(zoomed(degrees(100), kNoZoom / 100) == kMaxFovTurns32);
+    CHECK(zoomed(degrees(100), 1) == kMaxFovTurns32);
+    CHECK(zoomed(degrees(2), UINT32_MAX) == kMinFovTurns32);
+    Orbit orbit;
+    const uint32_t fitted = image_of(orbit, 240, 240).fov_turns32;
+    orbit.zoom_q16 = 0;
+    CHECK(image_of(orbit, 240, 240).fov_turns32 == fitted);
+    orbit.zoom_q16 = 2 * kNoZoom;
+    CHECK(image_of(orbit, 240, 240).fov_turns32 == zoomed(fitted, 2 * kNoZoom));
+    orbit.fov_turns32 = degrees(130);  // not repaired by a zoom
+    CHECK(image_of(orbit, 240, 240).fov_turns32 == degrees(130));
+}

@@ -16,7 +16,7 @@ namespace
 
 constexpr int32_t kWidth = 48, kHeight = 37, kRows = 8;
 constexpr uint32_t kStride = 2 * kWidth;
-constexpr lumi_orbit kOrbit = {LUMI_DEGREES(30), LUMI_DEGREES(-20), LUMI_RADII(5) / 2, LUMI_FIT_SPHERE};
+constexpr lumi_orbit kOrbit = {LUMI_DEGREES(30), LUMI_DEGREES(-20), LUMI_RADII(5) / 2, LUMI_FIT_SPHERE, LUMI_NO_ZOOM};
 
 uint64_t memory[LUMI_MEMORY_TWO_BY_TWO(98, 128, kWidth, kHeight, kRows) / 8 + 1];
 
@@ -132,12 +132,13 @@ TEST_CASE("wrong views and stripes are errors in C, too")
     CHECK(lumi_draw(nullptr, stripe) == code(ViewError::no_field));
     lumi_view* const view = opened(LUMI_ANTIALIASED);
     CHECK(lumi_draw(view, stripe) == code(ViewError::no_look));
-    CHECK(lumi_look(view, {0, 0, 0, 0}) == code(view_error(CameraError::eye_inside_sphere)));
+    CHECK(lumi_look(view, {0, 0, 0, 0, LUMI_NO_ZOOM}) == code(view_error(CameraError::eye_inside_sphere)));
     REQUIRE(lumi_look(view, kOrbit) == 0);
     CHECK(lumi_draw(view, {nullptr, 0, 0, kWidth, kRows, kStride}) == code(ViewError::no_pixels));
     CHECK(lumi_draw(view, {pixels + 1, 0, 0, kWidth, kRows, kStride}) == code(ViewError::unaligned_pixels));
     CHECK(lumi_draw(view, {pixels, 0, 0, kWidth, kRows, 4}) == code(ViewError::short_stride));
-    CHECK(lumi_draw(view, {pixels, 0, kHeight, kWidth, kRows, kStride}) == code(ViewError::stripe_outside));
+    CHECK(lumi_draw(view, {pixels, 0, INT32_MAX, kWidth, kRows, kStride}) == code(ViewError::stripe_too_far));
+    CHECK(lumi_draw(view, {pixels, 0, kHeight, kWidth, kRows, kStride}) == 0);
     CHECK(lumi_draw(view, {pixels, 0, 0, kWidth, kRows + 1, kStride}) == code(ViewError::stripe_too_large));
     CHECK(lumi_draw(view, stripe) == 0);
     static uint8_t coverage[kWidth * kRows];

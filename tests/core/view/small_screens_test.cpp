@@ -105,7 +105,8 @@ TEST_CASE("screens of a single pixel, row or column are drawn in every mode from
             lumi_view* view = nullptr;
             INFO(size[0] << " x " << size[1] << ", mode " << static_cast<int>(mode));
             REQUIRE(lumi_open(memory.data(), bytes, ball().data(), ball().size(), screen, &view) == 0);
-            REQUIRE(lumi_look(view, {kOrbit.azimuth_turns32, kOrbit.elevation_turns32, kOrbit.distance_q20, 0}) == 0);
+            REQUIRE(lumi_look(view, {kOrbit.azimuth_turns32, kOrbit.elevation_turns32, kOrbit.distance_q20, 0, 0}) ==
+                    0);
             std::vector<uint16_t> pixels(static_cast<size_t>(size[0]));
             const uint32_t stride = 2 * static_cast<uint32_t>(size[0]);
             for (int32_t y = 0; y < size[1]; ++y)

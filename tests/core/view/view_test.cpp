@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/view.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <set>
 #include <string>
 
@@ -253,10 +255,124 @@ TEST_CASE("a stripe that cannot be drawn is refused by name")
     CHECK(drawn_with([](Stripe& s) { ++s.pixels; }) == ViewError::unaligned_pixels);
     CHECK(drawn_with([](Stripe& s) { ++s.stride_bytes; }) == ViewError::unaligned_pixels);
     CHECK(drawn_with([](Stripe& s) { s.stride_bytes -= 2; }) == ViewError::short_stride);
-    CHECK(drawn_with([](Stripe& s) { s.y_px = kHeight; }) == ViewError::stripe_outside);
-    CHECK(drawn_with([](Stripe& s) { s.x_px = -kWidth; }) == ViewError::stripe_outside);
-    CHECK(drawn_with([](Stripe& s) { s.x_px = INT32_MAX; }) == ViewError::stripe_outside);
+    CHECK(drawn_with([](Stripe& s) { s.x_px = INT32_MAX; }) == ViewError::stripe_too_far);
+    CHECK(drawn_with([](Stripe& s) { s.y_px = INT32_MAX - 2; }) == ViewError::stripe_too_far);
     CHECK(drawn_with([](Stripe& s) { s.height_px = kRows + 1; }) == ViewError::stripe_too_large);
+}
+
+namespace
+{
+
+// A view's frame in the middle of a page, drawn by rectangles of the page that lie in the image, in part, or beside it.
+// Whatever was on the page before, what is beside the image is background.
+template <class Pixel, class AnyView, class Background>
+void check_page(AnyView& view, const Background& background)
+{
+    constexpr int32_t kPageWidth = 2 * kWidth, kPageHeight = 2 * kHeight, kLeft = 19, kTop = 11, kPart = 13;
+    constexpr uint32_t kStride = kPageWidth * Pixel::kBytes;
+    Bytes image(size_t{kWidth} * kHeight * Pixel::kBytes), page(size_t{kStride} * kPageHeight, 0xA5), expected = page;
+    for (int32_t y = 0; y < kHeight; y += kRows)
+        REQUIRE(view.draw({image.data() + static_cast<size_t>(y) * kWidth * Pixel::kBytes, 0, y, kWidth,
+                           std::min(kRows, kHeight - y), kWidth * Pixel::kBytes},
+                          background) == ViewError::none);
+    for (int32_t y = 0; y < kPageHeight; ++y)
+        for (int32_t x = 0; x < kPageWidth; ++x) {
+            const bool is_in = x >= kLeft && x < kLeft + kWidth && y >= kTop && y < kTop + kHeight;
+            uint8_t* const to = &expected[static_cast<size_t>(y) * kStride + static_cast<size_t>(x) * Pixel::kBytes];
+            if (is_in)
+                std::memcpy(to, &image[static_cast<size_t>((y - kTop) * kWidth + x - kLeft) * Pixel::kBytes],
+                            Pixel::kBytes);
+            else
+                store_background<Pixel>(to, background);
+        }
+    for (int32_t y = 0; y < kPageHeight; y += kRows)
+        for (int32_t x = 0; x < kPageWidth; x += kPart)
+            CHECK(
+                view.draw({&page[static_cast<size_t>(y) * kStride + static_cast<size_t>(x) * Pixel::kBytes], x - kLeft,
+                           y - kTop, std::min(kPart, kPageWidth - x), std::min(kRows, kPageHeight - y), kStride},
+                          background) == ViewError::none);
+    CHECK(page == expected);
+}
+
+// Pixels that are not background, and whether all of them lie in the view's bounds.
+template <class Pixel, class AnyView>
+void check_bounds(AnyView& view)
+{
+    const Bytes frame = frame_of<Pixel>(view);
+    const PixelRect r = view.bounds();
+    CHECK((r.x_px >= 0 && r.y_px >= 0 && r.x_px + r.width_px <= kWidth && r.y_px + r.height_px <= kHeight));
+    uint32_t beside = 0;
+    for (int32_t y = 0; y < kHeight; ++y)
+        for (int32_t x = 0; x < kWidth; ++x) {
+            const bool is_in = x >= r.x_px && x < r.x_px + r.width_px && y >= r.y_px && y < r.y_px + r.height_px;
+            const Rgb8 c = Pixel::load(&frame[static_cast<size_t>(y * kWidth + x) * Pixel::kBytes]);
+            beside += !is_in && (c.r | c.g | c.b) != 0 ? 1 : 0;
+        }
+    CHECK(beside == 0);
+}
+
+}  // namespace
+
+TEST_CASE("what of a stripe lies beside the image is background, whatever was there")
+{
+    const Bytes bytes = ball();
+    static BallView<PixelRgb565> view;
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two}) {
+        REQUIRE(view.look(kOrbit, mode) == ViewError::none);
+        check_page<PixelRgb565>(view, OverBlack{});
+        check_page<PixelRgb565>(view, OverColour{{9, 200, 77}});
+    }
+    const Bytes rays = chord(TexelFormat::rgb565);
+    static View<ChordDrawing<TexelRgb565>, TestScreen<PixelBgr888>> spans;
+    static View<ExactChordDrawing<TexelRgb565>, TestScreen<PixelBgr888>> exact;
+    REQUIRE(spans.open(rays.data(), rays.size()) == ViewError::none);
+    REQUIRE(exact.open(rays.data(), rays.size()) == ViewError::none);
+    REQUIRE(spans.look(kOrbit) == ViewError::none);
+    REQUIRE(exact.look(kOrbit) == ViewError::none);
+    check_page<PixelBgr888>(spans, OverColour{{9, 200, 77}});
+    check_page<PixelBgr888>(exact, OverColour{{9, 200, 77}});
+}
+
+TEST_CASE("a stripe beside the image has no coverage")
+{
+    const Bytes bytes = ball();
+    static BallView<PixelRgb565> view;
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(view.look(kOrbit) == ViewError::none);
+    alignas(4) uint8_t pixels[2 * kWidth * kRows];
+    Bytes coverage(kWidth * kRows, 0xA5);
+    const auto draw_at = [&](int32_t x, int32_t y) {
+        REQUIRE(view.draw({pixels, x, y, kWidth, kRows, 2 * kWidth}, OverNothing{}) == ViewError::none);
+        REQUIRE(view.draw_coverage({coverage.data(), x, y, kWidth, kRows, kWidth}) == ViewError::none);
+        return std::count(coverage.begin(), coverage.end(), 0);
+    };
+    CHECK(draw_at(0, kHeight) == kWidth * kRows);
+    CHECK(draw_at(-kWidth, 0) == kWidth * kRows);
+    CHECK(draw_at(0, kHeight / 2) < kWidth * kRows / 2);
+}
+
+TEST_CASE("beside its bounds a frame is background, and the bounds are no larger than they must be")
+{
+    const Bytes bytes = ball(), rays = chord(TexelFormat::rgb565);
+    static BallView<PixelRgb888> view;
+    static View<ChordDrawing<TexelRgb565>, TestScreen<PixelRgb888>> spans;
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(spans.open(rays.data(), rays.size()) == ViewError::none);
+    CHECK(view.bounds().width_px == 0);
+    for (const uint32_t zoom : {kNoZoom / 4, kNoZoom, 8 * kNoZoom}) {
+        const Orbit orbit = {degrees(30), degrees(-20), radii(5) / 2, kFitSphere, zoom};
+        for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two}) {
+            REQUIRE(view.look(orbit, mode) == ViewError::none);
+            check_bounds<PixelRgb888>(view);
+        }
+        REQUIRE(spans.look(orbit) == ViewError::none);
+        check_bounds<PixelRgb888>(spans);
+        for (const PixelRect r : {view.bounds(), spans.bounds()}) {
+            CHECK((r.width_px < kWidth / 2) == (zoom < kNoZoom));
+            CHECK((r.height_px == kHeight) == (zoom > kNoZoom));
+        }
+    }
 }
 
 TEST_CASE("every error has a text of its own")

@@ -73,6 +73,8 @@ struct ChordDrawing {
             return error;
         }
 
+        PixelRect bounds() const { return detail::covered_rectangle(state_.camera); }
+
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background,
                        Samples<ScreenOf>&) const
@@ -105,6 +107,8 @@ struct ExactChordDrawing {
     public:
         ViewError open(const uint8_t* bytes, size_t size) { return state_.open(bytes, size); }
         ViewError look(const Pose& pose, const Image& image, Mode) { return state_.look(pose, image); }
+
+        PixelRect bounds() const { return detail::covered_rectangle(state_.camera); }
 
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background,

@@ -20,6 +20,12 @@ ViewError look_at_surface(const Field& field, const Pose& pose, const Image& ima
     return ViewError::none;
 }
 
+inline PixelRect bounds_of(const SurfaceFrame& frame)
+{
+    const Extent &x = frame.columns, &y = frame.scanlines;
+    return {x.begin, y.begin, x.end - x.begin, y.end - y.begin};
+}
+
 // Whether a buffer holds the samples of a stripe.
 template <class Pixel>
 ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint32_t bytes)
@@ -94,6 +100,8 @@ struct SurfaceDrawing {
             return detail::look_at_surface<typename ScreenOf::Pixel, kFinest>(
                 field_, pose, image, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_);
         }
+
+        PixelRect bounds() const { return detail::bounds_of(frame_); }
 
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::StripePart& part, const Background& background,

@@ -35,4 +35,7 @@ SphereHits hits(const Camera& camera, const SphereRay& ray);
 // both x_begin.
 Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end);
 
+// The smallest rectangle with all of these pixels.
+PixelRect covered_rectangle(const Camera& camera);
+
 }  // namespace lumi::detail
