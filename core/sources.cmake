@@ -55,6 +55,7 @@ set(LUMI_CORE_SOURCES
   src/surface/rows_packed.cpp
   src/surface/see_through/coverage.cpp
   src/surface/see_through/field.cpp
+  src/surface/see_through/outlines.cpp
   src/surface/see_through/pieces.cpp
   src/surface/see_through/rows_565.cpp
   src/surface/see_through/rows_565_swapped.cpp

@@ -58,23 +58,29 @@ uint16_t across(const PatchMesh& mesh, const SidesByEdge& sides, const PatchSide
     return result;
 }
 
-// In the order that the section has them. Vertices at one place are one here, whatever their normals. Outlines of
-// see-through patches are not drawn.
-std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
+// Adds those of patches from `first` up to `end`. Vertices at one place are one here, whatever their normals.
+void add_neighbours(const PatchMesh& mesh, uint32_t first, uint32_t end, std::vector<std::array<uint16_t, 4>>& result)
 {
     SidesByEdge sides;
-    for (uint32_t k = 0; k < mesh.opaque_patches(); ++k)
+    for (uint32_t k = first; k < end; ++k)
         for (const PatchSide& side : patch_sides(mesh.patches[k], k))
             sides[{place(mesh, side.from), place(mesh, side.to)}].push_back(side);
-    std::vector<std::array<uint16_t, 4>> result;
-    for (uint32_t k = 0; k < mesh.patches.size(); ++k) {
+    for (uint32_t k = first; k < end; ++k) {
         std::array<uint16_t, 4> neighbours;
         neighbours.fill(kNothingAcross);
         size_t at = 0;
-        if (k < mesh.opaque_patches())
-            for (const PatchSide& side : patch_sides(mesh.patches[k], k)) neighbours[at++] = across(mesh, sides, side);
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) neighbours[at++] = across(mesh, sides, side);
         result.push_back(neighbours);
     }
+}
+
+// In the order that the section has them: opaque patches have opaque neighbours, see-through ones see-through ones.
+std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
+{
+    const uint32_t opaque = mesh.opaque_patches(), all = static_cast<uint32_t>(mesh.patches.size());
+    std::vector<std::array<uint16_t, 4>> result;
+    add_neighbours(mesh, 0, opaque, result);
+    add_neighbours(mesh, opaque, all, result);
     return result;
 }
 

@@ -15,6 +15,15 @@ struct Box {
     bool is_cut;        // beside the target's columns there may be more of the triangle
 };
 
+// Whether some of three corners lies above the target's end and some below its start. Packed numbers compare as their
+// upper bits do.
+LUMI_ALWAYS_INLINE bool reaches(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c,
+                                const Target& target)
+{
+    const int32_t top = target.y << 14, end = (target.y + target.rows.height) << 14;
+    return (a.y > top || b.y > top || c.y > top) && (a.y < end || b.y < end || c.y < end);
+}
+
 // False if there is no sample.
 LUMI_ALWAYS_INLINE bool set_box(Box& box, const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c,
                                 const Target& target)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/surface/detail/target.h"
+#include "surface/box.h"
 #include "surface/lists.h"
 #include "surface/sides.h"
 #include "surface/silhouette.h"
@@ -8,15 +9,6 @@ namespace lumi::detail
 {
 namespace
 {
-
-// Whether some of three corners lies above the target's end and some below its start. Packed numbers compare as their
-// upper bits do.
-LUMI_ALWAYS_INLINE bool reaches(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c,
-                                const Target& target)
-{
-    const int32_t top = target.y << 14, end = (target.y + target.rows.height) << 14;
-    return (a.y > top || b.y > top || c.y > top) && (a.y < end || b.y < end || c.y < end);
-}
 
 void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Target& target)
 {

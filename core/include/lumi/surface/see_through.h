@@ -5,8 +5,8 @@
 //
 // Opaque triangles are drawn first. Then those see-through triangles that face the eye are blended over them, from far
 // to near by the depth of their nearest corner; ties keep the order of the file, so every rectangle of the image shows
-// the same pixels. They write no depth. Two see-through surfaces that cut each other are wrong along the cut, and
-// outlines of see-through parts are not antialiased.
+// the same pixels. They write no depth. Two see-through surfaces that cut each other are wrong along the cut. Outlines
+// of see-through parts are antialiased over a colour, but not over nothing and not over a stripe's own content.
 //
 //     SeeThroughField field;  open_surface(bytes, size, field);
 //     SeeThroughFrame frame;  prepare_surface<PixelRgb565>(field, camera, SurfaceMode::one_sample, memory, frame);

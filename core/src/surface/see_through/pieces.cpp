@@ -1,37 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The order of see-through triangles. A number of it has, from its upper bits down: the nearest depth of the triangle's
-// corners, the triangle, and whether it is drawn in parts. So the larger one of two is drawn later.
+// The order of see-through triangles, and their pieces.
 #include "lumi/surface/detail/see_through.h"
 
 #include "surface/begin.h"
-#include "surface/lists.h"
-#include "surface/seen.h"
+#include "surface/see_through/order.h"
 
 namespace lumi::detail
 {
 namespace
 {
-
-constexpr uint32_t kInParts = 1, kTriangleShift = 1, kDepthShift = kTriangleShift + kLinkBits;
-constexpr uint32_t kNotSeen = 0;  // no triangle's number: depths are above 0
-// Triangles that reach nearer than the near plane are the last.
-constexpr uint32_t kNearestOfAll = UINT16_MAX;
-static_assert(kNearestOfAll > kNearDepth && kDepthShift + 16 <= 32, "a number holds all of it");
-
-Seen seen(const SurfaceFrame& frame, uint32_t triangle)
-{
-    const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
-    const SurfaceVertex* const v = frame.memory.vertices;
-    const SurfaceVertex *b = v + patch.corner[1], *c = v + patch.corner[2];
-    if ((triangle & 1) == 0) return {v + patch.corner[0], b, c};
-    return {v + patch.corner[3], c, b};
-}
-
-bool faces_eye(const Seen& s)
-{
-    const int32_t x = x_q6(*s.a), y = y_q6(*s.a);
-    return wide_sign(x_q6(*s.b) - x, y_q6(*s.c) - y, x_q6(*s.c) - x, y_q6(*s.b) - y) < 0;
-}
 
 bool is_beside(const SurfaceFrame& frame, const Seen& s)
 {
@@ -74,7 +51,9 @@ uint32_t entry_of(const SurfaceFrame& frame, uint32_t triangle)
     const auto depth = [](const SurfaceVertex* v) { return static_cast<int32_t>(depth_of(*v)); };
     const uint32_t nearest =
         is_there ? static_cast<uint32_t>(most_of(depth(s.a), depth(s.b), depth(s.c))) : kNearestOfAll;
-    return nearest << kDepthShift | triangle << kTriangleShift | (is_there && is_small(frame, s) ? 0 : kInParts);
+    const uint32_t outline = frame.margin != 0 && has_outline(frame, triangle) ? kHasOutline : 0;
+    const uint32_t parts = is_there && is_small(frame, s) ? 0 : kInParts;
+    return nearest << kDepthShift | triangle << kTriangleShift | outline | parts;
 }
 
 }  // namespace
@@ -97,7 +76,7 @@ LUMI_HOT bool SeeThroughPieces::next()
     while (true) {
         if (parts_.count != 0 && begin_part(piece, frame_, parts_, target_)) return true;
         if (at_ == frame_.order_count) return false;
-        const uint32_t entry = frame_.order[at_++], triangle = entry >> kTriangleShift & kLinkMask;
+        const uint32_t entry = frame_.order[at_++], triangle = triangle_of(entry);
         if ((entry & kInParts) != 0)
             begin_parts(parts_, frame_, triangle);
         else if (begin_whole(piece, frame_, triangle, target_))

@@ -52,6 +52,9 @@ inline constexpr RowFilters kPixelBlends<PixelRgb565Swapped> = {blend_565_swappe
                                                                 blend_565_swapped_bilinear};
 inline constexpr RowFilters kPackedBlends = {blend_packed_nearest, blend_packed_two_taps, blend_packed_bilinear};
 
+// As mark_outlines() does, of see-through triangles over a colour that is known beside the target.
+LUMI_HOT void mark_see_through_outlines(const SeeThroughFrame& frame, const Target& target);
+
 // Draws see-through triangles over samples.
 template <DrawRows kPlain, DrawRows kMagnified = kPlain>
 __attribute__((noinline)) void blend_triangles(const SeeThroughFrame& frame, const Target& opaque)

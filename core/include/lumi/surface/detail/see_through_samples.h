@@ -138,8 +138,8 @@ void store_glass(const Samples& s, int32_t y)
     }
 }
 
-// Opaque triangles, those that are seen through, and the outlines of the opaque ones.
-template <class Pixel, SurfaceMode kFinest, bool kArePixels>
+// Opaque triangles, those that are seen through, and outlines of the opaque ones, or of both.
+template <class Pixel, SurfaceMode kFinest, bool kArePixels, bool kMarksBoth>
 void draw_both(const SeeThroughFrame& frame, const Target& target)
 {
     constexpr const RowFilters& kOpaque = kArePixels ? kPixelRows<Pixel> : kPackedRows;
@@ -149,6 +149,8 @@ void draw_both(const SeeThroughFrame& frame, const Target& target)
             draw_triangles<kOpaque.two_taps, kOpaque.bilinear>(frame, target);
             blend_triangles<kBlends.two_taps, kBlends.bilinear>(frame, target);
             if (frame.margin != 0) mark_outlines(frame, target);
+            if constexpr (kMarksBoth)
+                if (frame.margin != 0) mark_see_through_outlines(frame, target);
             return;
         }
     }
@@ -172,7 +174,9 @@ void draw_see_through_part(const SeeThroughFrame& frame, const Background& backg
     const Samples samples = {{frame, rows, part, stripe}};
     samples.clear(background);
     if constexpr (!Samples::kArePixels) fill_colours<Pixel>(samples, background);
-    draw_both<Pixel, kFinest, Samples::kArePixels>(frame, target_of(frame, part, rows));
+    // A mark would take most of what tells a sample's coverage, and a stripe's content beside it is not known.
+    constexpr bool kMarksBoth = Background::kFills && !kKeepsCoverage<Background>;
+    draw_both<Pixel, kFinest, Samples::kArePixels, kMarksBoth>(frame, target_of(frame, part, rows));
     if constexpr (!Background::kFills)
         if (rows.marks != nullptr) unmark_glass(rows);
     for (int32_t y = part.top_px; y < part.bottom_px; ++y) {
