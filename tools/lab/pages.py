@@ -69,6 +69,7 @@ TABLES = {
     "baker convergence": scripts.baker_convergence,
     "baker threads": scripts.baker_threads,
     "baker memory": scripts.baker_memory,
+    "noise": scripts.noise,
     "house": scripts.house,
     "house builds": scripts.house_builds,
 }

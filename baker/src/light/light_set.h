@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
-// All lights of a scene behind one sampling density; a light is chosen by its power.
+// All lights of a scene: the sky, and its lamps, which are emissive triangles and extra lights. A lamp is chosen by its
+// power.
+//
+// Sky and lamps are sampled apart. Each gets its share, by power, of the samples that a point may take, but at most
+// one. So a point takes two where both matter, and mostly one where the power of one is small. Densities count all
+// samples: over all directions they add up to the number of samples that a point takes on average.
 #pragma once
+
+#include <algorithm>
 
 #include "light/emitters.h"
 #include "light/fixtures.h"
@@ -9,20 +16,36 @@
 namespace lumi::baker
 {
 
+// The random numbers of one point.
+struct LightNumbers {
+    Vec2 choice, place;
+};
+
 class LightSet
 {
 public:
-    // Borrows the first three; they must outlive the set.
+    // Borrows the first three; they must outlive the set. samples: that a point may take, 1 or 2.
     LightSet(const Mesh& mesh, const std::vector<Material>& materials, const std::vector<Texture>& textures,
-             const Environment& environment, std::vector<Fixture> fixtures);
+             const Environment& environment, std::vector<Fixture> fixtures, float samples);
 
-    bool empty() const { return choice_.empty(); }
+    bool empty() const { return !(sky_samples_ + lamp_samples_ > 0); }
     size_t count() const { return emitters_.count() + fixtures_.count(); }
     // Where fixtures stand that stand somewhere.
     std::vector<Vec3> positions() const { return fixtures_.positions(); }
 
-    LightSample sample(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
-    // The same for the light from outside, without the emissive triangles of the objects themselves.
+    // Whether some points take two samples.
+    bool takes_two() const { return takes_two_; }
+    // Calls take(sample, u) for each sample that a point takes. u is uniform in [0, 1] again, for the caller's use.
+    template <class Take>
+    void sample(const Vec3& from, const LightNumbers& numbers, const Take& take) const
+    {
+        const float u = numbers.choice.x;
+        if (u < sky_samples_)
+            take(counted(sky_.sample(from, numbers.choice.y, numbers.place), sky_samples_), u / sky_samples_);
+        if (u >= 1 - lamp_samples_)
+            take(counted(lamp(from, numbers.choice.y, numbers.place), lamp_samples_), (1 - u) / lamp_samples_);
+    }
+    // One sample of the light from outside, without the emissive triangles of the objects themselves.
     bool none_outside() const { return outside_.empty(); }
     LightSample sample_outside(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
     float outside_sky_pdf(const Vec3& direction) const;
@@ -38,20 +61,27 @@ public:
     void for_each_seen(const Ray& ray, const Seen& seen) const
     {
         fixtures_.for_each_seen(
-            ray, [&](const Rgb& radiance, float pdf) { seen(radiance, pdf * choice_.probability(kFixtures)); });
+            ray, [&](const Rgb& radiance, float pdf) { seen(radiance, pdf * fixture_samples_); });
     }
 
 private:
-    LightSample sample(const Distribution& choice, const Vec3& from, float u_light, float u_select,
-                       const Vec2& u) const;
-    float sky_pdf(const Distribution& choice, const Vec3& direction) const;
+    static LightSample counted(LightSample sample, float samples)
+    {
+        sample.pdf *= samples;
+        return sample;
+    }
+    LightSample lamp(const Vec3& from, float u_select, const Vec2& u) const;
 
-    enum Kind : size_t { kSky, kEmitters, kFixtures };
+    enum LampKind : size_t { kEmitters, kFixtures };
+    enum OutsideKind : size_t { kSky, kOutsideFixtures };
 
     Sky sky_;
     Emitters emitters_;
     Fixtures fixtures_;
-    Distribution choice_, outside_;
+    Distribution lamps_, outside_;
+    bool takes_two_ = false;
+    // Of a point, on average.
+    float sky_samples_ = 0, lamp_samples_ = 0, emitter_samples_ = 0, fixture_samples_ = 0;
 };
 
 }  // namespace lumi::baker

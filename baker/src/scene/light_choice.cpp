@@ -43,7 +43,8 @@ private:
 
     std::vector<float> metered(const Environment& environment) const
     {
-        return meter(shape_, LightSet(shape_.mesh, shape_.materials, shape_.textures, environment, stated_.fixtures));
+        return meter(shape_,
+                     LightSet(shape_.mesh, shape_.materials, shape_.textures, environment, stated_.fixtures, 1));
     }
 
     // By the median of all that is seen: a display lights nothing but itself, a lamp most of what is around it.

@@ -62,13 +62,16 @@ Ray leaving(const ClaySpot& spot, const Vec3& direction)
 // What clay at the spot sends back of the light that comes straight from lights.
 Rgb lit(const LitShape& shape, const LightSet& lights, const ClaySpot& spot, Sampler& sampler)
 {
-    const Vec2 choice = sampler.next_2d();
-    const LightSample light = lights.sample(spot.position, choice.x, choice.y, sampler.next_2d());
-    const float cosine = dot(light.direction, spot.frame.normal);
-    if (!(light.pdf > 0) || !(cosine > 0)) return {};
-    Ray ray = leaving(spot, light.direction);
-    ray.end = light.distance * kBeforeLight;
-    return first_solid(shape, ray) ? Rgb{} : light.radiance * (kClay / kPi * cosine / light.pdf);
+    const Vec2 choice = sampler.next_2d(), place = sampler.next_2d();
+    Rgb sum;
+    lights.sample(spot.position, {choice, place}, [&](const LightSample& light, float) {
+        const float cosine = dot(light.direction, spot.frame.normal);
+        if (!(light.pdf > 0) || !(cosine > 0)) return;
+        Ray ray = leaving(spot, light.direction);
+        ray.end = light.distance * kBeforeLight;
+        if (!first_solid(shape, ray)) sum = sum + light.radiance * (kClay / kPi * cosine / light.pdf);
+    });
+    return sum;
 }
 
 Rgb path_from(const LitShape& shape, const LightSet& lights, ClaySpot spot, Sampler& sampler)

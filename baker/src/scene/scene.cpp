@@ -11,6 +11,10 @@ namespace lumi::baker
 namespace
 {
 
+// Samples of the lights that a point takes. In a medium, where a path has many points, a second one does not pay
+// (docs/log/baker.md).
+constexpr float kSamplesOnSurfaces = 2, kSamplesInMedium = 1;
+
 Vec3 to_sphere_axes(const Vec3& v, UpAxis up)
 {
     return up == UpAxis::y ? Vec3{v.z, v.x, v.y} : v;
@@ -255,7 +259,8 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
            moved_into_sphere(parts.fixtures, centre, radius, up, 1), stated_exposure(parts, options), tone},
           {mesh, materials, textures, accelerator})),
       lights(mesh, expose(materials, choice.exposure), textures, exposed(choice.environment, choice.exposure),
-             moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure)),
+             moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure),
+             medium ? kSamplesInMedium : kSamplesOnSurfaces),
       views(moved_into_sphere(parts.views, centre, radius, up))
 {
 }

@@ -9,9 +9,10 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kRouletteAfter = 2;      // bounces that every path makes
-constexpr float kOnCatcher = 1e-5f;    // radii; far above the rounding error of a hit
-constexpr float kMaxSurvival = 0.95f;  // even a white path ends some time; out of a medium it finds by itself
+constexpr int kRouletteAfter = 2;       // bounces on other things than glass that every path makes
+constexpr float kWorthTwoRays = 0.03f;  // of the light of white: what may add less is looked for by chance
+constexpr float kOnCatcher = 1e-5f;     // radii; far above the rounding error of a hit
+constexpr float kMaxSurvival = 0.95f;   // even a white path ends some time; out of a medium it finds by itself
 
 // Veach's power heuristic with exponent 2.
 float power_weight(float own_pdf, float other_pdf)
@@ -28,6 +29,7 @@ struct Walk {
     bool at_eye = true;
     const Material* glass = nullptr;  // what the ray runs through
     float index2 = 1;                 // the square of its refractive index: radiance in it is larger by as much
+    int bounces = 0;                  // on other things than glass
     int scatterings = 0;              // in the medium
 };
 
@@ -62,19 +64,40 @@ bool leaks(const HitPoint& point, const Vec3& direction, const Vec3& local)
     return (dot(direction, point.geometric_normal) > 0) != (local.z > 0);
 }
 
-// Light that arrives at the surface straight from a light and is scattered towards the viewer.
-Rgb direct_light(const SceneData& scene, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+// What of the light would arrive at the eye by the surface if nothing stood in its way.
+Rgb unshadowed(const Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, const LightSample& light)
 {
-    if (scene.lights.empty()) return {};
-    const Vec2 choice = sampler.next_2d();
-    const LightSample light = scene.lights.sample(point.position, choice.x, choice.y, sampler.next_2d());
     const Vec3 wi = point.frame.to_local(light.direction);
     if (!(light.pdf > 0) || leaks(point, light.direction, wi)) return {};
-    const Rgb scattered = bsdf.eval(wo, wi) * light.radiance;
+    const Rgb scattered = walk.throughput * bsdf.eval(wo, wi) * light.radiance;
     if (is_black(scattered)) return {};
-    const float through = transmittance(scene, point.ray_to_light(light.direction, light.distance), sampler);
     const float weight = light.dirac ? 1 : power_weight(light.pdf, bsdf.pdf(wo, wi));
-    return scattered * (through * weight / light.pdf);
+    return scattered * (weight / light.pdf);
+}
+
+LightNumbers light_numbers(Sampler& sampler)
+{
+    const Vec2 choice = sampler.next_2d();
+    return {choice, sampler.next_2d()};
+}
+
+// Light that arrives at the surface straight from lights and is scattered towards the eye.
+Rgb direct_light(const SceneData& scene, const Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo,
+                 Sampler& sampler)
+{
+    Rgb sum;
+    if (scene.lights.empty()) return sum;
+    const float worth = scene.lights.takes_two() ? kWorthTwoRays : 0;
+    scene.lights.sample(point.position, light_numbers(sampler), [&](const LightSample& light, float u) {
+        const Rgb most = unshadowed(walk, point, bsdf, wo, light);
+        if (is_black(most)) return;
+        const float brightness = max_component(most) * walk.index2;
+        const float chance = brightness < worth ? brightness / worth : 1;
+        if (u > chance) return;
+        const Ray ray = point.ray_to_light(light.direction, light.distance);
+        sum = sum + most * (transmittance(scene, ray, sampler) / chance);
+    });
+    return sum;
 }
 
 // Takes the walk through a boundary of glass. Bodies of glass neither overlap nor lie in each other.
@@ -128,14 +151,16 @@ bool survives(Walk& walk, float most, Sampler& sampler)
 // Light that arrives at a point of the medium straight from a light and is scattered back along `way`.
 Rgb light_in_medium(const SceneData& scene, const Vec3& position, const Vec3& way, Sampler& sampler)
 {
-    if (scene.lights.empty()) return {};
-    const Vec2 choice = sampler.next_2d();
-    const LightSample light = scene.lights.sample(position, choice.x, choice.y, sampler.next_2d());
-    if (!(light.pdf > 0) || is_black(light.radiance)) return {};
-    const float scattered = scene.medium->phase().density(dot(way, light.direction));
-    const float through = transmittance(scene, ray_to_light(position, light.direction, light.distance), sampler);
-    const float weight = light.dirac ? 1 : power_weight(light.pdf, scattered);
-    return light.radiance * (scattered * through * weight / light.pdf);
+    Rgb sum;
+    if (scene.lights.empty()) return sum;
+    scene.lights.sample(position, light_numbers(sampler), [&](const LightSample& light, float) {
+        if (!(light.pdf > 0) || is_black(light.radiance)) return;
+        const float scattered = scene.medium->phase().density(dot(way, light.direction));
+        const float through = transmittance(scene, ray_to_light(position, light.direction, light.distance), sampler);
+        const float weight = light.dirac ? 1 : power_weight(light.pdf, scattered);
+        sum = sum + light.radiance * (scattered * through * weight / light.pdf);
+    });
+    return sum;
 }
 
 // Adds the light that the medium scatters at this distance, and turns the walk there; false where it ends.
@@ -201,9 +226,12 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         const Vec3 wo = point.frame.to_local(-walk.ray.direction);
         if (wo.z <= 0) break;
         const Bsdf bsdf = bsdf_at(point, sampler);
-        result.radiance = result.radiance + walk.throughput * direct_light(scene_, point, bsdf, wo, sampler);
+        result.radiance = result.radiance + direct_light(scene_, walk, point, bsdf, wo, sampler);
         if (!scatter(walk, point, bsdf, wo, sampler)) break;
-        if (bounce++ >= kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) break;
+        ++bounce;
+        // What shines through glass is only found by paths that go on: glass ends none.
+        if (point.material->glass) continue;
+        if (++walk.bounces > kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) break;
     }
     return result;
 }

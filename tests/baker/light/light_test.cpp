@@ -72,13 +72,18 @@ TEST_CASE("lights: what they send to a point is the same by light sampling and b
     const SceneData& data = scene.data();
     const Vec3 point = {0.1f, 0.05f, -0.1f};
 
-    Mean aimed, everywhere, density;
+    Mean aimed, samples, everywhere, density;
     for (uint32_t k = 0; k < 100000; ++k) {
         Sampler sampler(2, k, 0);
         const Vec2 choice = sampler.next_2d();
-        const LightSample s = data.lights.sample(point, choice.x, choice.y, sampler.next_2d());
-        const bool visible = !data.accelerator.blocked({point, s.direction, s.distance * 0.999f});
-        aimed.add(visible ? static_cast<double>(s.radiance.r / s.pdf) : 0.0);
+        double arrived = 0, taken = 0;
+        data.lights.sample(point, {choice, sampler.next_2d()}, [&](const LightSample& s, float) {
+            const bool visible = !data.accelerator.blocked({point, s.direction, s.distance * 0.999f});
+            arrived += visible ? static_cast<double>(s.radiance.r / s.pdf) : 0.0;
+            ++taken;
+        });
+        aimed.add(arrived);
+        samples.add(taken);
 
         const Vec3 d = square_to_sphere(sampler.next_2d());
         const std::optional<Hit> hit = data.accelerator.closest({point, d});
@@ -86,7 +91,7 @@ TEST_CASE("lights: what they send to a point is the same by light sampling and b
             hit ? data.materials[data.mesh.materials[hit->triangle]].emission : data.lights.sky_radiance(d);
         everywhere.add(static_cast<double>(seen.r) * 4 * static_cast<double>(kPi));
 
-        // The densities of sky and emitters, both along d, make up one density over all directions.
+        // The densities of sky and emitters, both along d, add up to the number of samples.
         double pdf = static_cast<double>(data.lights.sky_pdf(d));
         if (hit && data.materials[data.mesh.materials[hit->triangle]].emits())
             pdf += static_cast<double>(data.lights.emitter_pdf(hit->triangle, d, hit->distance));
@@ -94,7 +99,10 @@ TEST_CASE("lights: what they send to a point is the same by light sampling and b
     }
     INFO(aimed.value() << " aimed, " << everywhere.value() << " everywhere");
     CHECK(std::abs(aimed.value() - everywhere.value()) < kSigmas * std::hypot(aimed.error(), everywhere.error()));
-    CHECK(std::abs(density.value() - 1) < kSigmas * density.error());
+    INFO(samples.value() << " samples, of density " << density.value());
+    CHECK(std::abs(density.value() - samples.value()) < kSigmas * std::hypot(density.error(), samples.error()));
+    CHECK(samples.value() > 1.1);
+    CHECK(samples.value() < 2);
 }
 
 TEST_CASE("lights: a dark scene has none")

@@ -73,8 +73,11 @@ TEST_CASE("maps: map_Ke shines where the picture does, and is found by aiming an
     for (uint32_t k = 0; k < 100000; ++k) {
         Sampler sampler(2, k, 0);
         const Vec2 choice = sampler.next_2d();
-        const LightSample s = scene.data().lights.sample(from, choice.x, choice.y, sampler.next_2d());
-        aimed.add(s.pdf > 0 ? static_cast<double>(s.radiance.g / s.pdf) : 0);
+        double arrived = 0;
+        scene.data().lights.sample(from, {choice, sampler.next_2d()}, [&](const LightSample& s, float) {
+            if (s.pdf > 0) arrived = static_cast<double>(s.radiance.g / s.pdf);
+        });
+        aimed.add(arrived);
         const Ray ray = {from, square_to_sphere(sampler.next_2d())};
         const std::optional<Hit> hit = scene.data().accelerator.closest(ray);
         const double seen = hit ? static_cast<double>(hit_point_at(scene.data(), ray, *hit).emission.g) : 0;

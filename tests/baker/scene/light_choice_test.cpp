@@ -145,8 +145,9 @@ TEST_CASE("light choice: the exposure multiplies lamps, picture and what shines 
     const float exposure = scene.data().choice.exposure;
     CHECK(exposure < 0.02f);
     CHECK(scene.data().materials[1].emission.g == 3 * exposure);
-    const LightSample sun = scene.data().lights.sample({}, 0.5f, 0.5f, {0.5f, 0.5f});
-    CHECK(sun.radiance.g == Approx(80 * kPi * exposure));
+    scene.data().lights.sample({}, {{0.5f, 0.5f}, {0.5f, 0.5f}}, [&](const LightSample& sun, float) {
+        CHECK(sun.radiance.g == Approx(80 * kPi * exposure));
+    });
 }
 
 TEST_CASE("light choice: a scene without light, and lamps that light nothing, are warned of")

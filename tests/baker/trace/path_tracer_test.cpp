@@ -107,6 +107,26 @@ TEST_CASE("path tracer: inside a closed glowing room radiance is emission / (1 -
     }
 }
 
+// Light comes to the body through the glass, where no path can aim at it: roulette that ends a path as it leaves the
+// glass makes those that are left as many times brighter.
+TEST_CASE("path tracer: roulette ends no path between a dark body and the glass around it")
+{
+    constexpr uint32_t kPaths = 2000;
+    SceneMaker maker;
+    maker.ball(maker.add(testing::glass(1.5f, 0)), {}, 0.6f);
+    maker.ball(maker.add(testing::diffuse(grey(0.05f))), {}, 0.3f);
+    const Scene scene = maker.make(constant_environment(1));
+    const PathTracer tracer(scene.data());
+    uint32_t bring_nothing = 0;
+    for (uint32_t k = 0; k < kPaths; ++k) {
+        Sampler sampler(21, k, 0);
+        bring_nothing += is_black(tracer.trace({{2, 0.01f, 0.02f}, {-1, 0, 0}}, sampler).radiance);
+    }
+    // A few meet the body three times, because glass sends their light back to it.
+    INFO(bring_nothing << " of " << kPaths);
+    CHECK(bring_nothing < kPaths / 10);
+}
+
 // Chosen without regard to where they are, a thousand small lamps around a ball still give what looking for them gives.
 TEST_CASE("path tracer: the sky is not seen, a pane covers by its opacity")
 {
