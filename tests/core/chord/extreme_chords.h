@@ -14,7 +14,12 @@ namespace lumi::test
 {
 
 // The most bytes of texels. A fuzzer's fields are small: it draws more of them in a second.
-inline constexpr uint32_t kLargestChord = 1u << 21, kSmallChord = 2048;
+#ifdef LUMI_TEST_LIGHT
+inline constexpr uint32_t kLargestChord = 1u << 19;  // a board has 4 MB, and a file is copied while it is made
+#else
+inline constexpr uint32_t kLargestChord = 1u << 21;
+#endif
+inline constexpr uint32_t kSmallChord = 2048;
 
 class ExtremeChords
 {
