@@ -42,6 +42,12 @@ constexpr Spreads kSpreads = make_spreads();
 constexpr uint32_t kEighthTurnQ16 = 51472;  // 2π/8
 constexpr int32_t kHalfUnitQ14 = 1 << 13;
 
+// Of two numbers of one sign: within three spacings, or half a turn, it takes 32 bits and no sign.
+uint32_t product(int32_t a, int32_t b)
+{
+    return static_cast<uint32_t>(a) * static_cast<uint32_t>(b);
+}
+
 }  // namespace
 
 LocalDistances::LocalDistances(const Lattice& lattice, const Query& query, const Cell& cell)
@@ -88,7 +94,7 @@ uint32_t LocalDistances::distance2(const Way& way) const
     constexpr int32_t kOneQ14 = 1 << 14;
     const int32_t w = way.south_q14 >> 14;
     const int32_t x = way.east_q14 >> 14;
-    const auto w2 = static_cast<uint32_t>(w * w);
+    const uint32_t w2 = product(w, w);
     const uint32_t bent = ((w2 >> 14) * static_cast<uint32_t>(inverse_radius_q13_)) >> (shift_ + 1);
     const int32_t guess = (way.spread_q14 >> 14) - static_cast<int32_t>(bent);
     const uint32_t from_first_q16 =
@@ -97,9 +103,10 @@ uint32_t LocalDistances::distance2(const Way& way) const
     const int32_t spread = (guess * kSpreads.at(from_first_q16)) >> 14;
     const int32_t ratio_q14 = kOneQ14 + ((spread * inverse_radius_q13_) >> shift_);  // r_i/r
     const int32_t s_q14 = (x * inverse_radius_q13_) >> shift_;
-    const int32_t sine_q14 = kOneQ14 - ((((s_q14 * s_q14) >> 14) * kTwelfthQ14) >> 14);  // 4 sin²(s/2)/s²
+    const int32_t sine_q14 =
+        kOneQ14 - ((static_cast<int32_t>(product(s_q14, s_q14) >> 14) * kTwelfthQ14) >> 14);  // 4 sin²(s/2)/s²
     const int32_t scale_q14 = (ratio_q14 * sine_q14) >> 14;
-    return w2 + static_cast<uint32_t>(spread * spread) + static_cast<uint32_t>(x * ((x * scale_q14) >> 14));
+    return w2 + product(spread, spread) + product(x, (x * scale_q14) >> 14);
 }
 
 }  // namespace lumi::detail
