@@ -11,6 +11,7 @@
 #include "files/output_file.h"
 #include "image/exr.h"
 #include "lumi/baker/reference.h"
+#include "metrics/pi.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
@@ -125,7 +126,7 @@ const baker::NamedView& view_of(const std::string& name, const std::string& file
 double fov_over_longer_side(double fov_y_degrees, const ViewOptions& views)
 {
     if (views.width_px <= views.height_px) return fov_y_degrees;
-    constexpr double kDegree = 3.14159265358979324 / 180;
+    constexpr double kDegree = kPi / 180;
     const double half = std::tan(fov_y_degrees * kDegree / 2) * views.width_px / views.height_px;
     return 2 * std::atan(half) / kDegree;
 }

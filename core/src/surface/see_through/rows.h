@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lumi/surface/detail/see_through_samples.h"
-#include "surface/row_loops.h"
+#include "surface/rows/row_loops.h"
 
 namespace lumi::detail
 {

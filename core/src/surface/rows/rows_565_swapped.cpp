@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Samples that hold a pixel in 5, 6 and 5 bits, high byte first.
-#include "surface/row_loops.h"
-#include "surface/row_loops_in_assembly.h"
+#include "surface/rows/row_loops.h"
+#include "surface/rows/row_loops_in_assembly.h"
 
 namespace lumi::detail
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Samples that hold a PackedColour.
-#include "surface/row_loops.h"
+#include "surface/rows/row_loops.h"
 
 namespace lumi::detail
 {
