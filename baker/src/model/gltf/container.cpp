@@ -74,6 +74,15 @@ void check_json(const std::filesystem::path& file, std::string_view json)
     }
 }
 
+// By its first character, and by what no text holds.
+bool is_json_object(const std::string& bytes)
+{
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF", kBlanks = " \t\r\n";
+    const bool has_mark = bytes.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0;
+    const size_t first = bytes.find_first_not_of(kBlanks, has_mark ? kByteOrderMark.size() : 0);
+    return first != std::string::npos && bytes[first] == '{' && bytes.find('\0') == std::string::npos;
+}
+
 }  // namespace
 
 bool is_glb(std::string_view bytes)
@@ -85,13 +94,12 @@ void check_gltf_container(const std::filesystem::path& file, const std::string& 
 {
     if (bytes.size() > std::numeric_limits<uint32_t>::max())
         fail(file, "a glTF file has less than 4 GiB; split or simplify the model");
-    if (!is_glb(bytes) && bytes.find('\0') != std::string::npos)
-        fail(file, "this is neither glTF nor GLB; export it again as .glb");
     const std::string_view json = is_glb(bytes) ? json_of_glb(file, bytes) : bytes;
     if (json.size() > kMaxJsonBytes) {
         fail(file, "its text has " + std::to_string(json.size()) + " bytes, at most " + std::to_string(kMaxJsonBytes) +
                        " are read; export it as .glb, which keeps meshes and pictures out of the text");
     }
+    if (!is_glb(bytes) && !is_json_object(bytes)) fail(file, "this is neither glTF nor GLB; export it again as .glb");
     check_json(file, json);
 }
 

@@ -281,6 +281,7 @@ void take_looks(const tinygltf::Model& gltf, GltfModel& model)
 // The first of tinygltf's messages, as part of a sentence.
 std::string reason(const std::string& error)
 {
+    if (error.find("parse_error") != std::string::npos) return "its JSON is cut short or damaged";
     constexpr size_t kMost = 120;
     std::string line = error.substr(0, std::min(error.find('\n'), kMost));
     while (!line.empty() && (line.back() == '.' || line.back() == ' ')) line.pop_back();

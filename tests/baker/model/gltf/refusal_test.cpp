@@ -59,6 +59,9 @@ TEST_CASE("glTF: what is required and not drawn is refused by its name, with the
     check_gltf_refused("glTF" + std::string("\1\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0", 16), "glTF 1.0");
     check_gltf_refused("{\"meshes\":{}}", "glTF 1.0", "m.gltf");
     check_gltf_refused(std::string("\x89PNG\0\0", 6), "neither glTF nor GLB");
+    check_gltf_refused("garbage", "neither glTF nor GLB");
+    check_gltf_refused("", "neither glTF nor GLB", "m.gltf");
+    check_gltf_refused("{\"asset\":", "cut short", "m.gltf");
 }
 
 TEST_CASE("glTF: a GLB that is cut anywhere is refused")
