@@ -137,7 +137,7 @@ TEST_CASE("a bake counts what it warns of, the mesh's faults among it")
     size_t told = 0;
     std::istringstream errors(bake.err), lines(bake.out);
     std::string line, last;
-    while (std::getline(errors, line)) told += line.rfind("warning: ", 0) == 0 ? 1u : 0u;
+    while (std::getline(errors, line)) told += line.rfind("lumi: warning: ", 0) == 0 ? 1u : 0u;
     while (std::getline(lines, line)) last = line;
     CHECK(told > 0);
     CHECK(nlohmann::json::parse(last)["warnings"] == told);

@@ -126,7 +126,7 @@ void tell_of_written(const BakeSummary& summary, Tell tell)
     } catch (const std::bad_alloc&) {
         std::fprintf(
             stderr,
-            "warning: %s is written and whole, but memory does not suffice to say what it shows; `lumi inspect` "
+            "lumi: warning: %s is written and whole, but memory does not suffice to say what it shows; `lumi inspect` "
             "and `lumi report` do\n",
             summary.job.name.c_str());
     }
@@ -200,7 +200,7 @@ size_t tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
     }
     std::fflush(stdout);
     const std::vector<std::string> warnings = takes_surface ? warnings_of(choice) : std::vector<std::string>{};
-    for (const std::string& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const std::string& warning : warnings) std::fprintf(stderr, "lumi: warning: %s\n", warning.c_str());
     return warnings.size();
 }
 
