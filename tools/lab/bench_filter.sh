@@ -33,7 +33,7 @@ measure() {
   read -ra options <<<"${LUMI_TRAIN:-}"
   [[ -f $work/$1.filter ]] || "$lumi" filter train "$2" "$scene" -o "$work/$1.filter" --cache "$work/truths" "${options[@]}"
   read -ra options <<<"${LUMI_JUDGE:-}"
-  "$lumi" filter judge "$work/$1.filter" "$2" "$scene" --json "$work/$1.json" --cache "$work/truths" "${options[@]}"
+  "$lumi" filter judge "$work/$1.filter" "$2" "$scene" --json --cache "$work/truths" "${options[@]}" >"$work/$1.json"
 }
 
 # A row of the drawn pictures of each field, and one of the filtered ones.

@@ -79,11 +79,11 @@ measure_scene() {
   bake_field "$mean" "$budget" --no-view-tables
   local report=("$lumi" report "$file" --cache "$work/cache")
   "${report[@]}" "${fields[@]}" "$mean" --spp "$reference_spp" -o "$work/$scene.html" \
-    --json "$work/$scene.report.json"
+    --json >"$work/$scene.report.json"
   local others=("$lab" baselines "$file" --bytes "$(stat --format=%s "$turntable")" --cache "$work/cache")
   "${others[@]}" --spp "$reference_spp" >"$work/$scene.others.json"
   "${report[@]}" "$turntable" --spp $((reference_spp / 2)) --views ring -o "$work/$scene.ring.html" \
-    --json "$work/$scene.ring.json"
+    --json >"$work/$scene.ring.json"
   "${others[@]}" --spp $((reference_spp / 2)) --views ring >"$work/$scene.ring-others.json"
 }
 

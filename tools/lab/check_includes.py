@@ -103,6 +103,7 @@ tools/src/draw
 tools/src/program
 tools/src/quality
 tools/src/planner
+tools/src/trade
 tools/src/viewer
 tools/src/commands
 tools/src/filter

@@ -24,7 +24,7 @@ show_scene() {
   [[ -f $work/$name-truth-sheet.png ]] ||
     "$lumi" reference "$scene" -o "$work/$name-truth.png" "${view[@]}" "${truth[@]}" >/dev/null
   "$lumi" report "$scene" "$work/$name.lumi" "${truth[@]}" --cache "$work/cache" -o "$work/$name.html" \
-    --json "$work/$name.json"
+    --json >"$work/$name.json"
 }
 
 main() {

@@ -88,9 +88,11 @@ measure_background() {
 measure_scene() {
   local scene=$1
   bake_scene "$scene"
-  [[ -f $work/$scene.report.json ]] || "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$work/$scene.lumi" \
-    "$work/$scene-surface.lumi" --views upper --count "$views" --spp "$reference_spp" \
-    --cache "$work/cache" --mode "$modes" --json "$work/$scene.report.json"
+  [[ -f $work/$scene.report.json ]] || {
+    "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$work/$scene.lumi" "$work/$scene-surface.lumi" \
+      --views upper --count "$views" --spp "$reference_spp" --cache "$work/cache" --mode "$modes" --json \
+      >"$work/$scene.new" && mv "$work/$scene.new" "$work/$scene.report.json"
+  }
   [[ -f $work/$scene.background.json ]] || measure_background "$scene"
   [[ -f $work/$scene.reference_s ]] || {
     processor_s "$work/$scene.new" "$lumi" reference "$root/baker/scenes/${scene_files[$scene]}" -o "$work/timed.png" \

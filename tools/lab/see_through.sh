@@ -17,7 +17,8 @@ work=$root/build/see-through
 measure() {
   local name=$1 scene=$work/scenes/$1.json
   "$lumi" bake "$scene" -o "$work/$name.lumi" --layout surface --fit "$fit" --paths "$paths" >"$work/$name.txt"
-  "$lumi" report "$scene" "$work/$name.lumi" --cache "$work/cache" -o "$work/$name.html" --json "$work/$name.json"
+  "$lumi" report "$scene" "$work/$name.lumi" --cache "$work/cache" -o "$work/$name.html" --json \
+    >"$work/$name.json"
 }
 
 mean_db() {

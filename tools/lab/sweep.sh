@@ -50,8 +50,10 @@ bake_scene() {
 report() {
   local scene=$1 name=$2 modes=$3
   shift 3
-  [[ -f $work/$name.json ]] || "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$@" \
-    --count "$views" --spp "$reference_spp" --cache "$work/cache" --mode "$modes" --json "$work/$name.json"
+  [[ -f $work/$name.json ]] || {
+    "$lumi" report "$root/baker/scenes/${scene_files[$scene]}" "$@" --count "$views" --spp "$reference_spp" \
+      --cache "$work/cache" --mode "$modes" --json >"$work/$name.new" && mv "$work/$name.new" "$work/$name.json"
+  }
 }
 
 measure_scene() {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `lumi report` through the program.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
+#include "support/small_surface.h"
 #include "support/temporary_folder.h"
 
 namespace lumi::tools
@@ -15,13 +17,15 @@ TEST_CASE("report measures a field and writes page and JSON")
     const std::string field = folder / "f.lumi";
     REQUIRE(test::lumi({"bake", LUMI_TEST_SCENE, "-o", field, "--origins", "60", "--directions", "60", "--spp", "1"})
                 .code == 0);
-    const test::Arguments call = {"report",  LUMI_TEST_SCENE,  field,    "--count",         "1",  "--spp",          "1",
-                                  "--cache", folder / "cache", "--json", folder / "r.json", "-o", folder / "r.html"};
+    const test::Arguments call = {"report",  LUMI_TEST_SCENE,  field, "--count",        "1", "--spp", "1",
+                                  "--cache", folder / "cache", "-o",  folder / "r.html"};
     const test::Outcome outcome = test::lumi(call);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK_THAT(outcome.out, Catch::Contains("frames a second"));
-    const auto report = nlohmann::json::parse(test::content_of(folder / "r.json"));
+    test::Arguments for_machines = call;
+    for_machines.push_back("--json");
+    const auto report = nlohmann::json::parse(test::lumi(for_machines).out);
     CHECK(report["fields"][0]["layout"] == "chord");
     CHECK(report["fields"][0]["psnr_db"].get<double>() > 5);
     CHECK_THAT(test::content_of(folder / "r.html"), Catch::StartsWith("<!DOCTYPE html>"));
@@ -35,12 +39,12 @@ TEST_CASE("report --mode draws a chord field by every mode that is named, in vie
                 .code == 0);
     const auto report = [&](const std::string& modes) {
         return test::lumi({"report", LUMI_TEST_SCENE, field, "--count", "1", "--spp", "1", "--size", "48", "--cache",
-                           folder / "cache", "--json", folder / "r.json", "--mode", modes});
+                           folder / "cache", "--json", "--mode", modes});
     };
     const test::Outcome outcome = report("nearest,linear,paper5,paper5/8");
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    const auto written = nlohmann::json::parse(test::content_of(folder / "r.json"));
+    const auto written = nlohmann::json::parse(outcome.out);
     REQUIRE(written["variants"].size() == 4);
     CHECK(written["variants"][0]["layout"] == "nearest");
     CHECK(written["variants"][1]["psnr_db"] == written["fields"][0]["psnr_db"]);
@@ -51,6 +55,104 @@ TEST_CASE("report --mode draws a chord field by every mode that is named, in vie
         INFO(wrong << refused.err);
         CHECK(refused.code == 2);
         CHECK_THAT(refused.err, Catch::Contains("paperK with K from 1 to 9"));
+    }
+}
+
+namespace
+{
+
+// A chord field that spans draw, and a surface field, of a cube.
+struct Fields {
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path()), surface = folder / "s.lumi", chord = folder / "c.lumi";
+
+    Fields()
+    {
+        test::Arguments bake = {"bake", scene, "-o", surface};
+        for (const std::string& option : test::small_surface_options()) bake.push_back(option);
+        REQUIRE(test::lumi(bake).code == 0);
+        REQUIRE(test::lumi({"bake", scene, "-o", chord, "--origins", "70", "--directions", "70", "--spp", "1"}).code ==
+                0);
+    }
+
+    test::Outcome report(const test::Arguments& more) const
+    {
+        test::Arguments call = {"report", scene,   surface, chord,     "--count",
+                                "1",      "--spp", "1",     "--cache", folder / "cache"};
+        call.insert(call.end(), more.begin(), more.end());
+        return test::lumi(call);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("report --for recommends for every part a row of its front, and names the command first")
+{
+    const Fields fields;
+    const std::string page = fields.folder / "r.html";
+    const test::Outcome outcome = fields.report({"--for", "rp2040,stm32h7@60fps", "--json", "-o", page});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto trade = nlohmann::json::parse(outcome.out)["trade"];
+    const auto& rows = trade["rows"];
+    REQUIRE(trade["parts"].size() == 2);
+    CHECK(trade["parts"][0]["wanted"] == 10);
+    CHECK(trade["parts"][1]["wanted"] == 60);
+    for (const auto& part : trade["parts"]) {
+        INFO(part);
+        const std::string key = part["part"];
+        REQUIRE(part["front"].size() > 0);
+        const auto& best = rows[part["recommended"].get<size_t>()];
+        CHECK(part["commands"][0].get<std::string>().find("lumi render") == 0);
+        CHECK(best["parts"][key]["frames_per_second"].get<double>() >= part["wanted"].get<double>());
+        for (const auto& row : rows) {
+            INFO(row);
+            // What is more accurate is slower than is wanted, and what is on the front is beaten by nothing.
+            if (row["psnr_db"].get<double>() > best["psnr_db"].get<double>() + 0.01)
+                CHECK(row["parts"][key]["frames_per_second"].get<double>() < part["wanted"].get<double>());
+            CHECK(row["parts"][key]["worst"] <= row["parts"][key]["frames_per_second"]);
+            CHECK(row["ram_bytes"].get<uint64_t>() >= 240 * 16 * 2);
+        }
+    }
+    const std::string html = test::content_of(page);
+    CHECK(html.find("lumi render") < html.find("<svg"));
+    CHECK(html.find("<svg") < html.find("<table"));
+    CHECK_THAT(fields.report({"--for", "rp2040"}).out, Catch::StartsWith("RP2040 at 10"));
+}
+
+TEST_CASE("report --for without fields bakes a ladder, and takes what an earlier call has baked")
+{
+    const Fields fields;
+    const std::filesystem::path cache = fields.folder / "cache";
+    REQUIRE(fields.report({"--for", "rp2040"}).code == 0);  // makes the folder of the scene
+    const std::filesystem::path kept = *std::filesystem::directory_iterator(cache);
+    for (const char* size : {"120kB", "250kB", "500kB"})
+        std::filesystem::copy(fields.surface, kept / ("surface-" + std::string(size) + "-12paths.lumi"));
+    std::filesystem::copy(fields.chord, kept / "chord-1MB-4paths.lumi");
+    const test::Outcome outcome = test::lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1", "--for",
+                                              "rp2040", "--json", "--cache", cache.string()});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto report = nlohmann::json::parse(outcome.out);
+    CHECK(report["fields"].size() == 4);
+    const std::string command = report["trade"]["parts"][0]["commands"][0];
+    CHECK_THAT(command, Catch::StartsWith("lumi bake ") && Catch::Contains(" --fit "));
+}
+
+TEST_CASE("report without fields and without parts says what it takes")
+{
+    const test::Outcome outcome = test::lumi({"report", LUMI_TEST_SCENE});
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, Catch::Contains("--for with parts"));
+}
+
+TEST_CASE("report --for refuses what is no part, with the list of parts")
+{
+    const test::TemporaryFolder folder;
+    for (const char* wrong : {"z80", "rp2040@", "rp2040@0fps", "rp2040,z80@10fps"}) {
+        const test::Outcome outcome = test::lumi({"report", LUMI_TEST_SCENE, folder / "f.lumi", "--for", wrong});
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains("rp2040, rp2350, stm32f4, stm32h7 or esp32s3"));
     }
 }
 

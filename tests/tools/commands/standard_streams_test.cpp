@@ -28,6 +28,7 @@ const char* const kCalls[] = {
     "bake " LUMI_TEST_SCENE " -o %O --origins 8 --directions 8 --spp 1 --progress json",
     "reference " LUMI_TEST_SCENE " -o %O.png --size 16x16 --spp 1",
     "report " LUMI_TEST_SCENE " %F --spp 1 --count 1 --cache %O.cache",
+    "report " LUMI_TEST_SCENE " %F --spp 1 --count 1 --cache %O.cache --json --for rp2040",
     "--help",
     "bake --help",
     "--version",

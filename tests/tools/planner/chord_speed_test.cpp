@@ -71,21 +71,28 @@ double rate_of(const char* part, const Field& field, Mode mode)
 TEST_CASE("the planner's instructions of a chord pixel are those that the bench counted, to whole ones")
 {
     constexpr double kHalf = 0.5;
-    constexpr int kSpanPx = 8;
     const char* const texels[] = {"rgb888", "rgb565", "palette8", "luma8"};  // in the order of TexelFormat
+    const std::pair<const char*, Mode> modes[] = {{"nearest", Mode::nearest},
+                                                  {"voronoi", Mode::voronoi},
+                                                  {"dither", Mode::dither},
+                                                  {"linear", Mode::linear},
+                                                  {"paper", Mode::paper}};
     const Opened exact(64, 64, TexelFormat::rgb565, true);
     REQUIRE_FALSE(is_drawn_by_spans(exact.field));
     for (const char* core : {"m0plus", "m4"})
-        for (const ChordMode& mode : chord_modes()) {
-            INFO(core << " " << mode.name);
+        for (const auto& [name, mode] : modes) {
+            INFO(core << " " << name);
             for (size_t k = 0; k < std::size(texels); ++k) {
                 const Opened spans(64, 64, static_cast<TexelFormat>(k));
-                CHECK(std::abs(chord_instructions(core, mode.mode, spans.field) -
-                               counted({core, texels[k], mode.name, kSpanPx})) <= kHalf);
+                for (const int span_px : {4, 8, 16})
+                    CHECK(std::abs(chord_instructions(core, mode, spans.field, span_px) -
+                                   counted({core, texels[k], name, span_px})) <= kHalf);
             }
+        }
+    for (const char* core : {"m0plus", "m4"})
+        for (const ChordMode& mode : chord_modes())
             CHECK(std::abs(chord_instructions(core, mode.mode, exact.field) -
                            counted({core, "rgb565", mode.name, 0})) <= kHalf);
-        }
 }
 
 TEST_CASE("a field that spans refuse has the rate of exact pixels, which is far below")

@@ -23,13 +23,14 @@ TEST_CASE("two cores share what comes after the preparing, and wait for flash as
     CHECK(frames_per_second_of_two(chip, 0, 10'000'000, 200'000) == Approx(5));
 }
 
-TEST_CASE("a pace is a part and a rate")
+TEST_CASE("a pace is a part, with or without a rate")
 {
     const auto pace = parse_pace("rp2040@12.5fps");
     REQUIRE(pace);
     CHECK(std::string(pace->chip->title) == "RP2040");
     CHECK(pace->frames_per_second == 12.5);
-    for (const char* text : {"", "rp2040", "rp2040@", "rp2040@30", "rp2040@fps", "@30fps", "z80@30fps", "rp2040@0fps",
+    CHECK(parse_pace("esp32s3")->frames_per_second == kUsualPace);
+    for (const char* text : {"", "rp2040@", "rp2040@30", "rp2040@fps", "@30fps", "z80@30fps", "rp2040@0fps",
                              "rp2040@-1fps", "rp2040@nanfps", "rp2040@30fpsx", "rp2040@3 fps", "rp2040@infs"})
         CHECK_FALSE(parse_pace(text));
 }

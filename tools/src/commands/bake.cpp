@@ -151,7 +151,7 @@ public:
         if (options_.layout == Layout::chord || !takes_surface(scene, job)) plan_chord(job);
         if (options_.fit.plan_only) return;
         const BakeSummary summary = {
-            scene, job, warnings_, start, options_.fit.wanted_pace(), options_.layout != Layout::chord};
+            scene, job, warnings_, start, options_.fit.paces, options_.layout != Layout::chord};
         json_ ? bake_for_machines(summary) : bake_for_people(summary);
         work_is_done();
     }

@@ -147,7 +147,7 @@ void tell_people(const BakeSummary& summary, const BakeOutcome& outcome)
         const FieldFile field(summary.job.target, FieldFile::Role::own_output);
         text += rates_text(field);
     }
-    if (summary.pace) text += pace_line(summary, *summary.pace);
+    for (const planner::Pace& pace : summary.paces) text += pace_line(summary, pace);
     if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
     std::fputs(text.c_str(), stdout);
 }

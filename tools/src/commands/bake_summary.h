@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include <optional>
+#include <vector>
 
 #include "../planner/speed.h"
 #include "commands/bake_job.h"
@@ -25,8 +25,8 @@ struct BakeSummary {
     const BakeJob& job;
     size_t warnings;
     Clock::time_point start;
-    std::optional<planner::Pace> pace;  // that the field should be drawn at
-    bool checks;                        // whether it was planned by its mesh, and is judged by a few path-traced views
+    const std::vector<planner::Pace>& paces;  // that the field should be drawn at
+    bool checks;  // whether it was planned by its mesh, and is judged by a few path-traced views
 
     int steps() const { return !checks ? 1 : job.shard ? 2 : 3; }
 };

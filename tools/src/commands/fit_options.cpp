@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../planner/no_plan.h"
+#include "commands/pace_option.h"
 #include "files/output_file.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
@@ -50,14 +51,6 @@ uint64_t FitOptions::budget_bytes() const
     return *bytes;
 }
 
-std::optional<planner::Pace> FitOptions::wanted_pace() const
-{
-    if (pace.empty()) return std::nullopt;
-    if (const auto parsed = planner::parse_pace(pace)) return parsed;
-    throw UsageError("--for takes a part and a frame rate such as rp2040@30fps, with " + planner::chip_names() +
-                     ", not \"" + pace + "\"");
-}
-
 void add_fit_options(CLI::App& command, FitOptions& options)
 {
     command
@@ -65,8 +58,7 @@ void add_fit_options(CLI::App& command, FitOptions& options)
             "--fit", options.budget,
             "Choose all parameters that are not set by hand so that the file takes at most this: 2MB, 512KiB, 1500000")
         ->type_name("SIZE");
-    command.add_option("--for", options.pace, "fit: draw on this part at this rate: " + planner::chip_names())
-        ->type_name("PART@RATEfps");
+    add_pace_option(command, options.paces, "fit: say by which mode these parts draw the field at that rate");
     command.add_flag("--plan-only", options.plan_only, "fit: end with the plan, without a bake");
     command.add_option("--plan", options.json, "fit: write the plan here as JSON")->type_name("FILE");
 }
@@ -81,7 +73,6 @@ void check_fit(const FitOptions& options, const FitContext& context)
     if (context.command.count("--shard") > 0)
         throw UsageError("--shard does not go with --fit; shard the plan it finds");
     options.budget_bytes();
-    options.wanted_pace();
     announce_outputs({options.json});
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
+#include <vector>
 
 #include "../planner/chord_plan.h"
 #include "../planner/speed.h"
@@ -13,14 +13,13 @@ namespace lumi::tools
 {
 
 struct FitOptions {
-    std::string budget, pace, json;
+    std::string budget, json;
+    std::vector<planner::Pace> paces;
     bool plan_only = false;
 
     bool wanted() const { return !budget.empty(); }
     // Throws UsageError for a text that is no size. Precondition: wanted().
     uint64_t budget_bytes() const;
-    // Nothing without --for. Throws UsageError for a text that is no pace.
-    std::optional<planner::Pace> wanted_pace() const;
 };
 
 // Adds --fit and what goes with it; `options` must outlive the parse.

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // lumi report: how good fields look, measured from views that no bake has aimed at.
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "../quality/page.h"
 #include "../quality/report_data.h"
+#include "../trade/page.h"
+#include "../trade/text.h"
 #include "commands/commands.h"
+#include "commands/ladder.h"
+#include "commands/pace_option.h"
 #include "commands/rates.h"
 #include "commands/scene_options.h"
 #include "files/output_file.h"
@@ -23,7 +28,9 @@ namespace
 struct ReportOptions {
     SceneOptions scene;
     std::vector<std::string> fields;
-    std::string output, json, cache;
+    std::string output, cache;
+    bool json = false, is_quick = false;
+    std::vector<planner::Pace> paces;
     quality::ViewSet set = quality::ViewSet::all;
     int views = quality::kHeldOutViews;
     baker::ReferenceSettings reference = {256, 1, 0, false};
@@ -44,20 +51,29 @@ std::vector<quality::Reference> traced(const ReportOptions& options, const baker
     }
 }
 
-// Opened before anything is traced, so that a wrong file costs no time.
-using Files = std::vector<std::unique_ptr<FieldFile>>;
-
-Files open_all(const std::vector<std::string>& paths)
+// As a display of the parts shows them; without parts, as a screen does.
+quality::Way way_of(const ReportOptions& options)
 {
-    Files files;
+    return quality::finest(options.paces.empty() ? DisplayFormat::rgb888 : DisplayFormat::rgb565);
+}
+
+std::vector<quality::DrawMode> modes_of(const ReportOptions& options)
+{
+    return options.modes.empty() && !options.paces.empty() ? trade::usual_modes() : options.modes;
+}
+
+// Opened before anything is traced, so that a wrong file costs no time.
+trade::Files open_all(const std::vector<std::string>& paths, FieldFile::Role role)
+{
+    trade::Files files;
     for (const std::string& path : paths) {
-        files.push_back(std::make_unique<FieldFile>(path));
+        files.push_back(std::make_unique<FieldFile>(path, role));
         files.back()->require_intact();
     }
     return files;
 }
 
-quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const Files& fields)
+quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields)
 {
     quality::ReportData report;
     report.scene = options.scene.path;
@@ -65,26 +81,67 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     report.reference_samples = options.reference.samples;
     report.views = quality::held_out_views(options.set, options.views, options.size_px);
     report.references = traced(options, scene, report.views);
+    const quality::Way way = way_of(options);
     for (const auto& field : fields) {
-        report.fields.push_back(quality::measured_field(*field, report.views, report.references));
-        for (auto& variant : quality::measured_variants(*field, options.modes, report.views, report.references))
+        report.fields.push_back(quality::measured_field(*field, report.views, report.references, way));
+        for (auto& variant :
+             quality::measured_variants(*field, modes_of(options), report.views, report.references, way))
             report.variants.push_back(std::move(variant));
     }
     return report;
 }
 
+void tell_quality(const ReportOptions& options, const quality::ReportData& report, const trade::Files& fields)
+{
+    std::string text = options.json ? json_of(report) : text_of(report);
+    if (!options.json)
+        for (const auto& field : fields) text += field->path() + ": " + rates_text(*field);
+    std::fputs(text.c_str(), stdout);
+    if (!options.output.empty()) write_output(options.output, page_of(report));
+}
+
+void tell_trade(const ReportOptions& options, const quality::ReportData& report, const trade::Files& fields,
+                const trade::Bakes& bakes)
+{
+    const trade::Trade trade = trade::trade_of(report, fields, options.paces, bakes);
+    const std::string text =
+        options.json ? with_trade(json_of(report), trade) : text_of(trade) + "\n" + text_of(report);
+    std::fputs(text.c_str(), stdout);
+    if (!options.output.empty()) write_output(options.output, page_of(report, lead_of(trade, report)));
+}
+
+Ladder ladder_of(const ReportOptions& options, const baker::Scene& scene)
+{
+    const std::filesystem::path folder = std::filesystem::path(options.cache) / quality::cache_key(scene);
+    return baked_ladder(scene, {folder.string(), options.is_quick, options.scene.threads});
+}
+
 void run(ReportOptions& options)
 {
-    announce_outputs({options.output, options.json});
+    announce_outputs({options.output});
     options.reference.threads = options.scene.threads;
-    const Files fields = open_all(options.fields);
+    trade::Files fields = open_all(options.fields, FieldFile::Role::input);
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
+    Ladder ladder;
+    if (fields.empty()) {
+        ladder = ladder_of(options, scene);
+        fields = open_all(ladder.fields, FieldFile::Role::own_output);
+    }
     const quality::ReportData report = report_of(options, scene, fields);
-    std::fputs(text_of(report).c_str(), stdout);
-    for (const auto& field : fields) std::printf("%s: %s", field->path().c_str(), rates_text(*field).c_str());
-    if (!options.json.empty()) write_output(options.json, json_of(report));
-    if (!options.output.empty()) write_output(options.output, page_of(report));
+    if (options.paces.empty())
+        tell_quality(options, report, fields);
+    else
+        tell_trade(options, report, fields, ladder.bakes);
+}
+
+// What --quick leaves to the caller where the caller says it.
+void make_quick(const CLI::App& command, ReportOptions& options)
+{
+    constexpr int kViews = 4;
+    constexpr uint32_t kSamples = 64;
+    if (command.count("--count") == 0) options.views = kViews;
+    if (command.count("--spp") == 0) options.reference.samples = kSamples;
 }
 
 void add_modes(CLI::App& command, std::vector<quality::DrawMode>& modes)
@@ -112,12 +169,17 @@ void add_report(CLI::App& lumi)
 {
     auto options = std::make_shared<ReportOptions>();
     options->cache = "lumi-report";
-    CLI::App* command = lumi.add_subcommand("report", "Measure how good fields look, from views that no bake aimed at");
+    CLI::App* command = lumi.add_subcommand(
+        "report", "Measure how good fields look, from views that no bake aimed at, and what that costs");
     add_scene_options(*command, options->scene);
-    command->add_option("FIELD", options->fields, "Field files of the scene")->required();
+    command->add_option("FIELD", options->fields,
+                        "Field files of the scene; with --for and none, fields of 60 kB to 4 MB are baked and kept in "
+                        "the cache");
     command->add_option("-o,--output", options->output, "Page to write: pictures and error maps, all in one file")
         ->type_name("OUT.html");
-    command->add_option("--json", options->json, "Write all figures here as JSON")->type_name("FILE");
+    command->add_flag("--json", options->json, "Print all figures as JSON");
+    add_pace_option(*command, options->paces,
+                    "Weigh accuracy against speed and memory on these parts, and recommend what to take");
     add_choice<quality::ViewSet>(
         *command, "--views", options->set,
         {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}}, "SET",
@@ -131,17 +193,26 @@ void add_report(CLI::App& lumi)
         ->check(whole_number(1, kMostPaths))
         ->type_name("S")
         ->capture_default_str();
-    command->add_option("--cache", options->cache, "Folder for references, kept for the next report")
+    command->add_option("--cache", options->cache, "Folder for references and baked fields, kept for the next report")
         ->type_name("DIR")
         ->capture_default_str();
+    command->add_flag("--quick", options->is_quick,
+                      "4 views, 64 light paths a pixel; of the baked fields fewer, with few light paths");
     add_modes(*command, options->modes);
     constexpr int kLeastSide = 16, kMostSide = 2048;
     command->add_option("--size", options->size_px, "Pixels of a side of the square views")
         ->check(whole_number(kLeastSide, kMostSide))
         ->type_name("PX")
         ->capture_default_str();
-    command->footer("Example:\n  lumi report product.obj small.lumi large.lumi -o report.html --json report.json");
-    command->callback([options] { run(*options); });
+    command->footer(
+        "Example:\n  lumi report product.obj small.lumi large.lumi -o report.html\n"
+        "  lumi report product.obj -o report.html --for rp2040,esp32s3@20fps");
+    command->callback([options, command] {
+        if (options->fields.empty() && options->paces.empty())
+            throw UsageError("report takes fields, or --for with parts such as rp2040 to bake some");
+        if (options->is_quick) make_quick(*command, *options);
+        run(*options);
+    });
 }
 
 }  // namespace lumi::tools

@@ -30,7 +30,8 @@ constexpr char kKept[] = "the truths that were traced are kept for the next call
 
 struct FilterOptions {
     SceneOptions scene;
-    std::string field, output, json;
+    std::string field, output;
+    bool json = false;
     filter::LessonSettings lessons;
     filter::TrainingSettings training;
 };
@@ -98,13 +99,17 @@ filter::TrainingResult trained(const FilterOptions& options, filter::Trainer& tr
 
 void print_result(const FilterOptions& options, const filter::TrainingResult& result, const filter::Verdict& verdict)
 {
+    if (options.json) {
+        std::fputs(filter::json_of(verdict).c_str(), stdout);
+        return;
+    }
     if (!result.gains) std::printf("%s keeps the drawn pictures: no epoch made them better\n", options.output.c_str());
     std::printf("%d epochs; on views that it did not learn from:\n%s", result.epochs, text_of(verdict).c_str());
 }
 
 void run(FilterOptions& options)
 {
-    announce_outputs({options.output, options.json});
+    announce_outputs({options.output});
     if (options.lessons.cache.empty()) options.lessons.cache = options.output + ".truths";
     options.lessons.threads = options.scene.threads;
     options.training.seed = options.lessons.seed;
@@ -124,7 +129,6 @@ void run(FilterOptions& options)
     weights.gains = result.gains;
     weights.numbers = result.numbers;
     write_output(options.output, filter::encode(weights));
-    if (!options.json.empty()) write_output(options.json, filter::json_of(verdict));
     print_result(options, result, verdict);
 }
 
@@ -167,7 +171,7 @@ void add_train(CLI::App& filter)
     command->add_option("FIELD", options->field, "A field file of the scene")->required();
     add_scene_options(*command, options->scene);
     command->add_option("-o,--output", options->output, "Weights to write")->type_name("WEIGHTS")->required();
-    command->add_option("--json", options->json, "Also write what the filter does to views as JSON")->type_name("FILE");
+    command->add_flag("--json", options->json, "Print what the filter does to views as JSON");
     add_lesson_options(*command, *options);
     command->footer(
         "The filter is for this field alone; `lumi render --filter` refuses others. It stops when pictures of other "
@@ -185,7 +189,8 @@ void add_train(CLI::App& filter)
 
 struct JudgeOptions {
     SceneOptions scene;
-    std::string weights, field, json, cache = "lumi-report";
+    std::string weights, field, cache = "lumi-report";
+    bool json = false;
     int views = quality::kHeldOutViews;
     uint32_t samples = 256;
     bool force = false;
@@ -205,7 +210,6 @@ filter::Trial trial_of(const JudgeOptions& options, const FieldFile& field, cons
 
 void judge(const JudgeOptions& options)
 {
-    announce_outputs({options.json});
     const FieldFile field(options.field);
     field.require_intact();
     const filter::Weights weights = filter::read_weights(options.weights);
@@ -216,8 +220,7 @@ void judge(const JudgeOptions& options)
     const baker::Scene scene = load_scene(options.scene, warnings);
     require_of_scene(field, scene, options.scene.path);
     const filter::Verdict verdict = filter::verdict_on(network.get(), trial_of(options, field, scene));
-    if (!options.json.empty()) write_output(options.json, filter::json_of(verdict));
-    std::fputs(text_of(verdict).c_str(), stdout);
+    std::fputs((options.json ? filter::json_of(verdict) : text_of(verdict)).c_str(), stdout);
 }
 
 void add_judge(CLI::App& filter)
@@ -239,7 +242,7 @@ void add_judge(CLI::App& filter)
     command->add_option("--cache", options->cache, "Folder of truths, that of lumi report")
         ->type_name("DIR")
         ->capture_default_str();
-    command->add_option("--json", options->json, "Also write the figures as JSON")->type_name("FILE");
+    command->add_flag("--json", options->json, "Print the figures as JSON");
     command->add_flag("--force-filter", options->force, "Judge the weights on another field, too");
     command->callback([options] {
         try {

@@ -26,8 +26,9 @@ struct Chip {
     CacheShape cache;
     double miss_ns;
     const char* remark;
-    uint32_t ram_bytes = 0;  // the longest piece on the chip: what one array can take at most
-    int cores = 1;           // remark and rates are of one
+    uint32_t ram_bytes = 0;    // the longest piece on the chip: what one array can take at most
+    int cores = 1;             // remark and rates are of one
+    uint32_t flash_bytes = 0;  // that a field must fit where it lies inside the chip; 0: it lies outside
 };
 
 inline constexpr size_t kChips = 5;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planner/chord_speed.h"
 
+#include <iterator>
 #include <stdexcept>
 
 #include "lumi/chord/render.h"
@@ -25,12 +26,35 @@ struct Cost {
 
 // A fill of the background, a pixel.
 constexpr Cost kBackground = {3, 4};
-// By kind_of() the mode. By spans, for texels in the order of their numbers.
-constexpr Cost kSpans[][detail::format::kTexelFormats] = {
-    {{113, 194}, {90, 167}, {121, 209}, {101, 182}},
-    {{197, 359}, {205, 345}, {205, 373}, {155, 262}},
-    {{429, 915}, {472, 922}, {484, 1008}, {381, 780}},
+// By spans of 4, 8 and 16 pixels, for texels in the order of their numbers, modes in that of Mode.
+constexpr Cost kSpans[][3][detail::format::kTexelFormats] = {
+    {
+        {{240, 407}, {216, 377}, {247, 420}, {226, 393}},
+        {{113, 194}, {90, 167}, {121, 209}, {101, 182}},
+        {{100, 172}, {78, 145}, {107, 187}, {89, 160}},
+    },
+    {
+        {{505, 935}, {485, 904}, {513, 944}, {500, 920}},
+        {{331, 635}, {314, 603}, {339, 644}, {326, 619}},
+        {{297, 574}, {280, 542}, {304, 583}, {292, 558}},
+    },
+    {
+        {{274, 516}, {251, 490}, {280, 526}, {260, 505}},
+        {{138, 289}, {116, 263}, {145, 299}, {126, 279}},
+        {{121, 260}, {99, 235}, {128, 271}, {109, 250}},
+    },
+    {
+        {{340, 616}, {348, 601}, {349, 628}, {296, 517}},
+        {{197, 359}, {205, 345}, {205, 373}, {155, 262}},
+        {{184, 331}, {192, 317}, {192, 345}, {142, 234}},
+    },
+    {
+        {{603, 1220}, {647, 1226}, {656, 1306}, {555, 1085}},
+        {{429, 915}, {472, 922}, {484, 1008}, {381, 780}},
+        {{394, 853}, {437, 860}, {450, 947}, {347, 718}},
+    },
 };
+static_assert(static_cast<size_t>(Mode::paper) + 1 == std::size(kSpans), "a row for each mode");
 // Every pixel exact, RGB565.
 constexpr Cost kExact[] = {{2615, 8402}, {1914, 7168}, {3854, 10297}};
 // Of lattices below kSmallLattice points, all points are looked at, and Linear looks for the hull: what a side takes
@@ -39,9 +63,15 @@ constexpr uint32_t kSmallLattice = 64;
 constexpr Cost kSmallSide[] = {{-717, -1620}, {6447, 36009}, {-1020, -2021}};
 constexpr Cost kSmallPoint[] = {{247, 1448}, {304, 1707}, {246, 1447}};
 
+// Exact pixels of the modes of one tap are those of Nearest.
 size_t kind_of(Mode mode)
 {
-    return mode == Mode::nearest ? 0 : mode == Mode::linear ? 1 : 2;
+    return mode == Mode::paper ? 2 : mode == Mode::linear ? 1 : 0;
+}
+
+size_t index_of_span(int32_t span_px)
+{
+    return span_px == 4 ? 0 : span_px == 8 ? 1 : 2;
 }
 
 constexpr int32_t kSidePx = 240;
@@ -51,13 +81,12 @@ constexpr int32_t kTilePx = 8;  // spans are drawn in tiles of 8 × 8 pixels, ex
 class FrameReads
 {
 public:
-    explicit FrameReads(const Field& field) : field_(field) {}
+    FrameReads(const Field& field, bool by_spans) : field_(field), by_spans_(by_spans) {}
 
     template <class Reconstruction>
     void draw(const Camera& camera)
     {
-        const bool spans = is_drawn_by_spans(field_);
-        const int32_t width = spans ? kTilePx : kSidePx, height = spans ? kTilePx : 1;
+        const int32_t width = by_spans_ ? kTilePx : kSidePx, height = by_spans_ ? kTilePx : 1;
         for (int32_t top = 0; top < kSidePx; top += height)
             for (int32_t left = 0; left < kSidePx; left += width)
                 for (int32_t y = top; y < top + height; ++y)
@@ -94,6 +123,7 @@ private:
     uint32_t address_of(const uint8_t* at) const { return static_cast<uint32_t>(at - field_.texels); }
 
     const Field& field_;
+    const bool by_spans_;
     std::vector<Read> reads_;
     uint32_t pixels_ = 0;
 };
@@ -107,16 +137,16 @@ Camera camera_of_generic_view()
     return camera;
 }
 
-FrameReads reads_of(const Field& field, Mode mode)
+FrameReads reads_of(const Field& field, Mode mode, bool by_spans)
 {
-    FrameReads frame(field);
+    FrameReads frame(field, by_spans);
     const Camera camera = camera_of_generic_view();
-    if (mode == Mode::nearest)
-        frame.draw<Nearest>(camera);
+    if (mode == Mode::paper)
+        frame.draw<Paper<>>(camera);
     else if (mode == Mode::linear)
         frame.draw<Linear>(camera);
     else
-        frame.draw<Paper<>>(camera);
+        frame.draw<Nearest>(camera);
     return frame;
 }
 
@@ -127,11 +157,13 @@ bool is_drawn_by_spans(const Field& field)
     return fits_spans(field);
 }
 
-double chord_instructions(const std::string& core, Mode mode, const Field& field)
+double chord_instructions(const std::string& core, Mode mode, const Field& field, int32_t span_px)
 {
     const bool m0plus = core == "m0plus";
+    const auto texel = static_cast<size_t>(field.texel_format);
+    if (span_px != 0 && is_drawn_by_spans(field))
+        return kSpans[static_cast<size_t>(mode)][index_of_span(span_px)][texel].of(m0plus);
     const size_t kind = kind_of(mode);
-    if (is_drawn_by_spans(field)) return kSpans[kind][static_cast<size_t>(field.texel_format)].of(m0plus);
     double sum = kExact[kind].of(m0plus);
     for (const detail::Lattice* side : {&field.origins, &field.directions})
         if (side->size() < kSmallLattice)
@@ -139,17 +171,17 @@ double chord_instructions(const std::string& core, Mode mode, const Field& field
     return sum;
 }
 
-std::vector<PartRate> chord_rates(const Field& field, Mode mode)
+std::vector<PartRate> chord_rates(const Field& field, Mode mode, int32_t span_px)
 {
-    const FrameReads frame = reads_of(field, mode);
+    const FrameReads frame = reads_of(field, mode, span_px != 0 && is_drawn_by_spans(field));
     const AllTraffic traffic = traffic_of(frame.reads());
     std::vector<PartRate> rates;
     for (size_t k = 0; k < kChips; ++k) {
         const Chip& chip = kChipList[k];
         const double background = kSidePx * kSidePx * kBackground.of(chip.core == std::string("m0plus"));
-        const double instructions = frame.pixels() * chord_instructions(chip.core, mode, field) + background;
+        const double instructions = frame.pixels() * chord_instructions(chip.core, mode, field, span_px) + background;
         const double rate = frames_per_second(chip, static_cast<uint64_t>(instructions), traffic[k].misses);
-        rates.push_back({&chip, rate, rate});
+        rates.push_back({&chip, rate, rate, instructions});
     }
     return rates;
 }

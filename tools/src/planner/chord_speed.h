@@ -12,15 +12,21 @@
 namespace lumi::planner
 {
 
-// Whether firmware draws the field by spans, here of 8 pixels; else every pixel is drawn exactly.
+// Whether firmware draws the field by spans; else every pixel is drawn exactly, whatever span is asked for.
 bool is_drawn_by_spans(const Field& field);
 
+// The span that rates are told for unless they say which.
+inline constexpr int32_t kRatedSpanPx = 8;
+
 // Instructions of a pixel of the sphere with the code of `core` ("m0plus", else M4 code): docs/log/data/tradeoff.json,
-// generic view, by the field's texel format; exact pixels in RGB565, of small lattices by docs/log/exact.md.
-double chord_instructions(const std::string& core, tools::Mode mode, const Field& field);
+// generic view, by the field's texel format; exact pixels in RGB565, of small lattices by docs/log/exact.md. Paper is
+// that of 5 points a side. span_px: 4, 8 or 16; 0: every pixel exact.
+double chord_instructions(const std::string& core, tools::Mode mode, const Field& field,
+                          int32_t span_px = kRatedSpanPx);
 
 // Frames of 240 × 240 pixels a second by one core, of a view that the sphere fills. In the order of kChipList; mean and
-// worst are the same. Modes: nearest, linear and paper. Cost: the taps of such a frame.
-std::vector<PartRate> chord_rates(const Field& field, tools::Mode mode);
+// worst are the same. Dither and true nearest points are taken to read what Nearest reads. Cost: the taps of such a
+// frame.
+std::vector<PartRate> chord_rates(const Field& field, tools::Mode mode, int32_t span_px = kRatedSpanPx);
 
 }  // namespace lumi::planner

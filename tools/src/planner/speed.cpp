@@ -2,6 +2,7 @@
 #include "planner/speed.h"
 
 #include <charconv>
+#include <string_view>
 
 namespace lumi::planner
 {
@@ -20,18 +21,32 @@ const std::vector<ChordMode>& chord_modes()
     return kModes;
 }
 
+namespace
+{
+
+// "30fps"; nothing for other texts and rates that are not above 0.
+std::optional<double> parse_rate(std::string_view text)
+{
+    constexpr std::string_view kUnit = "fps";
+    constexpr double kMost = 1e6;
+    if (text.size() <= kUnit.size() || text.substr(text.size() - kUnit.size()) != kUnit) return std::nullopt;
+    const char* const end = text.data() + text.size() - kUnit.size();
+    double rate = 0;
+    const auto [stop, error] = std::from_chars(text.data(), end, rate);
+    if (error != std::errc() || stop != end || !(rate > 0) || rate > kMost) return std::nullopt;
+    return rate;
+}
+
+}  // namespace
+
 std::optional<Pace> parse_pace(const std::string& text)
 {
-    constexpr char kUnit[] = "fps";
     const size_t at = text.find('@');
-    if (at == std::string::npos || text.size() < at + sizeof kUnit) return std::nullopt;
-    const size_t end = text.size() - (sizeof kUnit - 1);
-    double rate = 0;
-    const auto [stop, error] = std::from_chars(text.data() + at + 1, text.data() + end, rate);
-    if (error != std::errc() || stop != text.data() + end || text.substr(end) != kUnit) return std::nullopt;
-    if (!(rate > 0) || rate > 1e6) return std::nullopt;
+    const std::optional<double> rate =
+        at == std::string::npos ? kUsualPace : parse_rate(std::string_view(text).substr(at + 1));
+    if (!rate) return std::nullopt;
     for (const Chip& chip : kChipList)
-        if (text.substr(0, at) == chip.key) return Pace{&chip, rate};
+        if (text.substr(0, at) == chip.key) return Pace{&chip, *rate};
     return std::nullopt;
 }
 

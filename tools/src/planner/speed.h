@@ -26,8 +26,10 @@ struct Pace {
     const Chip* chip;
     double frames_per_second;
 };
+// Of a part without a rate: an object that people turn moves, and does not jump.
+inline constexpr double kUsualPace = 10;
 
-// "rp2040@30fps"; nothing for other texts, unknown parts and rates that are not above 0.
+// "rp2040@30fps", "rp2040"; nothing for other texts, unknown parts and rates that are not above 0.
 std::optional<Pace> parse_pace(const std::string& text);
 // "rp2040, rp2350, stm32f4, stm32h7 or esp32s3".
 std::string chip_names();

@@ -72,13 +72,14 @@ std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mo
         loads.push_back(load_of(field, view.eye, mode));
     std::vector<PartRate> rates;
     for (const Chip& chip : kChipList) {
-        PartRate rate = {&chip, 0, 1e9};
+        PartRate rate = {&chip, 0, 1e9, 0};
         for (const SurfaceLoad& load : loads) {
             const auto instructions = static_cast<uint64_t>(surface_instructions(chip.core, mode, load));
             const auto misses = static_cast<uint64_t>(surface_misses(load, 1.0 * chip.cache.line_bytes));
             const double fps = frames_per_second(chip, instructions, misses);
             rate.mean += fps / static_cast<double>(loads.size());
             rate.worst = std::min(rate.worst, fps);
+            rate.instructions += static_cast<double>(instructions) / static_cast<double>(loads.size());
         }
         rates.push_back(rate);
     }

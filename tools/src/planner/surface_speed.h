@@ -25,6 +25,7 @@ double surface_misses(const SurfaceLoad& load, double line_bytes);
 struct PartRate {
     const Chip* chip;
     double mean, worst;
+    double instructions;  // a frame, in the mean
 };
 std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode);
 

@@ -54,10 +54,17 @@ size_t worst_block_view(const Measured& m)
     return static_cast<size_t>(std::min_element(m.worst.begin(), m.worst.end(), less) - m.worst.begin());
 }
 
-tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view)
+Way finest(tools::DisplayFormat display)
 {
-    return file.is_surface() ? tools::draw_surface(file.surface(), view.eye)
-                             : tools::draw(file.field(), view.eye.camera, {});
+    Way way;
+    way.surface.display = way.chord.display = display;
+    return way;
+}
+
+tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view, const Way& way)
+{
+    return file.is_surface() ? tools::draw_surface(file.surface(), view.eye, way.surface)
+                             : tools::draw(file.field(), view.eye.camera, way.chord);
 }
 
 const char* layout_of(const tools::FieldFile& file)
@@ -67,45 +74,39 @@ const char* layout_of(const tools::FieldFile& file)
 }
 
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                        const std::vector<Reference>& references)
+                        const std::vector<Reference>& references, const Way& way)
 {
-    const auto draw = [&](const HeldOutView& view) { return drawn(file, view); };
+    const auto draw = [&](const HeldOutView& view) { return drawn(file, view, way); };
     Measured result = measured(file.path(), layout_of(file), file.size(), draw, views, references);
+    result.way = way;
     result.sections = file.sections();
     if (file.is_surface()) result.triangles = tools::triangles_of(file.surface());
     return result;
 }
 
-namespace
-{
-
-std::vector<Measured> measured_modes(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                     const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
-{
-    std::vector<Measured> all;
-    for (const DrawMode& mode : modes) {
-        const auto draw = [&](const HeldOutView& view) {
-            return tools::draw(file.field(), view.eye.camera, mode.settings);
-        };
-        all.push_back(measured(file.path(), mode.name, file.size(), draw, views, references));
-    }
-    return all;
-}
-
-}  // namespace
-
 std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                        const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
+                                        const std::vector<HeldOutView>& views, const std::vector<Reference>& references,
+                                        const Way& way)
 {
-    if (!file.is_surface()) return measured_modes(file, modes, views, references);
     std::vector<Measured> variants;
-    for (const auto& [mode, name] :
-         {std::pair(SurfaceMode::antialiased, "antialiased"), {SurfaceMode::one_sample, "one sample"}}) {
-        const auto draw = [&, mode = mode](const HeldOutView& view) {
-            return tools::draw_surface(file.surface(), view.eye, {mode});
-        };
-        variants.push_back(measured(file.path(), name, file.size(), draw, views, references));
-        variants.back().triangles = tools::triangles_of(file.surface());
+    const auto add = [&](const std::string& name, const Way& variant) {
+        variants.push_back(measured_field(file, views, references, variant));
+        variants.back().layout = name;
+        variants.back().sections.clear();
+    };
+    Way variant = way;
+    if (file.is_surface()) {
+        for (const auto& [mode, name] :
+             {std::pair(SurfaceMode::antialiased, "antialiased"), {SurfaceMode::one_sample, "one sample"}}) {
+            variant.surface.mode = mode;
+            add(name, variant);
+        }
+        return variants;
+    }
+    for (const DrawMode& mode : modes) {
+        variant.chord = mode.settings;
+        variant.chord.display = way.chord.display;
+        add(mode.name, variant);
     }
     return variants;
 }

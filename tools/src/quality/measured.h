@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "metrics/worst_block.h"
 #include "quality/draw_modes.h"
@@ -15,10 +16,20 @@
 namespace lumi::quality
 {
 
+// How a field is drawn: by the one that its layout takes.
+struct Way {
+    tools::SurfaceDrawSettings surface;
+    tools::DrawSettings chord;
+};
+
+// The finest of a surface field, exact `linear` of a chord field.
+Way finest(tools::DisplayFormat display = tools::DisplayFormat::rgb888);
+
 // A kind of picture, drawn for every view.
 struct Measured {
     std::string name;    // the file's name
     std::string layout;  // "chord", "surface", "mean alone", "antialiased", ...
+    Way way;             // of fields
     uint64_t flash_bytes = 0;
     std::vector<tools::Section> sections;
     std::vector<tools::Picture> pictures;
@@ -39,16 +50,16 @@ using DrawView = std::function<tools::Picture(const HeldOutView&)>;
 Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
                   const std::vector<HeldOutView>& views, const std::vector<Reference>& references);
 
-// A field by the best that it offers.
-tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view);
+tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view, const Way& way = finest());
 // "chord", "surface", or "mean alone": a surface field whose colours do not depend on the direction of view.
 const char* layout_of(const tools::FieldFile& file);
+// A field by the best that it offers.
 Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                        const std::vector<Reference>& references);
+                        const std::vector<Reference>& references, const Way& way = finest());
 
-// The cheaper modes of a surface field; a chord field by the modes that are given.
+// The cheaper modes of a surface field; a chord field by the modes that are given; as `way` in all else.
 std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                        const std::vector<HeldOutView>& views,
-                                        const std::vector<Reference>& references);
+                                        const std::vector<HeldOutView>& views, const std::vector<Reference>& references,
+                                        const Way& way = finest());
 
 }  // namespace lumi::quality

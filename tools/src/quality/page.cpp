@@ -115,14 +115,14 @@ std::string introduction(const ReportData& report)
 
 }  // namespace
 
-std::string page_of(const ReportData& report)
+std::string page_of(const ReportData& report, const PageLead& lead)
 {
-    const std::string title = "Quality of " + escaped(file_name(report.scene));
+    const std::string title = lead.title + " of " + escaped(file_name(report.scene));
     std::string html =
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
-        title + "</title>\n<style>" + kPageStyle + "</style></head><body>\n<h1>" + title + "</h1>\n" +
-        introduction(report) + mean_table(report) + "<h2>Where the bytes go</h2>\n";
+        title + "</title>\n<style>" + kPageStyle + lead.style + "</style></head><body>\n<h1>" + title + "</h1>\n" +
+        lead.html + introduction(report) + mean_table(report) + "<h2>Where the bytes go</h2>\n";
     for (const Measured& field : report.fields) html += section_bar(field);
     html += "<h2>Views</h2>\n<p>Each field's picture, and beside it its error, 4 times as bright.</p>\n";
     for (size_t v = 0; v < report.views.size(); ++v) html += view_part(report, v);

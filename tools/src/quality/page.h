@@ -9,6 +9,11 @@
 namespace lumi::quality
 {
 
-std::string page_of(const ReportData& report);
+// What a page begins with before the means.
+struct PageLead {
+    std::string title = "Quality", style, html;  // "… of model.obj"
+};
+
+std::string page_of(const ReportData& report, const PageLead& lead = {});
 
 }  // namespace lumi::quality

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "commands/ladder.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "../planner/chord_plan.h"
+#include "commands/bake_job.h"
+#include "commands/surface_choice.h"
+#include "terminal/progress_printer.h"
+
+namespace lumi::tools
+{
+
+namespace
+{
+
+struct Rung {
+    bool is_surface;
+    const char* size;  // as --fit takes it
+    uint64_t bytes;
+};
+
+constexpr Rung kRungs[] = {{true, "60kB", 60'000},   {true, "120kB", 120'000},  {true, "250kB", 250'000},
+                           {true, "500kB", 500'000}, {false, "250kB", 250'000}, {false, "1MB", 1'000'000},
+                           {false, "4MB", 4'000'000}};
+constexpr Rung kQuickRungs[] = {
+    {true, "120kB", 120'000}, {true, "250kB", 250'000}, {true, "500kB", 500'000}, {false, "1MB", 1'000'000}};
+
+// Light paths a texel, and a ray of a chord field.
+struct Paths {
+    uint32_t surface, chord;
+};
+constexpr Paths kPaths = {100, 16}, kQuickPaths = {12, 4};
+
+class LadderBake
+{
+public:
+    LadderBake(const baker::Scene& scene, const LadderSettings& settings) : scene_(scene), settings_(settings) {}
+
+    void add(const Rung& rung, const std::string& step)
+    {
+        const Paths paths = settings_.is_quick ? kQuickPaths : kPaths;
+        const char* const layout = rung.is_surface ? "surface" : "chord";
+        const uint32_t count = rung.is_surface ? paths.surface : paths.chord;
+        const std::string name = std::string(layout) + "-" + rung.size + "-" + std::to_string(count) + "paths.lumi";
+        const std::string file = (std::filesystem::path(settings_.folder) / name).string();
+        if (!std::filesystem::exists(file) &&
+            !(rung.is_surface ? bakes_surface(rung, count, file, step) : bakes_chord(rung, count, file, step)))
+            return;
+        ladder_.fields.push_back(file);
+        ladder_.bakes[file] = std::string("--layout ") + layout + " --fit " + rung.size;
+    }
+
+    Ladder taken() { return std::move(ladder_); }
+
+private:
+    bool bakes_surface(const Rung& rung, uint32_t paths, const std::string& file, const std::string& step)
+    {
+        planner::SurfaceTask task;
+        task.budget_bytes = rung.bytes;
+        task.output = file;
+        task.settings.paths_per_texel = paths;
+        task.settings.threads = settings_.threads;
+        SurfaceChoice choice;
+        {
+            ProgressPrinter printer(stderr, stderr_is_terminal(), step + "planning: ");
+            choice = surface_choice(scene_, task, watch(printer));
+        }
+        if (!choice.plan.draft) {
+            std::fprintf(stderr, "no surface field of %s: %s\n", rung.size, choice.against.c_str());
+            return false;
+        }
+        BakeJob job = job_of(file);
+        job.surface = choice.plan.settings;
+        job.draft = choice.plan.draft;
+        run(job, step);
+        return true;
+    }
+
+    bool bakes_chord(const Rung& rung, uint32_t paths, const std::string& file, const std::string& step)
+    {
+        planner::ChordTask task;
+        task.budget_bytes = rung.bytes;
+        task.settings.texel = TexelFormat::palette8;
+        task.settings.samples = paths;
+        task.settings.threads = settings_.threads;
+        BakeJob job = job_of(file);
+        job.settings = planner::plan_chord(task);
+        run(job, step);
+        return true;
+    }
+
+    static BakeJob job_of(const std::string& file)
+    {
+        BakeJob job;
+        job.name = job.target = file;
+        return job;
+    }
+
+    void run(const BakeJob& job, const std::string& step)
+    {
+        ProgressPrinter printer(stderr, stderr_is_terminal(), step + "baking: ");
+        run_job(scene_, job, watch(printer));
+    }
+
+    const baker::Scene& scene_;
+    const LadderSettings& settings_;
+    Ladder ladder_;
+};
+
+}  // namespace
+
+Ladder baked_ladder(const baker::Scene& scene, const LadderSettings& settings)
+{
+    const std::vector<Rung> rungs = settings.is_quick
+                                        ? std::vector<Rung>(std::begin(kQuickRungs), std::end(kQuickRungs))
+                                        : std::vector<Rung>(std::begin(kRungs), std::end(kRungs));
+    std::error_code ignored;  // what cannot be made is told by the bake
+    std::filesystem::create_directories(settings.folder, ignored);
+    LadderBake bake(scene, settings);
+    for (size_t k = 0; k < rungs.size(); ++k)
+        bake.add(rungs[k], "field " + std::to_string(k + 1) + " of " + std::to_string(rungs.size()) + ", ");
+    return bake.taken();
+}
+
+}  // namespace lumi::tools

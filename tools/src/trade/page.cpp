@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "trade/page.h"
+
+#include <algorithm>
+
+#include "quality/html.h"
+#include "terminal/text.h"
+#include "trade/chart.h"
+#include "trade/page_style.h"
+#include "trade/text.h"
+
+namespace lumi::trade
+{
+
+namespace
+{
+
+using quality::escaped;
+
+std::string cell(const std::string& text)
+{
+    return "<td>" + text + "</td>";
+}
+
+std::string answer(const Trade& trade, size_t k)
+{
+    const PartTrade& part = trade.parts[k];
+    const Row& row = trade.rows[part.recommended];
+    std::string html = "<p class=\"answer\"><b>" + escaped(name_of(row)) + "</b>: " + figures_text(row, k) +
+                       (part.keeps_pace ? ".</p>\n" : ". No row is as fast as that; this is the fastest.</p>\n") +
+                       "<pre>";
+    for (const std::string& command : commands_of(trade, row)) html += escaped(command) + "\n";
+    return html + "</pre>\n<p>In firmware: " + escaped(row.firmware) + ".</p>\n";
+}
+
+constexpr char kLegend[] =
+    "<div class=\"key legend\"><span><i class=\"surface\"></i>surface field</span>"
+    "<span><i class=\"chord\"></i>chord field</span><span><i class=\"beaten\"></i>beaten: another is faster and "
+    "more accurate</span><span>area: flash</span><span>ring: recommended</span><span>dashes: wanted "
+    "rate</span></div>\n";
+
+std::string thumb(const tools::Picture& picture, const std::string& caption, bool is_best)
+{
+    return std::string("<figure") + (is_best ? " class=\"best\"" : "") + ">" + quality::image_tag(picture, caption) +
+           "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
+// All of one view.
+std::string thumbs(const Trade& trade, size_t k, const quality::ReportData& report)
+{
+    const PartTrade& part = trade.parts[k];
+    std::string html = "<div class=\"thumbs\">\n";
+    for (size_t place = 0; place < part.front.size(); ++place) {
+        const Row& row = trade.rows[part.front[place]];
+        const std::string caption = std::to_string(place + 1) + ": " + name_of(row) + ", " +
+                                    number(row.measured->mean.psnr_db, 1) + " dB, " +
+                                    rate_text(row.parts[k].frames_per_second) + " fps";
+        html += thumb(row.measured->pictures[0], caption, part.front[place] == part.recommended);
+    }
+    return html + thumb(report.references[0].picture, "path-traced", false) + "</div>\n";
+}
+
+std::string part_section(const Trade& trade, size_t k, const quality::ReportData& report)
+{
+    const std::string begin = "<section class=\"part\"><h2>" + escaped(pace_text(trade.parts[k].pace)) + "</h2>\n";
+    if (trade.parts[k].front.empty()) return begin + "<p>No row fits its memory.</p></section>\n";
+    return begin + answer(trade, k) + "<div class=\"sides\"><div>" + chart_of(trade, k) + kLegend + "</div>\n" +
+           thumbs(trade, k, report) + "</div></section>\n";
+}
+
+bool is_on_a_front(const Trade& trade, size_t row)
+{
+    return std::any_of(
+        trade.parts.begin(), trade.parts.end(),
+        [&](const PartTrade& part) {
+            return std::find(part.front.begin(), part.front.end(), row) != part.front.end();
+        });
+}
+
+std::string cells_of(const PartFigures& figures)
+{
+    constexpr double kMega = 1e6;
+    if (!figures.fits) return cell("does not fit") + cell(number(figures.instructions / kMega, 1));
+    return cell(rate_text(figures.frames_per_second) +
+                (figures.worst != figures.frames_per_second ? " (" + rate_text(figures.worst) + ")" : std::string())) +
+           cell(number(figures.instructions / kMega, 1));
+}
+
+std::string table_row(const Trade& trade, size_t k)
+{
+    const Row& row = trade.rows[k];
+    const quality::Figures& mean = row.measured->mean;
+    std::string html = std::string("<tr") + (is_on_a_front(trade, k) ? "" : " class=\"beaten\"") + ">" +
+                       cell(escaped(name_of(row))) + cell(number(mean.psnr_db, 2)) + cell(number(mean.ssim, 4)) +
+                       cell(number(mean.flip, 4)) + cell(tools::byte_text(row.measured->flash_bytes)) +
+                       cell(tools::byte_text(row.ram_bytes));
+    for (const PartFigures& figures : row.parts) html += cells_of(figures);
+    return html + "</tr>\n";
+}
+
+std::string table(const Trade& trade)
+{
+    std::string html =
+        "<h2>All rows, the most accurate first</h2>\n<div class=\"wide\"><table><tr><th>what<th>PSNR dB<th>SSIM"
+        "<th>FLIP<th>flash<th>RAM";
+    for (const PartTrade& part : trade.parts)
+        html += "<th>" + escaped(part.pace.chip->title) + ", fps<th>M instructions";
+    html += "</tr>\n";
+    std::vector<size_t> order;
+    for (size_t k = 0; k < trade.rows.size(); ++k) order.push_back(k);
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        return trade.rows[a].measured->mean.psnr_db > trade.rows[b].measured->mean.psnr_db;
+    });
+    for (const size_t k : order) html += table_row(trade, k);
+    return html + "</table></div>\n";
+}
+
+constexpr char kModel[] =
+    "<p>Accuracy and cost are of the same file, drawn by the same mode into 240 × 240 pixels of RGB565, on one core. "
+    "Frame rates are modelled from instructions that were counted and from flash lines that the field misses, not "
+    "measured; in brackets is the dearest of 200 poses. RAM is that of a frame and a stripe of 16 rows. The program "
+    "takes flash besides: 17 to 27 kB of code.</p>\n";
+
+}  // namespace
+
+quality::PageLead lead_of(const Trade& trade, const quality::ReportData& report)
+{
+    std::string html;
+    for (size_t k = 0; k < trade.parts.size(); ++k) html += part_section(trade, k, report);
+    return {"Speed against accuracy", kTradeStyle, html + table(trade) + kModel + "<h2>Accuracy in detail</h2>\n"};
+}
+
+}  // namespace lumi::trade
