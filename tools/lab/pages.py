@@ -70,6 +70,7 @@ TABLES = {
     "baker threads": scripts.baker_threads,
     "baker memory": scripts.baker_memory,
     "noise": scripts.noise,
+    "lamps": scripts.lamps,
     "house": scripts.house,
     "house builds": scripts.house_builds,
 }

@@ -218,6 +218,14 @@ def noise():
                    *(cell for name in names[1:] for cell in cells(scene, name))] for scene in scenes])
 
 
+def lamps():
+    """Radiance of a floor below each lamp of Blender."""
+    return Table(["lamp of Blender", "strength", "in the glTF file", "Cycles", "`lumi`", "difference"],
+                 [[row["lamp"], f"{row['strength']:.0f} {row['unit']}".strip(), f"{row['in_the_file']:.0f} {row['file_unit']}",
+                   decimal(row["cycles"], 3), decimal(row["lumi"], 3), f"{100 * (row['lumi'] / row['cycles'] - 1):+.1f} %"]
+                  for row in load("lamps")["lamps"]])
+
+
 def house():
     """A row for each thing that is counted, a column for each revision."""
     revisions = load("house")["revisions"]

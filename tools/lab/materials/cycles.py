@@ -16,14 +16,10 @@ import bpy
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [here, os.path.dirname(here)]
 import ball  # noqa: E402
+from blender_scene import add, make_material, principled, set_up_cycles  # noqa: E402
 from figures.table import DATA, save  # noqa: E402
 
 SKY_SAMPLES, SUN_SAMPLES = 196, 25  # the sun's light has no noise: only edges need more than one sample
-
-
-def principled(base, roughness, **inputs):
-    named = {key.replace("_", " "): value for key, value in inputs.items()}
-    return {"Base Color": (base, base, base, 1), "Roughness": roughness, **named}
 
 
 def materials():
@@ -51,41 +47,6 @@ def materials():
     made["emission_0.8"] = {**principled(0.8, 0.5), "Emission": (1, 1, 1, 1)}
     for name in ("metal_0.9_0.5", "metal_0.9_1", "glass_0.5"):
         made[f"{name}_multi"] = {**made[name], "distribution": "MULTI_GGX"}
-    return made
-
-
-def make_material(name, inputs):
-    made = bpy.data.materials.new(name)
-    made.use_nodes = True
-    shader = made.node_tree.nodes["Principled BSDF"]
-    shader.distribution = inputs.pop("distribution", "GGX")
-    for key, value in inputs.items():
-        shader.inputs[key].default_value = value
-    return made
-
-
-def set_up_cycles(scene):
-    scene.render.engine = "CYCLES"
-    cycles = scene.cycles
-    cycles.device = "CPU"
-    cycles.use_adaptive_sampling = False
-    cycles.use_denoising = False
-    cycles.pixel_filter_type = "BOX"
-    cycles.sample_clamp_indirect = 0
-    cycles.blur_glossy = 0
-    cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 64
-    scene.render.resolution_x = scene.render.resolution_y = ball.SIZE_PX
-    scene.render.resolution_percentage = 100
-    scene.view_settings.view_transform = "Standard"
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
-
-
-def add(name, data, location, rotation):
-    made = bpy.data.objects.new(name, data)
-    made.location = location
-    made.rotation_euler = rotation
-    bpy.context.collection.objects.link(made)
     return made
 
 
@@ -149,11 +110,12 @@ def export(body, made, mtl_file):
 
 
 def main():
-    set_up_cycles(bpy.context.scene)
+    set_up_cycles(ball.SIZE_PX)
     sun, body = set_up_scene()
     made = [make_material(*item) for item in materials().items()]
     save("cycles", {"program": f"Cycles of Blender {bpy.app.version_string}", "materials": measure(sun, body, made)})
     export(body, made, DATA / "cycles.mtl")
 
 
-main()
+if __name__ == "__main__":
+    main()
