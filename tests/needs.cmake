@@ -18,7 +18,7 @@ endfunction()
 function(lumi_missing_test_needs out)
   set(missing)
   # Boards' toolchains look into their own folders alone.
-  find_path(LUMI_CATCH2_HEADER catch2/catch.hpp PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
+  find_path(LUMI_CATCH2_HEADER NAMES catch2/catch.hpp catch2/catch_all.hpp PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
   mark_as_advanced(LUMI_CATCH2_HEADER)
   if(NOT LUMI_CATCH2_HEADER)
     list(APPEND missing Catch2)

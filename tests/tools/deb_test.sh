@@ -13,7 +13,7 @@ dpkg --info "$package" | tee "$folder/info"
 grep --quiet "^ Version: $version\$" "$folder/info"
 grep --quiet '^ Depends: .*libembree' "$folder/info"
 dpkg --extract "$package" "$folder/root"
-[[ $("$folder/root/usr/bin/lumi" --version) == "$version" ]]
+[[ $("$folder/root/usr/bin/lumi" --version) == "lumi $version"* ]]
 "$folder/root/usr/bin/lumi" view "${BASH_SOURCE[0]%/*}/commands/chord-420e9fe.lumi" -o "$folder/view.html"
 test -e "$folder"/root/usr/lib/*/lumi/modules/lumi_openvdb.so || test -e "$folder/root/usr/lib/lumi/modules/lumi_openvdb.so"
 gunzip "$folder"/root/usr/share/man/man1/*.gz

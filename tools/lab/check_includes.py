@@ -129,7 +129,7 @@ ALLOWED_BACK_UP = {}
 
 # Third parties by what their headers' names begin with, and the one file that may include them. Tests may include all.
 THIRD_PARTIES = {
-    "embree3/": "baker/src/geometry/accelerator.cpp",
+    "embree": "baker/src/geometry/accelerator.cpp",
     "tiny_gltf.h": "baker/src/model/gltf/file.cpp",
     "png.h": "baker/src/image/png_file.cpp",
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",

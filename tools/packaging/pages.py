@@ -120,7 +120,7 @@ def completion(lumi):
 
 def main(program, share):
     lumi, share = Command(program), pathlib.Path(share)
-    version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
+    version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.split()[1]
     pages = {share / f"man/man1/{command.name}.1": man_page(command, version) for command in lumi.everything()}
     pages[share / "bash-completion/completions/lumi"] = completion(lumi)
     for path, text in pages.items():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The `lumi` command line: subcommands in commands/, plug-ins in folders of their own.
 #include "commands/commands.h"
+#include "lumi_version.h"
 #include "program/plugin.h"
 #include "program/program.h"
 
@@ -11,7 +12,7 @@ void describe(CLI::App& lumi)
 {
     using namespace lumi::tools;
     lumi.description("Bakes path-traced scenes into fields for microcontrollers, and draws, measures and embeds them.");
-    lumi.set_version_flag("--version", LUMI_VERSION);
+    lumi.set_version_flag("--version", lumi_version::kText);
     lumi.footer(
         "Exit codes: 0 done, 1 failed, 2 wrong call, 130 interrupted.\n"
         "Example:\n  lumi bake product.obj -o product.lumi && lumi render product.lumi -o product.png");

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The one file that sees Embree.
+// The one file that sees Embree: 4, or 3, whose queries take a context.
 #include "geometry/accelerator.h"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <cstring>
 #include <stdexcept>
@@ -70,6 +74,25 @@ void pass_back_faces(const RTCFilterFunctionNArguments* call)
     if (ray.dir_x * hit.Ng_x + ray.dir_y * hit.Ng_y + ray.dir_z * hit.Ng_z >= 0) call->valid[0] = 0;
 }
 
+#if RTC_VERSION_MAJOR >= 4
+void find_closest(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query); }
+void find_any(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &query); }
+#else
+void find_closest(RTCScene scene, RTCRayHit& query)
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+}
+
+void find_any(RTCScene scene, RTCRay& query)
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &query);
+}
+#endif
+
 }  // namespace
 
 Accelerator::Accelerator(const Mesh& mesh, Faces faces) : impl_(std::make_unique<Impl>())
@@ -98,9 +121,7 @@ std::optional<Hit> Accelerator::closest(const Ray& ray) const
     RTCRayHit query{};
     query.ray = to_embree(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(impl_->scene, &context, &query);
+    find_closest(impl_->scene, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Hit{query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
 }
@@ -108,9 +129,7 @@ std::optional<Hit> Accelerator::closest(const Ray& ray) const
 bool Accelerator::blocked(const Ray& ray) const
 {
     RTCRay query = to_embree(ray);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(impl_->scene, &context, &query);
+    find_any(impl_->scene, query);
     return query.tfar < 0;
 }
 

@@ -124,6 +124,7 @@ TEST_CASE("every subcommand has a help text with an example")
     CHECK(lumi({"--help"}).code == 0);
     CHECK_THAT(lumi({"--help"}).out, Catch::Contains("130 interrupted"));
     CHECK(lumi({"--version"}).code == 0);
+    CHECK_THAT(lumi({"--version"}).out, Catch::StartsWith("lumi 0.") && Catch::Contains("\nWith Embree "));
     for (const char* command : {"bake", "render", "reference", "compare", "inspect", "embed", "help"}) {
         const Outcome outcome = lumi({command, "--help"});
         CHECK(outcome.code == 0);

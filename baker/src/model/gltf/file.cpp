@@ -94,7 +94,10 @@ GltfAccessor accessor_of(const tinygltf::Accessor& a)
     result.width = width > 0 ? static_cast<uint32_t>(width) : 1;
     result.normalized = a.normalized;
     if (a.sparse.isSparse) {
-        const auto at_least_0 = [](int value) { return value < 0 ? SIZE_MAX : static_cast<size_t>(value); };
+        // int or size_t, by the version of tinygltf
+        const auto at_least_0 = [](auto value) {
+            return static_cast<int64_t>(value) < 0 ? SIZE_MAX : static_cast<size_t>(value);
+        };
         const size_t count = at_least_0(a.sparse.count);
         result.sparse_indices = GltfRun{a.sparse.indices.bufferView, at_least_0(a.sparse.indices.byteOffset), count,
                                         a.sparse.indices.componentType};
