@@ -44,8 +44,8 @@ struct Passed {
     int32_t part_q28[3] = {1, 0, 0};
     int32_t distance_q28 = 0, area_q28 = 1;
 
-    // Takes three points if they are passed farther out.
-    void consider(const Outlook& from, uint32_t i, uint32_t j, uint32_t k)
+    // Takes three points if they are passed farther out. Not inlined: its stack is not beside that of point().
+    __attribute__((noinline)) void consider(const Outlook& from, uint32_t i, uint32_t j, uint32_t k)
     {
         int32_t part[3] = {from.area_q28(j, k), from.area_q28(k, i), from.area_q28(i, j)};
         const uint32_t corner[3] = {i, j, k};
