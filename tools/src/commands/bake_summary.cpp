@@ -14,6 +14,7 @@
 #include "commands/surface_options.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
+#include "terminal/failure.h"
 #include "terminal/interrupt.h"
 #include "terminal/json_progress.h"
 #include "terminal/progress_printer.h"
@@ -117,18 +118,24 @@ std::string next_line(const std::string& field)
     return "next: lumi render " + field + " -o " + picture + " --turntable 12\n";
 }
 
-// What runs out of memory once the field is written costs its report, not the bake.
+void warn_of_written(const BakeSummary& summary, const char* problem)
+{
+    std::fprintf(stderr,
+                 "lumi: warning: %s is written and whole, but what it shows cannot be said (%s); `lumi inspect` and "
+                 "`lumi report` say it\n",
+                 summary.job.name.c_str(), problem);
+}
+
+// What fails once the field is written costs its report, not the bake.
 template <class Tell>
 void tell_of_written(const BakeSummary& summary, Tell tell)
 {
     try {
         tell();
     } catch (const std::bad_alloc&) {
-        std::fprintf(
-            stderr,
-            "lumi: warning: %s is written and whole, but memory does not suffice to say what it shows; `lumi inspect` "
-            "and `lumi report` do\n",
-            summary.job.name.c_str());
+        warn_of_written(summary, "memory does not suffice");
+    } catch (const Failure& error) {
+        warn_of_written(summary, error.what());
     }
 }
 
