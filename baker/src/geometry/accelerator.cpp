@@ -75,8 +75,14 @@ void pass_back_faces(const RTCFilterFunctionNArguments* call)
 }
 
 #if RTC_VERSION_MAJOR >= 4
-void find_closest(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query); }
-void find_any(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &query); }
+void find_closest(RTCScene scene, RTCRayHit& query)
+{
+    rtcIntersect1(scene, &query);
+}
+void find_any(RTCScene scene, RTCRay& query)
+{
+    rtcOccluded1(scene, &query);
+}
 #else
 void find_closest(RTCScene scene, RTCRayHit& query)
 {
