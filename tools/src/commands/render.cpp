@@ -22,11 +22,11 @@ namespace lumi::tools
 namespace
 {
 
-const Choices<Mode> kChordModes = {{"nearest", Mode::nearest},
-                                   {"voronoi", Mode::voronoi},
-                                   {"dither", Mode::dither},
-                                   {"linear", Mode::linear},
-                                   {"paper", Mode::paper}};
+const Choices<Mode> kChordModes = {{name_of(Mode::nearest), Mode::nearest},
+                                   {name_of(Mode::voronoi), Mode::voronoi},
+                                   {name_of(Mode::dither), Mode::dither},
+                                   {name_of(Mode::linear), Mode::linear},
+                                   {name_of(Mode::paper), Mode::paper}};
 const Choices<SurfaceMode> kSurfaceModes = {{name_of(SurfaceMode::one_sample), SurfaceMode::one_sample},
                                             {name_of(SurfaceMode::antialiased), SurfaceMode::antialiased},
                                             {name_of(SurfaceMode::two_by_two), SurfaceMode::two_by_two}};

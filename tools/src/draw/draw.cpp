@@ -8,6 +8,12 @@
 namespace lumi::tools
 {
 
+const char* name_of(Mode mode)
+{
+    constexpr const char* kNames[] = {"nearest", "voronoi", "dither", "linear", "paper"};
+    return kNames[static_cast<size_t>(mode)];
+}
+
 // Instantiated for each format from span_stripes.cpp.in.
 template <class Texel>
 Picture draw_texels(const Field& field, const Camera& camera, const DrawSettings& settings);

@@ -10,6 +10,9 @@ namespace lumi::tools
 {
 
 enum class Mode : uint8_t { nearest, voronoi, dither, linear, paper };
+// "nearest", "voronoi", "dither", "linear" or "paper".
+const char* name_of(Mode mode);
+
 enum class DisplayFormat : uint8_t { rgb888, rgb565, grey8 };
 
 inline constexpr uint32_t kDefaultNeighbours = 5;

@@ -16,15 +16,13 @@ using tools::Mode;
 
 bool set_reconstruction(std::string_view word, DrawSettings& settings)
 {
-    constexpr std::pair<std::string_view, Mode> kModes[] = {
-        {"nearest", Mode::nearest}, {"voronoi", Mode::voronoi}, {"dither", Mode::dither}, {"linear", Mode::linear}};
-    for (const auto& [name, mode] : kModes)
-        if (word == name) {
+    for (const Mode mode : {Mode::nearest, Mode::voronoi, Mode::dither, Mode::linear})
+        if (word == name_of(mode)) {
             settings.mode = mode;
             return true;
         }
-    constexpr std::string_view kPaper = "paper";
-    if (word.size() != kPaper.size() + 1 || word.substr(0, kPaper.size()) != kPaper) return false;
+    const std::string_view paper = name_of(Mode::paper);
+    if (word.size() != paper.size() + 1 || word.substr(0, paper.size()) != paper) return false;
     settings.mode = Mode::paper;
     settings.neighbours = static_cast<uint32_t>(word.back() - '0');
     return word.back() >= '1' && settings.neighbours <= detail::kMaxNeighbours;

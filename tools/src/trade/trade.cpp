@@ -52,46 +52,32 @@ std::vector<planner::PartRate> rates_of(const FieldFile& file, const quality::Wa
     return planner::chord_rates(file.field(), way.chord.mode, way.chord.span_px);
 }
 
-struct Words {
-    const char *mode, *policy;
-};
-
-Words words_of(SurfaceMode mode)
+// Of the view that `lumi embed` writes.
+const char* policy_of(SurfaceMode mode)
 {
     switch (mode) {
         case SurfaceMode::one_sample:
-            return {"one-sample", "lumi::SurfaceMode::one_sample"};
+            return "lumi::SurfaceMode::one_sample";
         case SurfaceMode::antialiased:
-            return {"antialiased", "lumi::SurfaceMode::antialiased"};
+            return "lumi::SurfaceMode::antialiased";
         case SurfaceMode::two_by_two:
             break;
     }
-    return {"2x2", "lumi::SurfaceMode::two_by_two"};
+    return "lumi::SurfaceMode::two_by_two";
 }
 
-Words words_of(Mode mode)
+const char* policy_of(Mode mode)
 {
-    switch (mode) {
-        case Mode::nearest:
-            return {"nearest", "lumi::Nearest"};
-        case Mode::voronoi:
-            return {"voronoi", "lumi::NearestVoronoi"};
-        case Mode::dither:
-            return {"dither", "lumi::Dither"};
-        case Mode::linear:
-            return {"linear", "lumi::Linear"};
-        case Mode::paper:
-            break;
-    }
-    return {"paper", "lumi::Paper"};
+    constexpr const char* kPolicies[] = {"lumi::Nearest", "lumi::NearestVoronoi", "lumi::Dither", "lumi::Linear",
+                                         "lumi::Paper"};
+    return kPolicies[static_cast<size_t>(mode)];
 }
 
 void set_words(Row& row, const quality::Way& way)
 {
-    const Words words = row.is_surface ? words_of(way.surface.mode) : words_of(way.chord.mode);
-    row.mode = words.mode;
-    row.render_options = std::string("--mode ") + words.mode;
-    row.firmware = std::string("policy ") + words.policy;
+    row.mode = row.is_surface ? tools::name_of(way.surface.mode) : tools::name_of(way.chord.mode);
+    row.render_options = "--mode " + row.mode;
+    row.firmware = std::string("policy ") + (row.is_surface ? policy_of(way.surface.mode) : policy_of(way.chord.mode));
     if (row.is_surface) return;
     const std::string neighbours = std::to_string(way.chord.neighbours), span = std::to_string(way.chord.span_px);
     if (way.chord.mode == Mode::paper) {
