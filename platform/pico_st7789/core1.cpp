@@ -26,8 +26,15 @@ void signal()
     __asm volatile("sev" ::: "memory");
 }
 
+// What this core wrote before it sends a word is seen by the core that has read the word.
+void fence()
+{
+    __asm volatile("dmb" ::: "memory");
+}
+
 void push(uint32_t word)
 {
+    fence();
     while ((at(kFifoStatus) & kHasRoom) == 0) {
     }
     at(kFifoWrite) = word;
@@ -37,7 +44,9 @@ void push(uint32_t word)
 uint32_t pop()
 {
     while ((at(kFifoStatus) & kHasWord) == 0) __asm volatile("wfe" ::: "memory");
-    return at(kFifoRead);
+    const uint32_t word = at(kFifoRead);
+    fence();
+    return word;
 }
 
 [[noreturn]] void serve()

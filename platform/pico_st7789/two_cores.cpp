@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As main.cpp, on both cores: of each pair of stripes core 0 draws the upper one, core 1 the lower one.
+// As main.cpp, on both cores: each prepares half of a frame. Of each pair of stripes core 0 draws the upper one, core 1
+// the lower one.
 #include <lumi/view.h>
 
 #include "board.h"
@@ -12,8 +13,25 @@ using namespace lumi::detail;
 using ClockView = desk_clock_view<Screen<240, 240, 16>>;
 static ClockView view;
 static ClockView::Samples samples_of_core1;
+static ClockView::Halves halves;
 alignas(4) static uint8_t stripes[4][240 * 16 * 2];  // two are sent while two are drawn
 static ViewError error_of_core1;
+
+static void prepare_on_core1(int32_t step)
+{
+    halves.prepare(step, 1);
+}
+
+static ViewError look(const Orbit& orbit)
+{
+    return view.look(
+        orbit, halves,
+        [](int32_t step) {
+            core1::run(prepare_on_core1, step);
+            halves.prepare(step, 0);
+            core1::wait();
+        });
+}
 
 static uint8_t* stripe_at(int32_t y)
 {
@@ -42,7 +60,7 @@ int main()
     if (view.open(desk_clock, desk_clock_size()) != ViewError::none) return 1;
     core1::start();
     while (board::next_view(orbit)) {
-        if (view.look(orbit) != ViewError::none) return 1;
+        if (look(orbit) != ViewError::none) return 1;
         for (int32_t y = 0; y < 240; y += 32)
             if (!draw_pair(y)) return 1;
     }

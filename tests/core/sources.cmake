@@ -29,6 +29,8 @@ set(LUMI_CORE_TEST_SOURCES
   chord/stepping/hits_test.cpp
   surface/coverage_test.cpp
   surface/extreme_surface_test.cpp
+  surface/halves_test.cpp
+  surface/halves_threads_test.cpp
   surface/planes_test.cpp
   surface/render_test.cpp
   surface/see_through_test.cpp

@@ -138,6 +138,7 @@ struct SurfaceView {
     SurfaceCamera camera;
     SurfaceMemory memory;
     SurfaceFrame frame;
+    SurfaceHalves halves;
     void* samples;
 };
 using PrepareSurface = void (*)(SurfaceView&, SurfaceMode);
@@ -149,6 +150,17 @@ void prepare_surface_frame(SurfaceView& view, SurfaceMode mode)
     prepare_surface<Pixel>(view.field, view.camera, mode, view.memory, view.frame);
 }
 
+template <class Pixel>
+void prepare_surface_by_halves(SurfaceView& view, SurfaceMode mode)
+{
+    prepare_surface<Pixel>(
+        view.field, view.camera, mode, view.memory, view.frame, view.halves,
+        [&](int32_t step) {
+            prepare_half(view.halves, step, 0);
+            prepare_half(view.halves, step, 1);
+        });
+}
+
 template <class Pixel, class Background>
 void draw_surface(const SurfaceView& view, const void* background, const Stripe& stripe)
 {
@@ -158,6 +170,7 @@ void draw_surface(const SurfaceView& view, const void* background, const Stripe&
 template <class Pixel>
 struct SurfacePixels {
     PrepareSurface prepare = prepare_surface_frame<Pixel>;
+    PrepareSurface prepare_by_halves = prepare_surface_by_halves<Pixel>;
     DrawSurface over_black = draw_surface<Pixel, OverBlack>;
     DrawSurface over_colour = draw_surface<Pixel, OverColour>;
     DrawSurface over_stripe = draw_surface<Pixel, OverStripe>;
@@ -174,6 +187,16 @@ ViewError draw_surface_view_open(PolicyView& view, const uint8_t* bytes, size_t 
 ViewError draw_surface_view_look(PolicyView& view, const Orbit& orbit)
 {
     return view.look(orbit);
+}
+
+ViewError draw_surface_view_look_by_halves(PolicyView& view, PolicyView::Halves& halves, const Orbit& orbit)
+{
+    return view.look(
+        orbit, halves,
+        [&](int32_t step) {
+            halves.prepare(step, 0);
+            halves.prepare(step, 1);
+        });
 }
 
 ViewError draw_surface_view_draw(PolicyView& view, const Stripe& stripe)

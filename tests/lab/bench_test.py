@@ -17,14 +17,14 @@ from figures.table import load  # noqa: E402
 
 LINE = "view pole span 8 covered 1000 instructions 123456 setup 23456 stack 640 crc 0badcafe\n"
 SURFACE_LINE = ("view generic mode 2x2 covered 1000 instructions 100000 palette 100 vertices 9900 lists 10000 lights 20000 "
-                "edges 30000 samples 20000 outlines 4000 resolve 6000 order 0 blends 0 tall 95000 stack 640 ram 48000 crc 0badcafe\n")
+                "edges 30000 samples 20000 outlines 4000 resolve 6000 order 0 blends 0 tall 95000 stack 640 ram 48000 halves 25000 crc 0badcafe\n")
 CHIPS = ("rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3")
 CHORD_KEYS = {"layout", "core", "mode", "texel", "span", "view", "instructions_per_pixel", "setup", "inner",
               "instructions_per_frame", "covered_pixels", "code_bytes", "stack_bytes", "psnr_db", "psnr_all_db",
               "worst_pixel", *(f"{what}_{chip}" for what in ("lines", "misses") for chip in CHIPS),
               "fps_rp2350", "fps_stm32f4", "fps_esp32s3"}
 SURFACE_KEYS = CHORD_KEYS - {"texel", "span", "setup", "inner"} | {"pixel", "ram_bytes", "file", "file_bytes",
-                                                                   "triangles", "sha256", *bench.PARTS, "tall",
+                                                                   "triangles", "sha256", *bench.PARTS, "tall", "halves",
                                                                    "fps2_rp2350", "fps2_esp32s3"}
 
 
@@ -118,6 +118,7 @@ class WholeRun(unittest.TestCase):
                 self.assertAlmostEqual(sum(row[part] for part in bench.PARTS), row["instructions_per_pixel"], delta=0.1)
                 self.assertEqual(row["file_bytes"], field.stat().st_size)
                 self.assertGreater(row["fps2_rp2350"], row["fps_rp2350"])
+                self.assertLess(row["halves"], row["palette"] + row["vertices"] + row["lists"] + row["lights"])
 
     def test_it_tells_what_see_through_triangles_take(self):
         with tempfile.TemporaryDirectory() as folder:

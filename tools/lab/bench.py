@@ -28,8 +28,8 @@ QUICK = {"core": ["m0plus", "m4"], "mode": ["nearest", "linear", *SURFACE_MODES]
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
 SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
-# "tall": instructions in stripes of 24 rows.
-SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "crc"]
+# "tall": instructions in stripes of 24 rows; "halves": until two cores have prepared the frame.
+SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
 # What one would do without this library: a title, the firmware, and the cores that it is counted on.
 BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
@@ -208,7 +208,7 @@ def surface_rows(options, boards):
             for count in board.count(f"{kind}_{pixel}", field, [*options.view, *modes], SURFACE_COUNTS):
                 row = {"layout": "surface", "core": board.core, "mode": count["mode"], "pixel": pixel,
                        "view": count["view"], "instructions_per_pixel": hundredths(count["instructions"] / count["covered"])}
-                row.update({part: hundredths(count[part] / count["covered"]) for part in [*parts, "tall"]})
+                row.update({part: hundredths(count[part] / count["covered"]) for part in [*parts, "tall", "halves"]})
                 row.update({"instructions_per_frame": count["instructions"], "covered_pixels": count["covered"],
                             "code_bytes": code_bytes, "stack_bytes": count["stack"], "ram_bytes": count["ram"]})
                 rows.append({**with_facts(row, count, frames), **facts})

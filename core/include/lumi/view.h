@@ -65,6 +65,8 @@ public:
     using Mode = typename Drawing::Mode;
     // Memory for samples that a stripe takes. The view has one; a second core brings its own.
     using Samples = typename Drawing::template Samples<ScreenOf>;
+    // What two cores share while they prepare a frame. One core needs none.
+    using Halves = typename Drawing::template Halves<ScreenOf>;
 
     constexpr View() = default;
     View(const View&) = delete;  // parts of it point to each other
@@ -97,10 +99,23 @@ public:
     }
     ViewError look(const Pose& pose, uint32_t fov_turns32, Mode mode = Drawing::kDefaultMode)
     {
-        if (bytes_ == nullptr) return ViewError::no_field;
-        const ViewError error = state_.look(pose, {ScreenOf::kWidthPx, ScreenOf::kHeightPx, fov_turns32}, mode);
-        if (error == ViewError::none) has_look_ = true;
-        return error;
+        return look_by(pose, fov_turns32, mode);
+    }
+
+    // The same frame, prepared by two cores. `both(step)` lets halves.prepare(step, 0) and halves.prepare(step, 1) run
+    // once each, at once or in turn, and comes back after both; surface/halves.h says what it must guarantee. Chord
+    // fields have nothing to prepare and do not call it.
+    template <class Both>
+    ViewError look(const Orbit& orbit, Halves& halves, const Both& both, Mode mode = Drawing::kDefaultMode)
+    {
+        return look(pose_of(orbit), image_of(orbit, ScreenOf::kWidthPx, ScreenOf::kHeightPx).fov_turns32, halves, both,
+                    mode);
+    }
+    template <class Both>
+    ViewError look(const Pose& pose, uint32_t fov_turns32, Halves& halves, const Both& both,
+                   Mode mode = Drawing::kDefaultMode)
+    {
+        return look_by(pose, fov_turns32, mode, halves, both);
     }
 
     // Where the object is in this frame: beside it, every pixel is background. What a display must be sent is this
@@ -138,6 +153,15 @@ public:
     }
 
 private:
+    template <class... By>
+    ViewError look_by(const Pose& pose, uint32_t fov_turns32, Mode mode, By&... by)
+    {
+        if (bytes_ == nullptr) return ViewError::no_field;
+        const ViewError error = state_.look(pose, {ScreenOf::kWidthPx, ScreenOf::kHeightPx, fov_turns32}, mode, by...);
+        if (error == ViewError::none) has_look_ = true;
+        return error;
+    }
+
     typename Drawing::template State<ScreenOf> state_{};
     Samples samples_{};
     const uint8_t* bytes_ = nullptr;

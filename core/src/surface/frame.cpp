@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A frame's vertices and lists of triangles.
 #include "lumi/surface/detail/view_nodes.h"
-#include "surface/seen.h"
-#include "surface/sides.h"
+#include "surface/lister.h"
+#include "surface/preparing.h"
 
 namespace lumi::detail
 {
@@ -51,114 +51,14 @@ uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
 namespace
 {
 
-// Puts a triangle before the others of a list.
-void put(SurfaceFrame& frame, uint32_t list, uint32_t triangle, int32_t reach)
+void add(PlaceRange& range, int32_t v)
 {
-    uint16_t& first = frame.memory.bands[list];
-    const uint32_t next = first == kEmptyBand ? triangle : first;
-    frame.memory.links[triangle] = static_cast<uint16_t>(next | static_cast<uint32_t>(reach) << kLinkBits);
-    first = static_cast<uint16_t>(triangle);
+    if (v < range.least) range.least = v;
+    if (v > range.most) range.most = v;
 }
-
-// A triangle as long as this may be too large for a list, or curved. Of packed numbers.
-int32_t long_from(const SurfaceFrame& frame)
-{
-    const int32_t straight_px = frame.projection.straight_px, small_px = kSmallQ6 >> (6 + frame.samples_log2);
-    const int32_t length_px = straight_px < small_px ? straight_px : small_px;
-    return length_px << (14 + frame.samples_log2);
-}
-
-class Lister
-{
-public:
-    explicit Lister(SurfaceFrame& frame)
-        : frame_(frame),
-          scanlines_(frame.height_px << frame.samples_log2),
-          right_(frame.width_px << (frame.samples_log2 + 14)),
-          long_from_(long_from(frame)),
-          band_log2_(frame.samples_log2 + frame.memory.band_log2)
-    {
-    }
-
-    // The triangles (a, b, c) and (d, c, b) of a patch.
-    LUMI_ALWAYS_INLINE void add(uint32_t patch, const uint32_t (&corner)[4])
-    {
-        const SurfaceVertex* v = frame_.memory.vertices;
-        uint16_t* const links = frame_.memory.links + 2 * patch;
-        const SurfaceVertex &a = v[corner[0]], &b = v[corner[1]], &c = v[corner[2]];
-        const int32_t x = x_q6(b), y = y_q6(b), across = x_q6(c) - x, down = y_q6(c) - y;
-        const auto area_with = [&](const SurfaceVertex& other) {
-            const int32_t right = x_q6(other) - x, below = y_q6(other) - y;
-            return frame_.is_narrow ? across * below - right * down : wide_sign(across, below, right, down);
-        };
-        links[0] = links[1] = kTurnedAway;
-        if (area_with(a) < 0 || is_cut(a, b, c)) list_triangle(2 * patch, &a, &b, &c);
-        if (corner[3] == format::kNoVertex) return;
-        const SurfaceVertex& d = v[corner[3]];
-        if (area_with(d) > 0 || is_cut(d, c, b)) list_triangle(2 * patch + 1, &d, &c, &b);
-    }
-
-private:
-    LUMI_ALWAYS_INLINE bool is_cut(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) const
-    {
-        return !frame_.is_whole && !Seen{&a, &b, &c}.are_there();
-    }
-
-    // One that faces the eye, or is cut.
-    __attribute__((noinline)) void list_triangle(uint32_t triangle, const SurfaceVertex* a, const SurfaceVertex* b,
-                                                 const SurfaceVertex* c)
-    {
-        if (is_cut(*a, *b, *c)) {
-            put(frame_, frame_.other_list, triangle, 0);
-        } else if (!list(triangle, {a, b, c})) {
-            frame_.memory.links[triangle] = kWithoutSamples;
-            return;
-        }
-        light(frame_, a);
-        light(frame_, b);
-        light(frame_, c);
-    }
-
-    // False if it lies beside the image or between the scanlines.
-    LUMI_ALWAYS_INLINE bool list(uint32_t triangle, const Seen& s)
-    {
-        const int32_t upper = s.upper(), lower = s.lower();
-        const int32_t first = line_from_packed(upper), last = line_from_packed(lower);
-        const int32_t begin = first > 0 ? first : 0, end = last < scanlines_ ? last : scanlines_;
-        if (begin >= end) return false;
-        const int32_t left = s.left(), right = s.right();
-        if (right < 0 || left > right_) return false;
-        const uint32_t band = static_cast<uint32_t>(begin + frame_.margin) >> band_log2_;
-        const uint32_t last_band = static_cast<uint32_t>(end - 1 + frame_.margin) >> band_log2_;
-        const int32_t reach = static_cast<int32_t>(last_band - band);
-        const bool is_short = lower - upper < long_from_ && right - left < long_from_;
-        if (reach >= kBandReach || !(is_short || is_small(frame_, s))) {
-            put(frame_, frame_.other_list, triangle, 0);
-            return true;
-        }
-        const uint32_t nearness = static_cast<uint32_t>(s.a->y & 0xFF) * kBandLists >> 8;
-        if (reach > frame_.reach) frame_.reach = reach;
-        put(frame_, list_of(band, nearness), triangle, reach);
-        return true;
-    }
-
-    SurfaceFrame& frame_;
-    const int32_t scanlines_, right_, long_from_;
-    const uint32_t band_log2_;
-};
-
-struct Range {
-    int32_t least = INT32_MAX, most = INT32_MIN;
-
-    LUMI_ALWAYS_INLINE void add(int32_t v)
-    {
-        if (v < least) least = v;
-        if (v > most) most = v;
-    }
-};
 
 // The pixels that a range of places in 1/64 sample meets, of `size`, and those beside them that an outline may change.
-Extent pixels_of(const Range& q6, uint32_t samples_log2, int32_t size)
+Extent pixels_of(const PlaceRange& q6, uint32_t samples_log2, int32_t size)
 {
     if (q6.least > q6.most) return {0, 0};
     const auto within = [&](int32_t v) { return v < 0 ? 0 : v < size ? v : size; };
@@ -166,28 +66,11 @@ Extent pixels_of(const Range& q6, uint32_t samples_log2, int32_t size)
     return {within((q6.least >> shift) - 1), within((q6.most >> shift) + 2)};
 }
 
-void put_vertices(SurfaceFrame& frame)
-{
-    Range x, y;
-    bool is_whole = true;
-    for (uint32_t k = 0; k < frame.field.vertex_count; ++k) {
-        const SamplePoint p = projected(frame.projection, view_point(frame.projection, surface_vertex(frame.field, k)));
-        frame.memory.vertices[k] = packed(p, kUnlit);
-        is_whole = is_whole && p.depth != 0;
-        x.add(p.x_q6);
-        y.add(p.y_q6);
-    }
-    constexpr int32_t kNarrowQ6 = 46340;  // twice a triangle's area, at most its width times its height, fits 32 bits
-    frame.is_whole = is_whole;
-    frame.is_narrow = x.most - x.least < kNarrowQ6 && y.most - y.least < kNarrowQ6;
-    frame.columns = is_whole ? pixels_of(x, frame.samples_log2, frame.width_px) : Extent{0, frame.width_px};
-    frame.scanlines = is_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : Extent{0, frame.height_px};
-}
-
 void put_triangles(SurfaceFrame& frame)
 {
-    Lister lister(frame);
+    Lister<light> lister(frame, frame.memory.bands);
     for (uint32_t k = 0; k < frame.field.patch_count; ++k) lister.add(k, surface_patch(frame.field, k).corner);
+    frame.reach = lister.reach();
 }
 
 // Whether a patch's nth side is an outline: nothing that faces the eye lies across.
@@ -216,8 +99,8 @@ LUMI_ALWAYS_INLINE uint32_t second_outlines(const SurfaceFrame& frame, const uin
 
 }  // namespace
 
-void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
-             SurfaceFrame& out)
+bool begin_frame(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
+                 SurfaceFrame& out)
 {
     out.field = field;
     out.memory = memory;
@@ -227,20 +110,49 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     out.samples_log2 = mode == SurfaceMode::two_by_two ? 1 : 0;
     out.margin = mode == SurfaceMode::antialiased && field.neighbours != nullptr ? 1 : 0;
     out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
-    for (uint32_t k = 0; k <= out.other_list; ++k) memory.bands[k] = kEmptyBand;
+    empty_bands(out, memory.bands);
     out.reach = 0;
     out.columns = out.scanlines = {0, 0};
-    if (!set_projection(camera, out)) return;
-    put_vertices(out);
+    return set_projection(camera, out);
+}
+
+PlacedVertices put_vertices(const SurfaceFrame& frame, uint32_t begin, uint32_t end)
+{
+    PlacedVertices placed = kNoneIsPlaced;
+    for (uint32_t k = begin; k < end; ++k) {
+        const SamplePoint p = projected(frame.projection, view_point(frame.projection, surface_vertex(frame.field, k)));
+        frame.memory.vertices[k] = packed(p, kUnlit);
+        placed.are_whole = placed.are_whole && p.depth != 0;
+        add(placed.x_q6, p.x_q6);
+        add(placed.y_q6, p.y_q6);
+    }
+    return placed;
+}
+
+void set_extents(SurfaceFrame& frame, const PlacedVertices& placed)
+{
+    constexpr int32_t kNarrowQ6 = 46340;  // twice a triangle's area, at most its width times its height, fits 32 bits
+    const PlaceRange &x = placed.x_q6, &y = placed.y_q6;
+    frame.is_whole = placed.are_whole;
+    frame.is_narrow = x.most - x.least < kNarrowQ6 && y.most - y.least < kNarrowQ6;
+    frame.columns = placed.are_whole ? pixels_of(x, frame.samples_log2, frame.width_px) : Extent{0, frame.width_px};
+    frame.scanlines = placed.are_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : Extent{0, frame.height_px};
+}
+
+void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
+             SurfaceFrame& out)
+{
+    if (!begin_frame(field, camera, mode, memory, out)) return;
+    set_extents(out, put_vertices(out, 0, field.vertex_count));
     put_triangles(out);
 }
 
-void put_outlines(SurfaceFrame& frame)
+void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end)
 {
-    const uint16_t* link = frame.memory.links;
-    const uint8_t* neighbour = frame.field.neighbours;
+    const uint16_t* link = frame.memory.links + 2 * begin;
+    const uint8_t* neighbour = frame.field.neighbours + begin * format::kNeighbourBytes;
     uint8_t* const sides = outline_sides(frame);
-    for (uint32_t patch = 0; patch < frame.field.patch_count; ++patch) {
+    for (uint32_t patch = begin; patch < end; ++patch) {
         uint32_t bits = 0;
         if (link[0] < kWithoutSamples) bits = first_outlines(frame, patch, neighbour, link[1]);
         if (link[1] < kWithoutSamples) bits |= second_outlines(frame, neighbour, link[0]) << kSideBits;

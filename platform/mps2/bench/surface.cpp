@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The surface renderer for the pixels and parts that the build names: LUMI_BENCH_PIXEL, LUMI_BENCH_SEE_THROUGH.
+#include <algorithm>
+
+#include "lumi/mps2/instruction_counter.h"
 #include "surface_instance.h"
 
 namespace lumi::bench
@@ -17,7 +20,8 @@ SurfaceParts::Frame frame;
 SurfaceParts parts;
 SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];
-uint16_t bands[surface_bands(kSidePx, surface_band_log2(kTallStripeHeight))];
+constexpr uint32_t kBands = surface_bands(kSidePx, surface_band_log2(kTallStripeHeight));
+uint16_t bands[kBands], second_bands[kBands];
 uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
 
 }  // namespace
@@ -28,6 +32,24 @@ void prepare_alone(const BenchField& field, const SurfaceView& view, int32_t str
 {
     const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
     prepare_surface<Pixel>(field, view.camera, view.mode, memory, frame);
+}
+
+uint64_t prepare_by_halves(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
+{
+    const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
+    SurfaceHalves halves = {};
+    halves.bands = second_bands;
+    uint64_t waited = 0;
+    const uint64_t begin = mps2::instructions();
+    prepare_surface<Pixel>(field, view.camera, view.mode, memory, frame, halves, [&](int32_t step) {
+        const uint64_t first = mps2::instructions();
+        prepare_half(halves, step, 0);
+        const uint64_t second = mps2::instructions();
+        prepare_half(halves, step, 1);
+        const uint64_t end = mps2::instructions();
+        waited += std::min(second - first, end - second);
+    });
+    return mps2::instructions() - begin - waited;
 }
 
 void fill_alone(int32_t width_px, bool with_outlines)

@@ -49,6 +49,9 @@ void draw_surface(const BenchField& field, const SurfaceView& view, int32_t stri
 // The first part of that.
 void prepare_alone(const BenchField& field, const SurfaceView& view, int32_t stripe_height);
 
+// As prepare_alone(), in halves. Instructions until two cores have done it: of each step those of the longer half.
+uint64_t prepare_by_halves(const BenchField& field, const SurfaceView& view, int32_t stripe_height);
+
 // Fills the stripes of the frame that was prepared last, its first `width_px` columns, with opaque triangles, and makes
 // no pixels of them. Outlines are blended or not.
 void fill_alone(int32_t width_px, bool with_outlines);

@@ -2,13 +2,13 @@
 // Counts what drawing a surface field costs, one line per view and mode:
 //     view generic mode one-sample covered 42272 instructions 2345678 palette 8000 vertices 345678 lists 145678
 //     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 order 0 blends 0 tall 2234567 stack 600
-//     ram 46000 crc 1234abcd
+//     ram 46000 halves 345678 crc 1234abcd
 // Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; the
 // triangles' lists; what vertices show to the eye; triangles and rows without their samples; samples; outlines; pixels.
 // Then see-through triangles: their order, lights and palette; what they add to drawing. "tall" are all instructions
-// again, in stripes of kTallStripeHeight. The field is loaded to the start of the board's PSRAM. Arguments: names of
-// views (none: all), then of modes (none: all). With `poses` in place of views, a line for each of
-// them and mode, in stripes of kTallStripeHeight:
+// again, in stripes of kTallStripeHeight, and "halves" those of preparing on two cores, as the longer half of each step
+// takes. The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes
+// (none: all). With `poses` in place of views, a line for each of them and mode, in stripes of kTallStripeHeight:
 //     pose 17 mode antialiased covered 42272 instructions 2345678 crc 1234abcd
 #include "loaded_view.h"
 #include "lumi/bench/poses.h"
@@ -99,11 +99,13 @@ void report(const char* view_name, const char* mode_name, const BenchField& fiel
     const uint32_t stack_bytes = meter.high_water_bytes();
     const uint32_t crc = detail::crc32(0, pixels, kSurfaceFrameBytes);
     const Parts parts = count_parts(field, view, whole);
+    const uint64_t halves = prepare_by_halves(field, view, kSurfaceStripeHeight);
     TextLine line;
     line.text("view ").text(view_name).text(" mode ").text(mode_name).text(" covered ").decimal(covered);
     write_costs(line, parts, whole, tall);
     line.text(" stack ").decimal(stack_bytes).text(" ram ");
     line.decimal(surface_ram_bytes(field.vertex_count, field.patch_count, view.mode) + see_through_ram_bytes(field));
+    line.text(" halves ").decimal(halves);
     mps2::write(line.text(" crc ").hex32(crc).text("\n").c_str());
 }
 

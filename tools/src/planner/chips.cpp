@@ -60,9 +60,9 @@ double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misse
     return 1 / std::max(computing + waiting, kDisplayBits / kDisplayHz);
 }
 
-double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t instructions, uint64_t misses)
+double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t drawing, uint64_t misses)
 {
-    return frames_per_second(chip, preparing + (instructions - preparing) / 2, misses);
+    return frames_per_second(chip, preparing + drawing / 2, misses);
 }
 
 }  // namespace lumi::planner

@@ -41,8 +41,8 @@ inline constexpr double kDisplayBits = 240.0 * 240.0 * 16.0;
 // Whichever of drawing and sending takes longer limits the rate.
 double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses);
 
-// Where two cores draw alternate stripes after one of them has prepared the frame. They share cache and flash, so they
-// wait as long as one does.
-double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t instructions, uint64_t misses);
+// Where two cores draw alternate stripes. `preparing`: instructions until the frame is prepared, by one of them or by
+// both; `drawing`: those of all stripes. They share cache and flash, so they wait as long as one does.
+double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t drawing, uint64_t misses);
 
 }  // namespace lumi::planner

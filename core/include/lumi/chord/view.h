@@ -42,6 +42,11 @@ struct ChordState {
     ViewError look(const Pose& pose, const Image& image) { return view_error(make_camera(pose, image, camera)); }
 };
 
+// Nothing of a frame is prepared that two cores could share.
+struct NoHalves {
+    void prepare(int32_t, uint32_t) {}
+};
+
 }  // namespace lumi::detail
 
 namespace lumi
@@ -56,6 +61,8 @@ struct ChordDrawing {
     template <class ScreenOf>
     struct Samples {
     };
+    template <class>
+    using Halves = detail::NoHalves;
 
     template <class ScreenOf>
     class State
@@ -66,7 +73,8 @@ struct ChordDrawing {
             return detail::open_for_spans(bytes, size, Texel::kFormat, state_.field);
         }
 
-        ViewError look(const Pose& pose, const Image& image, Mode span_px)
+        template <class... Halves>
+        ViewError look(const Pose& pose, const Image& image, Mode span_px, const Halves&...)
         {
             const ViewError error = state_.look(pose, image);
             if (error == ViewError::none) span_px_ = span_px;
@@ -100,13 +108,19 @@ struct ExactChordDrawing {
     template <class ScreenOf>
     struct Samples {
     };
+    template <class>
+    using Halves = detail::NoHalves;
 
     template <class ScreenOf>
     class State
     {
     public:
         ViewError open(const uint8_t* bytes, size_t size) { return state_.open(bytes, size); }
-        ViewError look(const Pose& pose, const Image& image, Mode) { return state_.look(pose, image); }
+        template <class... Halves>
+        ViewError look(const Pose& pose, const Image& image, Mode, const Halves&...)
+        {
+            return state_.look(pose, image);
+        }
 
         PixelRect bounds() const { return detail::covered_rectangle(state_.camera); }
 

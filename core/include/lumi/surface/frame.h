@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A surface field seen by a camera: vertices on the image's grid of samples, lit for the eye; the triangles that are
 // seen, in lists by bands of scanlines; the palette in the display's format. Made once a frame, read by every stripe
-// (surface/render.h), also from several cores at once.
+// (surface/render.h), also from several cores at once. Two cores prepare it together by surface/halves.h.
 //
 //     SurfaceCamera camera; make_surface_camera(pose, {240, 240, fov}, camera);
 //     SurfaceFrame frame;   prepare_surface<PixelRgb565>(field, camera, SurfaceMode::one_sample, memory, frame);
@@ -138,8 +138,20 @@ namespace lumi::detail
 
 void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
              SurfaceFrame& out);
-// After that: which triangles have a side on an outline.
-void put_outlines(SurfaceFrame& frame);
+// After that: which triangles of these patches have a side on an outline.
+void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end);
+
+template <class Pixel>
+void put_palette(SurfaceFrame& frame)
+{
+    frame.samples_are_pixels = kIsSample<Pixel> && frame.mode != SurfaceMode::two_by_two;
+    const uint8_t* entry = frame.field.palette;
+    for (PackedColour& c : frame.palette) {
+        c = palette_colour<Pixel>({entry[0], entry[1], entry[2]});
+        if (frame.mode == SurfaceMode::antialiased) c = mean_of(c, 0);
+        entry += 3;
+    }
+}
 
 }  // namespace lumi::detail
 
@@ -155,14 +167,8 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
 {
     detail::prepare(field, camera, mode, memory, out);
     if constexpr (kFinest != SurfaceMode::one_sample)
-        if (out.margin != 0) detail::put_outlines(out);
-    out.samples_are_pixels = detail::kIsSample<Pixel> && mode != SurfaceMode::two_by_two;
-    const uint8_t* entry = field.palette;
-    for (detail::PackedColour& c : out.palette) {
-        c = detail::palette_colour<Pixel>({entry[0], entry[1], entry[2]});
-        if (mode == SurfaceMode::antialiased) c = detail::mean_of(c, 0);
-        entry += 3;
-    }
+        if (out.margin != 0) detail::put_outlines(out, 0, field.patch_count);
+    detail::put_palette<Pixel>(out);
 }
 
 }  // namespace lumi

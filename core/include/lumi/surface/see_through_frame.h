@@ -76,6 +76,15 @@ void put_see_through_palette(const SeeThroughField& field, SurfaceMode mode, See
     }
 }
 
+// After the opaque triangles were prepared.
+template <class Pixel>
+void add_see_through(const SeeThroughField& field, const SeeThroughMemory& memory, SeeThroughFrame& out)
+{
+    out.order = memory.order;
+    put_see_through(field.see_through_count, memory.order, out);
+    if (field.see_through_count != 0) put_see_through_palette<Pixel>(field, out.mode, out);
+}
+
 }  // namespace lumi::detail
 
 namespace lumi
@@ -89,9 +98,7 @@ void prepare_surface(const SeeThroughField& field, const SurfaceCamera& camera, 
     const SurfaceMemory& of_opaque = memory;
     SurfaceFrame& frame = out;
     prepare_surface<Pixel, kFinest>(opaque, camera, mode, of_opaque, frame);
-    out.order = memory.order;
-    detail::put_see_through(field.see_through_count, memory.order, out);
-    if (field.see_through_count != 0) detail::put_see_through_palette<Pixel>(field, mode, out);
+    detail::add_see_through<Pixel>(field, memory, out);
 }
 
 }  // namespace lumi

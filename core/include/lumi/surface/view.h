@@ -3,20 +3,22 @@
 #pragma once
 #pragma GCC system_header
 
+#include "lumi/surface/halves.h"
 #include "lumi/surface/see_through.h"
 #include "lumi/view.h"
 
 namespace lumi::detail
 {
 
-template <class Pixel, SurfaceMode kFinest, class Field, class Memory, class Frame>
+// `by`: nothing, or SurfaceHalves and what prepares both.
+template <class Pixel, SurfaceMode kFinest, class Field, class Memory, class Frame, class... By>
 ViewError look_at_surface(const Field& field, const Pose& pose, const Image& image, SurfaceMode mode,
-                          const Memory& memory, Frame& out)
+                          const Memory& memory, Frame& out, By&... by)
 {
     SurfaceCamera camera;
     if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
         return view_error(error);
-    prepare_surface<Pixel, kFinest>(field, camera, mode, memory, out);
+    prepare_surface<Pixel, kFinest>(field, camera, mode, memory, out, by...);
     return ViewError::none;
 }
 
@@ -78,6 +80,23 @@ struct SurfaceDrawing {
     };
 
     template <class ScreenOf>
+    class Halves
+    {
+    public:
+        void prepare(int32_t step, uint32_t half) { prepare_half<kFinest>(shared_, step, half); }
+
+        SurfaceHalves& with_bands()
+        {
+            shared_.bands = bands_;
+            return shared_;
+        }
+
+    private:
+        SurfaceHalves shared_{};
+        uint16_t bands_[surface_bands(ScreenOf::kHeightPx, surface_band_log2(ScreenOf::kRowsPx))] = {};
+    };
+
+    template <class ScreenOf>
     class State : detail::SurfaceParts<kSeeThrough>  // a base: an empty one takes no memory
     {
         using Parts = detail::SurfaceParts<kSeeThrough>;
@@ -94,11 +113,11 @@ struct SurfaceDrawing {
             return ViewError::none;
         }
 
-        ViewError look(const Pose& pose, const Image& image, Mode mode)
+        ViewError look(const Pose& pose, const Image& image, Mode mode) { return look_by(pose, image, mode); }
+        template <class Both>
+        ViewError look(const Pose& pose, const Image& image, Mode mode, Halves<ScreenOf>& halves, const Both& both)
         {
-            if (mode > kFinest) return ViewError::mode_too_fine;
-            return detail::look_at_surface<typename ScreenOf::Pixel, kFinest>(
-                field_, pose, image, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_);
+            return look_by(pose, image, mode, halves.with_bands(), both);
         }
 
         PixelRect bounds() const { return detail::bounds_of(frame_); }
@@ -124,6 +143,14 @@ struct SurfaceDrawing {
         }
 
     private:
+        template <class... By>
+        ViewError look_by(const Pose& pose, const Image& image, Mode mode, By&... by)
+        {
+            if (mode > kFinest) return ViewError::mode_too_fine;
+            return detail::look_at_surface<typename ScreenOf::Pixel, kFinest>(
+                field_, pose, image, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_, by...);
+        }
+
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
         typename Parts::Field field_{};

@@ -26,12 +26,20 @@ Json json_of(const planner::Chip& chip)
             {"remark", chip.remark}};
 }
 
-// What one core does for both where two draw: palette, vertices, lists and view tables, instructions a covered pixel.
-uint64_t preparing(const Json& row)
+// Of a row's parts, which are instructions a covered pixel, those of a frame.
+uint64_t of_frame(const Json& row, std::initializer_list<const char*> parts)
 {
     double sum = 0;
-    for (const char* part : {"palette", "vertices", "lists", "lights"}) sum += row.at(part).get<double>();
+    for (const char* part : parts) sum += row.at(part).get<double>();
     return static_cast<uint64_t>(sum * row.at("covered_pixels").get<double>());
+}
+
+// The rate where both cores prepare, by halves, and draw.
+double rate_of_two(const planner::Chip& chip, const Json& row, uint64_t misses)
+{
+    const uint64_t instructions = row.at("instructions_per_frame");
+    const uint64_t alone = of_frame(row, {"palette", "vertices", "lists", "lights"});
+    return planner::frames_per_second_of_two(chip, of_frame(row, {"halves"}), instructions - alone, misses);
 }
 
 // Adds the frames a second of each part that runs this row's code.
@@ -44,8 +52,7 @@ void put_rates(Json& row)
         const uint64_t misses = row.at("misses_" + key);
         row["fps_" + key] = hundredths(planner::frames_per_second(chip, instructions, misses));
         if (chip.cores == 2 && row.at("layout") == "surface")
-            row["fps2_" + key] =
-                hundredths(planner::frames_per_second_of_two(chip, preparing(row), instructions, misses));
+            row["fps2_" + key] = hundredths(rate_of_two(chip, row, misses));
     }
 }
 

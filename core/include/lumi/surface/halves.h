@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Prepares a frame of a surface field on two cores: the same pixels and lists as on one, bit by bit.
+//
+//     static SurfaceHalves halves;  halves.bands = second_bands;  // surface_bands() numbers
+//     prepare_surface<PixelRgb565>(field, camera, mode, memory, frame, halves, [](int32_t step) {
+//         begin_on_other_core(step);               // there: prepare_half(halves, step, 1)
+//         prepare_half(halves, step, 0);
+//         wait_for_other_core();
+//     });
+//
+// The caller's function is called at most three times a frame, for step 0, 1 and 2, or not at all where nothing shows.
+// It must call prepare_half(halves, step, 0) and prepare_half(halves, step, 1) once each and come back after both. They
+// may run at once on two cores, or one after the other, in any order, on any core. So a core that is busy with
+// something else can be done without: run both halves here.
+//
+// Memory. All that the caller wrote before a step is seen by both halves, and all that they wrote is seen by the caller
+// after it: what begins the other core is a release that it acquires, what waits for it an acquire of its release.
+// Semaphores and queues of an operating system do that; before a core signals through a register, and after it has read
+// one, it takes a barrier instruction (Arm's DMB). Cores whose caches do not keep each other up to date need frame,
+// memory and halves in RAM that is not cached.
+//
+// If a half does not run, its part of the picture is missing or old, but no read or write leaves the memory of a view.
+// If it still runs after the function came back, it writes what this core reads: that is the one fault that nothing
+// here finds.
+//
+// Cost: surface_bands() numbers and sizeof(SurfaceHalves). See-through triangles, their light and the palettes are
+// prepared by the calling core alone.
+#pragma once
+#pragma GCC system_header
+
+#include "lumi/surface/see_through_frame.h"
+
+namespace lumi::detail
+{
+
+struct PlaceRange {
+    int32_t least, most;
+};
+
+// Of vertices on the grid of samples.
+struct PlacedVertices {
+    PlaceRange x_q6, y_q6;
+    bool are_whole;  // none is missing
+};
+
+}  // namespace lumi::detail
+
+namespace lumi
+{
+
+// What both cores share while they prepare a frame; nothing of it is needed to draw.
+struct SurfaceHalves {
+    uint16_t* bands;  // the caller's: surface_bands() of the frame, for the lists of the second half
+    SurfaceFrame* frame;
+    detail::PlacedVertices placed[2];
+    int32_t reach[2];
+};
+
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
+enum PrepareStep : int32_t { kPlaceVertices, kListTriangles, kLightVertices };
+
+// False if nothing shows and no step is needed.
+bool begin_halves(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
+                  SurfaceFrame& out, SurfaceHalves& halves);
+void run_half(SurfaceHalves& halves, int32_t step, uint32_t half);
+void join_vertices(SurfaceHalves& halves);
+void join_lists(SurfaceHalves& halves);
+
+// The patches of a half.
+struct PatchRange {
+    uint32_t begin, end;
+};
+inline PatchRange patches_of(const SurfaceFrame& frame, uint32_t half)
+{
+    const uint32_t count = frame.field.patch_count, middle = count / 2;
+    return half == 0 ? PatchRange{0, middle} : PatchRange{middle, count};
+}
+
+}  // namespace lumi::detail
+
+namespace lumi
+{
+
+// Half 0 or 1 of a step, from the function that prepare_surface() calls; kFinest as there.
+template <SurfaceMode kFinest = SurfaceMode::two_by_two>
+void prepare_half(SurfaceHalves& halves, int32_t step, uint32_t half)
+{
+    detail::run_half(halves, step, half);
+    if constexpr (kFinest != SurfaceMode::one_sample) {
+        const SurfaceFrame& frame = *halves.frame;
+        const detail::PatchRange patches = detail::patches_of(frame, half);
+        if (step == detail::kLightVertices && frame.margin != 0)
+            detail::put_outlines(frame, patches.begin, patches.end);
+    }
+}
+
+// As prepare_surface() on one core, and as fast as that if `both` runs both halves here. Give `both` as a lambda: no
+// call then goes through a pointer, whose stack has no bound.
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Both>
+void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                     const SurfaceMemory& memory, SurfaceFrame& out, SurfaceHalves& halves, const Both& both)
+{
+    if (detail::begin_halves(field, camera, mode, memory, out, halves)) {
+        both(detail::kPlaceVertices);
+        detail::join_vertices(halves);
+        both(detail::kListTriangles);
+        both(detail::kLightVertices);
+        detail::join_lists(halves);
+    }
+    detail::put_palette<Pixel>(out);
+}
+
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Both>
+void prepare_surface(const SeeThroughField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                     const SeeThroughMemory& memory, SeeThroughFrame& out, SurfaceHalves& halves, const Both& both)
+{
+    const SurfaceField& opaque = field;
+    const SurfaceMemory& of_opaque = memory;
+    SurfaceFrame& frame = out;
+    prepare_surface<Pixel, kFinest>(opaque, camera, mode, of_opaque, frame, halves, both);
+    detail::add_see_through<Pixel>(field, memory, out);
+}
+
+}  // namespace lumi

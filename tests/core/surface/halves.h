@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Compares a frame that two halves prepare with that of one core: all that it holds, and its picture.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "choices.h"
+#include "extreme_frames.h"
+#include "extreme_surfaces.h"
+#include "lumi/surface/halves.h"
+#include "surface_drawing.h"
+
+namespace lumi::test
+{
+
+// A frame with memory of its very size. Vertices and links hold what an older frame may have left.
+template <class Field, class Frame, class Memory>
+struct PreparedFrame {
+    PreparedFrame(const Field& field, int32_t height_px, uint32_t band_log2)
+        : vertices(field.vertex_count),
+          links(surface_links(field.patch_count), 0x5A5A),
+          bands(surface_bands(height_px, band_log2), 0x5A5A)
+    {
+        memory.vertices = vertices.data();
+        memory.links = links.data();
+        memory.bands = bands.data();
+        memory.band_log2 = band_log2;
+    }
+    PreparedFrame(const PreparedFrame&) = delete;
+    PreparedFrame& operator=(const PreparedFrame&) = delete;
+
+    std::vector<SurfaceVertex> vertices;
+    std::vector<uint16_t> links, bands;
+    std::vector<uint32_t> order;
+    Memory memory{};
+    Frame frame{};
+};
+
+struct Opaque : PreparedFrame<SurfaceField, SurfaceFrame, SurfaceMemory> {
+    using PreparedFrame::PreparedFrame;
+};
+struct Glass : PreparedFrame<SeeThroughField, SeeThroughFrame, SeeThroughMemory> {
+    Glass(const SeeThroughField& field, int32_t height_px, uint32_t band_log2)
+        : PreparedFrame(field, height_px, band_log2)
+    {
+        order.resize(see_through_order(field.see_through_count));
+        memory.order = order.data();
+    }
+};
+inline Opaque memory_for(const SurfaceField& field, int32_t height_px, uint32_t band_log2)
+{
+    return {field, height_px, band_log2};
+}
+inline Glass memory_for(const SeeThroughField& field, int32_t height_px, uint32_t band_log2)
+{
+    return {field, height_px, band_log2};
+}
+
+inline bool is_same(const detail::Extent& a, const detail::Extent& b)
+{
+    return a.begin == b.begin && a.end == b.end;
+}
+
+inline bool have_same_order(const SurfaceFrame&, const SurfaceFrame&)
+{
+    return true;
+}
+inline bool have_same_order(const SeeThroughFrame& a, const SeeThroughFrame& b)
+{
+    return a.order_count == b.order_count && std::equal(a.order, a.order + a.order_count, b.order);
+}
+
+// All that drawing reads.
+template <class Prepared>
+bool are_same(const Prepared& a, const Prepared& b)
+{
+    const auto is_same_vertex = [](const SurfaceVertex& v, const SurfaceVertex& w) {
+        return v.x == w.x && v.y == w.y && v.colour == w.colour;
+    };
+    const SurfaceFrame &f = a.frame, &g = b.frame;
+    return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), is_same_vertex) && a.links == b.links &&
+           a.bands == b.bands && f.reach == g.reach && f.is_whole == g.is_whole && f.is_narrow == g.is_narrow &&
+           f.margin == g.margin && is_same(f.columns, g.columns) && is_same(f.scanlines, g.scanlines) &&
+           have_same_order(a.frame, b.frame) && std::equal(std::begin(f.palette), std::end(f.palette), g.palette);
+}
+
+template <class Frame>
+Bytes picture(const Frame& frame, const Edge& edge)
+{
+    const uint32_t stride = static_cast<uint32_t>(edge.width) * PixelRgb565::kBytes;
+    std::vector<uint32_t> pixels(stride * static_cast<uint32_t>(edge.height) / 4 + 1);
+    std::vector<uint32_t> samples((surface_stripe_bytes(edge.width, edge.height, frame.mode) + 3) / 4);
+    uint8_t* const bytes = reinterpret_cast<uint8_t*>(pixels.data());
+    render_surface<PixelRgb565>(frame, OverColour{kSurfaceBackground},
+                                {bytes, edge.x, edge.y, edge.width, edge.height, stride}, samples.data());
+    return Bytes(bytes, bytes + stride * static_cast<uint32_t>(edge.height));
+}
+
+// `run` runs both halves of a step.
+template <class Field, class Run>
+void check_halves(const Field& field, const Extreme& e, const Run& run)
+{
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
+    const SurfaceMode mode = kSurfaceModes[e.choice % 3];
+    const uint32_t band_log2 = (e.choice >> 4) % 8;
+    auto by_one = memory_for(field, e.edge.image.height_px, band_log2);
+    auto by_two = memory_for(field, e.edge.image.height_px, band_log2);
+    std::vector<uint16_t> bands(by_two.bands.size(), 0xA5A5);
+    SurfaceHalves halves{};
+    halves.bands = bands.data();
+    prepare_surface<PixelRgb565>(field, camera, mode, by_one.memory, by_one.frame);
+    prepare_surface<PixelRgb565>(field, camera, mode, by_two.memory, by_two.frame, halves,
+                                 [&](int32_t step) { run(halves, step); });
+    // Where nothing shows, vertices and links stay as they were.
+    REQUIRE(are_same(by_one, by_two));
+    REQUIRE((picture(by_one.frame, e.edge) == picture(by_two.frame, e.edge)));
+}
+
+// Small meshes from ordinary eyes, and extreme ones from extreme eyes, opaque and see-through.
+template <class Run>
+void check_many_halves(uint32_t fields, const Run& run)
+{
+    constexpr int32_t kSide = 96;
+    constexpr uint32_t kViewsAField = 8;
+    Choices choices(33);
+    Extremes extremes(34);
+    std::minstd_rand random(35);
+    const OpenedSurface ball(surface_file(bumpy_ball())), sheet(surface_file(wavy_sheet()));
+    const OpenedGlass glass(see_through_file(bumpy_ball(), 60));
+    for (uint32_t k = 0; k < fields; ++k) {
+        INFO("field " << k);
+        const OpenedSurface extreme(ExtremeSurfaces(choices, kLargestSurface).next());
+        const OpenedGlass extreme_glass(ExtremeSurfaces(choices, kLargestSurface).next_see_through());
+        REQUIRE(extreme.error() == FieldError::none);
+        REQUIRE(extreme_glass.error() == FieldError::none);
+        for (uint32_t view = 0; view < kViewsAField; ++view) {
+            const View eye = random_view(random, kSide);
+            const Extreme ordinary = {{eye.pose, eye.image, 0, 0, kSide, kSide}, extremes.below(1u << 24)};
+            check_halves(ball.field(), ordinary, run);
+            check_halves(sheet.field(), ordinary, run);
+            check_halves(glass.field(), ordinary, run);
+            check_halves(extreme.field(), extremes.next(), run);
+            check_halves(extreme_glass.field(), extremes.next(), run);
+        }
+    }
+}
+
+}  // namespace lumi::test
