@@ -86,6 +86,16 @@ def speed_poses():
                                                   for key in ("mean", "worst")), row["worst_pose"]])
 
 
+def speed_halves():
+    """Thousands of instructions a frame, the bench's lines, and the planner's rates of two cores."""
+    def thousands(count):
+        return decimal(count / 1000, 0)
+    return table(["code", "mode", "a frame", "preparing, one core", "preparing, two", "frames a second"],
+                 load("speed")["halves"], lambda row: [
+                     row["core"], row["mode"], *(thousands(row[key]) for key in ("frame", "alone", "halves")),
+                     " → ".join(map(decimal, row["fps2"]))])
+
+
 def see_through_cost():
     """Instructions a covered pixel: all, and of these the order of see-through triangles and what they add to drawing."""
     rows = [row for row in load("see_through")["rows"] if row["view"] == "generic" and row["pixel"] == "rgb565"]
