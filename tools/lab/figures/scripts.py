@@ -87,13 +87,15 @@ def speed_poses():
 
 
 def speed_halves():
-    """Thousands of instructions a frame, the bench's lines, and the planner's rates of two cores."""
-    def thousands(count):
-        return decimal(count / 1000, 0)
-    return table(["code", "mode", "a frame", "preparing, one core", "preparing, two", "frames a second"],
+    """Instructions a covered pixel, and rates of the part that runs this code with two cores."""
+    def rates(row):
+        key = {"m0plus": "rp2040", "m4": "rp2350"}[row["core"]]
+        return f"{decimal(row['fps_' + key])} → {decimal(row['fps2_' + key])}"
+    return table(["code", "mode", "a frame", "preparing, one core", "preparing, two", "frames a second, one core → two"],
                  load("speed")["halves"], lambda row: [
-                     row["core"], row["mode"], *(thousands(row[key]) for key in ("frame", "alone", "halves")),
-                     " → ".join(map(decimal, row["fps2"]))])
+                     row["core"], row["mode"], decimal(row["instructions_per_pixel"]),
+                     decimal(sum(row[part] for part in ("palette", "vertices", "lists", "lights"))), decimal(row["halves"]),
+                     rates(row)])
 
 
 def see_through_cost():
