@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Core's source files: the one list, for every build system that is written in CMake. src/c/lumi.cpp is not among them:
-# programs in C compile it with their own macros.
+# Core's source files: the one list, for every build system that is written in CMake.
 set(LUMI_CORE_SOURCES
   src/chord/stepping/coarse_math.cpp
   src/math/math.cpp
@@ -70,4 +69,15 @@ set(LUMI_CORE_SOURCES
   src/view/check_stripe.cpp
   src/control/gesture.cpp
   src/pixel/pack.cpp
-  src/view/view_error.cpp)
+  src/view/view_error.cpp
+  src/c/gesture.cpp
+  src/c/pack.cpp
+  src/c/pose.cpp)
+
+# The calls of lumi.h that hang on macros: programs in C compile them with their own.
+set(LUMI_C_SOURCES
+  src/c/lumi.cpp
+  src/c/over_colour.cpp
+  src/c/over_nothing.cpp
+  src/c/over_stripe.cpp
+  src/c/quality.cpp)

@@ -39,11 +39,13 @@ set(LUMI_CORE_TEST_SOURCES
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp
   view/c_api_test.cpp
+  c/control_test.cpp
+  c/frames_test.cpp
+  c/memory_test.cpp
   control/gesture_test.cpp
   pixel/pack_test.cpp
   view/small_screens_test.cpp
-  view/view_test.cpp
-  ../../core/src/c/lumi.cpp)
+  view/view_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 # Helpers that tests share lie here; tests look into core, too.
 set(LUMI_CORE_TEST_INCLUDES ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/../../core/src)

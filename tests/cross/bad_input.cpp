@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "guarded_memory.h"
+#include "lumi/attitude.h"
 #include "lumi/chord/view.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/lumi.h"
@@ -23,15 +24,16 @@ using mps2::LoadedField;
 constexpr int32_t kWidth = 48, kHeight = 37, kRows = 8;
 constexpr uint32_t kStride = 2 * kWidth;
 constexpr Orbit kOrbit = {degrees(30), degrees(20), radii(3)};
+constexpr Quaternion kTurn = {9000, -4000, 11000, 2500};
 using TestScreen = Screen<kWidth, kHeight, kRows>;
 
 #ifdef LUMI_C_TEXEL
 constexpr bool kDrawsSurfaces = false;
-constexpr uint8_t kMode = 16;
+constexpr uint8_t kMode = 16, kOtherMode = 4;
 using Drawing = ChordDrawing<LUMI_C_TEXEL>;
 #else
 constexpr bool kDrawsSurfaces = true;
-constexpr uint8_t kMode = LUMI_ANTIALIASED;
+constexpr uint8_t kMode = LUMI_ANTIALIASED, kOtherMode = LUMI_ONE_SAMPLE;
 using Drawing = SurfaceDrawing<98, 128>;
 #endif
 
@@ -46,6 +48,12 @@ struct InCpp {
         return error == ViewError::none ? view.verify() : error;
     }
     ViewError look(const Orbit& orbit) { return view.look(orbit); }
+    ViewError look(const Quaternion& turn, uint8_t mode)
+    {
+        const uint32_t fov_turns32 = fit_sphere(kWidth, kHeight, kOrbit.distance_q20);
+        const Pose pose = held_pose(turn, kOrbit.distance_q20);
+        return view.look(pose, fov_turns32, static_cast<decltype(view)::Mode>(mode));
+    }
     ViewError draw(const Stripe& stripe) { return view.draw(stripe); }
     static const char* text(ViewError error) { return error_text(error); }
 };
@@ -69,6 +77,12 @@ struct InC {
     {
         const lumi_orbit orbit = {o.azimuth_turns32, o.elevation_turns32, o.distance_q20, o.fov_turns32, o.zoom_q16};
         return static_cast<ViewError>(lumi_look(view, orbit));
+    }
+    ViewError look(const Quaternion& turn, uint8_t mode)
+    {
+        const lumi_orbit orbit = {0, 0, kOrbit.distance_q20, LUMI_FIT_SPHERE, LUMI_NO_ZOOM};
+        const lumi_pose pose = lumi_held_pose({turn.w, turn.x, turn.y, turn.z}, orbit.distance_q20);
+        return static_cast<ViewError>(lumi_look_pose(view, pose, lumi_fov_of(view, orbit), mode));
     }
     ViewError draw(const Stripe& s)
     {
@@ -96,11 +110,11 @@ void expect(const char* what, ViewError found, ViewError expected)
     report(Api::kName, what, text, found == expected && std::strcmp(text, "unknown error") != 0);
 }
 
-// The whole frame by stripes; 0 if one was refused.
-template <class Api>
-uint32_t drawn_frame(Api& api)
+// The whole frame by stripes, as one looks at it; 0 if that or a stripe was refused.
+template <class Api, class... Look>
+uint32_t drawn_frame(Api& api, const Look&... look)
 {
-    if (api.look(kOrbit) != ViewError::none) return 0;
+    if (api.look(look...) != ViewError::none) return 0;
     std::memset(frame, 0xA5, sizeof frame);
     for (int32_t y = 0; y < kHeight; y += kRows) {
         const int32_t rows = kHeight - y < kRows ? kHeight - y : kRows;
@@ -146,7 +160,7 @@ void try_unwritten(Api& api, test::GuardedMemory& flash, const LoadedField& fiel
     for (size_t count = 100; count < field.size; count += field.size / 50, ++tried) {
         uint8_t* const bytes = flash.put(field.bytes, field.size);
         std::memset(bytes + count, 0xFF, field.size - count);
-        if (api.open(bytes, field.size) == ViewError::none && drawn_frame(api) != 0) ++opened;
+        if (api.open(bytes, field.size) == ViewError::none && drawn_frame(api, kOrbit) != 0) ++opened;
         if (api.verify(bytes, field.size) != ViewError::none) ++told;
     }
     report(Api::kName, "truncated flash that reads as ones", "draws within the field, or is refused", opened < tried);
@@ -160,7 +174,8 @@ void try_unaligned(Api& api, test::GuardedMemory& flash, const LoadedField& fiel
     std::memcpy(odd, field.bytes, field.size);
     const ViewError error = api.open(odd, field.size);
     expect<Api>("unaligned field", error, kDrawsSurfaces ? ViewError::none : ViewError::unaligned_field);
-    if (kDrawsSurfaces) report(Api::kName, "unaligned field", "draws the same bits", drawn_frame(api) == whole_crc);
+    if (kDrawsSurfaces)
+        report(Api::kName, "unaligned field", "draws the same bits", drawn_frame(api, kOrbit) == whole_crc);
 }
 
 template <class Api>
@@ -182,17 +197,24 @@ void try_stripes(Api& api, const LoadedField& field)
     expect<Api>("stripe too far", api.draw({frame, INT32_MAX, 0, kWidth, kRows, kStride}), ViewError::stripe_too_far);
 }
 
+// Of frames of two eyes and modes.
+struct Crcs {
+    uint32_t orbit, held;
+
+    bool operator==(const Crcs& other) const { return orbit == other.orbit && held == other.held; }
+};
+
 template <class Api>
-uint32_t try_all(Api& api, test::GuardedMemory& flash, const LoadedField& field, const LoadedField& other)
+Crcs try_all(Api& api, test::GuardedMemory& flash, const LoadedField& field, const LoadedField& other)
 {
     expect<Api>("wrong field", api.open(other.bytes, other.size), ViewError::other_renderer);
     try_wrong_addresses(api, flash, field);
     try_cut_off(api, flash, field);
     try_unwritten(api, flash, field);
     try_stripes(api, field);
-    const uint32_t crc = drawn_frame(api);
-    try_unaligned(api, flash, field, crc);
-    return crc;
+    const Crcs crcs = {drawn_frame(api, kOrbit), drawn_frame(api, kTurn, kOtherMode)};
+    try_unaligned(api, flash, field, crcs.orbit);
+    return crcs;
 }
 
 // Memory of the caller is a matter of C; in C++ the view has it, and knows for which fields.
@@ -217,8 +239,9 @@ int main(int count, char** arguments)
     test::GuardedMemory flash;
     if (count == 2 && std::strcmp(arguments[1], "wild") == 0) return *const_cast<volatile uint8_t*>(flash.end());
     const LoadedField field = mps2::loaded_field(0), other = mps2::loaded_field(test::GuardedMemory::kBytes);
-    const uint32_t by_cpp = try_all(in_cpp, flash, field, other), by_c = try_all(in_c, flash, field, other);
-    report("", "after all that", "C and C++ draw the same bits", by_cpp == by_c && by_c != 0);
+    const Crcs by_cpp = try_all(in_cpp, flash, field, other), by_c = try_all(in_c, flash, field, other);
+    report("", "after all that", "C and C++ draw the same bits",
+           by_cpp == by_c && by_c.orbit != 0 && by_c.held != 0 && by_c.orbit != by_c.held);
     try_memory(field);
     return failures == 0 ? 0 : 1;
 }

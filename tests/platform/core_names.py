@@ -4,8 +4,9 @@
 
 Reads the names that core's public headers declare, from the headers themselves.
 
-page            docs/api.md has a row for each name of namespace lumi, under its header, and no other row.
-page_self_test  Plants a missing row, a row too many and a wrong header, and fails if one is not found.
+page            docs/api.md has a row for each name of namespace lumi, under its header, and no other row; the table of
+                docs/c.md has each call of lumi.h, and no other.
+page_self_test  Plants a missing row, a row too many, a wrong header and a missing call, and fails if one is not found.
 firmware        A firmware that has a global of its own for every name of namespace lumi::detail, and for every short name
                 that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
                 warnings as errors; then the headers alone, with warnings in them shown.
@@ -23,6 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = ROOT / "core" / "include"
 HEADERS = sorted(path for path in (INCLUDE / "lumi").rglob("*.h") if path.name != "lumi.h")
 PAGE = ROOT / "docs" / "api.md"
+C_HEADER, C_PAGE = INCLUDE / "lumi" / "lumi.h", ROOT / "docs" / "c.md"
 
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
@@ -166,8 +168,17 @@ def page_problems(page, names):
     return problems + [f"docs/api.md: {header} has no `{name}`" for name, header in sorted(set(rows) - names)]
 
 
+def c_page_problems(page, header):
+    calls = set(re.findall(r"^[a-z][\w *]*[ *](lumi_\w+)\(", COMMENT.sub("", header), re.MULTILINE))
+    rows = "\n".join(re.findall(r"^\| (`lumi_.*?) \|", page, re.MULTILINE))
+    told = set(re.findall(r"`(lumi_\w+)`", rows))
+    return [f"docs/c.md: no row has {name}" for name in sorted(calls - told)] + \
+           [f"docs/c.md: {name} is no call of lumi.h" for name in sorted(told - calls)]
+
+
 def check_page():
-    return page_problems(PAGE.read_text(encoding="utf-8"), public_names(all_names()))
+    return page_problems(PAGE.read_text(encoding="utf-8"), public_names(all_names())) + \
+        c_page_problems(C_PAGE.read_text(encoding="utf-8"), C_HEADER.read_text(encoding="utf-8"))
 
 
 def page_self_test():
@@ -175,8 +186,12 @@ def page_self_test():
     row, other = "| `One` | `a.h` | what it is |\n", "| `two` | `a.h` | what it is |\n"
     cases = [(row + other, 0), ("| `One`, `two` | `a.h` | what they are |\n", 0), (row, 1), (row + row + other, 1),
              (row + other + "| `three` | `a.h` | gone |\n", 1), (row + "| `two` | `b.h` | elsewhere |\n", 2)]
+    c_row, c_header = "| `lumi_a`, `lumi_b` | `A` |\n", "int lumi_a(int b);\nconst char* lumi_b(void);\n"
+    c_cases = [(c_row, 0), ("| `lumi_a` | `lumi_b` |\n", 1), (c_row + "| `lumi_c` | `C` |\n", 1)]
     return [f"{page!r}: {problems}" for page, count in cases
-            if len(problems := page_problems(page, names)) != count]
+            if len(problems := page_problems(page, names)) != count] + \
+           [f"{page!r}: {problems}" for page, count in c_cases
+            if len(problems := c_page_problems(page, c_header)) != count]
 
 
 # Firmware

@@ -20,6 +20,11 @@ set(LUMI_SURFACE_STACK_LIMIT 3072)
 # What no program holds that draws chord fields alone.
 set(lumi_surface_symbols ".*([Ss]urface|view_taps|view_frame).*")
 set(lumi_see_through_symbols ".*([Ss]ee_?[Tt]hrough|blend_(565|packed)).*")
+# What no program in C holds that opens, looks and draws surface fields over black: other calls of lumi.h, what they call
+# in turn, and what draws chord fields.
+set(lumi_other_calls "lumi_(drag|pack|quality|held|moved|pose|fov|draw_over|draw_coverage|verify|error).*"
+  ".*(OrbitDrag|QualityLadder|pack_rows|held_pose|OverColour|OverStripe|OverNothing|render_coverage).*")
+set(lumi_chord_symbols ".*(render_spans|ChordStepper|open_field|make_camera).*")
 set(lumi_build_timeout_s 1500)
 set(lumi_run_timeout_s 900)
 
@@ -106,6 +111,11 @@ foreach(cpu IN LISTS LUMI_MPS2_CPUS)
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm}
       -D FILES=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FORBIDDEN=${lumi_see_through_symbols}"
       -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  add_test(NAME ${cpu}.c_firmware_links_what_it_calls
+    COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_cross}/tests/cross/lumi_three_calls.elf
+      -D "FORBIDDEN=${lumi_other_calls};${lumi_see_through_symbols};${lumi_chord_symbols}"
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  list(APPEND lumi_cpu_tests ${cpu}.c_firmware_links_what_it_calls)
   list(APPEND lumi_cpu_tests ${cpu}.opaque_firmware_links_no_see_through ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
     ${cpu}.chord_firmware_links_no_surface)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
@@ -163,6 +173,13 @@ add_test(NAME proof.finds_surface
     -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/platform/mps2/lumi_frame_crcs_firmware.elf
     -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
 list(APPEND lumi_proof_tests proof.finds_surface)
+foreach(what other_calls chord_symbols)
+  add_test(NAME proof.finds_${what}
+    COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
+      -D FILES=${lumi_planted}/lumi_bad_chord.elf -D "FORBIDDEN=${lumi_${what}}"
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  list(APPEND lumi_proof_tests proof.finds_${what})
+endforeach()
 foreach(violation dynamic_frame recursion indirect_call)
   add_test(NAME proof.finds_${violation}
     COMMAND ${CMAKE_COMMAND} -D FOLDERS=${lumi_planted}/CMakeFiles/lumi_planted_${violation}.dir -D ROOTS=planted

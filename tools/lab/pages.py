@@ -15,9 +15,6 @@ table is whole:
     <!-- table: end -->
 A value within a line, of data by the names that lead to it, or the first group of an expression in another file:
     <!-- value: FILE; EXPRESSION -->1,024<!-- end -->
-A whole file, as a block of code:
-    <!-- printed: FILE -->
-    <!-- printed: end -->
 """
 import json
 import re
@@ -76,7 +73,7 @@ TABLES = {
     "house builds": scripts.house_builds,
 }
 COLLECTORS = {"quality": quality.collect, "sweep": sweep.collect, "paper": paper.collect}
-BLOCK = re.compile(r"(<!-- (table|printed): (?!end)(.*?) -->\n).*?(<!-- \2: end -->)", re.DOTALL)
+BLOCK = re.compile(r"(<!-- table: (?!end)(.*?) -->\n).*?(<!-- table: end -->)", re.DOTALL)
 VALUE = re.compile(r"(<!-- value: ([^;]*); (.*?) -->)[^<]*(<!-- end -->)")
 
 
@@ -87,12 +84,6 @@ def table(order):
         rows, columns = [*more, "", ""][:2]
         made = made.selected(rows, columns.split(" | ") if columns else []).markdown()
     return made
-
-
-def printed(file):
-    path = ROOT / file
-    language = {".h": "c", ".cpp": "cpp"}.get(path.suffix, path.suffix[1:])
-    return f"```{language}\n{path.read_text(encoding='utf-8')}```\n"
 
 
 def value(file, expression):
@@ -107,8 +98,7 @@ def value(file, expression):
 
 
 def filled(text):
-    makers = {"table": table, "printed": printed}
-    text = BLOCK.sub(lambda found: found[1] + makers[found[2]](found[3]) + found[4], text)
+    text = BLOCK.sub(lambda found: found[1] + table(found[2]) + found[3], text)
     return VALUE.sub(lambda found: found[1] + value(found[2], found[3]) + found[4], text)
 
 

@@ -16,7 +16,9 @@ constexpr uint8_t number(QualityStep step)
     return static_cast<uint8_t>(step);
 }
 
-int32_t span_px_of(QualityStep step)
+}  // namespace
+
+int32_t detail::span_px_of(QualityStep step)
 {
     switch (step) {
         case QualityStep::one_tap_interlaced:
@@ -35,13 +37,18 @@ int32_t span_px_of(QualityStep step)
     return 1;
 }
 
-}  // namespace
-
-QualityControl::QualityControl(const QualityLimits& limits)
-    : ladder_({limits.budget, kGrowth_q4, number(limits.coarsest), number(limits.finest_moving),
-               number(QualityStep::spans16), number(limits.finest_resting), number(QualityStep::spans16)})
+LadderLimits detail::ladder_limits(const QualityLimits& limits)
 {
+    return {limits.budget,
+            kGrowth_q4,
+            number(limits.coarsest),
+            number(limits.finest_moving),
+            number(QualityStep::spans16),
+            number(limits.finest_resting),
+            number(QualityStep::spans16)};
 }
+
+QualityControl::QualityControl(const QualityLimits& limits) : ladder_(ladder_limits(limits)) {}
 
 FrameQuality QualityControl::next(uint32_t last_frame, bool moving)
 {

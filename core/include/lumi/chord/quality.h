@@ -45,6 +45,19 @@ struct QualityLimits {
     QualityStep finest_resting = QualityStep::exact;  // at least finest_moving and spans16
 };
 
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
+LadderLimits ladder_limits(const QualityLimits& limits);
+int32_t span_px_of(QualityStep step);
+
+}  // namespace lumi::detail
+
+namespace lumi
+{
+
 class QualityControl
 {
 public:

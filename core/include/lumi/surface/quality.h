@@ -27,15 +27,34 @@ struct SurfaceQualityLimits {
     SurfaceMode finest_resting = SurfaceMode::two_by_two;
 };
 
+}  // namespace lumi
+
+namespace lumi::detail
+{
+
+inline LadderLimits ladder_limits(const SurfaceQualityLimits& limits)
+{
+    static constexpr uint8_t kGrowth_q4[] = {16, 27, 33};  // measured: docs/log/tradeoff.md, with a margin
+    const auto number = [](SurfaceMode mode) { return static_cast<uint8_t>(mode); };
+    return {limits.budget,
+            kGrowth_q4,
+            number(limits.coarsest),
+            number(limits.finest_moving),
+            number(limits.coarsest),
+            number(limits.finest_resting),
+            number(SurfaceMode::antialiased)};
+}
+
+}  // namespace lumi::detail
+
+namespace lumi
+{
+
 class SurfaceQuality
 {
 public:
     // Begins antialiased, or at the limit next to it.
-    explicit SurfaceQuality(const SurfaceQualityLimits& limits)
-        : ladder_({limits.budget, kGrowth_q4, number(limits.coarsest), number(limits.finest_moving),
-                   number(limits.coarsest), number(limits.finest_resting), number(SurfaceMode::antialiased)})
-    {
-    }
+    explicit SurfaceQuality(const SurfaceQualityLimits& limits) : ladder_(detail::ladder_limits(limits)) {}
 
     // As QualityControl::next.
     SurfaceFrameQuality next(uint32_t last_frame, bool moving)
@@ -45,9 +64,6 @@ public:
     }
 
 private:
-    static constexpr uint8_t number(SurfaceMode mode) { return static_cast<uint8_t>(mode); }
-
-    static constexpr uint8_t kGrowth_q4[] = {16, 27, 33};  // measured: docs/log/tradeoff.md, with a margin
     detail::QualityLadder ladder_;
 };
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// How lumi.h draws surface fields: as SurfaceDrawing (surface/view.h) does, in memory whose size is known when a field
+// is opened.
+#pragma once
+
+#include "lumi/lumi.h"
+#include "lumi/surface/quality.h"
+#include "lumi/surface/view.h"
+
+namespace lumi::detail
+{
+
+// What a view has of opaque fields, and of those that may have see-through parts.
+struct OpaqueParts {
+    using Field = SurfaceField;
+    using Frame = SurfaceFrame;
+    using Memory = SurfaceMemory;
+
+    static uint32_t order_of(const Field&) { return 0; }
+    static Memory with_order(const SurfaceMemory& memory, void*) { return memory; }
+};
+struct SeeThroughParts {
+    using Field = SeeThroughField;
+    using Frame = SeeThroughFrame;
+    using Memory = SeeThroughMemory;
+
+    static uint32_t order_of(const Field& field) { return see_through_order(field.see_through_count); }
+    static Memory with_order(const SurfaceMemory& memory, void* order)
+    {
+        return {memory, static_cast<uint32_t*>(order)};
+    }
+};
+
+template <class Pixel, class Parts>
+class SurfaceDrawingInC
+{
+public:
+    using Field = typename Parts::Field;
+
+    static ViewError open(const uint8_t* bytes, size_t size, const lumi_screen& screen, Field& out)
+    {
+        const ViewError error = view_error(open_surface(bytes, size, out));
+        return error == ViewError::none && !is_mode(screen.mode) ? ViewError::bad_argument : error;
+    }
+
+    // What a view needs behind itself.
+    static size_t bytes_of(const Field& field, const lumi_screen& screen) { return places_of(field, screen).end; }
+
+    void begin(const Field& field, const lumi_screen& screen, void* memory)
+    {
+        const Places p = places_of(field, screen);
+        const auto at = [&](size_t place) { return static_cast<void*>(static_cast<uint8_t*>(memory) + place); };
+        const SurfaceMemory of_opaque = {static_cast<SurfaceVertex*>(at(0)), static_cast<uint16_t*>(at(p.links)),
+                                         static_cast<uint16_t*>(at(p.bands)), surface_band_log2(screen.rows_px)};
+        field_ = field;
+        memory_ = Parts::with_order(of_opaque, at(p.order));
+        samples_ = static_cast<uint32_t*>(at(p.samples));
+        samples_bytes_ = samples_bytes(screen);
+        finest_ = static_cast<SurfaceMode>(screen.mode);
+    }
+
+    // Whether modes are pixels between exact hits; else they are those of SurfaceMode.
+    static constexpr bool has_spans() { return false; }
+
+    ViewError look(const Pose& pose, const Image& image, uint8_t number)
+    {
+        const SurfaceMode mode = static_cast<SurfaceMode>(number);
+        if (mode > finest_) return ViewError::mode_too_fine;
+        return look_at_surface<Pixel, SurfaceMode::two_by_two>(field_, pose, image, mode, memory_, frame_);
+    }
+
+    PixelRect bounds() const { return bounds_of(frame_); }
+
+    template <class Background>
+    ViewError draw(const Stripe& stripe, const StripePart& part, const Background& background) const
+    {
+        const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
+        if (error == ViewError::none) render_surface<Pixel>(frame_, background, stripe, samples_);
+        return error;
+    }
+
+    ViewError draw_coverage(const Stripe& coverage, const StripePart& part) const
+    {
+        const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
+        if (error == ViewError::none) render_coverage(frame_, coverage, samples_);
+        return error;
+    }
+
+    ViewError limit(const lumi_quality_limits& limits, LadderLimits& out) const
+    {
+        const uint8_t coarsest = limits.coarsest, moving = limits.finest_moving, resting = limits.finest_resting;
+        if (!is_mode(moving) || !is_mode(resting) || coarsest > moving || coarsest > resting)
+            return ViewError::bad_argument;
+        const auto mode = [](uint8_t number) { return static_cast<SurfaceMode>(number); };
+        if (mode(moving) > finest_ || mode(resting) > finest_) return ViewError::mode_too_fine;
+        out = ladder_limits(SurfaceQualityLimits{limits.budget, mode(coarsest), mode(moving), mode(resting)});
+        return ViewError::none;
+    }
+
+private:
+    // In this order, vertices first.
+    struct Places {
+        size_t samples, order, links, bands, end;
+    };
+
+    static constexpr bool is_mode(uint8_t number) { return number <= LUMI_TWO_BY_TWO; }
+
+    // As surface_stripe_bytes_up_to: one sample takes the least.
+    static uint32_t samples_bytes(const lumi_screen& s)
+    {
+        const auto bytes = [&](SurfaceMode mode) { return surface_stripe_bytes<Pixel>(s.width_px, s.rows_px, mode); };
+        const uint32_t most = bytes(static_cast<SurfaceMode>(s.mode));
+        const uint32_t antialiased = s.mode == LUMI_TWO_BY_TWO ? bytes(SurfaceMode::antialiased) : 0;
+        return ((most > antialiased ? most : antialiased) + 3) / 4 * 4;
+    }
+
+    __attribute__((noinline)) static Places places_of(const Field& field, const lumi_screen& s)
+    {
+        Places p{};
+        p.samples = field.vertex_count * sizeof(SurfaceVertex);
+        p.order = p.samples + samples_bytes(s);
+        p.links = p.order + Parts::order_of(field) * sizeof(uint32_t);
+        p.bands = p.links + surface_links(field.patch_count) * sizeof(uint16_t);
+        p.end = p.bands + surface_bands(s.height_px, surface_band_log2(s.rows_px)) * sizeof(uint16_t);
+        return p;
+    }
+
+    Field field_;
+    typename Parts::Frame frame_;
+    typename Parts::Memory memory_;
+    uint32_t* samples_;
+    uint32_t samples_bytes_;
+    SurfaceMode finest_;
+};
+
+}  // namespace lumi::detail
