@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draws random orbits, image sizes, stripes, pixel formats and modes of two fields that the emulator has loaded, a
-// surface field and a MiB later a chord field of RGB565 texels: `SEED FRAMES`. Every buffer is as large as the headers
-// ask and lies between guard zones. A frame drawn in random stripes must be the frame drawn whole. Writes a line of
+// Draws random orbits, image sizes, stripes, pixel formats and modes of three fields that the emulator has loaded, a
+// MiB apart: a surface field, a chord field of RGB565 texels, and a surface field with see-through parts: `SEED
+// FRAMES`. Every buffer is as large as the headers ask and lies between guard zones. A frame drawn in random stripes
+// must be the frame drawn whole, and a frame prepared in halves the frame that one core prepared. Writes a line of
 // counts; the first fault ends it with 1.
 #include <cstring>
 
@@ -10,7 +11,8 @@
 #include "lumi/mps2/semihosting.h"
 #include "lumi/mps2/stack_meter.h"
 #include "lumi/orbit.h"
-#include "lumi/surface/render.h"
+#include "lumi/surface/halves.h"
+#include "lumi/surface/see_through.h"
 #include "text_line.h"
 
 namespace
@@ -20,8 +22,8 @@ using namespace lumi;
 using namespace lumi::detail;
 
 constexpr int32_t kMostSide = 48;
-constexpr uint32_t kChordOffset = 1024 * 1024;
-constexpr uint32_t kMostVertices = 2048, kMostPatches = 2048;  // limits of the surface field
+constexpr uint32_t kChordOffset = 1024 * 1024, kSeeThroughOffset = 2 * kChordOffset;
+constexpr uint32_t kMostVertices = 2048, kMostPatches = 2048;  // limits of the surface fields
 
 // xorshift of 32 bits (Marsaglia, 2003).
 uint32_t state;
@@ -90,9 +92,34 @@ Guarded<kMostPixels> whole_pixels, cut_pixels;
 Guarded<surface_stripe_bytes(kMostSide, kMostSide, SurfaceMode::two_by_two)> sample_memory;
 Guarded<kMostVertices * sizeof(SurfaceVertex)> vertex_memory;
 Guarded<2 * surface_links(kMostPatches)> link_memory;
-Guarded<2 * surface_bands(kMostSide, 0)> band_memory;
+Guarded<2 * surface_bands(kMostSide, 0)> band_memory, second_band_memory;
+Guarded<4 * see_through_order(kMostPatches)> order_memory;
 
-SurfaceFrame frame;
+SeeThroughFrame frame;
+SurfaceHalves halves;
+
+SurfaceMemory memory_of(const SurfaceField& field, int32_t height_px, uint32_t band_log2)
+{
+    return {reinterpret_cast<SurfaceVertex*>(vertex_memory.of(field.vertex_count * uint32_t{sizeof(SurfaceVertex)})),
+            reinterpret_cast<uint16_t*>(link_memory.of(2 * surface_links(field.patch_count))),
+            reinterpret_cast<uint16_t*>(band_memory.of(2 * surface_bands(height_px, band_log2))), band_log2};
+}
+
+SeeThroughMemory memory_of(const SeeThroughField& field, int32_t height_px, uint32_t band_log2)
+{
+    const SurfaceField& opaque = field;
+    return {memory_of(opaque, height_px, band_log2),
+            reinterpret_cast<uint32_t*>(order_memory.of(4 * see_through_order(field.see_through_count)))};
+}
+
+SurfaceFrame& frame_of(const SurfaceField&)
+{
+    return frame;
+}
+SeeThroughFrame& frame_of(const SeeThroughField&)
+{
+    return frame;
+}
 
 struct Size {
     int32_t width, height;
@@ -131,9 +158,9 @@ void cut(const Size& size, bool whole_rows, const Draw& draw)
     }
 }
 
-// Draws the frame whole and in stripes, and compares. draw_stripe(stripe) fills one.
-template <class Pixel, class Draw>
-void draw_twice(const Size& size, bool whole_rows, const Draw& draw_stripe)
+// Draws the frame whole, calls `between`, draws it in stripes, and compares. draw_stripe(stripe) fills one.
+template <class Pixel, class Between, class Draw>
+void draw_twice(const Size& size, bool whole_rows, const Between& between, const Draw& draw_stripe)
 {
     const uint32_t stride = static_cast<uint32_t>(size.width) * Pixel::kBytes;
     const uint32_t bytes = stride * static_cast<uint32_t>(size.height);
@@ -141,6 +168,7 @@ void draw_twice(const Size& size, bool whole_rows, const Draw& draw_stripe)
     std::memset(whole, 0x5A, bytes);
     std::memset(parts, 0x5A, bytes);
     draw_stripe(Stripe{whole, 0, 0, size.width, size.height, stride});
+    between();
     cut(size, whole_rows, [&](int32_t x, int32_t y, int32_t columns, int32_t rows) {
         uint8_t* const at = parts + static_cast<uint32_t>(y) * stride + static_cast<uint32_t>(x) * Pixel::kBytes;
         draw_stripe(Stripe{at, x, y, columns, rows, stride});
@@ -150,8 +178,9 @@ void draw_twice(const Size& size, bool whole_rows, const Draw& draw_stripe)
     if (std::memcmp(whole, parts, bytes) != 0) fail("stripes show other bits than the whole frame");
 }
 
-template <class Pixel, class Background>
-void draw_surface(const SurfaceField& field, const Background& background)
+// The frame of one core is drawn whole; every other time, the frame prepared in halves is drawn in stripes.
+template <class Pixel, class AnySurfaceField, class Background>
+void draw_surface(const AnySurfaceField& field, const Background& background)
 {
     const Size size = random_size();
     const Orbit orbit = random_orbit();
@@ -162,20 +191,34 @@ void draw_surface(const SurfaceField& field, const Background& background)
         ++refused;
         return;
     }
-    prepare_surface<Pixel>(
-        field, camera, mode,
-        {reinterpret_cast<SurfaceVertex*>(vertex_memory.of(field.vertex_count * uint32_t{sizeof(SurfaceVertex)})),
-         reinterpret_cast<uint16_t*>(link_memory.of(2 * surface_links(field.patch_count))),
-         reinterpret_cast<uint16_t*>(band_memory.of(2 * surface_bands(size.height, band_log2))), band_log2},
-        frame);
-    draw_twice<Pixel>(size, false, [&](const Stripe& stripe) {
+    auto& prepared = frame_of(field);
+    const auto memory = memory_of(field, size.height, band_log2);
+    prepare_surface<Pixel>(field, camera, mode, memory, prepared);
+    const auto prepare_in_halves = [&] {
+        if (random_of(2) == 0) return;
+        halves.bands = reinterpret_cast<uint16_t*>(second_band_memory.of(2 * surface_bands(size.height, band_log2)));
+        prepare_surface<Pixel>(field, camera, mode, memory, prepared, halves, [](int32_t step) {
+            const uint32_t first = static_cast<uint32_t>(random_of(2));
+            prepare_half(halves, step, first);
+            prepare_half(halves, step, 1 - first);
+        });
+        second_band_memory.check("written beside the second half's bands");
+    };
+    draw_twice<Pixel>(size, false, prepare_in_halves, [&](const Stripe& stripe) {
         const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, mode);
-        render_surface<Pixel>(frame, background, stripe, sample_memory.of(bytes));
+        render_surface<Pixel>(prepared, background, stripe, sample_memory.of(bytes));
         sample_memory.check("written beside the samples");
     });
     vertex_memory.check("written beside the vertices");
     link_memory.check("written beside the links");
     band_memory.check("written beside the bands");
+}
+
+template <class Pixel, class Background>
+void draw_see_through(const SeeThroughField& field, const Background& background)
+{
+    draw_surface<Pixel>(field, background);
+    order_memory.check("written beside the order of see-through triangles");
 }
 
 template <class Reconstruction, class Pixel, class Background>
@@ -189,45 +232,71 @@ void draw_chord(const Field& field, const Background& background)
         return;
     }
     const int32_t span = 2 << random_of(4);
-    draw_twice<Pixel>(size, true, [&](const Stripe& stripe) {
-        if (render_spans<Reconstruction, TexelRgb565, Pixel>(field, camera, background, stripe, span) !=
-            RenderError::none)
-            fail("a field was refused that had been drawn");
-    });
+    draw_twice<Pixel>(
+        size, true, [] {},
+        [&](const Stripe& stripe) {
+            if (render_spans<Reconstruction, TexelRgb565, Pixel>(field, camera, background, stripe, span) !=
+                RenderError::none)
+                fail("a field was refused that had been drawn");
+        });
 }
 
-void draw_frame(const SurfaceField& surface, const Field& chord)
+struct Fields {
+    SurfaceField surface;
+    Field chord;
+    SeeThroughField see_through;
+};
+
+void draw_frame(const Fields& fields)
 {
     const uint32_t word = random_word();
     const OverColour colour{
         {static_cast<uint8_t>(word), static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word >> 16)}};
-    switch (random_of(10)) {
+    switch (random_of(13)) {
         case 0:
-            return draw_surface<PixelRgb565>(surface, OverBlack{});
+            return draw_surface<PixelRgb565>(fields.surface, OverBlack{});
         case 1:
-            return draw_surface<PixelRgb888>(surface, colour);
+            return draw_surface<PixelRgb888>(fields.surface, colour);
         case 2:
-            return draw_surface<PixelArgb8888>(surface, OverNothing{});
+            return draw_surface<PixelArgb8888>(fields.surface, OverNothing{});
         case 3:
-            return draw_surface<PixelGrey8>(surface, colour);
+            return draw_surface<PixelGrey8>(fields.surface, colour);
         case 4:
-            return draw_surface<PixelBgr555>(surface, OverStripe{});
+            return draw_surface<PixelBgr555>(fields.surface, OverStripe{});
         case 5:
-            return draw_surface<PixelRgb565Swapped>(surface, OverStripe{});
+            return draw_surface<PixelRgb565Swapped>(fields.surface, OverStripe{});
         case 6:
-            return draw_chord<Nearest, PixelRgb565>(chord, OverBlack{});
+            return draw_chord<Nearest, PixelRgb565>(fields.chord, OverBlack{});
         case 7:
-            return draw_chord<Linear, PixelRgb565>(chord, colour);
+            return draw_chord<Linear, PixelRgb565>(fields.chord, colour);
         case 8:
-            return draw_chord<Linear, PixelRgb888>(chord, colour);
+            return draw_chord<Linear, PixelRgb888>(fields.chord, colour);
+        case 9:
+            return draw_chord<Nearest, PixelGrey8>(fields.chord, OverStripe{});
+        case 10:
+            return draw_see_through<PixelRgb565>(fields.see_through, colour);
+        case 11:
+            return draw_see_through<PixelArgb8888>(fields.see_through, OverNothing{});
         default:
-            return draw_chord<Nearest, PixelGrey8>(chord, OverStripe{});
+            return draw_see_through<PixelRgb565Swapped>(fields.see_through, OverStripe{});
     }
 }
 
-__attribute__((noinline)) void draw_frames(const SurfaceField& surface, const Field& chord, uint32_t count)
+__attribute__((noinline)) void draw_frames(const Fields& fields, uint32_t count)
 {
-    for (frame_number = 0; frame_number < count; ++frame_number) draw_frame(surface, chord);
+    for (frame_number = 0; frame_number < count; ++frame_number) draw_frame(fields);
+}
+
+void open_fields(Fields& fields)
+{
+    const mps2::LoadedField surface = mps2::loaded_field(0), chord = mps2::loaded_field(kChordOffset),
+                            see_through = mps2::loaded_field(kSeeThroughOffset);
+    if (open_surface(surface.bytes, surface.size, fields.surface) != FieldError::none)
+        fail("no surface field is loaded");
+    if (open_field(chord.bytes, chord.size, fields.chord) != FieldError::none) fail("no chord field is loaded");
+    if (open_surface(see_through.bytes, see_through.size, fields.see_through) != FieldError::none ||
+        fields.see_through.see_through_count == 0)
+        fail("no field with see-through parts is loaded");
 }
 
 }  // namespace
@@ -236,15 +305,11 @@ int main(int count, char** arguments)
 {
     if (count != 3) fail("say SEED FRAMES");
     state = 2654435761u * number(arguments[1]) + 1;
-    const mps2::LoadedField of_surface = mps2::loaded_field(0), of_chord = mps2::loaded_field(kChordOffset);
-    SurfaceField surface;
-    Field chord;
-    if (open_surface(of_surface.bytes, of_surface.size, surface) != FieldError::none)
-        fail("no surface field is loaded");
-    if (open_field(of_chord.bytes, of_chord.size, chord) != FieldError::none) fail("no chord field is loaded");
+    Fields fields;
+    open_fields(fields);
     mps2::StackMeter meter;
     meter.paint();
-    draw_frames(surface, chord, number(arguments[2]));
+    draw_frames(fields, number(arguments[2]));
     const uint32_t stack = meter.high_water_bytes();
     write_number("frames ", frame_number);
     write_number(" refused ", refused);
