@@ -16,8 +16,10 @@ constexpr float kMostMove = 0.1f;     // how far a new vertex may move onto the 
 constexpr float kMinFacing = 0.5f;    // cosine between the surface that it moves to and the triangles around
 constexpr float kNextLayer = 1e-5f;   // from one hit to where the next one is looked for, in radii
 constexpr double kEnoughSeen = 0.95;  // as a share of the triangles asked for
+constexpr uint32_t kCountRays = 256;  // a triangle, where seen ones are only counted: hidden ones take all of them
 constexpr int kAttempts = 3;          // attempts to have enough of them seen
-constexpr size_t kMaxTriangles = 65536;  // triangles that are fitted, hidden ones among them
+constexpr size_t kMaxTriangles = 65536;           // triangles that are fitted, hidden ones among them
+constexpr size_t kMostAsked = kMaxTriangles / 2;  // leaves room for edges that are split
 
 // Where a ray meets a front face at no slant, as near as possible to the distance wanted; in radii along the ray.
 std::optional<float> nearest_front(const MeshTracer& fronts, const Ray& ray, float wanted)
@@ -49,7 +51,7 @@ PlaceMiddle onto(const MeshTracer& fronts)
 
 size_t seen_triangles(const Mesh& mesh, Faces faces, const ViewCap& cap, Job& job)
 {
-    return seen_part(MeshTracer(mesh, faces), job, cap).triangle_count();
+    return seen_part(MeshTracer(mesh, faces), job, cap, kCountRays).triangle_count();
 }
 
 Simplified simplified_in(Job& job, const Mesh& mesh, size_t triangles)
@@ -68,7 +70,7 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
         const size_t seen = seen_triangles(result.mesh, outside.faces(), cap, job);
         if (seen == 0 || static_cast<double>(seen) >= kEnoughSeen * static_cast<double>(triangles)) break;
         asked *= static_cast<double>(triangles) / static_cast<double>(seen);
-        result = simplified_in(job, outside.mesh, std::min(kMaxTriangles, static_cast<size_t>(asked)));
+        result = simplified_in(job, outside.mesh, std::min(kMostAsked, static_cast<size_t>(asked)));
     }
     return result;
 }
@@ -78,9 +80,10 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
 MeshDraft drafted(const Outside& outside, const MeshSettings& settings, Job& job)
 {
     Simplified simple = simplified_as_seen(outside, settings.triangles, settings.cap, job);
+    const bool exact = simple.mesh.triangle_count() == outside.mesh.triangle_count();
     const MeshTracer fronts(outside.mesh, Faces::front);
     MeshDraft draft = {with_short_edges(std::move(simple.mesh), kSplitEarly * settings.longest_edge, onto(fronts)),
-                       simple.rough, false};
+                       simple.rough, exact, false};
     draft.fits = draft.mesh.triangle_count() <= kMaxTriangles &&
                  seen_triangles(draft.mesh, outside.faces(), settings.cap, job) <= 2 * detail::format::kMaxPatches;
     return draft;

@@ -52,26 +52,30 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, con
     return loss;
 }
 
-std::vector<std::string> mesh_warnings(const MeshLoss& loss, size_t asked, size_t got, bool of_volume)
+std::vector<MeshWarning> mesh_warnings(const MeshLoss& loss, const MeshCount& triangles, bool of_volume)
 {
-    std::vector<std::string> warnings;
+    std::vector<MeshWarning> warnings;
+    const auto warn = [&](std::string text) { warnings.push_back({std::move(text), !triangles.all}); };
     if (loss.missed > kMaxMissed) {
-        warnings.push_back("the mesh misses " + percent(loss.missed) + " of what can be seen: " +
-                           (of_volume ? "what is soft or half transparent; a chord field shows that, but blurs the rest"
-                                      : "ask for more triangles, or thicken parts thinner than a pixel"));
+        const std::string missed = "the mesh misses " + percent(loss.missed) + " of what can be seen: ";
+        if (of_volume)
+            warnings.push_back(
+                {missed + "what is soft or half transparent; a chord field shows that, but blurs the rest", false});
+        else
+            warn(missed + "thicken parts that are thinner than a pixel");
     }
     if (loss.rough) {
-        warnings.push_back(
+        warn(
             "the scene could only be simplified roughly, since its surfaces are torn or run through each other: weld "
-            "its vertices, give neighbouring faces one winding, or ask for more triangles");
+            "its vertices, or give neighbouring faces one winding");
     }
-    if (static_cast<double>(got) < kFarShort * static_cast<double>(asked)) {
-        warnings.push_back("the mesh has " + std::to_string(got) + " triangles where " + std::to_string(asked) +
-                           " were asked for: the shape cannot be simplified to that number; ask for more");
+    if (static_cast<double>(triangles.got) < kFarShort * static_cast<double>(triangles.asked)) {
+        warn("the mesh has " + std::to_string(triangles.got) + " triangles where " + std::to_string(triangles.asked) +
+             " were asked for: the shape cannot be simplified to that number");
     }
     if (loss.holes > 0) {
-        warnings.push_back("the mesh has " + std::to_string(loss.holes) + " holes, the largest of " +
-                           std::to_string(loss.largest_hole) + " pixels at 240 x 240: ask for more triangles");
+        warn("the mesh has " + std::to_string(loss.holes) + " holes, the largest of " +
+             std::to_string(loss.largest_hole) + " pixels at 240 x 240");
     }
     return warnings;
 }

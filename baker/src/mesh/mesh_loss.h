@@ -19,8 +19,13 @@ void fields(Io& io, MeshLoss& loss)
 
 MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, const ViewCap& cap = {});
 
-// `asked` and `got` are triangles that can be seen; ask for no more than the scene has. Sentences for the user: what
-// is wrong, and what mends it. `of_volume`: the mesh is a volume's shell.
-std::vector<std::string> mesh_warnings(const MeshLoss& loss, size_t asked, size_t got, bool of_volume);
+// Triangles of a mesh that can be seen. Ask for no more than the scene has.
+struct MeshCount {
+    size_t asked, got;
+    bool all = false;  // the scene has no more
+};
+
+// `of_volume`: the mesh is a volume's shell.
+std::vector<MeshWarning> mesh_warnings(const MeshLoss& loss, const MeshCount& triangles, bool of_volume);
 
 }  // namespace lumi::baker

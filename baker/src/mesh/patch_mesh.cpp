@@ -20,6 +20,7 @@ namespace
 
 constexpr float kFewerTriangles = 0.8f;
 constexpr float kLongerEdges = 1.1f;
+constexpr float kNoLongerEdge = 2;  // radii, the sphere's diameter
 
 // Work of the stages, in light paths that take as long: of a triangle of the scene, of one that is asked for, and of
 // the pictures and rays that judge the result. Estimates: they decide how evenly progress moves.
@@ -36,10 +37,11 @@ MeshWork work_of(const SceneData& scene, const MeshSettings& s)
     return {kLookWork * triangles, kSimplifyWork * triangles, kShapeWork * s.triangles, kCheckWork};
 }
 
-// Near the scene, in steps of the format.
-Mesh shaped(const SceneData& scene, Mesh draft, Faces faces, const MeshSettings& s, Job& job)
+// Near the scene, in steps of the format. A draft that is the scene's own shape stays as it is: fitting is for what was
+// simplified, and tears thin parts where outlines of the far and the near side lie in one pixel.
+Mesh shaped(const SceneData& scene, const MeshDraft& draft, Faces faces, const MeshSettings& s, Job& job)
 {
-    const Mesh fit = fitted_in_rounds(scene, std::move(draft), faces, job, s.cap);
+    const Mesh fit = draft.exact ? draft.mesh : fitted_in_rounds(scene, draft.mesh, faces, job, s.cap);
     const Mesh mesh = seen_part(MeshTracer(fit, faces), job, s.cap);
     return rounded(
         with_short_edges(mesh, s.longest_edge, [](const Vec3& middle, const Vec3&, float) { return middle; }));
@@ -48,6 +50,10 @@ Mesh shaped(const SceneData& scene, Mesh draft, Faces faces, const MeshSettings&
 // What asks for a smaller mesh: fewer triangles, or longer edges where most triangles come from splitting.
 MeshSettings smaller(MeshSettings s)
 {
+    if (s.longest_edge > kNoLongerEdge)
+        throw BakeError(
+            "no mesh of this scene is small enough for a surface field, since most of its triangles are hidden "
+            "by others; remove from the model what nobody can see");
     if (s.triangles > detail::format::kMaxPatches / 2)
         s.triangles = static_cast<uint32_t>(kFewerTriangles * static_cast<float>(s.triangles));
     else
@@ -112,8 +118,8 @@ BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeS
             const double share = work.shape / (work.shape + work.check);
             const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);
             return stages.once<Mesh>(
-                "shape", [&] { return shaped(scene, std::move(draft.mesh), outside.faces(), s, job); }, s.triangles,
-                s.longest_edge, s.cap.lowest());
+                "shape", [&] { return shaped(scene, draft, outside.faces(), s, job); }, s.triangles, s.longest_edge,
+                s.cap.lowest());
         }();
         result.mesh = assembled(shape, settings.crease_cosine);
         if (fits(result.mesh)) {
@@ -121,8 +127,9 @@ BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeS
             result.loss = stages.once<MeshLoss>(
                 "loss", [&] { return loss_of(scene, MeshTracer(shape, Faces::front), s.cap, draft.rough, job); },
                 s.triangles, s.longest_edge, s.cap.lowest());
-            result.warnings = mesh_warnings(result.loss, std::min<size_t>(s.triangles, outside.mesh.triangle_count()),
-                                            shape.triangle_count(), scene.mesh_is_shell);
+            const size_t asked = std::min<size_t>(s.triangles, outside.mesh.triangle_count());
+            result.warnings =
+                mesh_warnings(result.loss, {asked, shape.triangle_count(), draft.exact}, scene.mesh_is_shell);
             return result;
         }
     }

@@ -38,7 +38,7 @@ struct PatchMesh {
 struct BuiltMesh {
     PatchMesh mesh;
     MeshLoss loss;
-    std::vector<std::string> warnings;  // sentences for the user: what is wrong, and what mends it
+    std::vector<MeshWarning> warnings;
 };
 
 struct MeshSettings {

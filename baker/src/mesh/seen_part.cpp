@@ -10,8 +10,6 @@ namespace lumi::baker
 namespace
 {
 
-// A triangle that none of so many rays meets counts as hidden. Where both of its sides count, each gets half of them.
-constexpr uint32_t kRays = 2048;
 constexpr uint32_t kSeenTriangles = 64;  // triangles of a task
 constexpr float kBeyondSphere = 2.5f;    // radii from a place within the sphere to where its rays begin, outside of it
 constexpr uint64_t kSeenSeed = 0x7365656E;
@@ -24,7 +22,7 @@ Vec3 place_on(const Mesh& mesh, uint32_t triangle, const Vec2& weights)
 
 enum class SeenFrom : uint8_t { front, back };
 
-bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle, SeenFrom side)
+bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle, SeenFrom side, uint32_t rays)
 {
     const Vec3 area = tracer.mesh().area_vector(triangle);
     if (!(length(area) > 0)) return false;
@@ -32,7 +30,7 @@ bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle, Se
     const float outside = side == SeenFrom::front ? 1.0f : -1.0f;
     const uint32_t step = tracer.faces() == Faces::both ? 2 : 1;
     Sampler sampler(kSeenSeed, triangle, 0);
-    for (uint32_t k = static_cast<uint32_t>(side); k < kRays; k += step) {
+    for (uint32_t k = static_cast<uint32_t>(side); k < rays; k += step) {
         sampler.start(k);
         const Vec3 place = place_on(tracer.mesh(), triangle, square_to_triangle(sampler.next_2d()));
         const Vec2 square = sampler.next_2d();
@@ -46,7 +44,7 @@ bool is_seen(const MeshTracer& tracer, const ViewCap& cap, uint32_t triangle, Se
 
 }  // namespace
 
-Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap)
+Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap, uint32_t rays)
 {
     struct Seen {
         bool front = false, back = false;
@@ -57,8 +55,8 @@ Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap)
     job.run((triangles + kSeenTriangles - 1) / kSeenTriangles, [&](uint32_t task) {
         const uint32_t end = std::min(triangles, (task + 1) * kSeenTriangles);
         for (uint32_t k = task * kSeenTriangles; k < end && !job.stopping(); ++k)
-            seen[k] = {is_seen(tracer, cap, k, SeenFrom::front),
-                       tracer.faces() == Faces::both && is_seen(tracer, cap, k, SeenFrom::back)};
+            seen[k] = {is_seen(tracer, cap, k, SeenFrom::front, rays),
+                       tracer.faces() == Faces::both && is_seen(tracer, cap, k, SeenFrom::back, rays)};
     });
     Mesh result;
     result.positions = mesh.positions;

@@ -9,9 +9,12 @@
 namespace lumi::baker
 {
 
-// The tracer's mesh without the triangles that nobody outside can see: each gets many rays, in many directions, before
-// it counts as such. Positions stay as they are. Where rays meet both faces, each side that is seen becomes a triangle
+// A triangle that none of so many rays meets counts as hidden. Where both of its sides count, each gets half of them.
+inline constexpr uint32_t kSeenRays = 2048;
+
+// The tracer's mesh without the triangles that nobody outside can see: each gets `rays`, in many directions, before it
+// counts as such. Positions stay as they are. Where rays meet both faces, each side that is seen becomes a triangle
 // that faces that way, so that the two can have colours of their own. The result is always a mesh of front faces.
-Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap = {});
+Mesh seen_part(const MeshTracer& tracer, Job& job, const ViewCap& cap = {}, uint32_t rays = kSeenRays);
 
 }  // namespace lumi::baker

@@ -71,8 +71,8 @@ SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, 
     built_ = std::make_unique<BuiltMesh>(built_mesh(scene.data(), mesh, stages, job));
     if (has_bending_glass(scene.data()))
         built_->warnings.push_back(
-            "the scene has bodies of glass: a surface field shows what they bend as a coarse colour that depends on "
-            "the view; give thin panes an opacity (d) instead");
+            {"the scene has bodies of glass: a surface field shows what they bend as a coarse colour that depends on "
+             "the view; give thin panes an opacity (d) instead"});
 }
 
 SurfaceDraft::~SurfaceDraft() = default;
@@ -91,7 +91,7 @@ const MeshLoss& SurfaceDraft::loss() const
     return built_->loss;
 }
 
-const std::vector<std::string>& SurfaceDraft::warnings() const
+const std::vector<MeshWarning>& SurfaceDraft::warnings() const
 {
     return built_->warnings;
 }

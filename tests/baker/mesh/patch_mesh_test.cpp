@@ -74,17 +74,20 @@ TEST_CASE("Leaves that are cut out of larger faces have a mesh", "[surface]")
 
 TEST_CASE("Rough and leaky meshes come with a warning each", "[surface]")
 {
-    CHECK(mesh_warnings({}, 1000, 1000, false).empty());
+    CHECK(mesh_warnings({}, {1000, 1000}, false).empty());
     MeshLoss loss;
     loss.missed = 0.0123;
-    CHECK_THAT(mesh_warnings(loss, 1000, 1000, false).at(0),
-               Catch::Contains("misses 1.2 %") && Catch::Contains("triangles"));
-    CHECK_THAT(mesh_warnings(loss, 1000, 1000, true).at(0),
-               Catch::Contains("misses 1.2 %") && Catch::Contains("chord"));
+    const std::vector<MeshWarning> of_surface = mesh_warnings(loss, {1000, 1000}, false);
+    CHECK_THAT(of_surface.at(0).text, Catch::Contains("misses 1.2 %") && Catch::Contains("thicken"));
+    CHECK(of_surface.at(0).more_triangles_help);
+    CHECK_FALSE(mesh_warnings(loss, {1000, 1000, true}, false).at(0).more_triangles_help);
+    const std::vector<MeshWarning> of_volume = mesh_warnings(loss, {1000, 1000}, true);
+    CHECK_THAT(of_volume.at(0).text, Catch::Contains("misses 1.2 %") && Catch::Contains("chord"));
+    CHECK_FALSE(of_volume.at(0).more_triangles_help);
     loss.rough = true;
     loss.holes = 3;
-    CHECK(mesh_warnings(loss, 1000, 1000, false).size() == 3);
-    CHECK_THAT(mesh_warnings(loss, 1000, 300, false).at(2), Catch::Contains("300 triangles where 1000"));
+    CHECK(mesh_warnings(loss, {1000, 1000}, false).size() == 3);
+    CHECK_THAT(mesh_warnings(loss, {1000, 300}, false).at(2).text, Catch::Contains("300 triangles where 1000"));
 }
 
 TEST_CASE("The rough simplifier does not step in silently", "[surface]")

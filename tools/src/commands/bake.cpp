@@ -168,7 +168,7 @@ private:
         if (!choice.plan.draft && options_.layout == Layout::surface) throw baker::BakeError(choice.against);
         // Where neither layout fits, the smaller of both sizes is the one to name.
         if (!takes && options_.fit.wanted()) require_chord_fit(options_.fit, context_);
-        warnings_ += tell_choice(choice, takes, json_);
+        warnings_ += tell_choice(choice, task, takes, json_);
         if (!takes) return false;
         write_plan(options_.fit, task, choice.plan);
         job.surface = choice.plan.settings;

@@ -175,9 +175,20 @@ void tell_machines(const BakeSummary& summary, const BakeOutcome& outcome)
     print_json(line);
 }
 
-std::vector<std::string> warnings_of(const SurfaceChoice& choice)
+// How a bake of this task gets more triangles than the plan has.
+std::string more_triangles(const planner::SurfaceTask& task, uint32_t planned)
 {
-    std::vector<std::string> warnings = choice.plan.draft->warnings();
+    if (task.triangles_by_hand || planned >= planner::kMostPlannedTriangles)
+        return "; or give more --triangles than " + std::to_string(planned);
+    return "; or give more bytes, which buy triangles: --fit " + std::to_string(2 * task.budget_bytes / 1000) + "kB";
+}
+
+std::vector<std::string> warnings_of(const SurfaceChoice& choice, const planner::SurfaceTask& task)
+{
+    std::vector<std::string> warnings;
+    for (const baker::MeshWarning& warning : choice.plan.draft->warnings())
+        warnings.push_back(warning.text +
+                           (warning.more_triangles_help ? more_triangles(task, choice.plan.settings.triangles) : ""));
     if (!choice.against.empty()) warnings.push_back(choice.against + "; --layout chord shows all of it");
     return warnings;
 }
@@ -192,7 +203,7 @@ std::string step_text(BakeStep step, int steps)
     return std::to_string(k + 1) + " of " + std::to_string(steps) + " " + kNames[k] + ": ";
 }
 
-size_t tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
+size_t tell_choice(const SurfaceChoice& choice, const planner::SurfaceTask& task, bool takes_surface, bool json)
 {
     if (json) {
         nlohmann::json line = {{"state", "planned"}, {"layout", takes_surface ? "surface" : "chord"}};
@@ -206,7 +217,7 @@ size_t tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json)
         std::printf("layout chord: %s\n", choice.against.c_str());
     }
     std::fflush(stdout);
-    const std::vector<std::string> warnings = takes_surface ? warnings_of(choice) : std::vector<std::string>{};
+    const std::vector<std::string> warnings = takes_surface ? warnings_of(choice, task) : std::vector<std::string>{};
     for (const std::string& warning : warnings) std::fprintf(stderr, "lumi: warning: %s\n", warning.c_str());
     return warnings.size();
 }

@@ -33,7 +33,7 @@ struct BakeSummary {
 
 // The layout, its reason and its figures, before the bake; what a surface will not show goes to stderr. Returns how
 // many warnings that were.
-size_t tell_choice(const SurfaceChoice& choice, bool takes_surface, bool json);
+size_t tell_choice(const SurfaceChoice& choice, const planner::SurfaceTask& task, bool takes_surface, bool json);
 
 // Both bake. For people: a bar or lines on stderr, a summary on stdout.
 void bake_for_people(const BakeSummary& summary);

@@ -20,7 +20,7 @@ using baker::SurfaceSettings;
 
 // Triangles come first: the mesh takes about two fifths of the bytes.
 constexpr double kBytesATriangle = 90;  // bytes of the budget; with split edges and view tables the mesh takes about 35
-constexpr double kFewestTriangles = 100, kMostTriangles = 6000;
+constexpr double kFewestTriangles = 100;
 constexpr double kMostForMesh = 0.5;  // share of the budget
 constexpr float kLongestEdge = 0.6f, kLongerEdge = 1.4f;
 
@@ -55,7 +55,7 @@ int finest_that_fits(const SurfaceDraft& draft, uint64_t budget)
 
 uint32_t triangles_for(double bytes)
 {
-    return static_cast<uint32_t>(std::clamp(bytes / kBytesATriangle, kFewestTriangles, kMostTriangles));
+    return static_cast<uint32_t>(std::clamp(bytes / kBytesATriangle, kFewestTriangles, double{kMostPlannedTriangles}));
 }
 
 // Splitting edges takes some kilobytes, however few triangles there are.

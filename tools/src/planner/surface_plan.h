@@ -12,6 +12,8 @@
 namespace lumi::planner
 {
 
+inline constexpr uint32_t kMostPlannedTriangles = 6000;  // more are asked for by hand
+
 struct SurfaceTask {
     uint64_t budget_bytes = 500'000;
     baker::SurfaceSettings settings;  // what is set by hand, and what a plan leaves alone

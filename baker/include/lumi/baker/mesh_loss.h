@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace lumi::baker
 {
@@ -17,6 +18,12 @@ struct MeshLoss {
     bool rough = false;         // simplified without regard to the shape's topology, because nothing else got there
     uint32_t holes = 0;         // regions of more than 2 pixels that its silhouettes lack, 24 of 240 × 240 pixels
     uint32_t largest_hole = 0;  // pixels
+};
+
+// A sentence for the user without its full stop: what is wrong with a mesh, and what mends it in the scene.
+struct MeshWarning {
+    std::string text;
+    bool more_triangles_help = false;  // so would settings with more triangles; false where the scene has no more
 };
 
 }  // namespace lumi::baker

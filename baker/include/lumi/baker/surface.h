@@ -57,7 +57,7 @@ public:
 
     uint32_t triangles() const;  // 0: there is no surface
     const MeshLoss& loss() const;
-    const std::vector<std::string>& warnings() const;  // what is wrong with the mesh, and what mends it
+    const std::vector<MeshWarning>& warnings() const;
     // The file's bytes if every vertex gets a view table. Throws BakeError for more texels than the format holds.
     uint64_t most_bytes(float texels_per_radius) const;
 
