@@ -6,6 +6,7 @@
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
+#include "mesh/copies.h"
 #include "mesh/edge_split.h"
 #include "mesh/outside.h"
 #include "mesh/rounded_mesh.h"
@@ -64,6 +65,17 @@ Mesh part_of(const Mesh& mesh, const Wanted& wanted)
         part.materials.push_back(mesh.materials[k]);
     }
     return part;
+}
+
+// A path meets one of the triangles at one place and goes on behind all of them.
+Mesh without_copies(Mesh mesh)
+{
+    const std::vector<uint32_t> first = first_copies(mesh);
+    std::vector<Mesh::Corners> kept;
+    for (uint32_t k = 0; k < first.size(); ++k)
+        if (first[k] == k) kept.push_back(mesh.corners[k]);
+    mesh.corners = std::move(kept);
+    return mesh;
 }
 
 // Whether light gets from a side of a triangle past all that is opaque.
@@ -156,9 +168,9 @@ void add_see_through(const SceneData& scene, const SceneData& opaque, const Mesh
                      Job& job)
 {
     const std::vector<bool> see_through = see_through_materials(scene);
-    const Mesh all = welded(part_of(
+    const Mesh all = without_copies(welded(part_of(
         scene.mesh,
-        [&](uint32_t material) { return see_through[material] && !is_invisible(scene.materials[material]); }));
+        [&](uint32_t material) { return see_through[material] && !is_invisible(scene.materials[material]); })));
     const auto stays = [](const Vec3& middle, const Vec3&, float) { return middle; };
     const Mesh few = with_short_edges(simplified(all, settings.triangles).mesh, settings.longest_edge, stays);
     append_see_through(mesh, assembled(rounded(open_sides(few, opaque, settings.cap, job)), settings.crease_cosine));
