@@ -6,10 +6,10 @@
 # both draw the frame list and pass the proof.
 set(LUMI_UNIT_TEST_CPUS cortex-m0plus cortex-m4)
 
-# Boards leave these unit tests of core out: they check the accuracy of frames in the list that every board draws, or need
-# threads.
-set(LUMI_UNIT_TEST_HOST_FILES chord/render_spans_test chord/extreme_chord_test surface/extreme_surface_test
-    surface/halves_threads_test)
+# Boards leave these unit tests of core out: they check the accuracy of frames in the list that every board draws.
+set(LUMI_UNIT_TEST_HOST_FILES chord/render_spans_test chord/extreme_chord_test surface/extreme_surface_test)
+# And these always: boards have no threads.
+set(LUMI_UNIT_TEST_THREAD_FILES surface/halves_threads_test)
 
 # Policies whose symbols and stacks the proof reads: all; every pair of two choices; each reconstruction once.
 set(LUMI_POLICIES_cortex-m0plus pairs)

@@ -59,6 +59,7 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
     const PixelSide to_upper = is_row ? PixelSide::right : PixelSide::below;
     const PixelSide to_lower = is_row ? PixelSide::left : PixelSide::above;
     const int32_t to_inner = inside_is_upper ? lines.stride : 0, to_outer = lines.stride - to_inner;
+    constexpr uint32_t kFarLevel = kFarDepth >> kMarkBits;
     const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1, words = rows.marks_words();
     uint8_t* line_at = rows.first + c.first * lines.pitch;
     int32_t at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;
@@ -70,8 +71,9 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
             const uint32_t inner = depth_at(at + to_inner) >> kMarkBits, outer = depth_at(at + to_outer) >> kMarkBits;
             const uint32_t edge = static_cast<uint32_t>(depth_q8) >> (8 + kMarkBits);
             // A surface in front of the edge hides it, and covers the outer sample too. The inner one may be much
-            // nearer than the edge: outlines lie where a surface is steepest. See-through triangles write no depth.
-            if (outer <= edge && (kIsSeeThrough ? inner <= edge : outer < inner)) {
+            // nearer than the edge: outlines lie where a surface is steepest. See-through triangles write no depth, so
+            // where they alone show, no opaque edge has its inside.
+            if (outer <= edge && (kIsSeeThrough ? inner <= edge : outer < inner && inner >= kFarLevel)) {
                 const bool cuts_lower = past_q8 < 128;
                 const uint32_t share = ((cuts_lower ? 128 - past_q8 : past_q8 - 128) + 4) >> 3;
                 if (share != 0) {
