@@ -186,7 +186,7 @@ extern "C" {
 
 @DECLARATION@
 /* What lumi.h sizes its memory by. */
-enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@ };
+enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_see_through = @SEE_THROUGH@ };
 
 #ifdef __cplusplus
 }
@@ -205,9 +205,10 @@ using @SYMBOL@_view = @VIEW@;
     result = replaced(result, "@ADDRESS@", address_text(address.value_or(0)));
     result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
     result = replaced(result, "@OPENER@", renderer.opener);
-    const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
+    const SeeThroughField none, &counted = field.is_surface() ? field.surface() : none;
     result = replaced(result, "@VERTICES@", std::to_string(counted.vertex_count));
     result = replaced(result, "@PATCHES@", std::to_string(counted.patch_count));
+    result = replaced(result, "@SEE_THROUGH@", std::to_string(counted.see_through_count));
     result = replaced(replaced(result, "@VIEW@", renderer.view), "@BYTES@", std::to_string(field.size()));
     return replaced(replaced(result, "@SYMBOL@", symbol), "@PURPOSE@", purpose);
 }
