@@ -31,6 +31,7 @@ SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
 # "tall": instructions in stripes of 24 rows; "halves": until two cores have prepared the frame.
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
+STRIPE_COUNTS = ["stripes", "view", "mode", "covered", "instructions", "crc"]
 # What one would do without this library: a title, the firmware, and the cores that it is counted on.
 BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
              ("paper 5×5 in float, FPU", "baseline_float_fpu", ["m4", "m7"]),
@@ -215,27 +216,45 @@ def surface_rows(options, boards):
     return rows, {**facts, "vertices": frames[0]["vertices"]}
 
 
-def pose_rows(options, boards):
-    """Of each core, mode and pixel: the mean and the dearest of the firmware's poses. All cores must draw the same."""
-    modes = [mode for mode in options.mode if mode in SURFACE_MODES]
+def counts_of_boards(options, boards, modes, word, names, subject_of):
+    """Yields board, field, pixel and counts. Frames of one subject have one CRC on all boards."""
     field = surface_field(options)
     frame = lab("frames", field, "--mode", modes[0], "--pixel", options.pixel[0], "--view", "generic")[0]
     kind = "see_through" if frame["see_through_patches"] else "surface"
-    rows, crcs = [], {}
+    crcs = {}
     for board in boards:
         board.build([f"{kind}_{pixel}" for pixel in options.pixel])
         for pixel in options.pixel:
-            counts = board.count(f"{kind}_{pixel}", field, ["poses", *modes], POSE_COUNTS)
+            counts = board.count(f"{kind}_{pixel}", field, [word, *modes], names)
             for count in counts:
-                subject = (pixel, count["mode"], count["pose"])
+                subject = (pixel, *(count[name] for name in subject_of))
                 if crcs.setdefault(subject, count["crc"]) != count["crc"]:
                     raise BenchError(f"{board.core} draws other bits than {boards[0].core}: {subject}")
-            for mode in modes:
-                costs = {count["pose"]: count["instructions"] / count["covered"] for count in counts if count["mode"] == mode}
-                worst = max(costs, key=costs.get)
-                rows.append({"field": field.stem, "file_bytes": field.stat().st_size, "core": board.core, "mode": mode,
-                             "pixel": pixel, "poses": len(costs), "mean": hundredths(sum(costs.values()) / len(costs)),
-                             "worst": hundredths(costs[worst]), "worst_pose": int(worst)})
+            yield board, field, pixel, counts
+
+
+def stripe_rows(options, boards):
+    """Of each core, mode, pixel, view and height of stripes."""
+    modes = [mode for mode in options.mode if mode in SURFACE_MODES]
+    subject = ("mode", "view", "stripes")
+    return [{"field": field.stem, "file_bytes": field.stat().st_size, "core": board.core, "mode": count["mode"], "pixel": pixel,
+             "view": count["view"], "stripe_rows": count["stripes"],
+             "instructions_per_pixel": hundredths(count["instructions"] / count["covered"])}
+            for board, field, pixel, counts in counts_of_boards(options, boards, modes, "stripes", STRIPE_COUNTS, subject)
+            for count in counts if count["view"] in options.view]
+
+
+def pose_rows(options, boards):
+    """Of each core, mode and pixel: the mean and the dearest of the firmware's poses. All cores must draw the same."""
+    modes = [mode for mode in options.mode if mode in SURFACE_MODES]
+    rows = []
+    for board, field, pixel, counts in counts_of_boards(options, boards, modes, "poses", POSE_COUNTS, ("mode", "pose")):
+        for mode in modes:
+            costs = {count["pose"]: count["instructions"] / count["covered"] for count in counts if count["mode"] == mode}
+            worst = max(costs, key=costs.get)
+            rows.append({"field": field.stem, "file_bytes": field.stat().st_size, "core": board.core, "mode": mode,
+                         "pixel": pixel, "poses": len(costs), "mean": hundredths(sum(costs.values()) / len(costs)),
+                         "worst": hundredths(costs[worst]), "worst_pose": int(worst)})
     return rows
 
 
@@ -257,25 +276,27 @@ def baseline_rows(options, boards):
 def renewed(old, rows):
     """The old rows, with those of `rows` in the place of what counts the same."""
     def subject(row):
-        names = ("field", "layout", "core", "mode", "texel", "pixel", "span", "view")
+        names = ("field", "layout", "core", "mode", "texel", "pixel", "span", "view", "stripe_rows")
         return tuple(row.get(name) for name in (names + ("file",) if "see_through_patches" in row else names))
 
     fresh = {subject(row): row for row in rows}
     return [fresh.pop(subject(row), row) for row in old] + list(fresh.values())
 
 
-def measure_poses(options, boards):
-    rows = pose_rows(options, boards)
+def measure_speed(options, name, rows):
+    """Rows for docs/log/data/speed.json."""
     if options.docs:
         data = load("speed")
-        save("speed", {**data, "poses": renewed(data.get("poses", []), rows)})
+        save("speed", {**data, name: renewed(data.get(name, []), rows)})
     return rows
 
 
 def measure(options):
     boards = [Board(core, options.work) for core in options.core]
     if options.poses:
-        return written(options, measure_poses(options, boards))
+        return written(options, measure_speed(options, "poses", pose_rows(options, boards)))
+    if options.stripes:
+        return written(options, measure_speed(options, "stripes", stripe_rows(options, boards)))
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
     is_see_through = "see_through_patches" in (facts or {})
@@ -302,7 +323,7 @@ def written(options, rows):
 
 
 def print_rows(rows):
-    columns = ["core", "mode", "texel", "pixel", "span", "view", "poses", "mean", "worst", "worst_pose", "instructions_per_pixel", "code_bytes", "stack_bytes",
+    columns = ["core", "mode", "texel", "pixel", "span", "view", "stripe_rows", "poses", "mean", "worst", "worst_pose", "instructions_per_pixel", "code_bytes", "stack_bytes",
                "psnr_db", "worst_pixel"]
     for row in rows:
         rates = [f"{key[4:]} {value:.1f} frames/s" for key, value in row.items() if key.startswith("fps_")]
@@ -341,6 +362,8 @@ def parse(arguments):
     parser.add_argument("--poses", action="store_true",
                         help="count a surface field from 200 poses, poles, rolls and 1.2 radii among them, in "
                         "stripes of 24 rows, and tell their mean and the dearest; --docs writes them into docs/log/data/speed.json")
+    parser.add_argument("--stripes", action="store_true",
+                        help="count a surface field in stripes of 2 to 24 rows; --docs as with --poses")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

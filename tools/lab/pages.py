@@ -54,6 +54,7 @@ TABLES = {
     "speed modes": scripts.speed_modes,
     "speed parts": scripts.speed_parts,
     "speed poses": scripts.speed_poses,
+    "speed stripes": scripts.speed_stripes,
     "speed halves": scripts.speed_halves,
     "see-through cost": scripts.see_through_cost,
     "volumes": scripts.volumes,

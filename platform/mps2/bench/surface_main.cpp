@@ -10,6 +10,8 @@
 // takes. The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes
 // (none: all). With `poses` in place of views, a line for each of them and mode, in stripes of kTallStripeHeight:
 //     pose 17 mode antialiased covered 42272 instructions 2345678 crc 1234abcd
+// With `stripes`, a line for each height in kStripeHeights, view and mode:
+//     stripes 4 view generic mode antialiased covered 42272 instructions 2345678 crc 1234abcd
 #include "loaded_view.h"
 #include "lumi/bench/poses.h"
 #include "lumi/detail/crc32.h"
@@ -156,6 +158,34 @@ bool report_poses(const BenchField& field, const Words& modes)
     return true;
 }
 
+constexpr int32_t kStripeHeights[] = {2, 4, 8, 12, 16, kTallStripeHeight};
+
+bool report_stripes(const View& view, const BenchField& field, const Words& modes)
+{
+    SurfaceCamera camera;
+    Camera rays;
+    if (make_surface_camera(view_pose(view), view_image(view), camera) != CameraError::none) return false;
+    if (make_view_camera(view, rays) != CameraError::none) return false;
+    for (const NamedSurfaceMode& mode : kSurfaceModes) {
+        if (!modes.contain(mode.name)) continue;
+        for (const int32_t height : kStripeHeights) {
+            TextLine line;
+            line.text("stripes ").decimal(static_cast<uint32_t>(height)).text(" view ").text(view.name);
+            line.text(" mode ").text(mode.name).text(" covered ").decimal(covered_pixels(rays));
+            line.text(" instructions ").decimal(count_frame(field, {camera, mode.mode}, height));
+            mps2::write(line.text(" crc ").hex32(detail::crc32(0, pixels, kSurfaceFrameBytes)).text("\n").c_str());
+        }
+    }
+    return true;
+}
+
+bool report_all_stripes(const BenchField& field, const Words& modes)
+{
+    for (const View& view : kViews)
+        if (!report_stripes(view, field, modes)) return false;
+    return true;
+}
+
 bool report_views(const BenchField& field, const Words& words)
 {
     Words views = {words.begin, words.begin};
@@ -175,8 +205,12 @@ int main(int argc, char** argv)
     if (!bench::open_loaded(open_surface, field)) return 1;
     mps2::start_instruction_counter();
     const bench::Words words = bench::words_of(argc, argv);
-    const bool has_poses = words.begin != words.end && std::strcmp(*words.begin, "poses") == 0;
-    const bool is_done =
-        has_poses ? bench::report_poses(field, {words.begin + 1, words.end}) : bench::report_views(field, words);
+    const auto begins_with = [&](const char* word) {
+        return words.begin != words.end && std::strcmp(*words.begin, word) == 0;
+    };
+    const bench::Words modes = {words.begin + 1, words.end};
+    const bool is_done = begins_with("poses")     ? bench::report_poses(field, modes)
+                         : begins_with("stripes") ? bench::report_all_stripes(field, modes)
+                                                  : bench::report_views(field, words);
     return is_done ? 0 : 1;
 }

@@ -86,6 +86,19 @@ def speed_poses():
                                                   for key in ("mean", "worst")), row["worst_pose"]])
 
 
+def speed_stripes():
+    rows = [row for row in load("speed")["stripes"] if row["mode"] == "antialiased" and row["view"] == "generic"]
+    heights = sorted({row["stripe_rows"] for row in rows})
+
+    def of_height(row, height):
+        found = [r for r in rows if r["stripe_rows"] == height and all(r[key] == row[key] for key in ("field", "core", "pixel"))]
+        return decimal(found[0]["instructions_per_pixel"]) if found else NONE
+    return table(["field", "bytes", "code", *(f"{height} rows" for height in heights)],
+                 [row for row in rows if row["stripe_rows"] == heights[0]], lambda row: [
+                     row["field"], row["file_bytes"], row["core"],
+                     *(of_height(row, height) for height in heights)])
+
+
 def speed_halves():
     """Instructions a covered pixel, and rates of the part that runs this code with two cores."""
     def rates(row):

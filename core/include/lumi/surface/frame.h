@@ -98,13 +98,17 @@ constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
 }
 
 // The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher. Where stripes do not
-// begin with bands of 16 or more, half of it: so few triangles are offered to a stripe that they do not reach.
+// begin with bands of 16 or more, half of it: so few triangles are offered to a stripe that they do not reach. Lower
+// stripes share bands of 16: of lower bands many triangles would reach more than a list can tell, and those are offered
+// to every stripe.
 constexpr uint32_t surface_band_log2(int32_t stripe_height_px)
 {
-    uint32_t log2 = 0;
+    constexpr uint32_t kLeast = 4;
+    if (stripe_height_px < 1 << kLeast) return kLeast;
+    uint32_t log2 = kLeast;
     while (log2 < 8 && (2 << log2) <= stripe_height_px) ++log2;
     const bool begins_bands = (stripe_height_px & ((1 << log2) - 1)) == 0;
-    return begins_bands || log2 < 4 ? log2 : log2 - 1;
+    return begins_bands ? log2 : log2 - 1;
 }
 
 // Bytes that a frame needs besides sizeof(SurfaceFrame).
