@@ -4,7 +4,7 @@
 //   --frames FOLDER  writes what the display shows, FOLDER/frame-0.bmp and on; without --drag it opens no window
 //   --drag X,Y       drags the mouse by so many pixels after the first frame, draws, and ends
 //   --rate FPS       waits as long between frames as a chip of that rate would draw
-//   --chip NAME      the same at the rate that `lumi inspect --rates` models for the field: rp2040, rp2350, stm32f4,
+//   --chip NAME      the same at the rate that `lumi inspect --screen` models for the field: rp2040, rp2350, stm32f4,
 //   ...
 #include "simulator.h"
 

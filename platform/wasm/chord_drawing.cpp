@@ -50,9 +50,9 @@ uint32_t drawing_bytes(int32_t, int32_t)
     return 0;
 }
 
-uint32_t device_bytes(int32_t, int32_t, uint32_t)
+uint32_t device_bytes(const host::ScreenSize&, uint32_t, DisplayFormat)
 {
-    return static_cast<uint32_t>(sizeof field + sizeof camera);
+    return host::chord_view_bytes(fits_spans(field));
 }
 
 ViewError look(const Pose& pose, const Image& image, const Style&, uint8_t*)

@@ -7,6 +7,7 @@
 
 #include "lumi/background.h"
 #include "lumi/camera.h"
+#include "lumi/host/view_memory.h"
 #include "lumi/pixel.h"
 #include "lumi/stripe.h"
 #include "lumi/view_error.h"
@@ -46,8 +47,8 @@ uint32_t drawing_modes();
 // Bytes of memory that look() takes for images of that size, whatever the style.
 uint32_t drawing_bytes(int32_t width_px, int32_t height_px);
 
-// Bytes of RAM that a firmware takes for the same frame, without its stripe of pixels.
-uint32_t device_bytes(int32_t width_px, int32_t height_px, uint32_t mode);
+// Bytes of the view with which a firmware draws the field, without its stripe of pixels.
+uint32_t device_bytes(const host::ScreenSize& screen, uint32_t mode, DisplayFormat format);
 
 // Prepares a frame in `memory`, of drawing_bytes(), at an address divisible by 8. Preconditions: a field is open,
 // style.mode < drawing_modes().

@@ -52,13 +52,11 @@ uint32_t drawing_bytes(int32_t width_px, int32_t height_px)
     return Layout(height_px).samples + surface_stripe_bytes_up_to(width_px, kStripeRows, SurfaceMode::two_by_two);
 }
 
-uint32_t device_bytes(int32_t width_px, int32_t height_px, uint32_t mode)
+uint32_t device_bytes(const host::ScreenSize& screen, uint32_t mode, DisplayFormat format)
 {
-    const bool has_glass = field.see_through_count != 0;
-    return static_cast<uint32_t>(has_glass ? sizeof frame : sizeof(SurfaceFrame)) +
-           see_through_order(field.see_through_count) * static_cast<uint32_t>(sizeof(uint32_t)) +
-           surface_frame_bytes(field.vertex_count, field.patch_count, height_px, kBandLog2) +
-           surface_stripe_bytes(width_px, kStripeRows, static_cast<SurfaceMode>(mode));
+    const host::SurfaceCounts counts = {field.vertex_count, field.patch_count, static_cast<SurfaceMode>(mode),
+                                        field.see_through_count};
+    return with_pixel(format, [&](auto pixel) { return host::surface_view_bytes<decltype(pixel)>(counts, screen); });
 }
 
 ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t* memory)

@@ -220,7 +220,9 @@ LUMI_EXPORT(draw_frame) uint32_t draw_frame(uint32_t mode, uint32_t format, uint
 LUMI_EXPORT(device_ram) uint32_t device_ram(uint32_t mode, uint32_t format)
 {
     if (!is_style(mode, format)) return 0;
+    const host::ScreenSize screen = {image.width_px, image.height_px, kStripeRows};
+    const auto shown = static_cast<DisplayFormat>(format);
     const uint32_t stripe =
-        static_cast<uint32_t>(image.width_px * kStripeRows) * pixel_bytes(static_cast<DisplayFormat>(format));
-    return device_bytes(image.width_px, image.height_px, mode) + stripe;
+        with_pixel(shown, [&](auto pixel) { return host::stripe_pixel_bytes<decltype(pixel)>(screen); });
+    return device_bytes(screen, mode, shown) + stripe;
 }

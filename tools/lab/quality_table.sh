@@ -49,7 +49,7 @@ figures() {
 
 # rates FIELD MODE: modelled frames a second by part, as JSON.
 rates() {
-  "$lumi" inspect "$1" --rates --json | python3 -c 'import json, sys
+  "$lumi" inspect "$1" --screen 240x240 --json | python3 -c 'import json, sys
 print(json.dumps({part: round(rate, 1) for part, rate in json.load(sys.stdin)["frames_per_second"][sys.argv[1]].items()}))' "$2"
 }
 

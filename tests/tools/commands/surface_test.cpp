@@ -143,16 +143,16 @@ TEST_CASE("report measures a surface field and tells how fast parts draw it")
                                         folder / "cache", "-o", folder / "r.html"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    CHECK_THAT(outcome.out, Catch::Contains("s.lumi: frames a second") && Catch::Contains("  antialiased RP2040 "));
+    CHECK_THAT(outcome.out, Catch::Contains("s.lumi: 240 x 240 pixels") && Catch::Contains("; RP2040 "));
     CHECK_THAT(test::content_of(folder / "r.html"), Catch::Contains("<td>surface<") || Catch::Contains("<td>surface"));
 }
 
-TEST_CASE("inspect --rates: every named part draws finer modes slower, of both kinds of fields")
+TEST_CASE("inspect --screen: every named part draws finer modes slower, of both kinds of fields")
 {
     const test::TemporaryFolder folder;
     test::write_content(folder / "c.lumi", test::field_bytes({100, 120, 100}));  // spans draw it
     const auto rates_of = [](const std::string& path) {
-        return nlohmann::json::parse(lumi({"inspect", path, "--rates", "--json"}).out)["frames_per_second"];
+        return nlohmann::json::parse(lumi({"inspect", path, "--screen", "240x240", "--json"}).out)["frames_per_second"];
     };
     const auto surface = rates_of(write_surface(folder)), chord = rates_of(folder / "c.lumi");
     for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3"}) {
@@ -162,8 +162,53 @@ TEST_CASE("inspect --rates: every named part draws finer modes slower, of both k
         CHECK(chord["nearest"][part] >= chord["linear"][part]);
         CHECK(chord["linear"][part] > chord["paper"][part]);
     }
-    const std::string text = lumi({"inspect", folder / "s.lumi", "--rates"}).out;
-    CHECK_THAT(text, Catch::Contains("one core, mean (worst) of ") && Catch::Contains("  antialiased RP2040 "));
+}
+
+TEST_CASE("inspect --screen --rows --for tells RAM, stack and rates of that screen and part, for people and as JSON")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = write_surface(folder);
+    const auto told = [&](const test::Arguments& more) {
+        return nlohmann::json::parse(lumi(joined({"inspect", field, "--json"}, more)).out);
+    };
+    const auto large = told({"--screen", "466x300", "--rows", "8", "--for", "esp32s3"}), usual = told({"--rows", "16"});
+    CHECK(large["screen"]["width_px"] == 466);
+    CHECK(large["screen"]["height_px"] == 300);
+    CHECK(large["screen"]["rows"] == 8);
+    CHECK(large["ram_bytes"]["2x2"]["stripe"] == 466 * 8 * 2);
+    CHECK(large["ram_bytes"]["2x2"]["view"] > large["ram_bytes"]["one-sample"]["view"]);
+    CHECK(large["stack_bytes"] == 3072);
+    CHECK(large["parts"].size() == 1);
+    CHECK(large["parts"]["esp32s3"]["estimated"] == true);
+    CHECK(usual["parts"].size() == 5);
+    CHECK(usual["parts"]["rp2040"]["estimated"] == false);
+    CHECK(large["frames_per_second"]["2x2"]["esp32s3"] < usual["frames_per_second"]["2x2"]["esp32s3"]);
+    CHECK(told({"--rows", "4"})["frames_per_second"]["2x2"]["rp2040"] < usual["frames_per_second"]["2x2"]["rp2040"]);
+    CHECK_FALSE(told({}).contains("ram_bytes"));
+
+    const std::string text = lumi({"inspect", field, "--screen", "466x466", "--for", "esp32s3@20fps,rp2040"}).out;
+    for (const char* word : {"466 x 466 pixels of 16 bits in stripes of 16 rows", "mean (worst) of 200 poses",
+                             "ESP32-S3* ", "14912 bytes; RP2040 ", "less than 3072 bytes of stack on Cortex-M",
+                             "* estimated", "ESP32-S3 at 20.0 frames a second: "})
+        CHECK_THAT(text, Catch::Contains(word));
+    CHECK_THAT(text, !Catch::Contains("STM32"));
+}
+
+TEST_CASE("a screen that no part has RAM for is told so, and a screen that none can be is refused")
+{
+    const test::TemporaryFolder folder;
+    const std::string field = write_surface(folder);
+    const std::string text = lumi({"inspect", field, "--screen", "2000x2000", "--rows", "100"}).out;
+    CHECK_THAT(text, Catch::Contains("STM32F407 too little RAM"));
+    for (const test::Arguments& wrong : {test::Arguments{"--screen", "466"},
+                                         {"--screen", "0x466"},
+                                         {"--rows", "0"},
+                                         {"--screen", "9000x10"},
+                                         {"--for", "z80"}}) {
+        const test::Outcome outcome = lumi(joined({"inspect", field}, wrong));
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains(wrong[0] + " takes"));
+    }
 }
 
 }  // namespace lumi::tools

@@ -35,16 +35,16 @@ tools::Eye eye_at(double azimuth, double elevation, double distance)
 TEST_CASE("a view of a cube loads what its faces show")
 {
     const SeeThroughField field = opened();
-    const SurfaceLoad front = load_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample);
+    const SurfaceLoad front = load_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample, 16);
     // The sphere's radius is √3 of the half edge: the front face lies 3 - 1/√3 away and is 2/√3 wide.
     const double focal = 120 / std::tan(21 * 3.14159265 / 180), side = focal * 1.1547 / (3 - 0.57735);
     CHECK(front.samples == Approx(side * side).epsilon(0.05));
     CHECK(front.seen == Approx(tools::test::small_surface().triangles / 6.0).epsilon(0.1));
-    const SurfaceLoad corner = load_of(field, eye_at(45, 35, 3), SurfaceMode::one_sample);
+    const SurfaceLoad corner = load_of(field, eye_at(45, 35, 3), SurfaceMode::one_sample, 16);
     CHECK(corner.seen > 2.7 * front.seen);
-    const SurfaceLoad fine = load_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two);
+    const SurfaceLoad fine = load_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two, 16);
     CHECK(fine.samples == Approx(4 * corner.samples));
-    CHECK(fine.scanlines == Approx(2 * corner.scanlines));
+    CHECK(fine.set_ups >= corner.set_ups);  // parts of large triangles are smaller on the image
 }
 
 TEST_CASE("modes of surface fields cost more from one sample to four, and nearer eyes more than far ones")
@@ -53,12 +53,37 @@ TEST_CASE("modes of surface fields cost more from one sample to four, and nearer
     for (const char* core : {"m4", "m0plus"}) {
         double before = 0;
         for (const SurfaceMode mode : kModes) {
-            const double cost = surface_instructions(core, mode, load_of(field, eye_at(45, 35, 3), mode));
+            const double cost = surface_instructions(core, mode, load_of(field, eye_at(45, 35, 3), mode, 16));
             CHECK(cost > before);
-            CHECK(cost > surface_instructions(core, mode, load_of(field, eye_at(45, 35, 6), mode)));
+            CHECK(cost > surface_instructions(core, mode, load_of(field, eye_at(45, 35, 6), mode, 16)));
             before = cost;
         }
     }
+}
+
+TEST_CASE("lower stripes set up more triangles, and more scanlines twice where outlines are blended")
+{
+    const SeeThroughField field = opened();
+    const tools::Eye eye = eye_at(45, 35, 3);
+    for (const SurfaceMode mode : kModes) {
+        const SurfaceLoad low = load_of(field, eye, mode, 4), usual = load_of(field, eye, mode, 16),
+                          whole = load_of(field, eye, mode, 240);
+        CHECK(low.set_ups > 1.2 * usual.set_ups);
+        CHECK(usual.set_ups > whole.set_ups);
+        CHECK(whole.set_ups >= whole.seen);
+        const double twice = mode == SurfaceMode::antialiased ? (1 + 2.0 / 4) / (1 + 2.0 / 16) : 1;
+        CHECK(low.samples == Approx(twice * usual.samples));
+        CHECK(low.outline == Approx(twice * usual.outline));
+        for (const char* core : {"m4", "m0plus"})
+            CHECK(surface_instructions(core, mode, low) > surface_instructions(core, mode, usual));
+    }
+}
+
+TEST_CASE("the display limits rates by its pixels")
+{
+    for (const PartRate& rate : surface_rates(opened(), SurfaceMode::one_sample, {466, 466, 16}))
+        CHECK(rate.mean <= display_frames_per_second(466 * 466) + 1e-9);
+    CHECK(display_frames_per_second(466 * 466) == Approx(18.0).epsilon(0.01));
 }
 
 TEST_CASE("rates of parts are means and worst cases, at most what the display takes")
@@ -79,7 +104,7 @@ TEST_CASE("see-through triangles cost more than the same ones opaque, and slow e
     glass.see_through_count = opaque.patch_count - half.patch_count;
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {
-        const SurfaceLoad whole = load_of(opaque, eye, mode), with_glass = load_of(glass, eye, mode);
+        const SurfaceLoad whole = load_of(opaque, eye, mode, 16), with_glass = load_of(glass, eye, mode, 16);
         CHECK(with_glass.samples + with_glass.see_through.samples == Approx(whole.samples));
         CHECK(with_glass.seen + with_glass.see_through.seen == Approx(whole.seen));
         CHECK(with_glass.see_through.samples > 0);

@@ -96,6 +96,10 @@ test('the memory of a firmware grows with screen and mode, and the field stays o
     return small;
   });
   assert.ok(ram.at(-1) >= ram[0]);
+  const {ram_bytes: told} = JSON.parse(execFileSync(lumi, ['inspect', field, '--screen', '240x240', '--json']));
+  data.modes.forEach(({name}, k) => {
+    if (told[name]) assert.equal(told[name].view + told[name].stripe, ram[k]);
+  });
   assert.equal(module.set_screen(0, 240), 0);
   assert.notEqual(module.draw_frame(0, 0, 0), 0);
   assert.notEqual(module.set_screen(2048, 2048), 0);

@@ -9,6 +9,7 @@
 #include "commands/fit_options.h"
 #include "commands/layout_options.h"
 #include "commands/scene_options.h"
+#include "commands/screen_options.h"
 #include "commands/surface_choice.h"
 #include "commands/surface_options.h"
 #include "files/output_file.h"
@@ -44,6 +45,7 @@ struct BakeOptions {
     Layout layout = Layout::automatic;
     baker::SurfaceSettings surface;
     FitOptions fit;
+    host::ScreenSize screen;
     std::string output, cap, shard;
     bool restart = false;
     ProgressStyle progress = ProgressStyle::automatic;
@@ -151,7 +153,7 @@ public:
         if (options_.layout == Layout::chord || !takes_surface(scene, job)) plan_chord(job);
         if (options_.fit.plan_only) return;
         const BakeSummary summary = {
-            scene, job, warnings_, start, options_.fit.paces, options_.layout != Layout::chord};
+            scene, job, warnings_, start, options_.fit.paces, screen(), options_.layout != Layout::chord};
         json_ ? bake_for_machines(summary) : bake_for_people(summary);
         work_is_done();
     }
@@ -184,6 +186,12 @@ private:
         }
         ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(BakeStep::planning, steps()));
         return surface_choice(scene, task, watch(printer));
+    }
+
+    std::optional<host::ScreenSize> screen() const
+    {
+        if (command_.count("--screen") == 0 && command_.count("--rows") == 0) return std::nullopt;
+        return options_.screen;
     }
 
     int steps() const { return options_.fit.plan_only ? 1 : options_.shard.empty() ? 3 : 2; }
@@ -280,6 +288,7 @@ void add_bake(CLI::App& lumi)
         ->check(whole_number(0, UINT64_MAX))
         ->capture_default_str();
     add_fit_options(*command, options->fit);
+    add_screen_options(*command, options->screen);
     add_scale_options(*command, *options);
     command->footer(
         "Without other options the field is a surface field of at most " +

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "commands/bake_summary.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "../planner/chord_speed.h"
-#include "../planner/surface_speed.h"
 #include "../quality/quick_check.h"
-#include "commands/rates.h"
+#include "commands/device_figures.h"
 #include "commands/surface_options.h"
-#include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
@@ -74,44 +70,6 @@ std::string check_line(double psnr_db)
     return text;
 }
 
-struct RatedMode {
-    const char* name;
-    double rate;  // frames a second, in the mean of all poses
-};
-
-// Best and dearest first.
-std::vector<RatedMode> rated_modes(const BakeSummary& summary, const planner::Chip& chip)
-{
-    const FieldFile file(summary.job.target, FieldFile::Role::own_output);
-    std::vector<RatedMode> modes;
-    const auto rate = [&](const char* name, const std::vector<planner::PartRate>& rates) {
-        for (const planner::PartRate& part : rates)
-            if (part.chip == &chip) modes.push_back({name, part.mean});
-    };
-    if (!file.is_surface())
-        for (const planner::ChordMode& mode : planner::chord_modes())
-            rate(mode.name, planner::chord_rates(file.field(), mode.mode));
-    else
-        for (const SurfaceMode mode : {SurfaceMode::two_by_two, SurfaceMode::antialiased, SurfaceMode::one_sample})
-            rate(name_of(mode), planner::surface_rates(file.surface(), mode));
-    return modes;
-}
-
-// The best mode that the part draws at that pace.
-std::string pace_line(const BakeSummary& summary, const planner::Pace& pace)
-{
-    const std::vector<RatedMode> modes = rated_modes(summary, *pace.chip);
-    const auto found = std::find_if(modes.begin(), modes.end(),
-                                    [&](const RatedMode& mode) { return mode.rate >= pace.frames_per_second; });
-    const bool reached = found != modes.end();
-    const RatedMode& mode = reached ? *found : modes.back();
-    char text[160];
-    std::snprintf(text, sizeof text, "%s at %.1f frames a second: %s%s (%.1f)%s\n", pace.chip->title,
-                  pace.frames_per_second, reached ? "by mode " : "in no mode, by ", mode.name, mode.rate,
-                  reached || !summary.job.surface ? "" : "; give fewer --triangles");
-    return text;
-}
-
 std::string next_line(const std::string& field)
 {
     const std::string picture = std::filesystem::path(field).stem().string() + ".png";
@@ -145,16 +103,24 @@ std::optional<double> checked_db_for_people(const BakeSummary& summary)
     return checked_db(summary, watch(printer));
 }
 
+// A chord field draws as fast as any of its size: it is told where it was asked.
+std::string device_lines(const BakeSummary& summary, const BakeOutcome& outcome)
+{
+    const bool has_screen = summary.screen.has_value();
+    if (summary.job.shard || !(outcome.surface || has_screen || !summary.paces.empty())) return "";
+    const FieldFile field(summary.job.target, FieldFile::Role::own_output);
+    const host::ScreenSize screen = summary.screen.value_or(host::ScreenSize());
+    std::string text = outcome.surface || has_screen ? device_text(field, {screen, {}}) : "";
+    for (const planner::Pace& pace : summary.paces) text += pace_text(field, pace, screen);
+    return text;
+}
+
 void tell_people(const BakeSummary& summary, const BakeOutcome& outcome)
 {
     std::string text = file_line(summary, outcome);
     if (outcome.surface) text += surface_text(*outcome.surface);
     if (const auto psnr_db = checked_db_for_people(summary)) text += check_line(*psnr_db);
-    if (outcome.surface) {
-        const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-        text += rates_text(field);
-    }
-    for (const planner::Pace& pace : summary.paces) text += pace_line(summary, pace);
+    text += device_lines(summary, outcome);
     if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
     std::fputs(text.c_str(), stdout);
 }

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <chrono>
-
+#include <optional>
 #include <vector>
 
 #include "../planner/speed.h"
 #include "commands/bake_job.h"
 #include "commands/surface_choice.h"
+#include "lumi/host/view_memory.h"
 
 namespace lumi::tools
 {
@@ -26,6 +27,7 @@ struct BakeSummary {
     size_t warnings;
     Clock::time_point start;
     const std::vector<planner::Pace>& paces;  // that the field should be drawn at
+    std::optional<host::ScreenSize> screen;   // that was asked for
     bool checks;  // whether it was planned by its mesh, and is judged by a few path-traced views
 
     int steps() const { return !checks ? 1 : job.shard ? 2 : 3; }

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
-#include "commands/rates.h"
+#include "commands/device_figures.h"
+#include "commands/pace_option.h"
+#include "commands/screen_options.h"
 #include "files/field_report.h"
 
 namespace lumi::tools
@@ -15,25 +17,40 @@ namespace
 
 struct InspectOptions {
     std::string field;
-    bool json = false, verify = false, rates = false;
+    bool json = false, verify = false, has_device = false;
+    host::ScreenSize screen;
+    std::vector<planner::Pace> paces;
 };
 
-// The report with "frames_per_second", by mode and part.
-std::string with_rates(const std::string& report, const FieldFile& file)
+Device device_of(const InspectOptions& options)
 {
+    Device device = {options.screen, {}};
+    for (const planner::Pace& pace : options.paces) device.parts.push_back(pace.chip);
+    return device;
+}
+
+std::string text_of(const InspectOptions& options, const FieldFile& file)
+{
+    std::string text = report_text(file, options.verify);
+    if (!options.has_device) return text;
+    text += device_text(file, device_of(options));
+    for (const planner::Pace& pace : options.paces) text += pace_text(file, pace, options.screen);
+    return text;
+}
+
+std::string json_of(const InspectOptions& options, const FieldFile& file)
+{
+    const std::string report = report_json(file, options.verify);
+    if (!options.has_device) return report;
     auto json = nlohmann::ordered_json::parse(report);
-    for (const ModeRates& mode : rates_of(file))
-        for (const planner::PartRate& part : mode.parts)
-            json["frames_per_second"][mode.mode][part.chip->key] = part.mean;
+    json.update(device_json(file, device_of(options)));
     return json.dump(2) + "\n";
 }
 
 void run(const InspectOptions& options)
 {
     const FieldFile file(options.field);
-    std::string text = options.json ? report_json(file, options.verify) : report_text(file, options.verify);
-    if (options.rates) text = options.json ? with_rates(text, file) : text + rates_text(file);
-    std::fputs(text.c_str(), stdout);
+    std::fputs((options.json ? json_of(options, file) : text_of(options, file)).c_str(), stdout);
     if (options.verify) file.require_intact();
 }
 
@@ -46,9 +63,16 @@ void add_inspect(CLI::App& lumi)
     command->add_option("FIELD", options->field, "A field file")->required();
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--verify", options->verify, "Check the CRC of every section; exit code 1 if one is damaged");
-    command->add_flag("--rates", options->rates, "How fast named parts draw it in each mode, by a model");
-    command->footer("Example:\n  lumi inspect product.lumi --verify");
-    command->callback([options] { run(*options); });
+    add_screen_options(*command, options->screen);
+    add_pace_option(*command, options->paces, "Of these parts: RAM, stack, and a model's frames a second");
+    command->footer(
+        "With --screen, --rows or --for it also tells what a device needs to draw the field.\n"
+        "Example:\n  lumi inspect product.lumi --verify\n  lumi inspect product.lumi --screen 466x466 --rows 8 --for "
+        "esp32s3");
+    command->callback([options, command] {
+        for (const char* name : {"--screen", "--rows", "--for"}) options->has_device |= command->count(name) > 0;
+        run(*options);
+    });
 }
 
 }  // namespace lumi::tools

@@ -9,9 +9,9 @@
 #include "../trade/page.h"
 #include "../trade/text.h"
 #include "commands/commands.h"
+#include "commands/device_figures.h"
 #include "commands/ladder.h"
 #include "commands/pace_option.h"
-#include "commands/rates.h"
 #include "commands/scene_options.h"
 #include "files/output_file.h"
 #include "program/choice.h"
@@ -95,7 +95,7 @@ void tell_quality(const ReportOptions& options, const quality::ReportData& repor
 {
     std::string text = options.json ? json_of(report) : text_of(report);
     if (!options.json)
-        for (const auto& field : fields) text += field->path() + ": " + rates_text(*field);
+        for (const auto& field : fields) text += field->path() + ": " + device_text(*field);
     std::fputs(text.c_str(), stdout);
     if (!options.output.empty()) write_output(options.output, page_of(report));
 }

@@ -6,7 +6,7 @@
 
 #include "commands/camera_options.h"
 #include "commands/commands.h"
-#include "commands/rates.h"
+#include "commands/device_figures.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "files/output_file.h"
@@ -50,11 +50,11 @@ std::vector<ShownMode> chord_modes(const Field& field)
 std::vector<ShownMode> modes_of(const FieldFile& file)
 {
     std::vector<ShownMode> modes = file.is_surface() ? surface_modes() : chord_modes(file.field());
-    const std::vector<ModeRates> all_rates = rates_of(file);
+    const std::vector<ModeFigures> all_figures = device_figures(file);
     for (ShownMode& mode : modes)
-        for (const ModeRates& rates : all_rates)
-            if (rates.mode == mode.name)
-                for (const planner::PartRate& part : rates.parts)
+        for (const ModeFigures& figures : all_figures)
+            if (figures.mode == mode.name)
+                for (const planner::PartRate& part : figures.parts)
                     mode.rates.push_back({part.chip->key, part.mean, part.worst});
     return modes;
 }

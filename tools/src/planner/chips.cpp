@@ -49,15 +49,17 @@ const std::array<Chip, kChips> kChipList = {{
      1050,
      "one core of two; Xtensa LX7, M4 counts stand in for its own; quad flash at 80 MHz",
      416 * kKiB,
-     2},
+     2,
+     0,
+     true},
 }};
 
-double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses)
+double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses, double pixels)
 {
     constexpr double kMega = 1e6, kNano = 1e-9;
     const double computing = static_cast<double>(instructions) * chip.clocks_per_instruction / (chip.clock_mhz * kMega);
     const double waiting = static_cast<double>(misses) * chip.miss_ns * kNano;
-    return 1 / std::max(computing + waiting, kDisplayBits / kDisplayHz);
+    return std::min(1 / (computing + waiting), display_frames_per_second(pixels));
 }
 
 double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t drawing, uint64_t misses)

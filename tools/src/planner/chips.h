@@ -26,20 +26,27 @@ struct Chip {
     CacheShape cache;
     double miss_ns;
     const char* remark;
-    uint32_t ram_bytes = 0;    // the longest piece on the chip: what one array can take at most
-    int cores = 1;             // remark and rates are of one
-    uint32_t flash_bytes = 0;  // that a field must fit where it lies inside the chip; 0: it lies outside
+    uint32_t ram_bytes = 0;     // the longest piece on the chip: what one array can take at most
+    int cores = 1;              // remark and rates are of one
+    uint32_t flash_bytes = 0;   // that a field must fit where it lies inside the chip; 0: it lies outside
+    bool is_estimated = false;  // instructions are those of a CPU with another instruction set
 };
 
 inline constexpr size_t kChips = 5;
 extern const std::array<Chip, kChips> kChipList;
 
-// A panel of 240 × 240 pixels of 16 bits behind SPI at 62.5 MHz, fed by DMA while the next stripe is drawn.
+// A panel with pixels of 16 bits behind SPI at 62.5 MHz, fed by DMA while the next stripe is drawn.
 inline constexpr double kDisplayHz = 62.5e6;
-inline constexpr double kDisplayBits = 240.0 * 240.0 * 16.0;
+inline constexpr double kBitsAPixel = 16;
+inline constexpr double kUsualPixels = 240 * 240;
+
+constexpr double display_frames_per_second(double pixels)
+{
+    return kDisplayHz / (kBitsAPixel * pixels);
+}
 
 // Whichever of drawing and sending takes longer limits the rate.
-double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses);
+double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses, double pixels = kUsualPixels);
 
 // Where two cores draw alternate stripes. `preparing`: instructions until the frame is prepared, by one of them or by
 // both; `drawing`: those of all stripes. They share cache and flash, so they wait as long as one does.

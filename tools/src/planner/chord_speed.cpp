@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planner/chord_speed.h"
 
+#include <algorithm>
 #include <iterator>
 #include <stdexcept>
 
@@ -74,23 +75,26 @@ size_t index_of_span(int32_t span_px)
     return span_px == 4 ? 0 : span_px == 8 ? 1 : 2;
 }
 
-constexpr int32_t kSidePx = 240;
 constexpr int32_t kTilePx = 8;  // spans are drawn in tiles of 8 × 8 pixels, exact pixels in rows
 
 // What a frame reads, in the order of drawing; addresses count from the first texel.
 class FrameReads
 {
 public:
-    FrameReads(const Field& field, bool by_spans) : field_(field), by_spans_(by_spans) {}
+    FrameReads(const Field& field, bool by_spans, const host::ScreenSize& screen)
+        : field_(field), by_spans_(by_spans), screen_(screen)
+    {
+    }
 
     template <class Reconstruction>
     void draw(const Camera& camera)
     {
-        const int32_t width = by_spans_ ? kTilePx : kSidePx, height = by_spans_ ? kTilePx : 1;
-        for (int32_t top = 0; top < kSidePx; top += height)
-            for (int32_t left = 0; left < kSidePx; left += width)
-                for (int32_t y = top; y < top + height; ++y)
-                    for (int32_t x = left; x < left + width; ++x) draw_pixel<Reconstruction>(camera, x, y);
+        const int32_t width = by_spans_ ? kTilePx : screen_.width_px, height = by_spans_ ? kTilePx : 1;
+        for (int32_t top = 0; top < screen_.height_px; top += height)
+            for (int32_t left = 0; left < screen_.width_px; left += width)
+                for (int32_t y = top; y < std::min(top + height, screen_.height_px); ++y)
+                    for (int32_t x = left; x < std::min(left + width, screen_.width_px); ++x)
+                        draw_pixel<Reconstruction>(camera, x, y);
     }
 
     const std::vector<Read>& reads() const { return reads_; }
@@ -124,23 +128,24 @@ private:
 
     const Field& field_;
     const bool by_spans_;
+    const host::ScreenSize& screen_;
     std::vector<Read> reads_;
     uint32_t pixels_ = 0;
 };
 
-Camera camera_of_generic_view()
+Camera camera_of_generic_view(const host::ScreenSize& screen)
 {
     const Orbit orbit = {degrees(37), degrees(23), radii(3)};
     Camera camera;
-    if (make_camera(pose_of(orbit), image_of(orbit, kSidePx, kSidePx), camera) != CameraError::none)
+    if (make_camera(pose_of(orbit), image_of(orbit, screen.width_px, screen.height_px), camera) != CameraError::none)
         throw std::logic_error("the rated view has no camera");
     return camera;
 }
 
-FrameReads reads_of(const Field& field, Mode mode, bool by_spans)
+FrameReads reads_of(const Field& field, Mode mode, bool by_spans, const host::ScreenSize& screen)
 {
-    FrameReads frame(field, by_spans);
-    const Camera camera = camera_of_generic_view();
+    FrameReads frame(field, by_spans, screen);
+    const Camera camera = camera_of_generic_view(screen);
     if (mode == Mode::paper)
         frame.draw<Paper<>>(camera);
     else if (mode == Mode::linear)
@@ -171,16 +176,17 @@ double chord_instructions(const std::string& core, Mode mode, const Field& field
     return sum;
 }
 
-std::vector<PartRate> chord_rates(const Field& field, Mode mode, int32_t span_px)
+std::vector<PartRate> chord_rates(const Field& field, Mode mode, int32_t span_px, const host::ScreenSize& screen)
 {
-    const FrameReads frame = reads_of(field, mode, span_px != 0 && is_drawn_by_spans(field));
+    const FrameReads frame = reads_of(field, mode, span_px != 0 && is_drawn_by_spans(field), screen);
+    const double pixels = 1.0 * screen.width_px * screen.height_px;
     const AllTraffic traffic = traffic_of(frame.reads());
     std::vector<PartRate> rates;
     for (size_t k = 0; k < kChips; ++k) {
         const Chip& chip = kChipList[k];
-        const double background = kSidePx * kSidePx * kBackground.of(chip.core == std::string("m0plus"));
+        const double background = pixels * kBackground.of(chip.core == std::string("m0plus"));
         const double instructions = frame.pixels() * chord_instructions(chip.core, mode, field, span_px) + background;
-        const double rate = frames_per_second(chip, static_cast<uint64_t>(instructions), traffic[k].misses);
+        const double rate = frames_per_second(chip, static_cast<uint64_t>(instructions), traffic[k].misses, pixels);
         rates.push_back({&chip, rate, rate, instructions});
     }
     return rates;

@@ -24,9 +24,10 @@ inline constexpr int32_t kRatedSpanPx = 8;
 double chord_instructions(const std::string& core, tools::Mode mode, const Field& field,
                           int32_t span_px = kRatedSpanPx);
 
-// Frames of 240 × 240 pixels a second by one core, of a view that the sphere fills. In the order of kChipList; mean and
-// worst are the same. Dither and true nearest points are taken to read what Nearest reads. Cost: the taps of such a
-// frame.
-std::vector<PartRate> chord_rates(const Field& field, tools::Mode mode, int32_t span_px = kRatedSpanPx);
+// Frames a second by one core, of a view that the sphere fills. Spans take more in stripes whose rows are no multiple
+// of 8, which the model does not know. In the order of kChipList; mean and worst are the same. Dither and true nearest
+// points are taken to read what Nearest reads. Cost: the taps of such a frame.
+std::vector<PartRate> chord_rates(const Field& field, tools::Mode mode, int32_t span_px = kRatedSpanPx,
+                                  const host::ScreenSize& screen = {});
 
 }  // namespace lumi::planner

@@ -11,9 +11,10 @@ namespace lumi::planner
 // Of triangles that face the eye.
 struct TriangleLoad {
     double seen = 0;       // how many they are
-    double scanlines = 0;  // lines of samples that they span, counted for each triangle
-    double samples = 0;    // samples that they fill, hidden ones too
-    double magnified = 0;  // samples of textures that are read bilinearly
+    double set_ups = 0;    // the same, and parts of large ones, counted in each stripe that they reach
+    double halvings = 0;   // what is looked at to make these parts, in each stripe
+    double samples = 0;    // samples that they fill, hidden ones too; twice where two stripes draw them
+    double magnified = 0;  // those of textures that are read bilinearly
 };
 
 // Triangles and patches are opaque ones, those of `see_through` left out.
@@ -26,7 +27,8 @@ struct SurfaceLoad : TriangleLoad {
     double see_through_patches = 0;
 };
 
-// Triangles in front of the eye are taken as planes seen in perspective; what a stripe or the image cuts is not known.
-SurfaceLoad load_of(const SeeThroughField& field, const tools::Eye& eye, SurfaceMode mode);
+// In stripes of so many scanlines. Triangles in front of the eye are taken as planes seen in perspective; what the
+// image cuts is not known.
+SurfaceLoad load_of(const SeeThroughField& field, const tools::Eye& eye, SurfaceMode mode, int32_t stripe_rows);
 
 }  // namespace lumi::planner

@@ -22,29 +22,30 @@ struct SeeThroughCosts {
     }
 };
 
-// Instructions a frame and a unit of load, fitted to counts of `lumi-lab bench`: the desk clock in four sizes, the test
-// card in two, finishes, a plain ball and three models, each in the views `generic` and `pole`. Frame, vertices,
-// patches, lit vertices and outlines are fitted to their parts of the counts, the others to what is left of the whole;
-// none below 0.
+// Instructions a frame and a unit of load, fitted to counts of `lumi-lab bench` in the views `generic` and `pole`:
+// frame, vertices, patches, lit vertices and outlines to their parts of the counts, of the desk clock in four sizes,
+// the test card in two, finishes, a plain ball and three models; set-ups, halvings and samples to the wholes that
+// surface_speed.h names; none below 0.
 struct Costs {
-    double frame, vertex, patch, lit, seen, scanline, sample, magnified, outline, image;
+    double frame, vertex, patch, lit, set_up, halving, sample, magnified, outline, image;
     SeeThroughCosts see_through;
 
     double of(const SurfaceLoad& load) const
     {
-        return frame + vertex * load.vertices + patch * load.patches + lit * load.lit + seen * load.seen +
-               scanline * load.scanlines + sample * load.samples + magnified * load.magnified + outline * load.outline +
-               image * load.image + see_through.of(load.see_through);
+        return frame + vertex * load.vertices + patch * load.patches + lit * load.lit + set_up * load.set_ups +
+               halving * (load.halvings + load.see_through.halvings) + sample * load.samples +
+               magnified * load.magnified + outline * load.outline + image * load.image +
+               see_through.of(load.see_through);
     }
 };
 
 // By SurfaceMode.
-constexpr Costs kM4[] = {{9120, 143, 208, 304, 762, 9.75, 28.9, 0, 0, 3.53, {3120, 79.4, 0}},
-                         {9120, 143, 242, 304, 692, 0, 52.1, 31.7, 320, 4.91, {3550, 99.9, 123}},
-                         {9120, 143, 208, 305, 664, 0, 42.7, 37.3, 0, 12.7, {6900, 63.5, 121}}};
-constexpr Costs kM0plus[] = {{15900, 231, 301, 585, 1210, 0, 43.3, 0, 0, 4.95, {4810, 136, 0}},
-                             {16700, 231, 366, 585, 985, 0, 77.6, 65.8, 482, 7.81, {5260, 171, 151}},
-                             {15900, 231, 302, 586, 914, 0, 59.6, 74.9, 0, 17.6, {9410, 110, 156}}};
+constexpr Costs kM4[] = {{9120, 143, 208, 304, 706, 2820, 22.2, 0, 0, 3.53, {3120, 79.4, 0}},
+                         {9120, 143, 242, 304, 652, 3800, 34.6, 28.2, 284, 4.91, {3550, 88.8, 109}},
+                         {9120, 143, 208, 305, 609, 3160, 39.5, 37.3, 0, 12.7, {6900, 63.5, 121}}};
+constexpr Costs kM0plus[] = {{15900, 231, 301, 585, 1060, 7730, 31.6, 0, 0, 4.95, {4810, 136, 0}},
+                             {16700, 231, 366, 585, 982, 9560, 50.1, 58.5, 428, 7.81, {5260, 152, 134}},
+                             {15900, 231, 302, 586, 925, 8390, 54.2, 74.9, 0, 17.6, {9410, 110, 156}}};
 
 }  // namespace
 
@@ -65,18 +66,21 @@ double surface_misses(const SurfaceLoad& load, double line_bytes)
            kTexelLines * (std::min(load.samples, load.image) + std::min(load.see_through.samples, load.image));
 }
 
-std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode)
+std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode, const host::ScreenSize& screen)
 {
     std::vector<SurfaceLoad> loads;
-    for (const quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, kRatedPoses))
-        loads.push_back(load_of(field, view.eye, mode));
+    for (quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, kRatedPoses)) {
+        const double fov_deg = host::framing_fov_deg(screen.width_px, screen.height_px, view.distance);
+        view.eye.image = host::make_image(screen.width_px, screen.height_px, fov_deg);
+        loads.push_back(load_of(field, view.eye, mode, screen.stripe_rows()));
+    }
     std::vector<PartRate> rates;
     for (const Chip& chip : kChipList) {
         PartRate rate = {&chip, 0, 1e9, 0};
         for (const SurfaceLoad& load : loads) {
             const auto instructions = static_cast<uint64_t>(surface_instructions(chip.core, mode, load));
             const auto misses = static_cast<uint64_t>(surface_misses(load, 1.0 * chip.cache.line_bytes));
-            const double fps = frames_per_second(chip, instructions, misses);
+            const double fps = frames_per_second(chip, instructions, misses, load.image);
             rate.mean += fps / static_cast<double>(loads.size());
             rate.worst = std::min(rate.worst, fps);
             rate.instructions += static_cast<double>(instructions) / static_cast<double>(loads.size());

@@ -5,29 +5,31 @@
 #include <string>
 #include <vector>
 
+#include "lumi/host/view_memory.h"
 #include "planner/chips.h"
 #include "planner/surface_load.h"
 
 namespace lumi::planner
 {
 
-// Instructions of a frame in RGB565 with the code of `core` ("m0plus", else M4 code). Within 10 % of 90 of the 132
-// counts that it was fitted to, 21 % in the worst (four samples of a plain ball); 9 % in the root mean square.
-// Triangles that are drawn in parts are unknown to the model, as they are large or cut by the image: nearer than two
-// radii, and for meshes of some hundred triangles, counts are up to twice as high. What see-through triangles add is
-// fitted to 48 counts of four fields: within 18 % of the frame, 8 % in the root mean square.
+// Instructions of a frame in RGB565 with the code of `core` ("m0plus", else M4 code). Fitted to 840 counts of
+// desk clocks of 30, 90 and 250 kB and test cards of 40 and 150 kB, 240 and 466 pixels a side, in stripes of 2 to 32
+// rows: within 10 % of 585 of them, 30 % in the worst; 9 % in the root mean square.
+// What the image cuts is unknown to the model: nearer than two radii counts are higher. What see-through triangles add
+// was fitted to 48 counts of four fields in stripes of 16 rows, without halvings: then within 18 % of the frame.
 double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceLoad& load);
 
 // Flash lines of so many bytes that a frame misses, about.
 double surface_misses(const SurfaceLoad& load, double line_bytes);
 
-// Frames of 240 × 240 pixels a second by one core, over poses all around the sphere.
+// Frames a second by one core, over poses all around the sphere.
 struct PartRate {
     const Chip* chip;
     double mean, worst;
     double instructions;  // a frame, in the mean
 };
-std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode);
+std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode,
+                                    const host::ScreenSize& screen = {});
 
 inline constexpr int kRatedPoses = 200;
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "draw/draw_surface.h"
-#include "lumi/surface/render.h"
 #include "planner/chord_speed.h"
+#include "planner/ram.h"
 #include "planner/surface_speed.h"
 #include "trade/front.h"
 
@@ -19,24 +19,6 @@ namespace
 using quality::Measured;
 using tools::FieldFile;
 using tools::Mode;
-
-constexpr int32_t kSidePx = 240, kStripeRows = 16;
-constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
-
-uint64_t surface_ram(const SeeThroughField& field, SurfaceMode mode)
-{
-    const size_t frame = field.see_through_count == 0 ? sizeof(SurfaceFrame) : sizeof(SeeThroughFrame);
-    return frame + uint64_t{see_through_order(field.see_through_count)} * sizeof(uint32_t) +
-           surface_frame_bytes(field.vertex_count, field.patch_count, kSidePx, kBandLog2) +
-           surface_stripe_bytes<PixelRgb565>(kSidePx, kStripeRows, mode);
-}
-
-uint64_t ram_of(const FieldFile& file, const quality::Way& way)
-{
-    constexpr uint64_t kStripe = uint64_t{kSidePx} * kStripeRows * PixelRgb565::kBytes;
-    return kStripe +
-           (file.is_surface() ? surface_ram(file.surface(), way.surface.mode) : sizeof(Field) + sizeof(Camera));
-}
 
 // Counted are spans of 4, 8 and 16 pixels, and the paper's kernel of 5 points a side.
 bool is_modelled(const tools::DrawSettings& chord)
@@ -98,7 +80,8 @@ bool fits(const planner::Chip& chip, const Row& row)
 
 Row row_of(const Measured& measured, const FieldFile& file, const std::vector<planner::Pace>& paces)
 {
-    Row row = {&measured, file.is_surface(), file.path(), "", "", "", "", ram_of(file, measured.way), {}};
+    Row row = {&measured, file.is_surface(), file.path(), "", "", "", "", 0, {}};
+    row.ram_bytes = planner::ram_of(file, measured.way.surface.mode, {}).all();
     set_words(row, measured.way);
     const std::vector<planner::PartRate> rates = rates_of(file, measured.way);
     for (const planner::Pace& pace : paces)

@@ -29,7 +29,7 @@ struct Row {
     std::string mode;            // "antialiased", "linear, S = 8"
     std::string render_options;  // of `lumi render`, that draw so
     std::string firmware;        // how the view that `lumi embed` writes draws so
-    uint64_t ram_bytes;          // a frame, and samples and pixels of a stripe of 16 rows
+    uint64_t ram_bytes;          // a view and a stripe of 16 rows (planner/ram.h)
     std::vector<PartFigures> parts;  // in the order of Trade::parts; empty for modes that no model knows
 };
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What a field takes on devices: RAM, stack, flash, and how fast named parts draw it by the planner's models.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "../planner/ram.h"
+#include "../planner/speed.h"
+#include "../planner/surface_speed.h"
+#include "files/field_file.h"
+
+namespace lumi::tools
+{
+
+// A screen, and the parts that drive it.
+struct Device {
+    host::ScreenSize screen;
+    std::vector<const planner::Chip*> parts;  // empty: all that have a model
+};
+
+struct ModeFigures {
+    const char* mode;
+    planner::Ram ram;
+    std::vector<planner::PartRate> parts;  // chord fields: the mean alone, of a view that the sphere fills
+};
+
+// Surface fields: from the fastest mode to the finest; chord fields: from the best to the fastest.
+std::vector<ModeFigures> device_figures(const FieldFile& file, const Device& device = {});
+
+// For people; ends with a line break.
+std::string device_text(const FieldFile& file, const Device& device = {});
+
+// Which mode the part draws at that pace, a line.
+std::string pace_text(const FieldFile& file, const planner::Pace& pace, const host::ScreenSize& screen = {});
+
+// "screen", "stack_bytes", "parts", and by mode "ram_bytes", "frames_per_second", "worst_frames_per_second".
+nlohmann::ordered_json device_json(const FieldFile& file, const Device& device = {});
+
+}  // namespace lumi::tools
