@@ -55,27 +55,28 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, con
 std::vector<MeshWarning> mesh_warnings(const MeshLoss& loss, const MeshCount& triangles, bool of_volume)
 {
     std::vector<MeshWarning> warnings;
-    const auto warn = [&](std::string text) { warnings.push_back({std::move(text), !triangles.all}); };
+    const auto warn = [&](std::string problem, const char* remedy = "") {
+        warnings.push_back({std::move(problem), remedy, !triangles.all});
+    };
     if (loss.missed > kMaxMissed) {
-        const std::string missed = "the mesh misses " + percent(loss.missed) + " of what can be seen: ";
-        if (of_volume)
-            warnings.push_back(
-                {missed + "what is soft or half transparent; a chord field shows that, but blurs the rest", false});
-        else
-            warn(missed + "thicken parts that are thinner than a pixel");
+        warn("the mesh misses " + percent(loss.missed) + " of what can be seen" +
+                 (of_volume ? ", which is soft or half transparent" : ""),
+             of_volume ? "take a chord field, which shows that, but blurs the rest"
+                       : "thicken parts that are thinner than a pixel");
+        if (of_volume) warnings.back().more_triangles_help = false;
     }
     if (loss.rough) {
-        warn(
-            "the scene could only be simplified roughly, since its surfaces are torn or run through each other: weld "
-            "its vertices, or give neighbouring faces one winding");
+        warn("the scene could only be simplified roughly, since its surfaces are torn or run through each other",
+             "weld its vertices, give neighbouring faces one winding");
     }
     if (static_cast<double>(triangles.got) < kFarShort * static_cast<double>(triangles.asked)) {
         warn("the mesh has " + std::to_string(triangles.got) + " triangles where " + std::to_string(triangles.asked) +
-             " were asked for: the shape cannot be simplified to that number");
+             " were asked for, since the shape cannot be simplified to that number");
     }
     if (loss.holes > 0) {
-        warn("the mesh has " + std::to_string(loss.holes) + " holes, the largest of " +
-             std::to_string(loss.largest_hole) + " pixels at 240 x 240");
+        warn("the mesh has " + std::to_string(loss.holes) +
+             (loss.holes == 1 ? " hole of " : " holes, the largest of ") + std::to_string(loss.largest_hole) +
+             " pixels at 240 x 240");
     }
     return warnings;
 }

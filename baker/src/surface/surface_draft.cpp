@@ -71,8 +71,8 @@ SurfaceDraft::SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, 
     built_ = std::make_unique<BuiltMesh>(built_mesh(scene.data(), mesh, stages, job));
     if (has_bending_glass(scene.data()))
         built_->warnings.push_back(
-            {"the scene has bodies of glass: a surface field shows what they bend as a coarse colour that depends on "
-             "the view; give thin panes an opacity (d) instead"});
+            {"the scene has bodies of glass, of which a surface field shows a coarse colour that depends on the view",
+             "give thin panes an opacity (d) instead"});
 }
 
 SurfaceDraft::~SurfaceDraft() = default;

@@ -62,12 +62,6 @@ LUMI_ALWAYS_INLINE int32_t over_area(int32_t length_q6, const Reciprocal& r)
     return (length_q6 * static_cast<int32_t>(r.mantissa)) >> (25 - r.leading);
 }
 
-LUMI_ALWAYS_INLINE int32_t extent(const Length& e)
-{
-    const int32_t x = magnitude(e.x_q6), y = magnitude(e.y_q6);
-    return x > y ? x : y;
-}
-
 // `longer_q6`: the longer side of the box around the triangle.
 LUMI_ALWAYS_INLINE Shares shares_of(Facing& f, uint32_t area, int32_t longer_q6)
 {

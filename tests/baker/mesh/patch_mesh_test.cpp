@@ -78,16 +78,18 @@ TEST_CASE("Rough and leaky meshes come with a warning each", "[surface]")
     MeshLoss loss;
     loss.missed = 0.0123;
     const std::vector<MeshWarning> of_surface = mesh_warnings(loss, {1000, 1000}, false);
-    CHECK_THAT(of_surface.at(0).text, Catch::Contains("misses 1.2 %") && Catch::Contains("thicken"));
+    CHECK_THAT(of_surface.at(0).problem, Catch::Contains("misses 1.2 %"));
+    CHECK_THAT(of_surface.at(0).remedy, Catch::Contains("thicken"));
     CHECK(of_surface.at(0).more_triangles_help);
     CHECK_FALSE(mesh_warnings(loss, {1000, 1000, true}, false).at(0).more_triangles_help);
     const std::vector<MeshWarning> of_volume = mesh_warnings(loss, {1000, 1000}, true);
-    CHECK_THAT(of_volume.at(0).text, Catch::Contains("misses 1.2 %") && Catch::Contains("chord"));
+    CHECK_THAT(of_volume.at(0).problem, Catch::Contains("misses 1.2 %"));
+    CHECK_THAT(of_volume.at(0).remedy, Catch::Contains("chord"));
     CHECK_FALSE(of_volume.at(0).more_triangles_help);
     loss.rough = true;
     loss.holes = 3;
     CHECK(mesh_warnings(loss, {1000, 1000}, false).size() == 3);
-    CHECK_THAT(mesh_warnings(loss, {1000, 300}, false).at(2).text, Catch::Contains("300 triangles where 1000"));
+    CHECK_THAT(mesh_warnings(loss, {1000, 300}, false).at(2).problem, Catch::Contains("300 triangles where 1000"));
 }
 
 TEST_CASE("The rough simplifier does not step in silently", "[surface]")

@@ -145,16 +145,22 @@ void tell_machines(const BakeSummary& summary, const BakeOutcome& outcome)
 std::string more_triangles(const planner::SurfaceTask& task, uint32_t planned)
 {
     if (task.triangles_by_hand || planned >= planner::kMostPlannedTriangles)
-        return "; or give more --triangles than " + std::to_string(planned);
-    return "; or give more bytes, which buy triangles: --fit " + std::to_string(2 * task.budget_bytes / 1000) + "kB";
+        return "give more --triangles than " + std::to_string(planned);
+    return "give more bytes, which buy triangles: --fit " + std::to_string(2 * task.budget_bytes / 1000) + "kB";
+}
+
+std::string text_of(const baker::MeshWarning& warning, const std::string& more)
+{
+    const bool has_both = !warning.remedy.empty() && warning.more_triangles_help;
+    const std::string remedies = warning.remedy + (has_both ? ", or " : "") + (warning.more_triangles_help ? more : "");
+    return warning.problem + (remedies.empty() ? "" : "; " + remedies);
 }
 
 std::vector<std::string> warnings_of(const SurfaceChoice& choice, const planner::SurfaceTask& task)
 {
+    const std::string more = more_triangles(task, choice.plan.settings.triangles);
     std::vector<std::string> warnings;
-    for (const baker::MeshWarning& warning : choice.plan.draft->warnings())
-        warnings.push_back(warning.text +
-                           (warning.more_triangles_help ? more_triangles(task, choice.plan.settings.triangles) : ""));
+    for (const baker::MeshWarning& warning : choice.plan.draft->warnings()) warnings.push_back(text_of(warning, more));
     if (!choice.against.empty()) warnings.push_back(choice.against + "; --layout chord shows all of it");
     return warnings;
 }

@@ -20,10 +20,12 @@ struct MeshLoss {
     uint32_t largest_hole = 0;  // pixels
 };
 
-// A sentence for the user without its full stop: what is wrong with a mesh, and what mends it in the scene.
+// For the user, each the part of a sentence.
 struct MeshWarning {
-    std::string text;
-    bool more_triangles_help = false;  // so would settings with more triangles; false where the scene has no more
+    std::string problem;
+    std::string remedy;  // in the scene, or by another layout; may be empty
+    bool more_triangles_help =
+        false;  // settings with more triangles are a remedy, too; not where the scene has no more
 };
 
 }  // namespace lumi::baker
