@@ -127,6 +127,14 @@ TEST_CASE("own files: bake keeps every file of its scene, under any name")
         check_input_kept("bake s.json -o " + std::string(name) + kTinyBake, name);
 }
 
+TEST_CASE("own files: a field that is given as a scene is called a field")
+{
+    const Workshop workshop;
+    const Outcome outcome = test::lumi({"bake", workshop.folder / "f.lumi"});
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("f.lumi: this is a field already; draw it by"));
+}
+
 TEST_CASE("own files: bake's checkpoint and its unfinished files spare the scene")
 {
     check_input_kept("bake p.part -o p --restart" + kTinyBake, "p.part");

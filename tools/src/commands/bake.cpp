@@ -93,6 +93,9 @@ std::string shard_name(const std::string& field, const baker::Shard& shard)
 std::string output_of(const BakeOptions& options)
 {
     if (!options.output.empty()) return options.output;
+    // Before the name counts as one that is read and written.
+    if (std::filesystem::path(options.scene.path).extension() == ".lumi")
+        throw Failure(options.scene.path, "this is a field already", "draw it by 'lumi view' or 'lumi render'");
     return std::filesystem::path(options.scene.path).stem().string() + ".lumi";
 }
 
