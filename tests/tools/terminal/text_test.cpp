@@ -61,6 +61,15 @@ TEST_CASE("quantities read with three digits in the largest fitting unit")
     CHECK(count_text(12) == "12");
 }
 
+TEST_CASE("words of a command are quoted where a shell needs it")
+{
+    CHECK(shell_word("fields/clock-2.lumi") == "fields/clock-2.lumi");
+    CHECK(shell_word("my clock.lumi") == "'my clock.lumi'");
+    CHECK(shell_word("$HOME;rm") == "'$HOME;rm'");
+    CHECK(shell_word("Tom's.lumi") == "'Tom'\\''s.lumi'");
+    CHECK(shell_word("") == "''");
+}
+
 TEST_CASE("durations read as clocks do")
 {
     CHECK(duration_text(0.4) == "0:00");

@@ -73,7 +73,7 @@ std::string check_line(double psnr_db)
 std::string next_line(const std::string& field)
 {
     const std::string picture = std::filesystem::path(field).stem().string() + ".png";
-    return "next: lumi render " + field + " -o " + picture + " --turntable 12\n";
+    return "next: lumi render " + shell_word(field) + " -o " + shell_word(picture) + " --turntable 12\n";
 }
 
 void warn_of_written(const BakeSummary& summary, const char* problem)

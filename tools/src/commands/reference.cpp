@@ -152,7 +152,7 @@ void look_through(const ReferenceOptions& options, const baker::Scene& scene, Vi
     if (options.save_pose.empty()) return;
     write_output(options.save_pose, text_of(view.pose));
     std::fprintf(stderr, "lumi: the same view of a field: lumi render FIELD --pose %s --fov %.4g\n",
-                 options.save_pose.c_str(), views.fov_deg);
+                 shell_word(options.save_pose).c_str(), views.fov_deg);
 }
 
 void run(ReferenceOptions options, const CLI::App& command)

@@ -94,12 +94,13 @@ std::string pair(const Measured& field, size_t v, const Reference& reference)
            "<figcaption><b>" + escaped(name) + "</b>: " + figures_text(field.figures[v]) + "</figcaption></figure>\n";
 }
 
-std::string view_part(const ReportData& report, size_t v)
+std::string view_part(const ReportData& report, const std::set<std::string>& pictured, size_t v)
 {
     const Reference& reference = report.references[v];
     std::string html = "<h3>View " + std::to_string(v + 1) + ": " + escaped(text_of(report.views[v])) +
                        "</h3>\n<div class=\"views\">\n" + figure(reference.picture, "reference");
-    for (const Measured& field : report.fields) html += pair(field, v, reference);
+    for (const Measured& field : report.fields)
+        if (pictured.empty() || pictured.count(field.name) != 0) html += pair(field, v, reference);
     return html + "</div>\n";
 }
 
@@ -124,8 +125,10 @@ std::string page_of(const ReportData& report, const PageLead& lead)
         title + "</title>\n<style>" + kPageStyle + lead.style + "</style></head><body>\n<h1>" + title + "</h1>\n" +
         lead.html + introduction(report) + mean_table(report) + "<h2>Where the bytes go</h2>\n";
     for (const Measured& field : report.fields) html += section_bar(field);
-    html += "<h2>Views</h2>\n<p>Each field's picture, and beside it its error, 4 times as bright.</p>\n";
-    for (size_t v = 0; v < report.views.size(); ++v) html += view_part(report, v);
+    html += std::string("<h2>Views</h2>\n<p>The picture of each field") +
+            (lead.pictured.empty() ? "" : " that is on a front") +
+            ", and beside it its error, 4 times as bright.</p>\n";
+    for (size_t v = 0; v < report.views.size(); ++v) html += view_part(report, lead.pictured, v);
     return html + "</body></html>\n";
 }
 

@@ -173,6 +173,13 @@ std::string duration_text(double seconds)
     return text;
 }
 
+std::string shell_word(const std::string& word)
+{
+    constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./+-:@%=,";
+    const bool is_plain = !word.empty() && word.find_first_not_of(kPlain) == std::string::npos;
+    return is_plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
+}
+
 std::string replaced(std::string text, const std::string& from, const std::string& to)
 {
     for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())

@@ -52,6 +52,9 @@ std::string count_text(double count);
 // "1:42" or "2:03:09".
 std::string duration_text(double seconds);
 
+// A word of a command that a POSIX shell takes as it is: in quotes where it holds what the shell reads otherwise.
+std::string shell_word(const std::string& word);
+
 // `text` with every `from` replaced by `to`.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 

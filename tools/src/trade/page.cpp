@@ -127,7 +127,11 @@ quality::PageLead lead_of(const Trade& trade, const quality::ReportData& report)
 {
     std::string html;
     for (size_t k = 0; k < trade.parts.size(); ++k) html += part_section(trade, k, report);
-    return {"Speed against accuracy", kTradeStyle, html + table(trade) + kModel + "<h2>Accuracy in detail</h2>\n"};
+    quality::PageLead lead = {
+        "Speed against accuracy", kTradeStyle, html + table(trade) + kModel + "<h2>Accuracy in detail</h2>\n", {}};
+    for (size_t k = 0; k < trade.rows.size(); ++k)
+        if (is_on_a_front(trade, k)) lead.pictured.insert(trade.rows[k].field);
+    return lead;
 }
 
 }  // namespace lumi::trade

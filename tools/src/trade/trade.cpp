@@ -147,10 +147,11 @@ std::vector<std::string> commands_of(const Trade& trade, const Row& row)
 {
     const std::string stem = std::filesystem::path(row.bake.empty() ? row.field : trade.scene).stem().string();
     const std::string field = row.bake.empty() ? row.field : stem + ".lumi";
+    const auto word = tools::shell_word;
     std::vector<std::string> commands;
-    if (!row.bake.empty()) commands.push_back("lumi bake " + trade.scene + " -o " + field + " " + row.bake);
-    commands.push_back("lumi render " + field + " -o " + stem + ".png " + row.render_options);
-    commands.push_back("lumi embed " + field + " -o " + stem + ".S");
+    if (!row.bake.empty()) commands.push_back("lumi bake " + word(trade.scene) + " -o " + word(field) + " " + row.bake);
+    commands.push_back("lumi render " + word(field) + " -o " + word(stem + ".png") + " " + row.render_options);
+    commands.push_back("lumi embed " + word(field) + " -o " + word(stem + ".S"));
     return commands;
 }
 
