@@ -19,6 +19,7 @@ images one pixel wide, poses moved beyond all numbers|signed overflow|core\.(a p
 outputs that name an input: itself, its MTL, a picture, a link|destroyed, exit code 0|tools\.(own files|a file guard|a symbolic link)
 field: every truncation, every single-byte change|nothing|core\.(every truncation and one|every single-byte change)
 surface field whose sliver takes depths for an outline's mark (fuzzing)|read beside the stripe's samples|fuzz\.field
+232,000 random frames on emulated boards (at 45b1679)|twice another pixel than in the whole frame|core\.(samples are hardly nearer|an opaque edge behind glass)
 weights of a filter: every truncation, every byte|nothing|tools\.weights (that are cut short|with any byte)|fuzz\.weights
 picture of 38 bytes (16-bit PNM); TGA of 18 bytes that claims 23,000²|read beyond the heap; 3.6 GB, 42 s|baker\.picture file: (other formats|sizes are checked)
 PNG, JPEG, HDR, EXR: every truncation|`.hdr` never ended|baker\.(picture file: every truncation|sky picture: every truncation)
