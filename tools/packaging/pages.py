@@ -41,13 +41,13 @@ class Command:
     def __init__(self, lumi, words=()):
         self.words, self.name = words, "-".join(["lumi", *words])
         text = subprocess.run([lumi, *words, "--help"], check=True, capture_output=True, text=True).stdout
-        head, *parts = re.split(r"^(Positionals|Options|Subcommands):\n", text, flags=re.MULTILINE)
+        head, *parts = re.split(r"^(?!Example)([A-Z][a-z ]+):\n(?=  )", text, flags=re.MULTILINE)
         self.description, self.usage = head.split("\nUsage: ")
         bodies = dict(zip(parts[::2], parts[1::2]))
         last = parts[-2]
         bodies[last], _, self.notes = bodies[last].partition("\n\n")
-        self.arguments, self.options, found = (self.items(bodies.get(title, "")) for title in
-                                               ("Positionals", "Options", "Subcommands"))
+        self.arguments, found = (self.items(bodies.pop(title, "")) for title in ("Positionals", "Subcommands"))
+        self.options = [item for body in bodies.values() for item in self.items(body)]
         self.commands = [Command(lumi, (*words, name)) for name, _ in found]
 
     @staticmethod
@@ -102,10 +102,11 @@ def value_cases(command):
             text += f'    {name},{name}) words="{below} {other.flags()}" ;;\n'
         for option, _ in other.options:
             flags, _, rest = option.partition(" ")
-            words = re.search(r"\{(.*?)\}", rest)
-            if words or re.search(r"INT|FLOAT", rest):
+            listed = re.search(r"\{(.*?)\}", rest) or re.fullmatch(r"([a-z0-9]+(?:\|[a-z0-9]+)+)(?:=.*)?", rest.strip())
+            if listed or re.search(r"INT|FLOAT", rest):
                 patterns = "|".join(f"{name},{flag}" for flag in flags.split(","))
-                text += f'    {patterns}) words="{words[1].replace(",", " ") if words else ""}" only=yes ;;\n'
+                words = " ".join(re.split(r"[|,]", listed[1])) if listed else ""
+                text += f'    {patterns}) words="{words}" only=yes ;;\n'
     return text
 
 

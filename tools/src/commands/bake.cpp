@@ -18,6 +18,7 @@
 #include "lumi/detail/lattice.h"
 #include "program/choice.h"
 #include "program/option_checks.h"
+#include "program/option_group.h"
 #include "terminal/failure.h"
 #include "terminal/json_progress.h"
 #include "terminal/progress_printer.h"
@@ -212,21 +213,46 @@ private:
     size_t warnings_ = 0;
 };
 
-void add_scale_options(CLI::App& command, BakeOptions& options)
+void add_work_options(CLI::App& command, BakeOptions& options)
 {
+    const OptionGroup group(command, "Work");
+    add_thread_option(command, options.scene);
+    command.add_option("--seed", options.settings.seed, "Seed of the random numbers")
+        ->type_name("K")
+        ->check(whole_number(0, UINT64_MAX))
+        ->capture_default_str();
     command
         .add_option("--shard", options.shard,
                     "Bake part K of COUNT only, into FIELD.lumi.K-of-COUNT.shard; `lumi merge` joins the parts")
         ->type_name("K/COUNT");
     command.add_flag("--restart", options.restart, "Discard the checkpoint of an earlier bake instead of going on");
     add_choice<ProgressStyle>(command, "--progress", options.progress,
-                              {{"auto", ProgressStyle::automatic}, {"json", ProgressStyle::json}}, "auto|json",
+                              {{"auto", ProgressStyle::automatic}, {"json", ProgressStyle::json}},
                               "auto: a bar, or lines where no terminal is; json: a line of JSON a second on stdout "
                               "[auto]");
 }
 
-void add_lattice_options(CLI::App& command, BakeOptions& options)
+void add_field_options(CLI::App& command, BakeOptions& options)
 {
+    const OptionGroup group(command, "Field");
+    command
+        .add_option("-o,--output", options.output,
+                    "Field file to write [the scene's name, .lumi, in the working folder]")
+        ->type_name("FIELD.lumi");
+    add_layout_option(command, options.layout);
+    command
+        .add_option("--cap", options.cap,
+                    "Bake what eyes in the uppermost part of the sphere see: a share such as 50% or 0.5, or for chord "
+                    "fields a number of origins from 2 on; from below, the object is then not seen, or only a part of "
+                    "it [all]")
+        ->type_name("F");
+    add_fit_options(command, options.fit);
+    add_screen_options(command, options.screen);
+}
+
+void add_chord_options(CLI::App& command, BakeOptions& options)
+{
+    const OptionGroup group(command, "Chord fields");
     baker::BakeSettings& settings = options.settings;
     const auto sizes = whole_number(1, detail::kMaxLatticeSize);
     command.add_option("--origins", settings.origins, "chord: points on the near side of the sphere, M")
@@ -237,25 +263,28 @@ void add_lattice_options(CLI::App& command, BakeOptions& options)
         ->type_name("N")
         ->check(sizes)
         ->capture_default_str();
-    command
-        .add_option("--cap", options.cap,
-                    "Bake what eyes in the uppermost part of the sphere see: a share such as 50% or 0.5, or for chord "
-                    "fields a number of origins from 2 on; from below, the object is then not seen, or only a part of "
-                    "it [all]")
-        ->type_name("F");
-    add_choice(command, "--texel", settings.texel, kTexelChoices, "FORMAT",
-               "chord: what a ray is stored as: " + words_of(kTexelChoices) + " [palette8]");
+    add_choice(command, "--texel", settings.texel, kTexelChoices, "chord: what a ray is stored as [palette8]");
     add_choice<baker::Footprint>(
         command, "--footprint", settings.footprint,
         {{"point", baker::Footprint::point}, {"origin", baker::Footprint::origin}, {"both", baker::Footprint::both}},
-        "point|origin|both",
         "chord: what a texel is the mean of: one ray, rays from all over the origin's cell, or also to "
         "all over the direction's [origin]");
     add_choice<baker::Beam>(command, "--beam", settings.beam,
                             {{"converging", baker::Beam::converging}, {"parallel", baker::Beam::parallel}},
-                            "converging|parallel",
                             "chord: how a texel's rays lie: all meet in the direction's point, or all have the "
                             "direction from point to point, as the LumiPath paper's [converging]");
+    command.add_option("--spp", settings.samples, "chord: light paths per texel, at most; more cost time, never bytes")
+        ->type_name("S")
+        ->check(whole_number(1, kMostPaths))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--adaptive", settings.max_error_levels,
+            "chord: end a texel before --spp paths, from 16 on, once its standard error is below this many steps of "
+            "255; 0: never")
+        ->type_name("LEVELS")
+        ->check(number(0, 255))
+        ->capture_default_str();
 }
 
 }  // namespace
@@ -265,34 +294,10 @@ void add_bake(CLI::App& lumi)
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command = lumi.add_subcommand("bake", "Path-trace a scene into a field file");
     add_scene_options(*command, options->scene);
-    command
-        ->add_option("-o,--output", options->output,
-                     "Field file to write [the scene's name, .lumi, in the working folder]")
-        ->type_name("FIELD.lumi");
-    add_lattice_options(*command, *options);
-    add_layout_option(*command, options->layout);
+    add_field_options(*command, *options);
     add_surface_options(*command, options->surface);
-    command
-        ->add_option("--spp", options->settings.samples,
-                     "chord: light paths per texel, at most; more cost time, never bytes")
-        ->type_name("S")
-        ->check(whole_number(1, kMostPaths))
-        ->capture_default_str();
-    command
-        ->add_option(
-            "--adaptive", options->settings.max_error_levels,
-            "chord: end a texel before --spp paths, from 16 on, once its standard error is below this many steps of "
-            "255; 0: never")
-        ->type_name("LEVELS")
-        ->check(number(0, 255))
-        ->capture_default_str();
-    command->add_option("--seed", options->settings.seed, "Seed of the random numbers")
-        ->type_name("K")
-        ->check(whole_number(0, UINT64_MAX))
-        ->capture_default_str();
-    add_fit_options(*command, options->fit);
-    add_screen_options(*command, options->screen);
-    add_scale_options(*command, *options);
+    add_chord_options(*command, *options);
+    add_work_options(*command, *options);
     command->footer(
         "Without other options the field is a surface field of at most " +
         byte_text(planner::SurfaceTask().budget_bytes) +

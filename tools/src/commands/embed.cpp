@@ -189,7 +189,7 @@ void add_embed(CLI::App& lumi)
                      "Where a .bin or .uf2 is flashed, as the processor sees it; the header then says it too")
         ->type_name("ADDRESS");
     add_choice<Uf2Family>(*command, "--family", options->family,
-                          {{"rp2040", Uf2Family::rp2040}, {"rp2350", Uf2Family::rp2350}}, "rp2040|rp2350",
+                          {{"rp2040", Uf2Family::rp2040}, {"rp2350", Uf2Family::rp2350}},
                           "The board of a .uf2 [rp2040]");
     command->footer(
         "Example:\n  lumi embed product.lumi -o product.S --symbol product_field\n"

@@ -45,7 +45,7 @@ void refuse(const char* option, const std::string& layout)
 
 void add_layout_option(CLI::App& command, Layout& layout)
 {
-    add_choice(command, "--layout", layout, kLayouts, "LAYOUT",
+    add_choice(command, "--layout", layout, kLayouts,
                "surface: a mesh that carries colours, by far the best for solid objects; chord: the paper's, for all "
                "scenes; auto: surface, unless a mesh does not do the scene justice [auto]");
 }

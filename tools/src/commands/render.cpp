@@ -124,7 +124,7 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
     add_choice<DisplayFormat>(
         command, "--pixel", options.drawing.display,
         {{"rgb888", DisplayFormat::rgb888}, {"rgb565", DisplayFormat::rgb565}, {"grey8", DisplayFormat::grey8}},
-        "FORMAT", "Display to preview: rgb888, rgb565 or grey8 [rgb888]");
+        "Display to preview [rgb888]");
 }
 
 }  // namespace

@@ -172,6 +172,7 @@ void add_report(CLI::App& lumi)
     CLI::App* command = lumi.add_subcommand(
         "report", "Measure how good fields look, from views that no bake aimed at, and what that costs");
     add_scene_options(*command, options->scene);
+    add_thread_option(*command, options->scene);
     command->add_option("FIELD", options->fields,
                         "Field files of the scene; with --for and none, fields of 60 kB to 4 MB are baked and kept in "
                         "the cache");
@@ -182,7 +183,7 @@ void add_report(CLI::App& lumi)
                     "Weigh accuracy against speed and memory on these parts, and recommend what to take");
     add_choice<quality::ViewSet>(
         *command, "--views", options->set,
-        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}}, "SET",
+        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}},
         "Where views lie: all around, upper half, or ring [all]");
     constexpr int kMaxViews = 100;
     command->add_option("--count", options->views, "Number of views")

@@ -10,6 +10,7 @@
 #include "image/png.h"
 #include "program/choice.h"
 #include "program/option_checks.h"
+#include "program/option_group.h"
 #include "terminal/interrupt.h"
 
 namespace lumi::tools
@@ -65,13 +66,14 @@ void set_sky(const std::string& word, SceneOptions& options)
 
 void add_scene_options(CLI::App& command, SceneOptions& options)
 {
+    const OptionGroup group(command, "Scene and light");
     command
         .add_option("SCENE", options.path,
                     "A scene file (.json); a model (.glb, .gltf, .stl, .ply, or .obj with its files beside it); or a "
                     "volume (.nii, .nii.gz, .vdb) with --iso")
         ->required();
     add_choice<std::optional<baker::UpAxis>>(command, "--up", options.up,
-                                             {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}}, "y|z",
+                                             {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}},
                                              "The scene's vertical axis [as the scene file says, or y; z of volumes]");
     command
         .add_option(
@@ -101,7 +103,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
         ->type_name("STOPS");
     add_choice<baker::ColourScale>(
         command, "--colours", options.colours,
-        {{"linear", baker::ColourScale::linear}, {"display", baker::ColourScale::display}}, "linear|display",
+        {{"linear", baker::ColourScale::linear}, {"display", baker::ColourScale::display}},
         "What Kd, Ks, Ke and Tf of MTL files are: linear light, or as a display shows them, "
         "which 3ds Max, SketchUp and Sweet Home 3D write [linear, with a warning where they look "
         "otherwise]");
@@ -109,6 +111,10 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
         .add_option("--frame", options.frame,
                     "Fit the sphere to the object, group, node or material of this name, and cut off what lies outside")
         ->type_name("NAME");
+}
+
+void add_thread_option(CLI::App& command, SceneOptions& options)
+{
     command.add_option("--threads", options.threads, "Threads to use [all]; the result is the same for any number")
         ->check(whole_number(0, kMostThreads))
         ->type_name("T");

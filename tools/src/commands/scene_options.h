@@ -24,9 +24,11 @@ struct SceneOptions {
     unsigned threads = 0;
 };
 
-// Adds SCENE, --up, --sky, --exposure, --colours, --frame, --iso, --pieces and --threads; parsed values go to
-// `options`, which must outlive the parse.
+// Adds SCENE, --up, --sky, --exposure, --colours, --frame, --iso and --pieces; parsed values go to `options`, which must
+// outlive the parse.
 void add_scene_options(CLI::App& command, SceneOptions& options);
+// Adds --threads.
+void add_thread_option(CLI::App& command, SceneOptions& options);
 
 // Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.
 baker::Scene load_scene(const SceneOptions& options, size_t& warnings);

@@ -5,12 +5,14 @@
 
 #include "lumi/surface/format.h"
 #include "program/option_checks.h"
+#include "program/option_group.h"
 
 namespace lumi::tools
 {
 
 void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
 {
+    const OptionGroup group(command, "Surface fields");
     command.add_option("--triangles", s.triangles, "surface: triangles of the mesh, before long edges are split")
         ->type_name("T")
         ->check(whole_number(1, 2 * detail::format::kMaxPatches))

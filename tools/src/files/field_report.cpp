@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,8 @@ namespace lumi::tools
 
 namespace
 {
+
+constexpr double kRounding = 1e-6;  // of binary32, as a share of the sphere's radius
 
 float float_from_bits(uint32_t bits)
 {
@@ -156,9 +159,14 @@ std::string report_text(const FieldFile& file, bool verify)
         append_chord(text, file.field());
     const std::string count = file.is_surface() ? std::to_string(file.surface().texel_bytes) + ", " : "";
     append_line(text, "  texels        %s%s, %s", count.c_str(), common.texel_format, common.colour_space);
-    append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", static_cast<double>(common.centre[0]),
-                static_cast<double>(common.centre[1]), static_cast<double>(common.centre[2]),
-                static_cast<double>(common.radius));
+    const auto radius = static_cast<double>(common.radius);
+    // What is 0 but for rounding is 0 to people.
+    const auto centre = [&](size_t k) {
+        const auto place = static_cast<double>(common.centre[k]);
+        return std::abs(place) < kRounding * radius ? 0 : place;
+    };
+    append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", centre(0), centre(1), centre(2),
+                radius);
     append_line(text, "  drawn by      %s", renderer_of(file).example.c_str());
     text += "  type      offset       bytes    share  CRC-32\n";
     for (const Section& section : file.sections()) append_section(text, file, section, verify);

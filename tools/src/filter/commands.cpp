@@ -170,6 +170,7 @@ void add_train(CLI::App& filter)
     CLI::App* command = filter.add_subcommand("train", "Train a filter for the pictures of one field");
     command->add_option("FIELD", options->field, "A field file of the scene")->required();
     add_scene_options(*command, options->scene);
+    add_thread_option(*command, options->scene);
     command->add_option("-o,--output", options->output, "Weights to write")->type_name("WEIGHTS")->required();
     command->add_flag("--json", options->json, "Print what the filter does to views as JSON");
     add_lesson_options(*command, *options);
@@ -230,6 +231,7 @@ void add_judge(CLI::App& filter)
     command->add_option("WEIGHTS", options->weights, "Weights that lumi filter train wrote")->required();
     command->add_option("FIELD", options->field, "The field that they are for")->required();
     add_scene_options(*command, options->scene);
+    add_thread_option(*command, options->scene);
     constexpr int kMaxViews = 100;
     command->add_option("--count", options->views, "Number of views")
         ->check(whole_number(1, kMaxViews))
@@ -304,6 +306,7 @@ void add_filter(CLI::App& lumi)
 {
     CLI::App* filter = lumi.add_subcommand("filter", "Learned filters: pictures of one field, closer to the truth");
     filter->require_subcommand(1);
+    filter->footer("Example:\n  lumi filter train product.lumi product.obj -o product.filter");
     add_train(*filter);
     add_judge(*filter);
 }

@@ -26,10 +26,10 @@ std::string words_of(const Choices<Value>& choices)
 // Adds an option that sets `value`, which must outlive the parse; another word is refused with the list.
 template <class Value>
 void add_choice(CLI::App& command, const std::string& name, Value& value, const Choices<Value>& choices,
-                const std::string& type, const std::string& description)
+                const std::string& description)
 {
     std::string listed;
-    for (const auto& choice : choices) listed += (listed.empty() ? "" : ",") + choice.first;
+    for (const auto& choice : choices) listed += (listed.empty() ? "" : "|") + choice.first;
     const auto set = [name, choices, &value](const std::string& word) {
         for (const auto& [choice, meaning] : choices)
             if (choice == word) {
@@ -38,7 +38,7 @@ void add_choice(CLI::App& command, const std::string& name, Value& value, const 
             }
         throw CLI::ValidationError(name, "takes " + words_of(choices) + ", not \"" + word + "\"");
     };
-    command.add_option_function<std::string>(name, set, description)->type_name(type + ":{" + listed + "}");
+    command.add_option_function<std::string>(name, set, description)->type_name(listed);
 }
 
 }  // namespace lumi::tools
