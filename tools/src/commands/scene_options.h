@@ -24,8 +24,8 @@ struct SceneOptions {
     unsigned threads = 0;
 };
 
-// Adds SCENE, --up, --sky, --exposure, --colours, --frame, --iso and --pieces; parsed values go to `options`, which must
-// outlive the parse.
+// Adds SCENE, --up, --sky, --exposure, --colours, --frame, --iso and --pieces; parsed values go to `options`, which
+// must outlive the parse.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 // Adds --threads.
 void add_thread_option(CLI::App& command, SceneOptions& options);
