@@ -33,6 +33,7 @@ struct Screen {
     static constexpr int32_t kWidthPx = kWidth;
     static constexpr int32_t kHeightPx = kHeight;
     static constexpr int32_t kRowsPx = kRows < kHeight ? kRows : kHeight;
+    static constexpr uint32_t kStripeBytes = static_cast<uint32_t>(kWidthPx * kRowsPx) * Pixel::kBytes;
 };
 
 }  // namespace lumi
@@ -63,6 +64,8 @@ class View
 public:
     using Pixel = typename ScreenOf::Pixel;
     using Mode = typename Drawing::Mode;
+    // Pixels of the highest stripe.
+    static constexpr uint32_t kStripeBytes = ScreenOf::kStripeBytes;
     // Memory for samples that a stripe takes. The view has one; a second core brings its own.
     using Samples = typename Drawing::template Samples<ScreenOf>;
     // What two cores share while they prepare a frame. One core needs none.

@@ -65,6 +65,28 @@ TEST_CASE("a host program finds the field's very bytes, aligned to 8, through th
     }
 }
 
+TEST_CASE("a program can hold a field's flash and RAM against its own limits when it is compiled")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "s.lumi", test::small_surface_bytes());
+    test::write_content(folder / "c.lumi", test::field_bytes({}));
+    for (const char* name : {"s", "c"})
+        REQUIRE(
+            lumi({"embed", folder / (std::string(name) + ".lumi"), "-o", folder / (std::string(name) + ".bin")}).code ==
+            0);
+    test::write_content(
+        folder / "main.cpp",
+        "#include \"s.h\"\n#include \"c.h\"\nusing namespace lumi;\n"
+        "static s_view<Screen<100, 80, 4>, SurfaceMode::one_sample> view;\n"
+        "static_assert(s_ram_bytes<decltype(view)> == sizeof view + 100 * 4 * 2, \"\");\n"
+        "static_assert(s_ram_bytes<> == sizeof(s_view<>) + 240 * 16 * 2, \"\");\n"
+        "static_assert(c_ram_bytes<c_view<Screen<9, 2, 4, PixelRgb888>>> == sizeof(c_view<>) + 54, \"\");\n"
+        "static_assert(s_flash_bytes == " +
+            std::to_string(test::small_surface_bytes().size()) + ", \"\");\nint main() {}\n");
+    require_success({LUMI_CXX_COMPILER, "-std=c++17", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror",
+                     "-fsyntax-only", "-I", LUMI_CORE_INCLUDE, folder / "main.cpp"});
+}
+
 TEST_CASE("an array in C holds the field's very bytes, in C and in C++")
 {
     const test::TemporaryFolder folder;

@@ -196,6 +196,11 @@ enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_se
 #include <@HEADER@>
 template <class Screen = lumi::Screen<>, @PARAMETERS@>
 using @SYMBOL@_view = @VIEW@;
+
+/* What it takes: flash, and RAM for a view and a stripe of its pixels. The stack is not counted. */
+constexpr uint32_t @SYMBOL@_flash_bytes = @BYTES@u;
+template <class View = @SYMBOL@_view<>>
+constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;
 #endif
 
 #endif
