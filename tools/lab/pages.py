@@ -61,6 +61,7 @@ TABLES = {
     "volume choices": scripts.volume_choices,
     "filter": scripts.filters,
     "skull": scripts.skull,
+    "small chip": scripts.small_chip,
     "devices": scripts.devices,
     "board memory": scripts.board_memory,
     "baker adaptive": scripts.baker_adaptive,

@@ -86,6 +86,21 @@ uint32_t SurfaceDraft::triangles() const
     return triangles;
 }
 
+uint32_t SurfaceDraft::vertices() const
+{
+    return static_cast<uint32_t>(built_->mesh.positions.size());
+}
+
+uint32_t SurfaceDraft::patches() const
+{
+    return static_cast<uint32_t>(built_->mesh.patches.size()) - see_through_patches();
+}
+
+uint32_t SurfaceDraft::see_through_patches() const
+{
+    return static_cast<uint32_t>(built_->mesh.see_through_patches);
+}
+
 const MeshLoss& SurfaceDraft::loss() const
 {
     return built_->loss;

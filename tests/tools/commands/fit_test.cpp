@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "support/program.h"
+#include "support/small_surface.h"
 #include "support/temporary_folder.h"
 
 namespace lumi::tools
@@ -45,6 +46,8 @@ TEST_CASE("a budget, a pace or a set of views that cannot be meant is refused wi
         {{"--fit", "1MB", "--layout", "chord", "--triangles", "64"}, "--layout chord"},
         {{"--plan", folder / "plan.json"}, "belongs to --fit"},
         {{"--for", "rp2040@30fps"}, "belongs to --fit"},
+        {{"--ram", "40kB"}, "belongs to --fit"},
+        {{"--fit", "1MB", "--ram", "much"}, "--ram takes a size below 4 GB such as 40kB"},
     };
     for (const auto& [options, hint] : calls) {
         const Outcome outcome = lumi(fit(output, options));
@@ -117,6 +120,39 @@ TEST_CASE("a plan alone writes no field, for machines it is JSON lines")
     size_t count = 0;
     for (std::string line; std::getline(lines, line); ++count) CHECK(nlohmann::json::parse(line).contains("state"));
     CHECK(count == 1);
+}
+
+TEST_CASE("--ram plans a mesh for it and says what is given up; where none fits, nothing is written")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path()), plan = folder / "plan.json";
+    const auto bake = [&](const Arguments& more) {
+        return lumi(
+            joined({"bake", scene, "--layout", "surface", "--plan-only", "--plan", plan, "--fit", "60kB"}, more));
+    };
+    REQUIRE(bake({"--ram", "900kB"}).code == 0);
+    const auto roomy = nlohmann::json::parse(test::content_of(plan));
+    CHECK(roomy["triangles_without_ram"] == 0);
+    const Outcome tight = bake({"--ram", std::to_string(roomy["ram_bytes"].get<uint64_t>() - 4000)});
+    INFO(tight.err);
+    REQUIRE(tight.code == 0);
+    const auto json = nlohmann::json::parse(test::content_of(plan));
+    CHECK(json["ram_bytes"] <= roomy["ram_bytes"].get<uint64_t>() - 4000);
+    CHECK(json["triangles_without_ram"] == roomy["triangles"]);
+    CHECK_THAT(tight.out, Catch::Contains("of RAM, for which it has fewer triangles than " +
+                                          std::to_string(roomy["triangles"].get<uint32_t>())));
+    const Outcome low = bake({"--ram", std::to_string(roomy["ram_bytes"].get<uint64_t>() - 4000), "--rows", "8"});
+    CHECK(low.code == 0);
+    CHECK(nlohmann::json::parse(test::content_of(plan))["triangles_without_ram"] == 0);
+    const std::string before = test::content_of(plan);
+    const Outcome none = bake({"--ram", "9kB"});
+    CHECK(none.code == 1);
+    CHECK_THAT(none.err, Catch::Contains("give more --ram, or fewer --rows"));
+    CHECK(test::content_of(plan) == before);
+    const Outcome chord =
+        lumi({"bake", scene, "-o", folder / "o.lumi", "--layout", "chord", "--fit", "60kB", "--ram", "5kB"});
+    CHECK(chord.code == 1);
+    CHECK_THAT(chord.err, Catch::Contains("give more RAM, or fewer --rows"));
 }
 
 TEST_CASE("a pace names the mode that reaches it, of a chord field too")

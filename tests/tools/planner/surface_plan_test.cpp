@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "planner/no_plan.h"
+#include "planner/ram.h"
 #include "support/small_surface.h"
 
 namespace lumi::planner
@@ -68,6 +69,43 @@ TEST_CASE("what is set by hand stays in a surface plan")
     CHECK(all.settings.texels_per_radius == 8);
     CHECK(all.most_bytes < 10'000);
     CHECK(options_of(all) == "--layout surface --triangles 60 --longest-edge 0.8 --texel-density 8");
+}
+
+TEST_CASE("a limit of RAM makes the mesh coarser, and the plan tells its RAM and what is given up")
+{
+    SurfaceTask task = surface_task_of(60'000);
+    task.ram = RamLimit{1'000'000, {240, 240, 8}};
+    const SurfacePlan roomy = planned(task);
+    CHECK(roomy.triangles_without_ram == 0);
+    const uint64_t least = ram_of(host::SurfaceCounts{0, 0, SurfaceMode::antialiased, 0}, task.ram->screen).all();
+    for (const uint64_t quarters : {3u, 2u}) {
+        task.ram->bytes = least + (roomy.ram_bytes - least) * quarters / 4;
+        const SurfacePlan tight = planned(task);
+        INFO(options_of(tight));
+        CHECK(tight.ram_bytes <= task.ram->bytes);
+        CHECK(tight.draft->triangles() < roomy.draft->triangles());
+        CHECK(tight.triangles_without_ram == roomy.draft->triangles());
+        CHECK(tight.settings.texels_per_radius >= roomy.settings.texels_per_radius);
+        CHECK(tight.most_bytes <= task.budget_bytes);
+    }
+    task.ram->bytes = least;
+    CHECK_THROWS_WITH(planned(task), Catch::Contains(std::to_string(least) + " without any") &&
+                                         Catch::Contains("give more --ram, or fewer --rows"));
+}
+
+TEST_CASE("the RAM of a plan is that of the field that it bakes")
+{
+    SurfaceTask task = surface_task_of(15'000);
+    task.ram = RamLimit{1'000'000, {}};
+    SurfacePlan plan = planned(task);
+    plan.settings.paths_per_texel = 1;
+    const baker::SurfaceBake baked =
+        baker::surface_field(tools::test::cube_scene(), plan.settings, {}, plan.draft.get());
+    SeeThroughField field;
+    REQUIRE(open_surface(baked.file.data(), baked.file.size(), field) == FieldError::none);
+    const host::SurfaceCounts counts = {field.vertex_count, field.patch_count, SurfaceMode::antialiased,
+                                        field.see_through_count};
+    CHECK(ram_of(counts, task.ram->screen).all() == plan.ram_bytes);
 }
 
 TEST_CASE("a size that no surface field fits into ends with the smallest that works")

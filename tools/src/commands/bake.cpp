@@ -127,6 +127,7 @@ planner::SurfaceTask surface_task(const BakeOptions& options, const CLI::App& co
     const bool is_planned = options.fit.wanted() || (!given("--triangles") && !given("--texel-density"));
     if (options.fit.wanted()) task.budget_bytes = options.fit.budget_bytes();
     if (!is_planned) task.budget_bytes = UINT32_MAX;
+    if (!options.fit.ram.empty()) task.ram = planner::RamLimit{options.fit.ram_bytes(), options.screen};
     task.triangles_by_hand = !is_planned || given("--triangles");
     task.density_by_hand = !is_planned || given("--texel-density");
     task.edge_by_hand = !is_planned || given("--longest-edge");
@@ -141,7 +142,7 @@ public:
           command_(command),
           json_(options.progress == ProgressStyle::json),
           chord_(settings_of(options)),
-          context_{command, chord_, options.cap, json_}
+          context_{command, chord_, options.cap, json_, options.screen}
     {
         check_fit(options.fit, context_);
     }
@@ -306,6 +307,7 @@ void add_bake(CLI::App& lumi)
         " with the defaults. A chord bake that was\nstopped, by Ctrl-C or otherwise, goes on with the same command.\n"
         "Example:\n  lumi bake product.obj\n"
         "  lumi bake product.obj -o product.lumi --fit 1MB --for rp2350@15fps\n"
+        "  lumi bake product.obj -o product.lumi --fit 250kB --ram 40kB --screen 240x240 --rows 8\n"
         "  lumi bake product.obj -o product.lumi --layout chord --origins 512 --directions 1024 --spp 32");
     command->callback([options, command] {
         options->layout = resolved_layout(*command, options->layout);

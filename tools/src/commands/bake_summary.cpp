@@ -181,10 +181,15 @@ size_t tell_choice(const SurfaceChoice& choice, const planner::SurfaceTask& task
         nlohmann::json line = {{"state", "planned"}, {"layout", takes_surface ? "surface" : "chord"}};
         if (!choice.against.empty()) line["reason"] = choice.against;
         if (takes_surface) line["options"] = options_of(choice.plan);
+        if (takes_surface && choice.plan.ram_bytes != 0) {
+            line["ram_bytes"] = choice.plan.ram_bytes;
+            line["triangles_without_ram"] = choice.plan.triangles_without_ram;
+        }
         print_json(line);
     } else if (takes_surface) {
-        std::printf("layout surface: %s\n  by hand: %s\n", text_of(choice.plan).c_str(),
-                    options_of(choice.plan).c_str());
+        const std::string ram = ram_text(choice.plan);
+        std::printf("layout surface: %s\n%s  by hand: %s\n", text_of(choice.plan).c_str(),
+                    ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(choice.plan).c_str());
     } else {
         std::printf("layout chord: %s\n", choice.against.c_str());
     }

@@ -13,13 +13,15 @@ namespace lumi::tools
 {
 
 struct FitOptions {
-    std::string budget, json;
+    std::string budget, ram, json;
     std::vector<planner::Pace> paces;
     bool plan_only = false;
 
     bool wanted() const { return !budget.empty(); }
     // Throws UsageError for a text that is no size. Precondition: wanted().
     uint64_t budget_bytes() const;
+    // The same for --ram. Precondition: it is given.
+    uint64_t ram_bytes() const;
 };
 
 // Adds --fit and what goes with it; `options` must outlive the parse.
@@ -31,6 +33,7 @@ struct FitContext {
     const baker::BakeSettings& common;  // samples, seed, threads, origins, directions, texel
     const std::string& cap;
     bool json_progress;
+    const host::ScreenSize& screen;
 };
 
 // Throws UsageError for options that cannot be meant: before the scene is loaded.

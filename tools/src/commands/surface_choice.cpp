@@ -53,6 +53,15 @@ SurfaceChoice surface_choice(const baker::Scene& scene, const planner::SurfaceTa
     }
 }
 
+std::string ram_text(const planner::SurfacePlan& plan)
+{
+    if (plan.ram_bytes == 0) return "";
+    const std::string given_up = plan.triangles_without_ram == 0 ? ", for which nothing is given up"
+                                                                 : ", for which it has fewer triangles than " +
+                                                                       std::to_string(plan.triangles_without_ram);
+    return byte_text(plan.ram_bytes) + " of RAM" + given_up;
+}
+
 std::string text_of(const planner::SurfacePlan& plan)
 {
     char text[120];

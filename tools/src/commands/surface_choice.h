@@ -26,5 +26,7 @@ SurfaceChoice surface_choice(const baker::Scene& scene, const planner::SurfaceTa
 
 // "about 5,500 triangles, 93.4 texels a radius, at most 499 kB".
 std::string text_of(const planner::SurfacePlan& plan);
+// "39.8 kB of RAM, for which it has fewer triangles than 3684"; empty where the plan has no limit of RAM.
+std::string ram_text(const planner::SurfacePlan& plan);
 
 }  // namespace lumi::tools

@@ -8,6 +8,7 @@
 #include "lumi/baker/bake.h"
 #include "lumi/surface/format.h"
 #include "planner/no_plan.h"
+#include "planner/ram.h"
 
 namespace lumi::planner
 {
@@ -79,12 +80,61 @@ bool shrink(const SurfaceTask& task, double share, SurfaceSettings& s)
     return true;
 }
 
+// As the view draws that `lumi embed` writes, unless a program says otherwise.
+constexpr SurfaceMode kPlannedMode = SurfaceMode::antialiased;
+
+uint64_t planned_ram(const SurfaceDraft& draft, const host::ScreenSize& screen)
+{
+    const host::SurfaceCounts counts = {draft.vertices(), draft.patches(), kPlannedMode, draft.see_through_patches()};
+    return ram_of(counts, screen).all();
+}
+
+// RAM that does not depend on the mesh.
+uint64_t least_ram(const host::ScreenSize& screen)
+{
+    return ram_of(host::SurfaceCounts{0, 0, kPlannedMode, 0}, screen).all();
+}
+
+// Makes the mesh of `settings` smaller, whose share of RAM is `needed` bytes and may be `room`: as shrink() does, but
+// to the size. False where it cannot be.
+bool shrink_to(double room, double needed, const SurfaceTask& task, SurfaceSettings& s)
+{
+    constexpr double kLeastStep = 0.95;  // so that there are few drafts
+    const double share = std::min(kLeastStep, room / needed);
+    if (!task.edge_by_hand && s.longest_edge < kLongestEdge) {
+        s.longest_edge = std::min(kLongestEdge, s.longest_edge / static_cast<float>(std::sqrt(share)));
+        return true;
+    }
+    if (task.triangles_by_hand || s.triangles <= kFewestTriangles) return false;
+    s.triangles = std::max(static_cast<uint32_t>(kFewestTriangles), static_cast<uint32_t>(s.triangles * share));
+    return true;
+}
+
+// Whether the plan's mesh keeps the limit of RAM; if not, its settings are made smaller. Throws NoPlan.
+bool keeps_ram(const SurfaceTask& task, SurfacePlan& plan)
+{
+    if (!task.ram) return true;
+    const host::ScreenSize& screen = task.ram->screen;
+    plan.ram_bytes = planned_ram(*plan.draft, screen);
+    if (plan.ram_bytes <= task.ram->bytes) return true;
+    if (plan.triangles_without_ram == 0) plan.triangles_without_ram = plan.draft->triangles();
+    const double least = static_cast<double>(least_ram(screen));
+    const double room = static_cast<double>(task.ram->bytes) - least,
+                 needed = static_cast<double>(plan.ram_bytes) - least;
+    if (room > 0 && shrink_to(room, needed, task, plan.settings)) return false;
+    throw NoPlan("view and stripe of " + std::to_string(screen.stripe_rows()) + " rows take " +
+                 std::to_string(plan.ram_bytes) + " bytes of RAM with a mesh of " +
+                 std::to_string(plan.draft->triangles()) + " triangles, " + std::to_string(least_ram(screen)) +
+                 " without any; give more --ram, or fewer --rows");
+}
+
 }  // namespace
 
 SurfacePlan plan_surface(const baker::Scene& scene, const SurfaceTask& task, const baker::ProgressCallback& progress)
 {
     const double budget = static_cast<double>(task.budget_bytes);
-    SurfacePlan plan = {task.settings, nullptr, 0};
+    SurfacePlan plan;
+    plan.settings = task.settings;
     if (!task.triangles_by_hand) plan.settings.triangles = triangles_for(budget);
     if (!task.edge_by_hand) plan.settings.longest_edge = edge_for(budget);
     baker::JobSeries trials(progress);
@@ -95,11 +145,12 @@ SurfacePlan plan_surface(const baker::Scene& scene, const SurfaceTask& task, con
         const float density = task.density_by_hand ? task.settings.texels_per_radius : density_of(coarsest);
         const uint64_t least = plan.draft->most_bytes(density);
         const double most = task.density_by_hand || task.triangles_by_hand ? budget : kMostForMesh * budget;
-        if (static_cast<double>(least) <= most) break;
-        if (shrink(task, static_cast<double>(least) / budget, plan.settings)) continue;
-        if (least <= task.budget_bytes) break;
-        throw NoPlan("nothing fits into " + std::to_string(task.budget_bytes) +
-                     " bytes; the smallest that works takes " + std::to_string(least) + " bytes");
+        const bool is_small = static_cast<double>(least) <= most;
+        if (!is_small && shrink(task, static_cast<double>(least) / budget, plan.settings)) continue;
+        if (!is_small && least > task.budget_bytes)
+            throw NoPlan("nothing fits into " + std::to_string(task.budget_bytes) +
+                         " bytes; the smallest that works takes " + std::to_string(least) + " bytes");
+        if (keeps_ram(task, plan)) break;
     }
     if (!task.density_by_hand)
         plan.settings.texels_per_radius = density_of(finest_that_fits(*plan.draft, task.budget_bytes));

@@ -56,6 +56,10 @@ public:
     SurfaceDraft& operator=(SurfaceDraft&&) noexcept;
 
     uint32_t triangles() const;  // 0: there is no surface
+    // What the field will have; patches are opaque ones, see-through ones besides.
+    uint32_t vertices() const;
+    uint32_t patches() const;
+    uint32_t see_through_patches() const;
     const MeshLoss& loss() const;
     const std::vector<MeshWarning>& warnings() const;
     // The file's bytes if every vertex gets a view table. Throws BakeError for more texels than the format holds.
