@@ -84,7 +84,7 @@ void add_baselines(CLI::App& lab)
     command->add_option("--bytes", options->bytes, "Flash for each of them")->required();
     tools::add_choice<quality::ViewSet>(
         *command, "--views", options->set,
-        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}}, "SET",
+        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}},
         "Where views lie [all]");
     command->add_option("--count", options->views, "Number of views")->capture_default_str();
     command->add_option("--spp", options->samples, "Light paths per pixel of the references")->capture_default_str();
