@@ -15,6 +15,7 @@
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {

@@ -8,6 +8,7 @@
 #include "planner/chord_speed.h"
 #include "planner/ram.h"
 #include "planner/surface_speed.h"
+#include "terminal/text.h"
 #include "trade/front.h"
 
 namespace lumi::trade
