@@ -122,7 +122,7 @@ TEST_CASE("a plan alone writes no field, for machines it is JSON lines")
     CHECK(count == 1);
 }
 
-TEST_CASE("--ram plans a mesh for it and says what is given up; where none fits, nothing is written")
+TEST_CASE("a bake for little RAM plans a mesh for it and says what is given up, and where none fits nothing is written")
 {
     const test::TemporaryFolder folder;
     const std::string scene = test::write_cube(folder.path()), plan = folder / "plan.json";
