@@ -59,9 +59,8 @@ class Pages(unittest.TestCase):
 
     def test_every_table_of_a_page_is_one_that_data_make(self):
         for page in pages.pages():
-            for _, kind, order, _ in pages.BLOCK.findall(page.read_text(encoding="utf-8")):
-                if kind == "table":
-                    self.assertIn(order.split(";")[0].strip(), pages.TABLES, page)
+            for _, order, _ in pages.BLOCK.findall(page.read_text(encoding="utf-8")):
+                self.assertIn(order.split(";")[0].strip(), pages.TABLES, page)
 
 
 if __name__ == "__main__":
