@@ -8,7 +8,7 @@
 using namespace lumi;
 using namespace lumi::detail;
 
-using ClockView = desk_clock_view<Screen<240, 160, 5, PixelBgr555>>;
+using ClockView = desk_clock_view<SharedSamples<Screen<240, 160, 5, PixelBgr555>>>;
 static ClockView view;
 __attribute__((section(".fast"))) static ClockView::Samples samples;  // these, and the code that fills them
 alignas(4) static uint8_t stripe[240 * 5 * 2];

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """core_names.py page | page_self_test | firmware COMPILER... | layouts COMPILER... | modes COMPILER...
+| samples COMPILER...
 
 Reads the names that core's public headers declare, from the headers themselves.
 
@@ -11,6 +12,7 @@ firmware        A firmware that has a global of its own for every name of namesp
                 that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
                 warnings as errors; then the headers alone, with warnings in them shown.
 modes           Compiles a firmware for each mode of surface fields, and fails where it links what another one takes.
+samples         Compiles a firmware whose views share samples, and two that must not compile and must say why.
 layouts         Compiles a firmware for each layout, and fails where it includes a header of the other one.
 """
 import collections
@@ -320,9 +322,38 @@ bool draws(const uint8_t* bytes)
     return problems
 
 
+SHARING = """#include <lumi/surface/view.h>
+using namespace lumi;
+using Panel = SharedSamples<Screen<>>;
+static View<SurfaceDrawing<100, 100, SurfaceMode::two_by_two>, Panel> fine;
+static View<SurfaceDrawing<300, 200>, Panel> plain;
+static SamplesFor<decltype(%s)> samples;
+bool draws(const Stripe& stripe)
+{
+    return plain.draw(stripe, OverBlack{}, samples) == ViewError::none && fine.draw(stripe%s) == ViewError::none;
+}
+"""
+SHARING_CASES = [("fine), decltype(plain", ", OverBlack{}, samples", ""),
+                 ("plain", ", OverBlack{}, samples", "the samples are too few for this view: see SamplesFor"),
+                 ("fine", "", "a view of SharedSamples draws with the samples that it is given")]
+
+
+def check_samples(compiler):
+    problems = []
+    for views, call, reason in SHARING_CASES:
+        done = subprocess.run([*compiler, "-std=c++17", "-fsyntax-only", "-I", str(INCLUDE), "-x", "c++", "-"],
+                              input=SHARING % (views, call), text=True, capture_output=True)
+        if bool(reason) != bool(done.returncode):
+            problems.append(f"samples for {views}, draw(stripe{call}): ended with {done.returncode}, {done.stderr}")
+        elif reason not in done.stderr:
+            problems.append(f"samples for {views}, draw(stripe{call}): not said: {reason}; but: {done.stderr}")
+    return problems
+
+
 def main(arguments):
     checks = {"page": check_page, "page_self_test": page_self_test}
-    compiler_checks = {"firmware": check_firmware, "layouts": check_layouts, "modes": check_modes}
+    compiler_checks = {"firmware": check_firmware, "layouts": check_layouts, "modes": check_modes,
+                       "samples": check_samples}
     if len(arguments) == 1 and arguments[0] in checks:
         problems = checks[arguments[0]]()
     elif len(arguments) > 1 and arguments[0] in compiler_checks:

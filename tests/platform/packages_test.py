@@ -265,7 +265,12 @@ def main(arguments):
             ("zephyr", ZEPHYR, CROSS, M0, ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"]),
             ("pico", PICO, CROSS, M0, ["-std=gnu++17", *COMMON[2:], "-Wall"])):
         sources, flags = listed(build, name, core, stub)
+        if name == "pico" and not {"-DPICO_STACK_SIZE=0x1000", "-DPICO_CORE1_STACK_SIZE=0x1000"} <= set(flags):
+            sys.exit(f"error: pico: the stacks are not of 4 kB: {flags}")
         build.compile(name, sources, [*cpu, "-Os", *COMMON[:2], *flags], std, prefix)
+    _, flags = listed(build, "pico", core, "set(LUMI_PICO_STACK_SIZE 0)" + PICO)
+    if any("STACK" in flag for flag in flags):
+        sys.exit(f"error: pico: a firmware cannot set its own stacks: {flags}")
     print("not installed, so not run: idf.py, west, pio, the Pico SDK, packchk")
 
 

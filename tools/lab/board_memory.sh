@@ -31,10 +31,10 @@ stack() {
         sed -n 's/.*chain takes \([0-9]*\) bytes.*/\1/p'
 }
 
-"$lumi" inspect "$field" | awk '
+"$lumi" inspect "$field" | awk -v bytes="$(stat --format=%s "$field")" '
     $1 == "vertices" { vertices = $2 + 0 }
     $1 == "mesh" { for (k = 2; k < NF; ++k) if ($(k + 1) ~ /^patches/) patches = $k }
-    END { printf "{\"vertices\": %d, \"patches\": %d}\n", vertices, patches }' >"$work/field"
+    END { printf "{\"bytes\": %d, \"vertices\": %d, \"patches\": %d}\n", bytes, vertices, patches }' >"$work/field"
 for cpu in "${cpus[@]}"; do
     mkdir "$work/$cpu"
     for source in $(sed -n 's/^  \(src[^)]*\).*/\1/p' "$root/core/sources.cmake") readme.cpp; do

@@ -34,12 +34,61 @@ struct Screen {
     static constexpr int32_t kHeightPx = kHeight;
     static constexpr int32_t kRowsPx = kRows < kHeight ? kRows : kHeight;
     static constexpr uint32_t kStripeBytes = static_cast<uint32_t>(kWidthPx * kRowsPx) * Pixel::kBytes;
+    static constexpr bool kHasSamples = true;
+};
+
+// The same screen for a view without memory for samples of its own: several views that draw in turn share one.
+//
+//     using Panel = SharedSamples<Screen<240, 240, 16>>;
+//     static clock_view<Panel> clock;
+//     static watch_view<Panel> watch;
+//     static SamplesFor<decltype(clock), decltype(watch)> samples;
+//     clock.draw(stripe, OverBlack{}, samples);
+//
+// From another draw() on, the samples are of that stripe: draw_coverage() comes before it.
+template <class ScreenOf>
+struct SharedSamples : ScreenOf {
+    static constexpr bool kHasSamples = false;
 };
 
 }  // namespace lumi
 
 namespace lumi::detail
 {
+
+// A view's own memory for samples, or none.
+template <class Samples, bool kHas>
+struct OwnSamples {
+    Samples samples{};
+};
+template <class Samples>
+struct OwnSamples<Samples, false> {
+};
+
+// Memory for so many bytes of samples.
+template <uint32_t kBytesOf>
+struct SampleMemory {
+    static constexpr uint32_t kBytes = kBytesOf;
+    uint32_t words[(kBytes + 3) / 4] = {};
+
+    uint32_t* data() { return words; }
+};
+template <>
+struct SampleMemory<0> {
+    static constexpr uint32_t kBytes = 0;
+
+    uint32_t* data() { return nullptr; }
+};
+
+constexpr uint32_t most_of(uint32_t only)
+{
+    return only;
+}
+template <class... More>
+constexpr uint32_t most_of(uint32_t first, More... more)
+{
+    return first > most_of(more...) ? first : most_of(more...);
+}
 
 // What of a stripe lies in the image; nothing where a side is 0.
 struct ImageSize {
@@ -66,7 +115,8 @@ public:
     using Mode = typename Drawing::Mode;
     // Pixels of the highest stripe.
     static constexpr uint32_t kStripeBytes = ScreenOf::kStripeBytes;
-    // Memory for samples that a stripe takes. The view has one; a second core brings its own.
+    // Memory for samples that a stripe takes. The view has one; a second core brings its own, and so does each core
+    // where the screen is SharedSamples.
     using Samples = typename Drawing::template Samples<ScreenOf>;
     // What two cores share while they prepare a frame. One core needs none.
     using Halves = typename Drawing::template Halves<ScreenOf>;
@@ -132,27 +182,36 @@ public:
     template <class Background>
     ViewError draw(const Stripe& stripe, const Background& background)
     {
-        return draw(stripe, background, samples_);
+        static_assert(ScreenOf::kHasSamples, "a view of SharedSamples draws with the samples that it is given");
+        return draw(stripe, background, own_.samples);
     }
-    // The same from several cores at once, each with samples of its own.
-    template <class Background>
-    ViewError draw(const Stripe& stripe, const Background& background, Samples& samples) const
+    // The same with other samples, those of this view or larger ones: from several cores at once, each with its own.
+    template <class Background, class SamplesOf>
+    ViewError draw(const Stripe& stripe, const Background& background, SamplesOf& samples) const
     {
+        static_assert(SamplesOf::kBytes >= Samples::kBytes, "the samples are too few for this view: see SamplesFor");
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
         detail::StripePart part = {};
         const ViewError error =
             detail::check_stripe(stripe, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, Pixel::kBytes, part);
-        return error == ViewError::none ? state_.draw(stripe, part, background, samples) : error;
+        return error == ViewError::none ? state_.draw(stripe, part, background, samples.data()) : error;
     }
 
     // A surface field's coverage of the stripe that was drawn last over OverNothing, a byte a pixel: see
     // render_coverage.
     ViewError draw_coverage(const Stripe& coverage)
     {
+        static_assert(ScreenOf::kHasSamples, "a view of SharedSamples draws with the samples that it is given");
+        return draw_coverage(coverage, own_.samples);
+    }
+    template <class SamplesOf>
+    ViewError draw_coverage(const Stripe& coverage, SamplesOf& samples) const
+    {
+        static_assert(SamplesOf::kBytes >= Samples::kBytes, "the samples are too few for this view: see SamplesFor");
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
         detail::StripePart part = {};
         const ViewError error = detail::check_stripe(coverage, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, 1, part);
-        return error == ViewError::none ? state_.draw_coverage(coverage, part, samples_) : error;
+        return error == ViewError::none ? state_.draw_coverage(coverage, part, samples.data()) : error;
     }
 
 private:
@@ -166,10 +225,14 @@ private:
     }
 
     typename Drawing::template State<ScreenOf> state_{};
-    Samples samples_{};
+    detail::OwnSamples<Samples, ScreenOf::kHasSamples> own_{};
     const uint8_t* bytes_ = nullptr;
     size_t size_ = 0;
     bool has_look_ = false;
 };
+
+// Samples for a stripe of each of these views, drawn in turn.
+template <class... Views>
+using SamplesFor = detail::SampleMemory<detail::most_of(Views::Samples::kBytes...)>;
 
 }  // namespace lumi

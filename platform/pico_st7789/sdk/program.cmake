@@ -9,7 +9,6 @@ function(lumi_pico_sdk_program name)
   add_executable(${name} ${ARGN} sdk/bus.cpp sdk/chip.cpp sdk/main.cpp ../mps2/firmware/text_line.cpp)
   set_source_files_properties(${main} PROPERTIES COMPILE_DEFINITIONS main=firmware_main)
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} sdk ../bare ../mps2/firmware)
-  target_compile_definitions(${name} PRIVATE PICO_STACK_SIZE=0x1000 PICO_CORE1_STACK_SIZE=0x1000)
   target_link_libraries(${name} PRIVATE pico_lumi pico_runtime pico_standard_link
     hardware_dma hardware_gpio hardware_spi hardware_timer hardware_uart)
   lumi_add_field(${name} FIELD ${LUMI_EXAMPLE_FIELD} SYMBOL desk_clock)

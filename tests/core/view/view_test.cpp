@@ -158,6 +158,53 @@ TEST_CASE("a second core draws the same with samples of its own")
            }) == expected));
 }
 
+TEST_CASE("views that share one buffer of samples draw, stripe by stripe in turn, what views with their own draw")
+{
+    using Panel = TestScreen<PixelRgb565>;
+    using Fine = SurfaceDrawing<98, 128, SurfaceMode::two_by_two>;
+    using Plain = SurfaceDrawing<200, 300>;  // another type: more memory, a coarser mode
+    static View<Fine, Panel> fine;
+    static View<Plain, Panel> plain;
+    static View<Fine, SharedSamples<Panel>> shared_fine;
+    static View<Plain, SharedSamples<Panel>> shared_plain;
+    static View<ChordDrawing<TexelRgb565>, SharedSamples<Panel>> rays_view;
+    static SamplesFor<decltype(shared_plain), decltype(rays_view), decltype(shared_fine)> samples;
+    static_assert(sizeof(samples) == sizeof(decltype(fine)::Samples));
+    static_assert(sizeof(fine) - sizeof(shared_fine) >= sizeof(samples) - 8);
+    static_assert(sizeof(plain) - sizeof(shared_plain) >= sizeof(decltype(plain)::Samples) - 8);
+
+    const Bytes bytes = ball(), rays = chord(TexelFormat::rgb565);
+    for (ViewError error : {fine.open(bytes.data(), bytes.size()), plain.open(bytes.data(), bytes.size()),
+                            shared_fine.open(bytes.data(), bytes.size()), shared_plain.open(bytes.data(), bytes.size()),
+                            rays_view.open(rays.data(), rays.size())})
+        REQUIRE(error == ViewError::none);
+    const Orbit other = {degrees(200), degrees(40), radii(3)};
+    for (ViewError error : {fine.look(kOrbit), plain.look(other), shared_fine.look(kOrbit), shared_plain.look(other),
+                            rays_view.look(kOrbit)})
+        REQUIRE(error == ViewError::none);
+
+    Bytes second(size_t{kWidth} * kHeight * 2), coverage(size_t{kWidth} * kRows), expected_coverage = coverage;
+    const auto same_place = [&](Stripe stripe) {
+        stripe.pixels = second.data() + static_cast<uint32_t>(stripe.y_px) * stripe.stride_bytes;
+        return stripe;
+    };
+    const Bytes first = frame_by<PixelRgb565>(kRows, [&](const Stripe& stripe) {
+        REQUIRE(shared_fine.draw(stripe, OverBlack{}, samples) == ViewError::none);
+        REQUIRE(rays_view.draw(same_place(stripe), OverBlack{}, samples) == ViewError::none);
+        REQUIRE(shared_plain.draw(same_place(stripe), OverNothing{}, samples) == ViewError::none);
+        REQUIRE(plain.draw(same_place(stripe), OverNothing{}) == ViewError::none);
+        const Stripe here = {coverage.data(), 0, stripe.y_px, kWidth, stripe.height_px, kWidth};
+        const Stripe there = {expected_coverage.data(), 0, stripe.y_px, kWidth, stripe.height_px, kWidth};
+        REQUIRE(shared_plain.draw_coverage(here, samples) == ViewError::none);
+        REQUIRE(plain.draw_coverage(there) == ViewError::none);
+        CHECK(coverage == expected_coverage);
+        REQUIRE(shared_plain.draw(same_place(stripe), OverBlack{}, samples) == ViewError::none);
+    });
+    CHECK((first == frame_of<PixelRgb565>(fine)));
+    CHECK((second == frame_of<PixelRgb565>(plain)));
+    CHECK(first != second);
+}
+
 TEST_CASE("a surface field at an odd address draws the same")
 {
     static BallView<PixelRgb565> view;

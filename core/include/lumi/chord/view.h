@@ -58,9 +58,8 @@ struct ChordDrawing {
     using Mode = int32_t;
     static constexpr Mode kDefaultMode = 16;
 
-    template <class ScreenOf>
-    struct Samples {
-    };
+    template <class>
+    using Samples = detail::SampleMemory<0>;
     template <class>
     using Halves = detail::NoHalves;
 
@@ -84,8 +83,7 @@ struct ChordDrawing {
         PixelRect bounds() const { return detail::covered_rectangle(state_.camera); }
 
         template <class Background>
-        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background,
-                       Samples<ScreenOf>&) const
+        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background, uint32_t*) const
         {
             const RenderError error = render_spans<Reconstruction, Texel, typename ScreenOf::Pixel>(
                 state_.field, state_.camera, background, stripe, span_px_);
@@ -105,9 +103,8 @@ struct ExactChordDrawing {
     };
     static constexpr Mode kDefaultMode = {};
 
-    template <class ScreenOf>
-    struct Samples {
-    };
+    template <class>
+    using Samples = detail::SampleMemory<0>;
     template <class>
     using Halves = detail::NoHalves;
 
@@ -125,8 +122,7 @@ struct ExactChordDrawing {
         PixelRect bounds() const { return detail::covered_rectangle(state_.camera); }
 
         template <class Background>
-        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background,
-                       Samples<ScreenOf>&) const
+        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background, uint32_t*) const
         {
             const RenderError error = render<Reconstruction, Texel, typename ScreenOf::Pixel>(
                 state_.field, state_.camera, background, stripe);

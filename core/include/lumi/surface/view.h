@@ -73,11 +73,11 @@ struct SurfaceDrawing {
     static constexpr Mode kDefaultMode = kFinest;
 
     template <class ScreenOf>
-    struct Samples {
-        static constexpr uint32_t kBytes =
-            surface_stripe_bytes_up_to<typename ScreenOf::Pixel>(ScreenOf::kWidthPx, ScreenOf::kRowsPx, kFinest);
-        uint32_t words[(kBytes + 3) / 4] = {};
-    };
+    static constexpr uint32_t kSampleBytes = surface_stripe_bytes_up_to<typename ScreenOf::Pixel>(ScreenOf::kWidthPx,
+                                                                                                  ScreenOf::kRowsPx,
+                                                                                                  kFinest);
+    template <class ScreenOf>
+    using Samples = detail::SampleMemory<kSampleBytes<ScreenOf>>;
 
     template <class ScreenOf>
     class Halves
@@ -124,21 +124,20 @@ struct SurfaceDrawing {
 
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::StripePart& part, const Background& background,
-                       Samples<ScreenOf>& samples) const
+                       uint32_t* samples) const
         {
             const ViewError error =
-                detail::check_samples<typename ScreenOf::Pixel>(frame_, part, Samples<ScreenOf>::kBytes);
+                detail::check_samples<typename ScreenOf::Pixel>(frame_, part, kSampleBytes<ScreenOf>);
             if (error == ViewError::none)
-                render_surface<typename ScreenOf::Pixel, kFinest>(frame_, background, stripe, samples.words);
+                render_surface<typename ScreenOf::Pixel, kFinest>(frame_, background, stripe, samples);
             return error;
         }
 
-        ViewError draw_coverage(const Stripe& coverage, const detail::StripePart& part,
-                                Samples<ScreenOf>& samples) const
+        ViewError draw_coverage(const Stripe& coverage, const detail::StripePart& part, uint32_t* samples) const
         {
             const ViewError error =
-                detail::check_samples<typename ScreenOf::Pixel>(frame_, part, Samples<ScreenOf>::kBytes);
-            if (error == ViewError::none) render_coverage(frame_, coverage, samples.words);
+                detail::check_samples<typename ScreenOf::Pixel>(frame_, part, kSampleBytes<ScreenOf>);
+            if (error == ViewError::none) render_coverage(frame_, coverage, samples);
             return error;
         }
 
