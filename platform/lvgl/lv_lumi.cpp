@@ -47,14 +47,26 @@ void touch(Widget& widget)
     lv_timer_resume(widget.timer);
 }
 
+// A drag turns the object, not the page below. LVGL 9.6 has a function for each flag, and those for all are deprecated.
+void take_drags(lv_obj_t* obj)
+{
+#if LVGL_VERSION_MAJOR > 9 || (LVGL_VERSION_MAJOR == 9 && LVGL_VERSION_MINOR >= 6)
+    lv_obj_set_clickable(obj, true);
+    lv_obj_set_scroll_chain(obj, false);
+    lv_obj_set_gesture_bubble(obj, false);
+#else
+    lv_obj_add_flag(obj, LV_OBJ_FLAG_CLICKABLE);
+    lv_obj_remove_flag(obj, LV_OBJ_FLAG_SCROLL_CHAIN);
+    lv_obj_remove_flag(obj, LV_OBJ_FLAG_GESTURE_BUBBLE);
+#endif
+}
+
 void construct(const lv_obj_class_t*, lv_obj_t* obj)
 {
     Widget& widget = widget_of(obj);
     widget.timer = lv_timer_create(follow, kPeriod_ms, obj);
     lv_timer_pause(widget.timer);
-    lv_obj_add_flag(obj, LV_OBJ_FLAG_CLICKABLE);
-    lv_obj_remove_flag(obj, LV_OBJ_FLAG_SCROLL_CHAIN);  // a drag turns the object, not the page below
-    lv_obj_remove_flag(obj, LV_OBJ_FLAG_GESTURE_BUBBLE);
+    take_drags(obj);
 }
 
 void destruct(const lv_obj_class_t*, lv_obj_t* obj)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A widget of LVGL 9.2 and later: an lv_image of a field that a finger or a mouse turns. It runs on when it is let go,
+ * A widget of LVGL 9.3 and later: an lv_image of a field that a finger or a mouse turns. It runs on when it is let go,
  * and sends LV_EVENT_VALUE_CHANGED when its orbit has changed. */
 #ifndef LV_LUMI_H
 #define LV_LUMI_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A surface field as an image of LVGL 9.2 and later. No picture of it lies in memory: when LVGL draws a part of the
+ * A surface field as an image of LVGL 9.3 and later. No picture of it lies in memory: when LVGL draws a part of the
  * screen, the decoder draws that part of the object, some rows at a time, with coverage, so it may lie over and under
  * other widgets. Whatever rectangle LVGL redraws, it gets the pixels that the whole frame has there.
  *
