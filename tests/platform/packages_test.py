@@ -34,7 +34,10 @@ macro(idf_component_register)
   endif()
   list(TRANSFORM arg_SRCS PREPEND ${core}/)
   set(sources ${arg_SRCS})
-  set(includes ${core}/${arg_INCLUDE_DIRS} ${core}/${arg_PRIV_INCLUDE_DIRS})
+  set(includes ${arg_INCLUDE_DIRS} ${arg_PRIV_INCLUDE_DIRS})
+  list(TRANSFORM includes PREPEND ${core}/)
+endmacro()
+macro(idf_component_optional_requires)
 endmacro()
 macro(run)
   include(${core}/CMakeLists.txt)
@@ -141,12 +144,19 @@ def check_version(name, version):
 
 def manifests(core):
     """What idf.py and west read before CMake."""
-    component = dict(re.findall(r"^(\w+): *(.*)$", (core / "idf_component.yml").read_text(), re.MULTILINE))
+    text = (core / "idf_component.yml").read_text()
+    component = dict(re.findall(r"^(\w+): *(.*)$", text, re.MULTILINE))
     check_version("esp-idf", component["version"].strip('"'))
+    home = re.search(r'^HOME = "(.*?)"', (ROOT / "tools/packaging/release.py").read_text(), re.MULTILINE)[1]
+    if component["url"] != home or not re.search(r"^maintainers:\n  - \w", text, re.MULTILINE):
+        sys.exit(f"error: esp-idf: the url is not {home}, or nobody maintains the component")
     module = dict(re.findall(r"^ +(cmake|kconfig): *(.*)$", (core / "zephyr/module.yml").read_text(), re.MULTILINE))
     if not (core / module["cmake"] / "CMakeLists.txt").is_file() or not (core / module["kconfig"]).is_file():
         sys.exit("error: zephyr: module.yml names files that are not there")
     options = set(re.findall(r"^config (\w+)$", (core / module["kconfig"]).read_text(), re.MULTILINE))
+    samples = re.findall(r"^  - (\S+)$", (core / "zephyr/module.yml").read_text(), re.MULTILINE)
+    if not samples or not all(list((core / name).glob("*/sample.yaml")) for name in samples):
+        sys.exit(f"error: zephyr: module.yml names {samples}, where no sample is")
     used = set(re.findall(r"CONFIG_(\w+)", (core / module["cmake"] / "CMakeLists.txt").read_text()))
     if used != options:
         sys.exit(f"error: zephyr: CMakeLists.txt uses {used}, Kconfig has {options}")
@@ -185,7 +195,7 @@ def tagging(build):
         print("git is not installed, so tags were not tried")
         return
     folder = build.fresh("repository")
-    for name in ["core", "tools", "platform/arduino", "LICENSE", "CITATION.cff"]:
+    for name in ["core", "tools", "platform/arduino", "platform/lvgl", "LICENSE", "CHANGELOG.md", "CITATION.cff"]:
         (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, folder / name)
     git = ["git", "-C", folder, "-c", "user.name=test", "-c", "user.email=test@example.invalid"]
     for command in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "all"]):
@@ -242,6 +252,38 @@ def cmsis_pack(build, archives):
                   ["-std=c++17", "-fno-exceptions", "-fno-rtti"])
 
 
+def esp_idf_lvgl(build, archives, cxx):
+    """The component is called lumi, as its folder, and has LVGL's part where the project asks for it. The widget needs
+    more of LVGL than its stand-in has; everything else is compiled."""
+    folder = build.fresh("components")
+    zipfile.ZipFile(next(archives.glob("lumi-esp-idf-*.zip"))).extractall(folder)
+    if [path.name for path in folder.iterdir()] != ["lumi"]:
+        sys.exit(f"error: esp-idf: the archive holds {sorted(folder.iterdir())}")
+    core = folder / "lumi"
+    for name in ("CHANGELOG.md", "LICENSE", "idf_component.yml"):
+        if not (core / name).is_file():
+            sys.exit(f"error: esp-idf: the component has no {name}")
+    if set(re.findall(r"config (\w+)", (core / "Kconfig").read_text())) != {"LUMI_LVGL"}:
+        sys.exit("error: esp-idf: Kconfig has other options than CMakeLists.txt")
+    sources, flags = listed(build, "esp-idf-lvgl", core, "set(CONFIG_LUMI_LVGL y)" + ESP_IDF)
+    lvgl = [path for path in sources if path.parent.name == "lvgl"]
+    if len(lvgl) != 3 or any(path.parts[-2:] == ("c", "lumi.cpp") for path in sources):
+        sys.exit(f"error: esp-idf: with LVGL these are compiled: {sources}")
+    stand_in = [f"-I{ROOT / 'tests/platform/lvgl_double'}", "-DLV_COLOR_DEPTH=16"]
+    build.compile("esp-idf, LVGL", [path for path in lvgl if path.name != "lv_lumi.cpp"],
+                  [*ESP32_C3, "-Os", *flags, *stand_in], cxx, "riscv64-unknown-elf-")
+
+
+def zephyr_sample(build, core):
+    """The sample against declarations of Zephyr's functions that it calls."""
+    folder = build.fresh("sample")
+    build.run("zephyr", [build.lumi, "embed", build.field, "-o", folder / "product.c"])
+    sources = sorted((core / "zephyr/samples").glob("*/src/*.cpp"))
+    build.compile("zephyr's sample", sources, [*M0, "-Os", f"-I{folder}", f"-I{core / 'include'}",
+                                               f"-I{ROOT / 'tests/platform/zephyr_double'}"],
+                  ["-std=c++17", *COMMON[2:], "-Wall", "-Wextra", "-Werror"])
+
+
 def main(arguments):
     makes_code = "--all" in arguments
     lumi, field, folder = (pathlib.Path(a).resolve() for a in arguments[-3:])
@@ -260,6 +302,8 @@ def main(arguments):
     platformio(build, core)
     cmsis_pack(build, archives)
     cxx = ["-std=gnu++2b", "-fno-exceptions", "-fno-rtti", "-Wall", "-Werror=all", "-Wno-error=unused-function"]
+    esp_idf_lvgl(build, archives, cxx)
+    zephyr_sample(build, core)
     for name, stub, prefix, cpu, std in (
             ("esp-idf", ESP_IDF, "riscv64-unknown-elf-", ESP32_C3, cxx),
             ("zephyr", ZEPHYR, CROSS, M0, ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"]),

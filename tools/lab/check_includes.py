@@ -58,6 +58,7 @@ core/src/chord/stepping
 core/src/chord
 core/src/chord/armv6m
 core/src/chord/kernel
+core/zephyr
 
 platform/host
 platform/wasm
@@ -146,7 +147,7 @@ THIRD_PARTIES = {
 
 SOURCES = (".h", ".cpp", ".c", ".S", ".inc")
 # By lumi_add_field, in a build's own folder.
-WRITTEN_BY_BUILDS = ["lumi_version.h", "desk_clock.h", "rates.inc"]
+WRITTEN_BY_BUILDS = ["lumi_version.h", "desk_clock.h", "product.h", "rates.inc"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 

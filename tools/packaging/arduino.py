@@ -39,13 +39,17 @@ def field_files(lumi, field):
 
 def library(core, added, words, fields):
     """Files of the library. Arduino compiles all of src and has src alone in its include path, so headers and sources lie
-    there together. `core`: its files; `added`: those of ADDED; `words`: what stands for @NAME@ in library.properties."""
+    there together; extras it leaves alone. `core`: its files; `added`: those of ADDED; `words`: what stands for @NAME@ in
+    library.properties."""
     files = dict(fields, LICENSE=core["LICENSE"], **added)
     properties = files["library.properties"].decode()
     for name, value in words.items():
         properties = properties.replace(f"@{name}@", value)
     files["library.properties"] = properties.encode()
+    files["CHANGELOG.md"] = core["CHANGELOG.md"]
     for name, content in core.items():
+        if name.startswith("lvgl/"):
+            files["extras/" + name] = content.replace(b'"../src/', b'"')
         for folder in ("include/", "src/"):
             if name.startswith(folder):
                 files["src/" + name[len(folder):]] = content

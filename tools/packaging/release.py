@@ -6,8 +6,9 @@ Writes core's archives for firmware ecosystems, bills of materials (SPDX 2.3) an
 same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. Only files that
 git tracks are packed. core/VERSION is
 the version; --set-version writes it wherever a tool wants to read it, --check finds where it differs. --tag also tags
-the commit vX.Y.Z, of a tree without changes, before it writes. Archives: core for CMake, ESP-IDF, Zephyr, the Pico SDK
-and PlatformIO; the Arduino library; the CMSIS-Pack.
+the commit vX.Y.Z, of a tree without changes, before it writes. Archives: core for CMake, Zephyr, the Pico SDK and
+PlatformIO; the same as a component of ESP-IDF, whose folder is its name; the Arduino library; the CMSIS-Pack. Each holds
+the part for LVGL and the changelog.
 
 COMMAND (build/release/tools/lumi) bakes the field of Arduino's sketches, which takes minutes; with --field it only embeds
 that file.
@@ -67,14 +68,27 @@ def tracked(folder):
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files if path.is_file()}
 
 
+def lvgl_files():
+    """The image decoder and the widget, whose renderer includes a file of core from beside it."""
+    files = {name: text for name, text in tracked(ROOT / "platform/lvgl").items() if name.startswith("lv_lumi")}
+    renderer = files["lv_lumi_renderer.cpp"]
+    files["lv_lumi_renderer.cpp"] = renderer.replace(b'"../../core/src/', b'"../src/')
+    if files["lv_lumi_renderer.cpp"] == renderer:
+        sys.exit("error: platform/lvgl/lv_lumi_renderer.cpp: it includes no file of core/src, which archives hold elsewhere")
+    return files
+
+
 def core_files():
     files = tracked(CORE)
-    files["LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    for name in ("LICENSE", "CHANGELOG.md"):
+        files[name] = (ROOT / name).read_bytes()
+    files.update({f"lvgl/{name}": text for name, text in lvgl_files().items()})
     return files
 
 
 def pack_description(names):
-    sources = "\n".join(f'        <file category="source" name="{n}"/>' for n in names if n.endswith((".cpp", ".S")))
+    sources = "\n".join(f'        <file category="source" name="{n}"/>' for n in names
+                        if n.startswith("src/") and n.endswith((".cpp", ".S")))
     return f"""<?xml version="1.0" encoding="UTF-8"?>
 <package schemaVersion="1.7.28" xmlns:xs="http://www.w3.org/2001/XMLSchema-instance"
          xs:noNamespaceSchemaLocation="PACK.xsd">
@@ -84,7 +98,7 @@ def pack_description(names):
   <url>{HOME}/</url>
   <license>LICENSE</license>
   <releases>
-    <release version="{version()}">See CHANGELOG.md of the project.</release>
+    <release version="{version()}">See CHANGELOG.md.</release>
   </releases>
   <conditions>
     <condition id="CortexM">
@@ -139,6 +153,7 @@ def write_archives(out, fields, lumi):
     core = core_files()
     top = f"lumi-core-{version()}/"
     write_tar(out / f"lumi-core-{version()}.tar.xz", core, top)
+    write_zip(out / f"lumi-esp-idf-{version()}.zip", core, "lumi/")
     library = arduino.library(core, tracked(arduino.ADDED), {"VERSION": version(), "HOME": HOME}, fields)
     write_zip(out / f"lumi-arduino-{version()}.zip", library, "Lumi/")
     pack = dict(core)
