@@ -8,6 +8,7 @@ headers lie. The board is arduino/hardware; QEMU runs the programs, behind stand
 (arduino/libraries). What reaches the display is what `lumi render` draws of FIELD, which packages_test.py put into
 the archive. Ends with 77 where arduino-builder is missing.
 """
+import json
 import pathlib
 import re
 import shutil
@@ -114,6 +115,21 @@ def serial(shop):
     print(f"{name}: says how long frames take")
 
 
+def measures(shop):
+    """The lines of JSON that MeasureBoard prints: a mode each, and figures that fit each other."""
+    name = "MeasureBoard"
+    _, said = shop.run(name, shop.example(name).replace("clock_mhz = 0;", "clock_mhz = 25;"))
+    rows = [json.loads(line) for line in said.splitlines()]
+    if [row.get("mode") for row in rows] != ["one-sample", "antialiased"] * FRAMES:
+        sys.exit(f"error: {name}: the serial port says\n{said}")
+    for row in rows:
+        pixels_a_second = row["frames_a_second"] * row["width"] * row["height"]
+        cycles = row["clock_mhz"] * 1e6 / pixels_a_second
+        if abs(cycles / row["cycles_a_pixel"] - 1) > 0.02 or row["worst_us"] * row["frames_a_second"] < 0.99e6:
+            sys.exit(f"error: {name}: its figures do not fit each other: {row}")
+    print(f"{name}: {len(rows)} lines of JSON, whose figures fit each other")
+
+
 def own_field(shop):
     """A field of the user's beside the sketch, as the library's README has it."""
     command = [shop.lumi, "embed", shop.field, "-o", shop.sketch.parent / "product.c"]
@@ -147,6 +163,7 @@ def main(arguments):
     old_cpp(shop)
     displays(shop)
     serial(shop)
+    measures(shop)
     own_field(shop)
 
 

@@ -73,6 +73,7 @@ platform/pico_st7789
 platform/simulator
 platform/lvgl
 platform/arduino
+platform/measure
 
 baker/include/lumi/baker
 baker/src/math
