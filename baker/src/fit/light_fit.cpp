@@ -111,6 +111,7 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
 {
     const SortedSamples samples = pilot_samples(stages, job);
     const ViewSmoothness smoothness(shape_);
+    const std::vector<uint8_t> viewable = viewable_vertices(shape_.mesh);
     start_from_means(shape_, samples, state.tone, state.expected);
     for (int round = 0; round < kPilotRounds; ++round) {
         const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
@@ -118,7 +119,7 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
             FitSums sums(shape_, state.tone, state.expected, White::goes_on);
             for_patches(shape_, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
             FitModel model = state.expected;
-            FitSolver(sums, smoothness, {}, job).solve(model, kPilotIterations);
+            FitSolver(sums, smoothness, viewable, job).solve(model, kPilotIterations);
             return model;
         };
         state.expected = stages.once<FitModel>("pilot round", next, round);

@@ -15,46 +15,11 @@ namespace
 // pictures are mostly drawn from, in radii from the centre.
 constexpr float kEyeDistance = 3;
 
-// Of patches from `begin` to `end`.
-Mesh triangles_of(const PatchMesh& mesh, uint32_t begin, uint32_t end, std::vector<uint32_t>& numbers)
-{
-    Mesh result;
-    result.positions = mesh.positions;
-    for (uint32_t p = begin; p < end; ++p) {
-        const PatchMesh::Patch& patch = mesh.patches[p];
-        result.corners.push_back({patch.a, patch.b, patch.c});
-        numbers.push_back(2 * p);
-        if (patch.d != PatchMesh::kNone) {
-            result.corners.push_back({patch.d, patch.c, patch.b});
-            numbers.push_back(2 * p + 1);
-        }
-    }
-    return result;
-}
-
 Vec3 eye_of(const Ray& ray)
 {
     const float along = dot(ray.origin, ray.direction);
     const float back = along + std::sqrt(along * along + kEyeDistance * kEyeDistance - dot(ray.origin, ray.origin));
     return ray.origin - ray.direction * back;
-}
-
-// Of the hits along a ray the one nearest to a distance, with its own distance.
-std::optional<Hit> hit_near(const MeshTracer& mesh, const Ray& ray, float distance)
-{
-    constexpr float kStep = 1e-4f;
-    constexpr int kMostLayers = 32;
-    std::optional<Hit> best;
-    float from = std::max(0.0f, distance - kMaxDepthError);
-    for (int k = 0; k < kMostLayers; ++k) {
-        const float rest = distance + kMaxDepthError - from;
-        std::optional<Hit> hit = mesh.closest({ray.origin + ray.direction * from, ray.direction, rest});
-        if (!hit) break;
-        hit->distance += from;
-        from = hit->distance + kStep;
-        if (!best || std::abs(hit->distance - distance) < std::abs(best->distance - distance)) best = hit;
-    }
-    return best;
 }
 
 int16_t q12(float v)
@@ -69,10 +34,8 @@ SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const 
       shape_(shape),
       cap_(cap),
       see_through_(shape.mesh.see_through_patches != 0 ? see_through_materials(scene) : std::vector<bool>()),
-      mesh_(triangles_of(shape.mesh, 0, shape.mesh.opaque_patches(), numbers_), Faces::front),
-      see_through_mesh_(triangles_of(shape.mesh, shape.mesh.opaque_patches(),
-                                     static_cast<uint32_t>(shape.mesh.patches.size()), see_through_numbers_),
-                        Faces::front),
+      mesh_(opaque_triangles(shape.mesh, numbers_), Faces::front),
+      see_through_mesh_(see_through_triangles(shape.mesh, see_through_numbers_), Faces::front),
       tracer_(scene)
 {
 }
@@ -104,7 +67,8 @@ bool SampleTracer::is_see_through(const Hit& in_scene) const
 std::optional<SampleTracer::Line> SampleTracer::line_to(const Ray& ray, const Hit& in_scene) const
 {
     const bool passes = is_see_through(in_scene);
-    std::optional<Hit> hit = passes ? hit_near(see_through_mesh_, ray, in_scene.distance) : mesh_.closest(ray);
+    std::optional<Hit> hit =
+        passes ? see_through_mesh_.near(ray, in_scene.distance, kMaxDepthError) : mesh_.closest(ray);
     if (!hit || std::abs(hit->distance - in_scene.distance) > kMaxDepthError) return std::nullopt;
     hit->triangle = (passes ? see_through_numbers_ : numbers_)[hit->triangle];
     return Line{ray, *hit};

@@ -12,7 +12,8 @@ namespace
 constexpr uint64_t kPassingSeedOffset = 0x70617373;
 constexpr double kPassingPaths = 48;            // a see-through texel
 constexpr double kMostPassingPaths = 1e7;       // for all of them together
-constexpr double kPatchPassingPaths = 8;        // the weight of a patch's mean in each of its texels, in paths
+constexpr double kPatchPassingPaths = 8;        // the weight of a patch's mean light in each of its texels, in paths
+constexpr double kPatchOpacityPaths = 0.5;      // that of its mean opacity, which is read and has no noise
 constexpr uint32_t kPassingBatchesAtOnce = 64;  // batches
 constexpr uint32_t kMostPassingBatches = 1u << 14;
 
@@ -86,9 +87,13 @@ std::vector<SeeThroughTexel> see_through_light(const SceneData& scene, const Fit
         PassingSums patch;
         for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) patch.add(sums[t], 1);
         for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) {
-            PassingSums texel = sums[t];
-            texel.add(patch, kPatchPassingPaths / std::max(1.0, patch.paths));
-            result[t] = texel.texel();
+            const auto with_mean = [&](double weight) {
+                PassingSums texel = sums[t];
+                texel.add(patch, weight / std::max(1.0, patch.paths));
+                return texel.texel();
+            };
+            result[t] = with_mean(kPatchPassingPaths);
+            result[t].coverage = with_mean(kPatchOpacityPaths).coverage;
         }
     }
     return result;

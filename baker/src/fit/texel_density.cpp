@@ -13,6 +13,7 @@ constexpr uint64_t kSeedOffset = 0x64657461;
 constexpr double kPaths = 24;       // a texel
 constexpr double kMaxPaths = 8e6;   // for all texels together: they are kept in memory
 constexpr float kLeastDetail = 12;  // squared levels of all channels: two levels between neighbours
+constexpr float kOutline = 10000;   // the same beside a texel that light passes: 60 levels to what lies behind
 constexpr float kPower = 0.25f;     // the error of smooth colours falls with the fourth power of the density
 constexpr float kThinnest = 0.4f, kDensest = 3;  // times the mean density
 constexpr uint32_t kMostBatches = 1u << 20;
@@ -49,7 +50,8 @@ std::vector<Halves> halves_of(const SortedSamples& samples, uint32_t patch, cons
     return texels;
 }
 
-PatchDetail detail_of(const SortedSamples& samples, uint32_t patch, const PatchRectangle& r, const EncodedTone& tone)
+PatchDetail detail_of(const SortedSamples& samples, uint32_t patch, const PatchRectangle& r, const EncodedTone& tone,
+                      bool see_through)
 {
     const std::vector<Halves> texels = halves_of(samples, patch, r);
     std::vector<std::array<LevelColour, 2>> colours(texels.size());
@@ -64,6 +66,9 @@ PatchDetail detail_of(const SortedSamples& samples, uint32_t patch, const PatchR
     const auto compare = [&](size_t a, size_t b) {
         if (texels[a].known() && texels[b].known()) {
             result.detail += product(colours[a], colours[b]);
+            ++pairs;
+        } else if (see_through && (texels[a].known() || texels[b].known())) {
+            result.detail += kOutline;
             ++pairs;
         }
     };
@@ -121,7 +126,7 @@ std::vector<float> texel_densities(const SceneData& scene, const PatchMesh& mesh
     const float usual = static_cast<float>(samples.samples.size()) / static_cast<float>(shape.layout.texels);
     std::vector<float> importance;
     for (uint32_t p = 0; p < patches; ++p) {
-        const PatchDetail d = detail_of(samples, p, shape.layout.rectangles[p], tone);
+        const PatchDetail d = detail_of(samples, p, shape.layout.rectangles[p], tone, p >= mesh.opaque_patches());
         const float seen = d.seen / std::max(usual, 1e-6f);
         importance.push_back(std::pow(seen * (d.detail + kLeastDetail) / kLeastDetail, kPower));
     }

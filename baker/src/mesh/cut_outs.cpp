@@ -35,6 +35,18 @@ public:
 
     float at(uint32_t i, uint32_t j) const { return values_[rows_[j] + i]; }
     bool is_whole() const { return *std::min_element(values_.begin(), values_.end()) >= kHalf; }
+    // Of the cells, one of two: neighbours are cut together.
+    uint32_t cut_cells() const
+    {
+        uint32_t count = 0;
+        for (uint32_t j = 0; j + 1 < rows_.size(); ++j) {
+            for (uint32_t i = 0; i + j + 1 < rows_.size(); ++i) {
+                const bool in = at(i, j) >= kHalf;
+                count += in != (at(i + 1, j) >= kHalf) || in != (at(i, j + 1) >= kHalf) ? 1u : 0u;
+            }
+        }
+        return count;
+    }
 
 private:
     std::vector<size_t> rows_;  // where they begin
@@ -154,13 +166,30 @@ std::vector<uint32_t> cells_of(const SceneData& scene, const Sheets& sheets)
     return cells;
 }
 
+bool has_pictures(const SceneData& scene)
+{
+    return std::any_of(
+        scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.maps.opacity.used(); });
+}
+
 }  // namespace
+
+std::vector<float> cut_lengths(const SceneData& scene)
+{
+    std::vector<float> lengths(scene.materials.size(), 0);
+    if (!has_pictures(scene)) return lengths;
+    const std::vector<uint32_t> cells = cells_of(scene, Sheets(scene.mesh));
+    for (uint32_t k = 0; k < cells.size(); ++k) {
+        if (cells[k] == 0) continue;
+        const float cell = std::sqrt(2 * scene.mesh.area(k)) / static_cast<float>(cells[k]);  // about its side
+        lengths[scene.mesh.materials[k]] += cell * static_cast<float>(OpacityGrid(scene, k, cells[k]).cut_cells());
+    }
+    return lengths;
+}
 
 std::optional<Mesh> cut_out(const SceneData& scene)
 {
-    if (!std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& m) { return m.maps.opacity.used(); }))
-        return std::nullopt;
+    if (!has_pictures(scene)) return std::nullopt;
     const Sheets sheets(scene.mesh);
     const std::vector<uint32_t> cells = cells_of(scene, sheets);
     std::vector<uint8_t> is_cut(cells.size(), 0);  // by sheet

@@ -14,4 +14,7 @@ namespace lumi::baker
 // where no picture cuts anything.
 std::optional<Mesh> cut_out(const SceneData& scene);
 
+// By material: about how long the lines are along which its picture would cut, in radii.
+std::vector<float> cut_lengths(const SceneData& scene);
+
 }  // namespace lumi::baker

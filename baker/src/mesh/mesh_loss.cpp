@@ -22,7 +22,8 @@ std::string percent(double share)
 
 }  // namespace
 
-MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, const ViewCap& cap)
+MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, const ViewCap& cap,
+                 const MeshTracer* see_through)
 {
     const Survey survey(scene, kSurveyOrigins, kLossRays, kLossSeed, cap);
     struct Counts {
@@ -34,6 +35,7 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, con
             const bool hit = std::isfinite(r.scene);
             counts[i].scene += hit ? 1u : 0u;
             counts[i].added += !hit && r.mesh ? 1u : 0u;
+            if (hit && see_through && see_through->near(r.ray, r.scene, kMaxDepthError)) continue;
             const bool displaced = hit && r.mesh && std::abs(r.scene - r.mesh->distance) > kMaxDepthError;
             // A path that the volume stops far from the mesh misses it.
             const bool lost = hit && (!r.mesh || (displaced && scene.medium));
@@ -58,16 +60,16 @@ std::vector<MeshWarning> mesh_warnings(const MeshLoss& loss, const MeshCount& tr
     const auto warn = [&](std::string problem, const char* remedy = "") {
         warnings.push_back({std::move(problem), remedy, !triangles.all});
     };
-    if (loss.missed > kMaxMissed) {
-        warn("the mesh misses " + percent(loss.missed) + " of what can be seen" +
-                 (of_volume ? ", which is soft or half transparent" : ""),
-             of_volume ? "take a chord field, which shows that, but blurs the rest"
-                       : "thicken parts that are thinner than a pixel");
-        if (of_volume) warnings.back().more_triangles_help = false;
+    const std::string misses = "the mesh misses " + percent(loss.missed) + " of what can be seen";
+    if (loss.missed > kMaxMissed && of_volume) {
+        warnings.push_back({misses + ", which is soft or half transparent",
+                            "take a chord field, which shows that, but blurs the rest", false});
+    } else if (loss.missed > kMaxMissed) {
+        warn(misses, "thicken parts that are thinner than a pixel");
     }
     if (loss.rough) {
         warn("the scene could only be simplified roughly, since its surfaces are torn or run through each other",
-             "weld its vertices, give neighbouring faces one winding");
+             "weld its vertices or give neighbouring faces one winding");
     }
     if (static_cast<double>(triangles.got) < kFarShort * static_cast<double>(triangles.asked)) {
         warn("the mesh has " + std::to_string(triangles.got) + " triangles where " + std::to_string(triangles.asked) +

@@ -14,10 +14,12 @@ namespace lumi::baker
 template <class Io>
 void fields(Io& io, MeshLoss& loss)
 {
-    io(loss.missed, loss.added, loss.displaced, loss.rough, loss.holes, loss.largest_hole);
+    io(loss.missed, loss.thinned, loss.added, loss.displaced, loss.rough, loss.holes, loss.largest_hole);
 }
 
-MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, const ViewCap& cap = {});
+// `see_through`: what else is there, wherever a ray meets it.
+MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, const ViewCap& cap = {},
+                 const MeshTracer* see_through = nullptr);
 
 // Triangles of a mesh that can be seen. Ask for no more than the scene has.
 struct MeshCount {

@@ -17,6 +17,8 @@ public:
     const Mesh& mesh() const { return mesh_; }
     Faces faces() const { return faces_; }
     std::optional<Hit> closest(const Ray& ray) const;
+    // Of the hits along a ray the one nearest to `distance`, at most `reach` from it.
+    std::optional<Hit> near(const Ray& ray, float distance, float reach) const;
 
 private:
     Mesh mesh_;

@@ -52,8 +52,8 @@ MeshSettings smaller(MeshSettings s)
 {
     if (s.longest_edge > kNoLongerEdge)
         throw BakeError(
-            "no mesh of this scene is small enough for a surface field, since most of its triangles are hidden "
-            "by others; remove from the model what nobody can see");
+            "no mesh of this scene is small enough for a surface field; remove from the model what nobody can see, or "
+            "simplify it");
     if (s.triangles > detail::format::kMaxPatches / 2)
         s.triangles = static_cast<uint32_t>(kFewerTriangles * static_cast<float>(s.triangles));
     else
@@ -69,6 +69,23 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& shape, const ViewCap&
     loss.holes = pixels.regions;
     loss.largest_hole = pixels.largest;
     return loss;
+}
+
+// Of patches from `begin` to `end`.
+Mesh triangles_of(const PatchMesh& mesh, uint32_t begin, uint32_t end, std::vector<uint32_t>& numbers)
+{
+    Mesh result;
+    result.positions = mesh.positions;
+    for (uint32_t p = begin; p < end; ++p) {
+        const PatchMesh::Patch& patch = mesh.patches[p];
+        result.corners.push_back({patch.a, patch.b, patch.c});
+        numbers.push_back(2 * p);
+        if (patch.d != PatchMesh::kNone) {
+            result.corners.push_back({patch.d, patch.c, patch.b});
+            numbers.push_back(2 * p + 1);
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -87,6 +104,27 @@ PatchMesh assembled(const Mesh& shape, float crease_cosine)
     result.positions = std::move(mesh.positions);
     result.normals = std::move(mesh.normals);
     return result;
+}
+
+Mesh opaque_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers)
+{
+    return triangles_of(mesh, 0, mesh.opaque_patches(), numbers);
+}
+
+Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers)
+{
+    return triangles_of(mesh, mesh.opaque_patches(), static_cast<uint32_t>(mesh.patches.size()), numbers);
+}
+
+std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh)
+{
+    std::vector<uint8_t> viewable(mesh.positions.size(), 0);
+    for (uint32_t p = 0; p < mesh.opaque_patches(); ++p) {
+        const PatchMesh::Patch& patch = mesh.patches[p];
+        for (const uint32_t corner : {patch.a, patch.b, patch.c, patch.d})
+            if (corner != PatchMesh::kNone) viewable[corner] = 1;
+    }
+    return viewable;
 }
 
 bool fits(const PatchMesh& mesh)

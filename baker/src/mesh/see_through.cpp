@@ -2,15 +2,21 @@
 #include "mesh/see_through.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
 #include "mesh/copies.h"
+#include "mesh/cut_outs.h"
 #include "mesh/edge_split.h"
+#include "mesh/mesh_loss.h"
 #include "mesh/outside.h"
 #include "mesh/rounded_mesh.h"
+#include "mesh/sheets.h"
 #include "mesh/simplify.h"
+#include "mesh/survey.h"
 
 namespace lumi::baker
 {
@@ -20,9 +26,12 @@ namespace
 constexpr float kInvisible = 1.0f / 255;  // an opacity that no display shows
 constexpr float kSoftShare = 0.25f;       // the share of a picture between transparent and opaque that makes it soft
 constexpr uint8_t kSoftLow = 26, kSoftHigh = 229;
+constexpr float kLongestCut = 16;    // radii; a mesh cannot follow a longer line, with a triangle for each few pixels
 constexpr uint32_t kOpenRays = 256;  // a side that none of so many reaches past opaque triangles is hidden
 constexpr float kAboveSide = 1e-4f;  // radii, as in outside.cpp
-constexpr uint64_t kSidesSeed = 0x73696465;
+constexpr uint32_t kMeetingRays = 4096;  // an origin
+constexpr float kSamePlace = 1e-3f;      // radii
+constexpr uint64_t kSidesSeed = 0x73696465, kMeetingSeed = 0x6D656574;
 
 bool is_soft(const Texture& picture)
 {
@@ -35,11 +44,12 @@ bool is_soft(const Texture& picture)
     return static_cast<float>(between) > kSoftShare * static_cast<float>(pixels);
 }
 
-bool is_see_through(const SceneData& scene, const Material& m)
+// `cut`: how long the lines are along which the material's picture would cut.
+bool is_see_through(const SceneData& scene, const Material& m, float cut)
 {
     if (m.glass || !m.may_pass()) return false;
     const TextureSlot& picture = m.maps.opacity;
-    return m.opacity < 1 - kInvisible ||
+    return m.opacity < 1 - kInvisible || cut > kLongestCut ||
            (picture.used() && is_soft(scene.textures[static_cast<size_t>(picture.texture)]));
 }
 
@@ -122,7 +132,95 @@ Mesh open_sides(const Mesh& mesh, const SceneData& opaque, const ViewCap& cap, J
     return result;
 }
 
-void append_see_through(PatchMesh& mesh, const PatchMesh& part)
+// By triangle of `mesh`, which are see-through ones of the scene: how many light paths meet the scene there first.
+std::vector<uint32_t> meetings(const SceneData& scene, const Mesh& mesh, const ViewCap& cap, Job& job)
+{
+    const MeshTracer tracer(mesh, Faces::both);
+    const Survey survey(scene, kSurveyOrigins, kMeetingRays, kMeetingSeed, cap);
+    std::vector<std::vector<uint32_t>> met(survey.origins());
+    job.run(survey.origins(), [&](uint32_t i) {
+        for (const SurveyRay& r : survey.look(i, tracer)) {
+            const auto hit = std::isfinite(r.scene) ? tracer.near(r.ray, r.scene, kSamePlace) : std::nullopt;
+            if (hit) met[i].push_back(hit->triangle);
+        }
+    });
+    std::vector<uint32_t> counts(mesh.triangle_count(), 0);
+    for (const std::vector<uint32_t>& some : met)
+        for (const uint32_t triangle : some) ++counts[triangle];
+    return counts;
+}
+
+// A sheet of the mesh: its triangles, and the light paths that meet it first.
+struct Card {
+    uint32_t number = 0, triangles = 0, met = 0;
+    float worth() const { return static_cast<float>(met) / static_cast<float>(triangles); }
+};
+
+std::vector<Card> cards_of(const Sheets& sheets, const std::vector<uint32_t>& met)
+{
+    std::vector<Card> all(met.size()), cards;
+    for (uint32_t k = 0; k < met.size(); ++k) {
+        Card& card = all[sheets.of(k).sheet];
+        card = {sheets.of(k).sheet, card.triangles + 1, card.met + met[k]};
+    }
+    std::copy_if(all.begin(), all.end(), std::back_inserter(cards), [](const Card& c) { return c.triangles != 0; });
+    return cards;
+}
+
+bool is_cloud(const std::vector<Card>& cards, uint32_t triangles)
+{
+    constexpr uint32_t kFewestCards = 8;
+    return std::all_of(cards.begin(), cards.end(),
+                       [&](const Card& c) { return c.triangles <= triangles / kFewestCards; });
+}
+
+// Those that are seen most for their triangles.
+Mesh most_seen(const Mesh& mesh, const Sheets& sheets, std::vector<Card> cards, uint32_t triangles)
+{
+    std::stable_sort(cards.begin(), cards.end(), [](const Card& a, const Card& b) { return a.worth() > b.worth(); });
+    std::vector<bool> kept(mesh.triangle_count(), false);
+    for (uint32_t left = triangles, k = 0; k < cards.size() && cards[k].triangles <= left; ++k) {
+        left -= cards[k].triangles;
+        kept[cards[k].number] = cards[k].met != 0;
+    }
+    Mesh result;
+    result.positions = mesh.positions;
+    for (uint32_t k = 0; k < mesh.triangle_count(); ++k)
+        if (kept[sheets.of(k).sheet]) result.corners.push_back(mesh.corners[k]);
+    return result;
+}
+
+// Cards of a cloud, such as leaves, cannot be simplified: whole ones are left out.
+Mesh few_of(const SceneData& scene, const Mesh& mesh, const SeeThroughCount& most, const ViewCap& cap,
+            std::vector<MeshWarning>& warnings, Job& job)
+{
+    if (mesh.triangle_count() <= most.triangles) return mesh;
+    const Sheets sheets(mesh);
+    const std::vector<Card> cards = cards_of(sheets, meetings(scene, mesh, cap, job));
+    if (!is_cloud(cards, most.cards)) return simplified(mesh, most.triangles).mesh;
+    if (mesh.triangle_count() <= most.cards) return mesh;
+    Mesh few = most_seen(mesh, sheets, cards, most.cards);
+    warnings.push_back({"of " + std::to_string(mesh.triangle_count()) + " see-through triangles, such as leaves, the " +
+                            std::to_string(few.triangle_count()) + " that are seen most are drawn",
+                        "", true});
+    return few;
+}
+
+PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings,
+                           const SeeThroughCount& most, std::vector<MeshWarning>& warnings, Job& job)
+{
+    constexpr float kNoCrease = -2;  // both sides of a sheet share vertices, which have no view tables
+    const std::vector<bool> see_through = see_through_materials(scene);
+    const Mesh all = without_copies(welded(part_of(
+        scene.mesh,
+        [&](uint32_t material) { return see_through[material] && !is_invisible(scene.materials[material]); })));
+    const auto stays = [](const Vec3& middle, const Vec3&, float) { return middle; };
+    const Mesh few =
+        with_short_edges(few_of(scene, all, most, settings.cap, warnings, job), settings.longest_edge, stays);
+    return assembled(rounded(open_sides(few, opaque, settings.cap, job)), kNoCrease);
+}
+
+void append(PatchMesh& mesh, const PatchMesh& part)
 {
     const auto from = static_cast<uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
@@ -136,12 +234,26 @@ void append_see_through(PatchMesh& mesh, const PatchMesh& part)
     mesh.longest_edge = std::max(mesh.longest_edge, part.longest_edge);
 }
 
+// What the mesh of opaque parts knows of them alone.
+void judge(const SceneData& scene, const PatchMesh& mesh, const ViewCap& cap, Job& job, MeshLoss& loss)
+{
+    std::vector<uint32_t> numbers;
+    const MeshTracer opaque(opaque_triangles(mesh, numbers), Faces::front);
+    const MeshTracer see_through(see_through_triangles(mesh, numbers), Faces::front);
+    const MeshLoss all = loss_of(scene, opaque, job, cap, &see_through);
+    loss.thinned = std::max(0.0, all.missed - loss.missed);
+    loss.missed = all.missed;
+    loss.displaced = all.displaced;
+}
+
 }  // namespace
 
 std::vector<bool> see_through_materials(const SceneData& scene)
 {
+    const std::vector<float> cuts = cut_lengths(scene);
     std::vector<bool> result;
-    for (const Material& m : scene.materials) result.push_back(!scene.medium && is_see_through(scene, m));
+    for (size_t k = 0; k < scene.materials.size(); ++k)
+        result.push_back(!scene.medium && is_see_through(scene, scene.materials[k], cuts[k]));
     return result;
 }
 
@@ -164,16 +276,11 @@ std::unique_ptr<SceneData> opaque_part(const SceneData& scene)
     return std::make_unique<SceneData>(std::move(parts), options);
 }
 
-void add_see_through(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings, PatchMesh& mesh,
-                     Job& job)
+void add_see_through(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings,
+                     const SeeThroughCount& most, BuiltMesh& built, Job& job)
 {
-    const std::vector<bool> see_through = see_through_materials(scene);
-    const Mesh all = without_copies(welded(part_of(
-        scene.mesh,
-        [&](uint32_t material) { return see_through[material] && !is_invisible(scene.materials[material]); })));
-    const auto stays = [](const Vec3& middle, const Vec3&, float) { return middle; };
-    const Mesh few = with_short_edges(simplified(all, settings.triangles).mesh, settings.longest_edge, stays);
-    append_see_through(mesh, assembled(rounded(open_sides(few, opaque, settings.cap, job)), settings.crease_cosine));
+    append(built.mesh, see_through_mesh(scene, opaque, settings, most, built.warnings, job));
+    if (fits(built.mesh)) judge(scene, built.mesh, settings.cap, job, built.loss);
 }
 
 }  // namespace lumi::baker

@@ -18,9 +18,15 @@ std::vector<bool> see_through_materials(const SceneData& scene);
 // Null where the scene has no see-through triangle.
 std::unique_ptr<SceneData> opaque_part(const SceneData& scene);
 
-// Appends the mesh of the see-through triangles: each side that is not hidden by opaque ones, also behind others. At
-// most about `settings.triangles` before edges are split. `opaque`: opaque_part().
-void add_see_through(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings, PatchMesh& mesh,
-                     Job& job);
+// Before edges are split, about so many triangles at most.
+struct SeeThroughCount {
+    uint32_t triangles;
+    uint32_t cards;  // of a cloud of cards, such as leaves: whole ones are left out, with a warning
+};
+
+// Appends the mesh of the see-through triangles: each side that is not hidden by opaque ones, also behind others. The
+// loss becomes that of the whole scene. `opaque`: opaque_part().
+void add_see_through(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings,
+                     const SeeThroughCount& most, BuiltMesh& built, Job& job);
 
 }  // namespace lumi::baker

@@ -127,7 +127,7 @@ public:
     {
     }
 
-    // From `model` on. Nodes of vertices that are not `viewed` are 0; empty: all are viewed.
+    // From `model` on. Nodes of vertices that are not `viewed` are 0.
     void solve(FitModel& model, const std::vector<uint8_t>& viewed, const char* name) const
     {
         FitSolver solver(state_.sums, smoothness_, viewed, job_);
@@ -157,14 +157,6 @@ private:
     Job& job_;
 };
 
-// What glass adds does not depend on the view.
-void forget_see_through(const FitShape& shape, std::vector<uint8_t>& viewed)
-{
-    for (uint32_t p = shape.mesh.opaque_patches(); p < shape.mesh.patches.size(); ++p)
-        for (uint32_t corner = 0; corner < 4; ++corner)
-            if (const uint32_t v = shape.vertex(p, corner); v != PatchMesh::kNone) viewed[v] = 0;
-}
-
 }  // namespace
 
 uint64_t solution_work(const FitShape& shape)
@@ -180,9 +172,8 @@ FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, 
     std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
     FitModel model = state.expected;
     if (view_tables) {
-        solution.solve(model, {}, "all tables");
+        solution.solve(model, viewable_vertices(state.shape.mesh), "all tables");
         job.run(1, [&](uint32_t) { viewed = viewed_vertices(state.sums, model); });
-        forget_see_through(state.shape, viewed);
     }
     solution.solve(model, viewed, "tables");
     QuantisedViews views;

@@ -21,6 +21,8 @@ constexpr size_t kMostSections = 7;  // of opaque fields
 uint64_t file_bytes(const PatchMesh& mesh, uint64_t texels)
 {
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
+    const std::vector<uint8_t> viewable = viewable_vertices(mesh);
+    const auto viewed = static_cast<uint64_t>(std::count(viewable.begin(), viewable.end(), 1));
     const bool has_see_through = mesh.see_through_patches != 0;
     const size_t sections = kMostSections + (has_see_through ? 1 : 0);
     uint64_t bytes = aligned(detail::format::kHeaderBytes + sections * detail::format::kEntryBytes);
@@ -28,9 +30,16 @@ uint64_t file_bytes(const PatchMesh& mesh, uint64_t texels)
          {uint64_t{detail::format::kSurfaceBytes}, vertices * detail::format::kVertexBytes,
           patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
           patches * detail::format::kNeighbourBytes,
-          detail::format::kViewColoursBytes + vertices * detail::format::kViewBytes})
+          detail::format::kViewColoursBytes + viewed * detail::format::kViewBytes})
         bytes += aligned(section);
     return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
+}
+
+uint32_t triangles_of(const PatchMesh& mesh)
+{
+    uint32_t triangles = 0;
+    for (const PatchMesh::Patch& patch : mesh.patches) triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
+    return triangles;
 }
 
 // Both parts of the scene, where one sees through some of it.
@@ -41,9 +50,10 @@ BuiltMesh built_mesh(const SceneData& scene, MeshSettings mesh, BakeStages& stag
     if (!opaque) return build_mesh(scene, mesh, stages, job);
     for (;; mesh.triangles = mesh.triangles / 4 * 3) {
         BuiltMesh built = opaque->mesh.corners.empty() ? BuiltMesh() : build_mesh(*opaque, mesh, stages, job);
-        MeshSettings see_through = mesh;
-        see_through.triangles = std::max(kFewest, mesh.triangles / kSeeThroughParts);
-        add_see_through(scene, *opaque, see_through, built.mesh, job);
+        const uint32_t most = mesh.triangles + mesh.triangles / 2, opaque_ones = triangles_of(built.mesh);
+        const uint32_t few = std::max(kFewest, mesh.triangles / kSeeThroughParts);
+        const uint32_t cards = std::max(few, most - std::min(most, opaque_ones));  // which have no view tables
+        add_see_through(scene, *opaque, mesh, {few, cards}, built, job);
         if (fits(built.mesh)) return built;
         if (mesh.triangles < kFewest) throw BakeError("the scene's see-through parts are too many for a surface field");
     }
@@ -81,9 +91,7 @@ SurfaceDraft& SurfaceDraft::operator=(SurfaceDraft&&) noexcept = default;
 
 uint32_t SurfaceDraft::triangles() const
 {
-    uint32_t triangles = 0;
-    for (const PatchMesh::Patch& patch : built_->mesh.patches) triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
-    return triangles;
+    return triangles_of(built_->mesh);
 }
 
 uint32_t SurfaceDraft::vertices() const

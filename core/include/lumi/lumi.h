@@ -90,7 +90,7 @@ typedef struct lumi_view lumi_view;
 
 /* Bytes that a view takes, before the field is opened: its vertices and patches (`lumi inspect`, `lumi embed`), 0 for
  * chord fields. The macro is a constant for an array, and no less. A uint64_t array has the alignment. */
-#define LUMI_MEMORY(vertices, patches, width, height, rows)                                             \
+#define LUMI_MEMORY(vertices, patches, width, height, rows)                      \
     (2048 + 12 * (size_t)(vertices) + 5 * (size_t)(patches) + (size_t)(height) + \
      (6 * ((size_t)(width) + 3) + ((size_t)(width) + 33) / 32 * 4) * ((size_t)(rows) + 2))
 #define LUMI_MEMORY_TWO_BY_TWO(vertices, patches, width, height, rows) \

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "mesh/see_through.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 #include "support/surfaces.h"
@@ -31,15 +32,28 @@ std::string disc(float radius)
     return rgb_png(kPixels, rgb);
 }
 
-Scene leaf(float radius)
+// Bars that are two pixels wide, with gaps as wide between them.
+std::string comb()
+{
+    std::vector<uint8_t> rgb;
+    for (int k = 0; k < kPixels * kPixels; ++k) rgb.insert(rgb.end(), 3, k % 4 < 2 ? 255 : 0);
+    return rgb_png(kPixels, rgb);
+}
+
+Scene leaf_of(const std::string& png)
 {
     const ScratchFolder folder;
     folder.write("m.mtl", "newmtl leaf\nKd .1 .5 .1\nmap_d t.png\nnewmtl stem\nKd .3 .2 .1\n");
-    folder.write("t.png", disc(radius));
+    folder.write("t.png", png);
     LoadOptions options;
     options.up = UpAxis::z;
     std::vector<std::string> warnings;
     return load_scene(folder.write("s.obj", kLeaf), options, warnings);
+}
+
+Scene leaf(float radius)
+{
+    return leaf_of(disc(radius));
 }
 
 double area_of(const Mesh& mesh)
@@ -65,6 +79,26 @@ TEST_CASE("A picture of opacity cuts triangles along its contour", "[mesh]")
         const float x = (cut->position(k, 0).x - middle.x) * scene.radius();
         CHECK((x >= 0.999f || length(cut->position(k, 0) - middle) * scene.radius() < kRadius + 0.01f));
     }
+}
+
+TEST_CASE("A picture's cut is about as long as its contour", "[mesh]")
+{
+    constexpr float kRadius = 0.7f;
+    const Scene scene = leaf(kRadius);
+    const std::vector<float> lengths = cut_lengths(scene.data());
+    REQUIRE(lengths.size() == 2);
+    CHECK(lengths[0] * scene.radius() == Approx(2 * 3.14159265f * kRadius).epsilon(0.15));
+    CHECK(lengths[1] == 0);
+}
+
+TEST_CASE("A picture whose contour a mesh can follow cuts, and any other one is coverage", "[mesh]")
+{
+    CHECK((see_through_materials(leaf(0.7f).data()) == std::vector<bool>{false, false}));
+    CHECK((see_through_materials(leaf_of(comb()).data()) == std::vector<bool>{true, false}));
+    CHECK_FALSE(opaque_part(leaf(0.7f).data()));
+    const Scene scene = leaf_of(comb());
+    REQUIRE(opaque_part(scene.data()));
+    CHECK(opaque_part(scene.data())->mesh.triangle_count() == 2);  // the stem
 }
 
 TEST_CASE("Opaque pictures and scenes without any leave triangles whole", "[mesh]")

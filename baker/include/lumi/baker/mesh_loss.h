@@ -11,6 +11,7 @@ namespace lumi::baker
 // What the mesh gets wrong, in shares of the rays that meet the scene.
 struct MeshLoss {
     double missed = 0;     // the mesh is not there
+    double thinned = 0;    // of that: what see-through parts that are left out would show
     double added = 0;      // the ray meets the mesh, but not the scene
     double displaced = 0;  // the depths differ by more than a twentieth of the radius
 

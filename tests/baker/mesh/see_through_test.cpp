@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/see_through.h"
+
+#include <catch2/catch.hpp>
+
+#include "support/shapes.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+constexpr float kOuter = 0.55f, kInner = 0.25f;
+
+// Tiles with gaps between them, four on each side of a cube.
+void add_tiles(SceneMaker& maker, uint32_t material, float reach)
+{
+    const auto at = [&](size_t axis, float side, float u, float v) {
+        float p[3];
+        p[axis] = side * reach;
+        p[(axis + 1) % 3] = u * reach;
+        p[(axis + 2) % 3] = v * reach;
+        return Vec3{p[0], p[1], p[2]};
+    };
+    constexpr float kGap = 0.02f;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        for (const float side : {-1.0f, 1.0f}) {
+            for (const float u : {kGap - 1, kGap}) {
+                for (const float v : {kGap - 1, kGap}) {
+                    const float u1 = u + 1 - 2 * kGap, v1 = v + 1 - 2 * kGap;
+                    maker.quad(material, at(axis, side, u, v), at(axis, side, u1, v), at(axis, side, u1, v1),
+                               at(axis, side, u, v1));
+                }
+            }
+        }
+    }
+}
+
+Scene tiles_in_tiles()
+{
+    SceneMaker maker;
+    Material tile = lamp(grey(0.5f));
+    tile.opacity = 0.95f;
+    tile.finish();
+    const uint32_t material = maker.add(tile);
+    add_tiles(maker, material, kInner);
+    add_tiles(maker, material, kOuter);
+    maker.span_unit_sphere();
+    return maker.make(constant_environment(0));
+}
+
+BuiltMesh built_of(uint32_t cards)
+{
+    const Scene scene = tiles_in_tiles();
+    const std::unique_ptr<SceneData> opaque = opaque_part(scene.data());
+    REQUIRE(opaque);
+    BuiltMesh built;
+    Job job(1, 1, {});
+    MeshSettings settings;
+    settings.longest_edge = 2;
+    add_see_through(scene.data(), *opaque, settings, {4, cards}, built, job);
+    return built;
+}
+
+struct Corners {
+    size_t outer = 0, inner = 0;
+};
+
+Corners corners_of(const PatchMesh& mesh)
+{
+    Corners count;
+    for (const Vec3& p : mesh.positions) {
+        const float reach = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        ++(reach > (kInner + kOuter) / 2 ? count.outer : count.inner);
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("Of a cloud of cards those stay that are seen most", "[mesh]")
+{
+    const BuiltMesh built = built_of(56);  // the outer 48 triangles, and 8 of the inner ones
+    const Corners corners = corners_of(built.mesh);
+    CHECK(corners.outer == 4 * 24);
+    CHECK(corners.inner == 4 * 4);
+    REQUIRE(built.warnings.size() == 1);
+    CHECK(built.warnings[0].problem ==
+          "of 96 see-through triangles, such as leaves, the 56 that are seen most are drawn");
+    CHECK(built.warnings[0].more_triangles_help);
+    CHECK(built.loss.thinned < 0.1);
+    CHECK(built.loss.thinned == built.loss.missed);
+}
+
+TEST_CASE("A cloud that has room is drawn whole, and a card's two sides share its corners", "[mesh]")
+{
+    const BuiltMesh built = built_of(96);
+    CHECK(built.warnings.empty());
+    CHECK(built.mesh.positions.size() == 4 * 48);
+    CHECK(built.mesh.patches.size() == 2 * 48);
+    CHECK(built.mesh.see_through_patches == 2 * 48);
+    CHECK(built.loss.missed < 0.005);
+    CHECK(viewable_vertices(built.mesh) == std::vector<uint8_t>(4 * 48, 0));
+}
+
+TEST_CASE("Cards that are left out count as missed", "[mesh]")
+{
+    const BuiltMesh built = built_of(24);
+    CHECK(corners_of(built.mesh).outer == 4 * 12);
+    CHECK(built.loss.missed > 0.15);
+}
+
+}  // namespace lumi::baker::testing
