@@ -274,14 +274,17 @@ def esp_idf_lvgl(build, archives, cxx):
                   [*ESP32_C3, "-Os", *flags, *stand_in], cxx, "riscv64-unknown-elf-")
 
 
-def zephyr_sample(build, core):
-    """The sample against declarations of Zephyr's functions that it calls."""
+def samples(build, core, cxx):
+    """Zephyr's sample and ESP-IDF's example, against declarations of the functions that they call."""
     folder = build.fresh("sample")
-    build.run("zephyr", [build.lumi, "embed", build.field, "-o", folder / "product.c"])
-    sources = sorted((core / "zephyr/samples").glob("*/src/*.cpp"))
-    build.compile("zephyr's sample", sources, [*M0, "-Os", f"-I{folder}", f"-I{core / 'include'}",
-                                               f"-I{ROOT / 'tests/platform/zephyr_double'}"],
+    build.run("samples", [build.lumi, "embed", build.field, "-o", folder / "product.c"])
+    flags = ["-Os", f"-I{folder}", f"-I{core / 'include'}"]
+    build.compile("zephyr's sample", sorted((core / "zephyr/samples").glob("*/src/*.cpp")),
+                  [*M0, *flags, f"-I{ROOT / 'tests/platform/zephyr_double'}"],
                   ["-std=c++17", *COMMON[2:], "-Wall", "-Wextra", "-Werror"])
+    build.compile("esp-idf's example", sorted((core / "examples").glob("*/main/*.cpp")),
+                  [*ESP32_C3, *flags, f"-I{ROOT / 'tests/platform/esp_idf_double'}"], [*cxx, "-Wextra", "-Werror"],
+                  "riscv64-unknown-elf-")
 
 
 def main(arguments):
@@ -303,7 +306,7 @@ def main(arguments):
     cmsis_pack(build, archives)
     cxx = ["-std=gnu++2b", "-fno-exceptions", "-fno-rtti", "-Wall", "-Werror=all", "-Wno-error=unused-function"]
     esp_idf_lvgl(build, archives, cxx)
-    zephyr_sample(build, core)
+    samples(build, core, cxx)
     for name, stub, prefix, cpu, std in (
             ("esp-idf", ESP_IDF, "riscv64-unknown-elf-", ESP32_C3, cxx),
             ("zephyr", ZEPHYR, CROSS, M0, ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"]),

@@ -59,6 +59,7 @@ core/src/chord
 core/src/chord/armv6m
 core/src/chord/kernel
 core/zephyr
+core/examples
 
 platform/host
 platform/wasm
