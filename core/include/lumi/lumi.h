@@ -44,7 +44,8 @@ extern "C" {
 /* 0, or a value of lumi::ViewError (view_error.h); lumi_error_text says what to do. */
 typedef uint8_t lumi_error;
 
-/* Modes of surface fields, from the fastest to the finest. Chord fields: 2, 4, 8 or 16, see chord/render_spans.h. */
+/* Modes of surface fields, from the fastest to the finest. Chord fields: 2, 4, 8 or 16, see chord/render_spans.h; any
+ * other is wrong_span. */
 enum { LUMI_ONE_SAMPLE = 0, LUMI_ANTIALIASED = 1, LUMI_TWO_BY_TWO = 2 };
 
 /* The image, the most rows of it in a stripe, and the mode of lumi_look, one of the field's layout: of surface fields

@@ -26,6 +26,7 @@ enum class [[nodiscard]] ViewError : uint8_t{
     memory_too_small,      // C only: less than lumi_memory_size tells
     unaligned_memory,      // C only: an address that is not divisible by 8
     bad_argument,          // a null pointer, or a number that is out of range
+    wrong_span,            // a chord field's mode that is not 2, 4, 8 or 16
 };
 
 // One short English phrase that says what to do. Linked only if called.

@@ -15,11 +15,11 @@ class ChordDrawingInC
 public:
     using Field = lumi::Field;
 
-    static ViewError open(const uint8_t* bytes, size_t size, const lumi_screen&, Field& out)
+    static ViewError open(const uint8_t* bytes, size_t size, const lumi_screen& screen, Field& out)
     {
         ViewError error = ViewError::other_renderer;
         ((error = error == ViewError::other_renderer ? open_for_spans(bytes, size, Texels::kFormat, out) : error), ...);
-        return error;
+        return error == ViewError::none && !is_span(screen.mode) ? ViewError::wrong_span : error;
     }
 
     static size_t bytes_of(const Field&, const lumi_screen&) { return 0; }
@@ -30,6 +30,7 @@ public:
 
     ViewError look(const Pose& pose, const Image& image, uint8_t span_px)
     {
+        if (!is_span(span_px)) return ViewError::wrong_span;
         const ViewError error = view_error(make_camera(pose, image, camera_));
         if (error == ViewError::none) span_px_ = span_px;
         return error;

@@ -58,6 +58,8 @@ const char* error_text(ViewError error)
             return "the memory's address must be divisible by 8";
         case ViewError::bad_argument:
             return "an argument is a null pointer or out of range";
+        case ViewError::wrong_span:
+            return "a chord field's mode is the length of its spans: it must be 2, 4, 8 or 16";
         default:
             return "unknown error";
     }

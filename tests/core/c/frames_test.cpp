@@ -203,6 +203,33 @@ TEST_CASE("what chord fields have no pixels for is an error in C")
     CHECK(draw_stripe_in_c(view.get(), &f, 0, out.pixels.data(), nullptr) == 0);
 }
 
+TEST_CASE("of all numbers, only spans that a renderer has are modes of chord fields in C, and others leave the frame")
+{
+    const Bytes field = chord_bytes(TexelFormat::rgb565);
+    const ViewInC view(field, 8);
+    REQUIRE(lumi_look(view.get(), kOrbits[0]) == 0);
+    const lumi_rect before = lumi_bounds(view.get());
+    for (int mode = 0; mode < 256; ++mode) {
+        const bool is_span = mode == 2 || mode == 4 || mode == 8 || mode == 16;
+        const uint8_t number = static_cast<uint8_t>(mode);
+        const lumi_screen screen = {kWidth, kHeight, kRows, number};
+        CHECK((lumi_memory_size(field.data(), field.size(), screen) > 0) == is_span);
+        if (is_span) continue;
+        std::vector<uint64_t> memory(8192);
+        lumi_view* none = nullptr;
+        CHECK(lumi_open(memory.data(), 65536, field.data(), field.size(), screen, &none) ==
+              code(ViewError::wrong_span));
+        CHECK(none == nullptr);
+        CHECK(lumi_look_mode(view.get(), kOrbits[1], number) == code(ViewError::wrong_span));
+    }
+    CHECK(lumi_look_mode(view.get(), {0, 0, 0, 0, LUMI_NO_ZOOM}, 8) ==
+          code(view_error(CameraError::eye_inside_sphere)));
+    const lumi_rect after = lumi_bounds(view.get());
+    CHECK((after.x_px == before.x_px && after.width_px == before.width_px && after.height_px == before.height_px));
+    REQUIRE(lumi_look_mode(view.get(), kOrbits[1], 2) == 0);
+    CHECK(lumi_bounds(view.get()).width_px != before.width_px);
+}
+
 TEST_CASE("a program for both layouts refuses each other field by name")
 {
     const auto error_of = [](const Bytes& field, uint8_t mode) {

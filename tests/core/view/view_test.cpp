@@ -266,6 +266,18 @@ TEST_CASE("a chord field at an odd address is refused by spans and drawn exactly
     moved.insert(moved.end(), bytes.begin(), bytes.end());
     CHECK(spans.open(moved.data() + 1, bytes.size()) == ViewError::unaligned_field);
     CHECK(exact.open(moved.data() + 1, bytes.size()) == ViewError::none);
+    // A palette is read by words; texels of a byte lie anywhere.
+    static View<ChordDrawing<TexelPalette8>, TestScreen<PixelRgb565>> palette;
+    static View<ChordDrawing<TexelLuma8>, TestScreen<PixelRgb565>> luma;
+    for (const TexelFormat texel : {TexelFormat::palette8, TexelFormat::luma8}) {
+        const Bytes at_word = chord(texel);
+        moved.assign(1, 0);
+        moved.insert(moved.end(), at_word.begin(), at_word.end());
+        if (texel == TexelFormat::palette8)
+            CHECK(palette.open(moved.data() + 1, at_word.size()) == ViewError::unaligned_field);
+        else
+            CHECK(luma.open(moved.data() + 1, at_word.size()) == ViewError::none);
+    }
 }
 
 TEST_CASE("calls in the wrong order and views that no camera takes are errors")
@@ -290,6 +302,23 @@ TEST_CASE("calls in the wrong order and views that no camera takes are errors")
     CHECK(view.draw(stripe) == ViewError::no_field);
     REQUIRE(plain.open(bytes.data(), bytes.size()) == ViewError::none);
     CHECK(plain.look(kOrbit, SurfaceMode::two_by_two) == ViewError::mode_too_fine);
+}
+
+TEST_CASE("a span that no renderer has is refused by name, and the frame stays")
+{
+    static View<ChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> view;
+    const Bytes bytes = chord(TexelFormat::rgb565);
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    CHECK(view.look(kOrbit, 3) == ViewError::wrong_span);
+    CHECK(view.bounds().width_px == 0);
+    REQUIRE(view.look(kOrbit, 2) == ViewError::none);
+    const Bytes before = frame_of<PixelRgb565>(view);
+    const Orbit other = {degrees(200), degrees(60), radii(4)};
+    for (const int32_t wrong : std::initializer_list<int32_t>{INT32_MIN, -16, -2, -1, 0, 1, 3, 5, 7, 9, 15, 17, 18, 32,
+                                                              256 + 16, 65536, INT32_MAX})
+        CHECK(view.look(other, wrong) == ViewError::wrong_span);
+    CHECK((frame_of<PixelRgb565>(view) == before));
+    for (const int32_t span : {2, 4, 8, 16}) CHECK(view.look(other, span) == ViewError::none);
 }
 
 TEST_CASE("a stripe that cannot be drawn is refused by name")
@@ -440,11 +469,77 @@ TEST_CASE("every error has a text of its own")
         texts.insert(error_text(error));
         ++count;
     };
-    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::section_crc); ++k) add(static_cast<ViewError>(k));
+    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::bad_see_through); ++k) add(static_cast<ViewError>(k));
     for (uint8_t k = 1; k <= static_cast<uint8_t>(CameraError::axes_not_orthonormal); ++k)
         add(view_error(static_cast<CameraError>(k)));
-    for (uint8_t k = 160; k <= static_cast<uint8_t>(ViewError::bad_argument); ++k) add(static_cast<ViewError>(k));
+    for (uint8_t k = 160; k <= static_cast<uint8_t>(ViewError::wrong_span); ++k) add(static_cast<ViewError>(k));
     CHECK(texts.size() == count);
     CHECK(texts.count("unknown error") == 0);
-    CHECK(std::string(error_text(static_cast<ViewError>(255))) == "unknown error");
+    for (const int unknown : {127, 159, 255})
+        CHECK(std::string(error_text(static_cast<ViewError>(unknown))) == "unknown error");
+    texts.clear();
+    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::bad_see_through); ++k)
+        texts.insert(describe(static_cast<FieldError>(k)));
+    CHECK(texts.size() == static_cast<size_t>(FieldError::bad_see_through) + 1);
+    for (const char* text : {describe(FieldError::none), describe(CameraError::none), error_text(ViewError::none)})
+        CHECK(std::string(text) == "no error");
+}
+
+TEST_CASE("coverage is refused by name where a stripe's pixels would be")
+{
+    static BallView<PixelRgb565> view;
+    static uint8_t bytes_of_coverage[kWidth * (kRows + 1)];
+    const Bytes bytes = ball();
+    const Stripe coverage = {bytes_of_coverage, 0, 8, kWidth, kRows, kWidth};
+    CHECK(view.draw_coverage(coverage) == ViewError::no_field);
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    CHECK(view.draw_coverage(coverage) == ViewError::no_look);
+    REQUIRE(view.look(kOrbit, SurfaceMode::two_by_two) == ViewError::none);
+    alignas(4) static uint8_t pixels[kWidth * kRows * 2];
+    REQUIRE(view.draw({pixels, 0, 8, kWidth, kRows, 2 * kWidth}, OverNothing{}) == ViewError::none);
+    CHECK(view.draw_coverage(coverage) == ViewError::none);
+    const auto changed = [&](auto change) {
+        Stripe stripe = coverage;
+        change(stripe);
+        return view.draw_coverage(stripe);
+    };
+    CHECK(changed([](Stripe& s) { s.pixels = nullptr; }) == ViewError::no_pixels);
+    CHECK(changed([](Stripe& s) { s.stride_bytes = kWidth - 1; }) == ViewError::short_stride);
+    CHECK(changed([](Stripe& s) { s.height_px = kRows + 1; }) == ViewError::stripe_too_large);
+    CHECK(changed([](Stripe& s) { s.x_px = INT32_MAX; }) == ViewError::stripe_too_far);
+}
+
+TEST_CASE("views of chord fields refuse other files, lattices without spans and views that no camera takes")
+{
+    static View<ChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> spans;
+    static View<ExactChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> exact;
+    const auto error_of = [](auto& view, const Bytes& b) { return view.open(b.data(), b.size()); };
+    CHECK(error_of(exact, ball()) == ViewError::other_renderer);
+    CHECK(error_of(exact, chord(TexelFormat::luma8)) == ViewError::other_renderer);
+    CHECK(error_of(exact, Bytes(5000, 0xFF)) == view_error(FieldError::bad_magic));
+    test::TestLayout few;
+    few.texel = TexelFormat::rgb565;
+    few.origins = few.used_origins = 20;
+    few.directions = 30;
+    const Bytes small = test::sample_field(few);
+    CHECK(error_of(spans, small) == ViewError::other_renderer);
+    CHECK(error_of(exact, small) == ViewError::none);
+    const Bytes bytes = chord(TexelFormat::rgb565);
+    REQUIRE(error_of(spans, bytes) == ViewError::none);
+    REQUIRE(error_of(exact, bytes) == ViewError::none);
+    const Orbit inside = {0, 0, radii(1) / 2};
+    CHECK(spans.look(inside) == view_error(CameraError::eye_inside_sphere));
+    CHECK(exact.look(inside) == view_error(CameraError::eye_inside_sphere));
+    CHECK(spans.bounds().width_px == 0);
+    REQUIRE(spans.look(kOrbit) == ViewError::none);
+    CHECK(spans.bounds().width_px > 0);
+    CHECK(spans.look(inside) == view_error(CameraError::eye_inside_sphere));
+    CHECK(spans.bounds().width_px > 0);
+    Pose away = pose_of(kOrbit);
+    const auto turned = [](const Vec3q30& v) { return Vec3q30{-v.x, -v.y, -v.z}; };
+    away.forward = turned(away.forward), away.right = turned(away.right);
+    REQUIRE(spans.look(away, degrees(50)) == ViewError::none);
+    CHECK((spans.bounds().width_px == 0 && spans.bounds().height_px == 0));
+    const Bytes nothing = frame_of<PixelRgb565>(spans);
+    CHECK(std::all_of(nothing.begin(), nothing.end(), [](uint8_t byte) { return byte == 0; }));
 }

@@ -42,6 +42,12 @@ struct ChordState {
     ViewError look(const Pose& pose, const Image& image) { return view_error(make_camera(pose, image, camera)); }
 };
 
+// The spans that render_spans() tells apart.
+constexpr bool is_span(int32_t px)
+{
+    return px == 2 || px == 4 || px == 8 || px == 16;
+}
+
 // Nothing of a frame is prepared that two cores could share.
 struct NoHalves {
     void prepare(int32_t, uint32_t) {}
@@ -52,7 +58,8 @@ struct NoHalves {
 namespace lumi
 {
 
-// By spans, render_spans(). The mode is how many pixels may lie between exact hits: 2, 4, 8 or 16.
+// By spans, render_spans(). The mode is how many pixels may lie between exact hits: 2, 4, 8 or 16; any other is
+// wrong_span.
 template <class Texel, class Reconstruction = Linear>
 struct ChordDrawing {
     using Mode = int32_t;
@@ -75,6 +82,7 @@ struct ChordDrawing {
         template <class... Halves>
         ViewError look(const Pose& pose, const Image& image, Mode span_px, const Halves&...)
         {
+            if (!detail::is_span(span_px)) return ViewError::wrong_span;
             const ViewError error = state_.look(pose, image);
             if (error == ViewError::none) span_px_ = span_px;
             return error;
