@@ -44,6 +44,7 @@ set(LUMI_CORE_TEST_SOURCES
   c/memory_test.cpp
   control/gesture_test.cpp
   pixel/pack_test.cpp
+  view/same_bits_test.cpp
   view/small_screens_test.cpp
   view/view_test.cpp)
 list(TRANSFORM LUMI_CORE_TEST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

@@ -115,7 +115,11 @@ TEST_CASE("a budget chooses the same spans from C, for chord fields")
     };
     CHECK(error({kBudget, 16, 16, 16}) == 0);
     const uint8_t wrong_spans[] = {0, 1, 3, 32};
-    for (const uint8_t wrong : wrong_spans) CHECK(error({kBudget, 16, 4, wrong}) == code(ViewError::bad_argument));
+    for (const uint8_t wrong : wrong_spans) {
+        CHECK(error({kBudget, wrong, 4, 2}) == code(ViewError::bad_argument));
+        CHECK(error({kBudget, 16, wrong, 2}) == code(ViewError::bad_argument));
+        CHECK(error({kBudget, 16, 4, wrong}) == code(ViewError::bad_argument));
+    }
     CHECK(error({kBudget, 4, 8, 2}) == code(ViewError::bad_argument));
     CHECK(error({kBudget, 16, 2, 4}) == code(ViewError::bad_argument));
 }

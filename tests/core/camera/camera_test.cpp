@@ -179,3 +179,68 @@ TEST_CASE("poses and images out of range are refused by name and leave the camer
     CHECK(make_camera(skewed, kImage, camera) != CameraError::none);
     CHECK(camera.width_px() == 77);
 }
+
+TEST_CASE("every component of an axis is in range, every length 1 and every angle right, up to 2^-12", "[camera]")
+{
+    constexpr int32_t kWithin = (kOneQ30 >> 12) - 1024, kBeyond = (kOneQ30 >> 12) + 1024;
+    const Pose good = orbit(0, 0, 3 * kOneQ20);
+    Vec3q30 Pose::*const axes[] = {&Pose::right, &Pose::up, &Pose::forward};
+    int32_t Vec3q30::*const components[] = {&Vec3q30::x, &Vec3q30::y, &Vec3q30::z};
+    for (Vec3q30 Pose::*axis : axes) {
+        const auto error_if = [&](auto change) {
+            Pose pose = good;
+            change(pose.*axis);
+            return error_of(pose, kImage);
+        };
+        for (int32_t Vec3q30::*component : components)
+            for (const int32_t far : {INT32_MIN, -kOneQ30 - kBeyond, kOneQ30 + kBeyond, INT32_MAX})
+                CHECK(error_if([&](Vec3q30& v) { v.*component = far; }) == CameraError::axes_not_orthonormal);
+        // Its square is so much from 1.
+        for (const int32_t sign : {-1, 1}) {
+            const auto longer = [&](int32_t by) {
+                return error_if([&](Vec3q30& v) {
+                    for (int32_t Vec3q30::*component : components)
+                        v.*component += v.*component == 0 ? 0 : v.*component > 0 ? sign * by / 2 : -sign * by / 2;
+                });
+            };
+            CHECK(longer(kWithin) == CameraError::none);
+            CHECK(longer(kBeyond) == CameraError::axes_not_orthonormal);
+        }
+        for (Vec3q30 Pose::*other : axes) {
+            if (other == axis) continue;
+            const auto leaning = [&](int32_t by) {
+                return error_if([&](Vec3q30& v) {
+                    for (int32_t Vec3q30::*component : components)
+                        v.*component += mul_q30((good.*other).*component, by);
+                });
+            };
+            for (const int32_t sign : {-1, 1}) {
+                CHECK(leaning(sign * kWithin) == CameraError::none);
+                CHECK(leaning(sign * kBeyond) == CameraError::axes_not_orthonormal);
+            }
+        }
+    }
+}
+
+TEST_CASE("an image's sides and shifts are taken up to their limits and not beyond", "[camera]")
+{
+    const Pose good = orbit(0, 0, 3 * kOneQ20);
+    const auto error = [&](const Image& image) { return error_of(good, image); };
+    for (const int32_t side : std::initializer_list<int32_t>{1, 2, kMaxImageSide}) {
+        CHECK(error({side, 48, degrees(40)}) == CameraError::none);
+        CHECK(error({64, side, degrees(40)}) == CameraError::none);
+    }
+    for (const int32_t side : std::initializer_list<int32_t>{INT32_MIN, -1, 0, kMaxImageSide + 1, INT32_MAX}) {
+        CHECK(error({side, 48, degrees(40)}) == CameraError::image_size_range);
+        CHECK(error({64, side, degrees(40)}) == CameraError::image_size_range);
+    }
+    for (const int32_t sign : {-1, 1}) {
+        CHECK(error({64, 48, degrees(40), sign * 64 * 256, sign * 48 * 256}) == CameraError::none);
+        CHECK(error({64, 48, degrees(40), sign * (64 * 256 + 1), 0}) == CameraError::image_size_range);
+        CHECK(error({64, 48, degrees(40), 0, sign * (48 * 256 + 1)}) == CameraError::image_size_range);
+    }
+    CHECK(error({64, 48, kMinFovTurns32}) == CameraError::none);
+    CHECK(error({64, 48, kMaxFovTurns32}) == CameraError::none);
+    CHECK(error({64, 48, kMinFovTurns32 - 1}) == CameraError::field_of_view_range);
+    CHECK(error({64, 48, kMaxFovTurns32 + 1}) == CameraError::field_of_view_range);
+}

@@ -87,6 +87,12 @@ TEST_CASE("a zoom makes everything so many times as large, to 1/100 pixel, withi
     CHECK(image_of(orbit, 240, 240).fov_turns32 == fitted);
     orbit.zoom_q16 = 2 * kNoZoom;
     CHECK(image_of(orbit, 240, 240).fov_turns32 == zoomed(fitted, 2 * kNoZoom));
-    orbit.fov_turns32 = degrees(130);  // not repaired by a zoom
-    CHECK(image_of(orbit, 240, 240).fov_turns32 == degrees(130));
+    for (const uint32_t wrong : {degrees(130), kMaxFovTurns32 + 1, kMinFovTurns32 - 1}) {  // not repaired by a zoom
+        orbit.fov_turns32 = wrong;
+        CHECK(image_of(orbit, 240, 240).fov_turns32 == wrong);
+    }
+    for (const uint32_t right : {kMaxFovTurns32, kMinFovTurns32}) {
+        orbit.fov_turns32 = right;
+        CHECK(image_of(orbit, 240, 240).fov_turns32 == zoomed(right, orbit.zoom_q16));
+    }
 }

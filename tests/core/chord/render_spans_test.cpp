@@ -202,6 +202,128 @@ TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "
     CHECK(100 - voronoi.error > 32);
 }
 
+namespace
+{
+
+// The lowest PSNR of random views, poles and extremes among them, by spans of 4 against the exact renderer.
+template <uint32_t K>
+double lowest_of_paper(const Field& field)
+{
+    std::minstd_rand random(K);
+    std::vector<View> views = extreme_views(kSide);
+    for (uint32_t k = 0; k < kRandomViews / 10; ++k) views.push_back(random_view(random, kSide));
+    double lowest = 1000;
+    for (const View& view : views) {
+        const auto exact = draw<Paper<K>, TexelRgb888>(field, view, OverBlack{}, 0);
+        lowest =
+            std::min(lowest, difference(exact, draw<Paper<K>, TexelRgb888>(field, view, OverBlack{}, 4)).psnr_db());
+    }
+    std::printf("spans of 4, the paper's kernel of %u points: lowest PSNR %.1f dB\n", static_cast<unsigned>(K), lowest);
+    return lowest;
+}
+
+}  // namespace
+
+TEST_CASE("the paper's kernel of any number of neighbours is drawn on spans like the exact renderer draws it", "[span]")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
+    const Field field = opened(bytes);
+    // Of few points the picture has edges, where one point takes another's place; spans move them by parts of a pixel.
+    CHECK(lowest_of_paper<1>(field) > 20);
+    CHECK(lowest_of_paper<2>(field) > 20);
+    CHECK(lowest_of_paper<3>(field) > 36);
+    CHECK(lowest_of_paper<4>(field) > 42);
+    CHECK(lowest_of_paper<9>(field) > 42);
+}
+
+TEST_CASE("a field of another texel format is refused by every renderer, and no pixel is touched")
+{
+    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::luma8);
+    const Field field = opened(bytes);
+    Camera camera;
+    const View view = extreme_views(16)[0];
+    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+    std::vector<uint8_t> pixels(16 * 16, 77);
+    const Stripe stripe = {pixels.data(), 0, 0, 16, 16, 16};
+    CHECK(render_spans<Linear, TexelPalette8, PixelGrey8>(field, camera, OverBlack{}, stripe, 8) ==
+          RenderError::wrong_texel_format);
+    CHECK(render<Linear, TexelPalette8, PixelGrey8>(field, camera, OverBlack{}, stripe) ==
+          RenderError::wrong_texel_format);
+    CHECK(std::count(pixels.begin(), pixels.end(), 77) == static_cast<ptrdiff_t>(pixels.size()));
+}
+
+namespace
+{
+
+// The same with texels that are misses: where rays go up, seen from below that is a third of the picture.
+template <class Texel>
+Bytes field_with_a_hole()
+{
+    TestLayout layout;
+    layout.origins = layout.used_origins = 300;
+    layout.directions = 700;
+    layout.texel = Texel::kFormat;
+    const uint32_t bytes = format::bytes_per_texel(layout.texel);
+    const std::vector<Vec3> d = twin::points(layout.directions);
+    const auto value = [&](uint32_t, uint32_t k) {
+        return static_cast<uint8_t>(d[std::min(k / bytes, layout.directions - 1)].z > 0.4 ? 0 : 200);
+    };
+    std::vector<TestSection> sections = {layout_section(layout), texel_section(layout, value)};
+    if (layout.texel == TexelFormat::palette8) {
+        sections.push_back(palette_section());
+        std::fill_n(sections.back().bytes.begin(), 4, uint8_t{0});
+    }
+    return file_of(sections);
+}
+
+const Rgb8 kGreen = {10, 240, 20};
+
+// How many more or fewer pixels show the background alone, and how alike the pictures are at least.
+struct Alike {
+    int pixels;
+    double psnr_db;
+};
+
+template <class Texel, class Spans, class Exact>
+void check_hole(const Alike& alike)
+{
+    const Bytes bytes = field_with_a_hole<Texel>();
+    const Field field = opened(bytes);
+    for (const double up : {-0.8, 0.3, 0.9}) {  // from below, the side and above
+        const View view = {"hole", look_at({1.8, 1.1, 2 * up}, {0, 0, 0}, 10), {kSide, kSide, degrees(50)}};
+        const auto exact = draw<Exact, Texel>(field, view, OverColour{kGreen}, 0);
+        const auto spans = draw<Spans, Texel>(field, view, OverColour{kGreen}, 2);
+        const auto greens = [&](const std::vector<uint8_t>& pixels) {
+            int count = 0;
+            for (size_t k = 0; k < pixels.size(); k += 3)
+                count += pixels[k] == kGreen.r && pixels[k + 1] == kGreen.g && pixels[k + 2] == kGreen.b ? 1 : 0;
+            return count;
+        };
+        INFO(Texel::kName << ", from a height of " << 2 * up);
+        CHECK(std::abs(greens(spans) - greens(exact)) <= alike.pixels);
+        CHECK(difference(exact, spans).psnr_db() > alike.psnr_db);
+    }
+}
+
+template <class Texel>
+void check_holes()
+{
+    check_hole<Texel, Linear, Linear>({kSide / 2, 36});
+    check_hole<Texel, Paper<5>, Paper<5>>({kSide, 36});
+    check_hole<Texel, NearestVoronoi, Nearest>({kSide / 8, 28});
+    check_hole<Texel, Nearest, Nearest>({kSide / 8, 23});  // its cells on spans are others
+}
+
+}  // namespace
+
+TEST_CASE("through a hole of a field the background shows, in every texel format", "[span]")
+{
+    check_holes<TexelRgb888>();
+    check_holes<TexelRgb565>();
+    check_holes<TexelPalette8>();
+    check_holes<TexelLuma8>();
+}
+
 TEST_CASE("every texel format is drawn on spans like the exact renderer draws it", "[span]")
 {
     const View view = extreme_views(kSide)[0];

@@ -82,3 +82,16 @@ TEST_CASE("an object that was held still before it is let go stays")
     CHECK_FALSE(drag.next({false, 90, 0}, 16, orbit));
     CHECK(orbit.azimuth_turns32 == held);
 }
+
+TEST_CASE("an object without a half life, or that nobody looked at for long, stops at once")
+{
+    for (const uint32_t half_life_ms : {0u, 1u, 10u}) {
+        OrbitDrag drag({kPerPx, half_life_ms});
+        Orbit orbit;
+        for (int32_t x = 0; x < 60; x += 6) (void)drag.next({true, x, 0}, 20, orbit);
+        (void)drag.next({false, 60, 0}, half_life_ms == 0 ? 20 : 16 * half_life_ms, orbit);
+        const uint32_t azimuth = orbit.azimuth_turns32;
+        CHECK_FALSE(drag.next({false, 60, 0}, 20, orbit));
+        CHECK(orbit.azimuth_turns32 == azimuth);
+    }
+}

@@ -80,6 +80,13 @@ TEST_CASE("black texels stay visible and every encoded colour is covered", "[tex
     const uint8_t row8[] = {TexelLuma8::encode(black)};
     CHECK(TexelLuma8::load(none, row8, 0).a == 255);
 
+    for (uint32_t level = 0; level < 256; ++level) {  // at run time, as a baker encodes
+        const uint8_t c = static_cast<uint8_t>(level);
+        const Rgb8 v = TexelRgb888::encode({c, c, c});
+        CHECK((v.r == c && v.g == c && v.b == (c == 0 ? 1 : c)));
+        CHECK((TexelRgb565::encode({c, c, c}) == 0) == false);
+    }
+
     const uint8_t miss[3] = {0, 0, 0};
     CHECK(TexelRgb888::load(none, miss, 0).a == 0);
     CHECK(TexelRgb565::load(none, miss, 0).a == 0);

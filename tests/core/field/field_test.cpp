@@ -127,6 +127,13 @@ TEST_CASE("a damaged byte of a section is found by verify_field", "[field]")
     Field field;
     CHECK(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
     CHECK(verify_field(bytes.data(), bytes.size()) == FieldError::section_crc);
+    CHECK(verify_field(bytes.data(), bytes.size() - 1) == FieldError::truncated);
+    Bytes unknown = sample_field({});
+    unknown[33] = 'X';
+    reseal(unknown);
+    CHECK(verify_field(unknown.data(), unknown.size()) == FieldError::unknown_required);
+    bytes[0] ^= 1;
+    CHECK(verify_field(bytes.data(), bytes.size()) == FieldError::bad_magic);
 }
 
 TEST_CASE("guided fields are refused by name", "[field]")

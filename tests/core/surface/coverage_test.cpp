@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -186,4 +187,23 @@ TEST_CASE("5-5-5 pixels are those of 8 bits to the nearest step, with the top bi
         CHECK(top == 0);
         CHECK(worst <= 8);  // a step is 255/31
     }
+}
+
+TEST_CASE("pixels are copied at every place of a word, and none beside them")
+{
+    alignas(4) uint16_t from[48], to[48];
+    for (uint16_t k = 0; k < 48; ++k) from[k] = static_cast<uint16_t>(1000 + k);
+    for (uint32_t at_from = 0; at_from < 2; ++at_from)
+        for (uint32_t at_to = 0; at_to < 2; ++at_to)
+            for (uint32_t count = 0; count <= 40; ++count) {
+                std::fill(std::begin(to), std::end(to), uint16_t{7});
+                copy_pixels(reinterpret_cast<uint8_t*>(to + at_to), reinterpret_cast<const uint8_t*>(from + at_from),
+                            count);
+                uint32_t wrong = 0;
+                for (uint32_t k = 0; k < 48; ++k) {
+                    const bool is_copied = k >= at_to && k < at_to + count;
+                    wrong += to[k] == (is_copied ? from[k - at_to + at_from] : 7) ? 0u : 1u;
+                }
+                CHECK(wrong == 0);
+            }
 }

@@ -122,6 +122,57 @@ TEST_CASE("values out of range in surface fields are refused by name")
     CHECK(opened_with([](TestSurface& s) { s.texels.pop_back(); }) == FieldError::bad_patches);
 }
 
+TEST_CASE("counts of surface fields are taken up to their limits and not beyond")
+{
+    const auto opened_count = [](uint32_t at, uint32_t count, bool is_long = false) {
+        std::vector<TestSection> sections = surface_sections(bumpy_ball());
+        for (TestSection& s : sections) {
+            if (s.type != format::kSurfaceSection) continue;
+            for (uint32_t k = 0; k < (is_long ? 4u : 2u); ++k) s.bytes[at + k] = static_cast<uint8_t>(count >> 8 * k);
+        }
+        return opened(file_of(sections));
+    };
+    using namespace format;
+    for (const uint32_t vertices : std::initializer_list<uint32_t>{0u, 2u, kMaxSurfaceVertices + 1, 65535u})
+        CHECK(opened_count(surface::kVerticesAt, vertices) == FieldError::bad_surface);
+    CHECK(opened_count(surface::kVerticesAt, kMaxSurfaceVertices) ==
+          FieldError::bad_vertices);  // not so many are there
+    for (const uint32_t patches : std::initializer_list<uint32_t>{0u, kMaxPatches + 1, 65535u})
+        CHECK(opened_count(surface::kPatchesAt, patches) == FieldError::bad_surface);
+    CHECK(opened_count(surface::kPatchesAt, kMaxPatches) == FieldError::bad_patches);
+    for (const uint32_t texels : std::initializer_list<uint32_t>{0u, kMaxSurfaceTexels + 1, UINT32_MAX})
+        CHECK(opened_count(surface::kTexelsAt, texels, true) == FieldError::bad_surface);
+    for (const uint32_t texels : std::initializer_list<uint32_t>{1u, kMaxSurfaceTexels})
+        CHECK(opened_count(surface::kTexelsAt, texels, true) == FieldError::bad_texel_size);
+    TestSurface three = bumpy_ball();
+    three.vertices.resize(3);
+    three.patches = {{0, 1, 2}};
+    three.viewed = 3;
+    CHECK(opened(surface_file(three)) == FieldError::none);
+}
+
+TEST_CASE("view tables and neighbours are optional, and of the right size where they are")
+{
+    CHECK(opened_with([](TestSurface& s) { s.viewed = 0; }) == FieldError::none);
+    CHECK(opened_with([](TestSurface& s) { s.has_neighbours = false; }) == FieldError::none);
+    CHECK(opened_short(format::kNeighbourSection) == FieldError::bad_neighbours);
+    TestSurface s = bumpy_ball();
+    const TestSection views = view_section(s);
+    s.viewed = 0;
+    std::vector<TestSection> sections = surface_sections(s);
+    sections.push_back(views);
+    CHECK(opened(file_of(sections)) == FieldError::bad_views);
+}
+
+TEST_CASE("a required section that a surface field's reader does not know is refused")
+{
+    std::vector<TestSection> sections = surface_sections(bumpy_ball());
+    sections.push_back({format::four_cc('N', 'E', 'W', '1'), 0, Bytes(5, 1)});
+    CHECK(opened(file_of(sections)) == FieldError::none);
+    sections.back().flags = format::kRequired;
+    CHECK(opened(file_of(sections)) == FieldError::unknown_required);
+}
+
 TEST_CASE("neighbours of surface fields that do not exist are refused")
 {
     const auto neighbours_with = [](uint32_t triangle) {

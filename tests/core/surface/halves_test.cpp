@@ -90,3 +90,35 @@ TEST_CASE("a half that does not run leaves a wrong picture and the next frame as
         REQUIRE((HalvedFrame(view).pixels == right.pixels));
     }
 }
+
+TEST_CASE("a step that does not exist prepares nothing")
+{
+    static HalvedView view;
+    static HalvedView::Halves halves;
+    const Bytes bytes = surface_file(bumpy_ball());
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(view.look(kOrbit) == ViewError::none);
+    const HalvedFrame right(view);
+    REQUIRE(view.look(kOrbit, halves, [&](int32_t step) {
+        for (const int32_t none : std::initializer_list<int32_t>{INT32_MIN, -1, 3, INT32_MAX})
+            halves.prepare(none, 0), halves.prepare(none, 1);
+        halves.prepare(step, 0), halves.prepare(step, 1);
+    }) == ViewError::none);
+    CHECK((HalvedFrame(view).pixels == right.pixels));
+}
+
+TEST_CASE("halves of a frame that looks away from the object need not run, and it is background")
+{
+    static HalvedView view;
+    static HalvedView::Halves halves;
+    const Bytes bytes = surface_file(bumpy_ball());
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    lumi::Pose away = pose_of(kOrbit);
+    const auto turned = [](const Vec3q30& v) { return Vec3q30{-v.x, -v.y, -v.z}; };
+    away.forward = turned(away.forward), away.right = turned(away.right);
+    uint32_t steps = 0;
+    REQUIRE(view.look(away, lumi::degrees(50), halves, [&](int32_t) { ++steps; }) == ViewError::none);
+    CHECK(steps == 0);
+    CHECK((HalvedFrame(view).pixels == HalvedFrame(view).pixels));
+    for (const uint32_t two : HalvedFrame(view).pixels) REQUIRE(two == 0);
+}

@@ -378,3 +378,104 @@ TEST_CASE("sections of see-through parts that are wrong are refused by name")
         return open_surface(bytes.data(), bytes.size(), field);
     });
 }
+
+namespace
+{
+
+// A convex body of glass: eight triangles around the axes, in pairs across the equator, as neighbours of each other.
+TestSurface octahedron()
+{
+    constexpr int32_t kReach = 12000;
+    TestSurface s;
+    s.vertices = {{kReach, 0, 0}, {0, kReach, 0}, {-kReach, 0, 0}, {0, -kReach, 0}, {0, 0, kReach}, {0, 0, -kReach}};
+    for (uint32_t k = 0; k < 4; ++k) {
+        const uint32_t next = (k + 1) % 4;
+        if (k == 0) {  // one pair as lone triangles
+            s.patches.push_back({4, k, next});
+            s.patches.push_back({5, next, k});
+        } else {
+            s.patches.push_back({4, k, next, 5});
+        }
+    }
+    for (uint32_t k = 0; k < s.patches.size(); ++k) {
+        s.patches[k].begin = k;
+        s.texels.push_back(static_cast<uint8_t>(40 * k + 3));
+    }
+    s.texels.resize(s.texels.size() + format::patch_reach(1));
+    return s;
+}
+
+// The whole body is see-through and has neighbours, as `change` leaves them.
+template <class Change>
+Bytes glass_octahedron(Change change)
+{
+    const TestSurface s = octahedron();
+    std::vector<TestSection> sections = surface_sections(s);
+    sections.push_back(see_through_section(0, many_glasses()));
+    for (TestSection& section : sections)
+        if (section.type == format::kNeighbourSection) change(section.bytes);
+    return file_of(sections);
+}
+
+SeeThroughField opened_see_through(const Bytes& bytes)
+{
+    SeeThroughField field;
+    REQUIRE(open_surface(bytes.data(), bytes.size(), field) == FieldError::none);
+    return field;
+}
+
+}  // namespace
+
+TEST_CASE("sides between two pieces of glass that face the eye are no outlines, and those at its silhouette are")
+{
+    const Bytes joined = glass_octahedron([](Bytes&) {});
+    const Bytes apart = glass_octahedron([](Bytes& b) { std::fill(b.begin(), b.end(), uint8_t{0xFF}); });
+    const SeeThroughField field = opened_see_through(joined), pieces = opened_see_through(apart);
+    const OverColour grey{{200, 190, 180}};
+    uint32_t inner = 0, smoothed = 0;
+    for (const double azimuth : {10.0, 33.0, 70.0, 200.0}) {
+        for (const double elevation : {-50.0, -8.0, 20.0, 65.0}) {
+            test::View view = from_above();
+            view.pose = pose_of({degrees(azimuth), degrees(elevation), radii(3)});
+            Drawn<PixelRgb565> one = drawn<PixelRgb565>(field, view, SurfaceMode::one_sample, grey);
+            Drawn<PixelRgb565> whole = drawn<PixelRgb565>(field, view, SurfaceMode::antialiased, grey);
+            Drawn<PixelRgb565> parts = drawn<PixelRgb565>(pieces, view, SurfaceMode::antialiased, grey);
+            const auto is_same = [](const Rgb8& a, const Rgb8& b) { return a.r == b.r && a.g == b.g && a.b == b.b; };
+            for (int32_t y = 2; y < kSide - 2; ++y) {
+                for (int32_t x = 2; x < kSide - 2; ++x) {
+                    uint32_t around = 0;  // background near by
+                    for (int32_t k = 0; k < 25; ++k)
+                        around += is_same(one.at(x - 2 + k % 5, y - 2 + k / 5), one.at(0, 0)) ? 1u : 0u;
+                    INFO(azimuth << ", " << elevation << " at " << x << ", " << y);
+                    if (around == 0) {
+                        REQUIRE(is_same(whole.at(x, y), one.at(x, y)));
+                        inner += is_same(parts.at(x, y), one.at(x, y)) ? 0u : 1u;
+                    } else {
+                        smoothed += is_same(whole.at(x, y), one.at(x, y)) ? 0u : 1u;
+                    }
+                }
+            }
+        }
+    }
+    CHECK(inner > 100);  // where neighbours are unknown, each side is one
+    CHECK(smoothed > 200);
+}
+
+TEST_CASE("neighbours of see-through patches that contradict each other draw the same in stripes as at once")
+{
+    for (uint32_t seed = 0; seed < 40; ++seed) {
+        const Bytes bytes = glass_octahedron([&](Bytes& b) {
+            for (size_t k = 0; k < b.size(); k += 2) {
+                const uint32_t any = scattered(seed * 1000 + static_cast<uint32_t>(k)) % 11;  // 0 .. 9: all that are
+                b[k] = static_cast<uint8_t>(any == 10 ? 0xFF : any);
+                b[k + 1] = static_cast<uint8_t>(any == 10 ? 0xFF : 0);
+            }
+        });
+        const SeeThroughField field = opened_see_through(bytes);
+        test::View view = from_above();
+        view.pose = pose_of({degrees(seed * 25.0), degrees(30.0 - seed), radii(2)});
+        const auto once = drawn<PixelRgb565>(field, view, SurfaceMode::antialiased, OverBlack{});
+        const auto stripes = drawn<PixelRgb565>(field, view, SurfaceMode::antialiased, OverBlack{}, {13, 7});
+        CHECK(once.words == stripes.words);
+    }
+}

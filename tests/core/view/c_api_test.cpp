@@ -105,7 +105,8 @@ TEST_CASE("wrong arguments of lumi_open are errors, each by name")
     test::TestLayout chord;
     const Bytes other = test::sample_field(chord);
     CHECK(open_error(memory, sizeof memory, other, other.size(), screen) == code(ViewError::other_renderer));
-    const lumi_screen wrong[] = {{0, 37, 8, 1}, {48, 8193, 8, 1}, {48, 37, 0, 1}, {48, 37, 38, 1}, {48, 37, 8, 3}};
+    const lumi_screen wrong[] = {{0, 37, 8, 1},  {8193, 37, 8, 1}, {48, 0, 8, 1}, {48, 8193, 8, 1},
+                                 {48, 37, 0, 1}, {48, 37, 38, 1},  {48, 37, 8, 3}};
     for (const lumi_screen& s : wrong)
         CHECK(open_error(memory, sizeof memory, bytes, bytes.size(), s) == code(ViewError::bad_argument));
     CHECK(lumi_open(memory, sizeof memory, bytes.data(), bytes.size(), screen, nullptr) ==
@@ -141,6 +142,13 @@ TEST_CASE("wrong views and stripes are errors in C, too")
     CHECK(lumi_draw(view, {pixels, 0, kHeight, kWidth, kRows, kStride}) == 0);
     CHECK(lumi_draw(view, {pixels, 0, 0, kWidth, kRows + 1, kStride}) == code(ViewError::stripe_too_large));
     CHECK(lumi_draw(view, stripe) == 0);
+    CHECK(lumi_bounds(nullptr).width_px == 0);
+    CHECK(lumi_bounds(view).width_px > 0);
+    CHECK(lumi_bounds(opened(LUMI_ANTIALIASED)).width_px == 0);  // before a look
+    REQUIRE(lumi_look(view, kOrbit) == 0);
+    CHECK(lumi_draw(view, stripe) == 0);
+    static uint8_t tall[kWidth * (kRows + 1)];
+    CHECK(lumi_draw_coverage(view, {tall, 0, 0, kWidth, kRows + 1, kWidth}) == code(ViewError::stripe_too_large));
     static uint8_t coverage[kWidth * kRows];
     CHECK(lumi_draw_coverage(view, {coverage, 0, 0, kWidth, kRows, kWidth}) == 0);
     CHECK(lumi_draw_coverage(view, {coverage, 0, 0, kWidth, kRows, kWidth - 1}) == code(ViewError::short_stride));

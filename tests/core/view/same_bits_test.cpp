@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Every machine and compiler draws the same bits, and a change of core changes none unless it says so. Whoever means to
+// change a picture writes the CRC here that the test tells.
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/view.h"
+#include "lumi/detail/crc32.h"
+#include "lumi/surface/view.h"
+#include "surface/see_through_bytes.h"
+
+using namespace lumi;
+using namespace lumi::detail;
+using namespace lumi::test;
+
+namespace
+{
+
+constexpr int32_t kWidth = 41, kHeight = 33;
+using Small = Screen<kWidth, kHeight, kHeight, PixelRgb565>;
+
+// Eyes on every side, from next to the sphere to far away, some of them over the poles, whole and zoomed.
+Orbit eye(uint32_t k)
+{
+    const uint32_t elevation = k % 7 == 0 ? degrees(90) : k % 7 == 1 ? degrees(-90) : scattered(3 * k) << 8;
+    const int32_t distance = radii(1) + static_cast<int32_t>(scattered(3 * k + 1) % 5 * 600000 + 20000);
+    return {scattered(3 * k + 2) << 8, elevation, distance, kFitSphere, k % 3 == 0 ? 3 * kNoZoom : kNoZoom};
+}
+
+uint32_t crc_of(uint32_t crc, const void* bytes, size_t size)
+{
+    return crc32(crc, static_cast<const uint8_t*>(bytes), static_cast<uint32_t>(size));
+}
+
+template <class Draw>
+uint32_t crc_of_frames(uint32_t frames, Draw draw)
+{
+    uint32_t crc = 0;
+    std::vector<uint16_t> pixels(kWidth * kHeight);
+    const Stripe stripe = {reinterpret_cast<uint8_t*>(pixels.data()), 0, 0, kWidth, kHeight, 2 * kWidth};
+    for (uint32_t k = 0; k < frames; ++k) {
+        std::fill(pixels.begin(), pixels.end(), uint16_t{0x1234});
+        draw(k, stripe);
+        crc = crc_of(crc, pixels.data(), 2 * pixels.size());
+    }
+    return crc;
+}
+
+template <class Texel>
+Bytes chord_bytes()
+{
+    TestLayout layout;
+    layout.origins = layout.used_origins = 150;
+    layout.directions = 400;
+    layout.texel = Texel::kFormat;
+    constexpr uint32_t kBytes = format::bytes_per_texel(Texel::kFormat);
+    const auto value = [](uint32_t i, uint32_t k) {  // with holes
+        return static_cast<uint8_t>(k / kBytes % 5 < 2 ? 0 : scattered(i * 5000 + k));
+    };
+    std::vector<TestSection> sections = {layout_section(layout), texel_section(layout, value)};
+    if (layout.texel == TexelFormat::palette8) sections.push_back(palette_section());
+    return file_of(sections);
+}
+
+template <class Texel>
+uint32_t crc_of_chords()
+{
+    const Bytes bytes = chord_bytes<Texel>();
+    Field field;
+    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OverColour colour{{40, 80, 160}};
+    return crc_of_frames(60, [&](uint32_t k, const Stripe& stripe) {
+        Camera camera;
+        REQUIRE(make_camera(pose_of(eye(k)), image_of(eye(k), kWidth, kHeight), camera) == CameraError::none);
+        const int32_t span_px = 2 << k % 4;
+        const auto draw = [&](auto reconstruction) {
+            return render_spans<decltype(reconstruction), Texel, PixelRgb565>(field, camera, colour, stripe, span_px);
+        };
+        const RenderError error = k % 5 == 0   ? draw(Nearest())
+                                  : k % 5 == 1 ? draw(Dither())
+                                  : k % 5 == 2 ? draw(Paper<5>())
+                                  : k % 5 == 3 ? render<Linear, Texel, PixelRgb565>(field, camera, colour, stripe)
+                                               : draw(Linear());
+        REQUIRE(error == RenderError::none);
+    });
+}
+
+template <uint32_t kSeeThroughPatches>
+uint32_t crc_of_surfaces(const Bytes& bytes)
+{
+    static lumi::View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two, kSeeThroughPatches>, Small> view;
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    return crc_of_frames(60, [&](uint32_t k, const Stripe& stripe) {
+        REQUIRE(view.look(eye(k), static_cast<SurfaceMode>(k % 3)) == ViewError::none);
+        REQUIRE(view.draw(stripe, OverColour{{40, 80, 160}}) == ViewError::none);
+    });
+}
+
+}  // namespace
+
+TEST_CASE("cameras of chord fields have the same numbers on every machine")
+{
+    uint32_t crc = 0;
+    for (uint32_t k = 0; k < 300; ++k) {
+        Image image = {1 + static_cast<int32_t>(scattered(k) % 8192),
+                       1 + static_cast<int32_t>(scattered(k + 500) % 900),
+                       degrees(1) + scattered(k + 1000) % degrees(119)};
+        image.shift_x_q8 = static_cast<int32_t>(scattered(k + 2000)) % (image.width_px * 256);
+        image.shift_y_q8 = -static_cast<int32_t>(scattered(k + 3000)) % (image.height_px * 256);
+        Camera camera;
+        REQUIRE(make_camera(pose_of(eye(k)), image, camera) == CameraError::none);
+        for (const AffineQ40& affine : {camera.offset()[0], camera.offset()[1], camera.offset()[2], camera.facing()}) {
+            const int64_t numbers[] = {affine.at(0, 0), affine.at(8191, 0), affine.at(0, 8191)};
+            crc = crc_of(crc, numbers, sizeof numbers);
+        }
+        const int32_t inverse = camera.inverse_distance_q30();
+        crc = crc_of(crc, &inverse, sizeof inverse);
+    }
+    CHECK(crc == 0x933c285d);
+}
+
+TEST_CASE("pictures of chord fields are the same on every machine")
+{
+    CHECK(crc_of_chords<TexelRgb888>() == 0x83cbcb95);
+    CHECK(crc_of_chords<TexelRgb565>() == 0x28480938);
+    CHECK(crc_of_chords<TexelPalette8>() == 0xad61bfa1);
+    CHECK(crc_of_chords<TexelLuma8>() == 0x9890f22c);
+}
+
+TEST_CASE("pictures of surface fields are the same on every machine")
+{
+    CHECK(crc_of_surfaces<0>(surface_file(bumpy_ball())) == 0xcd8930e7);
+    CHECK(crc_of_surfaces<64>(see_through_file(bumpy_ball(), 70)) == 0x2c6b4409);
+}
