@@ -6,8 +6,8 @@
 # changed. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test under sanitizers too, every policy, frame and unit test on every
 # board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing includes),
-# cppcheck, a minute of fuzzing a target, the commands of the examples' pages, and the page of `lumi view` in Chromium.
-# There a missing tool is an error.
+# cppcheck, the branches that core's tests take, a minute of fuzzing a target, the commands of the examples' pages, and
+# the page of `lumi view` in Chromium. There a missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -112,6 +112,7 @@ main() {
     run_step "clang-format" check_format
     run_step "cppcheck" check_with_cppcheck
     run_step "clang-tidy" check_with_clang_tidy
+    run_step "Branches of core" python3 -B "$root/tools/lab/proof/coverage.py"
     run_step "Fuzz, a minute a target" "$root/tools/lab/fuzz.sh"
     run_step "Soak, a minute" "$root/tools/lab/soak.sh"
     run_step "The pages' commands in an empty folder" "$root/tools/lab/newcomer.sh"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/attacks.sh [--docs]
-# Repeats the attacks that SECURITY.md lists, each by the tests that try it, and tells what each found first, and
-# whether it finds anything now. Ends with 1 if one does. Builds what is missing. --docs writes the table of SECURITY.md.
+# Repeats the attacks that were tried, each by the tests that try it, and tells what each found first, and whether it
+# finds anything now. Ends with 1 if one does. Builds what is missing. --docs writes the table of docs/log/tests.md.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -17,6 +17,12 @@ stripes left of the image and beyond column 32767|`render_spans` wrote outside|c
 interlaced frames through a derived camera|wrong in 29 of 30 views; signed overflow|core\.(two interlaced halves|the outline of an interlaced half)
 images one pixel wide, poses moved beyond all numbers|signed overflow|core\.(a pose moved further|hits agree with the quadratic equation|.*at every extreme)
 outputs that name an input: itself, its MTL, a picture, a link|destroyed, exit code 0|tools\.(own files|a file guard|a symbolic link)
+half turns of quaternions, and eyes at exactly one radius (at 2118bb6)|signed overflow; half of all turns refused|core\.(half turns about any axis|quaternions of the smallest|no rounding of a pose)
+generated fields whose numbers are at their limits (at 2118bb6)|signed overflow|core\.(.* whose every number is at its end|a texture's steps of any size)
+spans, axes, sides, shifts and counts one beyond their limits (at 989714f)|any number was taken as a span|core\.(a span that no|both_layouts\.of all numbers, only|every component of an axis|an image's sides|counts of surface)
+every option: nan, inf, an empty word, 10^9, a line break (at 2118bb6)|`nan` passed every range; seeds were cut|tools\.no option takes
+FIFOs, links to nowhere and to themselves (at 2118bb6)|Ctrl-C was swallowed; links were replaced|tools\.(an output follows a link|Ctrl-C ends a command that waits)
+`ulimit -f` (at 2118bb6)|killed without a word|tools\.(a limit of the size|a bake over the limit)
 field: every truncation, every single-byte change|nothing|core\.(every truncation and one|every single-byte change)
 surface field whose sliver takes depths for an outline's mark (fuzzing)|read beside the stripe's samples|fuzz\.field
 232,000 random frames on emulated boards (at 45b1679)|twice another pixel than in the whole frame|core\.(samples are hardly nearer|an opaque edge behind glass)

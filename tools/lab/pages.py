@@ -44,6 +44,8 @@ TABLES = {
     "materials": materials.coloured,
     "materials white": materials.white,
     "soak": scripts.soak,
+    "coverage": scripts.coverage,
+    "mutants": scripts.mutants,
     "fuzzing": scripts.fuzzing,
     "attacks": scripts.attacks,
     "cases": scripts.cases,

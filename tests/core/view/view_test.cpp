@@ -539,7 +539,8 @@ TEST_CASE("views of chord fields refuse other files, lattices without spans and 
     const auto turned = [](const Vec3q30& v) { return Vec3q30{-v.x, -v.y, -v.z}; };
     away.forward = turned(away.forward), away.right = turned(away.right);
     REQUIRE(spans.look(away, degrees(50)) == ViewError::none);
-    CHECK((spans.bounds().width_px == 0 && spans.bounds().height_px == 0));
+    const PixelRect none = spans.bounds();
+    CHECK((none.x_px == 0 && none.y_px == 0 && none.width_px == 0 && none.height_px == 0));
     const Bytes nothing = frame_of<PixelRgb565>(spans);
     CHECK(std::all_of(nothing.begin(), nothing.end(), [](uint8_t byte) { return byte == 0; }));
 }

@@ -40,6 +40,16 @@ def soak():
                  lambda row: [row[key] for key in ("cpu", "minutes", "frames", "stripes", "refused", "stack_bytes")])
 
 
+def coverage():
+    return table(["part of core", "branches", "taken", "share"], load("tests")["coverage"], lambda row: [
+        row["area"], row["branches"], row["taken"], f"{100 * row['taken'] / row['branches']:.1f} %"])
+
+
+def mutants():
+    return table(["change", "tried", "seen by a test", "equal, proven", "not seen"], load("tests")["mutants"], lambda row: [
+        row["kind"].replace("|", "\\|"), row["changes"], row["killed"], row["equal"], row["changes"] - row["killed"] - row["equal"]])
+
+
 def cases():
     return table(["kind", "cases", "right before", "right now"], load("cases")["cases"],
                  lambda row: [row["kind"], row["cases"], row["before"], row["after"]])
