@@ -85,7 +85,7 @@ std::string last_names(size_t words)
 
 }  // namespace
 
-TEST_CASE("no option takes an empty word, a line break, or a number that is none")
+TEST_CASE("no option takes an empty word, a line break, a hyphen, or a number that is none")
 {
     REQUIRE(subcommands({}) == last_names(1) + "help ");
     REQUIRE(subcommands({"filter"}) == last_names(2));
@@ -94,11 +94,11 @@ TEST_CASE("no option takes an empty word, a line break, or a number that is none
     size_t tried = 0;
     for (const Command& command : kCommands)
         for (const auto& [option, type] : options_of(command, shared))
-            for (const std::string word : {"", "a\nb", "nan", "inf", "-1"}) {
+            for (const std::string word : {"", "a\nb", "-", "nan", "inf", "-1"}) {
                 const Outcome outcome = lumi(joined(joined(command.name, command.inputs), {option, word}));
                 INFO(command.name.back() << " " << option << " \"" << word << "\": " << outcome.err);
                 const bool is_no_number = word == "nan" || word == "inf";
-                const bool is_wrong = word.empty() || word == "a\nb" || (is_no_number && !is_text(type));
+                const bool is_wrong = word.empty() || word == "a\nb" || word == "-" || (is_no_number && !is_text(type));
                 CHECK((outcome.code == 2 || (!is_wrong && outcome.code == 1)));
                 CHECK_THAT(outcome.err, Catch::StartsWith("lumi: "));
                 if (is_wrong) CHECK_THAT(outcome.err, Catch::Contains(option));

@@ -24,7 +24,8 @@ constexpr uint64_t kMostPaths = uint64_t{1} << 24;
 constexpr uint64_t kMostThreads = 1024;
 
 // Adds to every option and argument of `app` and its subcommands that takes words: none is empty or has a control
-// character, such as the line break of a file's name that a script cut wrongly.
+// character, such as the line break of a file's name that a script cut wrongly. None is "-", which would be the name of
+// a file.
 void require_plain_words(CLI::App& app);
 
 // CLI11's text, "NAME takes ..." where a check or a choice failed.
