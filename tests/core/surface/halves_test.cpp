@@ -122,3 +122,16 @@ TEST_CASE("halves of a frame that looks away from the object need not run, and i
     CHECK((HalvedFrame(view).pixels == HalvedFrame(view).pixels));
     for (const uint32_t two : HalvedFrame(view).pixels) REQUIRE(two == 0);
 }
+
+TEST_CASE("bands are of 16 scanlines at least, and no higher than stripes")
+{
+    struct {
+        int32_t rows;
+        uint32_t log2;
+    } const kBands[] = {{1, 4},  {8, 4},  {15, 4}, {16, 4},  {17, 3},  {24, 3},  {31, 3},
+                        {32, 5}, {48, 4}, {64, 6}, {256, 8}, {257, 7}, {512, 8}, {8192, 8}};
+    for (const auto& band : kBands) {
+        INFO(band.rows << " scanlines");
+        CHECK(surface_band_log2(band.rows) == band.log2);
+    }
+}
