@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "math/frame.h"
 #include "math/sampler.h"
@@ -156,32 +155,37 @@ struct Card {
     float worth() const { return static_cast<float>(met) / static_cast<float>(triangles); }
 };
 
+// By sheet; those that are no number of a sheet have no triangles.
 std::vector<Card> cards_of(const Sheets& sheets, const std::vector<uint32_t>& met)
 {
-    std::vector<Card> all(met.size()), cards;
+    std::vector<Card> cards(met.size());
     for (uint32_t k = 0; k < met.size(); ++k) {
-        Card& card = all[sheets.of(k).sheet];
+        Card& card = cards[sheets.of(k).sheet];
         card = {sheets.of(k).sheet, card.triangles + 1, card.met + met[k]};
     }
-    std::copy_if(all.begin(), all.end(), std::back_inserter(cards), [](const Card& c) { return c.triangles != 0; });
     return cards;
 }
 
-bool is_cloud(const std::vector<Card>& cards, uint32_t triangles)
+// Whether each sheet is small beside so many triangles.
+bool is_cloud(const Mesh& mesh, const Sheets& sheets, uint32_t triangles)
 {
     constexpr uint32_t kFewestCards = 8;
-    return std::all_of(cards.begin(), cards.end(),
-                       [&](const Card& c) { return c.triangles <= triangles / kFewestCards; });
+    std::vector<uint32_t> sizes(mesh.triangle_count(), 0);
+    for (uint32_t k = 0; k < sizes.size(); ++k) ++sizes[sheets.of(k).sheet];
+    return *std::max_element(sizes.begin(), sizes.end()) <= triangles / kFewestCards;
 }
 
 // Those that are seen most for their triangles.
 Mesh most_seen(const Mesh& mesh, const Sheets& sheets, std::vector<Card> cards, uint32_t triangles)
 {
+    cards.erase(std::remove_if(
+                    cards.begin(), cards.end(), [](const Card& c) { return c.met == 0; }),
+                cards.end());
     std::stable_sort(cards.begin(), cards.end(), [](const Card& a, const Card& b) { return a.worth() > b.worth(); });
     std::vector<bool> kept(mesh.triangle_count(), false);
     for (uint32_t left = triangles, k = 0; k < cards.size() && cards[k].triangles <= left; ++k) {
         left -= cards[k].triangles;
-        kept[cards[k].number] = cards[k].met != 0;
+        kept[cards[k].number] = true;
     }
     Mesh result;
     result.positions = mesh.positions;
@@ -196,10 +200,9 @@ Mesh few_of(const SceneData& scene, const Mesh& mesh, const SeeThroughCount& mos
 {
     if (mesh.triangle_count() <= most.triangles) return mesh;
     const Sheets sheets(mesh);
-    const std::vector<Card> cards = cards_of(sheets, meetings(scene, mesh, cap, job));
-    if (!is_cloud(cards, most.cards)) return simplified(mesh, most.triangles).mesh;
+    if (!is_cloud(mesh, sheets, most.cards)) return simplified(mesh, most.triangles).mesh;
     if (mesh.triangle_count() <= most.cards) return mesh;
-    Mesh few = most_seen(mesh, sheets, cards, most.cards);
+    Mesh few = most_seen(mesh, sheets, cards_of(sheets, meetings(scene, mesh, cap, job)), most.cards);
     warnings.push_back({"of " + std::to_string(mesh.triangle_count()) + " see-through triangles, such as leaves, the " +
                             std::to_string(few.triangle_count()) + " that are seen most are drawn",
                         "", true});
@@ -234,14 +237,14 @@ void append(PatchMesh& mesh, const PatchMesh& part)
     mesh.longest_edge = std::max(mesh.longest_edge, part.longest_edge);
 }
 
-// What the mesh of opaque parts knows of them alone.
+// Makes the loss of opaque parts, of which alone the mesh was judged, that of both parts.
 void judge(const SceneData& scene, const PatchMesh& mesh, const ViewCap& cap, Job& job, MeshLoss& loss)
 {
     std::vector<uint32_t> numbers;
     const MeshTracer opaque(opaque_triangles(mesh, numbers), Faces::front);
     const MeshTracer see_through(see_through_triangles(mesh, numbers), Faces::front);
     const MeshLoss all = loss_of(scene, opaque, job, cap, &see_through);
-    loss.thinned = std::max(0.0, all.missed - loss.missed);
+    loss.missed_see_through = std::max(0.0, all.missed - loss.missed);
     loss.missed = all.missed;
     loss.displaced = all.displaced;
 }

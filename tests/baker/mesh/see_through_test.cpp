@@ -88,8 +88,8 @@ TEST_CASE("Of a cloud of cards those stay that are seen most", "[mesh]")
     CHECK(built.warnings[0].problem ==
           "of 96 see-through triangles, such as leaves, the 56 that are seen most are drawn");
     CHECK(built.warnings[0].more_triangles_help);
-    CHECK(built.loss.thinned < 0.1);
-    CHECK(built.loss.thinned == built.loss.missed);
+    CHECK(built.loss.missed_see_through < 0.1);
+    CHECK(built.loss.missed_see_through == built.loss.missed);
 }
 
 TEST_CASE("A cloud that has room is drawn whole, and a card's two sides share its corners", "[mesh]")

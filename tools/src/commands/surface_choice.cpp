@@ -18,10 +18,11 @@ namespace
 std::string reason(const planner::SurfacePlan& plan, bool of_volume)
 {
     const baker::MeshLoss& loss = plan.draft->loss();
-    const bool is_thin = loss.thinned > kMostMissedOfVolume;
-    const double limit = of_volume || is_thin ? kMostMissedOfVolume : kMostMissed, wrong = loss.added + loss.displaced;
+    const bool lacks_leaves = loss.missed_see_through > kMostMissedOfVolume;
+    const double limit = of_volume || lacks_leaves ? kMostMissedOfVolume : kMostMissed,
+                 wrong = loss.added + loss.displaced;
     char text[200];
-    if (is_thin || loss.missed - loss.thinned > limit) {
+    if (lacks_leaves || loss.missed - loss.missed_see_through > limit) {
         std::snprintf(text, sizeof text,
                       "of the light paths that meet the scene %.1f %% miss a mesh of %u triangles (limit %.0f %%), "
                       "%.1f %% meet it elsewhere",

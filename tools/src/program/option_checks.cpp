@@ -51,7 +51,8 @@ std::string not_this(const std::string& word)
 std::string plain_word(const std::string& word)
 {
     if (word.empty()) return "takes a word, not an empty one";
-    if (word == "-") return "takes a word, not \"-\": files have names, nothing goes through standard input and output";
+    if (word == "-")
+        return "takes a word, not \"-\": name a file; none is read from standard input or written to standard output";
     if (std::none_of(word.begin(), word.end(), is_control)) return "";
     return "takes a word without line breaks and other control characters" + not_this(word);
 }

@@ -10,10 +10,10 @@ namespace lumi::baker
 
 // What the mesh gets wrong, in shares of the rays that meet the scene.
 struct MeshLoss {
-    double missed = 0;     // the mesh is not there
-    double thinned = 0;    // of that: what see-through parts that are left out would show
-    double added = 0;      // the ray meets the mesh, but not the scene
-    double displaced = 0;  // the depths differ by more than a twentieth of the radius
+    double missed = 0;              // the mesh is not there
+    double missed_see_through = 0;  // of that: where see-through parts are
+    double added = 0;               // the ray meets the mesh, but not the scene
+    double displaced = 0;           // the depths differ by more than a twentieth of the radius
 
     // Known for the mesh of a surface field only:
     bool rough = false;         // simplified without regard to the shape's topology, because nothing else got there
