@@ -189,6 +189,12 @@ TEST_CASE("own files: render keeps its field, also from views and the sheet of a
     check_twins_refused("render f.lumi --size 16x16 --turntable 2 -o q.png", "q-001.png");
 }
 
+TEST_CASE("own files: inspect keeps its field")
+{
+    for (const char* name : {"field.png", "hard-field.png"})
+        check_input_kept("inspect f.lumi -o " + std::string(name), name);
+}
+
 TEST_CASE("own files: reference keeps every file of its scene, also from a turntable")
 {
     for (const char* name : {"obj.png", "mtl.png", "t.png", "hard-mtl.png"})

@@ -63,6 +63,22 @@ uint32_t read_u32(const uint8_t* bytes)
            static_cast<uint32_t>(bytes[2]) << 16 | static_cast<uint32_t>(bytes[3]) << 24;
 }
 
+float float_from_bits(uint32_t bits)
+{
+    float value;
+    static_assert(sizeof value == sizeof bits, "a field stores IEEE binary32");
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+template <class AnyField>
+FieldSphere sphere_of(const AnyField& field)
+{
+    const auto& bits = field.centre_bits;
+    return {{float_from_bits(bits[0]), float_from_bits(bits[1]), float_from_bits(bits[2])},
+            float_from_bits(field.radius_bits)};
+}
+
 }  // namespace
 
 std::string title_of(const std::string& type)
@@ -83,6 +99,11 @@ FieldFile::FieldFile(const std::string& path, Role role) : path_(path)
     is_surface_ = error == FieldError::surface_field;
     if (is_surface_) error = open_surface(bytes(), size(), surface_);
     if (error != FieldError::none) throw Failure(path, describe(error), mend_of(error));
+}
+
+FieldSphere FieldFile::sphere() const
+{
+    return is_surface_ ? sphere_of(surface_) : sphere_of(field_);
 }
 
 std::vector<Section> FieldFile::sections() const

@@ -2,6 +2,7 @@
 // A field of either kind, read from a file and opened by the very readers that firmware links.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct Section {
     std::string type;  // four characters
     bool required;
     uint32_t offset, bytes, crc32;
+};
+
+// The sphere around the scene: in the scene's units and axes.
+struct FieldSphere {
+    std::array<float, 3> centre;
+    float radius;
 };
 
 // What people call a section of this type: "view table"; an unknown type in quotes.
@@ -38,6 +45,7 @@ public:
     const uint8_t* bytes() const { return bytes_.data(); }
     size_t size() const { return bytes_.size(); }
 
+    FieldSphere sphere() const;
     std::vector<Section> sections() const;
 
     // Whether the section's bytes still have their CRC. Cost: reads them all.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "files/field_report.h"
 
-#include <array>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "files/renderer_name.h"
@@ -20,30 +18,15 @@ namespace
 
 constexpr double kRounding = 1e-6;  // of binary32, as a share of the sphere's radius
 
-float float_from_bits(uint32_t bits)
-{
-    float value;
-    static_assert(sizeof value == sizeof bits, "a field stores IEEE binary32");
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
 // What fields of both layouts have.
 struct Common {
     const char *layout, *texel_format, *colour_space;
-    std::array<float, 3> centre;  // scene units, scene axes
-    float radius;
 };
 
 template <class AnyField>
 Common common_of(const AnyField& field, const char* layout, const char* texel_format)
 {
-    const auto& bits = field.centre_bits;
-    return {layout,
-            texel_format,
-            field.colour_space == ColourSpace::srgb ? "srgb" : "unknown",
-            {float_from_bits(bits[0]), float_from_bits(bits[1]), float_from_bits(bits[2])},
-            float_from_bits(field.radius_bits)};
+    return {layout, texel_format, field.colour_space == ColourSpace::srgb ? "srgb" : "unknown"};
 }
 
 Common common_of(const FieldFile& file)
@@ -159,10 +142,11 @@ std::string report_text(const FieldFile& file, bool verify)
         append_chord(text, file.field());
     const std::string count = file.is_surface() ? std::to_string(file.surface().texel_bytes) + ", " : "";
     append_line(text, "  texels        %s%s, %s", count.c_str(), common.texel_format, common.colour_space);
-    const auto radius = static_cast<double>(common.radius);
+    const FieldSphere sphere = file.sphere();
+    const auto radius = static_cast<double>(sphere.radius);
     // What is 0 but for rounding is 0 to people.
     const auto centre = [&](size_t k) {
-        const auto place = static_cast<double>(common.centre[k]);
+        const auto place = static_cast<double>(sphere.centre[k]);
         return std::abs(place) < kRounding * radius ? 0 : place;
     };
     append_line(text, "  sphere        centre %g %g %g, radius %g (scene units)", centre(0), centre(1), centre(2),
@@ -184,8 +168,8 @@ std::string report_json(const FieldFile& file, bool verify)
     json.update(file.is_surface() ? json_of(file.surface()) : json_of(file.field()));
     json["texel_format"] = common.texel_format;
     json["colour_space"] = common.colour_space;
-    json["centre"] = common.centre;
-    json["radius"] = common.radius;
+    json["centre"] = file.sphere().centre;
+    json["radius"] = file.sphere().radius;
     json["drawn_by"] = renderer_of(file).example;
     json["sections"] = nlohmann::ordered_json::array();
     for (const Section& section : file.sections()) {

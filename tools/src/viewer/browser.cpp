@@ -20,13 +20,13 @@ namespace lumi::tools
 namespace
 {
 
-constexpr char kMend[] = "write the page to a file with -o view.html";
+constexpr char kNoBrowserMend[] = "write the page to a file with -o view.html";
 
 // Others can neither read it nor put a link in its place.
 std::filesystem::path new_folder()
 {
     std::string pattern = (std::filesystem::temp_directory_path() / "lumi-view-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(pattern, std::strerror(errno), kMend);
+    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(pattern, std::strerror(errno), kNoBrowserMend);
     return pattern;
 }
 
@@ -38,11 +38,12 @@ void open_page(const std::string& path)
     char* const arguments[] = {program.data(), argument.data(), nullptr};
     pid_t child = 0;
     if (::posix_spawnp(&child, kOpener, nullptr, nullptr, arguments, environ) != 0)
-        throw Failure(kOpener, "is not installed, so no browser can be opened", kMend);
+        throw Failure(kOpener, "is not installed, so no browser can be opened", kNoBrowserMend);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) throw Failure(kOpener, std::strerror(errno), kMend);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Failure(kOpener, "could not open a browser", kMend);
+        if (errno != EINTR) throw Failure(kOpener, std::strerror(errno), kNoBrowserMend);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        throw Failure(kOpener, "could not open a browser", kNoBrowserMend);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace lumi::tools
 namespace
 {
 
-constexpr char kMend[] = "write it with lumi reference SCENE -o DIR/view.png --turntable 36";
+constexpr char kTurntableMend[] = "write it with lumi reference SCENE -o DIR/view.png --turntable 36";
 
 struct Series {
     std::string name;
@@ -39,8 +39,8 @@ Series series_of(const std::string& folder)
         series.name = match[1].str();
         series.paths[std::stoi(match[2].str())] = entry.path().string();
     }
-    if (error) throw Failure(folder, error.message(), kMend);
-    if (series.paths.size() < 2) throw Failure(folder, "holds no turntable of path-traced pictures", kMend);
+    if (error) throw Failure(folder, error.message(), kTurntableMend);
+    if (series.paths.size() < 2) throw Failure(folder, "holds no turntable of path-traced pictures", kTurntableMend);
     return series;
 }
 
@@ -60,10 +60,11 @@ std::vector<std::string> read_turntable(const std::string& folder)
     std::vector<std::string> pictures;
     for (const auto& [number, path] : series.paths) {
         if (number != static_cast<int>(pictures.size()))
-            throw Failure(folder, "picture " + std::to_string(pictures.size()) + " of the turntable is missing", kMend);
+            throw Failure(folder, "picture " + std::to_string(pictures.size()) + " of the turntable is missing",
+                          kTurntableMend);
         const Picture picture = read_png(path);
         if (picture.width_px != first.width_px || picture.height_px != first.height_px)
-            throw Failure(path, "has another size than the first picture of its turntable", kMend);
+            throw Failure(path, "has another size than the first picture of its turntable", kTurntableMend);
         pictures.push_back(bytes_of(path));
     }
     return pictures;
