@@ -32,21 +32,23 @@ header,main,footer{max-width:1280px;margin:0 auto;padding:0 20px}
 header{padding-top:36px}
 h1{font-size:clamp(26px,4vw,38px);line-height:1.15;margin:0 0 10px}
 header p,footer p{max-width:44em;margin:0 0 12px;color:var(--faint)}
-main{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(350px,100%),1fr));gap:20px;padding-top:16px;padding-bottom:28px}
+main{display:grid;gap:20px;padding-top:16px;padding-bottom:28px}
+@media (min-width:640px){main{grid-template-columns:repeat(2,1fr)}}
+@media (min-width:1100px){main{grid-template-columns:repeat(COLUMNS,1fr)}}
 article{background:var(--card);border:1px solid var(--line);border-radius:14px;overflow:hidden;display:flex;flex-direction:column}
 article>a{display:block;background:#202428;text-align:center}
 article>a:focus-visible{outline:3px solid var(--link);outline-offset:-3px}
 img{display:block;width:min(100%,320px);height:auto;aspect-ratio:1;margin:0 auto}
-.text{padding:14px 18px 18px}
-h2{font-size:19px;margin:0 0 2px}
-.text p{margin:0 0 10px;color:var(--faint)}
-table{border-collapse:collapse;width:100%;font-size:14px;font-variant-numeric:tabular-nums}
+.text{display:flex;flex-direction:column;flex:1;padding:14px 16px 16px}
+h2{font-size:18px;margin:0 0 2px}
+.text p{margin:0 0 8px;color:var(--faint);font-size:15px}
+table{border-collapse:collapse;width:100%;margin:auto 0 12px;font-size:14px;font-variant-numeric:tabular-nums}
 th{font-weight:400;color:var(--faint);text-align:left;padding:3px 0}
 td{text-align:right;padding:3px 0}
 tr+tr>*{border-top:1px solid var(--line)}
-code{display:block;margin-top:12px;padding:8px 10px;background:var(--ground);border-radius:8px;font:13px/1.4 ui-monospace,monospace;overflow-x:auto;white-space:pre}
+code{display:block;padding:8px;background:var(--ground);border-radius:8px;font:12px/1.4 ui-monospace,monospace;overflow-x:auto;white-space:pre}
 a{color:var(--link)}
-.turn{font-weight:600}
+.turn{align-self:start;font-weight:600;margin-bottom:8px}
 """
 
 WORDS = ("Every picture here is drawn by the integer code that a microcontroller runs, from a field of a few hundred "
@@ -76,13 +78,18 @@ def card(item):
 <a href="{name}.html"><img src="{name}.webp" width="240" height="240" alt="{title} turns"></a>
 <div class=text>
 <h2>{title}</h2>
-<p>{kilobytes(item["bytes"])} of flash, {kilobytes(item["ram_bytes"])} of RAM, {item["psnr_db"]:.1f} dB ·
-<a class=turn href="{name}.html">turn it</a></p>
+<p>{kilobytes(item["bytes"])} flash, {kilobytes(item["ram_bytes"])} RAM, {item["psnr_db"]:.1f} dB</p>
+<a class=turn href="{name}.html" aria-label="Turn it: {title}">Turn it</a>
 <table>{rates}</table>
 <code>{embed(item)}</code>
 </div>
 </article>
 """
+
+
+def style_for(items):
+    """On a desk no card stands alone in a row of its own."""
+    return STYLE.replace("COLUMNS", "4" if len(items) % 4 == 0 else "3")
 
 
 def index(items):
@@ -93,7 +100,7 @@ def index(items):
 <title>LumiPath gallery</title>
 <link rel="icon" href="data:,">
 <style>
-{STYLE}</style>
+{style_for(items)}</style>
 <header>
 <h1>Path-traced objects, drawn by microcontrollers</h1>
 <p>{WORDS}</p>
