@@ -61,7 +61,9 @@ draw_turntables() {
 # Where lumi was built without clang and lld, it says so, and the demo goes on.
 write_page() {
   rm -f "$out/$name.html"
-  "$lumi" view "$out/$name.lumi" -o "$out/$name.html" --orbit "$orbit" --background "$background" || true
+  if "$lumi" view "$out/$name.lumi" -o "$out/$name.html" --orbit "$orbit" --background "$background"; then
+    printf 'Open it in a browser to turn the field. What follows draws and compares.\n'
+  fi
 }
 
 trace_references() {
@@ -113,9 +115,9 @@ main() {
   run_step "Packages" "$root/tools/install_packages.sh" build
   run_step "Build" build_lumi
   run_step "Bake $(basename "$scene")" bake_surface
+  run_step "Write a page to turn it in a browser" write_page
   run_step "Bake a chord field" bake_chord
   run_step "Draw $views views of each of: ${drawings[*]}" draw_turntables
-  run_step "Write a page to turn it in a browser" write_page
   run_step "Path-trace $references of the views, $reference_spp samples a pixel" trace_references
   run_step "Compare" compare_views
   print_step_times

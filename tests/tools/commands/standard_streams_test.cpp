@@ -79,6 +79,21 @@ TEST_CASE("a closed standard output is a failure too, and no file gets what was 
     }
 }
 
+TEST_CASE("what is written to /dev/stdout goes through a pipe whole, and nothing else does")
+{
+    const std::string calls[] = {"render %F --size 16x16", "view %F",
+                                 "reference " LUMI_TEST_SCENE " --size 16x16 --spp 1 --threads 1"};
+    for (const std::string& call : calls) {
+        const Desk desk;
+        INFO(call);
+        const int code = desk.run(call, " -o '" + (desk.folder / "file.png") + "'").code;
+        if (code != 0 && call == calls[1]) continue;  // built without clang and lld
+        REQUIRE(code == 0);
+        desk.run(call, " -o /dev/stdout | cat > '" + (desk.folder / "piped") + "'");
+        CHECK((test::content_of(desk.folder / "piped") == test::content_of(desk.folder / "file.png")));
+    }
+}
+
 TEST_CASE("a failure keeps its own exit code when standard output is full")
 {
     const Desk desk;

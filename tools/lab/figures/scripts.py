@@ -281,3 +281,8 @@ def house():
 def house_builds():
     return table(["revision", "CPU seconds", "seconds by the clock"], load("house")["builds"],
                  lambda row: [row["revision"], row["cpu_seconds"], row["seconds"]])
+
+
+def other_tools():
+    tools = ["lumi", "cwebp", "gltfpack", "ffmpeg"]
+    return table(["", *tools], load("other-tools")["rows"], lambda row: [row["question"], *(row[tool] for tool in tools)])

@@ -124,6 +124,7 @@ void run(const PageOptions& options)
         path = show_in_browser(stem_of(options), html);
     else
         write_output(path, html);
+    if (!std::filesystem::is_regular_file(path)) return;
     std::printf("%s: %s, of which the field has %s\n", path.c_str(), byte_text(html.size()).c_str(),
                 byte_text(file.size()).c_str());
 }

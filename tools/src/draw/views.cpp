@@ -122,6 +122,14 @@ std::optional<Picture> photo_of(ViewOptions& options)
     return photo;
 }
 
+// A device or a pipe is no file that anybody looks for; where it is standard output, its name would follow the picture.
+std::vector<std::string> files_among(std::vector<std::string> paths)
+{
+    const auto is_file = [](const std::string& path) { return std::filesystem::is_regular_file(path); };
+    paths.erase(std::stable_partition(paths.begin(), paths.end(), is_file), paths.end());
+    return paths;
+}
+
 constexpr int kTurnMs = 4000;  // of a turning picture
 
 std::vector<std::string> write_turning(const ViewOptions& options, const std::string& output, const Drawer& draw)
@@ -138,7 +146,7 @@ std::vector<std::string> write_turning(const ViewOptions& options, const std::st
     } catch (const std::length_error& error) {
         throw Failure(output, error.what(), "choose a smaller --size");
     }
-    return {output};
+    return files_among({output});
 }
 
 }  // namespace
@@ -163,7 +171,7 @@ std::vector<std::string> write_views(ViewOptions options, const std::string& out
         write_png(sheet_path, sheet.picture());
         written.push_back(sheet_path);
     }
-    return written;
+    return files_among(written);
 }
 
 std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,

@@ -37,11 +37,14 @@ namespace fs = std::filesystem;
     throw Failure(path, std::string("cannot be written (") + std::strerror(error) + ")", mend);
 }
 
-// Where the bytes end up: the target of a link, so that the link itself survives.
+// Where the bytes end up: the target of a link, so that the link itself survives. A pipe that /dev/stdout leads to has
+// no path of its own.
 fs::path resolved(const std::string& path)
 {
     std::error_code ignored;
-    return fs::is_symlink(path, ignored) ? baker::followed(path) : fs::path(path);
+    const fs::file_status status = fs::status(path, ignored);
+    if (!fs::is_symlink(path, ignored) || (fs::exists(status) && !fs::is_regular_file(status))) return path;
+    return baker::followed(path);
 }
 
 bool holds_earlier_output(const fs::path& path)
