@@ -287,13 +287,35 @@ def samples(build, core, cxx):
                   "riscv64-unknown-elf-")
 
 
+def sample_fields(build, archives, core):
+    """Who has the archive of samples needs no lumi: pages turn, and what embeds a field compiles where it was unpacked."""
+    folder = build.fresh("sample-fields")
+    zipfile.ZipFile(next(archives.glob("lumi-samples-*.zip"))).extractall(folder)
+    folder = next(folder.iterdir())
+    held = sorted(path.name for path in folder.iterdir())
+    wanted = {"LICENSE", "README.md", "toy30.html", *(f"toy{kb}.{kind}" for kb in (7, 30) for kind in ("S", "h", "lumi"))}
+    if set(held) != wanted:
+        sys.exit(f"error: samples: the archive holds {held}")
+    text = (folder / "README.md").read_text()
+    if "`toy30.html`" not in text or f"| toy7 | {build.field.stat().st_size:,} |" not in text:
+        sys.exit(f"error: samples: the page does not tell what the archive holds:\n{text}")
+    main = folder / "main.cpp"
+    main.write_text('#include "toy30.h"\nusing namespace lumi;\nstatic toy30_view<Screen<240, 240, 16>> view;\n'
+                    "bool start() { return view.open(toy30, toy30_size()) == ViewError::none; }\n")
+    build.compile("sample fields", [main, folder / "toy30.S"], [*M0, "-Os", f"-I{folder}", f"-I{core / 'include'}"],
+                  ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"])
+
+
 def main(arguments):
     makes_code = "--all" in arguments
     lumi, field, folder = (pathlib.Path(a).resolve() for a in arguments[-3:])
     build = Build(folder, makes_code, lumi, field)
     archives = build.fresh("archives")
+    toys = build.fresh("toys")
+    for size in (7, 30):  # kilobytes, by their names
+        shutil.copy(field, toys / f"toy{size}.lumi")
     build.run("release", [sys.executable, "-B", ROOT / "tools/packaging/release.py", "--lumi", lumi,
-                          "--field", field, archives])
+                          "--field", field, "--samples", toys, archives])
     unpacked = build.fresh("core")
     tarfile.open(next(archives.glob("lumi-core-*.tar.xz"))).extractall(unpacked)
     core = next(unpacked.iterdir())
@@ -307,6 +329,7 @@ def main(arguments):
     cxx = ["-std=gnu++2b", "-fno-exceptions", "-fno-rtti", "-Wall", "-Werror=all", "-Wno-error=unused-function"]
     esp_idf_lvgl(build, archives, cxx)
     samples(build, core, cxx)
+    sample_fields(build, archives, core)
     for name, stub, prefix, cpu, std in (
             ("esp-idf", ESP_IDF, "riscv64-unknown-elf-", ESP32_C3, cxx),
             ("zephyr", ZEPHYR, CROSS, M0, ["-std=c++17", *COMMON[2:], "-Wall", "-Werror"]),

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""release.py [--check | --set-version X.Y.Z | --tag] [--lumi COMMAND] [--field FILE.lumi] [OUT]
+"""release.py [--check | --set-version X.Y.Z | --tag] [--lumi COMMAND] [--field FILE.lumi]
+           [--samples FOLDER] [OUT]
 
 Writes core's archives for firmware ecosystems, bills of materials (SPDX 2.3) and SHA256SUMS into OUT (out/release): the
 same bytes from the same sources, but for the versions of Debian's packages in that of the lumi command. Only files that
@@ -11,7 +12,8 @@ PlatformIO; the same as a component of ESP-IDF, whose folder is its name; the Ar
 the part for LVGL and the changelog.
 
 COMMAND (build/release/tools/lumi) bakes the field of Arduino's sketches, which takes minutes; with --field it only embeds
-that file.
+that file. With --samples there is also an archive of the fields in FOLDER, which tools/lab/samples.sh bakes, with pages that
+turn them.
 """
 import argparse
 import hashlib
@@ -25,6 +27,7 @@ import tarfile
 import zipfile
 
 import arduino
+import samples
 import spdx
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -148,7 +151,7 @@ def write_bills(out, core, lumi):
         (out / f"lumi-{version()}.spdx.json").write_bytes(bill)
 
 
-def write_archives(out, fields, lumi):
+def write_archives(out, fields, lumi, sample_files):
     out.mkdir(parents=True, exist_ok=True)
     core = core_files()
     top = f"lumi-core-{version()}/"
@@ -159,6 +162,8 @@ def write_archives(out, fields, lumi):
     pack = dict(core)
     pack["Lumi.lumi.pdsc"] = pack_description(sorted(core)).encode()
     write_zip(out / f"Lumi.lumi.{version()}.pack", pack)
+    if sample_files:
+        write_zip(out / f"lumi-samples-{version()}.zip", {**sample_files, "LICENSE": core["LICENSE"]}, f"lumi-samples-{version()}/")
     write_bills(out, core, lumi)
     names = sorted(p.name for p in out.iterdir() if p.name != "SHA256SUMS")
     sums = "".join(f"{hashlib.sha256((out / n).read_bytes()).hexdigest()}  {n}\n" for n in names)
@@ -187,6 +192,7 @@ def parsed(arguments):
     what.add_argument("--set-version")
     parser.add_argument("--lumi", type=pathlib.Path, default=ROOT / "build/release/tools/lumi")
     parser.add_argument("--field", type=pathlib.Path)
+    parser.add_argument("--samples", type=pathlib.Path)
     parser.add_argument("out", nargs="?", type=pathlib.Path, default=ROOT / "out/release")
     return parser.parse_args(arguments)
 
@@ -206,9 +212,10 @@ def main(arguments):
     if options.tag:
         require_committed()
     fields = arduino.field_files(options.lumi, options.field)
+    sample_files = samples.files(options.lumi, options.samples, version()) if options.samples else {}
     if options.tag:
         git("tag", "--annotate", f"v{version()}", "--message", f"LumiPath {version()}")
-    write_archives(options.out, fields, options.lumi)
+    write_archives(options.out, fields, options.lumi, sample_files)
 
 
 if __name__ == "__main__":
