@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 DATA, OUT = ROOT / "docs/log/data/gallery.json", ROOT / "docs/gallery"
 PARTS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3", "stm32f4": "STM32F407", "stm32h7": "STM32H743"}
 ORDER = ["watch", "car", "clock", "potion", "skull"]
-PICTURE_BYTES, PAGE_BYTES, ALL_PAGES_BYTES = 250_000, 400_000, 2_500_000
+PICTURE_BYTES, PAGE_BYTES, ALL_PAGES_BYTES = 250_000, 450_000, 2_500_000
 
 STYLE = """:root{color-scheme:light dark;--ground:#f4f2ee;--card:#fff;--ink:#1d2127;--faint:#5b626c;--line:#dcd8d0;--link:#0a5c8a}
 @media (prefers-color-scheme:dark){:root{--ground:#14171b;--card:#1c2026;--ink:#e8e6e1;--faint:#a0a7b1;--line:#333a43;--link:#7cc4ee}}
