@@ -10,6 +10,7 @@ static uint8_t screen[HEADLESS_HEIGHT][HEADLESS_WIDTH * PIXEL_BYTES];
 static uint32_t now_ms, flushes;
 static lv_indev_state_t finger_state = LV_INDEV_STATE_RELEASED;
 static lv_point_t finger;
+static int16_t wheel;
 
 static uint32_t now(void)
 {
@@ -31,6 +32,8 @@ static void read_finger(lv_indev_t* indev, lv_indev_data_t* data)
     LV_UNUSED(indev);
     data->state = finger_state;
     data->point = finger;
+    data->enc_diff = wheel;
+    wheel = 0;
 }
 
 void headless_start(void)
@@ -65,6 +68,12 @@ void headless_drag(lv_point_t from, lv_point_t to)
     headless_run(DRAG_STEPS * STEP_MS);
     finger_state = LV_INDEV_STATE_RELEASED;
     headless_run(2 * STEP_MS);
+}
+
+void headless_wheel(int steps)
+{
+    wheel = (int16_t)steps;
+    headless_run(100);
 }
 
 int headless_write(const char* path)

@@ -13,6 +13,8 @@ void headless_start(void);
 void headless_run(uint32_t milliseconds);
 /* Drags the finger from one point to another in 200 ms, and holds it there as long before it is let go. */
 void headless_drag(lv_point_t from, lv_point_t to);
+/* Turns the wheel of the pointer, which stays where it was let go. */
+void headless_wheel(int steps);
 /* RGB565, low byte first, row by row. */
 int headless_write(const char* path);
 /* Parts of the screen that LVGL sent since the start. */

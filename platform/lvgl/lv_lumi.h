@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * A widget of LVGL 9.3 and later: an lv_image of a field that a finger or a mouse turns. It runs on when it is let go,
- * and sends LV_EVENT_VALUE_CHANGED when its orbit has changed. */
+ * A widget of LVGL 9.3 and later: an lv_image of a field that a finger or a mouse turns and a wheel zooms. It runs on
+ * when it is let go, and sends LV_EVENT_VALUE_CHANGED when its orbit has changed. */
 #ifndef LV_LUMI_H
 #define LV_LUMI_H
 
@@ -17,6 +17,15 @@ lv_obj_t* lv_lumi_create(lv_obj_t* parent, lv_lumi_image_t* image);
 
 void lv_lumi_set_orbit(lv_obj_t* lumi, lumi_orbit orbit);
 lumi_orbit lv_lumi_get_orbit(const lv_obj_t* lumi);
+
+/* A mouse's wheel, and an encoder that edits the widget, zoom between these by an eighth a step; LUMI_NO_ZOOM shows the
+ * whole sphere. At first nothing zooms. */
+void lv_lumi_set_zoom_range(lv_obj_t* lumi, uint32_t least_q16, uint32_t most_q16);
+
+/* Holds a frame rate: coarser modes while the orbit changes too fast for finer ones, the finest at rest. The budget is
+ * what drawing a frame may take in the unit of the image's clock (milliseconds, or lv_lumi_image_set_clock). Errors are
+ * those of lumi_quality_start, and leave the widget as it was. */
+lumi_error lv_lumi_set_quality(lv_obj_t* lumi, lumi_quality_limits limits);
 
 #ifdef __cplusplus
 }

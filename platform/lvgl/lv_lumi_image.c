@@ -32,6 +32,7 @@ static lv_result_t get_info(lv_image_decoder_t* decoder, lv_image_decoder_dsc_t*
 static lv_result_t fail(lv_lumi_image_t* image, lv_image_decoder_dsc_t* session, lumi_error error)
 {
     image->error = error;
+    image->is_drawn = true;
     session->error_msg = lumi_error_text(error);
     LV_LOG_WARN("%s", session->error_msg);
     return LV_RESULT_INVALID;
@@ -42,7 +43,9 @@ static lv_result_t open_session(lv_image_decoder_t* decoder, lv_image_decoder_ds
 {
     lv_lumi_image_t* image = image_of(session);
     LV_UNUSED(decoder);
-    image->error = image->is_turned ? lumi_look(image->view, image->orbit) : 0;
+    image->began = image->clock();
+    if (image->is_turned) image->spent = 0;
+    image->error = image->is_turned ? lumi_look_mode(image->view, image->orbit, image->mode) : 0;
     if (image->error != 0) return fail(image, session, image->error);
     image->is_turned = false;
     session->user_data =
@@ -91,8 +94,12 @@ static lv_result_t get_area(lv_image_decoder_t* decoder, lv_image_decoder_dsc_t*
 
 static void close_session(lv_image_decoder_t* decoder, lv_image_decoder_dsc_t* session)
 {
+    lv_lumi_image_t* image = image_of(session);
     LV_UNUSED(decoder);
     if (session->user_data != NULL) lv_draw_buf_destroy(session->user_data);
+    if (image == NULL) return;
+    image->spent += image->clock() - image->began;
+    image->is_drawn = true;
 }
 
 void lv_lumi_image_decoder_init(void)
@@ -120,6 +127,8 @@ lumi_error lv_lumi_image_open(lv_lumi_image_t* image, void* memory, size_t memor
     image->source.data_size = sizeof *image;
     image->screen = screen;
     image->orbit.distance_q20 = LUMI_RADII(3);
+    image->mode = screen.mode;
+    image->clock = lv_tick_get;
     image->is_turned = true;
     return 0;
 }
@@ -128,4 +137,17 @@ void lv_lumi_image_set_orbit(lv_lumi_image_t* image, lumi_orbit orbit)
 {
     image->orbit = orbit;
     image->is_turned = true;
+    image->is_drawn = false;
+}
+
+void lv_lumi_image_set_mode(lv_lumi_image_t* image, uint8_t mode)
+{
+    image->mode = mode;
+    image->is_turned = true;
+    image->is_drawn = false;
+}
+
+void lv_lumi_image_set_clock(lv_lumi_image_t* image, uint32_t (*clock)(void))
+{
+    image->clock = clock;
 }

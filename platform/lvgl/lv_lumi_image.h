@@ -27,8 +27,13 @@ typedef struct {
     lumi_view* view;
     lumi_screen screen;
     lumi_orbit orbit;
+    uint8_t mode;     /* of the next frame: at first the screen's, which is the finest */
     bool is_turned;   /* since the view was last prepared */
+    bool is_drawn;    /* some of the frame that was asked for last, or that failed */
     lumi_error error; /* what the last drawing returned */
+    /* What drawing this frame has taken so far, with what LVGL does with its pixels, in the unit of the clock. */
+    uint32_t spent, began;
+    uint32_t (*clock)(void);
 } lv_lumi_image_t;
 
 /* Tells LVGL how to draw these images. */
@@ -41,6 +46,10 @@ lumi_error lv_lumi_image_open(lv_lumi_image_t* image, void* memory, size_t memor
 
 /* The next frame's eye. Costs nothing until LVGL draws the image. */
 void lv_lumi_image_set_orbit(lv_lumi_image_t* image, lumi_orbit orbit);
+/* The next frame's mode, none finer than the screen's; a finer one is an error when LVGL draws. */
+void lv_lumi_image_set_mode(lv_lumi_image_t* image, uint8_t mode);
+/* What measures frames: a counter that runs upwards and wraps. At first lv_tick_get, in milliseconds. */
+void lv_lumi_image_set_clock(lv_lumi_image_t* image, uint32_t (*clock)(void));
 
 #ifdef __cplusplus
 }

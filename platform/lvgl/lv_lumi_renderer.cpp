@@ -10,3 +10,4 @@
 #define LUMI_C_BACKGROUND OverNothing()
 
 #include "../../core/src/c/lumi.cpp"
+#include "../../core/src/c/quality.cpp"

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * lumi_lvgl FOLDER
- * A desk clock that a finger turns, under labels and a slider. Writes the screen before and after a drag to
- * FOLDER/frame-0.raw and frame-1.raw, and what tools/lab/devices.sh compares them by: where the object is, its orbit,
- * and where widgets lie over it. */
+ * A desk clock that a finger turns and a wheel zooms, under labels and a slider; it is drawn coarser while it moves.
+ * Writes the screen before and after a drag, and zoomed, to FOLDER/frame-0.raw to frame-2.raw, and what
+ * tools/lab/devices.sh compares them by: where the object is, its orbit, and where widgets lie over it. Fails where it
+ * moves or rests in a wrong mode. */
 #include <stdio.h>
 
 #include "desk_clock.h" /* written by lumi_add_field */
@@ -14,6 +15,15 @@ enum { SIDE = 232, ROWS = 16, MARGIN = 10 /* pixels around the slider that its k
 static uint64_t memory[LUMI_MEMORY(desk_clock_vertices, desk_clock_patches, SIDE, SIDE, ROWS) / 8 + 1];
 static lv_lumi_image_t image;
 static lv_obj_t *clock_widget, *title, *angle, *slider;
+static uint8_t coarsest_seen = LUMI_TWO_BY_TWO;
+
+/* Parts of a frame take so long by this clock that antialiased frames, of eight parts, are too slow. */
+enum { ONE_SAMPLE_TAKES = 5, ANTIALIASED_TAKES = 10, BUDGET = 60 };
+static uint32_t made_up_clock(void)
+{
+    static uint32_t now;
+    return now += image.mode == LUMI_ONE_SAMPLE ? ONE_SAMPLE_TAKES : ANTIALIASED_TAKES;
+}
 
 static int32_t in_degrees(uint32_t turns32)
 {
@@ -24,6 +34,7 @@ static void show_angle(lv_event_t* event)
 {
     const lumi_orbit orbit = lv_lumi_get_orbit(clock_widget);
     LV_UNUSED(event);
+    if (image.mode < coarsest_seen) coarsest_seen = image.mode;
     lv_label_set_text_fmt(angle, "%d°", (int)in_degrees(orbit.azimuth_turns32));
     lv_slider_set_value(slider, in_degrees(orbit.elevation_turns32), LV_ANIM_OFF);
 }
@@ -73,15 +84,32 @@ static int report(const char* folder, int frame)
 {
     const lumi_orbit orbit = lv_lumi_get_orbit(clock_widget);
     char path[512];
-    printf("frame %d at %d %d side %d rows %d azimuth %lu elevation %lu flushes %lu\n", frame,
+    printf("frame %d at %d %d side %d rows %d azimuth %lu elevation %lu zoom %lu flushes %lu\n", frame,
            (int)lv_obj_get_x(clock_widget), (int)lv_obj_get_y(clock_widget), SIDE, ROWS,
-           (unsigned long)orbit.azimuth_turns32, (unsigned long)orbit.elevation_turns32,
+           (unsigned long)orbit.azimuth_turns32, (unsigned long)orbit.elevation_turns32, (unsigned long)orbit.zoom_q16,
            (unsigned long)headless_flushes());
     report_over(title);
     report_over(angle);
     report_over(slider);
     snprintf(path, sizeof path, "%s/frame-%d.raw", folder, frame);
     return headless_write(path);
+}
+
+static int control_clock(void)
+{
+    const lumi_quality_limits limits = {BUDGET, LUMI_ONE_SAMPLE, LUMI_ANTIALIASED, LUMI_ANTIALIASED};
+    const lumi_quality_limits too_fine = {BUDGET, LUMI_ONE_SAMPLE, LUMI_TWO_BY_TWO, LUMI_TWO_BY_TWO};
+    lv_lumi_image_set_clock(&image, made_up_clock);
+    lv_lumi_set_zoom_range(clock_widget, LUMI_NO_ZOOM, 4 * LUMI_NO_ZOOM);
+    return lv_lumi_set_quality(clock_widget, too_fine) != 0 && lv_lumi_set_quality(clock_widget, limits) == 0;
+}
+
+/* The finest picture is shown at rest, and then nothing is drawn any more. */
+static int rests_finest(void)
+{
+    const uint32_t flushes = headless_flushes();
+    headless_run(500);
+    return image.mode == LUMI_ANTIALIASED && image.error == 0 && headless_flushes() == flushes;
 }
 
 int main(int count, char** arguments)
@@ -95,8 +123,13 @@ int main(int count, char** arguments)
     make_screen();
     lv_lumi_set_orbit(clock_widget, orbit);
     headless_run(100);
-    if (report(arguments[1], 0) != 0) return 1;
+    if (report(arguments[1], 0) != 0 || !control_clock()) return 1;
+    headless_run(500);
     headless_drag((lv_point_t){180, 120}, (lv_point_t){140, 105});
     headless_run(2000);
-    return report(arguments[1], 1) != 0 || image.error != 0;
+    printf("moved in mode %u, rests in mode %u\n", coarsest_seen, image.mode);
+    if (report(arguments[1], 1) != 0 || coarsest_seen != LUMI_ONE_SAMPLE || !rests_finest()) return 1;
+    headless_wheel(3);
+    headless_run(1000);
+    return report(arguments[1], 2) != 0 || !rests_finest();
 }

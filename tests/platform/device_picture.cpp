@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// lumi_device_picture FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT
+// lumi_device_picture FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT [ZOOM]
 // What a device of platform/ shows, drawn on the host by the free functions in one piece: the pixels of its display, in
 // FORMAT bgr555, grey4 (two pixels a byte), rgb565, rgb565-swapped, or coverage (a byte a pixel). ROWS of the device's
-// stripes decide the bands: where triangles touch, their order shows. Angles in 2^-32 turns, 3 radii away.
+// stripes decide the bands: where triangles touch, their order shows. Angles in 2^-32 turns, 3 radii away; ZOOM
+// in 2^-16.
 // tools/lab/devices.sh compares the emulated displays with it.
 #include <cstdio>
 #include <cstdlib>
@@ -74,13 +75,15 @@ std::vector<uint8_t> picture(const std::string& format, const SurfaceField& fiel
 
 int main(int count, char** arguments)
 {
-    if (count != 9) fail("FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT");
+    if (count != 9 && count != 10) fail("FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT [ZOOM]");
     const auto number = [&](int k) { return static_cast<uint32_t>(std::strtoul(arguments[k], nullptr, 10)); };
     const std::vector<uint8_t> file = test::file_bytes(arguments[1]);
     SurfaceField field;
     if (open_surface(file.data(), file.size(), field) != FieldError::none) fail("this is no surface field");
     const auto side = [&](int k) { return static_cast<int32_t>(number(k)); };
-    const auto pixels = picture(arguments[2], field, {side(3), side(4), side(5)}, {number(6), number(7)});
+    Orbit orbit = {number(6), number(7)};
+    if (count == 10) orbit.zoom_q16 = number(9);
+    const auto pixels = picture(arguments[2], field, {side(3), side(4), side(5)}, orbit);
     std::ofstream out(arguments[8], std::ios::binary);
     out.write(reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));
     return out.flush() ? 0 : 1;

@@ -70,11 +70,11 @@ lv_result_t draw_part(const lv_lumi_image_t& image, const lv_area_t& part, Plane
     return LV_RESULT_OK;
 }
 
-Planes expected()
+Planes expected(SurfaceMode mode = SurfaceMode::antialiased)
 {
     static View<SurfaceDrawing<98, 128>, Screen<kSide, kSide, kRows, PixelRgb565>> view;
     REQUIRE(view.open(ball().data(), ball().size()) == ViewError::none);
-    REQUIRE(view.look(Orbit{degrees(30), degrees(-20), radii(5) / 2}) == ViewError::none);
+    REQUIRE(view.look(Orbit{degrees(30), degrees(-20), radii(5) / 2}, mode) == ViewError::none);
     Planes planes;
     for (int32_t y = 0; y < kSide; y += kRows) {
         uint8_t* const colours = planes.colours.data() + 2 * kSide * y;
@@ -101,6 +101,44 @@ TEST_CASE("LVGL gets the view's colours and coverage, however it cuts the screen
         }
         CHECK((drawn.coverage == wanted.coverage));
         CHECK((drawn.colours == wanted.colours));
+    }
+}
+
+TEST_CASE("LVGL gets the mode that was set, until another is, and none finer than the screen's")
+{
+    lv_lumi_image_t& image = opened();
+    const lv_area_t whole = {0, 0, kSide - 1, kSide - 1};
+    for (const uint8_t mode : {LUMI_ONE_SAMPLE, LUMI_ANTIALIASED}) {
+        lv_lumi_image_set_mode(&image, mode);
+        lv_lumi_image_set_orbit(&image, kOrbit);
+        Planes drawn;
+        REQUIRE(draw_part(image, whole, drawn) == LV_RESULT_OK);
+        const Planes wanted = expected(static_cast<SurfaceMode>(mode));
+        CHECK((drawn.colours == wanted.colours && drawn.coverage == wanted.coverage));
+    }
+    lv_lumi_image_set_mode(&image, LUMI_TWO_BY_TWO);
+    Planes drawn;
+    CHECK(draw_part(image, whole, drawn) == LV_RESULT_INVALID);
+    CHECK(image.error == static_cast<lumi_error>(ViewError::mode_too_fine));
+    CHECK(image.is_drawn);
+}
+
+TEST_CASE("an image measures what a frame took in all its parts, by the clock that it is given")
+{
+    constexpr uint32_t kStep = 7;
+    lv_lumi_image_t& image = opened();
+    lv_lumi_image_set_clock(&image, [] {
+        static uint32_t now = UINT32_MAX - 2 * kStep;  // wraps
+        return now += kStep;
+    });
+    for (int frame = 0; frame < 2; ++frame) {
+        lv_lumi_image_set_orbit(&image, kOrbit);
+        CHECK(!image.is_drawn);
+        Planes drawn;
+        for (int32_t y = 0; y < kSide; y += kSide / 3)
+            REQUIRE(draw_part(image, {0, y, kSide - 1, y + kSide / 3 - 1}, drawn) == LV_RESULT_OK);
+        CHECK(image.is_drawn);
+        CHECK(image.spent == 3 * kStep);
     }
 }
 

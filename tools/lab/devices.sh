@@ -133,10 +133,10 @@ turns() {
   awk -v degrees="$1" 'BEGIN { printf "%.0f", degrees * 4294967296 / 360 }'
 }
 
-# draw_expected EXAMPLE FORMAT WIDTH HEIGHT STRIPE_ROWS FRAME AZIMUTH ELEVATION
+# draw_expected EXAMPLE FORMAT WIDTH HEIGHT STRIPE_ROWS FRAME AZIMUTH ELEVATION [ZOOM]
 draw_expected() {
   "$root/build/release/tests/platform/lumi_device_picture" "$field" "$2" "$3" "$4" "$5" "$7" "$8" \
-    "$devices/$1/expected-$6.raw"
+    "$devices/$1/expected-$6.raw" ${9+"$9"}
 }
 
 run_gba() {
@@ -242,12 +242,12 @@ run_overlay() {
 # Under labels and a slider: LVGL blends outlines itself, all else has our bits.
 run_lvgl() {
   [[ -n $lvgl ]] || die "name a source tree of LVGL 9: --lvgl PATH"
-  local folder=$devices/lvgl frame side rows azimuth elevation format
+  local folder=$devices/lvgl frame side rows azimuth elevation zoom format
   build lvgl host -DLVGL_DIR="$lvgl"
   "$folder/build/lumi_lvgl" "$folder" | tee "$folder/log"
-  while read -r _ frame _ _ _ _ side _ rows _ azimuth _ elevation _; do
+  while read -r _ frame _ _ _ _ side _ rows _ azimuth _ elevation _ zoom _; do
     for format in rgb565 coverage; do
-      draw_expected lvgl "$format" "$side" "$side" "$rows" "$frame" "$azimuth" "$elevation"
+      draw_expected lvgl "$format" "$side" "$side" "$rows" "$frame" "$azimuth" "$elevation" "$zoom"
       mv "$folder/expected-$frame.raw" "$folder/$format-$frame.expected"
     done
     python3 -B "$root/tools/lab/devices/compare_lvgl.py" "$folder/log" "$frame" "$folder/frame-$frame.raw" \

@@ -65,6 +65,7 @@ struct lv_image_decoder {
     const char* name;
 };
 
+uint32_t lv_tick_get(void);                        /* stands still */
 lv_image_decoder_t* lv_image_decoder_create(void); /* there is one */
 void lv_image_decoder_set_info_cb(lv_image_decoder_t*, lv_info_cb);
 void lv_image_decoder_set_open_cb(lv_image_decoder_t*, lv_open_cb);

@@ -5,6 +5,11 @@
 
 static lv_image_decoder_t decoder;
 
+uint32_t lv_tick_get(void)
+{
+    return 0;
+}
+
 lv_image_decoder_t* lv_image_decoder_create(void)
 {
     return &decoder;
