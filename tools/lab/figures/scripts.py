@@ -283,6 +283,11 @@ def house_builds():
                  lambda row: [row["revision"], row["cpu_seconds"], row["seconds"]])
 
 
+def first_picture():
+    return table(["way", "step", "seconds"], load("house")["first_picture"],
+                 lambda row: [row["way"], row["step"], decimal(row["seconds"])])
+
+
 def other_tools():
     tools = ["lumi", "cwebp", "gltfpack", "ffmpeg"]
     return table(["", *tools], load("other-tools")["rows"], lambda row: [row["question"], *(row[tool] for tool in tools)])
