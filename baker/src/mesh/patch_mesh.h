@@ -31,6 +31,7 @@ struct PatchMesh {
     std::vector<Patch> patches;
     float longest_edge = 0;            // the longest edge of any triangle
     uint32_t see_through_patches = 0;  // the last so many
+    uint32_t is_in_drawing_order = 0;  // 1: those are drawn one after the other, else from far to near
 
     uint32_t opaque_patches() const { return static_cast<uint32_t>(patches.size()) - see_through_patches; }
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/drawing_order.h"
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
@@ -209,6 +210,21 @@ Mesh few_of(const SceneData& scene, const Mesh& mesh, const SeeThroughCount& mos
     return few;
 }
 
+// If that is better than to sort by depth.
+void put_in_drawing_order(PatchMesh& mesh, Job& job)
+{
+    std::vector<uint32_t> patch_of;
+    const Mesh triangles = opaque_triangles(mesh, patch_of);
+    for (uint32_t& number : patch_of) number /= 2;
+    const OneSidedFaces faces = {triangles, patch_of};
+    const std::vector<uint32_t> order = drawing_order(faces, job);
+    const OrderFaults faults = order_faults(faces, order, job);
+    mesh.is_in_drawing_order = faults.in_order <= faults.by_depth ? 1 : 0;
+    if (mesh.is_in_drawing_order == 0) return;
+    const std::vector<PatchMesh::Patch> patches = mesh.patches;
+    for (size_t k = 0; k < order.size(); ++k) mesh.patches[k] = patches[order[k]];
+}
+
 PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings,
                            const SeeThroughCount& most, std::vector<MeshWarning>& warnings, Job& job)
 {
@@ -220,7 +236,9 @@ PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, cons
     const auto stays = [](const Vec3& middle, const Vec3&, float) { return middle; };
     const Mesh few =
         with_short_edges(few_of(scene, all, most, settings.cap, warnings, job), settings.longest_edge, stays);
-    return assembled(rounded(open_sides(few, opaque, settings.cap, job)), kNoCrease);
+    PatchMesh mesh = assembled(rounded(open_sides(few, opaque, settings.cap, job)), kNoCrease);
+    if (fits(mesh)) put_in_drawing_order(mesh, job);
+    return mesh;
 }
 
 void append(PatchMesh& mesh, const PatchMesh& part)
@@ -234,6 +252,7 @@ void append(PatchMesh& mesh, const PatchMesh& part)
         mesh.patches.push_back(p);
     }
     mesh.see_through_patches = static_cast<uint32_t>(part.patches.size());
+    mesh.is_in_drawing_order = part.is_in_drawing_order;
     mesh.longest_edge = std::max(mesh.longest_edge, part.longest_edge);
 }
 

@@ -218,7 +218,9 @@ std::vector<uint8_t> see_through_section(const FitShape& shape, const FieldParts
     namespace at = detail::format::see_through;
     Bytes b(detail::format::kSeeThroughBytes);
     b.put16(at::kFirstAt, static_cast<uint16_t>(shape.mesh.opaque_patches()));
-    b.put16(at::kReservedAt, 0);
+    using detail::format::DrawingOrder;
+    const bool is_in_order = shape.mesh.is_in_drawing_order != 0;
+    b.put16(at::kOrderAt, static_cast<uint16_t>(is_in_order ? DrawingOrder::of_the_file : DrawingOrder::by_depth));
     for (size_t k = 0; k < parts.see_through.size(); ++k) {
         size_t byte = at::kPaletteAt + k * at::kEntryBytes;
         for (const Rgb8& c : {parts.see_through[k].added, parts.see_through[k].passed})

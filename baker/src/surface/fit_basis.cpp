@@ -52,10 +52,12 @@ void fields(Io& io, PatchMesh::Patch& patch)
 template <class Io>
 void fields(Io& io, PatchMesh& mesh)
 {
-    io(mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches, mesh.see_through_patches);
+    io(mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches, mesh.see_through_patches,
+       mesh.is_in_drawing_order);
     const size_t vertices = mesh.positions.size();
     io.require(vertices <= detail::format::kMaxSurfaceVertices && mesh.patches.size() <= detail::format::kMaxPatches);
-    io.require(mesh.normals.size() == vertices && mesh.see_through_patches <= mesh.patches.size());
+    io.require(mesh.normals.size() == vertices && mesh.see_through_patches <= mesh.patches.size() &&
+               mesh.is_in_drawing_order <= 1);
     for (const PatchMesh::Patch& p : mesh.patches)
         io.require(std::max({p.a, p.b, p.c}) < vertices && (p.d < vertices || p.d == PatchMesh::kNone));
 }

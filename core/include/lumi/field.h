@@ -46,7 +46,7 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_views,        // the view tables have the wrong size
     section_crc,      // verify_field only: a section's bytes are damaged
     see_through,      // open_surface of a SurfaceField only: see surface/see_through.h
-    bad_see_through,  // the wrong size, a reserved number, or a first patch that does not exist
+    bad_see_through,  // the wrong size, an order that is not known, or a first patch that does not exist
 };
 
 // One short English phrase per error, for logs. Linked only if called.

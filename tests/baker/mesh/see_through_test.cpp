@@ -2,7 +2,9 @@
 #include "mesh/see_through.h"
 
 #include <catch2/catch.hpp>
+#include <numeric>
 
+#include "geometry/drawing_order.h"
 #include "support/shapes.h"
 
 namespace lumi::baker::testing
@@ -101,6 +103,19 @@ TEST_CASE("A cloud that has room is drawn whole, and a card's two sides share it
     CHECK(built.mesh.see_through_patches == 2 * 48);
     CHECK(built.loss.missed < 0.005);
     CHECK(viewable_vertices(built.mesh) == std::vector<uint8_t>(4 * 48, 0));
+}
+
+TEST_CASE("See-through patches stand in the order in which they are drawn", "[mesh]")
+{
+    const PatchMesh mesh = built_of(96).mesh;
+    CHECK(mesh.is_in_drawing_order == 1);
+    std::vector<uint32_t> patch_of;
+    const Mesh triangles = see_through_triangles(mesh, patch_of);
+    for (uint32_t& number : patch_of) number = number / 2 - mesh.opaque_patches();
+    std::vector<uint32_t> as_they_stand(mesh.see_through_patches);
+    std::iota(as_they_stand.begin(), as_they_stand.end(), 0u);
+    Job job(1, 1, {});
+    CHECK(order_faults({triangles, patch_of}, as_they_stand, job).in_order == 0);
 }
 
 TEST_CASE("Cards that are left out count as missed", "[mesh]")

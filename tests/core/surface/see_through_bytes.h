@@ -24,11 +24,14 @@ inline GlassPalette many_glasses()
     return palette;
 }
 
-inline TestSection see_through_section(uint32_t first, const GlassPalette& palette)
+using detail::format::DrawingOrder;
+
+inline TestSection see_through_section(uint32_t first, const GlassPalette& palette,
+                                       DrawingOrder order = DrawingOrder::by_depth)
 {
     Bytes b;
     put16(b, first);
-    put16(b, 0);
+    put16(b, static_cast<uint32_t>(order));
     for (const TestGlass& glass : palette) {
         b.insert(b.end(), glass.added.begin(), glass.added.end());
         b.insert(b.end(), glass.passed.begin(), glass.passed.end());
@@ -37,7 +40,8 @@ inline TestSection see_through_section(uint32_t first, const GlassPalette& palet
 }
 
 // The patches from `first` on are see-through; opaque ones have no neighbours among them.
-inline std::vector<TestSection> see_through_sections(const TestSurface& s, uint32_t first, const GlassPalette& palette)
+inline std::vector<TestSection> see_through_sections(const TestSurface& s, uint32_t first, const GlassPalette& palette,
+                                                     DrawingOrder order = DrawingOrder::by_depth)
 {
     TestSurface opaque = s;
     opaque.patches.resize(first);
@@ -47,13 +51,14 @@ inline std::vector<TestSection> see_through_sections(const TestSurface& s, uint3
         section = neighbour_section(opaque);
         section.bytes.resize(s.patches.size() * detail::format::kNeighbourBytes, 0xFF);
     }
-    sections.push_back(see_through_section(first, palette));
+    sections.push_back(see_through_section(first, palette, order));
     return sections;
 }
 
-inline Bytes see_through_file(const TestSurface& s, uint32_t first, const GlassPalette& palette = many_glasses())
+inline Bytes see_through_file(const TestSurface& s, uint32_t first, const GlassPalette& palette = many_glasses(),
+                              DrawingOrder order = DrawingOrder::by_depth)
 {
-    return file_of(see_through_sections(s, first, palette));
+    return file_of(see_through_sections(s, first, palette, order));
 }
 
 // Squares that face +z, one texel each, at these heights (Q14) with these entries of their palettes.

@@ -114,11 +114,11 @@ GlassPalette red_and_blue()
 }
 
 // An opaque pane below a red one and, above that, a blue one; `swapped`: in the file, blue is first.
-Bytes two_panes(bool swapped)
+Bytes two_panes(bool swapped, DrawingOrder order = DrawingOrder::by_depth)
 {
     const TestPane red = {7000, 1000, 1}, blue = {7000, 6000, 2}, below = {9000, -4000, 100};
     return see_through_file(panes(swapped ? std::vector{below, blue, red} : std::vector{below, red, blue}), 1,
-                            red_and_blue());
+                            red_and_blue(), order);
 }
 
 std::array<double, 3> through_both(const std::array<double, 3>& behind)
@@ -151,6 +151,22 @@ TEST_CASE("panes blend over what lies behind, from far to near, in any order of 
             CHECK(middle(PixelRgb565{}) <= 10);
             CHECK(middle(PixelRgb565Swapped{}) <= 10);
             CHECK(middle(PixelBgr555{}) <= 10);
+        }
+    }
+}
+
+TEST_CASE("a field that has an order of its own is drawn in that order, whatever the depths")
+{
+    const std::array<double, 3> behind = {100, 155, 90};
+    std::array<double, 3> blue_first{};
+    for (size_t c = 0; c < 3; ++c) blue_first[c] = mixed(kRed, c, mixed(kBlue, c, behind[c]));
+    for (const bool swapped : {false, true}) {
+        const OpenedGlass opened(two_panes(swapped, DrawingOrder::of_the_file));
+        REQUIRE(opened.error() == FieldError::none);
+        for (const SurfaceMode mode : kSurfaceModes) {
+            CAPTURE(swapped, static_cast<int>(mode));
+            Drawn<PixelRgb888> shown = drawn<PixelRgb888>(opened.field(), from_above(), mode, OverBlack{});
+            CHECK(off_middle(shown.at(kSide / 2, kSide / 2), swapped ? blue_first : through_both(behind)) <= 2);
         }
     }
 }
@@ -254,9 +270,12 @@ TEST_CASE("outlines of glass over a colour are as smooth as those of four sample
 TEST_CASE("surfaces with glass are the same in rectangles of any size, over everything")
 {
     std::minstd_rand random(5);
-    const OpenedGlass opened(see_through_file(bumpy_ball(), kFirstOfBall));
-    REQUIRE(opened.error() == FieldError::none);
+    const OpenedGlass by_depth(see_through_file(bumpy_ball(), kFirstOfBall));
+    const OpenedGlass in_order(see_through_file(bumpy_ball(), kFirstOfBall, many_glasses(), DrawingOrder::of_the_file));
+    REQUIRE(by_depth.error() == FieldError::none);
+    REQUIRE(in_order.error() == FieldError::none);
     for (int k = 0; k < kViews; ++k) {
+        const OpenedGlass& opened = k % 4 < 2 ? by_depth : in_order;
         const test::View view = random_view(random, kSide);
         const SurfaceMode mode = kSurfaceModes[k % 3];
         const Area area = {1 + static_cast<int32_t>(random() % kSide), 1 + static_cast<int32_t>(random() % 20),
@@ -369,7 +388,11 @@ TEST_CASE("sections of see-through parts that are wrong are refused by name")
               kFirstOfBall, [](Bytes& b) { b.pop_back(); }) == FieldError::bad_see_through);
     CHECK(opened(
               kFirstOfBall, [](Bytes& b) { b.push_back(0); }) == FieldError::bad_see_through);
-    CHECK(opened(kFirstOfBall, [](Bytes& b) { b[2] = 1; }) == FieldError::bad_see_through);
+    CHECK(opened(
+              kFirstOfBall, [](Bytes& b) { b[2] = 1; }) == FieldError::none);
+    CHECK(opened(
+              kFirstOfBall, [](Bytes& b) { b[2] = 2; }) == FieldError::bad_see_through);
+    CHECK(opened(kFirstOfBall, [](Bytes& b) { b[3] = 1; }) == FieldError::bad_see_through);
     CHECK(opened(patches, [](Bytes&) {}) == FieldError::bad_see_through);
     CHECK(opened(patches - 1, [](Bytes&) {}) == FieldError::none);
     CHECK(opened(kFirstOfBall - 8, [](Bytes&) {}) == FieldError::bad_neighbours);

@@ -101,7 +101,7 @@ TEST_CASE("see-through triangles cost more than the same ones opaque, and slow e
     SeeThroughField half = opaque;
     half.patch_count = opaque.patch_count / 2;
     SeeThroughField glass = half;
-    glass.see_through_count = opaque.patch_count - half.patch_count;
+    glass.see_through_count = static_cast<uint16_t>(opaque.patch_count - half.patch_count);
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {
         const SurfaceLoad whole = load_of(opaque, eye, mode, 16), with_glass = load_of(glass, eye, mode, 16);

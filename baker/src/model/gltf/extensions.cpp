@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr const char* kDrawn[] = {
+constexpr const char* kKnown[] = {
     "KHR_lights_punctual",        "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
     "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
@@ -69,7 +69,7 @@ void check_required_extensions(const GltfModel& model, const std::vector<std::st
 {
     for (const std::string& extension : required) {
         const bool drawn =
-            std::any_of(std::begin(kDrawn), std::end(kDrawn), [&](const char* name) { return extension == name; });
+            std::any_of(std::begin(kKnown), std::end(kKnown), [&](const char* name) { return extension == name; });
         if (drawn) continue;
         if (const Remedy* remedy = remedy_of(extension)) refuse(model, *remedy);
         fail_gltf(model, "it requires the extension " + extension.substr(0, 60) +

@@ -69,11 +69,16 @@ inline constexpr uint32_t kNoNeighbour = 0xFFFF;
 // See-through parts: the last patches, from kFirstAt on. Their texels name entries of the section's own palette: what
 // the surface adds, multiplied by its coverage, and how much of what lies behind passes, 0 .. 255, for each channel. A
 // pixel becomes added + passed · behind / 255.
+//
+// In which order they are drawn: from far to near by the depth of their nearest corner, or as they stand in the file,
+// which is right where the writer found an order that suits all directions.
+enum class DrawingOrder : uint8_t { by_depth = 0, of_the_file = 1 };
+inline constexpr uint32_t kDrawingOrders = 2;
 namespace see_through
 {
-inline constexpr uint32_t kFirstAt = 0;     // u16, number of the first see-through patch, below the number of patches
-inline constexpr uint32_t kReservedAt = 2;  // u16, 0
-inline constexpr uint32_t kPaletteAt = 4;   // 256 × (r, g, b added, r, g, b passed)
+inline constexpr uint32_t kFirstAt = 0;    // u16, number of the first see-through patch, below the number of patches
+inline constexpr uint32_t kOrderAt = 2;    // u16, DrawingOrder
+inline constexpr uint32_t kPaletteAt = 4;  // 256 × (r, g, b added, r, g, b passed)
 inline constexpr uint32_t kEntryBytes = 6;
 }  // namespace see_through
 inline constexpr uint32_t kSeeThroughBytes = see_through::kPaletteAt + kPaletteEntries * see_through::kEntryBytes;

@@ -11,7 +11,8 @@ namespace lumi
 // A SurfaceField that holds its opaque patches, and see-through ones behind them in the same memory.
 struct SeeThroughField : SurfaceField {
     const uint8_t* see_through_palette = nullptr;  // 256 × (r, g, b added, r, g, b passed)
-    uint32_t see_through_count = 0;                // patches; 0: none, and no palette
+    uint16_t see_through_count = 0;                // patches; 0: none, and no palette
+    bool is_in_order = false;                      // patches are drawn as they stand in the file, not by depth
 };
 
 // As open_surface for a SurfaceField, and takes files with and without see-through parts.
@@ -39,8 +40,8 @@ struct SeeThroughFrame : SurfaceFrame {
 namespace lumi::detail
 {
 
-// Lists the triangles that face the eye, from far to near, and lights them. After prepare().
-void put_see_through(uint32_t patches, uint32_t* order, SeeThroughFrame& frame);
+// Lists the triangles that face the eye, in the field's order, and lights them. After prepare().
+void put_see_through(const SeeThroughField& field, uint32_t* order, SeeThroughFrame& frame);
 
 // Of each channel the share in 1/1024, less one of them so that ten bits hold it; of blue in 1/512.
 LUMI_ALWAYS_INLINE PackedColour share_of(PackedColour shares, PackedColour c)
@@ -81,7 +82,7 @@ template <class Pixel>
 void add_see_through(const SeeThroughField& field, const SeeThroughMemory& memory, SeeThroughFrame& out)
 {
     out.order = memory.order;
-    put_see_through(field.see_through_count, memory.order, out);
+    put_see_through(field, memory.order, out);
     if (field.see_through_count != 0) put_see_through_palette<Pixel>(field, out.mode, out);
 }
 

@@ -14,9 +14,10 @@ using namespace detail::format;
 FieldError part_patches(const uint8_t* section, SeeThroughField& field)
 {
     const uint32_t first = container::load_u16(section + see_through::kFirstAt);
-    const bool is_sound = container::load_u16(section + see_through::kReservedAt) == 0 && first < field.patch_count;
-    if (!is_sound) return FieldError::bad_see_through;
-    field.see_through_count = field.patch_count - first;
+    const uint32_t order = container::load_u16(section + see_through::kOrderAt);
+    if (order >= kDrawingOrders || first >= field.patch_count) return FieldError::bad_see_through;
+    field.is_in_order = static_cast<DrawingOrder>(order) == DrawingOrder::of_the_file;
+    field.see_through_count = static_cast<uint16_t>(field.patch_count - first);
     field.see_through_palette = section + see_through::kPaletteAt;
     field.patch_count = first;
     return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;

@@ -58,17 +58,17 @@ uint32_t entry_of(const SurfaceFrame& frame, uint32_t triangle)
 
 }  // namespace
 
-void put_see_through(uint32_t patches, uint32_t* order, SeeThroughFrame& frame)
+void put_see_through(const SeeThroughField& field, uint32_t* order, SeeThroughFrame& frame)
 {
     frame.order_count = 0;
     if (frame.columns.begin == frame.columns.end) return;  // nothing shows, and vertices may not be known
     const uint32_t first = frame.field.patch_count;
-    for (uint32_t triangle = 2 * first; triangle < 2 * (first + patches); ++triangle) {
+    for (uint32_t triangle = 2 * first; triangle < 2 * (first + field.see_through_count); ++triangle) {
         const bool is_lone = surface_patch(frame.field, triangle >> 1).corner[3] == format::kNoVertex;
         const uint32_t entry = is_lone && (triangle & 1) != 0 ? kNotSeen : entry_of(frame, triangle);
         if (entry != kNotSeen) order[frame.order_count++] = entry;
     }
-    sort(order, frame.order_count);
+    if (!field.is_in_order) sort(order, frame.order_count);
 }
 
 LUMI_HOT bool SeeThroughPieces::next()
