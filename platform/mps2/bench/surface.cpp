@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The surface renderer for the pixels and parts that the build names: LUMI_BENCH_PIXEL, LUMI_BENCH_SEE_THROUGH.
+// The surface renderer for the pixels, parts and modes that the build names: LUMI_BENCH_PIXEL, LUMI_BENCH_SEE_THROUGH,
+// and LUMI_BENCH_FINEST.
 #include <algorithm>
 
 #include "lumi/mps2/instruction_counter.h"
@@ -11,6 +12,7 @@ namespace
 {
 
 using Pixel = LUMI_BENCH_PIXEL;
+constexpr SurfaceMode kFinest = SurfaceMode::LUMI_BENCH_FINEST;
 
 using OneSample = detail::OneSampleOf<Pixel>::Type;
 
@@ -22,7 +24,7 @@ SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];
 constexpr uint32_t kBands = surface_bands(kSidePx, surface_band_log2(kTallStripeHeight));
 uint16_t bands[kBands], second_bands[kBands];
-uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, SurfaceMode::two_by_two) / sizeof(uint32_t)];
+uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, kFinest) / sizeof(uint32_t)];
 
 }  // namespace
 
@@ -31,7 +33,7 @@ const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
 void prepare_alone(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
 {
     const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
-    prepare_surface<Pixel>(field, view.camera, view.mode, memory, frame);
+    prepare_surface<Pixel, kFinest>(field, view.camera, view.mode, memory, frame);
 }
 
 uint64_t prepare_by_halves(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
@@ -70,9 +72,9 @@ void fill_alone(int32_t width_px, bool with_outlines)
         const detail::Target target = detail::target_of(filled, part, rows);
         const detail::StripeSamples of_stripe = {filled, rows, part, stripe};
         if (filled.mode == SurfaceMode::two_by_two)
-            detail::FourSamples<Pixel>{of_stripe}.template draw<SurfaceMode::two_by_two>(target);
+            detail::FourSamples<Pixel>{of_stripe}.template draw<kFinest>(target);
         else
-            OneSample{of_stripe}.template draw<SurfaceMode::two_by_two>(target);
+            OneSample{of_stripe}.template draw<kFinest>(target);
     }
 }
 
@@ -81,7 +83,7 @@ void draw_surface(const BenchField& field, const SurfaceView& view, int32_t stri
     prepare_alone(field, view, stripe_height);
     for (int32_t y = 0; y < kSidePx; y += stripe_height) {
         uint8_t* const at = pixels + static_cast<uint32_t>(y) * kStrideBytes;
-        render_surface<Pixel>(frame, kBackground, {at, 0, y, kSidePx, stripe_height, kStrideBytes}, samples);
+        render_surface<Pixel, kFinest>(frame, kBackground, {at, 0, y, kSidePx, stripe_height, kStrideBytes}, samples);
     }
 }
 

@@ -67,6 +67,33 @@ def licences():
         row["package"], ", ".join(row["objects"]), row["licence"]])
 
 
+def features(part, left_out):
+    """What properties of scenes add; bytes and instructions without and with each."""
+    def change(row, name):
+        return f"{decimal(row[name + '_without'])} → {decimal(row[name])}"
+    return table(["property", left_out, "field, bytes", "code M4", "code M0+", "RAM", "M4", "M0+"], load("features")[part],
+                 lambda row: [row["property"], row["left_out"], f"{row['bytes_without']:,} → {row['bytes']:,}",
+                              *(f"{row[key]:,}" for key in ("code_m4", "code_m0plus", "ram")), change(row, "m4"),
+                              change(row, "m0plus")])
+
+
+def extremes(part):
+    """Worst errors of chord fields by `render` or `render_spans`: within nine tenths of the disc's radius, and anywhere."""
+    def cell(row, place, name):
+        value = (row[part] or {}).get(place, {}).get(name)
+        return NONE if value is None else f"{value:.2f}" if name.endswith("spacings") else f"{value:.1f}"
+
+    def both(row, name):
+        inside, anywhere = (cell(row, place, name) for place in ("inside", "all"))
+        return f"{inside} · {anywhere}"
+    names = ["nearest_spacings", "linear_levels", "paper_levels"]
+    names += ["voronoi_spacings", "dither_spacings"] * (part == "spans")
+    rim = "left_out" if part == "spans" else "wrong_rim"
+    return table(["case", "pixels", "wrong at the rim", *(name.replace("_", ", ") for name in names)],
+                 [row for row in load("extremes")["chord"] if row[part]],
+                 lambda row: [row["case"], row["pixels"], row[rim], *(both(row, name) for name in names)])
+
+
 def speed_steps(steps):
     return table(["step", "M4", "M0+"], load("speed")[steps],
                  lambda row: [row["step"], decimal(row["m4"]), decimal(row["m0plus"])])
