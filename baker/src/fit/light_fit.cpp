@@ -110,7 +110,7 @@ SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
 void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
 {
     const SortedSamples samples = pilot_samples(stages, job);
-    const ViewSmoothness smoothness(shape_);
+    ViewSmoothness smoothness(shape_);
     const std::vector<uint8_t> viewable = viewable_vertices(shape_.mesh);
     start_from_means(shape_, samples, state.tone, state.expected);
     for (int round = 0; round < kPilotRounds; ++round) {
@@ -118,6 +118,7 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
         const auto next = [&] {
             FitSums sums(shape_, state.tone, state.expected, White::goes_on);
             for_patches(shape_, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
+            if (round != 0) smoothness.learn(sums, state.expected);
             FitModel model = state.expected;
             FitSolver(sums, smoothness, viewable, job).solve(model, kPilotIterations);
             return model;

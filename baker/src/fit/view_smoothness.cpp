@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fit/view_smoothness.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "fit/node_products.h"
 
 #include "lumi/detail/lattice.h"
 
@@ -63,6 +66,29 @@ detail::ViewDirection turned(const ViewTurn& turn, const detail::ViewDirection& 
     return detail::in_view_frame(w, turn.x, turn.y, turn.z);
 }
 
+// The variance of a light path around each vertex, a channel.
+std::vector<double> noise_at(const FitSums& sums)
+{
+    constexpr double kLeast = 1e-3;  // levels²
+    const FitShape& shape = sums.shape();
+    std::vector<double> scatter(shape.mesh.positions.size()), count(shape.mesh.positions.size());
+    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        double squares = 0, paths = 0;
+        for (const TexelSums& texel : sums.patches()[p].texels) {
+            squares += texel.variance() * texel.count;
+            paths += texel.count;
+        }
+        for (uint32_t corner = 0; corner < 4; ++corner) {
+            const uint32_t v = shape.vertex(p, corner);
+            if (v == PatchMesh::kNone) continue;
+            scatter[v] += squares;
+            count[v] += paths;
+        }
+    }
+    for (size_t v = 0; v < scatter.size(); ++v) scatter[v] = std::max(scatter[v] / std::max(count[v], 1.0), kLeast);
+    return scatter;
+}
+
 double height(const detail::ViewDirection& w)
 {
     const double x = w.x, y = w.y, z = w.z;
@@ -71,8 +97,9 @@ double height(const detail::ViewDirection& w)
 
 }  // namespace
 
-ViewSmoothness::ViewSmoothness(const FitShape& shape, const ViewExpectation& expected) : expected_(expected)
+ViewSmoothness::ViewSmoothness(const FitShape& shape)
 {
+    expected_.assign(shape.mesh.positions.size(), kUnknown);
     for (uint32_t v = 0; v < shape.mesh.positions.size(); ++v) add_directions(v);
     for (const auto& [a, b] : edges_of(shape.mesh)) {
         add_neighbour(shape, a, b);
@@ -83,51 +110,94 @@ ViewSmoothness::ViewSmoothness(const FitShape& shape, const ViewExpectation& exp
 void ViewSmoothness::add_directions(uint32_t vertex)
 {
     static const std::vector<NodePair> kNeighbours = neighbouring_nodes();
-    const float weight = std::sqrt(expected_.direction), zero = std::sqrt(expected_.zero);
     const uint32_t first = vertex * kViewNodes;
     for (const auto& [a, b] : kNeighbours)
-        rows_.push_back({{first + a, first + b, first, first}, {weight, -weight, 0, 0}});
-    for (uint32_t k = 0; k < kViewNodes; ++k) rows_.push_back({{first + k, first, first, first}, {zero, 0, 0, 0}});
+        rows_.push_back({{first + a, first + b, first, first}, {1, -1, 0, 0}, direction});
+    for (uint32_t k = 0; k < kViewNodes; ++k) rows_.push_back({{first + k, first, first, first}, {1, 0, 0, 0}, zero});
 }
 
 // What a vertex's nodes show, another one shows in the same directions.
 void ViewSmoothness::add_neighbour(const FitShape& shape, uint32_t vertex, uint32_t other)
 {
-    const float weight = std::sqrt(expected_.neighbour);
     for (uint32_t k = 0; k < kViewNodes; ++k) {
         const detail::ViewDirection local = turned(shape.turns[other], turned(shape.turns[vertex], node_direction(k)));
         if (height(local) < kLowest) continue;
         const detail::ViewTaps taps = detail::view_taps(local.x, local.y, local.z);
-        Row row = {{vertex * kViewNodes + k}, {weight}};
+        Row row = {{vertex * kViewNodes + k}, {1}, neighbour};
         for (size_t t = 0; t < 3; ++t) {
             row.nodes[t + 1] = other * kViewNodes + taps.node[t];
-            row.weights[t + 1] = -weight * static_cast<float>(taps.weight_q8[t]) / 256;
+            row.weights[t + 1] = -static_cast<float>(taps.weight_q8[t]) / 256;
         }
         rows_.push_back(row);
+    }
+}
+
+ViewSmoothness::Evidence ViewSmoothness::evidence_of(const Row& row, const std::vector<double>& seen,
+                                                     const std::vector<double>& variances, const FitModel& model) const
+{
+    const double trust = row.kind == direction ? std::min(seen[row.nodes[0]], seen[row.nodes[1]]) : seen[row.nodes[0]];
+    double square = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (size_t k = 0; k < 4; ++k)
+            sum += static_cast<double>(row.weights[k]) * static_cast<double>(model.nodes[row.nodes[k]][c]);
+        square += sum * sum / 3;
+    }
+    for (size_t k = 0; k < 4; ++k)
+        square += static_cast<double>(row.weights[k] * row.weights[k]) * variances[row.nodes[k]];
+    return {trust * square, trust};
+}
+
+void ViewSmoothness::learn(const FitSums& sums, const FitModel& model)
+{
+    constexpr double kLeastWorth = 0.01, kMostWorth = 100;
+    constexpr double kShare = 0.15;  // a node has some 16 rows, so each is worth less than if it stood alone
+    const std::vector<double> noise = noise_at(sums), seen = node_weights(sums);
+    std::fill(expected_.begin(), expected_.end(), kUnknown);
+    std::vector<double> variances = worth_of_nodes();
+    for (size_t k = 0; k < seen.size(); ++k) variances[k] = noise[k / kViewNodes] / (variances[k] + seen[k]);
+    std::vector<std::array<Evidence, kKinds>> found(expected_.size());
+    for (const Row& row : rows_) {
+        const Evidence e = evidence_of(row, seen, variances, model);
+        Evidence& all = found[row.nodes[0] / kViewNodes][row.kind];
+        all = {all.squares + e.squares, all.weight + e.weight};
+    }
+    for (size_t v = 0; v < found.size(); ++v) {
+        for (size_t kind = 0; kind < kKinds; ++kind) {
+            const auto& [squares, weight] = found[v][kind];
+            if (squares > 0)
+                expected_[v][kind] =
+                    static_cast<float>(std::clamp(kShare * noise[v] * weight / squares, kLeastWorth, kMostWorth));
+        }
     }
 }
 
 void ViewSmoothness::add_gradient(const std::vector<double>& nodes, std::vector<double>& gradient) const
 {
     for (const Row& row : rows_) {
+        const auto times = static_cast<double>(worth(row));
         for (size_t c = 0; c < 3; ++c) {
             double sum = 0;
             for (size_t k = 0; k < 4; ++k) sum += static_cast<double>(row.weights[k]) * nodes[3 * row.nodes[k] + c];
-            for (size_t k = 0; k < 4; ++k) gradient[3 * row.nodes[k] + c] += static_cast<double>(row.weights[k]) * sum;
+            for (size_t k = 0; k < 4; ++k)
+                gradient[3 * row.nodes[k] + c] += times * static_cast<double>(row.weights[k]) * sum;
         }
     }
 }
 
+std::vector<double> ViewSmoothness::worth_of_nodes() const
+{
+    std::vector<double> worths(expected_.size() * kViewNodes);
+    for (const Row& row : rows_)
+        for (size_t k = 0; k < 4; ++k)
+            worths[row.nodes[k]] += static_cast<double>(worth(row) * row.weights[k] * row.weights[k]);
+    return worths;
+}
+
 void ViewSmoothness::add_diagonal(std::vector<double>& diagonal) const
 {
-    for (const Row& row : rows_) {
-        for (size_t k = 0; k < 4; ++k) {
-            for (size_t c = 0; c < 3; ++c) {
-                diagonal[3 * row.nodes[k] + c] +=
-                    static_cast<double>(row.weights[k]) * static_cast<double>(row.weights[k]);
-            }
-        }
-    }
+    const std::vector<double> worths = worth_of_nodes();
+    for (size_t k = 0; k < diagonal.size(); ++k) diagonal[k] += worths[k / 3];
 }
 
 }  // namespace lumi::baker

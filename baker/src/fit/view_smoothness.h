@@ -1,39 +1,53 @@
 // SPDX-License-Identifier: MIT
-// What view tables are expected to be before a path is traced: small, and alike in neighbouring directions and at
-// neighbouring vertices. Directions that no path saw are filled by it.
+// What view tables are expected to be: small, and alike in neighbouring directions and at neighbouring vertices. How
+// much so is learnt from the light itself, vertex by vertex: a matt surface's tables are nearly flat, those of metal
+// are not. Directions that no path saw are filled by it.
 #pragma once
 
-#include "fit/fit_shape.h"
+#include "fit/fit_sums.h"
 
 namespace lumi::baker
 {
 
-// How many light paths each expectation is worth: the noise of a path against how different nodes are, squared.
-struct ViewExpectation {
-    float direction = 3;  // neighbouring nodes of a vertex are alike
-    float neighbour = 3;  // neighbouring vertices are alike in the same direction
-    float zero = 0.5f;    // nodes are small
-};
-
-// A sum of squares, of Σ weight · node each; weights are in units of a path's.
+// A sum of squares, of Σ weight · node each, times the light paths that it is worth: the noise of a path against how
+// different nodes are, squared.
 class ViewSmoothness
 {
 public:
-    explicit ViewSmoothness(const FitShape& shape, const ViewExpectation& expected = {});
+    // The expectation of a vertex of which nothing is known.
+    explicit ViewSmoothness(const FitShape& shape);
+
+    // Makes each vertex's expectation what `model` shows, which was fitted to such sums: how different nodes are, and
+    // how much more of that the noise of paths hides (a step of expectation maximization).
+    void learn(const FitSums& sums, const FitModel& model);
 
     // All by channel: 3 numbers a node.
     void add_gradient(const std::vector<double>& nodes, std::vector<double>& gradient) const;
     void add_diagonal(std::vector<double>& diagonal) const;
 
 private:
+    enum Kind : uint8_t { direction, neighbour, zero, kKinds };
+    // Σ weights · nodes; how many paths it is worth is the vertex's expectation of this kind.
     struct Row {
         std::array<uint32_t, 4> nodes;
         std::array<float, 4> weights;
+        Kind kind;
     };
+    using Expectation = std::array<float, kKinds>;
+    static constexpr Expectation kUnknown = {1, 1, 0.2f};
+
+    struct Evidence {
+        double squares = 0, weight = 0;  // a weighted sum of squares
+    };
+
+    Evidence evidence_of(const Row& row, const std::vector<double>& seen, const std::vector<double>& variances,
+                         const FitModel& model) const;
+    std::vector<double> worth_of_nodes() const;
+    float worth(const Row& row) const { return expected_[row.nodes[0] / detail::format::kViewNodes][row.kind]; }
     void add_directions(uint32_t vertex);
     void add_neighbour(const FitShape& shape, uint32_t vertex, uint32_t other);
 
-    const ViewExpectation expected_;
+    std::vector<Expectation> expected_;  // by vertex
     std::vector<Row> rows_;
 };
 

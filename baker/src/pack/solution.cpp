@@ -128,8 +128,9 @@ public:
     }
 
     // From `model` on. Nodes of vertices that are not `viewed` are 0.
-    void solve(FitModel& model, const std::vector<uint8_t>& viewed, const char* name) const
+    void solve(FitModel& model, const std::vector<uint8_t>& viewed, const char* name)
     {
+        smoothness_.learn(state_.sums, model);
         FitSolver solver(state_.sums, smoothness_, viewed, job_);
         ConjugateGradients gradients;
         for (int done = 0; done < kMostIterations && !gradients.done; done += kIterationsAtOnce) {
@@ -152,7 +153,7 @@ public:
 
 private:
     const FitState& state_;
-    const ViewSmoothness smoothness_;
+    ViewSmoothness smoothness_;
     BakeStages& stages_;
     Job& job_;
 };
@@ -168,7 +169,7 @@ FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, 
 {
     const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kMostIterations);
     for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
-    const Solution solution(state, stages, job);
+    Solution solution(state, stages, job);
     std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
     FitModel model = state.expected;
     if (view_tables) {
@@ -177,7 +178,11 @@ FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, 
     }
     solution.solve(model, viewed, "tables");
     QuantisedViews views;
-    job.run(1, [&](uint32_t) { views = quantised(state.sums, model, viewed); });
+    job.run(1, [&](uint32_t) {
+        const auto count = static_cast<uint32_t>(std::count(viewed.begin(), viewed.end(), 1));
+        const uint32_t bits = code_bits_for(planned_view_bytes(state.shape.mesh), count);
+        views = quantised(state.sums, model, viewed, bits);
+    });
     model.nodes = decoded(views);
     PalettedTexels texels;
     job.run(1, [&](uint32_t) {

@@ -101,7 +101,7 @@ VertexOrder order_of(const std::vector<ViewCode>& views)
     order.vertices.resize(views.size());
     std::iota(order.vertices.begin(), order.vertices.end(), 0u);
     const auto end = std::stable_partition(order.vertices.begin(), order.vertices.end(),
-                                           [&](uint32_t v) { return views[v].gain != 0; });
+                                           [&](uint32_t v) { return views[v].is_there(); });
     order.viewed = static_cast<uint32_t>(end - order.vertices.begin());
     order.numbers.resize(views.size());
     for (uint32_t k = 0; k < order.vertices.size(); ++k) order.numbers[order.vertices[k]] = k;
@@ -125,6 +125,7 @@ std::vector<uint8_t> surface_section(const FitShape& shape, const FieldParts& pa
     b.put32(at::kTexelsAt, shape.layout.texels);
     b.put8(at::kColourSpaceAt, static_cast<uint8_t>(ColourSpace::srgb));
     b.put8(at::kLongestEdgeAt, edge_steps(shape.mesh.longest_edge));
+    b.put8(at::kCodeBitsAt, static_cast<uint8_t>(viewed == 0 ? 0 : parts.node_colours.bits));
     for (size_t axis = 0; axis < 3; ++axis)
         b.put_float(at::kCentreAt + 4 * axis, static_cast<float>(parts.centre[axis]));
     b.put_float(at::kRadiusAt, static_cast<float>(parts.radius));
@@ -187,30 +188,30 @@ std::vector<uint8_t> palette_section(const FieldParts& parts)
     return b.take();
 }
 
-void put_view(Bytes& b, size_t at, const ViewTurn& turn, const ViewCode& view)
+std::vector<uint8_t> view_record(const ViewTurn& turn, const ViewCode& view, uint32_t bits)
 {
-    b.put8(at + detail::format::view::kTurnAt, static_cast<uint8_t>(turn.x));
-    b.put8(at + detail::format::view::kTurnAt + 1, static_cast<uint8_t>(turn.y));
-    b.put8(at + detail::format::view::kTurnAt + 2, static_cast<uint8_t>(turn.z));
-    b.put8(at + detail::format::view::kGainAt, view.gain);
-    for (size_t k = 0; k < detail::format::kViewNodes; k += 2)
-        b.put8(at + detail::format::view::kNodesAt + k / 2,
-               static_cast<uint8_t>(view.colours[k] | view.colours[k + 1] << 4));
+    std::vector<uint8_t> record(detail::format::view_turn_at(bits));
+    for (uint32_t k = 0; k < detail::format::kViewNodes; ++k) {
+        const uint32_t at = k * bits, low = at / 8, code = static_cast<uint32_t>(view.codes[k]) << at % 8;
+        record[low] = static_cast<uint8_t>(record[low] | code);
+        if (code > 0xFF) record[low + 1] = static_cast<uint8_t>(code >> 8);
+    }
+    for (const int8_t axis : {turn.x, turn.y, turn.z}) record.push_back(static_cast<uint8_t>(axis));
+    record.insert(record.end(), view.gains.begin(), view.gains.end());
+    return record;
 }
 
 std::vector<uint8_t> view_section(const FitShape& shape, const FieldParts& parts, const VertexOrder& order)
 {
-    Bytes b(detail::format::kViewColoursBytes + order.viewed * detail::format::kViewBytes);
-    size_t at = 0;
-    for (const auto& node : parts.node_colours.colours) {
-        for (const NodeColours::Colour& colour : node)
-            for (const int8_t channel : colour) b.put8(at++, static_cast<uint8_t>(channel));
-    }
+    std::vector<uint8_t> bytes;
+    for (const NodeColours::Colour& colour : parts.node_colours.colours)
+        for (const int8_t channel : colour) bytes.push_back(static_cast<uint8_t>(channel));
     for (uint32_t k = 0; k < order.viewed; ++k) {
         const uint32_t v = order.vertices[k];
-        put_view(b, at + k * detail::format::kViewBytes, shape.turns[v], parts.views[v]);
+        const std::vector<uint8_t> record = view_record(shape.turns[v], parts.views[v], parts.node_colours.bits);
+        bytes.insert(bytes.end(), record.begin(), record.end());
     }
-    return b.take();
+    return bytes;
 }
 
 std::vector<uint8_t> see_through_section(const FitShape& shape, const FieldParts& parts)

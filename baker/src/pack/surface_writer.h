@@ -13,14 +13,19 @@ namespace lumi::baker
 
 // A vertex's view table.
 struct ViewCode {
-    uint8_t gain = 0;  // 0: none
-    std::array<uint8_t, detail::format::kViewNodes> colours{};
+    std::array<uint8_t, 3> gains{};  // 0: there is no table
+    std::array<uint8_t, detail::format::kViewNodes> codes{};
+
+    bool is_there() const { return gains[0] != 0; }
 };
 
-// The colours that all view tables share: 16 a node.
+// The colours that all view tables share: 2^bits a node.
 struct NodeColours {
     using Colour = std::array<int8_t, 3>;
-    std::array<std::array<Colour, detail::format::kNodeColours>, detail::format::kViewNodes> colours{};
+    uint32_t bits = 1;
+    std::vector<Colour> colours = std::vector<Colour>(detail::format::kViewNodes << 1);
+
+    const Colour& of(size_t node, size_t code) const { return colours[(node << bits) + code]; }
 };
 
 // An entry of the palette of see-through patches.

@@ -12,59 +12,60 @@ namespace lumi::baker
 namespace
 {
 
-using detail::format::kNodeColours;
 using detail::format::kViewNodes;
 
 // Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/surface.md).
 constexpr double kLeastDifference = 8;
+constexpr uint32_t kPlannedCodeBits = 4;
 constexpr int kSharedRounds = 12;
 constexpr uint64_t kViewSeed = 0x76696577;
 constexpr float kGainUnit = 64;
 constexpr float kMostLevel = 127;  // the largest level of a channel, either sign
 
-float dot(const LevelColour& a, const LevelColour& b)
+using Gains = std::array<uint8_t, 3>;
+
+LevelColour scaled(const LevelColour& colour, const Gains& gains)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    LevelColour result;
+    for (size_t c = 0; c < 3; ++c) result[c] = colour[c] * static_cast<float>(gains[c]) / kGainUnit;
+    return result;
 }
 
-// Colours of one node over all vertices: shape, how large each vertex makes it, and what the error counts there.
-struct Wanted {
-    LevelColour colour;
-    float gain, weight;
-    uint32_t vertex;
-};
-
-float error_of(const Wanted& w, const LevelColour& centre)
+float square(const LevelColour& a)
 {
-    float sum = 0;
-    for (size_t c = 0; c < 3; ++c) {
-        const float d = w.colour[c] - w.gain * centre[c];
-        sum += d * d;
-    }
-    return sum * w.weight;
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+LevelColour difference(const LevelColour& a, const LevelColour& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+// In units of the format, at least 1.
+uint8_t rounded_gain(float gain)
+{
+    return static_cast<uint8_t>(std::clamp(std::round(gain * kGainUnit), 1.0f, 255.0f));
 }
 
 class Quantiser
 {
 public:
-    Quantiser(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed)
+    Quantiser(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed, uint32_t bits)
         : sums_(sums),
-          model_(model),
-          viewed_(viewed),
+          nodes_(model.nodes),
           weights_(node_weights(sums)),
-          gains_(viewed.size(), 0),
-          codes_(viewed.size())
+          views_(viewed.size()),
+          bits_(bits),
+          centres_(kViewNodes << bits)
     {
-        for (size_t v = 0; v < viewed_.size(); ++v) {
-            double floor = 0;
-            for (size_t k = 0; k < kViewNodes; ++k) floor += weights_[v * kViewNodes + k];
-            floor *= kUnseenWeight / kViewNodes;
-            for (size_t k = 0; k < kViewNodes; ++k) weights_[v * kViewNodes + k] += floor;
-        }
+        for (uint32_t v = 0; v < viewed.size(); ++v)
+            if (viewed[v] != 0) vertices_.push_back(v);
+        for (const uint32_t v : vertices_) weigh_unseen(&weights_[v * kViewNodes]);
     }
 
     QuantisedViews result()
     {
+        if (vertices_.empty()) return {{}, views_};
         first_gains();
         seed_centres();
         for (int round = 0; round < kSharedRounds; ++round) {
@@ -73,107 +74,101 @@ public:
             fit_gains();
         }
         settle();
-        return {colours_, codes_};
+        return {rounded_colours(), views_};
     }
 
 private:
-    static constexpr double kUnseenWeight = 0.02;  // weight of nodes that no path met, as a share of the mean weight
-
-    const LevelColour& node(size_t v, size_t k) const { return model_.nodes[v * kViewNodes + k]; }
+    size_t colours() const { return size_t{1} << bits_; }
+    LevelColour& centre(size_t k, size_t code) { return centres_[(k << bits_) + code]; }
+    const LevelColour& centre(size_t k, size_t code) const { return centres_[(k << bits_) + code]; }
+    const LevelColour& node(size_t v, size_t k) const { return nodes_[v * kViewNodes + k]; }
     float weight(size_t v, size_t k) const { return static_cast<float>(weights_[v * kViewNodes + k]); }
+    float gain(size_t v, size_t c) const { return static_cast<float>(views_[v].gains[c]) / kGainUnit; }
 
-    // The root mean square of a table.
+    // Nodes that no path met count a little, too.
+    static void weigh_unseen(double* weights)
+    {
+        constexpr double kUnseenWeight = 0.02;  // as a share of the mean weight
+        double sum = 0;
+        for (size_t k = 0; k < kViewNodes; ++k) sum += weights[k];
+        for (size_t k = 0; k < kViewNodes; ++k) weights[k] += sum * kUnseenWeight / kViewNodes;
+    }
+
+    // The root mean square of a table, by channel.
     void first_gains()
     {
-        constexpr float kTypical = 32;  // a table's root mean square that gets the gain 1
-        for (size_t v = 0; v < viewed_.size(); ++v) {
-            if (viewed_[v] == 0) continue;
-            float sum = 0, weights = 0;
+        constexpr float kTypical = 32;  // what gets the gain 1
+        for (const uint32_t v : vertices_) {
+            LevelColour sums{};
+            float weights = 0;
             for (size_t k = 0; k < kViewNodes; ++k) {
-                sum += weight(v, k) * dot(node(v, k), node(v, k));
+                for (size_t c = 0; c < 3; ++c) sums[c] += weight(v, k) * node(v, k)[c] * node(v, k)[c];
                 weights += weight(v, k);
             }
-            gains_[v] = rounded_gain(std::sqrt(sum / std::max(weights, 1e-6f)) / kTypical);
+            for (size_t c = 0; c < 3; ++c)
+                views_[v].gains[c] = rounded_gain(std::sqrt(sums[c] / std::max(weights, 1e-6f)) / kTypical);
         }
-    }
-
-    // In units of the format, at least 1.
-    static uint8_t rounded_gain(float gain)
-    {
-        return static_cast<uint8_t>(std::clamp(std::round(gain * kGainUnit), 1.0f, 255.0f));
-    }
-    float gain(size_t v) const { return static_cast<float>(gains_[v]) / kGainUnit; }
-
-    std::vector<Wanted> wanted(size_t k) const
-    {
-        std::vector<Wanted> result;
-        for (uint32_t v = 0; v < viewed_.size(); ++v)
-            if (viewed_[v] != 0) result.push_back({node(v, k), gain(v), weight(v, k), v});
-        return result;
     }
 
     void seed_centres()
     {
         for (size_t k = 0; k < kViewNodes; ++k) {
-            const std::vector<Wanted> all = wanted(k);
             std::vector<float> distances;
-            for (const Wanted& w : all) distances.push_back(error_of(w, centres_[k][0]));
+            for (const uint32_t v : vertices_) distances.push_back(weight(v, k) * square(error_with(v, k, 0)));
             Sampler sampler(kViewSeed, static_cast<uint32_t>(k), 0);
-            for (size_t c = 1; c < kNodeColours; ++c) {
-                sampler.start(static_cast<uint32_t>(c));
+            for (size_t code = 1; code < colours(); ++code) {
+                sampler.start(static_cast<uint32_t>(code));
                 const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
                 if (!chosen) break;
-                for (size_t channel = 0; channel < 3; ++channel) {
-                    centres_[k][c][channel] =
-                        std::clamp(all[*chosen].colour[channel] / all[*chosen].gain, -kMostLevel, kMostLevel);
+                const uint32_t at = vertices_[*chosen];
+                for (size_t c = 0; c < 3; ++c)
+                    centre(k, code)[c] = std::clamp(node(at, k)[c] / gain(at, c), -kMostLevel, kMostLevel);
+                for (size_t i = 0; i < vertices_.size(); ++i) {
+                    const uint32_t v = vertices_[i];
+                    distances[i] = std::min(distances[i], weight(v, k) * square(error_with(v, k, code)));
                 }
-                for (size_t i = 0; i < all.size(); ++i)
-                    distances[i] = std::min(distances[i], error_of(all[i], centres_[k][c]));
             }
         }
     }
 
     void assign()
     {
-        for (size_t k = 0; k < kViewNodes; ++k) {
-            for (const Wanted& w : wanted(k)) {
-                size_t best = 0;
-                for (size_t c = 1; c < kNodeColours; ++c)
-                    best = error_of(w, centres_[k][c]) < error_of(w, centres_[k][best]) ? c : best;
-                codes_[w.vertex].colours[k] = static_cast<uint8_t>(best);
-                codes_[w.vertex].gain = gains_[w.vertex];
-            }
-        }
+        for (const uint32_t v : vertices_)
+            for (size_t k = 0; k < kViewNodes; ++k) views_[v].codes[k] = best_with(v, k, {});
     }
 
     void move_centres()
     {
         for (size_t k = 0; k < kViewNodes; ++k) {
-            std::array<LevelColour, kNodeColours> sums{};
-            std::array<float, kNodeColours> weights{};
-            for (const Wanted& w : wanted(k)) {
-                const size_t c = codes_[w.vertex].colours[k];
-                for (size_t channel = 0; channel < 3; ++channel)
-                    sums[c][channel] += w.weight * w.gain * w.colour[channel];
-                weights[c] += w.weight * w.gain * w.gain;
+            std::vector<LevelColour> sums(colours()), weights(colours());
+            for (const uint32_t v : vertices_) {
+                const size_t code = views_[v].codes[k];
+                for (size_t c = 0; c < 3; ++c) {
+                    sums[code][c] += weight(v, k) * gain(v, c) * node(v, k)[c];
+                    weights[code][c] += weight(v, k) * gain(v, c) * gain(v, c);
+                }
             }
-            for (size_t c = 0; c < kNodeColours; ++c)
-                for (size_t channel = 0; channel < 3 && weights[c] > 0; ++channel)
-                    centres_[k][c][channel] = std::clamp(sums[c][channel] / weights[c], -kMostLevel, kMostLevel);
+            for (size_t code = 0; code < colours(); ++code) {
+                for (size_t c = 0; c < 3; ++c)
+                    if (weights[code][c] > 0)
+                        centre(k, code)[c] = std::clamp(sums[code][c] / weights[code][c], -kMostLevel, kMostLevel);
+            }
         }
     }
 
     void fit_gains()
     {
-        for (size_t v = 0; v < viewed_.size(); ++v) {
-            if (viewed_[v] == 0) continue;
-            float wanted_sum = 0, size = 0;
+        for (const uint32_t v : vertices_) {
+            LevelColour wanted{}, size{};
             for (size_t k = 0; k < kViewNodes; ++k) {
-                const LevelColour& centre = centres_[k][codes_[v].colours[k]];
-                wanted_sum += weight(v, k) * dot(node(v, k), centre);
-                size += weight(v, k) * dot(centre, centre);
+                const LevelColour& shape = centre(k, views_[v].codes[k]);
+                for (size_t c = 0; c < 3; ++c) {
+                    wanted[c] += weight(v, k) * node(v, k)[c] * shape[c];
+                    size[c] += weight(v, k) * shape[c] * shape[c];
+                }
             }
-            if (size > 0) gains_[v] = rounded_gain(wanted_sum / size);
+            for (size_t c = 0; c < 3; ++c)
+                if (size[c] > 0) views_[v].gains[c] = rounded_gain(wanted[c] / size[c]);
         }
     }
 
@@ -189,17 +184,19 @@ private:
             move_centres_jointly(products);
             find_errors();
         }
-        round_centres();
+        for (LevelColour& colour : centres_)
+            for (float& channel : colour) channel = std::round(channel);
         find_errors();
         for (int sweep = 0; sweep < kLastSweeps; ++sweep) assign_jointly(products);
     }
 
+    // Without a table all that a node would show is missing.
     void find_errors()
     {
-        errors_.resize(model_.nodes.size());
-        for (size_t v = 0; v < viewed_.size(); ++v)
-            for (size_t k = 0; k < kViewNodes; ++k)
-                errors_[v * kViewNodes + k] = error_with(v, k, codes_[v].colours[k]);
+        errors_.resize(nodes_.size());
+        for (size_t k = 0; k < nodes_.size(); ++k) errors_[k] = difference({}, nodes_[k]);
+        for (const uint32_t v : vertices_)
+            for (size_t k = 0; k < kViewNodes; ++k) errors_[v * kViewNodes + k] = error_with(v, k, views_[v].codes[k]);
     }
 
     // What the errors of other nodes ask of this one.
@@ -213,11 +210,11 @@ private:
 
     void assign_jointly(const NodeProducts& products)
     {
-        for (size_t v = 0; v < viewed_.size(); ++v) {
-            for (size_t k = 0; k < kViewNodes && viewed_[v] != 0; ++k) {
+        for (const uint32_t v : vertices_) {
+            for (size_t k = 0; k < kViewNodes; ++k) {
                 const size_t here = v * kViewNodes + k;
-                codes_[v].colours[k] = best_with(v, k, pull_on(products, here));
-                errors_[here] = error_with(v, k, codes_[v].colours[k]);
+                views_[v].codes[k] = best_with(v, k, pull_on(products, here));
+                errors_[here] = error_with(v, k, views_[v].codes[k]);
             }
         }
     }
@@ -226,19 +223,21 @@ private:
     {
         constexpr float kPull = 0.5f;  // vertices that share a colour pull at each other, too
         for (size_t k = 0; k < kViewNodes; ++k) {
-            std::array<LevelColour, kNodeColours> sums{};
-            std::array<float, kNodeColours> weights{};
-            for (size_t v = 0; v < viewed_.size(); ++v) {
-                if (viewed_[v] == 0) continue;
-                const size_t here = v * kViewNodes + k, code = codes_[v].colours[k];
+            std::vector<LevelColour> sums(colours()), weights(colours());
+            for (const uint32_t v : vertices_) {
+                const size_t here = v * kViewNodes + k, code = views_[v].codes[k];
                 const LevelColour pull = pull_on(products, here);
-                for (size_t c = 0; c < 3; ++c) sums[code][c] += gain(v) * (weight(v, k) * errors_[here][c] + pull[c]);
-                weights[code] += gain(v) * gain(v) * weight(v, k);
+                for (size_t c = 0; c < 3; ++c) {
+                    sums[code][c] += gain(v, c) * (weight(v, k) * errors_[here][c] + pull[c]);
+                    weights[code][c] += gain(v, c) * gain(v, c) * weight(v, k);
+                }
             }
-            for (size_t code = 0; code < kNodeColours; ++code) {
-                for (size_t c = 0; c < 3 && weights[code] > 0; ++c) {
-                    float& channel = centres_[k][code][c];
-                    channel = std::clamp(channel - kPull * sums[code][c] / weights[code], -kMostLevel, kMostLevel);
+            for (size_t code = 0; code < colours(); ++code) {
+                for (size_t c = 0; c < 3; ++c) {
+                    float& channel = centre(k, code)[c];
+                    if (weights[code][c] > 0)
+                        channel =
+                            std::clamp(channel - kPull * sums[code][c] / weights[code][c], -kMostLevel, kMostLevel);
                 }
             }
         }
@@ -246,19 +245,16 @@ private:
 
     LevelColour error_with(size_t v, size_t k, size_t code) const
     {
-        LevelColour e = node(v, k);
-        const float g = viewed_[v] != 0 ? gain(v) : 0;
-        for (size_t c = 0; c < 3; ++c) e[c] = g * centres_[k][code][c] - e[c];
-        return e;
+        return difference(scaled(centre(k, code), views_[v].gains), node(v, k));
     }
 
     uint8_t best_with(size_t v, size_t k, const LevelColour& pull) const
     {
         size_t best = 0;
         float least = 0;
-        for (size_t code = 0; code < kNodeColours; ++code) {
+        for (size_t code = 0; code < colours(); ++code) {
             const LevelColour e = error_with(v, k, code);
-            const float cost = weight(v, k) * dot(e, e) + 2 * dot(pull, e);
+            const float cost = weight(v, k) * square(e) + 2 * (pull[0] * e[0] + pull[1] * e[1] + pull[2] * e[2]);
             if (code == 0 || cost < least) {
                 least = cost;
                 best = code;
@@ -267,29 +263,30 @@ private:
         return static_cast<uint8_t>(best);
     }
 
-    void round_centres()
+    NodeColours rounded_colours() const
     {
-        for (size_t k = 0; k < kViewNodes; ++k) {
-            for (size_t c = 0; c < kNodeColours; ++c) {
-                for (size_t channel = 0; channel < 3; ++channel) {
-                    float& value = centres_[k][c][channel];
-                    value = std::round(value);
-                    colours_.colours[k][c][channel] = static_cast<int8_t>(value);
-                }
-            }
-        }
+        NodeColours result;
+        result.bits = bits_;
+        result.colours.clear();
+        for (const LevelColour& c : centres_)
+            result.colours.push_back({static_cast<int8_t>(c[0]), static_cast<int8_t>(c[1]), static_cast<int8_t>(c[2])});
+        return result;
     }
 
     const FitSums& sums_;
-    const FitModel& model_;
-    const std::vector<uint8_t>& viewed_;
+    const std::vector<LevelColour>& nodes_;
     std::vector<double> weights_;
-    std::vector<uint8_t> gains_;
-    std::vector<ViewCode> codes_;
-    std::array<std::array<LevelColour, kNodeColours>, kViewNodes> centres_{};
-    NodeColours colours_;
-    std::vector<LevelColour> errors_;  // by node: how far what is shown is off
+    std::vector<uint32_t> vertices_;  // that have a table
+    std::vector<ViewCode> views_;     // by vertex
+    const uint32_t bits_;
+    std::vector<LevelColour> centres_;  // 2^bits a node
+    std::vector<LevelColour> errors_;   // by node: how far what is shown is off
 };
+
+uint64_t table_bytes(uint32_t viewed, uint32_t bits)
+{
+    return detail::format::view_colours_bytes(bits) + uint64_t{viewed} * detail::format::view_bytes(bits);
+}
 
 }  // namespace
 
@@ -300,7 +297,7 @@ std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model)
     for (size_t v = 0; v < sums.shape().mesh.positions.size(); ++v) {
         double sum = 0, all = 0;
         for (size_t k = v * kViewNodes; k < (v + 1) * kViewNodes; ++k) {
-            sum += weights[k] * static_cast<double>(dot(model.nodes[k], model.nodes[k])) / 3;
+            sum += weights[k] * static_cast<double>(square(model.nodes[k])) / 3;
             all += weights[k];
         }
         viewed.push_back(sum > kLeastDifference * kLeastDifference * all ? 1 : 0);
@@ -308,20 +305,34 @@ std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model)
     return viewed;
 }
 
-QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed)
+uint64_t planned_view_bytes(const PatchMesh& mesh)
 {
-    return Quantiser(sums, model, viewed).result();
+    const std::vector<uint8_t> viewable = viewable_vertices(mesh);
+    return table_bytes(static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1)), kPlannedCodeBits);
+}
+
+uint32_t code_bits_for(uint64_t bytes, uint32_t viewed)
+{
+    uint32_t bits = 1;
+    while (bits < detail::format::kMaxCodeBits && (uint32_t{1} << bits) < viewed &&
+           table_bytes(viewed, bits + 1) <= bytes)
+        ++bits;
+    return bits;
+}
+
+QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed, uint32_t bits)
+{
+    return Quantiser(sums, model, viewed, bits).result();
 }
 
 std::vector<LevelColour> decoded(const QuantisedViews& q)
 {
-    std::vector<LevelColour> nodes(kViewNodes * q.views.size());
-    for (size_t v = 0; v < q.views.size(); ++v) {
-        const float gain = static_cast<float>(q.views[v].gain) / kGainUnit;
+    std::vector<LevelColour> nodes;
+    for (const ViewCode& view : q.views) {
         for (size_t k = 0; k < kViewNodes; ++k) {
-            const NodeColours::Colour& c = q.colours.colours[k][q.views[v].colours[k]];
-            for (size_t channel = 0; channel < 3; ++channel)
-                nodes[v * kViewNodes + k][channel] = gain * static_cast<float>(c[channel]);
+            const NodeColours::Colour& c = q.colours.of(k, view.codes[k]);
+            nodes.push_back(
+                scaled({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])}, view.gains));
         }
     }
     return nodes;

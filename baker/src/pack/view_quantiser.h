@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// View tables in the bits of the format: a gain a vertex, and one of 16 colours a node.
+// View tables in the bits of the format: three gains a vertex, and one of 2^bits colours a node.
 #pragma once
 
 #include "fit/fit_solver.h"
@@ -16,8 +16,13 @@ struct QuantisedViews {
 // Vertices whose view table changes what is shown by more than about a level.
 std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model);
 
+// At most so many bytes are planned for view tables.
+uint64_t planned_view_bytes(const PatchMesh& mesh);
+// The most bits of a code with which the tables of so many vertices fit into these bytes.
+uint32_t code_bits_for(uint64_t bytes, uint32_t viewed);
+
 // The quantised view tables of the viewed vertices.
-QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed);
+QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed, uint32_t bits);
 // What a reader makes of them, 0 where there is no table.
 std::vector<LevelColour> decoded(const QuantisedViews& views);
 

@@ -116,7 +116,7 @@ public:
         const FieldParts parts = solution();
         bake.file = surface_file(shape_, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
-        for (const ViewCode& view : parts.views) bake.viewed_vertices += view.gain != 0 ? 1u : 0u;
+        for (const ViewCode& view : parts.views) bake.viewed_vertices += view.is_there() ? 1u : 0u;
         for (const PatchMesh::Patch& patch : shape_.mesh.patches)
             bake.triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
         bake.texels = shape_.layout.texels;

@@ -6,6 +6,7 @@
 #include "fit/texel_layout.h"
 #include "lumi/surface/format.h"
 #include "mesh/see_through.h"
+#include "pack/view_quantiser.h"
 #include "store/bake_stages.h"
 #include "store/output_names.h"
 #include "store/section_writer.h"
@@ -21,16 +22,13 @@ constexpr size_t kMostSections = 7;  // of opaque fields
 uint64_t file_bytes(const PatchMesh& mesh, uint64_t texels)
 {
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
-    const std::vector<uint8_t> viewable = viewable_vertices(mesh);
-    const auto viewed = static_cast<uint64_t>(std::count(viewable.begin(), viewable.end(), 1));
     const bool has_see_through = mesh.see_through_patches != 0;
     const size_t sections = kMostSections + (has_see_through ? 1 : 0);
     uint64_t bytes = aligned(detail::format::kHeaderBytes + sections * detail::format::kEntryBytes);
     for (const uint64_t section :
          {uint64_t{detail::format::kSurfaceBytes}, vertices * detail::format::kVertexBytes,
           patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
-          patches * detail::format::kNeighbourBytes,
-          detail::format::kViewColoursBytes + viewed * detail::format::kViewBytes})
+          patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh)})
         bytes += aligned(section);
     return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
 }

@@ -43,7 +43,7 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_vertices,     // the wrong size, or a vertex outside the sphere
     bad_patches,      // the wrong size, a corner that does not exist, or a rectangle that leaves the texels
     bad_neighbours,   // the wrong size, or a triangle that does not exist
-    bad_views,        // the view tables have the wrong size
+    bad_views,        // the view tables have the wrong size, or an older format
     section_crc,      // verify_field only: a section's bytes are damaged
     see_through,      // open_surface of a SurfaceField only: see surface/see_through.h
     bad_see_through,  // the wrong size, an order that is not known, or a first patch that does not exist

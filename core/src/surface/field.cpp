@@ -19,6 +19,7 @@ FieldError read_counts(const uint8_t* b, SurfaceField& out)
     out.patch_count = load_u16(b + surface::kPatchesAt);
     out.texel_bytes = load_u32(b + surface::kTexelsAt);
     out.longest_edge_q6 = b[surface::kLongestEdgeAt];
+    out.code_bits = b[surface::kCodeBitsAt];
     const bool counts_fit = out.vertex_count >= 3 && out.vertex_count <= kMaxSurfaceVertices &&
                             out.viewed_count <= out.vertex_count && out.patch_count >= 1 &&
                             out.patch_count <= kMaxPatches && out.texel_bytes >= 1 &&
@@ -29,7 +30,7 @@ FieldError read_counts(const uint8_t* b, SurfaceField& out)
 
 FieldError read_surface(const uint8_t* b, SurfaceField& out)
 {
-    if (load_u16(b + surface::kFlagsAt) != 0 || load_u16(b + surface::kReservedAt) != 0) return FieldError::bad_surface;
+    if (load_u16(b + surface::kFlagsAt) != 0 || b[surface::kReservedAt] != 0) return FieldError::bad_surface;
     if (b[surface::kColourSpaceAt] >= kColourSpaces) return FieldError::bad_colour_space;
     out.colour_space = static_cast<ColourSpace>(b[surface::kColourSpaceAt]);
     BoundsBits bounds;
@@ -48,6 +49,20 @@ bool find_bytes(const uint8_t* bytes, uint32_t type, uint32_t size, const uint8_
     return true;
 }
 
+FieldError read_views(const uint8_t* bytes, SurfaceField& out)
+{
+    const bool has_tables = out.viewed_count != 0;
+    if (has_section(bytes, kViewSection) != has_tables || (out.code_bits != 0) != has_tables)
+        return FieldError::bad_views;
+    if (!has_tables) return FieldError::none;
+    if (out.code_bits > kMaxCodeBits) return FieldError::bad_views;
+    const uint32_t colours = view_colours_bytes(out.code_bits);
+    const uint32_t size = colours + out.viewed_count * view_bytes(out.code_bits);
+    if (!find_bytes(bytes, kViewSection, size, out.node_colours)) return FieldError::bad_views;
+    out.views = out.node_colours + colours;
+    return FieldError::none;
+}
+
 FieldError read_sections(const uint8_t* bytes, SurfaceField& out)
 {
     if (!find_bytes(bytes, kVertexSection, out.vertex_count * kVertexBytes, out.vertices))
@@ -58,11 +73,7 @@ FieldError read_sections(const uint8_t* bytes, SurfaceField& out)
     if (has_section(bytes, kNeighbourSection) &&
         !find_bytes(bytes, kNeighbourSection, out.patch_count * kNeighbourBytes, out.neighbours))
         return FieldError::bad_neighbours;
-    const uint32_t view_bytes = kViewColoursBytes + out.viewed_count * kViewBytes;
-    if (out.viewed_count == 0) return has_section(bytes, kViewSection) ? FieldError::bad_views : FieldError::none;
-    if (!find_bytes(bytes, kViewSection, view_bytes, out.node_colours)) return FieldError::bad_views;
-    out.views = out.node_colours + kViewColoursBytes;
-    return FieldError::none;
+    return read_views(bytes, out);
 }
 
 bool lies_in_sphere(const VertexQ14& v)

@@ -19,33 +19,43 @@ uint32_t packed_fields(int32_t r_q2, int32_t g_q2, int32_t b_q2)
     return field(r_q2) << 22 | field(g_q2) << 12 | field(b_q2) << 2;
 }
 
+// Which of its colours a node has. What follows the last code in a record is read, too.
+uint32_t code_of(const uint8_t* record, uint32_t node, uint32_t bits)
+{
+    const uint32_t at = node * bits;
+    const uint8_t* p = record + (at >> 3);
+    const auto pair = static_cast<uint32_t>(p[0] | p[1] << 8);
+    return pair >> (at & 7) & ((1u << bits) - 1);
+}
+
 }  // namespace
 
 uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
 {
     if (vertex >= frame.field.viewed_count) return 0;
-    const uint8_t* record = frame.field.views + vertex * format::kViewBytes;
+    const uint32_t bits = frame.field.code_bits;
+    const uint8_t* record = frame.field.views + vertex * format::view_bytes(bits);
+    const uint8_t* turn = record + format::view_turn_at(bits);
     const auto number = [](const uint8_t* p) { return static_cast<int32_t>(static_cast<int8_t>(*p)); };
     const SurfaceProjection& p = frame.projection;
     const VertexQ14 v = surface_vertex(frame.field, vertex);
     const ViewDirection to_eye = {p.viewer.x - (v.x >> p.viewer_shift), p.viewer.y - (v.y >> p.viewer_shift),
                                   p.viewer.z - (v.z >> p.viewer_shift)};
-    const ViewDirection d = in_view_frame(to_eye, number(record), number(record + 1), number(record + 2));
+    const ViewDirection d = in_view_frame(to_eye, number(turn), number(turn + 1), number(turn + 2));
     const ViewTaps taps = view_taps(d.x, d.y, d.z);
     int32_t r = 0, g = 0, b = 0;
     for (int m = 0; m < 3; ++m) {
         const uint32_t node = taps.node[m];
-        const uint32_t index = (record[format::view::kNodesAt + (node >> 1)] >> (4 * (node & 1))) & 15;
-        const uint8_t* colour =
-            frame.field.node_colours + (node * format::kNodeColours + index) * format::kNodeColourBytes;
+        const uint32_t which = (node << bits) + code_of(record, node, bits);
+        const uint8_t* colour = frame.field.node_colours + which * format::kNodeColourBytes;
         const int32_t weight = taps.weight_q8[m];
         r += weight * number(colour);
         g += weight * number(colour + 1);
         b += weight * number(colour + 2);
     }
     // Weights have 8 bits of fraction, gains 6, the result 2.
-    const int32_t gain = record[format::view::kGainAt];
-    return packed_fields((r * gain + 2048) >> 12, (g * gain + 2048) >> 12, (b * gain + 2048) >> 12);
+    const uint8_t* gain = turn + format::kTurnBytes;
+    return packed_fields((r * gain[0] + 2048) >> 12, (g * gain[1] + 2048) >> 12, (b * gain[2] + 2048) >> 12);
 }
 
 namespace

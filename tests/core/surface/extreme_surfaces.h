@@ -90,6 +90,7 @@ private:
         s.vertices.resize(mostly_few(3, limits_.vertices));
         s.patches.resize(mostly_few(1, limits_.patches));
         s.viewed = choose_.once_in(3) ? 0 : choose_.end_or_any(0, static_cast<uint32_t>(s.vertices.size()));
+        s.code_bits = choose_.end_or_any(1, detail::format::kMaxCodeBits);
     }
 
     void set_other_numbers(TestSurface& s)
@@ -185,8 +186,9 @@ private:
     TestSection views(const TestSurface& s)
     {
         Bytes b;
-        const uint32_t records = s.viewed * detail::format::kViewBytes;
-        for (uint32_t k = 0; k < detail::format::kViewColoursBytes + records; ++k) b.push_back(choose_.extreme_byte());
+        const uint32_t records = s.viewed * detail::format::view_bytes(s.code_bits);
+        for (uint32_t k = 0; k < detail::format::view_colours_bytes(s.code_bits) + records; ++k)
+            b.push_back(choose_.extreme_byte());
         return {detail::format::kViewSection, 0, b};
     }
     TestSection neighbours(const TestSurface& s)

@@ -156,12 +156,32 @@ TEST_CASE("view tables and neighbours are optional, and of the right size where 
     CHECK(opened_with([](TestSurface& s) { s.viewed = 0; }) == FieldError::none);
     CHECK(opened_with([](TestSurface& s) { s.has_neighbours = false; }) == FieldError::none);
     CHECK(opened_short(format::kNeighbourSection) == FieldError::bad_neighbours);
+    for (uint32_t bits = 1; bits <= format::kMaxCodeBits; ++bits)
+        CHECK(opened_with([bits](TestSurface& s) { s.code_bits = bits; }) == FieldError::none);
     TestSurface s = bumpy_ball();
     const TestSection views = view_section(s);
     s.viewed = 0;
     std::vector<TestSection> sections = surface_sections(s);
     sections.push_back(views);
     CHECK(opened(file_of(sections)) == FieldError::bad_views);
+}
+
+TEST_CASE("view tables of an older format, and codes of more bits than there are, are refused")
+{
+    const auto opened_with_bits = [](TestSurface s, uint8_t bits) {
+        std::vector<TestSection> sections = surface_sections(s);
+        for (TestSection& section : sections)
+            if (section.type == format::kSurfaceSection) section.bytes[format::surface::kCodeBitsAt] = bits;
+        return opened(file_of(sections));
+    };
+    const TestSurface s = bumpy_ball();
+    for (const int bits : {0, 3, 5, 9, 255})
+        CHECK(opened_with_bits(s, static_cast<uint8_t>(bits)) == FieldError::bad_views);
+    CHECK(opened_with_bits(s, 4) == FieldError::none);
+    TestSurface without = s;
+    without.viewed = 0;
+    CHECK(opened_with_bits(without, 4) == FieldError::bad_views);
+    CHECK(std::string(describe(FieldError::bad_views)).find("bake the scene again") != std::string::npos);
 }
 
 TEST_CASE("a required section that a surface field's reader does not know is refused")

@@ -24,6 +24,7 @@ struct TestSurface {
     std::vector<TestPatch> patches;
     Bytes texels;
     uint32_t viewed = 0;  // the first so many vertices have view tables
+    uint32_t code_bits = 4;
     bool has_neighbours = true;
     uint32_t flags = 0, colour_space = 0, longest_edge_q6 = 128, reserved = 0;
     float centre[3] = {1, 2, 3};
@@ -47,7 +48,8 @@ inline TestSection surface_section(const TestSurface& s)
     put32(b, static_cast<uint32_t>(s.texels.size()));
     b.push_back(static_cast<uint8_t>(s.colour_space));
     b.push_back(static_cast<uint8_t>(s.longest_edge_q6));
-    put16(b, s.reserved);
+    b.push_back(static_cast<uint8_t>(s.viewed == 0 ? 0 : s.code_bits));
+    b.push_back(static_cast<uint8_t>(s.reserved));
     for (const float c : s.centre) put32(b, float_bits(c));
     put32(b, float_bits(s.radius));
     return {detail::format::kSurfaceSection, detail::format::kRequired, b};
@@ -96,12 +98,13 @@ inline void put_turn(Bytes& b, const SurfacePoint& v)
 inline TestSection view_section(const TestSurface& s)
 {
     Bytes b;
-    for (uint32_t k = 0; k < detail::format::kViewColoursBytes; ++k) b.push_back(static_cast<uint8_t>(scattered(k)));
+    for (uint32_t k = 0; k < detail::format::view_colours_bytes(s.code_bits); ++k)
+        b.push_back(static_cast<uint8_t>(scattered(k)));
+    const uint32_t codes = detail::format::view_turn_at(s.code_bits);
     for (uint32_t v = 0; v < s.viewed; ++v) {
+        for (uint32_t k = 0; k < codes; ++k) b.push_back(static_cast<uint8_t>(scattered(v * codes + k)));
         put_turn(b, s.vertices[v]);
-        b.push_back(static_cast<uint8_t>(20 + 3 * v));
-        for (uint32_t k = 0; k < detail::format::kViewNodes / 2; ++k)
-            b.push_back(static_cast<uint8_t>(scattered(v * 20 + k)));
+        for (uint32_t c = 0; c < detail::format::kGainBytes; ++c) b.push_back(static_cast<uint8_t>(20 + 3 * v + c));
     }
     return {detail::format::kViewSection, 0, b};
 }

@@ -39,7 +39,7 @@ TEST_CASE("what a frame reads are vertices, patches, view tables and a texel for
     const SurfaceField& field = file.surface();
     const Range vertices = range_of(file, field.vertices, field.vertex_count * detail::format::kVertexBytes);
     const Range patches = range_of(file, field.patches, field.patch_count * detail::format::kPatchBytes);
-    const Range views = range_of(file, field.views, field.viewed_count * detail::format::kViewBytes);
+    const Range views = range_of(file, field.views, field.viewed_count * detail::format::view_bytes(field.code_bits));
     const Range texels = range_of(file, field.texels, field.texel_bytes);
 
     const std::vector<Read> one = reads_of(file, kViews[0], SurfaceMode::one_sample);

@@ -223,6 +223,7 @@ SurfaceLoad load_of(const SeeThroughField& field, const tools::Eye& eye, Surface
     for (uint32_t k = 0; k < field.patch_count; ++k) load.outline += kSidesAPatch * triangles.add(k, load);
     for (uint32_t k = 0; k < field.see_through_count; ++k) triangles.add(field.patch_count + k, load.see_through);
     load.lit = triangles.lit();
+    load.view_bytes = detail::format::view_bytes(field.code_bits);
     return load;
 }
 

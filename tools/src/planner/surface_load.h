@@ -20,9 +20,10 @@ struct TriangleLoad {
 // Triangles and patches are opaque ones, those of `see_through` left out.
 struct SurfaceLoad : TriangleLoad {
     double vertices = 0, patches = 0;
-    double lit = 0;      // vertices of triangles that face the eye, with a view table
-    double outline = 0;  // pixels along the edges between seen and unseen triangles
-    double image = 0;    // pixels of the image
+    double lit = 0;         // vertices of triangles that face the eye, with a view table
+    double view_bytes = 0;  // of a table
+    double outline = 0;     // pixels along the edges between seen and unseen triangles
+    double image = 0;       // pixels of the image
     TriangleLoad see_through;
     double see_through_patches = 0;
 };

@@ -59,7 +59,7 @@ double surface_instructions(const std::string& core, SurfaceMode mode, const Sur
 double surface_misses(const SurfaceLoad& load, double line_bytes)
 {
     constexpr double kPatchReads = 2.5, kSeeThroughReads = 3.5, kTexelLines = 0.5;
-    const double mesh = detail::format::kVertexBytes * load.vertices + detail::format::kViewBytes * load.lit +
+    const double mesh = detail::format::kVertexBytes * load.vertices + load.view_bytes * load.lit +
                         kPatchReads * detail::format::kPatchBytes * load.patches;
     const double see_through = kSeeThroughReads * detail::format::kPatchBytes * load.see_through_patches;
     return (mesh + see_through) / line_bytes +

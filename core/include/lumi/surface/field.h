@@ -16,11 +16,12 @@ struct SurfaceField {
     const uint8_t* patches = nullptr;       // patch_count × kPatchBytes
     const uint8_t* texels = nullptr;        // every byte that 6-bit coordinates of any patch can name is there
     const uint8_t* palette = nullptr;       // 256 × (r, g, b)
-    const uint8_t* node_colours = nullptr;  // kViewColoursBytes, or null
+    const uint8_t* node_colours = nullptr;  // view_colours_bytes(code_bits), or null
     const uint8_t* views = nullptr;         // the view tables of vertices 0 .. viewed_count - 1
     const uint8_t* neighbours = nullptr;    // patch_count × kNeighbourBytes, or null
     uint32_t vertex_count = 0, viewed_count = 0, patch_count = 0, texel_bytes = 0;
     uint32_t longest_edge_q6 = 0;  // radii
+    uint32_t code_bits = 0;        // of view tables
     ColourSpace colour_space = ColourSpace::srgb;
     uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
     uint32_t radius_bits = 0;

@@ -5,9 +5,10 @@
 // that knows chord fields alone refuses it by name. Little-endian. Offsets below are within the section.
 //
 // The colour of the point u of a triangle, seen along a ray from direction ω:
-//   texel(u) + Σ over corners c: b_c(u) · gain_c · Σ over view nodes k around ω: w_k · colour[k][node(c, k)]
-// with b_c barycentric. View nodes are points 0 .. kViewNodes - 1 of the Spherical Fibonacci lattice of kViewLattice
-// points, in a frame of the vertex's own whose +z is about its normal; view_nodes.h finds those around a direction.
+//   texel(u) + Σ over corners c: b_c(u) · gain_c · Σ over view nodes k around ω: w_k · colour[k][code(c, k)]
+// with b_c barycentric, and a gain for each channel. View nodes are points 0 .. kViewNodes - 1 of the Spherical
+// Fibonacci lattice of kViewLattice points, in a frame of the vertex's own whose +z is about its normal; view_nodes.h
+// finds those around a direction.
 #pragma once
 #pragma GCC system_header
 
@@ -26,7 +27,8 @@ inline constexpr uint32_t kFlagsAt = 6;         // u16, 0: there are none
 inline constexpr uint32_t kTexelsAt = 8;        // u32, length of the texel section, 1 .. kMaxSurfaceTexels
 inline constexpr uint32_t kColourSpaceAt = 12;  // u8, ColourSpace
 inline constexpr uint32_t kLongestEdgeAt = 13;  // u8, of any triangle, steps of 1/64 radius, rounded up, 1 .. 128
-inline constexpr uint32_t kReservedAt = 14;     // u16, 0
+inline constexpr uint32_t kCodeBitsAt = 14;     // u8, bits of a code in view tables, 1 .. kMaxCodeBits; without any: 0
+inline constexpr uint32_t kReservedAt = 15;     // u8, 0
 inline constexpr uint32_t kCentreAt = 16;       // 3 × IEEE binary32: the sphere's centre, scene units and axes
 inline constexpr uint32_t kRadiusAt = 28;       // IEEE binary32 > 0
 }  // namespace surface
@@ -83,19 +85,27 @@ inline constexpr uint32_t kEntryBytes = 6;
 }  // namespace see_through
 inline constexpr uint32_t kSeeThroughBytes = see_through::kPaletteAt + kPaletteEntries * see_through::kEntryBytes;
 
-// View tables: colours of nodes, then a record for each vertex that has one.
+// View tables: colours of nodes, 2^bits each, then a record for each vertex that has a table. In a record the code of
+// node k, which of its colours the node has, is bits k·bits .. (k + 1)·bits - 1 from the lowest bit of byte 0 on.
+// Behind the codes lie kTurnBytes and kGainBytes.
 inline constexpr uint32_t kViewLattice = 66;
 inline constexpr uint32_t kViewNodes = 40;  // down to z = -0.2
-inline constexpr uint32_t kNodeColours = 16;
+inline constexpr uint32_t kMaxCodeBits = 8;
 inline constexpr uint32_t kNodeColourBytes = 3;  // r, g, b as s8, in 8-bit levels times gain/64
-inline constexpr uint32_t kViewColoursBytes = kViewNodes * kNodeColours * kNodeColourBytes;
-inline constexpr uint32_t kViewBytes = 24;
-namespace view
+inline constexpr uint32_t kTurnBytes = 3;  // the frame: half a turn about h takes +z to the vertex's; s8, h · 127
+inline constexpr uint32_t kGainBytes = 3;  // u8 of r, g, b
+constexpr uint32_t view_colours_bytes(uint32_t bits)
 {
-// The frame: half a turn about h takes the vertex's +z to its own direction. 3 × s8, h · 127.
-inline constexpr uint32_t kTurnAt = 0;
-inline constexpr uint32_t kGainAt = 3;   // u8
-inline constexpr uint32_t kNodesAt = 4;  // kViewNodes × 4 bits, the even node in the low bits: which of its colours
-}  // namespace view
+    return (kViewNodes << bits) * kNodeColourBytes;
+}
+// Where the turn lies in a record, and how long the record is.
+constexpr uint32_t view_turn_at(uint32_t bits)
+{
+    return kViewNodes * bits / 8;
+}
+constexpr uint32_t view_bytes(uint32_t bits)
+{
+    return view_turn_at(bits) + kTurnBytes + kGainBytes;
+}
 
 }  // namespace lumi::detail::format

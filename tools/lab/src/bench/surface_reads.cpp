@@ -72,7 +72,8 @@ public:
             for (const uint32_t corner : detail::surface_patch(field_, k).corner) {
                 if (corner >= field_.viewed_count || is_lit[corner]) continue;
                 is_lit[corner] = true;
-                read(field_.views + corner * detail::format::kViewBytes, detail::format::kViewBytes);
+                const uint32_t bytes = detail::format::view_bytes(field_.code_bits);
+                read(field_.views + corner * bytes, bytes);
             }
         }
     }

@@ -58,16 +58,20 @@ std::vector<SurfaceTriangle> triangles_in(const uint8_t* bytes, uint32_t patches
     return triangles;
 }
 
-SurfaceView view_in(const uint8_t* record, const uint8_t* colours)
+// Codes one after the other, bit by bit.
+SurfaceView view_in(const uint8_t* record, const uint8_t* colours, uint32_t bits)
 {
     SurfaceView view = {{}, {}};
-    for (uint32_t k = 0; k < 3; ++k) view.turn[k] = static_cast<int8_t>(record[detail::format::view::kTurnAt + k]);
-    const double gain = record[detail::format::view::kGainAt] / 64.0;
+    const uint8_t *turn = record + detail::format::view_turn_at(bits), *gain = turn + detail::format::kTurnBytes;
+    for (uint32_t k = 0; k < 3; ++k) view.turn[k] = static_cast<int8_t>(turn[k]);
     for (uint32_t node = 0; node < detail::format::kViewNodes; ++node) {
-        const uint32_t pair = record[detail::format::view::kNodesAt + node / 2];
-        const uint32_t which = node % 2 == 0 ? pair & 15 : pair >> 4;
-        const uint8_t* c = colours + (node * detail::format::kNodeColours + which) * detail::format::kNodeColourBytes;
-        view.nodes.push_back({gain * s8(c[0]), gain * s8(c[1]), gain * s8(c[2])});
+        uint32_t code = 0;
+        for (uint32_t bit = 0; bit < bits; ++bit) {
+            const uint32_t at = node * bits + bit;
+            code |= (record[at / 8] >> at % 8 & 1u) << bit;
+        }
+        const uint8_t* c = colours + ((node << bits) + code) * detail::format::kNodeColourBytes;
+        view.nodes.push_back({gain[0] / 64.0 * s8(c[0]), gain[1] / 64.0 * s8(c[1]), gain[2] / 64.0 * s8(c[2])});
     }
     return view;
 }
@@ -87,8 +91,9 @@ SurfaceFile::SurfaceFile(const uint8_t* file)
         texels.push_back({static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])});
     }
     const uint8_t* tables = section(file, detail::format::kViewSection);
+    const uint32_t bits = head[at::kCodeBitsAt], colours = detail::format::view_colours_bytes(bits);
     for (uint32_t v = 0; v < u16(head + at::kViewedAt); ++v)
-        views.push_back(view_in(tables + detail::format::kViewColoursBytes + v * detail::format::kViewBytes, tables));
+        views.push_back(view_in(tables + colours + v * detail::format::view_bytes(bits), tables, bits));
 }
 
 }  // namespace lumi::twin
