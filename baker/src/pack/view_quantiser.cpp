@@ -14,7 +14,7 @@ namespace
 
 using detail::format::kViewNodes;
 
-// Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/surface.md).
+// Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/view-tables.md).
 constexpr double kLeastDifference = 8;
 constexpr uint32_t kPlannedCodeBits = 4;
 constexpr int kSharedRounds = 12;

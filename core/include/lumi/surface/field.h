@@ -21,8 +21,8 @@ struct SurfaceField {
     const uint8_t* neighbours = nullptr;    // patch_count × kNeighbourBytes, or null
     uint32_t vertex_count = 0, viewed_count = 0, patch_count = 0, texel_bytes = 0;
     uint32_t longest_edge_q6 = 0;  // radii
-    uint32_t code_bits = 0;        // of view tables
     ColourSpace colour_space = ColourSpace::srgb;
+    uint8_t code_bits = 0;         // of view tables
     uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
     uint32_t radius_bits = 0;
 };
