@@ -44,7 +44,8 @@ struct Tables {
     {
         PatchMesh mesh;
         for (uint32_t k = 0; k < kSheetSide * kSheetSide; ++k) {
-            mesh.positions.push_back({0.1f * static_cast<float>(k % kSheetSide), 0.1f * static_cast<float>(k / kSheetSide), 0});
+            mesh.positions.push_back(
+                {0.1f * static_cast<float>(k % kSheetSide), 0.1f * static_cast<float>(k / kSheetSide), 0});
             mesh.normals.push_back({0, 0, 1});
         }
         for (uint32_t k = 0; k + kSheetSide < kSheetSide * kSheetSide; ++k)
