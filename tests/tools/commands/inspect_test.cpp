@@ -23,8 +23,8 @@ namespace
 
 using Colour = std::array<int, 3>;
 constexpr Colour kEmpty = {32, 36, 40};
-constexpr lumi::test::TestGlass kPane = {{60, 20, 40}, {128, 64, 192}};
-constexpr uint8_t kSquareTexel = 200, kPaneTexel = 7;
+constexpr lumi::test::TestGlass kInspectedGlass = {{60, 20, 40}, {128, 64, 192}};
+constexpr uint8_t kInspectedSquare = 200, kInspectedPane = 7;
 
 Colour colour_at(const Picture& picture, int x, int y)
 {
@@ -55,9 +55,9 @@ void write(const std::string& path, const lumi::test::Bytes& bytes)
 void write_panes(const std::string& path)
 {
     lumi::test::GlassPalette palette{};
-    palette[kPaneTexel] = kPane;
-    write(path, lumi::test::see_through_file(lumi::test::panes({{8000, -4000, kSquareTexel}, {4000, 4000, kPaneTexel}}),
-                                             1, palette));
+    palette[kInspectedPane] = kInspectedGlass;
+    write(path, lumi::test::see_through_file(
+                    lumi::test::panes({{8000, -4000, kInspectedSquare}, {4000, 4000, kInspectedPane}}), 1, palette));
 }
 
 void succeed(const test::Arguments& call)
@@ -190,10 +190,10 @@ TEST_CASE("a picture of a surface field shows see-through texels over light and 
     constexpr int kLight = 200;
     Colour pane{};
     for (size_t c = 0; c < pane.size(); ++c)
-        pane[c] = static_cast<int>(std::lround(kPane.added[c] + kPane.passed[c] * kLight / 255.0));
+        pane[c] = static_cast<int>(std::lround(kInspectedGlass.added[c] + kInspectedGlass.passed[c] * kLight / 255.0));
     CHECK(counts.size() == 3);
-    CHECK(counts[entry(kSquareTexel)] > 0);
-    CHECK(counts[pane] == counts[entry(kSquareTexel)]);
+    CHECK(counts[entry(kInspectedSquare)] > 0);
+    CHECK(counts[pane] == counts[entry(kInspectedSquare)]);
     CHECK(counts[kEmpty] == picture.width_px * picture.height_px - 2 * counts[pane]);
 }
 
