@@ -8,7 +8,7 @@ namespace lumi::baker::testing
 namespace
 {
 
-constexpr uint32_t kSheetSide = 8, kNodes = detail::format::kViewNodes;
+constexpr uint32_t kSheetSide = 8;
 
 // A sheet of 64 vertices with tables of all colours, seen from all around.
 struct Tables {
