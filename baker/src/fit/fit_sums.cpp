@@ -64,6 +64,16 @@ void NodePairs::sort()
     *this = std::move(ordered);
 }
 
+TexelSums scatter_of(const PatchSums& patch)
+{
+    TexelSums all;
+    for (const TexelSums& texel : patch.texels) {
+        all.count += texel.count;
+        all.scatter += texel.scatter;
+    }
+    return all;
+}
+
 FitSums::FitSums(const FitShape& shape, const EncodedTone& tone, const FitModel& expected, White white)
     : shape_(shape), tone_(tone), expected_(expected), white_(white), patches_(shape.mesh.patches.size())
 {

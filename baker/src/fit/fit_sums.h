@@ -67,6 +67,9 @@ struct PatchSums {
     NodePairs pairs;
 };
 
+// Count and scatter of all texels together.
+TexelSums scatter_of(const PatchSums& patch);
+
 // What is brighter than white shows as white: a fit may count it as that, once it is known well what is.
 enum class White : uint8_t { goes_on, clips };
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "fit/node_products.h"
-
 #include "lumi/detail/lattice.h"
 
 namespace lumi::baker
@@ -73,16 +72,12 @@ std::vector<double> noise_at(const FitSums& sums)
     const FitShape& shape = sums.shape();
     std::vector<double> scatter(shape.mesh.positions.size()), count(shape.mesh.positions.size());
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
-        double squares = 0, paths = 0;
-        for (const TexelSums& texel : sums.patches()[p].texels) {
-            squares += texel.variance() * texel.count;
-            paths += texel.count;
-        }
+        const TexelSums all = scatter_of(sums.patches()[p]);
         for (uint32_t corner = 0; corner < 4; ++corner) {
             const uint32_t v = shape.vertex(p, corner);
             if (v == PatchMesh::kNone) continue;
-            scatter[v] += squares;
-            count[v] += paths;
+            scatter[v] += all.variance() * all.count;
+            count[v] += all.count;
         }
     }
     for (size_t v = 0; v < scatter.size(); ++v) scatter[v] = std::max(scatter[v] / std::max(count[v], 1.0), kLeast);

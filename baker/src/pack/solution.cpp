@@ -82,14 +82,10 @@ constexpr double kSolveWork = 60;  // light paths a texel that take as long
 std::vector<double> texel_variances(const PatchSums& sums)
 {
     constexpr double kPatchPaths = 16;
-    TexelSums all;
-    for (const TexelSums& texel : sums.texels) {
-        all.count += texel.count;
-        all.scatter += texel.scatter;
-    }
+    const double around = scatter_of(sums).variance();
     std::vector<double> result;
     for (const TexelSums& texel : sums.texels) {
-        const double scatter = texel.variance() * texel.count + all.variance() * kPatchPaths;
+        const double scatter = texel.variance() * texel.count + around * kPatchPaths;
         result.push_back(texel.count == 0 ? -1 : scatter / (texel.count + kPatchPaths) / texel.count);
     }
     return result;

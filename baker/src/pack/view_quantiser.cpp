@@ -16,7 +16,8 @@ using detail::format::kViewNodes;
 
 // Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/view-tables.md).
 constexpr double kLeastDifference = 8;
-constexpr uint32_t kPlannedCodeBits = 4;
+// With a table at every vertex. Where some get none, codes have more bits.
+constexpr uint32_t kPlannedCodeBits = 3;
 constexpr int kSharedRounds = 12;
 constexpr uint64_t kViewSeed = 0x76696577;
 constexpr float kGainUnit = 64;

@@ -18,7 +18,7 @@ TEST_CASE("A draft tells at most how many bytes a bake takes", "[surface]")
     CHECK(draft.loss().missed == bake.loss.missed);
     CHECK(bake.file.size() <= most);
     // Most that is left is less than what finer codes take, or planned for tables that pay nothing.
-    const uint64_t tables = detail::format::view_colours_bytes(4) + bake.vertices * detail::format::view_bytes(4);
+    const uint64_t tables = detail::format::view_colours_bytes(3) + bake.vertices * detail::format::view_bytes(3);
     CHECK(most - bake.file.size() <= tables + detail::format::kEntryBytes + 2 * detail::format::kSectionAlignment);
     CHECK(draft.most_bytes(2 * settings.texels_per_radius) > most);
 }
