@@ -95,7 +95,7 @@ const char* describe(FieldError error)
         case FieldError::bad_neighbours:
             return "the neighbours have the wrong size, or one does not exist";
         case FieldError::bad_views:
-            return "the view tables have the wrong size, or an older format: bake the scene again";
+            return "the view tables have the wrong size, or are of an older format";
         case FieldError::section_crc:
             return "a section's bytes are damaged";
         case FieldError::see_through:
