@@ -43,6 +43,7 @@ set(LUMI_CORE_SOURCES
   src/surface/fill.cpp
   src/surface/frame.cpp
   src/surface/halves.cpp
+  src/surface/wide.cpp
   src/surface/packed_colour.cpp
   src/surface/outlines.cpp
   src/surface/pieces.cpp

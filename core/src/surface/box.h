@@ -11,8 +11,8 @@ namespace lumi::detail
 // Samples of a target: rows by their number in the frame, columns from the target's first.
 struct Box {
     int32_t first_row, end_row, first_column, end_column;
-    int32_t longer_q6;  // the longer side of the whole box
-    bool is_cut;        // beside the target's columns there may be more of the triangle
+    int32_t wide_q6, high_q6, longer_q6;  // sides of the whole box, and the longer one
+    bool is_cut;                          // beside the target's columns there may be more of the triangle
 };
 
 // Whether some of three corners lies above the target's end and some below its start. Packed numbers compare as their
@@ -38,8 +38,11 @@ LUMI_ALWAYS_INLINE bool set_box(Box& box, const SurfaceVertex& a, const SurfaceV
     const int32_t left_q6 = least_of(a.x, b.x, c.x) >> 8, right_q6 = most_of(a.x, b.x, c.x) >> 8;
     // By no more than 1/64 sample roundings take a crossing beyond the corners.
     const int32_t first_column = line_from(left_q6 - 1) - target.x, end_column = line_from(right_q6 + 1) - target.x;
-    const int32_t width = target.rows.width, wide_q6 = right_q6 - left_q6, high_q6 = bottom_q6 - top_q6;
-    box.longer_q6 = wide_q6 > high_q6 ? wide_q6 : high_q6;
+    const int32_t width = target.rows.width;
+    box.wide_q6 = right_q6 - left_q6;
+    box.high_q6 = bottom_q6 - top_q6;
+    box.longer_q6 = box.wide_q6 > box.high_q6 ? box.wide_q6 : box.high_q6;
+
     box.is_cut = first_column < 0 || end_column > width;
     box.first_column = first_column > 0 ? first_column : 0;
     box.end_column = end_column < width ? end_column : width;

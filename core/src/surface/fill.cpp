@@ -3,6 +3,7 @@
 
 #include "surface/box.h"
 #include "surface/planes.h"
+#include "surface/wide.h"
 
 namespace lumi::detail
 {
@@ -107,6 +108,14 @@ LUMI_ALWAYS_INLINE void set_planes(Rows& rows, const PlaneMaker& maker)
     end_part();
 }
 
+// Whether the rounding of a triangle's steps of colour adds up to a few levels from one side to the other.
+LUMI_ALWAYS_INLINE bool loses_colour(WideTriangle& wide, const PlaneMaker& maker, const Box& box)
+{
+    const PlaneMaker::Lost lost = maker.set_lost(wide);
+    wide.is_lost_in_rows = lost.right * box.wide_q6 > kMostLostQ24;
+    return wide.is_lost_in_rows || lost.down * box.high_q6 > kMostLostQ24;
+}
+
 LUMI_ALWAYS_INLINE void set_memory(Rows& rows, const Texture& texture, const Target& target, int32_t row)
 {
     rows.row = target.rows.row(row - target.y);
@@ -128,7 +137,11 @@ LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], co
     const Shares shares = shares_of(f, static_cast<uint32_t>(-area), box.longer_q6);
     end_part();
     Rows& rows = piece.rows;
-    set_planes(rows, PlaneMaker(f, shares, target.x, box.first_row));
+    const PlaneMaker maker(f, shares, target.x, box.first_row);
+    set_planes(rows, maker);
+    const bool is_wide =
+        box.longer_q6 >= kWideQ6 && (p.colour | q.colour | r.colour) != 0 && loses_colour(piece.wide, maker, box);
+    end_part();
     set_memory(rows, texture, target, box.first_row);
     piece.is_magnified =
         target.magnified_q10 >= 0 && is_magnified(rows.place_right, rows.place_down, target.magnified_q10);
@@ -136,6 +149,7 @@ LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], co
     piece.is_cut = box.is_cut;
     end_part();
     set_edges(rows, o, box, target);
+    if (is_wide) begin_wide(piece, rows.edge_step_q16[o.short_edge ^ 1], box.first_row);
     return true;
 }
 

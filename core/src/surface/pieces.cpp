@@ -3,6 +3,7 @@
 
 #include "surface/begin.h"
 #include "surface/lists.h"
+#include "surface/wide.h"
 
 namespace lumi::detail
 {
@@ -18,6 +19,7 @@ TrianglePieces::TrianglePieces(const SurfaceFrame& frame, const Target& target)
 
 LUMI_HOT bool TrianglePieces::next()
 {
+    if (piece.is_wide && next_part_of_wide(piece)) return true;
     for (uint32_t triangle = 0; next_listed(walk_, frame_, triangle);)
         if (begin_whole(piece, frame_, triangle, target_)) return true;
     return next_part();

@@ -116,6 +116,34 @@ public:
         return plane(fields(&Channel::middle), fields(&Channel::right), fields(&Channel::down));
     }
 
+    struct Lost {
+        int32_t right, down;
+    };
+
+    // What steps of colour() lose, and the most of it.
+    LUMI_ALWAYS_INLINE Lost set_lost(WideTriangle& wide) const
+    {
+        const uint32_t a = a_.at->colour, b = b_.at->colour, c = c_.at->colour;
+        Lost most = {0, 0};
+        const auto lost = [](int32_t step, int drop, int32_t& most_lost) {
+            const int32_t half = 1 << (15 + drop), rest = ((step + half) & (2 * half - 1)) - half;
+            const int32_t size = rest < 0 ? -rest : rest;
+            most_lost = size > most_lost ? size : most_lost;
+            return rest;
+        };
+        const auto set = [&](int k, int32_t at_a, int32_t at_b, int32_t at_c, int drop) {
+            const uint32_t of_b = static_cast<uint32_t>(at_b - at_a), of_c = static_cast<uint32_t>(at_c - at_a);
+            wide.right[k] = lost(slope(of_b, of_c, &Shares::b_right, &Shares::c_right), drop, most.right);
+            wide.down[k] = lost(slope(of_b, of_c, &Shares::b_down, &Shares::c_down), drop, most.down);
+        };
+        set(0, green_q2(a), green_q2(b), green_q2(c), 0);
+        set(1, red_q2(a), red_q2(b), red_q2(c), 0);
+        set(2, blue_q2(a), blue_q2(b), blue_q2(c), 1);
+        wide.column = static_cast<int32_t>(0 - columns_);
+        wide.row = static_cast<int32_t>(0 - rows_);
+        return most;
+    }
+
 private:
     struct Coordinate {
         uint32_t middle, right, down;  // Q10

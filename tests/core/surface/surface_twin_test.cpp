@@ -148,3 +148,26 @@ TEST_CASE("view tables add what double precision adds, whatever the bits of thei
         CHECK(d.rms() < 4);
     }
 }
+
+#ifndef LUMI_TEST_LIGHT  // boards lack the memory
+TEST_CASE("colours do not drift over wide triangles, and are the same in every stripe")
+{
+    TestSurface s = bumpy_ball();
+    std::fill(s.texels.begin(), s.texels.end(), uint8_t{128});
+    std::minstd_rand random(9);
+    double squares = 0, pixels = 0;
+    for (int k = 0; k < 6; ++k) {
+        const View view = random_view(random, 4 * kSide);
+        const Difference d = difference_of(s, view, SurfaceMode::two_by_two);
+        squares += d.squares;
+        pixels += 3 * static_cast<double>(d.pixels);
+        const OpenedSurface opened(file_of(surface_sections(s)));
+        REQUIRE(opened.error() == FieldError::none);
+        SurfaceScreen screen(opened.field(), view.pose, view.image, SurfaceMode::two_by_two);
+        const Bytes whole = screen.picture(view.image.width_px, view.image.height_px);
+        CHECK(screen.picture(view.image.width_px, 3) == whole);
+        CHECK(screen.picture(37, 29) == whole);
+    }
+    CHECK(squares / pixels < 0.5);
+}
+#endif

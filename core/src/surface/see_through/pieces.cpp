@@ -4,6 +4,7 @@
 
 #include "surface/begin.h"
 #include "surface/see_through/order.h"
+#include "surface/wide.h"
 
 namespace lumi::detail
 {
@@ -73,6 +74,7 @@ void put_see_through(const SeeThroughField& field, uint32_t* order, SeeThroughFr
 
 LUMI_HOT bool SeeThroughPieces::next()
 {
+    if (piece.is_wide && next_part_of_wide(piece)) return true;
     while (true) {
         if (parts_.count != 0 && begin_part(piece, frame_, parts_, target_)) return true;
         if (at_ == frame_.order_count) return false;

@@ -37,6 +37,22 @@ struct Corner {
     int32_t u_q8, v_q8;  // texels
 };
 
+// A triangle over which the rounding of steps of colour would add up. It is drawn in parts of a few rows, or of a few
+// samples of a row, and each part begins with the right colour.
+struct WideTriangle {
+    int32_t right[3], down[3];  // what steps lose: green, red and blue, levels times 4, Q16
+    int32_t column, row;        // where nothing is lost, from the target's first column and the piece's first row
+    int32_t middle_step_q16;    // how far the middles of rows move to the right from one to the next
+    int32_t frame_row;          // of the piece's first row
+    PackedColour colour;        // Rows::colour of the piece's first row
+    bool is_lost_in_rows;       // so parts are runs of a row
+
+    int32_t at, part_rows;       // the part's first row, from the piece's, and its rows
+    int32_t count, count_below;  // rows from there on, as in Rows
+    int32_t run, end;            // columns of the row that are left
+    int32_t edge_q16[2];         // of the row
+};
+
 // What of a triangle lies in a target.
 struct TrianglePiece {
     explicit TrianglePiece(const Target& target)
@@ -50,6 +66,8 @@ struct TrianglePiece {
     Rows rows;
     bool is_magnified;
     bool is_cut;  // rows may reach beyond the target's sides
+    bool is_wide = false;
+    WideTriangle wide;  // if it is
 };
 
 // A place before the division by its depth, formats of SurfaceProjection.
