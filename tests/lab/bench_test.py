@@ -18,11 +18,11 @@ from figures.table import load  # noqa: E402
 LINE = "view pole span 8 covered 1000 instructions 123456 setup 23456 stack 640 crc 0badcafe\n"
 SURFACE_LINE = ("view generic mode 2x2 covered 1000 instructions 100000 palette 100 vertices 9900 lists 10000 lights 20000 "
                 "edges 30000 samples 20000 outlines 4000 resolve 6000 order 0 blends 0 tall 95000 stack 640 ram 48000 halves 25000 crc 0badcafe\n")
-CHIPS = ("rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3")
+CHIPS = ("rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3", "nrf52840", "stm32u5", "esp32c3")
 CHORD_KEYS = {"layout", "core", "mode", "texel", "span", "view", "instructions_per_pixel", "setup", "inner",
               "instructions_per_frame", "covered_pixels", "code_bytes", "stack_bytes", "psnr_db", "psnr_all_db",
               "worst_pixel", *(f"{what}_{chip}" for what in ("lines", "misses") for chip in CHIPS),
-              "fps_rp2350", "fps_stm32f4", "fps_esp32s3"}
+              "fps_rp2350", "fps_stm32f4", "fps_esp32s3", "fps_nrf52840", "fps_stm32u5", "fps_esp32c3"}
 SURFACE_KEYS = CHORD_KEYS - {"texel", "span", "setup", "inner"} | {"pixel", "ram_bytes", "file", "file_bytes",
                                                                    "triangles", "sha256", *bench.PARTS, "tall", "halves",
                                                                    "fps2_rp2350", "fps2_esp32s3"}

@@ -148,15 +148,29 @@ def hundredths(value):
     return round(value, 2)
 
 
+def facts_of(row, frames):
+    """What the host says of the row's frame."""
+    keys = [key for key in ("texel", "pixel", "mode", "span", "view") if key in row]
+    return next(frame for frame in frames if all(frame.get(key) == row[key] for key in keys))
+
+
+def put_facts(row, facts):
+    of_field = ("crc", "triangles", "vertices", "see_through_patches")
+    row.update({key: value for key, value in facts.items() if key not in of_field})
+    return row
+
+
 def with_facts(row, count, frames):
     """The row with what the host says of that frame; no board may draw other bits."""
-    keys = [key for key in ("texel", "pixel", "mode", "span", "view") if key in row]
-    of_field = ("crc", "triangles", "vertices", "see_through_patches")
-    facts = next(frame for frame in frames if all(frame.get(key) == row[key] for key in keys))
+    facts = facts_of(row, frames)
     if facts["crc"] != count["crc"]:
         raise BenchError(f"{row['core']} draws other bits than this machine: {row}; build both from the same source")
-    row.update({key: value for key, value in facts.items() if key not in (*keys, *of_field)})
-    return row
+    return put_facts(row, facts)
+
+
+def chord_frames(options, modes, fields):
+    return lab("frames", *fields.values(), "--mode", ",".join(modes), "--span", ",".join(map(str, options.span)),
+               "--view", ",".join(options.view))
 
 
 def chord_rows(options, boards):
@@ -164,8 +178,7 @@ def chord_rows(options, boards):
     if not modes or options.field:
         return []
     fields = {texel: chord_field(options, texel) for texel in options.texel}
-    frames = lab("frames", *fields.values(), "--mode", ",".join(modes), "--span", ",".join(map(str, options.span)),
-                 "--view", ",".join(options.view))
+    frames = chord_frames(options, modes, fields)
     spans = [span for span in options.span if span]
     kinds = [("exact", [0])] * (0 in options.span) + [("spans", spans)] * bool(spans)
     programs = [(f"{kind}_{mode}_{texel}", mode, texel, of_kind) for mode in modes for texel in options.texel
@@ -291,7 +304,18 @@ def measure_speed(options, name, rows):
     return rows
 
 
+def renew_facts(options):
+    """Writes the rows of chord fields that were counted once with what this machine says of their frames now."""
+    data = load("tradeoff")
+    frames = chord_frames(options, CHORD_MODES, {texel: chord_field(options, texel) for texel in TEXELS})
+    rows = [put_facts(row, facts_of(row, frames)) if row["layout"] == "chord" else row for row in data["rows"]]
+    save("tradeoff", {**data, "parts": lab("parts"), "rows": lab("parts", "--rate", stdin=json.dumps(rows))})
+    return rows
+
+
 def measure(options):
+    if options.facts:
+        return renew_facts(options)
     boards = [Board(core, options.work) for core in options.core]
     if options.poses:
         return written(options, measure_speed(options, "poses", pose_rows(options, boards)))
@@ -364,6 +388,9 @@ def parse(arguments):
                         "stripes of 24 rows, and tell their mean and the dearest; --docs writes them into docs/log/data/speed.json")
     parser.add_argument("--stripes", action="store_true",
                         help="count a surface field in stripes of 2 to 24 rows; --docs as with --poses")
+    parser.add_argument("--facts", action="store_true",
+                        help="count nothing: renew accuracy, flash lines and rates of the chord fields' rows in "
+                        "tradeoff.json, as when a part is new; count surface fields before, which is soon done")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

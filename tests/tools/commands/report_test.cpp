@@ -152,7 +152,8 @@ TEST_CASE("report --for refuses what is no part, with the list of parts")
     for (const char* wrong : {"z80", "rp2040@", "rp2040@0fps", "rp2040,z80@10fps"}) {
         const test::Outcome outcome = test::lumi({"report", LUMI_TEST_SCENE, folder / "f.lumi", "--for", wrong});
         CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err, Catch::Contains("rp2040, rp2350, stm32f4, stm32h7 or esp32s3"));
+        CHECK_THAT(outcome.err,
+                   Catch::Contains("rp2040, rp2350, stm32f4, stm32h7, esp32s3, nrf52840, stm32u5 or esp32c3"));
     }
 }
 

@@ -156,7 +156,7 @@ TEST_CASE("inspect --screen: every named part draws finer modes slower, of both 
         return nlohmann::json::parse(lumi({"inspect", path, "--screen", "240x240", "--json"}).out)["frames_per_second"];
     };
     const auto surface = rates_of(write_surface(folder)), chord = rates_of(folder / "c.lumi");
-    for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3"}) {
+    for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3", "nrf52840", "stm32u5", "esp32c3"}) {
         CHECK(surface["one-sample"][part] >= surface["antialiased"][part]);
         CHECK(surface["antialiased"][part] >= surface["2x2"][part]);
         CHECK(surface["2x2"][part] > 0.0);
@@ -181,7 +181,7 @@ TEST_CASE("inspect --screen --rows --for tells RAM, stack and rates of that scre
     CHECK(large["stack_bytes"] == 3072);
     CHECK(large["parts"].size() == 1);
     CHECK(large["parts"]["esp32s3"]["estimated"] == true);
-    CHECK(usual["parts"].size() == 5);
+    CHECK(usual["parts"].size() == 8);
     CHECK(usual["parts"]["rp2040"]["estimated"] == false);
     CHECK(large["frames_per_second"]["2x2"]["esp32s3"] < usual["frames_per_second"]["2x2"]["esp32s3"]);
     CHECK(told({"--rows", "4"})["frames_per_second"]["2x2"]["rp2040"] < usual["frames_per_second"]["2x2"]["rp2040"]);

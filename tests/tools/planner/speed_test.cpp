@@ -3,6 +3,7 @@
 #include "planner/speed.h"
 
 #include <catch2/catch.hpp>
+#include <set>
 
 namespace lumi::planner
 {
@@ -33,6 +34,29 @@ TEST_CASE("a pace is a part, with or without a rate")
     for (const char* text : {"", "rp2040@", "rp2040@30", "rp2040@fps", "@30fps", "z80@30fps", "rp2040@0fps",
                              "rp2040@-1fps", "rp2040@nanfps", "rp2040@30fpsx", "rp2040@3 fps", "rp2040@infs"})
         CHECK_FALSE(parse_pace(text));
+}
+
+TEST_CASE("each part has a name of its own, a clock, RAM and a cache that lines fill")
+{
+    std::set<std::string> keys;
+    for (const Chip& chip : kChipList) {
+        INFO(chip.title);
+        keys.insert(chip.key);
+        CHECK(parse_pace(chip.key)->chip == &chip);
+        CHECK(chip.clock_mhz >= 64);
+        CHECK(chip.ram_bytes >= 128 * 1024);
+        CHECK(chip.miss_ns > 0);
+        CHECK(chip.cache.sets() * chip.cache.ways * chip.cache.line_bytes == chip.cache.bytes);
+    }
+    CHECK(keys.size() == kChips);
+}
+
+TEST_CASE("parts of another instruction set than the one that was counted bear a star")
+{
+    for (const Chip& chip : kChipList) {
+        const bool is_arm = std::string(chip.title).find("ESP32") == std::string::npos;
+        CHECK(marked_title(chip) == std::string(chip.title) + (is_arm ? "" : "*"));
+    }
 }
 
 }  // namespace lumi::planner

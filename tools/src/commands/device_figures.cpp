@@ -45,7 +45,7 @@ std::string rate_text(double rate)
 
 std::string part_text(const planner::PartRate& rate, const planner::Ram& ram, const FieldFile& file)
 {
-    const std::string title = std::string(rate.chip->title) + (rate.chip->is_estimated ? "*" : "");
+    const std::string title = planner::marked_title(*rate.chip);
     if (const std::string obstacle = obstacle_of(*rate.chip, ram, file); !obstacle.empty())
         return title + " " + obstacle;
     return title + " " + rate_text(rate.mean) + (file.is_surface() ? " (" + rate_text(rate.worst) + ")" : "");

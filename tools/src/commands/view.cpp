@@ -63,7 +63,7 @@ std::vector<ShownChip> shown_chips()
 {
     std::vector<ShownChip> chips;
     for (const planner::Chip& chip : planner::kChipList)
-        chips.push_back({chip.key, chip.title, chip.remark, chip.clock_mhz, chip.ram_bytes});
+        chips.push_back({chip.key, marked_title(chip), chip.remark, chip.clock_mhz, chip.ram_bytes});
     return chips;
 }
 

@@ -11,11 +11,17 @@ constexpr uint32_t kKiB = 1024;
 // Clocks per instruction: Arm's tables give the M0+ 2 clocks for a load and for a taken branch, the M3/M4 2 for a load
 // that does not follow another and 2 to 4 for a taken branch, else 1; about one instruction in three is one or the
 // other. The M7 issues two at a time and rarely finds a pair. These are estimates: this machine has no such chip.
-// Caches and miss costs: RP2040 datasheet 2.6.3 (XIP), RP2350 datasheet 4.4 (XIP), RM0090 3.4.2 (ART: the data side
-// holds 8 lines of 128 bits, and 5 wait states at 168 MHz), RM0433 (L1), ESP32-S3 TRM (data cache as configured).
-// RAM: RP2040 and RP2350 datasheets (SRAM: the banks follow each other), RM0090 2.1 (SRAM1 and SRAM2; 64 KiB more lie
-// apart, which DMA does not reach), RM0433 (AXI SRAM; SRAM1 to SRAM4 and the TCM have 544 KiB more in four places),
-// ESP32-S3 TRM (SRAM1; the data cache takes the beginning of SRAM2 behind it, and code in RAM takes some of SRAM1).
+// docs/log/tradeoff.md names the manual and the section for clock, wait states and cache of each part, and what was
+// chosen where a manual was not at hand. Caches and miss costs: RP2040 datasheet 2.6.3 (XIP), RP2350 datasheet 4.4
+// (XIP), RM0090 3.4.2 (ART: the data side holds 8 lines of 128 bits, and 5 wait states at 168 MHz), RM0433 (L1),
+// ESP32-S3 TRM (data cache as configured). RAM: RP2040 and RP2350 datasheets (SRAM: the banks follow each other),
+// RM0090 2.1 (SRAM1 and SRAM2; 64 KiB more lie apart, which DMA does not reach), RM0433 (AXI SRAM; SRAM1 to SRAM4 and
+// the TCM have 544 KiB more in four places), ESP32-S3 TRM (SRAM1; the data cache takes the beginning of SRAM2 behind
+// it, and code in RAM takes some of SRAM1). nRF52840: the flash's cache serves the ICODE bus alone (PS, NVMC), so each
+// word of the field waits; 3 wait states. STM32U585: ICACHE holds what the C bus reads, data too, in lines of 128 bits
+// (AN5212); 4 wait states and 4 words, as if nothing overlapped, are 8 clocks. ESP32-C3: one cache for code and data
+// (datasheet 3.1.5), a line by the same flash reads as the ESP32-S3. QEMU counted 0.97 to 1.21 RISC-V instructions for
+// one of M4 code, of the desk clock of docs/boards.md in three modes and two views: 1.3 × 1.2 clocks.
 const std::array<Chip, kChips> kChipList = {{
     {"rp2040", "RP2040", "m0plus", 133, 1.35, {16384, 2, 8}, 400, "one core of two", 264 * kKiB, 2},
     {"rp2350",
@@ -52,7 +58,46 @@ const std::array<Chip, kChips> kChipList = {{
      2,
      0,
      true},
+    {"nrf52840",
+     "nRF52840",
+     "m4",
+     64,
+     1.3,
+     {4, 1, 4},
+     47,
+     "field in internal flash of at most 1 MB, whose cache holds code alone",
+     256 * kKiB,
+     1,
+     1024 * kKiB},
+    {"stm32u5",
+     "STM32U585",
+     "m4",
+     160,
+     1.3,
+     {8192, 2, 16},
+     50,
+     "field in internal flash of at most 2 MB; Cortex-M33, counted with M4 code",
+     768 * kKiB,
+     1,
+     2048 * kKiB},
+    {"esp32c3",
+     "ESP32-C3",
+     "m4",
+     160,
+     1.56,
+     {16384, 8, 32},
+     1050,
+     "RISC-V, M4 counts stand in for its own; quad flash at 80 MHz",
+     384 * kKiB,
+     1,
+     0,
+     true},
 }};
+
+std::string marked_title(const Chip& chip)
+{
+    return std::string(chip.title) + (chip.is_estimated ? "*" : "");
+}
 
 double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses, double pixels)
 {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace lumi::planner
 {
@@ -32,7 +33,10 @@ struct Chip {
     bool is_estimated = false;  // instructions are those of a CPU with another instruction set
 };
 
-inline constexpr size_t kChips = 5;
+// With a star where rates are estimated.
+std::string marked_title(const Chip& chip);
+
+inline constexpr size_t kChips = 8;
 extern const std::array<Chip, kChips> kChipList;
 
 // A panel with pixels of 16 bits behind SPI at 62.5 MHz, fed by DMA while the next stripe is drawn.

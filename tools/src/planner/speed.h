@@ -31,7 +31,7 @@ inline constexpr double kUsualPace = 10;
 
 // "rp2040@30fps", "rp2040"; nothing for other texts, unknown parts and rates that are not above 0.
 std::optional<Pace> parse_pace(const std::string& text);
-// "rp2040, rp2350, stm32f4, stm32h7 or esp32s3".
+// "rp2040, rp2350, … or esp32c3".
 std::string chip_names();
 
 }  // namespace lumi::planner

@@ -104,7 +104,7 @@ std::string table(const Trade& trade)
         "<h2>All rows, the most accurate first</h2>\n<div class=\"wide\"><table><tr><th>what<th>PSNR dB<th>SSIM"
         "<th>FLIP<th>flash<th>RAM";
     for (const PartTrade& part : trade.parts)
-        html += "<th>" + escaped(part.pace.chip->title) + ", fps<th>M instructions";
+        html += "<th>" + escaped(marked_title(*part.pace.chip)) + ", fps<th>M instructions";
     html += "</tr>\n";
     std::vector<size_t> order;
     for (size_t k = 0; k < trade.rows.size(); ++k) order.push_back(k);
@@ -118,8 +118,9 @@ std::string table(const Trade& trade)
 constexpr char kModel[] =
     "<p>Accuracy and cost are of the same file, drawn by the same mode into 240 × 240 pixels of RGB565, on one core. "
     "Frame rates are modelled from instructions that were counted and from flash lines that the field misses, not "
-    "measured; in brackets is the dearest of 200 poses. RAM is that of a frame and a stripe of 16 rows. The program "
-    "takes flash besides: 17 to 27 kB of code.</p>\n";
+    "measured; in brackets is the dearest of 200 poses. RAM is that of a frame and a stripe of 16 rows. Rates of a "
+    "part with a * are estimated: its CPU has another instruction set than the one that was counted. The program takes "
+    "flash besides: 17 to 27 kB of code.</p>\n";
 
 }  // namespace
 

@@ -109,7 +109,8 @@ std::string figures_text(const Row& row, size_t part)
 std::string pace_text(const planner::Pace& pace)
 {
     char text[80];
-    std::snprintf(text, sizeof text, "%s at %g frames a second", pace.chip->title, pace.frames_per_second);
+    std::snprintf(text, sizeof text, "%s at %g frames a second", marked_title(*pace.chip).c_str(),
+                  pace.frames_per_second);
     return text;
 }
 

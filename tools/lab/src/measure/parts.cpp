@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 Json json_of(const planner::Chip& chip)
 {
     return {{"key", chip.key},
-            {"title", chip.title},
+            {"title", planner::marked_title(chip)},
             {"core", chip.core},
             {"clock_mhz", chip.clock_mhz},
             {"clocks_per_instruction", chip.clocks_per_instruction},
