@@ -2,15 +2,20 @@
 # SPDX-License-Identifier: MIT
 """Bakes models that people have, and draws them beside path-traced pictures.
 
-model_sheet.py FOLDER [NAME...] [--paths 60] [--fit 250kB] [--lumi PROGRAM] [--docs]
+model_sheet.py FOLDER [NAME...] [--people] [--paths 60] [--fit 250kB] [--lumi PROGRAM] [--docs]
 
 FOLDER holds the models of MODELS below (Debian: python3-matplotlib):
     npm pack @webxr-input-profiles/assets@1.0.20 && tar xzf webxr*.tgz                     (as `package`)
     apt-get download sweethome3d-furniture && dpkg-deb -x sweethome3d-furniture*.deb .     (each .sh3f unpacked into `obj`)
+With --people FOLDER holds, in place of these, what Debian's packages minetest-mod-homedecor, assimp-testmodels and
+sweethome3d-furniture unpack (dpkg-deb -x), each .sh3f a folder of its files. Of all OBJ and glTF files there the sheet
+has the 60 whose paths have the smallest SHA-256, from six sides: nobody chose them.
 NAMEs choose some of them. The sheet is build/model-sheet/sheet.png: path-traced, drawn from the field, and again from
 the next side. What is there already is not made again: delete a model's folder there to bake it anew. --docs brings dB,
-bytes and what `lumi bake` warns of into docs/log/data/model_sheet.json, beside what that holds of other models."""
+bytes and what `lumi bake` warns of into docs/log/data/model_sheet.json (people_sheet.json), beside what that holds of
+other models."""
 import argparse
+import hashlib
 import re
 import subprocess
 import sys
@@ -19,7 +24,6 @@ from pathlib import Path
 from figures.table import DATA, load, save
 
 ROOT = Path(__file__).resolve().parents[2]
-WORK = ROOT / "build/model-sheet"
 PROFILES = "package/dist/profiles"
 MODELS = {
     "htc-vive": f"{PROFILES}/htc-vive/none.glb",
@@ -44,17 +48,33 @@ MODELS = {
     "man": "obj/reallusion/male01/male01.obj",
 }
 SIDES = ["30,20,3", "200,-10,3"]  # orbits
+PEOPLE_SIDES = ["30,20,3", "90,5,3", "150,40,3", "210,-10,3", "270,20,3", "330,-40,3"]
+PEOPLE = 60
 SIZE = "200x200"
 SPP = "64"  # of references
+
+
+class Set:
+    """Which models, from which sides, and where it goes."""
+
+    def __init__(self, work, table, models, sides):
+        self.work, self.table, self.models, self.sides = ROOT / "build" / work, table, models, sides
+
+
+def people(folder):
+    """Names and paths of the models whose paths have the smallest SHA-256."""
+    paths = [p.relative_to(folder) for p in folder.rglob("*") if p.suffix.lower() in (".obj", ".gltf", ".glb") and p.is_file()]
+    chosen = sorted(paths, key=lambda p: hashlib.sha256(p.as_posix().encode()).digest())[:PEOPLE]
+    return {f"{k + 1:02}-{path.stem}": path for k, path in enumerate(chosen)}
 
 
 class Model:
     """A model's pictures and what was said of it, each made once."""
 
-    def __init__(self, name, options):
-        self.name, self.options = name, options
-        self.scene = options.folder / MODELS[name]
-        self.folder = WORK / name
+    def __init__(self, name, chosen, options):
+        self.name, self.sides, self.options = name, chosen.sides, options
+        self.scene = options.folder / chosen.models[name]
+        self.folder = chosen.work / name
         self.folder.mkdir(parents=True, exist_ok=True)
         self.field = self.folder / "field.lumi"
 
@@ -73,7 +93,7 @@ class Model:
         path = self.folder / f"{kind}-{side}.png"
         if path.exists():
             return path
-        look = ["-o", path, "--orbit", SIDES[side], "--size", SIZE]
+        look = ["-o", path, "--orbit", self.sides[side], "--size", SIZE]
         if kind == "truth":
             self.run("reference", self.scene, *look, "--spp", SPP)
         elif self.field.exists():
@@ -88,17 +108,21 @@ class Model:
     def row(self):
         said = self.bake()
         warnings = re.findall(r"^lumi: warning: (.*)$", said, re.MULTILINE)
+        if not self.field.exists():
+            warnings = [f"refused: {line}" for line in re.findall(r"^lumi: (.*)$", said, re.MULTILINE)]
         told = [w.replace(f"{self.scene.parent}/", "") for w in warnings]
         return {"model": self.name, "bytes": self.field.stat().st_size if self.field.exists() else 0,
-                "psnr_db": [self.psnr(side) for side in range(len(SIDES))], "said": told}
+                "psnr_db": [self.psnr(side) for side in range(len(self.sides))],
+                "layout": layout[1] if (layout := re.search(r"^ *layout (\w+)", said, re.MULTILINE)) else None, "said": told}
 
 
 def draw_sheet(models, path):
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    across = 2
-    kinds = [(kind, side) for side in range(len(SIDES)) for kind in ("truth", "drawn")]
+    sides = models[0].sides
+    across = max(1, 4 // len(sides))
+    kinds = [(kind, side) for side in range(len(sides)) for kind in ("truth", "drawn")]
     down = -(-len(models) // across)
     figure, axes = pyplot.subplots(down, across * len(kinds), figsize=(across * len(kinds) * 2, down * 2.15), squeeze=False)
     for axis in axes.flat:
@@ -115,33 +139,38 @@ def draw_sheet(models, path):
     figure.savefig(path, dpi=100)
 
 
-def write_rows(rows):
-    known = load("model_sheet")["models"] if (DATA / "model_sheet.json").exists() else []
+def write_rows(rows, chosen):
+    known = load(chosen.table)["models"] if (DATA / f"{chosen.table}.json").exists() else []
     by_name = {row["model"]: row for row in [*known, *rows]}
-    save("model_sheet", {"models": [by_name[name] for name in MODELS if name in by_name]})
+    save(chosen.table, {"models": [by_name[name] for name in chosen.models if name in by_name]})
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--people", action="store_true")
     parser.add_argument("--paths", default="60")
     parser.add_argument("--fit", default="250kB")
     parser.add_argument("--lumi", default=str(ROOT / "build/release/tools/lumi"))
     parser.add_argument("--docs", action="store_true")
     options = parser.parse_args()
-    unknown = sorted(set(options.names) - set(MODELS))
+    if options.people:
+        chosen = Set("people-sheet", "people_sheet", people(options.folder), PEOPLE_SIDES)
+    else:
+        chosen = Set("model-sheet", "model_sheet", MODELS, SIDES)
+    unknown = sorted(set(options.names) - set(chosen.models))
     if unknown:
         parser.error(f"there is no model {', '.join(unknown)}")
-    models = [Model(name, options) for name in options.names or MODELS]
+    models = [Model(name, chosen, options) for name in options.names or chosen.models]
     rows = []
     for model in models:
         rows.append(model.row())
         print(rows[-1], flush=True)
-    draw_sheet(models, WORK / "sheet.png")
-    print(WORK / "sheet.png")
+    draw_sheet(models, chosen.work / "sheet.png")
+    print(chosen.work / "sheet.png")
     if options.docs:
-        write_rows(rows)
+        write_rows(rows, chosen)
     return 0
 
 
