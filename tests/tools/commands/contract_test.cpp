@@ -33,6 +33,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {{"frob"}, "there is no subcommand \"frob\""},
         {{"rendr", field}, "there is no subcommand \"rendr\" (did you mean render?)"},
         {{"help", "bak"}, "there is no subcommand \"bak\" (did you mean bake?)"},
+        {{"bkae", field}, "there is no subcommand \"bkae\" (did you mean bake?)"},
         {render("--orbits", "30,20,3"), "there is no option --orbits (did you mean --orbit?)"},
         {{"render"}, "lumi render --help"},
         {{"render", field}, "--output"},

@@ -2,7 +2,6 @@
 #include "program/nearest_word.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace lumi::tools
 {
@@ -10,21 +9,21 @@ namespace lumi::tools
 namespace
 {
 
-// Wagner and Fischer's table, a row at a time.
+// Wagner and Fischer's table; letters that changed places are one edit, as Damerau counts them.
 size_t edits_between(const std::string& a, const std::string& b)
 {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 0; i < a.size(); ++i) {
-        size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (size_t j = 0; j < b.size(); ++j) {
-            const size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+    std::vector<std::vector<size_t>> edits(a.size() + 1, std::vector<size_t>(b.size() + 1));
+    for (size_t i = 0; i <= a.size(); ++i) {
+        for (size_t j = 0; j <= b.size(); ++j) {
+            size_t& least = edits[i][j] = std::max(i, j);
+            if (i == 0 || j == 0) continue;
+            const size_t exchanged = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            least = std::min({exchanged, edits[i][j - 1] + 1, edits[i - 1][j] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                least = std::min(least, edits[i - 2][j - 2] + 1);
         }
     }
-    return row.back();
+    return edits.back().back();
 }
 
 }  // namespace

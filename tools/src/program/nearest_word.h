@@ -8,7 +8,7 @@
 namespace lumi::tools
 {
 
-// By edits of a letter (put in, left out, exchanged: Levenshtein's distance); at most a third of the letters and at
+// By edits of a letter (put in, left out, exchanged, or two that changed places); at most a third of the letters and at
 // least one. Empty if none is that near. The first of several.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& words);
 
