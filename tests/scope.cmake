@@ -6,6 +6,9 @@
 # both draw the frame list and pass the proof.
 set(LUMI_UNIT_TEST_CPUS cortex-m0plus cortex-m4)
 
+# Boards that only `tools/test.sh --all` builds: code for M55 is compiled from the sources that M33's is.
+set(LUMI_BOARDS_OF_ALL cortex-m55)
+
 # Boards leave these unit tests of core out: they check the accuracy of frames in the list that every board draws.
 set(LUMI_UNIT_TEST_HOST_FILES chord/render_spans_test chord/extreme_chord_test surface/extreme_surface_test)
 # And these always: boards have no threads.
@@ -17,6 +20,7 @@ set(LUMI_POLICIES_cortex-m4 pairs)
 set(LUMI_POLICIES_cortex-m3 each)
 set(LUMI_POLICIES_cortex-m7 each)
 set(LUMI_POLICIES_cortex-m33 each)
+set(LUMI_POLICIES_cortex-m55 each)
 
 # Files that are not built under sanitizers. Statistics and pictures against a reference read no file and index no
 # memory that other tests do not; plans, reports and benches come from code that bakes and draws nothing itself; which

@@ -1,30 +1,5 @@
 # SPDX-License-Identifier: MIT
-# RISC-V with products, division and compressed instructions (ESP32-C3), GNU tools found through PATH. They come without
-# a C library; core needs none.
-set(CMAKE_SYSTEM_NAME Generic)
-set(CMAKE_SYSTEM_PROCESSOR riscv)
-
-foreach(lumi_program gcc g++)
-  string(MAKE_C_IDENTIFIER "LUMI_RISCV_${lumi_program}" lumi_variable)
-  find_program(${lumi_variable} riscv64-unknown-elf-${lumi_program})
-  if(NOT ${lumi_variable})
-    message(FATAL_ERROR "riscv64-unknown-elf-${lumi_program} was not found in PATH. On Debian:\n"
-      "  apt-get install gcc-riscv64-unknown-elf")
-  endif()
-endforeach()
-set(CMAKE_C_COMPILER ${LUMI_RISCV_gcc})
-set(CMAKE_CXX_COMPILER ${LUMI_RISCV_g__})
-set(CMAKE_ASM_COMPILER ${LUMI_RISCV_gcc})
-set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-
-set(lumi_flags "-march=rv32imc -misa-spec=2.2 -mabi=ilp32 -ffreestanding")
-set(CMAKE_C_FLAGS_INIT "${lumi_flags}")
-set(CMAKE_CXX_FLAGS_INIT "${lumi_flags}")
-set(CMAKE_ASM_FLAGS_INIT "${lumi_flags}")
-foreach(lumi_language C CXX ASM)
-  set(CMAKE_EXECUTABLE_SUFFIX_${lumi_language} .elf)
-endforeach()
-set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
-set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+# RISC-V with products, division and compressed instructions (ESP32-C3).
+set(LUMI_RISCV_ARCH rv32imc)
+set(LUMI_RISCV_ABI ilp32)
+include(${CMAKE_CURRENT_LIST_DIR}/riscv-unknown-elf.cmake)

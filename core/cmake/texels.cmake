@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The texel formats that core draws: AllTexels of core/include/lumi/chord/texel.h, the one list of them.
-set(lumi_texel_header ${PROJECT_SOURCE_DIR}/core/include/lumi/chord/texel.h)
+set(lumi_texel_header ${CMAKE_CURRENT_LIST_DIR}/../include/lumi/chord/texel.h)
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${lumi_texel_header})
 file(STRINGS ${lumi_texel_header} lumi_texels REGEX "^using AllTexels = ")
 string(REGEX MATCHALL "Texel[A-Z][A-Za-z0-9]*[,>]" lumi_texels "${lumi_texels}")

@@ -3,18 +3,32 @@
 #
 # Code for Cortex-M0+ runs on the Cortex-M3 board: QEMU's one ARMv6-M board (micro:bit) has 16 KB of RAM, and every
 # ARMv6-M instruction is an ARMv7-M instruction. The start-up code makes unaligned accesses fault, as an M0+ does.
-set(LUMI_MPS2_CPUS cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33)
+set(LUMI_MPS2_CPUS cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33 cortex-m55)
 set(LUMI_MPS2_BOARD_cortex-m0plus an385)
 set(LUMI_MPS2_BOARD_cortex-m3 an385)
 set(LUMI_MPS2_BOARD_cortex-m4 an386)
 set(LUMI_MPS2_BOARD_cortex-m7 an500)
 set(LUMI_MPS2_BOARD_cortex-m33 an505)
+set(LUMI_MPS2_BOARD_cortex-m55 an547)
 
 # Where -device loader puts a large field: loaded_field_memory() of the board.
 set(LUMI_MPS2_PSRAM_an385 0x21000000)
 set(LUMI_MPS2_PSRAM_an386 0x21000000)
 set(LUMI_MPS2_PSRAM_an500 0x60000000)
 set(LUMI_MPS2_PSRAM_an505 0x80000000)
+set(LUMI_MPS2_PSRAM_an547 0x71000000)
+
+# What QEMU calls the board: the images up to 505 are of the MPS2, later ones of the MPS3.
+foreach(board an385 an386 an500 an505)
+  set(LUMI_MPS2_MACHINE_${board} mps2-${board})
+endforeach()
+set(LUMI_MPS2_MACHINE_an547 mps3-an547)
+
+set(LUMI_MPS2_CLOCK_MHZ_an385 25)
+set(LUMI_MPS2_CLOCK_MHZ_an386 25)
+set(LUMI_MPS2_CLOCK_MHZ_an500 25)
+set(LUMI_MPS2_CLOCK_MHZ_an505 20)
+set(LUMI_MPS2_CLOCK_MHZ_an547 32)
 
 # lumi_mps2_command(OUT CPU cpu PROGRAM file [ARGUMENTS a...] [FIELDS file...] [COUNT_INSTRUCTIONS])
 # The command, as a list, that runs a program. Its semihosting output goes to standard output through a channel of its
@@ -28,7 +42,7 @@ function(lumi_mps2_command out)
     string(REPLACE "," ",," argument "${argument}")
     string(APPEND semihosting ",arg=${argument}")
   endforeach()
-  set(command qemu-system-arm -M mps2-${board} -display none -serial none -monitor none
+  set(command qemu-system-arm -M ${LUMI_MPS2_MACHINE_${board}} -display none -serial none -monitor none
     -chardev stdio,id=console -semihosting-config ${semihosting})
   if(run_COUNT_INSTRUCTIONS)
     list(APPEND command -icount shift=0)

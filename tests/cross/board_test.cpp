@@ -13,10 +13,10 @@ namespace
 
 using namespace lumi::mps2;
 
-constexpr uint32_t kLoops = 10'000'000 * kInstructionsPerTick;
+constexpr uint32_t kLoops = 10'000'000 / 4 * kInstructionsPer4Ticks;
 constexpr uint64_t kInstructionsPerLoop = 2;
-constexpr uint64_t kSlack = 10 * kInstructionsPerTick;  // two readings and a wrap's interrupt
-static_assert(kLoops * kInstructionsPerLoop > uint64_t{1 << 24} * kInstructionsPerTick, "the counter must wrap");
+constexpr uint64_t kSlack = 10 * kInstructionsPer4Ticks / 4;  // two readings and a wrap's interrupt
+static_assert(kLoops * kInstructionsPerLoop > uint64_t{1 << 24} * kInstructionsPer4Ticks / 4, "the counter must wrap");
 
 constexpr uint32_t kStackBytes = 2000;
 constexpr uint32_t kStackSlack = 128;

@@ -28,7 +28,11 @@ set(lumi_chord_symbols ".*(render_spans|ChordStepper|open_field|make_camera).*")
 set(lumi_build_timeout_s 1500)
 set(lumi_run_timeout_s 900)
 
-foreach(cpu IN LISTS LUMI_MPS2_CPUS)
+set(lumi_cpus ${LUMI_MPS2_CPUS})
+if(NOT LUMI_TEST_ALL)
+  list(REMOVE_ITEM lumi_cpus ${LUMI_BOARDS_OF_ALL})
+endif()
+foreach(cpu IN LISTS lumi_cpus)
   set(lumi_cross ${PROJECT_BINARY_DIR}/cross/${cpu})
   set(lumi_firmware ${lumi_cross}/platform/mps2)
 

@@ -18,5 +18,5 @@ endforeach()
 set_tests_properties(devices.overlay PROPERTIES DEPENDS "devices.riscv;devices.simulator")  # which build its programs
 
 # RAM and stack that docs/boards.md states for README's firmware, measured.
-add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/lab/board_memory.sh --check ${LUMI_MPS2_CPUS})
+add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/lab/board_memory.sh --check ${lumi_cpus})
 set_tests_properties(devices.memory PROPERTIES FIXTURES_REQUIRED lumi_device_field)

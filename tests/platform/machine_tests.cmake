@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Frames that other compilers and machines draw from the same files: big-endian, of 32 bits, RISC-V, and Clang.
+# Frames that other compilers and machines draw from the same files: big-endian, of 32 bits, RISC-V, and Clang; and RISC-V
+# of 32 bits without an operating system, by its toolchain files.
 
 # machine_test(NAME COMPILER [EMULATOR])
 function(machine_test name compiler)
@@ -22,4 +23,19 @@ if(LUMI_TEST_ALL)
   machine_test(i686 i686-linux-gnu-g++ qemu-i386)
   machine_test(riscv64 riscv64-linux-gnu-g++ qemu-riscv64)
   machine_test(clang clang++)
+endif()
+
+if(LUMI_TEST_ALL)
+  foreach(cpu rv32imc rv32imafc)
+    set(build ${PROJECT_BINARY_DIR}/cross/${cpu})
+    add_test(NAME ${cpu}.build
+      COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${build} -D CPU=${cpu} -D ALL=ON
+        -P ${CMAKE_CURRENT_SOURCE_DIR}/riscv/build.cmake)
+    set_tests_properties(${cpu}.build PROPERTIES FIXTURES_SETUP lumi_built_${cpu} COST 900 TIMEOUT ${lumi_build_timeout_s})
+    add_test(NAME ${cpu}.frame_crcs
+      COMMAND ${CMAKE_COMMAND} -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D CPU=${cpu} -D FRAMES=${lumi_frames}
+        -D BOARDS=${CMAKE_CURRENT_SOURCE_DIR}/riscv/boards.cmake -D PROGRAM=${build}/lumi_riscv_frame_crcs.elf
+        -D "FIELDS=${lumi_test_fields}" -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_frames.cmake)
+    set_tests_properties(${cpu}.frame_crcs PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu} TIMEOUT ${lumi_run_timeout_s})
+  endforeach()
 endif()

@@ -9,7 +9,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 lumi=${LUMI_TOOL:-$lumi}
-cpus=(cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33)
+cpus=(cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33 cortex-m55)
 data=$root/docs/log/data/devices.json
 check=
 case ${1:-} in

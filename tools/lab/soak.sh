@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/soak.sh [--minutes N] [--docs]
-# Draws random frames on an emulated Cortex-M0+ and Cortex-M4 at once, so long (a minute if not said): random orbits, image
-# sizes, stripes, pixel formats and modes of two surface fields, one of them with see-through parts, and a chord field, with
-# guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes must be the frame
-# drawn whole, by whichever of the two ways it was prepared, on one core or in halves. Sums up what was drawn; --docs
-# writes that into docs/log/tests.md and SECURITY.md. The first fault ends it before anything is written, and names the
-# seed that shows it again.
+# Draws random frames on an emulated Cortex-M0+, Cortex-M4 and Cortex-M55 at once, so long (a minute if not said): random
+# orbits, image sizes, stripes, pixel formats and modes of two surface fields, one of them with see-through parts, and a
+# chord field, with guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes
+# must be the frame drawn whole, by whichever of the two ways it was prepared, on one core or in halves. Sums up what was
+# drawn; --docs writes that into docs/log/tests.md and SECURITY.md. The first fault ends it before anything is written,
+# and names the seed that shows it again.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -15,7 +15,7 @@ minutes=1
 write_docs=false
 work=$root/build/soak
 frames=4000  # frames in a batch; each batch begins with another seed
-cpus=(cortex-m0plus cortex-m4)
+cpus=(cortex-m0plus cortex-m4 cortex-m55)
 
 parse_arguments() {
   while (($#)); do

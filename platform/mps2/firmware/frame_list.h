@@ -4,8 +4,8 @@
 // The same text is compiled for the host and for every board: equal lines prove equal pictures, bit by bit.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 #include "lumi/chord/format.h"
 

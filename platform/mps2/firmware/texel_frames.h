@@ -2,8 +2,6 @@
 // The frames of frame_list.h of one view and one texel format.
 #pragma once
 
-#include <type_traits>
-
 #include "listed_frame.h"
 #include "lumi/chord/render.h"
 #include "lumi/chord/render_spans_paper.h"
@@ -66,6 +64,12 @@ inline constexpr Named<PixelGrey8> kPixelGrey8 = {"grey8"};
 
 inline uint8_t stripe_pixels[kWidth * kStripeHeight * kMaxPixelBytes];
 
+// Over black, on some cores.
+template <class Pixel>
+inline constexpr bool kHasLoopsOfItsOwn = false;
+template <>
+inline constexpr bool kHasLoopsOfItsOwn<PixelRgb565> = true;
+
 // Draws a stripe over the background, then over itself, then, as RGB565, over black, where cores have loops of their
 // own; extends the CRC after each.
 template <class Renderer, class Texel, class Pixel>
@@ -78,7 +82,7 @@ RenderError draw_stripe(const Frame& frame, const Stripe& stripe, uint32_t& crc)
     crc = detail::crc32(crc, stripe.pixels, bytes);
     RenderError again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverStripe{}, stripe);
     crc = detail::crc32(crc, stripe.pixels, bytes);
-    if constexpr (std::is_same_v<Pixel, PixelRgb565>) {
+    if constexpr (kHasLoopsOfItsOwn<Pixel>) {
         again = Renderer::template draw<Texel, Pixel>(frame.field, frame.camera, OverBlack{}, stripe);
         crc = detail::crc32(crc, stripe.pixels, bytes);
     }

@@ -42,7 +42,8 @@ uint64_t instructions()
         __asm volatile("isb" ::
                            : "memory");  // an interrupt that the reading caused is taken before `wraps` is read again
     } while (before != wraps);
-    return (static_cast<uint64_t>(before) * (kReload + 1) + ticks) * kInstructionsPerTick;
+    const uint64_t all = static_cast<uint64_t>(before) * (kReload + 1) + ticks;
+    return kInstructionsPer4Ticks % 4 == 0 ? all * (kInstructionsPer4Ticks / 4) : all * kInstructionsPer4Ticks / 4;
 }
 
 extern "C" void lumi_systick_handler()
