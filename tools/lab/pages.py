@@ -20,7 +20,7 @@ import json
 import re
 import sys
 
-from figures import materials, paper, quality, scripts, sweep, tradeoff
+from figures import costs, materials, paper, quality, scripts, sweep, tradeoff
 from figures.table import ROOT, Table, save, shown
 
 TABLES = {
@@ -63,6 +63,9 @@ TABLES = {
     "features absent": lambda: scripts.features("absent", "beside"),
     "extremes exact": lambda: scripts.extremes("exact"),
     "extremes spans": lambda: scripts.extremes("spans"),
+    "cost model": costs.worst,
+    "cost model surface": lambda: costs.errors("surface"),
+    "cost model chord": lambda: costs.errors("chord"),
     "volumes": scripts.volumes,
     "volume choices": scripts.volume_choices,
     "filter": scripts.filters,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a view of a surface field loads a part with, and what that costs.
+// What a frame of a surface field takes, and what that costs.
 #include "planner/surface_speed.h"
 
 #include <catch2/catch.hpp>
@@ -30,21 +30,41 @@ tools::Eye eye_at(double azimuth, double elevation, double distance)
     return eye;
 }
 
+double samples_of(const SurfaceWork& work)
+{
+    return work[SurfaceItem::sample] + work[SurfaceItem::magnified_sample];
+}
+
 }  // namespace
 
-TEST_CASE("a view of a cube loads what its faces show")
+TEST_CASE("a frame of a cube takes what its faces show")
 {
     const SeeThroughField field = opened();
-    const SurfaceLoad front = load_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample, 16);
+    const SurfaceWork front = work_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample, 16);
     // The sphere's radius is √3 of the half edge: the front face lies 3 - 1/√3 away and is 2/√3 wide.
     const double focal = 120 / std::tan(21 * 3.14159265 / 180), side = focal * 1.1547 / (3 - 0.57735);
-    CHECK(front.samples == Approx(side * side).epsilon(0.05));
-    CHECK(front.seen == Approx(tools::test::small_surface().triangles / 6.0).epsilon(0.1));
-    const SurfaceLoad corner = load_of(field, eye_at(45, 35, 3), SurfaceMode::one_sample, 16);
-    CHECK(corner.seen > 2.7 * front.seen);
-    const SurfaceLoad fine = load_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two, 16);
-    CHECK(fine.samples == Approx(4 * corner.samples));
-    CHECK(fine.set_ups >= corner.set_ups);  // parts of large triangles are smaller on the image
+    CHECK(front[SurfaceItem::sample] == Approx(side * side).epsilon(0.05));
+    CHECK(front[SurfaceItem::listed] == Approx(tools::test::small_surface().triangles / 6.0).epsilon(0.1));
+    const SurfaceWork corner = work_of(field, eye_at(45, 35, 3), SurfaceMode::one_sample, 16);
+    CHECK(corner[SurfaceItem::listed] > 2.7 * front[SurfaceItem::listed]);
+    const SurfaceWork fine = work_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two, 16);
+    CHECK(samples_of(fine) == Approx(4 * samples_of(corner)).epsilon(0.01));
+    CHECK(fine[SurfaceItem::begun] + fine[SurfaceItem::parts] >= corner[SurfaceItem::begun]);
+}
+
+TEST_CASE("nothing hides behind a convex body, and what is drawn has rows and samples")
+{
+    for (const SurfaceMode mode : kModes) {
+        const SurfaceWork work = work_of(opened(), eye_at(30, 20, 3), mode, 16);
+        CHECK(work[SurfaceItem::shown] == work[SurfaceItem::sample]);
+        CHECK(work[SurfaceItem::magnified_shown] == work[SurfaceItem::magnified_sample]);
+        CHECK(work[SurfaceItem::filled] <= work[SurfaceItem::row]);
+        CHECK(work[SurfaceItem::begun] <= work[SurfaceItem::boxed]);
+        CHECK(work[SurfaceItem::boxed] <= work[SurfaceItem::visited]);
+        CHECK((work[SurfaceItem::marked] > 0) == (mode == SurfaceMode::antialiased));
+        CHECK((work[SurfaceItem::whole_px] > 0) == (mode == SurfaceMode::two_by_two));
+        CHECK(work[SurfaceItem::stripe] == 15);
+    }
 }
 
 TEST_CASE("modes of surface fields cost more from one sample to four, and nearer eyes more than far ones")
@@ -53,9 +73,9 @@ TEST_CASE("modes of surface fields cost more from one sample to four, and nearer
     for (const char* core : {"m4", "m0plus"}) {
         double before = 0;
         for (const SurfaceMode mode : kModes) {
-            const double cost = surface_instructions(core, mode, load_of(field, eye_at(45, 35, 3), mode, 16));
+            const double cost = surface_instructions(core, mode, work_of(field, eye_at(45, 35, 3), mode, 16));
             CHECK(cost > before);
-            CHECK(cost > surface_instructions(core, mode, load_of(field, eye_at(45, 35, 6), mode, 16)));
+            CHECK(cost > surface_instructions(core, mode, work_of(field, eye_at(45, 35, 6), mode, 16)));
             before = cost;
         }
     }
@@ -66,14 +86,13 @@ TEST_CASE("lower stripes set up more triangles, and more scanlines twice where o
     const SeeThroughField field = opened();
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {
-        const SurfaceLoad low = load_of(field, eye, mode, 4), usual = load_of(field, eye, mode, 16),
-                          whole = load_of(field, eye, mode, 240);
-        CHECK(low.set_ups > 1.2 * usual.set_ups);
-        CHECK(usual.set_ups > whole.set_ups);
-        CHECK(whole.set_ups >= whole.seen);
+        const SurfaceWork low = work_of(field, eye, mode, 4), usual = work_of(field, eye, mode, 16),
+                          whole = work_of(field, eye, mode, 240);
+        CHECK(low[SurfaceItem::begun] > 1.2 * usual[SurfaceItem::begun]);
+        CHECK(usual[SurfaceItem::begun] > whole[SurfaceItem::begun]);
         const double twice = mode == SurfaceMode::antialiased ? (1 + 2.0 / 4) / (1 + 2.0 / 16) : 1;
-        CHECK(low.samples == Approx(twice * usual.samples));
-        CHECK(low.outline == Approx(twice * usual.outline));
+        CHECK(samples_of(low) == Approx(twice * samples_of(usual)).epsilon(0.02));
+        CHECK((low[SurfaceItem::line] > usual[SurfaceItem::line]) == (mode == SurfaceMode::antialiased));
         for (const char* core : {"m4", "m0plus"})
             CHECK(surface_instructions(core, mode, low) > surface_instructions(core, mode, usual));
     }
@@ -100,14 +119,17 @@ TEST_CASE("see-through triangles cost more than the same ones opaque, and slow e
     const SeeThroughField opaque = opened();
     SeeThroughField half = opaque;
     half.patch_count = opaque.patch_count / 2;
+    const std::vector<uint8_t> palette(detail::format::kPaletteEntries * detail::format::see_through::kEntryBytes, 100);
     SeeThroughField glass = half;
+    glass.see_through_palette = palette.data();
     glass.see_through_count = static_cast<uint16_t>(opaque.patch_count - half.patch_count);
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {
-        const SurfaceLoad whole = load_of(opaque, eye, mode, 16), with_glass = load_of(glass, eye, mode, 16);
-        CHECK(with_glass.samples + with_glass.see_through.samples == Approx(whole.samples));
-        CHECK(with_glass.seen + with_glass.see_through.seen == Approx(whole.seen));
-        CHECK(with_glass.see_through.samples > 0);
+        const SurfaceWork whole = work_of(opaque, eye, mode, 16), with_glass = work_of(glass, eye, mode, 16);
+        const double of_glass = with_glass[SurfaceItem::see_sample] + with_glass[SurfaceItem::see_magnified_sample];
+        CHECK(of_glass > 0);
+        CHECK(samples_of(with_glass) + of_glass == Approx(samples_of(whole)));
+        CHECK(with_glass[SurfaceItem::listed] + with_glass[SurfaceItem::ordered] == whole[SurfaceItem::listed]);
         for (const char* core : {"m4", "m0plus"})
             CHECK(surface_instructions(core, mode, with_glass) > surface_instructions(core, mode, whole));
     }

@@ -56,13 +56,10 @@ std::string head_text(const FieldFile& file, const host::ScreenSize& screen)
     std::string text =
         formatted("%d x %d pixels of 16 bits in stripes of %d rows; frames a second of one core, modelled",
                   screen.width_px, screen.height_px, screen.stripe_rows());
-    constexpr int32_t kTileRows = 8;
     if (file.is_surface())
         text += formatted(", mean (worst) of %d poses", planner::kRatedPoses);
     else if (!planner::is_drawn_by_spans(file.field()))
         text += ", every pixel exact: spans refuse this field";
-    else if (screen.stripe_rows() % kTileRows != 0)
-        text += ", as if rows were a multiple of 8, at which spans are faster";
     return text + ":\n";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How fast parts draw a surface field: a model over what a view shows, of instructions that `lumi-lab bench` counted.
+// How fast parts draw a surface field: a model of instructions, fitted to what boards executed
+// (docs/log/cost-model.md).
 #pragma once
 
 #include <string>
@@ -7,20 +8,16 @@
 
 #include "lumi/host/view_memory.h"
 #include "planner/chips.h"
-#include "planner/surface_load.h"
+#include "planner/surface_work.h"
 
 namespace lumi::planner
 {
 
-// Instructions of a frame in RGB565 with the code of `core` ("m0plus", else M4 code). Fitted to 840 counts of
-// desk clocks of 30, 90 and 250 kB and test cards of 40 and 150 kB, 240 and 466 pixels a side, in stripes of 2 to 32
-// rows: within 10 % of 585 of them, 30 % in the worst; 9 % in the root mean square.
-// What the image cuts is unknown to the model: nearer than two radii counts are higher. What see-through triangles add
-// was fitted to 48 counts of four fields in stripes of 16 rows, without halvings: then within 18 % of the frame.
-double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceLoad& load);
+// Instructions of a frame in RGB565 with the code of `core` ("m0plus", "m4" or "m7").
+double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceWork& work);
 
 // Flash lines of so many bytes that a frame misses, about.
-double surface_misses(const SurfaceLoad& load, double line_bytes);
+double surface_misses(const SeeThroughField& field, const SurfaceWork& work, double line_bytes);
 
 // Frames a second by one core, over poses all around the sphere.
 struct PartRate {

@@ -11,6 +11,7 @@ namespace lumi::lab
 void add_bench(CLI::App& lab);
 void add_frames(CLI::App& lab);
 void add_parts(CLI::App& lab);
+void add_work(CLI::App& lab);
 void add_baselines(CLI::App& lab);
 void add_zoom(CLI::App& lab);
 void add_draw(CLI::App& lab);

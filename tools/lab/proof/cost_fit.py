@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""Fits instructions of kinds of work to counts: least squares of relative errors, the larger ones with more weight; no cost below zero."""
+import numpy as np
+
+
+def non_negative(matrix, target):
+    """The x >= 0 with the least |matrix x - target| (Lawson and Hanson, 1974)."""
+    rows, columns = matrix.shape
+    scale = np.sqrt((matrix ** 2).sum(0))
+    scale[scale == 0] = 1
+    a = matrix / scale
+    x, free = np.zeros(columns), np.zeros(columns, bool)
+    for _ in range(10 * columns):
+        gradient = a.T @ (target - a @ x)
+        gradient[free] = -np.inf
+        k = int(np.argmax(gradient))
+        if gradient[k] <= 1e-9:
+            break
+        free[k] = True
+        while True:
+            s = np.zeros(columns)
+            s[free] = np.linalg.lstsq(a[:, free], target, rcond=None)[0]
+            if (s[free] > 0).all():
+                x = s
+                break
+            down = free & (s <= 0)
+            step = np.min(x[down] / (x[down] - s[down] + 1e-30))
+            x = x + step * (s - x)
+            free &= x > 1e-12
+            x[~free] = 0
+    return x / scale
+
+
+# Where chord rows have large errors they get more weight, step by step, so that the worst error becomes small, too.
+STEPS, FLOOR = 3, 0.35
+
+
+def fitted(rows, names, counted, weight=lambda row: 1.0, steps=0):
+    """Costs of `names`, by rows' counts. `counted(row)`: instructions; errors are relative to the whole frame."""
+    matrix = np.array([[row["counts"][name] for name in names] for row in rows], float)
+    target = np.array([counted(row) for row in rows], float)
+    relative = np.array([1 / row["counted"] for row in rows])
+    weights = np.array([weight(row) for row in rows], float)
+    for _ in range(steps + 1):
+        scale = relative * weights
+        costs = non_negative(matrix * scale[:, None], target * scale)
+        errors = np.abs(matrix @ costs - target) * relative
+        weights *= np.sqrt(FLOOR + errors / max(errors.max(), 1e-12))
+        weights /= weights.mean()
+    return dict(zip(names, costs))
+
+
+def modelled(costs, counts):
+    return sum(cost * counts[name] for name, cost in costs.items())
+
+
+# What preparing a frame takes, by the parts of the bench's counts; all else is of the stripes.
+PREPARING = {"palette": ["frame"], "vertices": ["vertex"], "lists": ["patch", "listed", "bordered"],
+             "lights": ["lit", "cornered"], "order": ["see_frame", "see_patch", "ordered"]}
+UNUSED = ["sorted"]
+SETUP = ["image_px", "scanline", "band", "tile", "wide_tile", "narrow_tile", "missed_tile", "zone", "capped", "tile_line", "gap",
+         "span", "span_pixel", "lone", "checked", "checked_pixel", "pole_pixel"]
+INNER = ["tile", "wide_tile", "tile_line", "tile_pixel", "span", "span_pixel", "mixed", "mixed_line", "mixed_pixel", "lone_line", "steep_pixel",
+         "checked", "checked_pixel", "checked_row", "stretch", "checked_stretch", "pole_pixel", "row", "tap_rgb888", "tap_rgb565", "tap_palette8", "tap_luma8", "clear",
+         "half_clear"]
+HITS = ["image_px", "pixel"]
+LATTICE = ["pixel", "few_side", "few_point", "cap_side", "pole_side", "blend_side", "zone_step", "row", "tap_rgb888", "tap_rgb565",
+           "tap_palette8", "tap_luma8", "clear", "half_clear"]
+SURFACE_MODES = ["one-sample", "antialiased", "2x2"]
+EXACT_MODES = ["nearest", "linear", "paper"]
+CHORD_MODES = ["nearest", "voronoi", "dither", "linear", "paper"]
+TEXELS = ["rgb888", "rgb565", "palette8", "luma8"]
+
+
+def is_seen(row):
+    return not row["field"].startswith("unseen")
+
+
+def added(*costs):
+    names = {name for of in costs for name in of}
+    return {name: sum(of.get(name, 0) for of in costs) for name in names}
+
+
+def surface_costs(rows):
+    """Of rows of one core and mode."""
+    views = [row for row in rows if row["kind"] == "views"]
+    costs = {}
+    for part, names in PREPARING.items():
+        of = [row for row in views if part != "order" or row["counts"]["see_frame"]]
+        costs.update(fitted(of, names, lambda row: row["parts"][part]))
+    rest = [name for name in rows[0]["counts"] if name not in costs and name not in UNUSED]
+    costs.update(fitted(rows, rest, lambda row: row["counted"] - modelled(costs, row["counts"]),
+                        lambda row: 3 if row["kind"] == "views" else 1))
+    return costs
+
+
+def two_parts(rows, setup_rows, of_setup, of_rest):
+    setup = fitted(setup_rows, of_setup, lambda row: row["setup"])
+    return added(setup, fitted(rows, of_rest, lambda row: row["counted"] - modelled(setup, row["counts"]), steps=STEPS))
+
+
+def costs_of(surface, chord):
+    """By core: lists of costs, in the order of modes and texels."""
+    costs = {}
+    for core in dict.fromkeys(row["core"] for row in surface):
+        of_core = [row for row in surface if row["core"] == core and is_seen(row)]
+        chords = [row for row in chord if row["core"] == core and is_seen(row)]
+        spans = [row for row in chords if row["span"]]
+
+        def exact(mode):
+            of = [row for row in chords if row["mode"] == mode and not row["span"]]
+            return two_parts(of, of, HITS, LATTICE)
+
+        costs[core] = {
+            "surface": [surface_costs([row for row in of_core if row["mode"] == mode]) for mode in SURFACE_MODES],
+            "exact": [exact(mode) for mode in EXACT_MODES],
+            "spans": [[two_parts([row for row in spans if (row["mode"], row["texel"]) == (mode, texel)], spans, SETUP, INNER)
+                       for texel in TEXELS] for mode in CHORD_MODES]}
+    return costs
+
+
+def header(costs, surface_names, chord_names):
+    """The C++ header that holds them."""
+    def numbers(of, names):
+        return "{" + ", ".join(f"{of.get(name, 0):.4g}" for name in names) + "}"
+
+    def array(of, names):
+        return "{" + ",\n".join(array(part, names) for part in of) + "}" if isinstance(of, list) else numbers(of, names)
+
+    cores = list(costs)
+    names = ", ".join(f'"{core}"' for core in cores)
+    text = f'''// SPDX-License-Identifier: MIT
+// Written by `tools/lab/proof/cost_model.py --fit`: instructions of each kind of work, fitted to what boards executed.
+// By core, then by mode (and texel format), in the order of SurfaceItem and of ChordItem.
+#pragma once
+
+#include <string>
+
+#include "planner/chord_work.h"
+#include "planner/surface_work.h"
+
+namespace lumi::planner
+{{
+
+inline constexpr const char* kCountedCores[] = {{{names}}};
+
+// Of one of them.
+inline size_t cost_index(const std::string& core)
+{{
+    size_t k = 0;
+    while (core != kCountedCores[k]) ++k;
+    return k;
+}}
+
+// clang-format off
+'''
+    for title, size, part, items in (("kSurfaceCosts", "[3][kSurfaceItems]", "surface", surface_names),
+                                     ("kExactCosts", "[3][kChordItems]", "exact", chord_names),
+                                     ("kSpanCosts", "[5][4][kChordItems]", "spans", chord_names)):
+        text += f"inline constexpr double {title}[{len(cores)}]{size} = {array([costs[core][part] for core in cores], items)};\n\n"
+    return text + "// clang-format on\n\n}  // namespace lumi::planner\n"
