@@ -282,9 +282,12 @@ def samples(build, core, cxx):
     build.compile("zephyr's sample", sorted((core / "zephyr/samples").glob("*/src/*.cpp")),
                   [*M0, *flags, f"-I{ROOT / 'tests/platform/zephyr_double'}"],
                   ["-std=c++17", *COMMON[2:], "-Wall", "-Wextra", "-Werror"])
-    build.compile("esp-idf's example", sorted((core / "examples").glob("*/main/*.cpp")),
-                  [*ESP32_C3, *flags, f"-I{ROOT / 'tests/platform/esp_idf_double'}"], [*cxx, "-Wextra", "-Werror"],
-                  "riscv64-unknown-elf-")
+    esp_idf = [*ESP32_C3, *flags, f"-I{ROOT / 'tests/platform/esp_idf_double'}", f"-I{ROOT / 'platform/arduino/src'}"]
+    build.compile("esp-idf's example", sorted((core / "examples").glob("*/main/*.cpp")), esp_idf,
+                  [*cxx, "-Wextra", "-Werror"], "riscv64-unknown-elf-")
+    build.run("measure", [build.lumi, "embed", build.field, "-o", folder / "desk_clock.c"])
+    build.compile("esp-idf's measuring program", [ROOT / "platform/measure/esp_idf/main/main.cpp"], esp_idf,
+                  [*cxx, "-Wextra", "-Werror"], "riscv64-unknown-elf-")
 
 
 def sample_fields(build, archives, core):

@@ -73,6 +73,7 @@ TABLES = {
     "small chip": scripts.small_chip,
     "devices": scripts.devices,
     "board memory": scripts.board_memory,
+    "ram of examples": scripts.ram_of_examples,
     "baker adaptive": scripts.baker_adaptive,
     "baker footprint": scripts.baker_footprint,
     "baker convergence": scripts.baker_convergence,

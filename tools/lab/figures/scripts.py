@@ -215,6 +215,22 @@ def devices():
                      or_none(row.get("fps_with_misses")), row["counted_by"], row["same_bits"]])
 
 
+def ram_of_examples():
+    """RAM of each example, and of README's firmware, at commit 2118bb6 and now. The old page had kilobytes."""
+    def subject(row):
+        return row["source"], "SDK" in row["counted_by"]
+    data = load("devices")
+    now = {subject(row): row["ram_bytes"] / 1e3 for row in data["rows"] if "ram_bytes" in row}
+    now["README's firmware", False] = data["memory"][0]["ram_bytes"] / 1e3
+
+    def cells(row):
+        source, has_sdk = subject(row)
+        bytes_now = now[source, has_sdk]
+        return [f"`{source}`" + (", Pico SDK" if has_sdk else ""), f"{row['ram_kb']:.1f} kB", f"{bytes_now:.1f} kB",
+                f"{100 * (bytes_now / row['ram_kb'] - 1):+.0f} %"]
+    return table(["example", "before", "now", "change"], data["before"], cells)
+
+
 def board_memory():
     return table(["core", "RAM: view and stripe", "stack of `open`", "stack of `look` and `draw`"],
                  load("devices")["memory"],

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// The toolchain comes without a C library.
+#pragma once
+
+extern "C" int printf(const char* format, ...);
