@@ -63,6 +63,8 @@ TABLES = {
     "features absent": lambda: scripts.features("absent", "beside"),
     "extremes exact": lambda: scripts.extremes("exact"),
     "extremes spans": lambda: scripts.extremes("spans"),
+    "extremes surface": lambda: scripts.surface_extremes("surface"),
+    "extremes texture": lambda: scripts.surface_extremes("texture"),
     "cost model": costs.worst,
     "cost model surface": lambda: costs.errors("surface"),
     "cost model chord": lambda: costs.errors("chord"),

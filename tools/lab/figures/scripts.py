@@ -94,6 +94,15 @@ def extremes(part):
                  lambda row: [row["case"], row["pixels"], row[rim], *(both(row, name) for name in names)])
 
 
+def surface_extremes(part):
+    """Of each mode: root mean square, worst, and worst beside all that shows within a pixel."""
+    def cells(row):
+        modes = ["one-sample", "antialiased", "2x2"]
+        errors = [" · ".join(decimal(row[mode][name]) for name in ("rms", "worst", "beyond")) for mode in modes]
+        return [row["case"], row["2x2"]["pixels"], sum(row[mode][name] for mode in modes for name in ("missing", "added")), *errors]
+    return table(["case", "pixels", "holes, specks", "one-sample", "antialiased", "2x2"], load("extremes")[part], cells)
+
+
 def speed_steps(steps):
     return table(["step", "M4", "M0+"], load("speed")[steps],
                  lambda row: [row["step"], decimal(row["m4"]), decimal(row["m0plus"])])

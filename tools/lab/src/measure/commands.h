@@ -16,6 +16,7 @@ void add_baselines(CLI::App& lab);
 void add_zoom(CLI::App& lab);
 void add_draw(CLI::App& lab);
 void add_extremes(CLI::App& lab);
+void add_surface_extremes(CLI::App& lab);
 void add_outlines(CLI::App& lab);
 void add_levels(CLI::App& lab);
 void add_order(CLI::App& lab);

@@ -12,6 +12,7 @@
 #include "lumi/chord/render_spans_paper.h"
 #include "lumi/twin/weights.h"
 #include "measure/commands.h"
+#include "measure/extreme_views.h"
 #include "terminal/interrupt.h"
 
 namespace lumi::lab
@@ -26,8 +27,7 @@ using Points = std::vector<twin::Vec3>;
 constexpr int kSpan = 16;
 constexpr uint32_t kPaperPoints = 5;
 constexpr int32_t kRowsAView = 24, kPixelsARow = 10, kPixelsOfMany = 24;
-constexpr uint32_t kMany = 20000;       // points of which each look takes long
-constexpr uint32_t kDegree = 11930465;  // of 2^32 a turn
+constexpr uint32_t kMany = 20000;  // points of which each look takes long
 constexpr double kTurn = 4294967296.0;
 constexpr double kRim = 1.0 / 4096;  // the square of half a chord below which a ray counts as missing: chord/camera.h
 constexpr double kRimTolerance = 0.0001;  // of that square: so near to the rim either is right
@@ -78,11 +78,6 @@ struct Lattices {
     {
     }
     bool are_many() const { return std::max(origins.size(), directions.size()) > kMany; }
-};
-
-struct View {
-    Pose pose;
-    Image image;
 };
 
 // Where a pixel's ray meets the unit sphere.
@@ -311,45 +306,6 @@ struct Case {
     std::vector<std::array<uint32_t, 2>> lattices;
     Content content = Content::random;
 };
-
-int32_t radii_q20(double r)
-{
-    return static_cast<int32_t>(std::lround(r * kOneQ20));
-}
-
-Pose from(double azimuth_deg, double elevation_deg, double distance)
-{
-    const auto turns = [](double degrees) { return static_cast<int64_t>(degrees / 360 * kTurn); };
-    return detail::orbit(static_cast<uint32_t>(turns(azimuth_deg)), static_cast<int32_t>(turns(elevation_deg)),
-                         radii_q20(distance));
-}
-
-Pose rolled(const Pose& pose, double degrees)
-{
-    const double c = std::cos(degrees * twin::kPi / 180), s = std::sin(degrees * twin::kPi / 180);
-    const twin::Vec3 right = twin::decoded(pose.right), up = twin::decoded(pose.up);
-    return {pose.eye, twin::encoded(c * right + s * up), twin::encoded(c * up - s * right), pose.forward};
-}
-
-constexpr Image kUsual = {96, 96, 40 * kDegree};
-
-// From all around at a distance.
-std::vector<View> around(double distance, const Image& image = kUsual)
-{
-    std::vector<View> views;
-    for (const double elevation : {-75.0, -20.0, 10.0, 50.0})
-        views.push_back({from(3 * elevation + 137, elevation, distance), image});
-    return views;
-}
-
-std::vector<View> stereo()
-{
-    Image shifted = kUsual;
-    shifted.shift_x_q8 = 30 * 256 + 77;
-    shifted.shift_y_q8 = -20 * 256;
-    const Pose pose = from(30, 20, 1.6);
-    return {{moved_right(pose, radii_q20(-0.2)), kUsual}, {moved_right(pose, radii_q20(0.2)), kUsual}, {pose, shifted}};
-}
 
 std::vector<std::array<uint32_t, 2>> from_to(uint32_t first, uint32_t last, uint32_t step)
 {
