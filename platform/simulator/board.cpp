@@ -30,6 +30,18 @@ lumi::Orbit current;
     std::exit(1);
 }
 
+// A round panel has no pixels outside of the disc that its square holds; here they are grey.
+void cut_to_disc()
+{
+    constexpr lumi::Rgb8 kBezel = {32, 32, 32};
+    for (int y = 0; y < kSidePx; ++y)
+        for (int x = 0; x < kSidePx; ++x) {
+            const int right = 2 * x + 1 - kSidePx, down = 2 * y + 1 - kSidePx;  // of the centre, in half pixels
+            if (right * right + down * down > kSidePx * kSidePx)
+                PixelRgb565Swapped::store(display + 2 * (y * kSidePx + x), kBezel);
+        }
+}
+
 void write_frame()
 {
     static uint8_t rgb[kSidePx * kSidePx * 3];
@@ -67,6 +79,7 @@ bool turn()
 bool end_frame()
 {
     if (sent != kDisplayBytes) fail("a frame has " + std::to_string(sent) + " bytes");
+    if (options.is_round) cut_to_disc();
     if (!options.folder.empty()) write_frame();
     if (options.window) show_frame();
     return turn();

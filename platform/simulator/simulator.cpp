@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip NAME]
+// lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip NAME] [--mask round]
 // Runs the Pico's program on this machine. The mouse turns the object, its wheel zooms, Escape ends.
 //   --frames FOLDER  writes what the display shows, FOLDER/frame-0.bmp and on; without --drag it opens no window
 //   --drag X,Y       drags the mouse by so many pixels after the first frame, draws, and ends
 //   --rate FPS       waits as long between frames as a chip of that rate would draw
 //   --chip NAME      the same at the rate that `lumi inspect --screen` models for the field: rp2040, rp2350, stm32f4,
 //   ...
+//   --mask round     shows a round panel: pixels outside of its disc are grey
 #include "simulator.h"
 
 #include <cstdio>
@@ -35,6 +36,10 @@ bool parse(const char* name, const char* value)
         options.window = true;
         return std::sscanf(value, "%d,%d", &options.drag_x, &options.drag_y) == 2;
     }
+    if (std::strcmp(name, "--mask") == 0) {
+        options.is_round = true;
+        return std::strcmp(value, "round") == 0;
+    }
     const bool is_chip = std::strcmp(name, "--chip") == 0;
     if (!is_chip && std::strcmp(name, "--rate") != 0) return false;
     options.rate = is_chip ? rate_of(value) : std::atof(value);
@@ -48,8 +53,10 @@ int main(int count, char** arguments)
 {
     for (int k = 1; k < count; k += 2) {
         if (k + 1 < count && simulator::parse(arguments[k], arguments[k + 1])) continue;
-        std::fprintf(stderr, "lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip %s]; not \"%s %s\"\n",
-                     simulator::chip_names().c_str(), arguments[k], k + 1 < count ? arguments[k + 1] : "");
+        std::fprintf(
+            stderr,
+            "lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip %s] [--mask round]; not \"%s %s\"\n",
+            simulator::chip_names().c_str(), arguments[k], k + 1 < count ? arguments[k + 1] : "");
         return 2;
     }
     return firmware_main();

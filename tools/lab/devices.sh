@@ -7,9 +7,9 @@
 # nothing was left out but LVGL, the Pico SDK, TFT_eSPI and LovyanGFX, of which it says so.
 #   --docs          writes the table and the pictures of docs/boards.md
 #   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay, lvgl,
-#                   pico_sdk, tft_espi, lovyangfx, table (of what was run last)
+#                   pico_sdk, pico_measure, tft_espi, lovyangfx, table (of what was run last)
 #   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out
-#   --pico-sdk PATH the Pico SDK: platform/pico_st7789 is built against it, too, and run
+#   --pico-sdk PATH the Pico SDK: platform/pico_st7789 is built against it, too, and run, and so is platform/measure/pico
 #   --tft-espi PATH, --lovyangfx PATH  these libraries for Arduino: their headers take the calls of our sketches
 #   --built         `lumi` and the tests' programs are built already, in build/release
 #   --may-skip      ends with 77 where an emulator is missing
@@ -23,7 +23,7 @@ source "$root/tools/lab/devices/table.sh"
 devices=$root/build/devices
 lumi=$root/build/release/tools/lumi
 field=$devices/desk_clock.lumi
-declare -A sources_of=([pico_sdk]=pico_st7789)  # where the folder has another name
+declare -A sources_of=([pico_sdk]=pico_st7789 [pico_measure]=measure/pico)  # where the folder has another name
 examples=(riscv lm3s_oled gba pico_st7789 simulator overlay)
 lvgl='' pico_sdk='' tft_espi='' lovyangfx='' only='' built='' may_skip='' docs=''
 frames=2
@@ -45,7 +45,7 @@ parse_arguments() {
     esac
     shift
   done
-  if [[ -n $only && " field table lvgl pico_sdk tft_espi lovyangfx ${examples[*]} " != *" $only "* ]]; then
+  if [[ -n $only && " field table lvgl pico_sdk pico_measure tft_espi lovyangfx ${examples[*]} " != *" $only "* ]]; then
     wrong_call "no example is called '$only'"
   fi
 }
@@ -194,6 +194,18 @@ run_pico_sdk() {
   run_pico pico_sdk two_cores two_cores "the same; Pico SDK $(pico_sdk_version), core 1 modelled"
 }
 
+# The program that measures a real board, which here tells what the emulator takes.
+run_pico_measure() {
+  [[ -n $pico_sdk ]] || die "name the Pico SDK: --pico-sdk PATH"
+  require_rp2040js pico_measure
+  local folder=$devices/pico_measure
+  build pico_measure host -DPICO_SDK_PATH="$pico_sdk" -DPICO_NO_PICOTOOL=ON -DFIELD="$field"
+  NODE_PATH=$npm_folder/node_modules node "$root/tools/lab/devices/pico/run.cjs" "$folder/build/lumi_measure.bin" "$folder" \
+    --flash-misses --json 2 >"$folder/log"
+  "$lumi" inspect "$field" --screen 240x240 --for rp2040 --json |
+    python3 -B "$root/tools/lab/devices/measured.py" "$folder/log" | tee "$folder/measured"
+}
+
 pico_sdk_version() {
   sed --quiet 's/^ *set(PICO_SDK_VERSION_\(MAJOR\|MINOR\|REVISION\) \([0-9]*\))/\2/p' "$pico_sdk/pico_sdk_version.cmake" |
     paste --serial --delimiters=.
@@ -203,6 +215,16 @@ pico_sdk_version() {
 require_simulator() {
   require "$1" c++ pkg-config
   pkg-config --exists sdl2 || require "$1" sdl2
+}
+
+# A round panel differs in the pixels outside of its disc, which are black without the mask, and in no others.
+check_round_mask() {
+  local outside
+  mkdir -p "$1/round"
+  "$1/build/lumi_simulator" --frames "$1/round" --mask round
+  outside=$(awk 'BEGIN { for (x = -239; x < 240; x += 2) for (y = -239; y < 240; y += 2) n += x * x + y * y > 240 * 240; print n }')
+  [[ $(cmp --verbose "$1/frame-0.bmp" "$1/round/frame-0.bmp" | wc -l) == $((3 * outside)) ]] ||
+    die "simulator: --mask round does not show a disc"
 }
 
 run_simulator() {
@@ -216,6 +238,7 @@ run_simulator() {
   "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
   python3 -B "$root/tools/lab/devices/picture.py" bmp 240x240 "$folder/dragged/frame-1.bmp" \
     --same-as "$folder/expected-dragged.png" png
+  check_round_mask "$folder"
   mkdir -p "$folder/threads"
   "$folder/build/lumi_simulator_two_cores" --frames "$folder/threads"
   for ((frame = 0; frame < frames; ++frame)); do
@@ -325,7 +348,7 @@ main() {
       bake_field
       rm -f "$devices"/{lvgl,pico_sdk}/row
       [[ -z $lvgl ]] || examples+=(lvgl)
-      [[ -z $pico_sdk ]] || examples+=(pico_sdk)
+      [[ -z $pico_sdk ]] || examples+=(pico_sdk pico_measure)
       [[ -z $tft_espi ]] || examples+=(tft_espi)
       [[ -z $lovyangfx ]] || examples+=(lovyangfx)
       for example in "${examples[@]}"; do run_step "$example" run_example "$example"; done

@@ -76,6 +76,7 @@ TABLES = {
     "devices": scripts.devices,
     "board memory": scripts.board_memory,
     "ram of examples": scripts.ram_of_examples,
+    "emulated rates": scripts.emulated_rates,
     "baker adaptive": scripts.baker_adaptive,
     "baker footprint": scripts.baker_footprint,
     "baker convergence": scripts.baker_convergence,

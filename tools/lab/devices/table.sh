@@ -55,6 +55,7 @@ print_rows() {
 
 write_docs() {
   put devices rows <"$devices/rows"
+  [[ -z $pico_sdk ]] || put measured emulated <"$devices/pico_measure/measured"
   for example in gba lm3s_oled overlay pico_st7789 lvgl; do
     [[ ! -f $devices/$example/frame-0.png ]] || cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
   done

@@ -224,6 +224,19 @@ def devices():
                      or_none(row.get("fps_with_misses")), row["counted_by"], row["same_bits"]])
 
 
+def emulated_rates():
+    """What the measuring program says on an emulator, and the model's rate of an RP2040 at its usual clock."""
+    usual_mhz = next(part["clock_mhz"] for part in load("tradeoff")["parts"] if part["key"] == "rp2040")
+
+    def cells(row):
+        modelled = row["modelled_frames_a_second"] * row["clock_mhz"] / usual_mhz
+        return [row["mode"], f"{row['width']}×{row['height']}", row["clock_mhz"], decimal(modelled),
+                decimal(row["frames_a_second"]), f"{100 * (row['frames_a_second'] / modelled - 1):+.0f} %",
+                decimal(row["cycles_a_pixel"])]
+    return table(["mode", "screen", "MHz", "modelled frames a second", "on the emulator", "difference", "cycles a pixel"],
+                 load("measured")["emulated"], cells)
+
+
 def ram_of_examples():
     """RAM of each example, and of README's firmware, at commit 2118bb6 and now. The old page had kilobytes."""
     def subject(row):

@@ -1,11 +1,11 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: MIT
-// run.cjs PROGRAM.bin FOLDER [--flash-misses]
+// run.cjs PROGRAM.bin FOLDER [--flash-misses] [--json LINES]
 // Runs platform/pico_st7789 in rp2040js, an emulator of the RP2040 in JavaScript, from the second stage of its boot on.
 // What the emulator lacks lies beside this file: the second core, the boot ROM's functions, and the display behind SPI0.
 // Prints the lines of UART0 and writes what the panel shows at each that says "frame ...", FOLDER/frame-0.raw, ...,
 // 240 x 240 pixels of 16 bits, high byte first. --flash-misses adds the flash's cache. Ends with the program's "exit"
-// code, or 1 after 20 seconds of the board's time.
+// code, with 0 after so many lines of JSON, which it prints, or with 1 after 20 seconds of the board's time.
 'use strict';
 const fs = require('fs');
 const path = require('path');
@@ -49,11 +49,13 @@ function boot(chip, program) {
 }
 
 function main() {
-  const [file, folder, option] = process.argv.slice(2);
-  if (!folder || (option && option !== '--flash-misses')) {
-    console.error('run.cjs PROGRAM.bin FOLDER [--flash-misses]');
+  const [file, folder, ...options] = process.argv.slice(2);
+  const json = options.indexOf('--json'), wanted = json < 0 ? 0 : Number(options.splice(json, 2)[1]);
+  if (!folder || Number.isNaN(wanted) || options.some((option) => option !== '--flash-misses')) {
+    console.error('run.cjs PROGRAM.bin FOLDER [--flash-misses] [--json LINES]');
     process.exit(2);
   }
+  const hasMisses = options.length > 0;
   const chip = new RP2040(), clock = chip.clock, cache = new FlashCache(chip, kHz);
   chip.logger = { debug() {}, info() {}, warn() {}, error(name, text) { console.error(`${name}: ${text}`); } };
   if (!fs.existsSync(file)) {
@@ -62,7 +64,7 @@ function main() {
   }
   addBootRom(chip);
   boot(chip, fs.readFileSync(file));
-  if (option) cache.watch(chip);
+  if (hasMisses) cache.watch(chip);
 
   const panel = new St7789(() => chip.gpio[20].outputValue);
   const spi = chip.spi[0];
@@ -76,14 +78,18 @@ function main() {
     sent.schedule(8e9 / spi.clockFrequency);
   };
 
-  let line = '', code, missesBefore = 0;
+  let line = '', code, missesBefore = 0, told = 0;
   chip.uart[0].onByte = (value) => {
     if (value !== 10) return void (line += String.fromCharCode(value));
     const words = line.split(' ');
+    if (line[0] === '{' && wanted) {
+      console.log(line);
+      if (++told === wanted) code = 0;
+    }
     if (words[0] === 'exit') code = Number(words[1]);
     if (words[0] === 'frame') {
       fs.writeFileSync(path.join(folder, `frame-${words[1]}.raw`), panel.picture());
-      console.log(line + (option ? ` misses ${cache.misses - missesBefore}` : ''));
+      console.log(line + (hasMisses ? ` misses ${cache.misses - missesBefore}` : ''));
       missesBefore = cache.misses;
     }
     line = '';
