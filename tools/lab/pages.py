@@ -20,7 +20,7 @@ import json
 import re
 import sys
 
-from figures import costs, materials, paper, quality, scripts, sweep, tradeoff
+from figures import costs, materials, paper, quality, scripts, sweep, trade, tradeoff
 from figures.table import ROOT, Table, save, shown
 
 TABLES = {
@@ -68,6 +68,10 @@ TABLES = {
     "cost model": costs.worst,
     "cost model surface": lambda: costs.errors("surface"),
     "cost model chord": lambda: costs.errors("chord"),
+    **{f"trade {scene}": (lambda scene=scene: trade.front(scene)) for scene in ("clock", "bottle", "volume")},
+    "trade modes": trade.modes,
+    "trade scenes": trade.scenes,
+    "trade choices": trade.choices,
     "volumes": scripts.volumes,
     "volume choices": scripts.volume_choices,
     "filter": scripts.filters,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Quality for the flash: what tools/lab/bench_quality.sh and tools/lab/quality_table.sh measured."""
+"""Quality for the flash: what tools/lab/bench_quality.sh and tools/lab/proof/trade.py measured."""
 import json
 import pathlib
 
@@ -76,17 +76,28 @@ def low_rows():
 CHIPS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3", "stm32f4": "STM32F407", "stm32h7": "STM32H743"}
 
 
+def clock_rows(mode_of):
+    """Of the desk clock in `lumi report`, without its smallest fields; `mode_of` says by layout which mode."""
+    least = {"surface": 100_000, "chord": 500_000}
+    return [row for row in load("trade")["rows"]
+            if row["scene"] == "clock" and row["mode"] == mode_of[row["layout"]] and row["flash_bytes"] > least[row["layout"]]]
+
+
 def first_table():
     """What a visitor asks first: how large, how like the truth, how fast; surface fields, antialiased."""
     return Table(["flash", "likeness", *CHIPS.values()],
-                 [[byte_text(row["flash_bytes"], 1), f"{decimal(row['fast']['psnr_db'])} dB",
-                   *(whole(row["frames_per_second"][chip]) for chip in CHIPS)]
-                  for row in load("readme_quality")["rows"] if "frames_per_second" in row])
+                 [[byte_text(row["flash_bytes"], 1), f"{decimal(row['psnr_db'])} dB",
+                   *(whole(row["parts"][chip][0]) for chip in CHIPS)]
+                  for row in clock_rows({"surface": "antialiased", "chord": None})])
 
 
 def readme_table():
-    def text(mode):
-        return f"{decimal(mode['psnr_db'])} dB / {decimal(mode['ssim'], 3)}"
+    fast = clock_rows({"surface": "antialiased", "chord": "nearest, S = 16"})
+    good = {row["field"]: row for row in clock_rows({"surface": "2x2", "chord": "linear, S = 8"})}
+
+    def text(row):
+        return f"{decimal(row['psnr_db'])} dB / {decimal(row['ssim'], 3)}"
     return Table(["field", "flash", "antialiased; nearest", "2×2; linear"],
-                 [[row["field"], f"{row['flash_bytes'] / 1e6:.2f} MB", text(row["fast"]), text(row["good"])]
-                  for row in load("readme_quality")["rows"]])
+                 [[row["field"].replace("-", ", ").replace("kB", " kB").replace("MB", " MB"),
+                   f"{row['flash_bytes'] / 1e6:.2f} MB", text(row), text(good[row["field"]])] for row in fast])
+

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""Speed against accuracy of scenes, as `lumi report --for` measured it (tools/lab/proof/trade.py)."""
+from .table import NONE, Table, byte_text, decimal, load
+
+PARTS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3*", "stm32f4": "STM32F407", "stm32h7": "STM32H743",
+         "nrf52840": "nRF52840", "stm32u5": "STM32U585", "esp32c3": "ESP32-C3*"}
+SHOWN = ["rp2040", "rp2350", "esp32s3", "stm32f4", "stm32h7"]
+
+
+def rate(of, part):
+    fps, worst, fits, on_front = of[part]
+    if not fits:
+        return NONE
+    text = decimal(fps) if fps < 10 else decimal(fps, 0)
+    return f"**{text}**" if on_front else text
+
+
+def is_on_front(row, parts=PARTS):
+    return any(row["parts"][part][3] for part in parts if part in row["parts"])
+
+
+def what(row):
+    return f"{row['field'].replace('-', ', ', 1).replace('kB', ' kB').replace('MB', ' MB')}, {row['mode']}"
+
+
+def front(scene):
+    """The rows of a scene that no other one beats on a part, the most accurate first."""
+    rows = [row for row in load("trade")["rows"] if row["scene"] == scene and is_on_front(row, SHOWN)]
+    rows.sort(key=lambda row: -row["psnr_db"])
+    return Table(["field and mode", "flash", "RAM, kB", "dB", *(PARTS[part] for part in SHOWN)],
+                 [[what(row), byte_text(row["flash_bytes"]), decimal(row["ram_bytes"] / 1e3, 0), decimal(row["psnr_db"]),
+                   *(rate(row["parts"], part) for part in SHOWN)] for row in rows])
+
+
+def modes():
+    """On how many parts a mode stands on the front, by scene, and by how much it is beaten."""
+    data = load("trade")
+    scenes = [scene["scene"] for scene in data["scenes"]]
+    names = dict.fromkeys((row["layout"], row["mode"]) for row in data["rows"])
+
+    def count(name, scene):
+        rows = [row for row in data["rows"] if (row["layout"], row["mode"]) == name and row["scene"] == scene]
+        if not rows:
+            return NONE
+        on = {part for row in rows for part, of in row["parts"].items() if of[3]}
+        return str(len(on))
+
+    return Table(["layout", "mode", *scenes], [[*name, *(count(name, scene) for scene in scenes)] for name in names])
+
+
+def scenes():
+    data = load("trade")
+    return Table(["scene", "what it is", "views", "light paths a pixel of references", "report"],
+                 [[scene["scene"], scene["title"], scene["views"], scene["reference_samples"],
+                   "--quick" if scene["quick"] else "whole"] for scene in data["scenes"]])
+
+
+def choices():
+    """What the report recommends at the pace that it takes by default."""
+    rows = [[row["scene"], PARTS[row["part"]], f"{row['field'].split('-')[0]}, {row['field'].split('-')[1].replace('kB', ' kB').replace('MB', ' MB')}",
+             row["mode"], "yes" if row["keeps_pace"] else "no"] for row in load("trade")["parts"]]
+    return Table(["scene", "part", "field", "mode", "reaches 10 frames a second"], rows)
