@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""libraries.py PROGRAM
+"""libraries.py PROGRAM [--filter]
 
-Prints the Debian packages of the shared objects that a program loads on this machine, with their licences, as rows of
-JSON: `tools/lab/pages.py put licences rows` takes them."""
+Prints the Debian packages of the shared objects that a program and its modules load on this machine, with their licences,
+as rows of JSON: `tools/lab/pages.py put licences rows` takes them. --filter: those that its module for training alone
+loads, for `put licences filter`."""
 import json
 import pathlib
 import re
@@ -35,12 +36,13 @@ def package_of(file):
 
 
 MODULES = ["lumi_openvdb.so"]  # beside a program, which loads them when they are needed
+FILTER = "lumi_filter.so"  # the same, where libtorch was there for the build; no part of a release
 
 
-def packages_of(program):
-    """{package: names of the objects of it that `program` and its modules load}"""
-    modules = [path for path in (pathlib.Path(program).parent / name for name in MODULES) if path.exists()]
-    objects = {name: file for part in [program, *modules] for name, file in loaded_by(part).items()}
+def packages_of(program, modules=MODULES):
+    """{package: names of the objects of it that `program` and those of its modules that are there load}"""
+    paths = [path for path in (pathlib.Path(program).parent / name for name in modules) if path.exists()]
+    objects = {name: file for part in [program, *paths] for name, file in loaded_by(part).items()}
     packages = {}
     for name, file in sorted(objects.items()):
         packages.setdefault(package_of(file), []).append(name)
@@ -60,14 +62,24 @@ def licences_of(package):
     return main, sorted({licence for _, licence in of_files}, key=str.lower)
 
 
-def rows(program):
-    """What the page of licences shows: a row a package."""
-    return [{"package": name, "objects": objects, "licence": licences_of(name)[0]}
-            for name, objects in sorted(packages_of(program).items())]
+def rows(program, only_filter):
+    """What the page of licences shows: a row a package, and which of the program's files load it."""
+    parts = {path.name: loaded_by(path) for path in
+             [pathlib.Path(program), *(pathlib.Path(program).parent / name for name in [*MODULES, FILTER])]}
+    others = packages_of(program)
+    listed = others if not only_filter else {name: objects for name, objects in packages_of(program, [FILTER]).items()
+                                             if name not in others}
+    return [{"package": name, "objects": objects, "licence": licences_of(name)[0],
+             "by": [part for part, loaded in parts.items() if set(objects) & set(loaded)]}
+            for name, objects in sorted(listed.items())]
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) != 2 and sys.argv[2:] != ["--filter"]:
         sys.exit(__doc__)
-    for row in rows(sys.argv[1]):
+    missing = [name for name in [*MODULES, FILTER] if not (pathlib.Path(sys.argv[1]).parent / name).exists()]
+    if missing:
+        sys.exit(f"libraries.py: {', '.join(missing)} is not beside {sys.argv[1]}: install libopenvdb-dev and libtorch-dev, and "
+                 "build anew")
+    for row in rows(sys.argv[1], sys.argv[2:] == ["--filter"]):
         print(json.dumps(row))

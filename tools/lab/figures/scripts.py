@@ -62,9 +62,9 @@ def model_sheet():
                               "<br>".join(row["said"]).replace("|", "\\|")])
 
 
-def licences():
-    return table(["package", "loaded", "licence of most files"], load("licences")["rows"], lambda row: [
-        row["package"], ", ".join(row["objects"]), row["licence"]])
+def licences(part):
+    return table(["package", "loaded", "licence of most files", "loaded by"], load("licences")[part], lambda row: [
+        row["package"], ", ".join(row["objects"]), row["licence"], ", ".join(f"`{name}`" for name in row["by"])])
 
 
 def features(part, left_out):
