@@ -91,6 +91,30 @@ TEST_CASE("a half that does not run leaves a wrong picture and the next frame as
     }
 }
 
+TEST_CASE("the first half places the first vertices, which its patches begin with, and the second one the others")
+{
+    const OpenedSurface sheet(surface_file(wavy_sheet()));
+    constexpr int32_t kHeight = 96;
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(pose_of(kOrbit), {kHeight, kHeight, lumi::degrees(50), 0, 0}, camera) ==
+            CameraError::none);
+    const uint32_t count = sheet.field().vertex_count, middle = count / 2;
+    for (uint32_t half = 0; half < 2; ++half) {
+        auto memory = memory_for(sheet.field(), kHeight, 4);
+        constexpr uint32_t kOld = 0xA5A5A5A5;
+        for (SurfaceVertex& v : memory.vertices) v.colour = kOld;
+        std::vector<uint16_t> bands(memory.bands.size());
+        SurfaceHalves halves{};
+        halves.bands = bands.data();
+        REQUIRE(begin_halves(sheet.field(), camera, SurfaceMode::one_sample, memory.memory, memory.frame, halves));
+        run_half(halves, kPlaceVertices, half);
+        for (uint32_t k = 0; k < count; ++k) {
+            INFO("half " << half << ", vertex " << k << " of " << count);
+            REQUIRE((memory.vertices[k].colour != kOld) == (k < middle ? half == 0 : half == 1));
+        }
+    }
+}
+
 TEST_CASE("a step that does not exist prepares nothing")
 {
     static HalvedView view;
