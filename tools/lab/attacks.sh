@@ -30,6 +30,7 @@ weights of a filter: every truncation, every byte|nothing|tools\.weights (that a
 picture of 38 bytes (16-bit PNM); TGA of 18 bytes that claims 23,000²|read beyond the heap; 3.6 GB, 42 s|baker\.picture file: (other formats|sizes are checked)
 PNG, JPEG, HDR, EXR: every truncation|`.hdr` never ended|baker\.(picture file: every truncation|sky picture: every truncation)
 EXR of 430 bytes (fuzzing); sparse PNG of 6 GB|gigabytes; read whole|fuzz\.picture|baker\.picture file: a sparse file
+EXR of 25 bytes whose header claims a part of 1.9 GB (at f3e3b91)|took the memory before it refused|baker\.sky picture: an EXR header
 volume of a few bytes that claims 10^12 voxels; NIfTI cut short|nothing|baker\.(every truncation is refused, packed|a small file that claims)|fuzz\.nifti
 OBJ, MTL, scene files, damaged at random and cut short|nothing|baker\.(mutation|obj: every truncation)|fuzz\.(obj|scene)
 library named 2,000 times; 100,000 materials|4 minutes; 3 minutes|baker\.obj: (a library is read once|of many materials)

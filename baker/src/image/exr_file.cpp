@@ -32,16 +32,33 @@ public:
             throw std::runtime_error("it ends too early");
         std::memcpy(out, bytes_.data() + position_, size);
         position_ += size;
+        check_size(out, size);
         return position_ < bytes_.size();
     }
     int64_t size() const { return static_cast<int64_t>(bytes_.size()); }
     uint64_t tellg() override { return position_; }
-    void seekg(uint64_t position) override { position_ = position; }
+    void seekg(uint64_t position) override
+    {
+        position_ = position;
+        is_behind_name_ = false;
+    }
     void clear() override {}
 
 private:
+    // Names are read byte by byte. A number behind one is the size of a part of the header, for which OpenEXR takes
+    // memory before it reads it, or the type of a channel, which is small.
+    void check_size(const char read[], uint64_t count)
+    {
+        uint32_t number = 0;
+        for (size_t k = 0; k < 4 && count == 4; ++k) number |= uint32_t{static_cast<uint8_t>(read[k])} << (8 * k);
+        if (is_behind_name_ && number > bytes_.size() - position_)
+            throw std::runtime_error("a part of its header is longer than the file");
+        is_behind_name_ = count == 1 && read[0] == 0;
+    }
+
     const std::string& bytes_;
     uint64_t position_ = 0;
+    bool is_behind_name_ = false;
 };
 
 // A file that OpenEXR writes into memory.

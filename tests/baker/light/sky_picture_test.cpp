@@ -119,6 +119,16 @@ TEST_CASE("sky picture: an EXR file is read, numbers that are none are named and
     CHECK_THAT(warnings[0], Catch::Contains("e.exr: 1 pixel(s)") && Catch::Contains("column 2, row 1"));
 }
 
+TEST_CASE("sky picture: an EXR header that claims a part longer than the file is refused before memory is taken")
+{
+    const testing::ScratchFolder folder;
+    const auto file = folder.write(
+        "e.exr", std::string("\x76\x2f\x31\x01\x02\0\0\0", 8) + "note" + '\0' + "of mine" + '\0' + "\xF0\xFF\xFF\x6F");
+    std::vector<std::string> warnings;
+    CHECK_THROWS_WITH(read_radiance_picture(file, warnings),
+                      Catch::Contains("a part of its header is longer than the file"));
+}
+
 TEST_CASE("sky picture: every truncation of an EXR and an HDR file is refused or read, never a crash")
 {
     const testing::ScratchFolder folder;
