@@ -22,6 +22,7 @@ generated fields whose numbers are at their limits (at 2118bb6)|signed overflow|
 spans, axes, sides, shifts and counts one beyond their limits (at 989714f)|any number was taken as a span|core\.(a span that no|both_layouts\.of all numbers, only|every component of an axis|an image's sides|counts of surface)
 every option: nan, inf, an empty word, 10^9, a line break (at 2118bb6)|`nan` passed every range; seeds were cut|tools\.no option takes
 FIFOs, links to nowhere and to themselves (at 2118bb6)|Ctrl-C was swallowed; links were replaced|tools\.(an output follows a link|Ctrl-C ends a command that waits)
+pose, weights and cache: a device without an end, a link to itself (at f3e3b91)|filled the memory; no remedy|tools\.(a pose from a device|weights from a device|a cache behind)
 `ulimit -f` (at 2118bb6)|killed without a word|tools\.(a limit of the size|a bake over the limit)
 field: every truncation, every single-byte change|nothing|core\.(every truncation and one|every single-byte change)
 surface field whose sliver takes depths for an outline's mark (fuzzing)|read beside the stripe's samples|fuzz\.field

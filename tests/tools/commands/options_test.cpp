@@ -150,6 +150,20 @@ TEST_CASE("an output follows a link that leads nowhere yet, and refuses one that
     }
 }
 
+TEST_CASE("a cache behind a link to itself is named, with what to do")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "s.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string circle = folder / "circle";
+    std::filesystem::create_symlink("circle", circle);
+    const Outcome outcome =
+        lumi({"report", folder / "s.obj", "--for", "rp2040", "--cache", circle, "-o", folder / "r.html"});
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err,
+               Catch::Contains("lumi: " + circle + "/") && Catch::Contains("symbolic links); check the path"));
+}
+
 TEST_CASE("Ctrl-C ends a command that waits for a pipe's other end")
 {
     const test::TemporaryFolder folder;

@@ -85,6 +85,11 @@ TEST_CASE("a pose file that is no rigid matrix is refused with the line or the m
     CHECK_THROWS_WITH(read_matrix(folder / "none"), Catch::Contains("cannot be read"));
 }
 
+TEST_CASE("a pose from a device that has no end is refused")
+{
+    CHECK_THROWS_WITH(read_matrix("/dev/zero"), Catch::Contains("/dev/zero: is longer than any 16 numbers; give"));
+}
+
 TEST_CASE("a pose draws what its orbit draws, and --over shows the photograph where nothing covers")
 {
     const test::TemporaryFolder folder;

@@ -81,6 +81,12 @@ TEST_CASE("weights that are cut short or too long are refused")
     CHECK(accepted == 0);
 }
 
+TEST_CASE("weights from a device that has no end are refused")
+{
+    CHECK_THROWS_WITH(read_weights("/dev/zero"),
+                      Catch::Contains("/dev/zero: is larger than any weights of a filter; "));
+}
+
 TEST_CASE("weights with any byte changed are refused")
 {
     const std::string idle = encode(idle_weights());

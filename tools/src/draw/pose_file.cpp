@@ -19,6 +19,7 @@ namespace
 using Vec = std::array<double, 3>;
 
 constexpr double kRigidTolerance = 1e-3;  // error of a product of two axes: the numbers have four digits
+constexpr std::streamsize kMostBytes = 1 << 16;
 constexpr const char* kWanted = "give 16 numbers, row by row: right, up, back and eye as columns, then 0 0 0 1";
 
 double dot(const Vec& a, const Vec& b)
@@ -90,10 +91,14 @@ Matrix4 read_matrix(const std::string& path)
     const LeaveAtOnce reading;
     std::ifstream file(path);
     require(file.good(), path, "cannot be read", kWanted);
+    std::string text(kMostBytes, '\0');  // a device may have no end
+    text.resize(static_cast<size_t>(file.read(text.data(), kMostBytes).gcount()));
+    require(text.size() < kMostBytes, path, "is longer than any 16 numbers", kWanted);
     Matrix4 matrix{};
     size_t count = 0;
+    std::istringstream lines(text);
     std::string line, word;
-    for (int number = 1; std::getline(file, line) && count <= matrix.size(); ++number)
+    for (int number = 1; std::getline(lines, line) && count <= matrix.size(); ++number)
         for (std::istringstream words(without_separators(line)); words >> word; ++count) {
             const double value = number_of(word, path, number);
             if (count < matrix.size()) matrix[count] = value;

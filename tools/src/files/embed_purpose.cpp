@@ -61,6 +61,9 @@ std::string embed_purpose(const std::string& field, const std::string& symbol, E
 
 void require_same_purpose(const std::string& header, const std::string& output, const std::string& purpose)
 {
+    std::error_code ignored;
+    if (fs::exists(header, ignored) && !fs::is_regular_file(header, ignored))
+        throw Failure(header, "is a folder, a device or a pipe", "choose another name for " + output);
     std::ifstream file(header);
     std::string first, old_purpose;
     if (!std::getline(file, first)) return;

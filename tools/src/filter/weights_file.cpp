@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "field/sections.h"
 #include "lumi/baker/file_guard.h"
@@ -20,6 +19,8 @@ namespace lumi::filter
 namespace
 {
 
+constexpr size_t kMostBytes =
+    4096 + sizeof(float) * number_count(kSurfacePlanes);  // the head and the settings are short
 constexpr char kMend[] = "copy the file again, or train it again by `lumi filter train`";
 
 std::vector<uint8_t> settings_bytes(const Weights& weights)
@@ -162,7 +163,9 @@ Weights read_weights(const std::string& path)
     std::ifstream file(path, std::ios::binary);
     if (!file)
         throw tools::Failure(path, std::string("cannot be read (") + std::strerror(errno) + ")", "check the path");
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    std::string bytes(kMostBytes, '\0');  // a device may have no end
+    bytes.resize(static_cast<size_t>(file.read(bytes.data(), kMostBytes).gcount()));
+    if (bytes.size() == kMostBytes) throw tools::Failure(path, "is larger than any weights of a filter", kMend);
     return decode(bytes, path);
 }
 

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <system_error>
 
@@ -107,6 +108,10 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
         return report(error.what(), kExitInterrupted);
     } catch (const std::bad_alloc&) {
         throw;
+    } catch (const std::filesystem::filesystem_error& error) {
+        const Failure failure(error.path1().string(), "cannot be looked up (" + error.code().message() + ")",
+                              "check the path");
+        return report(failure.what(), kExitFailed);
     } catch (const std::system_error& error) {
         if (error.code() != std::errc::resource_unavailable_try_again) return report(error.what(), kExitFailed);
         return report(
