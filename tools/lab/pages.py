@@ -52,6 +52,7 @@ TABLES = {
     "model_sheet": scripts.model_sheet,
     "licences": lambda: scripts.licences("rows"),
     "licences filter": lambda: scripts.licences("filter"),
+    "scene pictures": scripts.scene_pictures,
     "speed steps": lambda: scripts.speed_steps("steps"),
     "speed steps of 24 rows": lambda: scripts.speed_steps("steps_24"),
     "speed modes": scripts.speed_modes,

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/pictures.sh [NAME...]
-# Makes the pictures of README and of docs/scenes.md anew, from the scenes of the project. NAME: of them alone, such as
-# product-front. The pictures of the scenes are path-traced with 512 light paths a pixel, which takes a minute each.
+# tools/lab/pictures.sh [readme] [smooth] [traced] [drawn] [NAME...]
+# Makes pictures of the documents anew, from the scenes of the project; without arguments all of them. readme: those of
+# README. smooth: the clock's case and plate at 480 x 480 pixels, for docs/log/view-tables.md. traced: the scenes of
+# docs/scenes.md with 512 light paths a pixel, a minute each. drawn: the same from fields that a bake without options
+# makes, and how like the traced ones they are. NAME: of these alone, such as product-front.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -10,35 +12,66 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 work=$root/build/pictures
 scenes=$root/baker/scenes
 readme_view=(--orbit 30,20,3 --size 224x224 --background 202428)
+smooth_view=(--orbit 75,15,3 --size 480x480)
 
 # A picture's name, its scene, and where the eye is.
-traced=("product-front product.obj 30,20,3" "product-back product.obj 205,15,3" "product-above product.obj 40,55,3"
+pictures=("product-front product.obj 30,20,3" "product-back product.obj 205,15,3" "product-above product.obj 40,55,3"
   "cornell cornell.obj 180,0,3" "cornell-outside cornell.obj 215,20,3" "testcard testcard.obj 20,25,3"
   "gallery gallery.json 10,25,3" "finishes finishes.json 101,38,3")
+
+# bake_once NAME ARGUMENT...: into build/pictures/NAME.lumi.
+bake_once() {
+  [[ -f $work/$1.lumi ]] || "$lumi" bake "${@:2}" -o "$work/$1.lumi"
+}
 
 trace() {
   "$lumi" reference "$scenes/$2" -o "$root/docs/img/$1.png" --orbit "$3" --size 320x320 --spp 512 >/dev/null
 }
 
+# Prints a row.
+draw() {
+  local truth=$root/docs/img/$1.png drawn=$root/docs/img/$1-drawn.png field=$work/${2%.*}.lumi
+  bake_once "${2%.*}" "$scenes/$2" >&2
+  "$lumi" render "$field" -o "$drawn" --orbit "$3" --size 320x320 >/dev/null
+  "$lumi" compare "$truth" "$drawn" --json >"$work/compared.json"
+  "$lumi" inspect "$field" --json >"$work/inspected.json"
+  python3 -c 'import json, sys
+compared, inspected = (json.load(open(path)) for path in sys.argv[4:])
+print(json.dumps({"picture": sys.argv[1], "scene": sys.argv[2], "orbit": sys.argv[3], "layout": inspected["layout"],
+                  "bytes": inspected["bytes"], "psnr_db": compared["psnr_db"], "ssim": compared["ssim"]}))' \
+    "$1" "$2" "$3" "$work/compared.json" "$work/inspected.json" | tee -a "$work/rows.json"
+}
+
 # The surface field that a bake without options makes, and the chord field.
 draw_readme() {
-  "$lumi" bake "$scenes/product.obj" -o "$work/surface.lumi"
-  "$lumi" bake "$scenes/product.obj" -o "$work/chord.lumi" --layout chord
-  "$lumi" render "$work/surface.lumi" -o "$root/docs/img/readme-surface.webp" --turntable 36 "${readme_view[@]}" >/dev/null
+  bake_once product "$scenes/product.obj"
+  bake_once chord "$scenes/product.obj" --layout chord
+  "$lumi" render "$work/product.lumi" -o "$root/docs/img/readme-surface.webp" --turntable 36 "${readme_view[@]}" >/dev/null
   "$lumi" render "$work/chord.lumi" -o "$root/docs/img/readme-chord.png" "${readme_view[@]}" >/dev/null
   "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/readme-reference.png" --spp 256 "${readme_view[@]}" >/dev/null
 }
 
+draw_smooth() {
+  bake_once smooth "$scenes/product.obj" --fit 250kB
+  "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/smooth-truth.png" --spp 256 "${smooth_view[@]}" >/dev/null
+  "$lumi" render "$work/smooth.lumi" -o "$root/docs/img/smooth.png" "${smooth_view[@]}" >/dev/null
+  "$lumi" compare "$root/docs/img/smooth-truth.png" "$root/docs/img/smooth.png"
+}
+
 main() {
   if [[ ${1:-} == --help ]]; then help "$0" && exit; fi
-  local wanted=" $* " picture name scene eye
+  local wanted=" ${*:-readme smooth traced drawn} " picture name scene eye
   mkdir -p "$work"
+  rm -f "$work/rows.json"
   run_step "Build" build_lumi
-  if [[ $# == 0 || $wanted == *" readme "* ]]; then run_step "readme" draw_readme; fi
-  for picture in "${traced[@]}"; do
+  if [[ $wanted == *" readme "* ]]; then run_step "readme" draw_readme; fi
+  if [[ $wanted == *" smooth "* ]]; then run_step "smooth" draw_smooth; fi
+  for picture in "${pictures[@]}"; do
     read -r name scene eye <<<"$picture"
-    if [[ $# == 0 || $wanted == *" $name "* ]]; then run_step "$name" trace "$name" "$scene" "$eye"; fi
+    if [[ $wanted == *" traced "* || $wanted == *" $name "* ]]; then run_step "$name" trace "$name" "$scene" "$eye"; fi
+    if [[ $wanted == *" drawn "* || $wanted == *" $name "* ]]; then run_step "$name, drawn" draw "$name" "$scene" "$eye"; fi
   done
+  if [[ $wanted == *" drawn "* ]]; then "$root/tools/lab/pages.py" put scenes pictures <"$work/rows.json" && "$root/tools/lab/pages.py"; fi
 }
 
 main "$@"

@@ -67,6 +67,13 @@ def licences(part):
         row["package"], ", ".join(row["objects"]), row["licence"], ", ".join(f"`{name}`" for name in row["by"])])
 
 
+def scene_pictures():
+    return table(["scene, `--orbit`", "path-traced", "drawn from flash", "field", "likeness"], load("scenes")["pictures"], lambda row: [
+        f"`{row['scene']}`, {row['orbit']}", f"![traced](img/{row['picture']}.png)", f"![drawn](img/{row['picture']}-drawn.png)",
+        f"{row['layout']}, {row['bytes'] / 1000:.0f} kB", f"{decimal(row['psnr_db'])} dB"])
+
+
+
 def features(part, left_out):
     """What properties of scenes add; bytes and instructions without and with each."""
     def change(row, name):
