@@ -4,9 +4,11 @@
 
 #include <lumi/pixel.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 #include "simulator.h"
 #include "window.h"
@@ -15,12 +17,11 @@ namespace
 {
 
 using lumi::PixelRgb565Swapped;
-using simulator::kSidePx;
 using simulator::options;
 
-constexpr uint32_t kDisplayBytes = kSidePx * kSidePx * PixelRgb565Swapped::kBytes;
-alignas(4) uint8_t display[kDisplayBytes];
-uint32_t sent, frame_begin_ms;
+std::vector<uint8_t> display;
+size_t sent;
+uint32_t frame_begin_ms;
 int frame = -1;
 lumi::Orbit current;
 
@@ -34,32 +35,33 @@ lumi::Orbit current;
 void cut_to_disc()
 {
     constexpr lumi::Rgb8 kBezel = {32, 32, 32};
-    for (int y = 0; y < kSidePx; ++y)
-        for (int x = 0; x < kSidePx; ++x) {
-            const int right = 2 * x + 1 - kSidePx, down = 2 * y + 1 - kSidePx;  // of the centre, in half pixels
-            if (right * right + down * down > kSidePx * kSidePx)
-                PixelRgb565Swapped::store(display + 2 * (y * kSidePx + x), kBezel);
+    const int width = options.width_px, height = options.height_px, side = std::min(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const int right = 2 * x + 1 - width, down = 2 * y + 1 - height;  // of the centre, in half pixels
+            if (right * right + down * down > side * side)
+                PixelRgb565Swapped::store(display.data() + 2 * (y * width + x), kBezel);
         }
 }
 
 void write_frame()
 {
-    static uint8_t rgb[kSidePx * kSidePx * 3];
-    for (int k = 0; k < kSidePx * kSidePx; ++k)
-        lumi::PixelRgb888::store(rgb + 3 * k, PixelRgb565Swapped::load(display + 2 * k));
+    std::vector<uint8_t> rgb(display.size() / 2 * 3);
+    for (size_t k = 0; k < display.size() / 2; ++k)
+        lumi::PixelRgb888::store(rgb.data() + 3 * k, PixelRgb565Swapped::load(display.data() + 2 * k));
     const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".bmp";
-    if (!simulator::write_bmp(path, rgb)) fail(path + " cannot be written");
+    if (!simulator::write_bmp(path, rgb.data())) fail(path + " cannot be written");
 }
 
 void show_frame()
 {
-    static uint16_t native[kSidePx * kSidePx];
-    for (int k = 0; k < kSidePx * kSidePx; ++k)
+    std::vector<uint16_t> native(display.size() / 2);
+    for (size_t k = 0; k < native.size(); ++k)
         native[k] = static_cast<uint16_t>(display[2 * k] << 8 | display[2 * k + 1]);
     const uint32_t wanted = options.rate > 0 ? static_cast<uint32_t>(1000 / options.rate) : 0;
     const uint32_t spent = simulator::milliseconds() - frame_begin_ms;
     if (spent < wanted) simulator::wait_milliseconds(wanted - spent);
-    simulator::show(native);
+    simulator::show(native.data());
 }
 
 // The next view; false: that was the last.
@@ -78,7 +80,7 @@ bool turn()
 
 bool end_frame()
 {
-    if (sent != kDisplayBytes) fail("a frame has " + std::to_string(sent) + " bytes");
+    if (sent != display.size()) fail("a frame has " + std::to_string(sent) + " bytes");
     if (options.is_round) cut_to_disc();
     if (!options.folder.empty()) write_frame();
     if (options.window) show_frame();
@@ -87,6 +89,7 @@ bool end_frame()
 
 void begin()
 {
+    display.resize(size_t{PixelRgb565Swapped::kBytes} * static_cast<size_t>(options.width_px * options.height_px));
     if (options.window) simulator::open_window();
     current = board::view_of_frame(0);
 }
@@ -108,7 +111,7 @@ bool board::next_view(lumi::Orbit& orbit)
 
 void board::send(const uint8_t* pixels, uint32_t bytes)
 {
-    if (bytes > kDisplayBytes - sent) fail("a frame has more bytes than the display");
-    std::memcpy(display + sent, pixels, bytes);
+    if (bytes > display.size() - sent) fail("a frame has more bytes than the display");
+    std::memcpy(display.data() + sent, pixels, bytes);
     sent += bytes;
 }

@@ -7,12 +7,14 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "simulator.h"
+
 namespace simulator
 {
 namespace
 {
 
-constexpr int kScale = 2;
+constexpr int kDoubledPx = 320;  // smaller displays are shown twice as large
 constexpr uint32_t kLeastZoom = lumi::kNoZoom / 4, kMostZoom = 16 * lumi::kNoZoom;
 
 SDL_Renderer* renderer;
@@ -45,19 +47,21 @@ void zoom(lumi::Orbit& orbit, int steps)
 void open_window()
 {
     if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no display");
-    SDL_Window* window = SDL_CreateWindow("LumiPath", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, kScale * kSidePx,
-                                          kScale * kSidePx, 0);
+    const int scale = std::max(options.width_px, options.height_px) <= kDoubledPx ? 2 : 1;
+    SDL_Window* window = SDL_CreateWindow("LumiPath", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                          scale * options.width_px, scale * options.height_px, 0);
     if (window == nullptr) fail("no window");
     renderer = SDL_CreateRenderer(window, -1, 0);
     if (renderer == nullptr) fail("no renderer");
-    texture = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_RGB565, SDL_TEXTUREACCESS_STREAMING, kSidePx, kSidePx);
+    texture = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_RGB565, SDL_TEXTUREACCESS_STREAMING, options.width_px,
+                                options.height_px);
     if (texture == nullptr) fail("no texture");
 }
 
 bool write_bmp(const std::string& path, uint8_t* rgb)
 {
-    SDL_Surface* picture =
-        SDL_CreateRGBSurfaceWithFormatFrom(rgb, kSidePx, kSidePx, 24, 3 * kSidePx, SDL_PIXELFORMAT_RGB24);
+    SDL_Surface* picture = SDL_CreateRGBSurfaceWithFormatFrom(rgb, options.width_px, options.height_px, 24,
+                                                              3 * options.width_px, SDL_PIXELFORMAT_RGB24);
     const bool is_written = picture != nullptr && SDL_SaveBMP(picture, path.c_str()) == 0;
     SDL_FreeSurface(picture);
     return is_written;
@@ -65,7 +69,7 @@ bool write_bmp(const std::string& path, uint8_t* rgb)
 
 void show(const uint16_t* pixels)
 {
-    SDL_UpdateTexture(texture, nullptr, pixels, kSidePx * static_cast<int>(sizeof(*pixels)));
+    SDL_UpdateTexture(texture, nullptr, pixels, options.width_px * static_cast<int>(sizeof(*pixels)));
     SDL_RenderCopy(renderer, texture, nullptr, nullptr);
     SDL_RenderPresent(renderer);
 }

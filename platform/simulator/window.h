@@ -10,9 +10,7 @@
 namespace simulator
 {
 
-constexpr int kSidePx = 240;
-
-// Opens the window; ends the program where it cannot.
+// Opens a window for the display that options ask for; ends the program where it cannot.
 void open_window();
 // Red, green and blue of every pixel, which stay as they are. False: the file could not be written.
 bool write_bmp(const std::string& path, uint8_t* rgb);

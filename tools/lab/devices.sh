@@ -227,6 +227,15 @@ check_round_mask() {
     die "simulator: --mask round does not show a disc"
 }
 
+# A display of another size, of which the last stripe is a lower one.
+check_size() {
+  mkdir -p "$1/sized"
+  "$1/build/lumi_simulator" --frames "$1/sized" --size 466x466
+  "$lumi" render "$field" -o "$1/expected-sized.png" --orbit 30,20,3 --size 466x466 --mode antialiased --pixel rgb565 >/dev/null
+  python3 -B "$root/tools/lab/devices/picture.py" bmp 466x466 "$1/sized/frame-0.bmp" --same-as "$1/expected-sized.png" png
+  ! "$1/build/lumi_simulator" --size 1x1 2>/dev/null || die "simulator: --size 1x1 is taken"
+}
+
 run_simulator() {
   require_simulator simulator
   build simulator host
@@ -239,6 +248,7 @@ run_simulator() {
   python3 -B "$root/tools/lab/devices/picture.py" bmp 240x240 "$folder/dragged/frame-1.bmp" \
     --same-as "$folder/expected-dragged.png" png
   check_round_mask "$folder"
+  check_size "$folder"
   mkdir -p "$folder/threads"
   "$folder/build/lumi_simulator_two_cores" --frames "$folder/threads"
   for ((frame = 0; frame < frames; ++frame)); do

@@ -73,7 +73,6 @@ def scene_pictures():
         f"{row['layout']}, {row['bytes'] / 1000:.0f} kB", f"{decimal(row['psnr_db'])} dB"])
 
 
-
 def features(part, left_out):
     """What properties of scenes add; bytes and instructions without and with each."""
     def change(row, name):

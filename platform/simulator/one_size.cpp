@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Of programs that draw for one display alone.
+#include "sizes.h"
+
+int firmware_main();
+
+int (*simulator::main_of_size(const char* name))()
+{
+    return name == size_names() ? firmware_main : nullptr;
+}
+
+std::string simulator::size_names()
+{
+    return "240x240";
+}
