@@ -3,7 +3,7 @@
 """fail_on_purpose.py LUMI SHIM [--all]
 
 Runs bake (both layouts), merge and embed again and again, and makes one allocation, read, write, sync or rename fail
-each time (fault_shim.c). Each run must end with exit code 1 and a message that holds a mend, with the earlier output as
+each time, or all threads from one on (fault_shim.c). Each run must end with exit code 1 and a message that holds a mend, with the earlier output as
 it was; or with exit code 0 and the output of an undisturbed run. Then the same command, undisturbed, must give that
 output. A few calls of each kind; with --all every call, of allocations 300 spread over the run and the last 30. Prints
 what was tried.
@@ -14,8 +14,9 @@ import subprocess
 import sys
 import tempfile
 
-KINDS = ["alloc", "read", "write", "sync", "rename"]
+KINDS = ["alloc", "read", "write", "sync", "rename", "thread"]
 FEW = 2
+FIRST_THREADS = 3  # the first belong to Embree's TBB, the next to the bake
 MOST_ALLOCATIONS = 300
 LAST_ALLOCATIONS = 30
 EARLIER = b"earlier output"
@@ -55,6 +56,8 @@ def chosen(kind, count, every):
     most = count if every else FEW
     if kind == "alloc" and every:
         most = MOST_ALLOCATIONS
+    if kind == "thread" and not every:
+        return range(1, min(count, FIRST_THREADS) + 1)
     if count <= most:
         return range(1, count + 1)
     spread = {1 + (2 * k + 1) * count // (2 * most) for k in range(most)}  # away from both ends

@@ -38,6 +38,7 @@ library named 2,000 times; 100,000 materials|4 minutes; 3 minutes|baker\.obj: (a
 OBJ line of 100,000 pieces; 200,000 triangles at one edge (at f6b01a4)|23 s; above 1 minute|baker\.(text lines: a line of a million|Triangles share an edge)
 shards and checkpoints: every truncation, damaged bytes|nothing|baker\.(merge: every truncation|checkpoint: every truncation|stage file)|fuzz\.shard
 bakes killed before random writes, or each life before its fifth|a surface bake began again and again|tools\.(a bake that was killed ten|a surface bake of which each)
+`ulimit -u`: the first thread or a later one is not given (at f3e3b91)|aborted|faults\.fail_on_purpose
 an allocation, a read, write, sync or rename fails, one after the other|`terminate`; no mend; `embed` left one file of two|faults\.fail_on_purpose
 full disk behind standard output|exit code 0, JSON cut|tools\.(a full disk behind|a failure keeps its own)
 Ctrl-C while a scene loads; field cut short while it is used|nothing happened; SIGBUS|tools\.(Ctrl-C|a field's file may be cut)

@@ -64,16 +64,24 @@ std::string help_call(const CLI::App& app)
 
 constexpr char kOutOfMemory[] = "out of memory; choose a smaller scene, field or picture, or raise `ulimit -v`";
 
-// CLI11 and TBB allocate in functions that promise not to throw: where memory ends there, the run-time library calls
-// this.
+constexpr char kNoThread[] =
+    "the system gives no further thread; choose fewer --threads, or raise `ulimit -v` and `ulimit -u`";
+
+// CLI11 and TBB allocate in functions that promise not to throw, and TBB begins threads there: where memory or threads
+// end, the run-time library calls this.
 [[noreturn]] void on_terminate()
 {
+    const auto leave = [](const char* message) {
+        if (is_work_done() && std::fflush(stdout) == 0) std::_Exit(kExitOk);
+        report(message, kExitFailed);
+        std::_Exit(kExitFailed);
+    };
     try {
         if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {
-        if (is_work_done() && std::fflush(stdout) == 0) std::_Exit(kExitOk);
-        report(kOutOfMemory, kExitFailed);
-        std::_Exit(kExitFailed);
+        leave(kOutOfMemory);
+    } catch (const std::exception& error) {  // TBB says no more than the words of the system
+        if (std::strstr(error.what(), std::strerror(EAGAIN)) != nullptr) leave(kNoThread);
     } catch (...) {
         // a defect: what follows says so
     }
@@ -114,9 +122,7 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
         return report(failure.what(), kExitFailed);
     } catch (const std::system_error& error) {
         if (error.code() != std::errc::resource_unavailable_try_again) return report(error.what(), kExitFailed);
-        return report(
-            "the system gives no further thread; choose fewer --threads, or raise `ulimit -v` and `ulimit -u`",
-            kExitFailed);
+        return report(kNoThread, kExitFailed);
     } catch (const std::exception& error) {
         if (interrupt_flag()) return report(Interrupted().what(), kExitInterrupted);  // what it waited for failed
         return report(error.what(), kExitFailed);
