@@ -179,6 +179,19 @@ TEST_CASE("Ctrl-C ends a command that waits for a pipe's other end")
     }
 }
 
+TEST_CASE("lumi embed refuses a pipe in its header's place and does not wait for it")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "f.lumi", test::field_bytes({}));
+    const std::string header = folder / "o.h";
+    REQUIRE(mkfifo(header.c_str(), S_IRUSR | S_IWUSR) == 0);
+    const Outcome outcome = test::run_program(
+        {"timeout", "-s", "KILL", "20", LUMI_PROGRAM, "embed", folder / "f.lumi", "-o", folder / "o.c"});
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains(header + ": is a folder, a device or a pipe; choose another name for"));
+}
+
 TEST_CASE("a limit of the size of files is told, and no file is left")
 {
     const test::TemporaryFolder folder;
