@@ -2,6 +2,7 @@
 #include "draw/views.h"
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 
 #include "image/png.h"
@@ -73,6 +74,30 @@ TEST_CASE("a turntable in one file holds a frame for each view, and turns in fou
     options.width_px = 8192;
     options.eye_distance = 0.1;  // a pair beside each other: 16384 pixels
     CHECK_THROWS_WITH(write_views(options, folder / "b.webp", drawer), Catch::Contains("smaller --size"));
+}
+
+TEST_CASE("a turntable is a GIF or an MP4 where ffmpeg is installed, and otherwise says what to install")
+{
+    const test::TemporaryFolder folder, empty;
+    CountingDrawer drawer;
+    ViewOptions options = small_views();
+    options.width_px = 17;  // H.264 needs an even one
+    options.turntable = 4;
+    const char* const kPath = std::getenv("PATH");
+    const std::string path = kPath == nullptr ? "" : kPath;
+    ::setenv("PATH", (empty / "").c_str(), 1);
+    CHECK_THROWS_WITH(write_views(options, folder / "a.gif", std::ref(drawer)),
+                      Catch::Contains("apt-get install ffmpeg"));
+    ::setenv("PATH", path.c_str(), 1);
+    CHECK(folder.entries() == 0);
+    try {
+        for (const char* name : {"a.gif", "a.mp4"})
+            CHECK(write_views(options, folder / name, std::ref(drawer)) == std::vector<std::string>{folder / name});
+        CHECK(test::content_of(folder / "a.gif").substr(0, 6) == "GIF89a");
+        CHECK(test::content_of(folder / "a.mp4").substr(4, 4) == "ftyp");
+    } catch (const Failure& failure) {
+        CHECK(std::string(failure.what()).find("not installed") != std::string::npos);
+    }
 }
 
 TEST_CASE("a turntable writes numbered pictures and a contact sheet")

@@ -91,7 +91,7 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
     command
         .add_option("--turntable", options.turntable,
                     "Draw COUNT views around the vertical axis: OUT-000.png, OUT-001.png, ... and OUT-sheet.png, or "
-                    "one turning picture, OUT.webp")
+                    "one turning picture, OUT.webp; OUT.gif or OUT.mp4 where ffmpeg is installed")
         ->type_name("COUNT")
         ->check(whole_number(1, kMaxTurntable));
     add_background(command, options);

@@ -174,7 +174,7 @@ void add_reference(CLI::App& lumi)
         lumi.add_subcommand("reference", "Path-trace views of a scene: the truth that fields approximate");
     add_scene_options(*command, options->scene);
     add_thread_option(*command, options->scene);
-    add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.exr", wrong_reference_name);
+    add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.gif|OUT.mp4|OUT.exr", wrong_reference_name);
     add_camera_options(*command, options->views);
     CLI::Option* view = command
                             ->add_option("--view", options->view,

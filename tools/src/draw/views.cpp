@@ -9,9 +9,9 @@
 
 #include "draw/over_photo.h"
 #include "files/output_file.h"
+#include "image/animation.h"
 #include "image/png.h"
 #include "image/sheet.h"
-#include "image/webp.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -135,14 +135,16 @@ constexpr int kTurnMs = 4000;  // of a turning picture
 std::vector<std::string> write_turning(const ViewOptions& options, const std::string& output, const Drawer& draw)
 {
     if (options.turntable == 0)
-        throw UsageError("a .webp is a turning picture: add --turntable 36, or name a picture in PNG");
+        throw UsageError("a " + std::filesystem::path(output).extension().string() +
+                         " is a turning picture: add --turntable 36, or name a picture in PNG");
     const std::vector<View> views = all_views(options, output);
     announce_outputs({output});
     const int eyes = static_cast<int>(views.front().eyes.size()), count = static_cast<int>(views.size());
     try {
-        WebpAnimation animation(eyes * options.width_px, options.height_px, std::max(1, kTurnMs / count));
-        for (const View& view : views) animation.add(drawn(view, draw, options.background));
-        write_output(output, animation.bytes());
+        const auto animation =
+            animation_for(output, eyes * options.width_px, options.height_px, std::max(1, kTurnMs / count));
+        for (const View& view : views) animation->add(drawn(view, draw, options.background));
+        write_output(output, animation->bytes());
     } catch (const std::length_error& error) {
         throw Failure(output, error.what(), "choose a smaller --size");
     }
@@ -153,7 +155,7 @@ std::vector<std::string> write_turning(const ViewOptions& options, const std::st
 
 std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw)
 {
-    if (is_webp_name(output)) return write_turning(options, output, draw);
+    if (is_animation_name(output)) return write_turning(options, output, draw);
     const std::optional<Picture> photo = photo_of(options);
     const std::vector<View> views = all_views(options, output);
     const std::string sheet_path = tagged(output, "sheet");

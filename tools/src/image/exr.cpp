@@ -2,8 +2,8 @@
 #include "image/exr.h"
 
 #include "files/output_file.h"
+#include "image/animation.h"
 #include "image/png.h"
-#include "image/webp.h"
 #include "lumi/baker/picture_file.h"
 
 namespace lumi::tools
@@ -17,7 +17,7 @@ bool is_exr_name(const std::string& path)
 std::string wrong_reference_name(const std::string& path)
 {
     if (is_exr_name(path)) return "";
-    const std::string wrong = wrong_png_or_webp_name(path);
+    const std::string wrong = wrong_views_name(path);
     return wrong.empty() ? "" : wrong + "; linear light is written to names that end in .exr";
 }
 

@@ -55,13 +55,6 @@ bool is_webp_name(const std::string& path)
     return small_ending(path) == ".webp";
 }
 
-std::string wrong_png_or_webp_name(const std::string& path)
-{
-    if (is_webp_name(path)) return "";
-    const std::string wrong = wrong_png_name(path);
-    return wrong.empty() ? "" : wrong + "; a --turntable may also be one .webp";
-}
-
 struct WebpAnimation::Encoder {
     std::unique_ptr<WebPAnimEncoder, void (*)(WebPAnimEncoder*)> made{nullptr, WebPAnimEncoderDelete};
     WebPConfig config = lossy();

@@ -5,29 +5,24 @@
 #include <memory>
 #include <string>
 
-#include "image/picture.h"
+#include "image/animation.h"
 
 namespace lumi::tools
 {
 
 bool is_webp_name(const std::string& path);
 
-// What is wrong with it as the name of views to write; nothing if it ends in ".png" or ".webp", or is a device or a
-// pipe.
-std::string wrong_png_or_webp_name(const std::string& path);
-
 // Frames of one size, repeated without end. They are compressed with loss (quality 80 of 100), one after the other:
 // memory for a few frames. Every function throws std::length_error for a size that no WebP can hold (16383 pixels a
 // side).
-class WebpAnimation
+class WebpAnimation : public Animation
 {
 public:
     WebpAnimation(int width_px, int height_px, int frame_ms);
-    ~WebpAnimation();
+    ~WebpAnimation() override;
 
-    void add(const Picture& frame);
-    // The bytes of the file. Call once, after the last frame.
-    std::string bytes();
+    void add(const Picture& frame) override;
+    std::string bytes() override;
 
 private:
     struct Encoder;
