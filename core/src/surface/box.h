@@ -49,16 +49,22 @@ LUMI_ALWAYS_INLINE bool set_box(Box& box, const SurfaceVertex& a, const SurfaceV
     return box.first_column < box.end_column;
 }
 
-// Whether all samples of the box are nearer than any of the triangle can be.
-LUMI_ALWAYS_INLINE bool is_hidden(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c,
-                                  const Box& box, const Target& target)
+// A depth that no sample of the triangle exceeds: larger ones are nearer. Planes (planes.h) round their steps to 2^-16
+// of the corners' differences; over 2 · 96 samples of a triangle that sums up to less than 1/85 of them. An edge's
+// crossing adds less than 1/700.
+LUMI_ALWAYS_INLINE int32_t nearest_depth(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c)
 {
     const int32_t da = static_cast<int32_t>(depth_of(a)), db = static_cast<int32_t>(depth_of(b)),
                   dc = static_cast<int32_t>(depth_of(c));
     const int32_t nearest = most_of(da, db, dc);
-    // Planes (planes.h) round their steps to 2^-16 of the corners' differences; over 2 · 96 samples of a triangle that
-    // sums up to less than 1/85 of them. An edge's crossing adds less than 1/700.
-    const int32_t most = nearest + ((nearest - least_of(da, db, dc)) >> 6) + 2;
+    return nearest + ((nearest - least_of(da, db, dc)) >> 6) + 2;
+}
+
+// Whether all samples of the box are nearer than any of the triangle can be.
+LUMI_ALWAYS_INLINE bool is_hidden(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c,
+                                  const Box& box, const Target& target)
+{
+    const int32_t most = nearest_depth(a, b, c);
     const uint8_t* row = target.rows.row(box.first_row - target.y);
     for (int32_t y = box.first_row; y < box.end_row; ++y, row += target.rows.row_bytes) {
         const uint16_t* at = reinterpret_cast<const uint16_t*>(row) + box.first_column;

@@ -3,7 +3,6 @@
 
 #include "surface/box.h"
 #include "surface/planes.h"
-#include "surface/wide.h"
 
 namespace lumi::detail
 {
@@ -139,8 +138,7 @@ LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], co
     Rows& rows = piece.rows;
     const PlaneMaker maker(f, shares, target.x, box.first_row);
     set_planes(rows, maker);
-    const bool is_wide =
-        box.longer_q6 >= kWideQ6 && (p.colour | q.colour | r.colour) != 0 && loses_colour(piece.wide, maker, box);
+    const bool is_wide = may_lose_colour(box.longer_q6, p, q, r) && loses_colour(piece.wide, maker, box);
     end_part();
     set_memory(rows, texture, target, box.first_row);
     piece.is_magnified =

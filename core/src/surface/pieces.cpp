@@ -3,7 +3,6 @@
 
 #include "surface/begin.h"
 #include "surface/lists.h"
-#include "surface/wide.h"
 
 namespace lumi::detail
 {

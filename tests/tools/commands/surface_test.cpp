@@ -201,6 +201,7 @@ TEST_CASE("a screen that no part has RAM for is told so, and a screen that none 
     const std::string field = write_surface(folder);
     const std::string text = lumi({"inspect", field, "--screen", "2000x2000", "--rows", "100"}).out;
     CHECK_THAT(text, Catch::Contains("STM32F407 too little RAM"));
+    CHECK_THAT(text, Catch::Contains("mean (worst) of 11 poses"));  // each of which is drawn
     for (const test::Arguments& wrong : {test::Arguments{"--screen", "466"},
                                          {"--screen", "0x466"},
                                          {"--rows", "0"},

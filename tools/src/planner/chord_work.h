@@ -77,6 +77,7 @@ inline constexpr std::array<const char*, kChordItems> kChordItemNames = {
     "tap_rgb888",  "tap_rgb565",  "tap_palette8",
     "tap_luma8",   "clear",       "half_clear",
     "few_side",    "few_point"};
+static_assert(kChordItemNames.back() != nullptr, "each item has a name");
 
 struct ChordWork {
     std::array<double, kChordItems> count{};

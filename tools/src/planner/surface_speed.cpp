@@ -32,10 +32,16 @@ double surface_misses(const SeeThroughField& field, const SurfaceWork& work, dou
            texels(SurfaceItem::see_sample, SurfaceItem::see_magnified_sample);
 }
 
+int rated_poses(const host::ScreenSize& screen)
+{
+    constexpr double kMostPixels = 480.0 * 480 * kRatedPoses, kFewest = 4;
+    return static_cast<int>(std::clamp<double>(kMostPixels / screen.width_px / screen.height_px, kFewest, kRatedPoses));
+}
+
 std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode, const host::ScreenSize& screen)
 {
     std::vector<SurfaceWork> works;
-    for (quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, kRatedPoses)) {
+    for (quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, rated_poses(screen))) {
         const double fov_deg = host::framing_fov_deg(screen.width_px, screen.height_px, view.distance);
         view.eye.image = host::make_image(screen.width_px, screen.height_px, fov_deg);
         works.push_back(work_of(field, view.eye, mode, screen.stripe_rows()));

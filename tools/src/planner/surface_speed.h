@@ -30,4 +30,8 @@ std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mo
 
 inline constexpr int kRatedPoses = 200;
 
+// From how many poses such a screen is rated: kRatedPoses up to 480 × 480 pixels; of larger ones fewer, since each pose
+// is drawn.
+int rated_poses(const host::ScreenSize& screen);
+
 }  // namespace lumi::planner

@@ -4,7 +4,6 @@
 
 #include "surface/begin.h"
 #include "surface/see_through/order.h"
-#include "surface/wide.h"
 
 namespace lumi::detail
 {

@@ -40,13 +40,19 @@ constexpr PackedColour mean_of(PackedColour a, PackedColour b)
 // The colour of the mean light of four, which is about their levels' squares; `black` is the palette's colour of it.
 LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour black);
 
+// Whether some of four colours is more than 32 levels from the first one.
+constexpr bool are_apart(PackedColour a, PackedColour b, PackedColour c, PackedColour d)
+{
+    constexpr PackedColour kApart = packed_colour(128, 128, 128), kBeyond = 0xE01C0380;  // 0 .. 255 leaves these bits 0
+    const PackedColour from = a + kApart;
+    return (((from - b) | (from - c) | (from - d)) & kBeyond) != 0;
+}
+
 // The mean of a pixel's samples. Where they are within 32 levels of the first one's, the mean of their levels stands
 // for that of their light.
 inline PackedColour mean_of(PackedColour a, PackedColour b, PackedColour c, PackedColour d, PackedColour black)
 {
-    constexpr PackedColour kApart = packed_colour(128, 128, 128), kBeyond = 0xE01C0380;  // 0 .. 255 leaves these bits 0
-    const PackedColour from = a + kApart;
-    if ((((from - b) | (from - c) | (from - d)) & kBeyond) != 0) return mean_light_of({a, b, c, d}, black);
+    if (are_apart(a, b, c, d)) return mean_light_of({a, b, c, d}, black);
     return mean_of(mean_of(a, b), mean_of(c, d));
 }
 
