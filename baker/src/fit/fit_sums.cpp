@@ -22,17 +22,15 @@ std::array<int64_t, 3> fixed(const LevelColour& levels)
 
 }  // namespace
 
-int64_t& NodePairs::sum(uint32_t a, uint32_t b)
+int64_t& NodePairs::sum_after(uint16_t key)
 {
-    constexpr uint32_t kScatter = 40503;  // 2^16/Φ
-    const uint16_t key = static_cast<uint16_t>(a * kPatchNodes + b);
     const size_t mask = keys_.size() - 1;
-    for (size_t k = (key * kScatter >> 4) & mask;; k = (k + 1) & mask) {
+    for (size_t k = first_place(key);; k = (k + 1) & mask) {
         if (keys_[k] == key) return sums_[k];
         if (keys_[k] == kEmpty) {
             if (4 * (used_ + 1) > 3 * keys_.size()) {
                 grow();
-                return sum(a, b);
+                return sum(key);
             }
             ++used_;
             keys_[k] = key;
@@ -46,21 +44,19 @@ void NodePairs::grow()
     NodePairs larger;
     larger.keys_.assign(2 * keys_.size(), kEmpty);
     larger.sums_.assign(2 * keys_.size(), 0);
-    each([&](uint32_t a, uint32_t b, int64_t value) { larger.sum(a, b) = value; });
+    each([&](uint32_t a, uint32_t b, int64_t value) { larger.sum(key_of(a, b)) = value; });
     *this = std::move(larger);
 }
 
 void NodePairs::sort()
 {
     std::vector<std::pair<uint16_t, int64_t>> all;
-    each([&](uint32_t a, uint32_t b, int64_t value) {
-        all.push_back({static_cast<uint16_t>(a * kPatchNodes + b), value});
-    });
+    each([&](uint32_t a, uint32_t b, int64_t value) { all.push_back({key_of(a, b), value}); });
     std::sort(all.begin(), all.end());
     NodePairs ordered;
     ordered.keys_.assign(keys_.size(), kEmpty);
     ordered.sums_.assign(keys_.size(), 0);
-    for (const auto& [key, value] : all) ordered.sum(key / kPatchNodes, key % kPatchNodes) = value;
+    for (const auto& [key, value] : all) ordered.sum(key) = value;
     *this = std::move(ordered);
 }
 
@@ -98,32 +94,48 @@ LevelColour FitSums::target_of(const FitSample& sample, const LevelColour& expec
     return target;
 }
 
+void FitSums::add_target(PatchSums& sums, const std::vector<LevelColour>& nodes, const FitSample& sample,
+                         const SampleTaps& taps) const
+{
+    const LevelColour expected = predicted(expected_, nodes, sample, taps);
+    const std::array<int64_t, 3> target = fixed(target_of(sample, expected)), p = fixed(expected);
+    TexelSums& texel = sums.texels[texel_in(sample.triangle / 2, sample)];
+    for (size_t c = 0; c < 3; ++c) {
+        texel.target[c] += target[c];
+        texel.predicted[c] += p[c];
+        const int64_t off = (target[c] - p[c]) >> kScatterShift;
+        texel.scatter += static_cast<uint64_t>(off * off);
+    }
+    for (uint32_t i = 0; i < taps.count; ++i)
+        for (size_t c = 0; c < 3; ++c) sums.targets[taps.taps[i].node][c] += taps.taps[i].weight_q12 * target[c];
+}
+
 void FitSums::add(uint32_t patch, const FitSample* begin, const FitSample* end)
 {
     PatchSums& sums = patches_[patch];
-    const uint32_t first = shape_.layout.rectangles[patch].begin;
     const std::vector<LevelColour> nodes = patch_nodes(shape_, expected_, patch);
     for (const FitSample* s = begin; s != end; ++s) {
         const SampleTaps taps = taps_of(shape_, *s);
-        const LevelColour expected = predicted(expected_, nodes, *s, taps);
-        const std::array<int64_t, 3> target = fixed(target_of(*s, expected)), p = fixed(expected);
-        TexelSums& texel = sums.texels[s->texel - first];
-        uint32_t* crossed = &sums.crossed[size_t{s->texel - first} * kPatchNodes];
-        require_few_enough(++texel.count);
-        for (size_t c = 0; c < 3; ++c) {
-            texel.target[c] += target[c];
-            texel.predicted[c] += p[c];
-            const int64_t off = (target[c] - p[c]) >> kScatterShift;
-            texel.scatter += static_cast<uint64_t>(off * off);
-        }
+        const uint32_t texel = texel_in(patch, *s);
+        uint32_t* crossed = &sums.crossed[size_t{texel} * kPatchNodes];
+        require_few_enough(++sums.texels[texel].count);
         for (uint32_t i = 0; i < taps.count; ++i) {
             const SampleTaps::Tap& a = taps.taps[i];
             crossed[a.node] += static_cast<uint32_t>(a.weight_q12);
-            for (size_t c = 0; c < 3; ++c) sums.targets[a.node][c] += a.weight_q12 * target[c];
             for (uint32_t j = i; j < taps.count; ++j)
                 sums.pairs.add(a.node, taps.taps[j].node, int64_t{a.weight_q12} * taps.taps[j].weight_q12);
         }
+        add_target(sums, nodes, *s, taps);
     }
+}
+
+void FitSums::add_again(uint32_t patch, const FitSample* begin, const FitSample* end)
+{
+    PatchSums& sums = patches_[patch];
+    for (TexelSums& texel : sums.texels) texel = {texel.count, {}, {}, 0};
+    sums.targets.assign(kPatchNodes, {});
+    const std::vector<LevelColour> nodes = patch_nodes(shape_, expected_, patch);
+    for (const FitSample* s = begin; s != end; ++s) add_target(sums, nodes, *s, taps_of(shape_, *s));
 }
 
 }  // namespace lumi::baker

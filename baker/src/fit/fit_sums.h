@@ -34,7 +34,7 @@ public:
     // Wraps, as sums of a damaged shard may.
     void add(uint16_t a, uint16_t b, int64_t product)
     {
-        int64_t& s = sum(a < b ? a : b, a < b ? b : a);
+        int64_t& s = sum(key_of(a < b ? a : b, a < b ? b : a));
         s = static_cast<int64_t>(static_cast<uint64_t>(s) + static_cast<uint64_t>(product));
     }
 
@@ -52,7 +52,18 @@ private:
     static constexpr uint16_t kEmpty = UINT16_MAX;
     static constexpr size_t kFirstSize = 256;
 
-    int64_t& sum(uint32_t a, uint32_t b);
+    static uint16_t key_of(uint32_t a, uint32_t b) { return static_cast<uint16_t>(a * kPatchNodes + b); }
+    size_t first_place(uint16_t key) const
+    {
+        constexpr uint32_t kScatter = 40503;  // 2^16/Φ
+        return (key * kScatter >> 4) & (keys_.size() - 1);
+    }
+    int64_t& sum(uint16_t key)
+    {
+        const size_t first = first_place(key);
+        return keys_[first] == key ? sums_[first] : sum_after(key);
+    }
+    int64_t& sum_after(uint16_t key);
     void grow();
 
     std::vector<uint16_t> keys_;
@@ -85,6 +96,9 @@ public:
     // Adds samples whose targets are linear around what `expected` shows. Thread-safe for different patches. Throws
     // BakeError where a texel got too many.
     void add(uint32_t patch, const FitSample* begin, const FitSample* end);
+    // Where `expected` has changed since: the same samples again, and no others. What targets do not change is kept,
+    // and that is most of the work.
+    void add_again(uint32_t patch, const FitSample* begin, const FitSample* end);
 
     const FitShape& shape() const { return shape_; }
     std::vector<PatchSums>& patches() { return patches_; }
@@ -92,6 +106,12 @@ public:
 
 private:
     LevelColour target_of(const FitSample& sample, const LevelColour& expected) const;
+    void add_target(PatchSums& sums, const std::vector<LevelColour>& nodes, const FitSample& sample,
+                    const SampleTaps& taps) const;
+    uint32_t texel_in(uint32_t patch, const FitSample& sample) const
+    {
+        return sample.texel - shape_.layout.rectangles[patch].begin;
+    }
 
     const FitShape& shape_;
     const EncodedTone& tone_;

@@ -113,11 +113,18 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
     ViewSmoothness smoothness(shape_);
     const std::vector<uint8_t> viewable = viewable_vertices(shape_.mesh);
     start_from_means(shape_, samples, state.tone, state.expected);
+    FitSums sums(shape_, state.tone, state.expected, White::goes_on);
+    bool is_first = true;  // not of all rounds: others may have been kept
     for (int round = 0; round < kPilotRounds; ++round) {
         const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
         const auto next = [&] {
-            FitSums sums(shape_, state.tone, state.expected, White::goes_on);
-            for_patches(shape_, job, [&](uint32_t p) { sums.add(p, samples.begin(p), samples.end(p)); });
+            for_patches(shape_, job, [&](uint32_t p) {
+                if (is_first)
+                    sums.add(p, samples.begin(p), samples.end(p));
+                else
+                    sums.add_again(p, samples.begin(p), samples.end(p));
+            });
+            is_first = false;
             if (round != 0) smoothness.learn(sums, state.expected);
             FitModel model = state.expected;
             FitSolver(sums, smoothness, viewable, job).solve(model, kPilotIterations);
