@@ -2,7 +2,6 @@
 #include "mesh/mesh_draft.h"
 
 #include "lumi/surface/format.h"
-#include "mesh/edge_split.h"
 #include "mesh/seen_part.h"
 #include "mesh/simplify.h"
 
@@ -37,18 +36,6 @@ std::optional<float> nearest_front(const MeshTracer& fronts, const Ray& ray, flo
     return nearest;
 }
 
-// Moves the middle of an edge onto the surface, where that is near and faces the same way. Another part may be within
-// reach, too, such as the second of two bars; the edge's own is the nearest one.
-PlaceMiddle onto(const MeshTracer& fronts)
-{
-    return [&](const Vec3& middle, const Vec3& facing, float edge) {
-        const float reach = kMostMove * edge;
-        const Ray ray = {middle + facing * reach, -facing, 2 * reach};
-        const std::optional<float> at = nearest_front(fronts, ray, reach);
-        return at ? ray.origin + ray.direction * *at : middle;
-    };
-}
-
 size_t seen_triangles(const Mesh& mesh, Faces faces, const ViewCap& cap, Job& job)
 {
     return seen_part(MeshTracer(mesh, faces), job, cap, kCountRays).triangle_count();
@@ -76,6 +63,16 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
 }
 
 }  // namespace
+
+PlaceMiddle onto(const MeshTracer& fronts)
+{
+    return [&](const Vec3& middle, const Vec3& facing, float edge) {
+        const float reach = kMostMove * edge;
+        const Ray ray = {middle + facing * reach, -facing, 2 * reach};
+        const std::optional<float> at = nearest_front(fronts, ray, reach);
+        return at ? ray.origin + ray.direction * *at : middle;
+    };
+}
 
 MeshDraft drafted(const Outside& outside, const MeshSettings& settings, Job& job)
 {

@@ -10,7 +10,7 @@
 #include "math/warp.h"
 #include "mesh/copies.h"
 #include "mesh/cut_outs.h"
-#include "mesh/edge_split.h"
+#include "mesh/mesh_draft.h"
 #include "mesh/mesh_loss.h"
 #include "mesh/outside.h"
 #include "mesh/rounded_mesh.h"
@@ -230,12 +230,12 @@ PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, cons
 {
     constexpr float kNoCrease = -2;  // both sides of a sheet share vertices, which have no view tables
     const std::vector<bool> see_through = see_through_materials(scene);
-    const Mesh all = without_copies(welded(part_of(
-        scene.mesh,
-        [&](uint32_t material) { return see_through[material] && !is_invisible(scene.materials[material]); })));
-    const auto stays = [](const Vec3& middle, const Vec3&, float) { return middle; };
+    const Mesh all = without_copies(welded(part_of(scene.mesh, [&](uint32_t material) {
+        return see_through[material] && !is_invisible(scene.materials[material]);
+    })));
+    const MeshTracer fronts(all, Faces::front);
     const Mesh few =
-        with_short_edges(few_of(scene, all, most, settings.cap, warnings, job), settings.longest_edge, stays);
+        with_short_edges(few_of(scene, all, most, settings.cap, warnings, job), settings.longest_edge, onto(fronts));
     PatchMesh mesh = assembled(rounded(open_sides(few, opaque, settings.cap, job)), kNoCrease);
     if (fits(mesh)) put_in_drawing_order(mesh, job);
     return mesh;

@@ -43,13 +43,14 @@ uint32_t triangles_of(const PatchMesh& mesh)
 // Both parts of the scene, where one sees through some of it.
 BuiltMesh built_mesh(const SceneData& scene, MeshSettings mesh, BakeStages& stages, Job& job)
 {
-    constexpr uint32_t kSeeThroughParts = 4, kFewest = 64;
+    constexpr uint32_t kSeeThroughParts = 4, kFewest = 64, kSides = 2;
     const std::unique_ptr<SceneData> opaque = opaque_part(scene);
     if (!opaque) return build_mesh(scene, mesh, stages, job);
     for (;; mesh.triangles = mesh.triangles / 4 * 3) {
         BuiltMesh built = opaque->mesh.corners.empty() ? BuiltMesh() : build_mesh(*opaque, mesh, stages, job);
         const uint32_t most = mesh.triangles + mesh.triangles / 2, opaque_ones = triangles_of(built.mesh);
-        const uint32_t few = std::max(kFewest, mesh.triangles / kSeeThroughParts);
+        const uint32_t left = mesh.triangles - std::min(mesh.triangles, opaque_ones);
+        const uint32_t few = std::max({kFewest, mesh.triangles / kSeeThroughParts, left / kSides});
         const uint32_t cards = std::max(few, most - std::min(most, opaque_ones));  // which have no view tables
         add_see_through(scene, *opaque, mesh, {few, cards}, built, job);
         if (fits(built.mesh)) return built;

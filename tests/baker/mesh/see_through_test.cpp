@@ -118,6 +118,24 @@ TEST_CASE("See-through patches stand in the order in which they are drawn", "[me
     CHECK(order_faults({triangles, patch_of}, as_they_stand, job).in_order == 0);
 }
 
+TEST_CASE("What splits long edges of a round see-through body lies on it", "[mesh]")
+{
+    constexpr float kRadius = 0.7f;
+    SceneMaker maker;
+    Material glass = lamp(grey(0.5f));
+    glass.opacity = 0.4f;
+    glass.finish();
+    maker.ball(maker.add(glass), {0, 0, 0}, kRadius, 32);
+    maker.span_unit_sphere();
+    const Scene scene = maker.make(constant_environment(0));
+    BuiltMesh built;
+    Job job(1, 1, {});
+    MeshSettings settings;
+    add_see_through(scene.data(), *opaque_part(scene.data()), settings, {200, 200}, built, job);
+    CHECK(built.mesh.positions.size() > 150);
+    for (const Vec3& p : built.mesh.positions) CHECK(length(p) > 0.98f * kRadius);
+}
+
 TEST_CASE("Cards that are left out count as missed", "[mesh]")
 {
     const BuiltMesh built = built_of(24);

@@ -102,6 +102,23 @@ TEST_CASE("a scene of nothing but see-through parts has its far sides, too")
     check_near(colour_from_above(bake, 4), {wanted, wanted, wanted});
 }
 
+TEST_CASE("see-through parts get the triangles that opaque ones leave")
+{
+    SceneMaker maker;
+    maker.ball(maker.add(see_through(lamp(grey(0.5f)), 0.4f)), {0, 0, 0}, 0.7f, 12);
+    maker.span_unit_sphere();
+    SurfaceSettings settings = tiny_surface();
+    settings.triangles = 2000;
+    settings.longest_edge = 2;
+    const Scene scene = maker.make(constant_environment(0));
+    const auto whole = static_cast<uint32_t>(2 * scene.data().mesh.triangle_count());  // from both sides
+    CHECK(SurfaceDraft(scene, settings).triangles() == whole);
+    settings.triangles = whole / 2;
+    const uint32_t half = SurfaceDraft(scene, settings).triangles();
+    CHECK(half <= whole / 2);
+    CHECK(half > whole / 3);
+}
+
 TEST_CASE("bodies of glass stay opaque, and so does what light passes nowhere")
 {
     SceneMaker maker;
