@@ -62,6 +62,12 @@ bool is_flat(const Mesh& mesh, const Side& a, const Side& b)
     return dot(left, right) < -kFlat * length(left) * length(right);
 }
 
+// Around a vertex of three triangles each two of them are a quad of the same corners: those are no copies.
+bool share_a_triangle(const Quad& a, const Quad& b)
+{
+    return std::find_first_of(a.halves.begin(), a.halves.end(), b.halves.begin(), b.halves.end()) != a.halves.end();
+}
+
 // Two triangles with a side that no third one has.
 std::vector<Quad> quads_of(const Mesh& mesh, const std::vector<uint32_t>& first)
 {
@@ -94,7 +100,7 @@ std::vector<uint32_t> first_copies(const Mesh& mesh)
     for (size_t k = 1, whole = 0; k < quads.size(); ++k) {
         if (quads[k].corners != quads[whole].corners)
             whole = k;
-        else
+        else if (!share_a_triangle(quads[k], quads[whole]))
             for (size_t i = 0; i < 2; ++i) renamed.push_back({quads[k].halves[i], quads[whole].halves[i]});
     }
     std::vector<uint32_t> to = first;

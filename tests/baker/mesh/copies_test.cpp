@@ -63,6 +63,14 @@ TEST_CASE("The halves of a quad are copies of those of the same quad that is cut
     CHECK(first_copies(mesh) == std::vector<uint32_t>{0, 1, 2, 3});
 }
 
+TEST_CASE("Triangles around a vertex that has three of them are no copies of each other", "[mesh]")
+{
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0.1f}, {1, 0, 0}, {-0.5f, 0.9f, 0}, {-0.5f, -0.9f, 0}};
+    mesh.corners = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+    CHECK(first_copies(mesh) == std::vector<uint32_t>{0, 1, 2});
+}
+
 TEST_CASE("A cloth whose faces are written twice has the mesh of the cloth", "[mesh]")
 {
     const BuiltMesh once = built_mesh(cloth(Backs::none), {500, 2, 0.2f});
