@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int32_t kSpanPx = 8;  // what the planner's frame rates are for
-constexpr uint32_t kModes = 4;
+constexpr uint32_t kModes = 3;
 
 LUMI_CONSTANT Field field;
 LUMI_CONSTANT Camera camera;
@@ -22,8 +22,7 @@ template <class Next>
 RenderError with_reconstruction(uint32_t mode, const Next& next)
 {
     if (mode == 0) return next(Paper<>());
-    if (mode == 1) return next(Linear());
-    return mode == 2 ? next(Dither()) : next(Nearest());
+    return mode == 1 ? next(Linear()) : next(Nearest());
 }
 
 template <class Reconstruction, class Texel, class Pixel>

@@ -44,9 +44,8 @@ struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
 };
 
 // The paper's kernel occurs in its smallest, default and largest size.
-using Reconstructions =
-    std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>,
-               BySpans<NearestVoronoi>, BySpans<Dither>, BySpans<Linear>, BySpans<Paper<detail::kMaxNeighbours>>>;
+using Reconstructions = std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>,
+                                   BySpans<Linear>, BySpans<Paper<detail::kMaxNeighbours>>>;
 template <class... Texel>
 std::tuple<Texel...> tuple_of(detail::TexelList<Texel...>);
 using Texels = decltype(tuple_of(detail::AllTexels()));

@@ -65,11 +65,7 @@ void draw_chord(const Field& field, const Camera& camera, const Scene& s)
         case 0:
             return draw_chord<Nearest, Texel>(field, camera, s);
         case 1:
-            return draw_chord<Dither, Texel>(field, camera, s);
-        case 2:
             return draw_chord<Paper<5>, Texel>(field, camera, s);
-        case 3:
-            return draw_chord<NearestVoronoi, Texel>(field, camera, s);
         default:
             return draw_chord<Linear, Texel>(field, camera, s);
     }

@@ -210,8 +210,8 @@ VIEWS = """
 static View<SurfaceDrawing<100, 100, SurfaceMode::two_by_two>, Screen<>> surface_view_1;
 static View<ChordDrawing<TexelRgb888>, Screen<>> chord_view_1;
 static View<ChordDrawing<TexelPalette8, Paper<5>>, Screen<240, 240, 16, PixelArgb8888>> chord_view_2;
-static View<ChordDrawing<TexelRgb565, NearestVoronoi>, Screen<240, 240, 16, PixelGrey8>> chord_view_3;
-static View<ChordDrawing<TexelLuma8, Dither>, Screen<240, 240, 16, PixelBgr555>> chord_view_4;
+static View<ChordDrawing<TexelRgb565, Nearest>, Screen<240, 240, 16, PixelGrey8>> chord_view_3;
+static View<ChordDrawing<TexelLuma8, Paper<1>>, Screen<240, 240, 16, PixelBgr555>> chord_view_4;
 static View<ExactChordDrawing<TexelPalette8>, Screen<>> chord_view_5;
 
 template <class V>

@@ -17,12 +17,12 @@ import sys
 from figures.table import load, save
 
 CORES = ["m0plus", "m3", "m4", "m7"]
-CHORD_MODES = ["nearest", "voronoi", "dither", "linear", "paper"]
+CHORD_MODES = ["nearest", "linear", "paper"]
 SURFACE_MODES = ["one-sample", "antialiased", "2x2"]
 TEXELS = ["rgb888", "rgb565", "palette8", "luma8"]
 PIXELS = ["rgb565", "rgb888"]
 VIEWS = ["generic", "pole", "close"]
-SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel exact; it has no dither and no voronoi
+SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel exact
 QUICK = {"core": ["m0plus", "m4"], "mode": ["nearest", "linear", *SURFACE_MODES], "texel": ["rgb565", "rgb888"],
          "view": ["generic"], "pixel": ["rgb565"], "span": [16]}
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
@@ -182,7 +182,7 @@ def chord_rows(options, boards):
     spans = [span for span in options.span if span]
     kinds = [("exact", [0])] * (0 in options.span) + [("spans", spans)] * bool(spans)
     programs = [(f"{kind}_{mode}_{texel}", mode, texel, of_kind) for mode in modes for texel in options.texel
-                for kind, of_kind in kinds if kind == "spans" or mode not in ("dither", "voronoi")]
+                for kind, of_kind in kinds]
     rows = []
     for board in boards:
         board.build([renderer for renderer, *_ in programs])

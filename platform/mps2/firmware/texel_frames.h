@@ -52,8 +52,6 @@ inline constexpr Named<Exact<Nearest>> kNearest = {"nearest"};
 inline constexpr Named<Exact<Linear>> kLinear = {"linear"};
 inline constexpr Named<Exact<Paper<5>>> kPaper5 = {"paper5"};
 inline constexpr Named<Spans<Nearest>> kNearestSpans = {"nearest-spans"};
-inline constexpr Named<Spans<NearestVoronoi>> kVoronoiSpans = {"voronoi-spans"};
-inline constexpr Named<Spans<Dither>> kDitherSpans = {"dither-spans"};
 inline constexpr Named<Spans<Linear>> kLinearSpans = {"linear-spans"};
 inline constexpr Named<Spans<Paper<5>>> kPaper5Spans = {"paper5-spans"};
 
@@ -139,7 +137,6 @@ bool write_texel_frames(const Frame& frame)
 {
     return for_one_pixel_format<Texel>(frame, kNearest) && for_each_pixel_format<Texel>(frame, kLinear) &&
            for_one_pixel_format<Texel>(frame, kPaper5) && for_one_pixel_format<Texel>(frame, kNearestSpans) &&
-           for_one_pixel_format<Texel>(frame, kVoronoiSpans) && for_one_pixel_format<Texel>(frame, kDitherSpans) &&
            for_each_pixel_format<Texel>(frame, kLinearSpans) && for_one_pixel_format<Texel>(frame, kPaper5Spans);
 }
 

@@ -112,7 +112,7 @@ double worst_difference(CellLine origins, CellLine directions, const TileScanlin
     const Field field;
     const OverBlack background;
     uint8_t pixels[1];  // not drawn to
-    CellPiece<OverBlack> span = {field, background, pixels, kPixels, 0, 0, origins, directions, tile};
+    CellPiece<OverBlack> span = {field, background, pixels, kPixels, origins, directions, tile};
     const uint8_t* const texels = reinterpret_cast<const uint8_t*>(kTexels);
     BothSidesWalk<kFlips> both(origins, directions, texels, {kRowBytes, kTexelBytes});
     BothSidesScanlines scanlines(span, tile);

@@ -27,14 +27,10 @@ void draw_chord(const Field& field, const Camera& camera, const Stripe& stripe, 
 template <class Texel>
 void draw_chord(const Field& field, const Camera& camera, const Stripe& stripe, uint32_t choice)
 {
-    switch ((choice >> 8) % 6) {
+    switch ((choice >> 8) % 4) {
         case 0:
             return draw_chord<Nearest, Texel>(field, camera, stripe, choice);
         case 1:
-            return draw_chord<Dither, Texel>(field, camera, stripe, choice);
-        case 2:
-            return draw_chord<NearestVoronoi, Texel>(field, camera, stripe, choice);
-        case 3:
             return draw_chord<Paper<9>, Texel>(field, camera, stripe, choice);
         default:
             return draw_chord<Linear, Texel>(field, camera, stripe, choice);

@@ -74,7 +74,7 @@ void compare(const Field& field, const Background& background, std::minstd_rand&
                                     down[0], down[1]};
         Pixels every, own;
         const auto piece = [&](Pixels& pixels) {
-            return CellPiece<Background>{field,   background, pixels.scanline[0],          length, 0, 0,
+            return CellPiece<Background>{field,   background, pixels.scanline[0],          length,
                                          origins, directions, k % 2 != 0 ? &tile : nullptr};
         };
         const TileScanlines* const all = can_follow_tile(piece(every)) ? &tile : nullptr;

@@ -100,8 +100,6 @@ TEST_CASE("spans hold at every edge of the camera's range", "[span]")
                     const Edge edge = edges.next(distance, fov);
                     worst.see(drawn<Linear>(field, edge, 0), drawn<Linear>(field, edge, span_px));
                     (void)drawn<Nearest>(field, edge, span_px);
-                    (void)drawn<NearestVoronoi>(field, edge, span_px);
-                    (void)drawn<Dither>(field, edge, span_px);
                     (void)drawn<Paper<9>>(field, edge, span_px);
                 }
             }

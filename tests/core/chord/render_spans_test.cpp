@@ -172,7 +172,6 @@ TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "
     std::minstd_rand random(11);
     Worst linear;
     Worst paper;
-    Worst voronoi;
     for (uint32_t k = 0; k < kRandomViews; ++k) {
         const View view = random_view(random, kSide);
         const OverBlack black;
@@ -186,20 +185,12 @@ TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "
                           .psnr_db() +
                       100,
                   k);
-        voronoi.see(-difference(draw<Nearest, TexelRgb888>(field, view, black, 0),
-                                draw<NearestVoronoi, TexelRgb888>(field, view, black, 8))
-                            .psnr_db() +
-                        100,
-                    k);
     }
-    std::printf(
-        "spans of 8 over %u random views, lowest PSNR: linear %.1f dB at %u, paper %.1f dB at %u, nearest %.1f dB at "
-        "%u\n",
-        static_cast<unsigned>(kRandomViews), 100 - linear.error, static_cast<unsigned>(linear.where), 100 - paper.error,
-        static_cast<unsigned>(paper.where), 100 - voronoi.error, static_cast<unsigned>(voronoi.where));
+    std::printf("spans of 8 over %u random views, lowest PSNR: linear %.1f dB at %u, paper %.1f dB at %u\n",
+                static_cast<unsigned>(kRandomViews), 100 - linear.error, static_cast<unsigned>(linear.where),
+                100 - paper.error, static_cast<unsigned>(paper.where));
     CHECK(100 - linear.error > 45);
     CHECK(100 - paper.error > 42);
-    CHECK(100 - voronoi.error > 32);
 }
 
 namespace
@@ -310,7 +301,6 @@ void check_holes()
 {
     check_hole<Texel, Linear, Linear>({kSide / 2, 36});
     check_hole<Texel, Paper<5>, Paper<5>>({kSide, 36});
-    check_hole<Texel, NearestVoronoi, Nearest>({kSide / 8, 28});
     check_hole<Texel, Nearest, Nearest>({kSide / 8, 23});  // its cells on spans are others
 }
 
@@ -356,22 +346,6 @@ TEST_CASE("over black and over a black colour spans draw the same", "[span]")
     CHECK(difference(a, draw<Linear, TexelRgb888>(field, view, OverColour{{0, 0, 0}}, 8)).worst.error <= 1);
 }
 
-TEST_CASE("a dither shows the linear picture in the mean", "[span]")
-{
-    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
-    const Field field = opened(bytes);
-    const View view = extreme_views(kSide)[0];
-    const auto linear = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 4);
-    const auto dithered = draw<Dither, TexelRgb888>(field, view, OverBlack{}, 4);
-    double sum[2] = {0, 0};
-    for (size_t k = 0; k < linear.size(); ++k) {
-        sum[0] += linear[k];
-        sum[1] += dithered[k];
-    }
-    CHECK(sum[1] == Approx(sum[0]).epsilon(0.005));
-    CHECK(linear != dithered);
-}
-
 TEST_CASE("origins that are not baked stay transparent on spans, and their bytes are never read", "[span]")
 {
     // The texel section ends with the last used row: AddressSanitizer sees any read beyond.
@@ -386,8 +360,7 @@ TEST_CASE("origins that are not baked stay transparent on spans, and their bytes
         INFO(view.name);
         CHECK(d.psnr_db() > 33);
         (void)draw<Paper<9>, TexelRgb888>(field, view, OverBlack{}, 16);
-        (void)draw<NearestVoronoi, TexelRgb888>(field, view, OverBlack{}, 16);
-        (void)draw<Dither, TexelRgb888>(field, view, OverBlack{}, 16);
+        (void)draw<Nearest, TexelRgb888>(field, view, OverBlack{}, 16);
     }
 }
 

@@ -78,7 +78,7 @@ uint32_t crc_of_chords()
             return render_spans<decltype(reconstruction), Texel, PixelRgb565>(field, camera, colour, stripe, span_px);
         };
         const RenderError error = k % 5 == 0   ? draw(Nearest())
-                                  : k % 5 == 1 ? draw(Dither())
+                                  : k % 5 == 1 ? draw(Paper<9>())
                                   : k % 5 == 2 ? draw(Paper<5>())
                                   : k % 5 == 3 ? render<Linear, Texel, PixelRgb565>(field, camera, colour, stripe)
                                                : draw(Linear());
@@ -122,10 +122,10 @@ TEST_CASE("cameras of chord fields have the same numbers on every machine")
 
 TEST_CASE("pictures of chord fields are the same on every machine")
 {
-    CHECK(crc_of_chords<TexelRgb888>() == 0x83cbcb95);
-    CHECK(crc_of_chords<TexelRgb565>() == 0x28480938);
-    CHECK(crc_of_chords<TexelPalette8>() == 0xad61bfa1);
-    CHECK(crc_of_chords<TexelLuma8>() == 0x9890f22c);
+    CHECK(crc_of_chords<TexelRgb888>() == 0xbfd9fd41);
+    CHECK(crc_of_chords<TexelRgb565>() == 0x9333835a);
+    CHECK(crc_of_chords<TexelPalette8>() == 0xd31fe1d9);
+    CHECK(crc_of_chords<TexelLuma8>() == 0x136782bb);
 }
 
 TEST_CASE("pictures of surface fields are the same on every machine")

@@ -37,9 +37,6 @@ TEST_CASE("nearest by spans is judged by the points that are nearest, not by the
     REQUIRE(make_view_camera(view, camera) == CameraError::none);
     const tools::Picture drawn = draw_on_host("nearest", 4, field, file.data(), camera).picture;
     const Accuracy as_nearest = judge.judge("nearest", field, view, drawn);
-    const Accuracy as_voronoi = judge.judge("voronoi", field, view, drawn);
-    CHECK(as_nearest.psnr_db == as_voronoi.psnr_db);
-    CHECK(as_nearest.worst_pixel == as_voronoi.worst_pixel);
     CHECK(as_nearest.psnr_db < 30);  // parallelograms hold other points also away from borders
     CHECK(judge.judge("nearest", field, view, draw_on_host("nearest", 0, field, file.data(), camera).picture).psnr_db >
           60);

@@ -76,7 +76,7 @@ TEST_CASE("render refuses modes of the other kind of field, and names those of i
     const std::vector<std::pair<test::Arguments, std::string>> calls = {
         {{surface, "--mode", "paper"}, "choose one-sample, antialiased or 2x2"},
         {{surface, "--span", "8"}, "--span belongs to chord fields"},
-        {{chord, "--mode", "2x2"}, "choose nearest, voronoi, dither, linear or paper"},
+        {{chord, "--mode", "2x2"}, "choose nearest, linear or paper"},
     };
     for (const auto& [call, hint] : calls) {
         const test::Outcome outcome = lumi(joined({"render", "-o", folder / "o.png"}, call));

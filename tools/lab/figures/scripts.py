@@ -93,7 +93,6 @@ def extremes(part):
         inside, anywhere = (cell(row, place, name) for place in ("inside", "all"))
         return f"{inside} · {anywhere}"
     names = ["nearest_spacings", "linear_levels", "paper_levels"]
-    names += ["voronoi_spacings", "dither_spacings"] * (part == "spans")
     rim = "left_out" if part == "spans" else "wrong_rim"
     return table(["case", "pixels", "wrong at the rim", *(name.replace("_", ", ") for name in names)],
                  [row for row in load("extremes")["chord"] if row[part]],

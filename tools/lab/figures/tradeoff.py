@@ -53,7 +53,7 @@ class Tradeoff:
         """The best reconstruction, then the shortest span, then the finest texel that reaches a rate on a part."""
         def best(part, wanted):
             key = f"fps_{part['key']}"
-            for mode in ("paper", "linear", "dither", "nearest"):
+            for mode in ("paper", "linear", "nearest"):
                 for span in (4, 8, 16):
                     for _, texel in [pair for pair in self.renderers if pair[0] == mode]:
                         row = self.chord_row(part["core"], mode, texel, span)

@@ -67,8 +67,7 @@ HITS = ["image_px", "pixel"]
 LATTICE = ["pixel", "few_side", "few_point", "cap_side", "pole_side", "blend_side", "zone_step", "row", "tap_rgb888", "tap_rgb565",
            "tap_palette8", "tap_luma8", "clear", "half_clear"]
 SURFACE_MODES = ["one-sample", "antialiased", "2x2"]
-EXACT_MODES = ["nearest", "linear", "paper"]
-CHORD_MODES = ["nearest", "voronoi", "dither", "linear", "paper"]
+CHORD_MODES = ["nearest", "linear", "paper"]
 TEXELS = ["rgb888", "rgb565", "palette8", "luma8"]
 
 
@@ -113,7 +112,7 @@ def costs_of(surface, chord):
 
         costs[core] = {
             "surface": [surface_costs([row for row in of_core if row["mode"] == mode]) for mode in SURFACE_MODES],
-            "exact": [exact(mode) for mode in EXACT_MODES],
+            "exact": [exact(mode) for mode in CHORD_MODES],
             "spans": [[two_parts([row for row in spans if (row["mode"], row["texel"]) == (mode, texel)], spans, SETUP, INNER)
                        for texel in TEXELS] for mode in CHORD_MODES]}
     return costs
@@ -156,6 +155,6 @@ inline size_t cost_index(const std::string& core)
 '''
     for title, size, part, items in (("kSurfaceCosts", "[3][kSurfaceItems]", "surface", surface_names),
                                      ("kExactCosts", "[3][kChordItems]", "exact", chord_names),
-                                     ("kSpanCosts", "[5][4][kChordItems]", "spans", chord_names)):
+                                     ("kSpanCosts", "[3][4][kChordItems]", "spans", chord_names)):
         text += f"inline constexpr double {title}[{len(cores)}]{size} = {array([costs[core][part] for core in cores], items)};\n\n"
     return text + "// clang-format on\n\n}  // namespace lumi::planner\n"

@@ -152,7 +152,7 @@ def rows_of_surface(counter, fields):
 
 def rows_of_chord(counter, fields, small):
     """The same of chord fields."""
-    exact = {(f"exact_{mode}_{own}") for mode in ("nearest", "linear", "paper") for _, _, own, _ in [*fields, *small]}
+    exact = {(f"exact_{mode}_{own}") for mode in bench.CHORD_MODES for _, _, own, _ in [*fields, *small]}
     spans = {f"spans_{mode}_{texel}" for mode in bench.CHORD_MODES for _, texel, _, _ in fields}
     counter.build(sorted(exact | spans))
     rows = []
@@ -162,7 +162,7 @@ def rows_of_chord(counter, fields, small):
         for board in counter.boards:
             for mode in bench.CHORD_MODES:
                 counts = []
-                if texel == own and mode not in ("voronoi", "dither"):
+                if texel == own:
                     counts += counter.count(board, f"exact_{mode}_{texel}", field, [*bench.VIEWS, 0], bench.CHORD_COUNTS)
                 if has_spans:
                     counts += counter.count(board, f"spans_{mode}_{texel}", field, [*bench.VIEWS, *SPANS], bench.CHORD_COUNTS)

@@ -23,8 +23,6 @@ namespace
 {
 
 const Choices<Mode> kChordModes = {{name_of(Mode::nearest), Mode::nearest},
-                                   {name_of(Mode::voronoi), Mode::voronoi},
-                                   {name_of(Mode::dither), Mode::dither},
                                    {name_of(Mode::linear), Mode::linear},
                                    {name_of(Mode::paper), Mode::paper}};
 const Choices<SurfaceMode> kSurfaceModes = {{name_of(SurfaceMode::one_sample), SurfaceMode::one_sample},
@@ -106,8 +104,7 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         .add_option("--mode", options.mode,
                     "Surface fields: 2x2 (four samples a pixel), antialiased (one, outlines smooth) or one-sample (the "
                     "fastest). Chord fields: linear (3x3 "
-                    "texels a pixel), nearest (1), voronoi (1, in the true cells also on spans), dither (1, on spans), "
-                    "paper (KxK, the kernel of the LumiPath paper). best: 2x2, or linear")
+                    "texels a pixel), nearest (1), paper (KxK, the kernel of the LumiPath paper). best: 2x2, or linear")
         ->type_name("MODE")
         ->check(known_mode)
         ->capture_default_str();
@@ -147,8 +144,6 @@ void add_render(CLI::App& lumi)
     command->callback([options, stages, command] {
         if (command->count("--neighbours") > 0 && options->mode != "paper")
             throw UsageError("--neighbours belongs to --mode paper");
-        if (options->mode == "dither" && options->drawing.span_px < 2)
-            throw UsageError("--mode dither needs --span 2 or more: exact drawing does not dither");
         if (command->count("--over") > 0 && options->drawing.display != DisplayFormat::rgb888)
             throw UsageError("--over draws with --pixel rgb888 only: a photograph has more colours than the display");
         run(*options, stages);

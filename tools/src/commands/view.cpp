@@ -41,8 +41,7 @@ std::vector<ShownMode> chord_modes(const Field& field)
 {
     if (!fits_spans(field))
         return {{1, "linear", "Linear", "3×3 texels a pixel; the field is too small for spans", {}}};
-    return {{3, "nearest", "Nearest", "1 texel a pixel, the fastest", {}},
-            {2, "dither", "Dither", "1 texel a pixel, chosen by an ordered dither", {}},
+    return {{2, "nearest", "Nearest", "1 texel a pixel, the fastest", {}},
             {1, "linear", "Linear", "3×3 texels a pixel", {}},
             {0, "paper", "Paper", "5×5 texels a pixel, the kernel of the paper", {}}};
 }

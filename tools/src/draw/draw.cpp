@@ -10,7 +10,7 @@ namespace lumi::tools
 
 const char* name_of(Mode mode)
 {
-    constexpr const char* kNames[] = {"nearest", "voronoi", "dither", "linear", "paper"};
+    constexpr const char* kNames[] = {"nearest", "linear", "paper"};
     return kNames[static_cast<size_t>(mode)];
 }
 

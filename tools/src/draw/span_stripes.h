@@ -74,10 +74,6 @@ Picture with_reconstruction(const DrawSettings& settings, const Next& next)
     switch (settings.mode) {
         case Mode::nearest:
             return next(Nearest());
-        case Mode::voronoi:
-            return next(NearestVoronoi());
-        case Mode::dither:
-            return next(Dither());
         case Mode::linear:
             return next(Linear());
         case Mode::paper:

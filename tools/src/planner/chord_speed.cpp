@@ -15,17 +15,12 @@ namespace
 
 using tools::Mode;
 
-// Exact pixels of the modes of one tap are those of Nearest.
-size_t exact_kind_of(Mode mode)
-{
-    return mode == Mode::paper ? 2 : mode == Mode::linear ? 1 : 0;
-}
-
 const double (&costs_of(const std::string& core, Mode mode, const Field& field, int32_t span_px))[kChordItems]
 {
     const size_t of_core = cost_index(core);
-    if (span_px == 0 || !is_drawn_by_spans(field)) return kExactCosts[of_core][exact_kind_of(mode)];
-    return kSpanCosts[of_core][static_cast<size_t>(mode)][static_cast<size_t>(field.texel_format)];
+    const size_t of_mode = static_cast<size_t>(mode);
+    if (span_px == 0 || !is_drawn_by_spans(field)) return kExactCosts[of_core][of_mode];
+    return kSpanCosts[of_core][of_mode][static_cast<size_t>(field.texel_format)];
 }
 
 Camera camera_of_generic_view(const host::ScreenSize& screen)

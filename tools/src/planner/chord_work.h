@@ -91,8 +91,7 @@ struct ChordFrame {
     std::vector<Read> reads;  // in the order of drawing; addresses count from the first texel
 };
 
-// Of a frame in stripes over black. span_px: 4, 8 or 16; 0, or a field that spans refuse: every pixel exact. The true
-// nearest points and those of Dither are taken to be the nearest ones.
+// Of a frame in stripes over black. span_px: 4, 8 or 16; 0, or a field that spans refuse: every pixel exact.
 ChordFrame frame_of(const Field& field, tools::Mode mode, int32_t span_px, const Camera& camera,
                     const host::ScreenSize& screen);
 

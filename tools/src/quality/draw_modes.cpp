@@ -16,7 +16,7 @@ using tools::Mode;
 
 bool set_reconstruction(std::string_view word, DrawSettings& settings)
 {
-    for (const Mode mode : {Mode::nearest, Mode::voronoi, Mode::dither, Mode::linear})
+    for (const Mode mode : {Mode::nearest, Mode::linear})
         if (word == name_of(mode)) {
             settings.mode = mode;
             return true;
@@ -44,7 +44,6 @@ std::optional<DrawMode> parse_draw_mode(std::string_view text)
     const size_t slash = text.find('/');
     if (!set_reconstruction(text.substr(0, slash), mode.settings)) return std::nullopt;
     if (slash != std::string_view::npos && !set_span(text.substr(slash + 1), mode.settings)) return std::nullopt;
-    if (mode.settings.mode == Mode::dither && mode.settings.span_px == 0) return std::nullopt;
     return mode;
 }
 

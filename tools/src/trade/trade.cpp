@@ -51,8 +51,7 @@ const char* policy_of(SurfaceMode mode)
 
 const char* policy_of(Mode mode)
 {
-    constexpr const char* kPolicies[] = {"lumi::Nearest", "lumi::NearestVoronoi", "lumi::Dither", "lumi::Linear",
-                                         "lumi::Paper"};
+    constexpr const char* kPolicies[] = {"lumi::Nearest", "lumi::Linear", "lumi::Paper"};
     return kPolicies[static_cast<size_t>(mode)];
 }
 
@@ -121,8 +120,8 @@ PartTrade part_of(const planner::Pace& pace, size_t k, const std::vector<Row>& r
 std::vector<quality::DrawMode> usual_modes()
 {
     std::vector<quality::DrawMode> modes;
-    for (const char* word : {"nearest/16", "nearest/8", "voronoi/16", "voronoi/8", "dither/16", "dither/8", "linear/16",
-                             "linear/8", "linear/4", "paper5/16", "paper5/8", "nearest", "paper5"})
+    for (const char* word :
+         {"nearest/16", "nearest/8", "linear/16", "linear/8", "linear/4", "paper5/16", "paper5/8", "nearest", "paper5"})
         modes.push_back(*quality::parse_draw_mode(word));
     return modes;
 }

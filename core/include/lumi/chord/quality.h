@@ -21,7 +21,7 @@ namespace lumi
 // How to draw a frame.
 struct FrameQuality {
     bool draws;       // false: the finest picture is on the display already
-    bool one_tap;     // Dither or Nearest in place of the product's reconstruction
+    bool one_tap;     // Nearest in place of the product's reconstruction
     bool interlaced;  // the scanlines of `parity` alone, see interlaced_half()
     int32_t parity;   // 0 or 1, alternating from frame to frame
     int32_t span_px;  // for render_spans(); 1: for render(), the exact one

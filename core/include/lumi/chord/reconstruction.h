@@ -25,23 +25,14 @@ struct Taps {
 namespace lumi
 {
 
-// The nearest lattice point of each side: one texel a pixel.
+// The nearest lattice point of each side: one texel a pixel. On spans lattice coordinates are rounded, the cheapest
+// cell.
 struct Nearest {
     static constexpr uint32_t kTaps = 1;
     static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
     {
         return {1, {detail::nearest(lattice, direction)}, {detail::kWeightOneQ12}};
     }
-};
-
-// On spans Nearest rounds lattice coordinates, the cheapest cell; this one compares distances, as the exact renderer
-// does.
-struct NearestVoronoi : Nearest {
-};
-
-// One tap a pixel, chosen by an ordered dither so that neighbouring pixels together show the linear picture. It needs
-// the pixel's place: the span renderer dithers, the exact one draws its nearest point.
-struct Dither : Nearest {
 };
 
 // Barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel. Continuous for lattices of every size, see

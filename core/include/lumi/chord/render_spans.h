@@ -7,7 +7,7 @@
 // other. Full scanlines are the cheapest: of a rectangle that begins right of the sphere's left outline, hits on the
 // way from there are evaluated, too. `span_px` (2, 4, 8 or 16) is the most pixels between exact hits: the trade of
 // speed for accuracy that docs/chord-tradeoff.md measures. From 8 on, the inside of the sphere is drawn in tiles of
-// span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Paper<K> and NearestVoronoi need
+// span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Paper<K> needs
 // <lumi/chord/render_spans_paper.h>, too.
 #pragma once
 #pragma GCC system_header
@@ -78,12 +78,10 @@ RenderError render_spans(const Field& field, const Camera& camera, const Backgro
         const bool is_in_part = detail::is_cut(stripe, piece);
         if (is_in_part) detail::copy_from_stripe(stripe, piece, Pixel::kBytes, cut);
         uint8_t* const pixels = is_in_part ? cut : pixel_of<Pixel>(stripe, piece.x, piece.y);
-        if (piece.kind == detail::Piece::Kind::cells) {
-            Loops::draw({field, background, pixels, piece.width, piece.x, piece.y, origins.cells, directions.cells,
-                         piece.tile});
-        } else {
-            Loops::draw_checked({field, background, pixels, piece.width, piece.x, piece.y, origins, directions});
-        }
+        if (piece.kind == detail::Piece::Kind::cells)
+            Loops::draw({field, background, pixels, piece.width, origins.cells, directions.cells, piece.tile});
+        else
+            Loops::draw_checked({field, background, pixels, piece.width, origins, directions});
         if (is_in_part) copy_into_stripe(stripe, piece, Pixel::kBytes, cut);
     }
     return RenderError::none;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For render_spans(): the reconstructions that compare distances, Paper<K> and NearestVoronoi. What a firmware does not
-// include is not linked.
+// For render_spans(): the reconstruction that compares distances, Paper<K>. What a firmware does not include is not
+// linked.
 #pragma once
 #pragma GCC system_header
 

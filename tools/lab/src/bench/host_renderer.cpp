@@ -107,8 +107,6 @@ HostFrame draw_on_host(const std::string& mode, int span, const Field& field, co
     trace.file = file;
     const Job job = {span, field, camera};
     if (mode == "nearest") return choose_texel<Nearest>(job);
-    if (mode == "voronoi") return choose_texel<NearestVoronoi>(job);
-    if (mode == "dither") return choose_texel<Dither>(job);
     if (mode == "linear") return choose_texel<Linear>(job);
     if (mode == "paper") return choose_texel<Paper<5>>(job);
     throw std::logic_error("no renderer is called " + mode);

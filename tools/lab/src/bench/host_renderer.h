@@ -22,8 +22,8 @@ struct HostFrame {
     std::vector<Read> reads;  // each read of texels and palette, in order; addresses count from the field file's start
 };
 
-// `mode` is nearest, voronoi, dither, linear or paper; `span` 0 is render() in place of render_spans(): every pixel
-// exact, no dither, no voronoi. The field decides the texel policy. `file` is where the field's bytes
+// `mode` is nearest, linear or paper; `span` 0 is render() in place of render_spans(): every pixel
+// exact. The field decides the texel policy. `file` is where the field's bytes
 // begin.
 HostFrame draw_on_host(const std::string& mode, int span, const Field& field, const uint8_t* file,
                        const Camera& camera);

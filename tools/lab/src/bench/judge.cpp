@@ -26,21 +26,14 @@ struct SideTaps {
     bool uncertain;
 };
 
-SideTaps taps_of_side(const std::string& rule, const Points& all, const Vec3& hit)
+SideTaps taps_of_side(const std::string& mode, const Points& all, const Vec3& hit)
 {
-    if (rule == "nearest") {
+    if (mode == "nearest") {
         const twin::CellPoint point = twin::nearest_point(all, hit, kBorderShare);
         return {{{point.index, 1.0}}, point.uncertain};
     }
-    if (rule == "paper") return {twin::paper_weights(all, hit, kPaperNeighbours), false};
+    if (mode == "paper") return {twin::paper_weights(all, hit, kPaperNeighbours), false};
     return {twin::linear_weights(all, hit), false};
-}
-
-// The reconstruction that a mode stands for.
-std::string rule_of(const std::string& mode)
-{
-    if (mode == "dither") return "linear";
-    return mode == "voronoi" ? "nearest" : mode;
 }
 
 uint8_t rounded(double level)
@@ -76,9 +69,9 @@ Judge::Judge(const Field& field)
 {
 }
 
-const ViewTaps& Judge::taps_of(const std::string& rule, const View& view)
+const ViewTaps& Judge::taps_of(const std::string& mode, const View& view)
 {
-    const auto [at, is_new] = taps_.try_emplace({rule, view.name});
+    const auto [at, is_new] = taps_.try_emplace({mode, view.name});
     if (!is_new) return at->second;
     Camera camera;
     if (make_view_camera(view, camera) != CameraError::none) return at->second;
@@ -88,8 +81,8 @@ const ViewTaps& Judge::taps_of(const std::string& rule, const View& view)
         const detail::Extent span = detail::covered_extent(camera, y, 0, kSidePx);
         for (int x = span.begin; x < span.end; ++x) {
             const twin::Hits hit = twin::hits_of_pixel(pose, image, x, y);
-            SideTaps front = taps_of_side(rule, origins_, hit.front);
-            SideTaps back = taps_of_side(rule, directions_, hit.back);
+            SideTaps front = taps_of_side(mode, origins_, hit.front);
+            SideTaps back = taps_of_side(mode, directions_, hit.back);
             at->second.pixels.push_back(
                 {x, y, std::move(front.weights), std::move(back.weights), front.uncertain || back.uncertain});
         }
@@ -97,10 +90,10 @@ const ViewTaps& Judge::taps_of(const std::string& rule, const View& view)
     return at->second;
 }
 
-tools::Picture Judge::exact_picture(const std::string& rule, const Field& field, const View& view)
+tools::Picture Judge::exact_picture(const std::string& mode, const Field& field, const View& view)
 {
     tools::Picture picture(kSidePx, kSidePx, kBackgroundColour);
-    for (const ViewTaps::Pixel& pixel : taps_of(rule, view).pixels) {
+    for (const ViewTaps::Pixel& pixel : taps_of(mode, view).pixels) {
         const twin::Colour c = twin::blended(field, pixel.origins, pixel.directions, kBackgroundColour);
         uint8_t* at = picture.pixel(pixel.x, pixel.y);
         at[0] = rounded(c.r);
@@ -112,33 +105,12 @@ tools::Picture Judge::exact_picture(const std::string& rule, const Field& field,
 
 Accuracy Judge::judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn)
 {
-    const bool dither = mode == "dither";
-    const std::string rule = rule_of(mode);
-    const ViewTaps& taps = taps_of(rule, view);
-    const tools::Picture exact = exact_picture(rule, field, view);
-    const tools::Picture a = packed(dither ? blurred(exact) : exact, taps, false);
-    const tools::Picture b = packed(dither ? blurred(drawn) : drawn, taps, false);
+    const ViewTaps& taps = taps_of(mode, view);
+    const tools::Picture exact = exact_picture(mode, field, view);
+    const tools::Picture a = packed(exact, taps, false);
+    const tools::Picture b = packed(drawn, taps, false);
     return {tools::psnr_db(a, b), tools::psnr_db(packed(exact, taps, true), packed(drawn, taps, true)),
             worst_difference(a, b)};
-}
-
-tools::Picture blurred(const tools::Picture& picture)
-{
-    constexpr int kWeights[3] = {1, 2, 1};
-    constexpr int kSum = 16;
-    tools::Picture result = picture;
-    for (int y = 1; y + 1 < picture.height_px; ++y) {
-        for (int x = 1; x + 1 < picture.width_px; ++x) {
-            for (int c = 0; c < 3; ++c) {
-                int sum = kSum / 2;
-                for (int dy = -1; dy <= 1; ++dy)
-                    for (int dx = -1; dx <= 1; ++dx)
-                        sum += kWeights[dy + 1] * kWeights[dx + 1] * picture.pixel(x + dx, y + dy)[c];
-                result.pixel(x, y)[c] = static_cast<uint8_t>(sum / kSum);
-            }
-        }
-    }
-    return result;
 }
 
 }  // namespace lumi::bench

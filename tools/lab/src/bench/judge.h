@@ -25,7 +25,7 @@ struct ViewTaps {
 };
 
 struct Accuracy {
-    double psnr_db = 0;        // nearest: outside cell borders; dither: both pictures blurred; over covered pixels
+    double psnr_db = 0;        // over covered pixels; nearest: outside cell borders
     double psnr_all_db = 0;    // over all covered pixels as they are
     uint32_t worst_pixel = 0;  // levels of 255, over the pixels of psnr_db
 };
@@ -40,20 +40,15 @@ public:
     explicit Judge(const Field& field);
 
     // `drawn` is the picture of `field` from `view` by `mode`, as draw_on_host names it, whatever the span length:
-    // nearest and voronoi are judged by the points that are nearest by brute force. Dither is judged by the picture of
-    // linear that it stands for, both blurred over 3 × 3 pixels, as an eye does at a distance.
+    // nearest is judged by the points that are nearest by brute force.
     Accuracy judge(const std::string& mode, const Field& field, const View& view, const tools::Picture& drawn);
 
 private:
-    // `rule` is a reconstruction: nearest, linear or paper.
-    tools::Picture exact_picture(const std::string& rule, const Field& field, const View& view);
-    const ViewTaps& taps_of(const std::string& rule, const View& view);
+    tools::Picture exact_picture(const std::string& mode, const Field& field, const View& view);
+    const ViewTaps& taps_of(const std::string& mode, const View& view);
 
     std::vector<twin::Vec3> origins_, directions_;
-    std::map<std::pair<std::string, std::string>, ViewTaps> taps_;  // by rule and view
+    std::map<std::pair<std::string, std::string>, ViewTaps> taps_;  // by mode and view
 };
-
-// Each channel the weighted mean of 3 × 3 pixels (1 2 1 in both directions); the picture's rim stays as it is.
-tools::Picture blurred(const tools::Picture& picture);
 
 }  // namespace lumi::bench

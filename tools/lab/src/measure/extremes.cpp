@@ -154,7 +154,7 @@ Row row_of(const Field& field, const Camera& camera, const View& view, int32_t y
     RenderError error = RenderError::none;
     if (by_spans)
         error = render_spans<Reconstruction, TexelRgb888, PixelRgb888>(field, camera, over, stripe, kSpan);
-    else if constexpr (!std::is_same_v<Reconstruction, Dither> && !std::is_same_v<Reconstruction, NearestVoronoi>)
+    else
         error = render<Reconstruction, TexelRgb888, PixelRgb888>(field, camera, over, stripe);
     if (error != RenderError::none) throw std::logic_error("a field of the lab cannot be drawn");
     return row;
@@ -256,9 +256,6 @@ void judge_line(const Lattices& l, const Scanline& whole, Result& result)
         judge_points<Nearest>(l, line, by_spans, "nearest_spacings", worst);
         judge_shades<Linear>(l, line, by_spans, "linear_levels", linear, worst);
         judge_shades<Paper<kPaperPoints>>(l, line, by_spans, "paper_levels", paper, worst);
-        if (!by_spans) continue;
-        judge_points<NearestVoronoi>(l, line, true, "voronoi_spacings", worst);
-        judge_points<Dither>(l, line, true, "dither_spacings", worst);
     }
 }
 

@@ -46,7 +46,6 @@ void add_chord_rows(const tools::FieldFile& file, const Options& options, bench:
 {
     for (const std::string& mode : options.modes) {
         for (const int span : options.spans) {
-            if (span == 0 && (mode == "dither" || mode == "voronoi")) continue;
             tools::leave_if_interrupted();
             Json row = {{"texel", detail::texel_name(file.field().texel_format)},
                         {"mode", mode},

@@ -27,11 +27,8 @@ struct Options {
     int rows = 16, poses = 0;
 };
 
-constexpr std::pair<const char*, tools::Mode> kModes[] = {{"nearest", tools::Mode::nearest},
-                                                          {"voronoi", tools::Mode::voronoi},
-                                                          {"dither", tools::Mode::dither},
-                                                          {"linear", tools::Mode::linear},
-                                                          {"paper", tools::Mode::paper}};
+constexpr std::pair<const char*, tools::Mode> kModes[] = {
+    {"nearest", tools::Mode::nearest}, {"linear", tools::Mode::linear}, {"paper", tools::Mode::paper}};
 
 template <class Names, class Work>
 Json counts_of(const Names& names, const Work& work)
@@ -65,7 +62,6 @@ void add_chord(Json& rows, const tools::FieldFile& file, const Json& view, const
 {
     for (const auto& [name, mode] : kModes)
         for (const int span : {0, 4, 8, 16}) {
-            if (span == 0 && (mode == tools::Mode::dither || mode == tools::Mode::voronoi)) continue;
             if (span != 0 && !planner::is_drawn_by_spans(file.field())) continue;
             tools::leave_if_interrupted();
             const planner::ChordWork work = planner::frame_of(file.field(), mode, span, eye.camera, {}).work;

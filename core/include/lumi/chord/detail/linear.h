@@ -133,8 +133,8 @@ private:
     {
         LatticeLine origins{span.origins, {}, false};
         LatticeLine directions{span.directions, {}, false};
-        draw_nine_checked<Texel, Pixel>(CheckedPiece<Background>{span.field, span.background, span.pixels, span.length,
-                                                                 span.x, span.y, origins, directions});
+        draw_nine_checked<Texel, Pixel>(
+            CheckedPiece<Background>{span.field, span.background, span.pixels, span.length, origins, directions});
     }
 };
 

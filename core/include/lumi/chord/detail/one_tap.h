@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One texel a pixel: the loops of Nearest and Dither.
+// One texel a pixel: the loops of Nearest.
 #pragma once
 
 #include "lumi/chord/detail/piece.h"
@@ -74,141 +74,49 @@ private:
 #endif
 };
 
-// One tap: the point of the cell's coordinates, rounded down after offset(pixel) was added on each side.
-struct SpanOffsets {
-    int32_t origins_q16, directions_q16;
-};
-
-// `Offsets`, of the scanline that begins at a pixel of the image, has at(pixel of the span) and kConstant: whether it
-// is the same for all of them.
-template <class Texel, class Pixel, class Offsets, class Background>
-void draw_single(CellPiece<Background>& span)
-{
-    constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
-    const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
-    const CellIndex rows(span.origins, 1);
-    const CellIndex texels(span.directions, kBytes);
-    const uint8_t* const base = settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
-    int32_t scanlines_left = span.scanlines();
-    span.go_to_first();
-    do {
-        const Offsets offsets(span.x, span.y);
-        int32_t uo = span.origins.u_q16, vo = span.origins.v_q16;
-        int32_t ud = span.directions.u_q16, vd = span.directions.v_q16;
-        const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
-        const int32_t dud = settled(span.directions.du_q16), dvd = settled(span.directions.dv_q16);
-        if (Offsets::kConstant) {
-            const SpanOffsets add = offsets.at(0);
-            uo += add.origins_q16;
-            vo += add.origins_q16;
-            ud += add.directions_q16;
-            vd += add.directions_q16;
-        }
-        uint8_t* pixel = span.pixels;
-        const uint8_t* const end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes;
-        for (int32_t k = 0; pixel != end; ++k, pixel += Pixel::kBytes) {
-            const SpanOffsets add = Offsets::kConstant ? SpanOffsets{0, 0} : offsets.at(k);
-            const uint8_t* row = settled(base + rows.at(uo + add.origins_q16, vo + add.origins_q16) * stride);
-            const uint8_t* texel = row + texels.at(ud + add.directions_q16, vd + add.directions_q16);
-            store_single<Texel, Pixel>(span.field, span.background, texel, pixel);
-            uo += duo;
-            vo += dvo;
-            ud += dud;
-            vd += dvd;
-        }
-    } while (span.go_down(scanlines_left));
-}
-
-// The same where every texel is checked.
-template <class Texel, class Pixel, class Offsets, class Background>
-void draw_single_checked(const CheckedPiece<Background>& span)
-{
-    const Offsets offsets(span.x, span.y);
-    SideWalk origins(span.origins);
-    SideWalk directions(span.directions);
-    uint8_t* pixel = span.pixels;
-    for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
-        const SpanOffsets add = offsets.at(k);
-        store_checked<Texel, Pixel>(
-            span,
-            span.template texel<Texel>(origins.template one_tap<Offsets>(add.origins_q16),
-                                       directions.template one_tap<Offsets>(add.directions_q16)),
-            pixel);
-        origins.advance();
-        directions.advance();
-    }
-}
-
-// To the nearest whole coordinates.
-struct Rounding {
-    static constexpr bool kConstant = true;
-    Rounding(int32_t, int32_t) {}
-    SpanOffsets at(int32_t) const { return {1 << 15, 1 << 15}; }
-
-    static int pick(int32_t first_q16, int32_t second_q16, int32_t third_q16, int32_t)
-    {
-        const bool is_second = second_q16 > first_q16;
-        const int32_t most_q16 = is_second ? second_q16 : first_q16;
-        return third_q16 > most_q16 ? 2 : is_second ? 1 : 0;
-    }
-};
-
 template <>
 struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
     static void draw(CellPiece<Background>& span)
     {
-        draw_single<Texel, Pixel, Rounding>(span);
+        constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
+        const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
+        const CellIndex rows(span.origins, 1);
+        const CellIndex texels(span.directions, kBytes);
+        const uint8_t* const base =
+            settled(span.field.texels + span.origins.base * stride + span.directions.base * kBytes);
+        int32_t scanlines_left = span.scanlines();
+        span.go_to_first();
+        do {
+            int32_t uo = span.origins.u_q16 + kHalfCellQ16, vo = span.origins.v_q16 + kHalfCellQ16;
+            int32_t ud = span.directions.u_q16 + kHalfCellQ16, vd = span.directions.v_q16 + kHalfCellQ16;
+            const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
+            const int32_t dud = settled(span.directions.du_q16), dvd = settled(span.directions.dv_q16);
+            uint8_t* pixel = span.pixels;
+            const uint8_t* const end = pixel + static_cast<uint32_t>(span.length) * Pixel::kBytes;
+            for (; pixel != end; pixel += Pixel::kBytes) {
+                const uint8_t* row = settled(base + rows.at(uo, vo) * stride);
+                store_single<Texel, Pixel>(span.field, span.background, row + texels.at(ud, vd), pixel);
+                uo += duo;
+                vo += dvo;
+                ud += dud;
+                vd += dvd;
+            }
+        } while (span.go_down(scanlines_left));
     }
+
     template <class Texel, class Pixel, class Background>
     static void draw_checked(const CheckedPiece<Background>& span)
     {
-        draw_single_checked<Texel, Pixel, Rounding>(span);
-    }
-};
-
-// An ordered 4×4 dither (Bayer 1973) for the origins and the same one, turned, for the directions. Added to both
-// coordinates of a side before they are rounded down, one threshold picks each corner of the cell's triangle as often
-// as its barycentric weight says.
-struct DitherMatrix {
-    static constexpr uint8_t kRank[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-
-    static constexpr int32_t threshold_q16(int32_t x, int32_t y) { return (kRank[y & 3][x & 3] << 12) + (1 << 11); }
-    static constexpr SpanOffsets at(int32_t x, int32_t y) { return {threshold_q16(x, y), threshold_q16(y + 1, ~x)}; }
-};
-
-// The thresholds of a span, a part of a scanline.
-class DitherScanline
-{
-public:
-    static constexpr bool kConstant = false;
-    DitherScanline(int32_t x, int32_t y)
-    {
-        for (int32_t k = 0; k < 4; ++k) offsets_[k] = DitherMatrix::at(x + k, y);
-    }
-    const SpanOffsets& at(int32_t pixel) const { return offsets_[pixel & 3]; }
-
-    static int pick(int32_t first_q16, int32_t second_q16, int32_t, int32_t threshold_q16)
-    {
-        const int32_t t = 65535 - threshold_q16;
-        return t < first_q16 ? 0 : t < first_q16 + second_q16 ? 1 : 2;
-    }
-
-private:
-    SpanOffsets offsets_[4];
-};
-
-template <>
-struct SpanDraw<Dither> {
-    template <class Texel, class Pixel, class Background>
-    static void draw(CellPiece<Background>& span)
-    {
-        draw_single<Texel, Pixel, DitherScanline>(span);
-    }
-    template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedPiece<Background>& span)
-    {
-        draw_single_checked<Texel, Pixel, DitherScanline>(span);
+        SideWalk origins(span.origins);
+        SideWalk directions(span.directions);
+        uint8_t* pixel = span.pixels;
+        for (int32_t k = 0; k < span.length; ++k, pixel += Pixel::kBytes) {
+            store_checked<Texel, Pixel>(span, span.template texel<Texel>(origins.nearest(), directions.nearest()),
+                                        pixel);
+            origins.advance();
+            directions.advance();
+        }
     }
 };
 

@@ -22,7 +22,6 @@ struct CellPiece {
     const Background& background;
     uint8_t* pixels;
     int32_t length;
-    int32_t x, y;       // the first pixel
     CellLine& origins;  // in a tile of its own first scanline, until go_to_first()
     CellLine& directions;
     const TileScanlines* tile;  // null for one scanline
@@ -36,7 +35,6 @@ struct CellPiece {
     {
         if (--count <= 0) return false;
         pixels += tile->stride_bytes;
-        ++y;
         move_down(1);
         return true;
     }
@@ -56,7 +54,6 @@ struct CheckedPiece {
     const Background& background;
     uint8_t* pixels;
     int32_t length;
-    int32_t x, y;
     LatticeLine& origins;
     LatticeLine& directions;
 

@@ -9,6 +9,9 @@
 namespace lumi::detail
 {
 
+// Added to a cell's coordinates before they are rounded down: to the nearest whole ones.
+inline constexpr int32_t kHalfCellQ16 = 1 << 15;
+
 // Three points; weights sum to 2^bits.
 struct SideTaps {
     int32_t index[3];
@@ -27,14 +30,11 @@ public:
         return line_.over_pole ? polar_taps<kBits>() : cell_taps<kBits>();
     }
 
-    // One point: that of the coordinates, rounded down after `add_q16` was added to both; over a pole the corner that
-    // Offsets::pick() chooses by the weights.
-    template <class Offsets>
-    int32_t one_tap(int32_t add_q16) const
+    // The point of the coordinates, rounded to whole ones; over a pole the corner that weighs most.
+    int32_t nearest() const
     {
-        const PolarLine& p = line_.polar;
-        if (line_.over_pole) return p.index(Offsets::pick(p.weight_q16[0], p.weight_q16[1], p.weight_q16[2], add_q16));
-        return line_.cells.base + corner(line_.cells.u_q16 + add_q16, line_.cells.v_q16 + add_q16);
+        if (line_.over_pole) return line_.polar.index(heaviest(line_.polar.weight_q16));
+        return line_.cells.base + corner(line_.cells.u_q16 + kHalfCellQ16, line_.cells.v_q16 + kHalfCellQ16);
     }
 
     void advance()
@@ -46,6 +46,12 @@ public:
     }
 
 private:
+    static int heaviest(const int32_t (&weight_q16)[3])
+    {
+        const int heavier = weight_q16[1] > weight_q16[0] ? 1 : 0;
+        return weight_q16[2] > weight_q16[heavier] ? 2 : heavier;
+    }
+
     int32_t corner(int32_t u_q16, int32_t v_q16) const
     {
         return line_.cells.first * (u_q16 >> 16) + line_.cells.second * (v_q16 >> 16);

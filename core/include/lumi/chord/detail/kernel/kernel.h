@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's kernel and the true nearest point on spans: (1 - d²)² of distances in spacings.
+// The paper's kernel on spans: (1 - d²)² of distances in spacings.
 //
 // Through cells both sides have four taps (distances.h); over a pole there are up to five, among the corners of the
 // pixel's triangle and the points across its edges.
@@ -8,7 +8,6 @@
 #include "lumi/chord/detail/kernel/distances.h"
 #include "lumi/chord/detail/kernel/weights.h"
 #include "lumi/chord/detail/linear.h"
-#include "lumi/chord/detail/one_tap.h"
 
 namespace lumi::detail
 {
@@ -22,24 +21,7 @@ struct PolarPoints {
 
     // The points around the pixel whose triangle `line` has found.
     PolarPoints(const PolarLine& line, int32_t pixel);
-
-    // Among the corners of the triangle: no other point is nearer, as no triangle is obtuse.
-    int32_t nearest() const
-    {
-        const int first = distance2_q12[1] < distance2_q12[0] ? 1 : 0;
-        return index[distance2_q12[2] < distance2_q12[first] ? 2 : first];
-    }
 };
-
-// The nearest of four points, as an offset from their base.
-inline int32_t nearest_of(const NearPoints& at, int32_t across)
-{
-    const int32_t* const below = at.below_q26;
-    const int32_t first = at.strand[0] + (below[1] < below[0] ? across : 0);
-    const int32_t second = at.strand[1] + (below[3] < below[2] ? across : 0);
-    const auto least = [](int32_t a, int32_t b) { return a < b ? a : b; };
-    return least(below[2], below[3]) < least(below[0], below[1]) ? second : first;
-}
 
 // Taps of one side of a pixel whose texels are checked.
 struct KernelTaps {
@@ -89,7 +71,6 @@ public:
         near.strand[1] = in_bytes(near.strand[1]);
         return near;
     }
-    int32_t nearest() const { return nearest_of(near(), across()); }
     void advance() { distances_.advance(); }
 
 private:
@@ -116,11 +97,6 @@ public:
         if (line_.over_pole) return taps.set(PolarPoints(line_.polar, pixel_), kMost, kBits);
         taps.set<kBits, K>(distances_.near(), distances_.across());
         for (int k = 0; k < taps.count; ++k) taps.offset[k] += distances_.base();
-    }
-    int32_t nearest() const
-    {
-        if (line_.over_pole) return PolarPoints(line_.polar, pixel_).nearest();
-        return distances_.base() + nearest_of(distances_.near(), distances_.across());
     }
     void advance()
     {
@@ -250,28 +226,6 @@ struct SpanDraw<Paper<K>> {
                 sum.add(taps, row_weight<Sum>(origins.weight[m]));
             }
             sum.template store<Pixel>(span.background, pixel);
-        };
-        for_checked_pixels<Pixel>(span, visit);
-    }
-};
-
-template <>
-struct SpanDraw<NearestVoronoi> {
-    template <class Texel, class Pixel, class Background>
-    static void draw(CellPiece<Background>& span)
-    {
-        const auto visit = [&](const CellKernel<true>& o, const CellKernel<false>& d, const uint8_t* base,
-                               uint8_t* pixel) {
-            store_single<Texel, Pixel>(span.field, span.background, base + o.nearest() + d.nearest(), pixel);
-        };
-        for_cell_pixels<Texel, Pixel>(span, visit);
-    }
-
-    template <class Texel, class Pixel, class Background>
-    static void draw_checked(const CheckedPiece<Background>& span)
-    {
-        const auto visit = [&](const SideKernel& o, const SideKernel& d, uint8_t* pixel) {
-            store_checked<Texel, Pixel>(span, span.template texel<Texel>(o.nearest(), d.nearest()), pixel);
         };
         for_checked_pixels<Pixel>(span, visit);
     }
