@@ -2,6 +2,7 @@
 // `lumi report` through the program.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
@@ -137,6 +138,61 @@ TEST_CASE("report --for without fields bakes a ladder, and takes what an earlier
     CHECK(report["fields"].size() == 4);
     const std::string command = report["trade"]["parts"][0]["commands"][0];
     CHECK_THAT(command, Catch::StartsWith("lumi bake ") && Catch::Contains(" --fit "));
+}
+
+namespace
+{
+
+// When each file of the folder was written, by name.
+std::map<std::string, std::filesystem::file_time_type> times_of(const std::filesystem::path& folder)
+{
+    std::map<std::string, std::filesystem::file_time_type> times;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+        if (file.is_regular_file()) times[file.path().string()] = file.last_write_time();
+    return times;
+}
+
+}  // namespace
+
+TEST_CASE("a second report measures nothing that an earlier one has measured, and one that was stopped goes on")
+{
+    const Fields fields;
+    const std::filesystem::path cache = fields.folder / "cache";
+    const test::Arguments call = {"--for", "rp2040,stm32h7", "--json"};
+    const test::Outcome first = fields.report(call);
+    INFO(first.err);
+    REQUIRE(first.code == 0);
+    const auto written = times_of(cache);
+    CHECK(fields.report(call).out == first.out);  // how long drawing took, too: nothing was drawn
+    CHECK(times_of(cache) == written);
+
+    // A stop leaves a part of them.
+    std::vector<std::string> lost;
+    for (const auto& [path, time] : written)
+        if (path.find("/measured/") != std::string::npos && path.back() == 'n' && lost.size() < 5) lost.push_back(path);
+    REQUIRE(lost.size() == 5);
+    for (const std::string& path : lost) std::filesystem::remove(path);
+    REQUIRE(fields.report(call).code == 0);
+    const auto again = times_of(cache);
+    CHECK(again.size() == written.size());
+    for (const auto& [path, time] : written)
+        if (path.find(".json") != std::string::npos && std::find(lost.begin(), lost.end(), path) == lost.end())
+            CHECK(again.at(path) == time);
+    for (const std::string& path : lost) CHECK(again.at(path) > written.at(path));
+}
+
+TEST_CASE("a report measures another field under the same name anew")
+{
+    const Fields fields;
+    const test::Arguments call = {"--for", "rp2040", "--json"};
+    const auto before = nlohmann::json::parse(fields.report(call).out);
+    REQUIRE(
+        test::lumi({"bake", fields.scene, "-o", fields.chord, "--origins", "200", "--directions", "300", "--spp", "1"})
+            .code == 0);
+    const auto after = nlohmann::json::parse(fields.report(call).out);
+    REQUIRE(before["fields"].size() == 2);
+    CHECK(after["fields"][0]["psnr_db"] == before["fields"][0]["psnr_db"]);
+    CHECK(after["fields"][1]["psnr_db"] != before["fields"][1]["psnr_db"]);
 }
 
 TEST_CASE("report without fields and without parts says what it takes")

@@ -73,7 +73,8 @@ trade::Files open_all(const std::vector<std::string>& paths, FieldFile::Role rol
     return files;
 }
 
-quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields)
+quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields,
+                              const quality::Kept& kept)
 {
     quality::ReportData report;
     report.scene = options.scene.path;
@@ -81,11 +82,10 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     report.reference_samples = options.reference.samples;
     report.views = quality::held_out_views(options.set, options.views, options.size_px);
     report.references = traced(options, scene, report.views);
-    const quality::Way way = way_of(options);
+    const quality::Yardstick by = {report.views, report.references, way_of(options), kept};
     for (const auto& field : fields) {
-        report.fields.push_back(quality::measured_field(*field, report.views, report.references, way));
-        for (auto& variant :
-             quality::measured_variants(*field, modes_of(options), report.views, report.references, way))
+        report.fields.push_back(quality::measured_field(*field, by));
+        for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
             report.variants.push_back(std::move(variant));
     }
     return report;
@@ -100,20 +100,23 @@ void tell_quality(const ReportOptions& options, const quality::ReportData& repor
     if (!options.output.empty()) write_output(options.output, page_of(report));
 }
 
-void tell_trade(const ReportOptions& options, const quality::ReportData& report, const trade::Files& fields,
-                const trade::Bakes& bakes)
+void tell_trade(const ReportOptions& options, const quality::ReportData& report, const trade::Trade& trade)
 {
-    const trade::Trade trade = trade::trade_of(report, fields, options.paces, bakes);
     const std::string text =
         options.json ? with_trade(json_of(report), trade) : text_of(trade) + "\n" + text_of(report);
     std::fputs(text.c_str(), stdout);
     if (!options.output.empty()) write_output(options.output, page_of(report, lead_of(trade, report)));
 }
 
+// Of this scene, in the cache.
+std::filesystem::path folder_of(const ReportOptions& options, const baker::Scene& scene)
+{
+    return std::filesystem::path(options.cache) / quality::cache_key(scene);
+}
+
 Ladder ladder_of(const ReportOptions& options, const baker::Scene& scene)
 {
-    const std::filesystem::path folder = std::filesystem::path(options.cache) / quality::cache_key(scene);
-    return baked_ladder(scene, {folder.string(), options.is_quick, options.scene.threads});
+    return baked_ladder(scene, {folder_of(options, scene).string(), options.is_quick, options.scene.threads});
 }
 
 void run(ReportOptions& options)
@@ -128,11 +131,13 @@ void run(ReportOptions& options)
         ladder = ladder_of(options, scene);
         fields = open_all(ladder.fields, FieldFile::Role::own_output);
     }
-    const quality::ReportData report = report_of(options, scene, fields);
+    const quality::Kept kept =
+        options.cache.empty() ? quality::Kept() : quality::Kept(folder_of(options, scene) / "measured");
+    const quality::ReportData report = report_of(options, scene, fields, kept);
     if (options.paces.empty())
         tell_quality(options, report, fields);
     else
-        tell_trade(options, report, fields, ladder.bakes);
+        tell_trade(options, report, trade::trade_of(report, fields, options.paces, {ladder.bakes, kept}));
 }
 
 // What --quick leaves to the caller where the caller says it.
@@ -194,7 +199,9 @@ void add_report(CLI::App& lumi)
         ->check(whole_number(1, kMostPaths))
         ->type_name("S")
         ->capture_default_str();
-    command->add_option("--cache", options->cache, "Folder for references and baked fields, kept for the next report")
+    command
+        ->add_option("--cache", options->cache,
+                     "Folder for references, baked fields and what was measured, kept for the next report")
         ->type_name("DIR")
         ->capture_default_str();
     command->add_flag("--quick", options->is_quick,

@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
+#include <nlohmann/json.hpp>
 
 #include "draw/draw.h"
 #include "draw/draw_surface.h"
 #include "files/field_report.h"
+#include "files/output_file.h"
+#include "image/png.h"
+#include "util/digest.h"
 
 namespace lumi::quality
 {
@@ -22,23 +27,102 @@ double processor_ms()
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
 }
 
-}  // namespace
+// A picture of a field, and how good it is.
+struct View {
+    tools::Picture picture;
+    Figures figures;
+    tools::Block worst;
+    double draw_ms;
+};
 
-Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
-                  const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
+View measured_view(const HeldOutView& view, const Reference& reference, const DrawView& draw)
+{
+    const double begin = processor_ms();
+    View result = {draw(view), {}, {}, 0};
+    result.draw_ms = processor_ms() - begin;
+    result.figures = figures_of(result.picture, reference);
+    result.worst = tools::worst_block(result.picture, reference.picture);
+    return result;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const View& v)
+{
+    const Figures& f = v.figures;
+    return {{"figures", {f.psnr_db, f.ssim, f.cw_ssim, f.flip, f.mask_psnr_db, f.mask_ssim}},
+            {"worst", {v.worst.x, v.worst.y, v.worst.psnr_db}},  // infinity becomes null
+            {"draw_ms", v.draw_ms}};
+}
+
+View view_of(const Json& json, tools::Picture picture)
+{
+    const Json &f = json.at("figures"), &worst = json.at("worst");
+    const double block_db = worst.at(2).is_null() ? std::numeric_limits<double>::infinity() : worst.at(2).get<double>();
+    return {std::move(picture),
+            {f.at(0), f.at(1), f.at(2), f.at(3), f.at(4), f.at(5)},
+            {worst.at(0), worst.at(1), block_db},
+            json.at("draw_ms")};
+}
+
+std::string_view bytes_of(const std::vector<uint8_t>& bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// Of a struct of nothing but numbers of one size: no padding.
+template <class T>
+std::string_view bytes_of(const T& numbers)
+{
+    static_assert(std::has_unique_object_representations_v<T>);
+    return {reinterpret_cast<const char*>(&numbers), sizeof numbers};
+}
+
+// The same, kept for `field`: the key of a file and a way to draw it.
+View kept_view(const Kept& kept, const std::string& field, const HeldOutView& view, const Reference& reference,
+               const DrawView& draw)
+{
+    if (!kept.keeps()) return measured_view(view, reference, draw);
+    const std::string stem = kept.stem({"view", field, bytes_of(view.eye.pose), bytes_of(view.eye.image),
+                                        bytes_of(reference.picture.rgb), bytes_of(reference.mask.values)});
+    if (const auto text = kept_text(stem + ".json")) return view_of(Json::parse(*text), tools::read_png(stem + ".png"));
+    View result = measured_view(view, reference, draw);
+    tools::write_png(stem + ".png", result.picture);
+    tools::write_output(stem + ".json", json_of(result).dump());  // last: it says that both are there
+    return result;
+}
+
+Measured named(const std::string& name, const std::string& layout, uint64_t flash_bytes)
 {
     Measured result;
     result.name = name;
     result.layout = layout;
     result.flash_bytes = flash_bytes;
-    for (size_t v = 0; v < views.size(); ++v) {
-        const double begin = processor_ms();
-        result.pictures.push_back(draw(views[v]));
-        result.draw_ms += (processor_ms() - begin) / static_cast<double>(views.size());
-        result.figures.push_back(figures_of(result.pictures.back(), references[v]));
-        result.worst.push_back(tools::worst_block(result.pictures.back(), references[v].picture));
-    }
+    return result;
+}
+
+void add_view(Measured& result, View view)
+{
+    result.pictures.push_back(std::move(view.picture));
+    result.figures.push_back(view.figures);
+    result.worst.push_back(view.worst);
+    result.draw_ms += view.draw_ms;
+}
+
+void finish(Measured& result)
+{
     result.mean = mean_of(result.figures);
+    result.draw_ms /= static_cast<double>(result.figures.size());
+}
+
+}  // namespace
+
+Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
+                  const std::vector<HeldOutView>& views, const std::vector<Reference>& references)
+{
+    Measured result = named(name, layout, flash_bytes);
+    for (size_t v = 0; v < views.size(); ++v) add_view(result, measured_view(views[v], references[v], draw));
+    finish(result);
     return result;
 }
 
@@ -73,28 +157,48 @@ const char* layout_of(const tools::FieldFile& file)
     return file.surface().viewed_count == 0 ? "mean alone" : "surface";
 }
 
-Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                        const std::vector<Reference>& references, const Way& way)
+std::string key_of(const tools::FieldFile& file, const Way& way)
 {
-    const auto draw = [&](const HeldOutView& view) { return drawn(file, view, way); };
-    Measured result = measured(file.path(), layout_of(file), file.size(), draw, views, references);
-    result.way = way;
+    baker::Digest digest;
+    digest.add_bytes(file.bytes(), file.size());
+    if (file.is_surface()) {
+        digest.add(way.surface.mode);
+        digest.add(way.surface.display);
+        digest.add(way.surface.background);
+    } else {
+        digest.add(way.chord.mode);
+        digest.add(way.chord.neighbours);
+        digest.add(way.chord.span_px);
+        digest.add(way.chord.display);
+        digest.add(way.chord.background);
+    }
+    return std::string(bytes_of(digest.value()));
+}
+
+Measured measured_field(const tools::FieldFile& file, const Yardstick& by)
+{
+    const auto draw = [&](const HeldOutView& view) { return drawn(file, view, by.way); };
+    const std::string field = by.kept.keeps() ? key_of(file, by.way) : "";
+    Measured result = named(file.path(), layout_of(file), file.size());
+    for (size_t v = 0; v < by.views.size(); ++v)
+        add_view(result, kept_view(by.kept, field, by.views[v], by.references[v], draw));
+    finish(result);
+    result.way = by.way;
     result.sections = file.sections();
     if (file.is_surface()) result.triangles = tools::triangles_of(file.surface());
     return result;
 }
 
 std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                        const std::vector<HeldOutView>& views, const std::vector<Reference>& references,
-                                        const Way& way)
+                                        const Yardstick& by)
 {
     std::vector<Measured> variants;
     const auto add = [&](const std::string& name, const Way& variant) {
-        variants.push_back(measured_field(file, views, references, variant));
+        variants.push_back(measured_field(file, {by.views, by.references, variant, by.kept}));
         variants.back().layout = name;
         variants.back().sections.clear();
     };
-    Way variant = way;
+    Way variant = by.way;
     if (file.is_surface()) {
         for (const auto& [mode, name] :
              {std::pair(SurfaceMode::antialiased, "antialiased"), {SurfaceMode::one_sample, "one sample"}}) {
@@ -105,7 +209,7 @@ std::vector<Measured> measured_variants(const tools::FieldFile& file, const std:
     }
     for (const DrawMode& mode : modes) {
         variant.chord = mode.settings;
-        variant.chord.display = way.chord.display;
+        variant.chord.display = by.way.chord.display;
         add(mode.name, variant);
     }
     return variants;

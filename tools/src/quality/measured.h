@@ -11,6 +11,7 @@
 #include "metrics/worst_block.h"
 #include "quality/draw_modes.h"
 #include "quality/figures.h"
+#include "quality/kept.h"
 #include "quality/references.h"
 
 namespace lumi::quality
@@ -44,6 +45,14 @@ struct Measured {
 size_t worst_view(const Measured& m);
 size_t worst_block_view(const Measured& m);
 
+// What fields are measured against, by which way of drawing, and where that is kept.
+struct Yardstick {
+    const std::vector<HeldOutView>& views;
+    const std::vector<Reference>& references;  // one for each view
+    Way way = finest();
+    Kept kept = {};
+};
+
 using DrawView = std::function<tools::Picture(const HeldOutView&)>;
 
 // Draws and judges all views.
@@ -54,12 +63,13 @@ tools::Picture drawn(const tools::FieldFile& file, const HeldOutView& view, cons
 // "chord", "surface", or "mean alone": a surface field whose colours do not depend on the direction of view.
 const char* layout_of(const tools::FieldFile& file);
 // A field by the best that it offers.
-Measured measured_field(const tools::FieldFile& file, const std::vector<HeldOutView>& views,
-                        const std::vector<Reference>& references, const Way& way = finest());
+Measured measured_field(const tools::FieldFile& file, const Yardstick& by);
 
-// The cheaper modes of a surface field; a chord field by the modes that are given; as `way` in all else.
+// The cheaper modes of a surface field; a chord field by the modes that are given; as `by` says in all else.
 std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
-                                        const std::vector<HeldOutView>& views, const std::vector<Reference>& references,
-                                        const Way& way = finest());
+                                        const Yardstick& by);
+
+// A digest of all that decides how the field is drawn.
+std::string key_of(const tools::FieldFile& file, const Way& way);
 
 }  // namespace lumi::quality

@@ -49,7 +49,7 @@ Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const Baselin
     const std::string name = "chord8-" + std::to_string(side) + "-spp" + std::to_string(settings.chord_samples);
     const std::filesystem::path file = cache / cache_key(scene) / (name + ".lumi");
     if (!std::filesystem::exists(file)) baker::bake_field(scene, chord_settings(side, settings), file, progress);
-    Measured result = measured_field(tools::FieldFile(file.string()), views, references);
+    Measured result = measured_field(tools::FieldFile(file.string()), {views, references});
     result.name = "chord field " + std::to_string(side) + " x " + std::to_string(side);
     return result;
 }
