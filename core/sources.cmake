@@ -66,7 +66,8 @@ set(LUMI_CORE_SOURCES
   src/surface/target.cpp
   src/surface/camera.cpp
   src/surface/field.cpp
-  src/surface/view_nodes.cpp
+  src/surface/views/view_nodes.cpp
+  src/surface/views/without_views.cpp
   src/view/check_stripe.cpp
   src/control/gesture.cpp
   src/pixel/pack.cpp

@@ -20,6 +20,8 @@ set(LUMI_SURFACE_STACK_LIMIT 3072)
 # What no program holds that draws chord fields alone.
 set(lumi_surface_symbols ".*([Ss]urface|view_taps|view_frame).*")
 set(lumi_see_through_symbols ".*([Ss]ee_?[Tt]hrough|blend_(565|packed)).*")
+# What no program holds whose fields have no view tables.
+set(lumi_view_table_symbols ".*(lit_colour|view_taps|view_frame).*")
 # What no program in C holds that opens, looks and draws surface fields over black: other calls of lumi.h, what they call
 # in turn, and what draws chord fields.
 set(lumi_other_calls "lumi_(drag|pack|quality|held|moved|pose|fov|draw_over|draw_coverage|verify|error).*"
@@ -119,7 +121,10 @@ foreach(cpu IN LISTS lumi_cpus)
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_cross}/tests/cross/lumi_three_calls.elf
       -D "FORBIDDEN=${lumi_other_calls};${lumi_see_through_symbols};${lumi_chord_symbols}"
       -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
-  list(APPEND lumi_cpu_tests ${cpu}.c_firmware_links_what_it_calls)
+  add_test(NAME ${cpu}.plain_firmware_links_no_view_tables
+    COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_cross}/tests/cross/lumi_plain_view.elf
+      -D "FORBIDDEN=${lumi_view_table_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+  list(APPEND lumi_cpu_tests ${cpu}.c_firmware_links_what_it_calls ${cpu}.plain_firmware_links_no_view_tables)
   list(APPEND lumi_cpu_tests ${cpu}.opaque_firmware_links_no_see_through ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
     ${cpu}.chord_firmware_links_no_surface)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
@@ -177,6 +182,11 @@ add_test(NAME proof.finds_surface
     -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/platform/mps2/lumi_frame_crcs_firmware.elf
     -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
 list(APPEND lumi_proof_tests proof.finds_surface)
+add_test(NAME proof.finds_view_tables
+  COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
+    -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross/lumi_three_calls.elf
+    -D "FORBIDDEN=${lumi_view_table_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+list(APPEND lumi_proof_tests proof.finds_view_tables)
 foreach(what other_calls chord_symbols)
   add_test(NAME proof.finds_${what}
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON

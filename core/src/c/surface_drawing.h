@@ -66,7 +66,7 @@ public:
     {
         const SurfaceMode mode = static_cast<SurfaceMode>(number);
         if (mode > finest_) return ViewError::mode_too_fine;
-        return look_at_surface<Pixel, SurfaceMode::two_by_two>(field_, pose, image, mode, memory_, frame_);
+        return look_at_surface<Pixel, SurfaceMode::two_by_two, true>(field_, pose, image, mode, memory_, frame_);
     }
 
     PixelRect bounds() const { return bounds_of(frame_); }

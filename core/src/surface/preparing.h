@@ -53,12 +53,13 @@ LUMI_ALWAYS_INLINE bool begin_frame(const SurfaceField& field, const SurfaceCame
 }
 
 // Places these vertices, without their light.
-LUMI_ALWAYS_INLINE PlacedVertices put_vertices(const SurfaceFrame& frame, uint32_t begin, uint32_t end)
+LUMI_ALWAYS_INLINE PlacedVertices put_vertices(const SurfaceFrame& frame, uint32_t begin, uint32_t end,
+                                               uint32_t colour = kUnlit)
 {
     PlacedVertices placed = kNoneIsPlaced;
     for (uint32_t k = begin; k < end; ++k) {
         const SamplePoint p = projected(frame.projection, view_point(frame.projection, surface_vertex(frame.field, k)));
-        frame.memory.vertices[k] = packed(p, kUnlit);
+        frame.memory.vertices[k] = packed(p, colour);
         placed.are_whole = placed.are_whole && p.depth != 0;
         add(placed.x_q6, p.x_q6);
         add(placed.y_q6, p.y_q6);

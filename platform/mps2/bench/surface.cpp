@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The surface renderer for the pixels, parts and modes that the build names: LUMI_BENCH_PIXEL, LUMI_BENCH_SEE_THROUGH,
-// and LUMI_BENCH_FINEST.
+// LUMI_BENCH_FINEST, and LUMI_BENCH_VIEW_TABLES.
 #include <algorithm>
 
 #include "lumi/mps2/instruction_counter.h"
@@ -33,7 +33,10 @@ const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
 void prepare_alone(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
 {
     const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
-    prepare_surface<Pixel, kFinest>(field, view.camera, view.mode, memory, frame);
+    if constexpr (LUMI_BENCH_VIEW_TABLES)
+        prepare_surface<Pixel, kFinest>(field, view.camera, view.mode, memory, frame);
+    else
+        detail::prepare_all<Pixel, kFinest, false>(field, view.camera, view.mode, memory, frame);
 }
 
 uint64_t prepare_by_halves(const BenchField& field, const SurfaceView& view, int32_t stripe_height)

@@ -225,6 +225,7 @@ TEST_CASE("a view refuses what is no field, cut off, of another kind or too larg
     static View<ChordDrawing<TexelRgb565>, TestScreen<PixelRgb565>> chord_view;
     static View<SurfaceDrawing<97, 128>> few_vertices;
     static View<SurfaceDrawing<98, 90>> few_patches;
+    static View<SurfaceDrawing<98, 128, SurfaceMode::antialiased, 0, 0>> no_view_tables;
     const Bytes bytes = ball();
     const auto error_of = [](auto& any, const Bytes& b) { return any.open(b.data(), b.size()); };
     CHECK(view.open(nullptr, 100) == ViewError::bad_argument);
@@ -237,6 +238,36 @@ TEST_CASE("a view refuses what is no field, cut off, of another kind or too larg
     CHECK(error_of(chord_view, chord(TexelFormat::palette8)) == ViewError::other_renderer);
     CHECK(error_of(few_vertices, bytes) == ViewError::field_too_large);
     CHECK(error_of(few_patches, bytes) == ViewError::field_too_large);
+    CHECK(error_of(no_view_tables, bytes) == ViewError::field_too_large);
+}
+
+TEST_CASE("a view without view tables draws a field that has none as any view does, on one core and on two")
+{
+    using Plain = View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two, 0, 0>, TestScreen<PixelRgb565>>;
+    static BallView<PixelRgb565> any;
+    static Plain plain;
+    static Plain::Halves halves;
+    test::TestSurface without = test::bumpy_ball();
+    without.viewed = 0;
+    const Bytes bytes = test::surface_file(without);
+    REQUIRE(any.open(bytes.data(), bytes.size()) == ViewError::none);
+    REQUIRE(plain.open(bytes.data(), bytes.size()) == ViewError::none);
+    const auto both = [&](int32_t step) {
+        halves.prepare(step, 0);
+        halves.prepare(step, 1);
+    };
+    for (uint32_t k = 0; k < 30; ++k) {
+        const Orbit orbit = {k * 0x12345678u, degrees(-90) + k * degrees(6),
+                             radii(1) + static_cast<int32_t>(k) * 90000 + 30000};
+        const auto mode = static_cast<SurfaceMode>(k % 3);
+        INFO("eye " << k);
+        REQUIRE(any.look(orbit, mode) == ViewError::none);
+        REQUIRE(plain.look(orbit, mode) == ViewError::none);
+        const Bytes expected = frame_of<PixelRgb565>(any);
+        CHECK((frame_of<PixelRgb565>(plain) == expected));
+        REQUIRE(plain.look(orbit, halves, both, mode) == ViewError::none);
+        CHECK((frame_of<PixelRgb565>(plain) == expected));
+    }
 }
 
 TEST_CASE("flash that was written in part is found by open() or by verify()")

@@ -268,7 +268,16 @@ TEST_CASE("header and inspect name the view of exactly this field")
     REQUIRE(open_surface(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), field) == FieldError::none);
     check("surface",
           "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(field.patch_count),
-          "Finest");
+          field.viewed_count == 0 ? "Finest, 0, 0" : "Finest");
+    // A field that needs no code for view tables says so.
+    REQUIRE(lumi({"bake", test::write_cube(folder.path()), "-o", folder / "plain.lumi", "--layout", "surface",
+                  "--triangles", "12", "--texel-density", "10", "--paths", "2", "--no-view-tables"})
+                .code == 0);
+    const FieldFile plain(folder / "plain.lumi");
+    check("plain",
+          "lumi::SurfaceDrawing<" + std::to_string(plain.surface().vertex_count) + ", " +
+              std::to_string(plain.surface().patch_count),
+          "Finest, 0, 0");
 }
 
 TEST_CASE("an assembler file names its field from its own folder, and the section that was asked for")

@@ -21,7 +21,7 @@ from figures.table import save  # noqa: E402
 CORES = ["m4", "m0plus"]
 SURFACE = ["--layout", "surface", "--triangles", "600", "--longest-edge", "0.3", "--texel-density", "60", "--paths", "20"]
 CHORD = ["--layout", "chord", "--origins", "256", "--directions", "512", "--spp", "4"]
-MODE, FLASH_OF_MODE = "antialiased", "antialiased_rgb565"
+MODE, FLASH_OF_MODE, PLAIN = "antialiased", "antialiased_rgb565", "no_views_rgb565"
 VERTEX_TABLES, NEIGHBOURS = b"SVIE", b"SNEI"
 
 
@@ -44,7 +44,7 @@ class Costs:
         self.boards = [bench.Board(core, work) for core in CORES]
         for board in self.boards:
             board.build(["surface_rgb565", "see_through_rgb565", "antialiased_rgb565", "one_sample_rgb565",
-                         "spans_linear_palette8"])
+                         PLAIN, "spans_linear_palette8"])
         self.kept = {}
 
     def flash(self, renderer):
@@ -84,7 +84,7 @@ def pairs(work, costs):
     gloss = both("gloss")
     if section_bytes(gloss[0], VERTEX_TABLES) == 0:
         raise bench.BenchError("the polished ball got no view tables: give it more light paths (SURFACE in features.py)")
-    yield pair_row(costs, "gloss", "a ball is matt", gloss)
+    yield pair_row(costs, "gloss", "a ball is matt", gloss, ("surface_rgb565", PLAIN), (FLASH_OF_MODE, PLAIN))
     yield pair_row(costs, "texture", "a block has one colour", both("texture"))
     yield pair_row(costs, "two sides", "a sheet is baked from above alone",
                    [bake(work, "sides", SURFACE, "sides"), bake(work, "sides", [*SURFACE, "--cap", "50%"], "sides-above")])
@@ -111,6 +111,9 @@ def absent(work, costs):
     yield row("see-through", "a firmware that draws opaque fields alone", (size, size),
               (costs.flash("see_through_rgb565"), costs.flash("surface_rgb565")),
               tuple(costs.drawing(plain, renderer, MODE) for renderer in ("see_through_rgb565", "surface_rgb565")))
+    yield row("view tables", "a firmware that draws fields without them alone", (size, size),
+              (costs.flash(FLASH_OF_MODE), costs.flash(PLAIN)),
+              tuple(costs.drawing(plain, renderer, MODE) for renderer in ("surface_rgb565", PLAIN)))
     yield row("outlines", "a field without neighbours, drawn by one-sample",
               (size, size - section_bytes(plain, NEIGHBOURS)), (costs.flash("antialiased_rgb565"),
                                                                 costs.flash("one_sample_rgb565")),

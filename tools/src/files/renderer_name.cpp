@@ -33,8 +33,10 @@ RendererName renderer_of(const SeeThroughField& field)
     const std::string drawing =
         "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(patches);
     const std::string glass = field.see_through_count == 0 ? "" : ", " + std::to_string(field.see_through_count);
+    const bool is_plain = field.see_through_count == 0 && field.viewed_count == 0;
     return named("lumi/surface/view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
-                 drawing, "Finest" + glass, glass.empty() ? "" : ", lumi::SurfaceMode::antialiased" + glass);
+                 drawing, "Finest" + (is_plain ? ", 0, 0" : glass),
+                 glass.empty() ? "" : ", lumi::SurfaceMode::antialiased" + glass);
 }
 
 }  // namespace

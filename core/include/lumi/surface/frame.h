@@ -142,6 +142,9 @@ namespace lumi::detail
 
 void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
              SurfaceFrame& out);
+// The same of a field without view tables: nothing that reads them is linked.
+void prepare_without_views(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                           const SurfaceMemory& memory, SurfaceFrame& out);
 // After that: which triangles of these patches have a side on an outline.
 void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end);
 
@@ -157,6 +160,19 @@ void put_palette(SurfaceFrame& frame)
     }
 }
 
+template <class Pixel, SurfaceMode kFinest, bool kHasViews>
+void prepare_all(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
+                 SurfaceFrame& out)
+{
+    if constexpr (kHasViews)
+        prepare(field, camera, mode, memory, out);
+    else
+        prepare_without_views(field, camera, mode, memory, out);
+    if constexpr (kFinest != SurfaceMode::one_sample)
+        if (out.margin != 0) put_outlines(out, 0, field.patch_count);
+    put_palette<Pixel>(out);
+}
+
 }  // namespace lumi::detail
 
 namespace lumi
@@ -169,10 +185,7 @@ template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out)
 {
-    detail::prepare(field, camera, mode, memory, out);
-    if constexpr (kFinest != SurfaceMode::one_sample)
-        if (out.margin != 0) detail::put_outlines(out, 0, field.patch_count);
-    detail::put_palette<Pixel>(out);
+    detail::prepare_all<Pixel, kFinest, true>(field, camera, mode, memory, out);
 }
 
 }  // namespace lumi

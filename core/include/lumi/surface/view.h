@@ -10,15 +10,19 @@
 namespace lumi::detail
 {
 
-// `by`: nothing, or SurfaceHalves and what prepares both.
-template <class Pixel, SurfaceMode kFinest, class Field, class Memory, class Frame, class... By>
+// kHasViews: whether fields may have view tables or see-through patches. `by`: nothing, or SurfaceHalves and what
+// prepares both.
+template <class Pixel, SurfaceMode kFinest, bool kHasViews, class Field, class Memory, class Frame, class... By>
 ViewError look_at_surface(const Field& field, const Pose& pose, const Image& image, SurfaceMode mode,
                           const Memory& memory, Frame& out, By&... by)
 {
     SurfaceCamera camera;
     if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
         return view_error(error);
-    prepare_surface<Pixel, kFinest>(field, camera, mode, memory, out, by...);
+    if constexpr (kHasViews || sizeof...(By) != 0)
+        prepare_surface<Pixel, kFinest>(field, camera, mode, memory, out, by...);
+    else
+        prepare_all<Pixel, kFinest, false>(field, camera, mode, memory, out);
     return ViewError::none;
 }
 
@@ -62,9 +66,10 @@ namespace lumi
 
 // Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for all modes up to kFinest:
 // 2 × 2 takes four times as many samples as the others. Of the patches so many more may be see-through; for 0 open()
-// refuses fields that have any, and nothing that draws them is linked.
+// refuses fields that have any, and nothing that draws them is linked. Of the vertices so many may have view tables;
+// for 0 the same holds for these, unless there are see-through patches or two cores prepare.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased,
-          uint32_t kSeeThrough = 0>
+          uint32_t kSeeThrough = 0, uint32_t kViewed = kVertices>
 struct SurfaceDrawing {
     static_assert(kVertices <= detail::format::kMaxSurfaceVertices &&
                       kPatches + kSeeThrough <= detail::format::kMaxPatches,
@@ -107,7 +112,8 @@ struct SurfaceDrawing {
             typename Parts::Field field;
             if (const FieldError error = open_surface(bytes, size, field); error != FieldError::none)
                 return detail::view_error(error);
-            if (field.vertex_count > kVertices || field.patch_count > kPatches || !Parts::fits(field))
+            if (field.vertex_count > kVertices || field.patch_count > kPatches || field.viewed_count > kViewed ||
+                !Parts::fits(field))
                 return ViewError::field_too_large;
             field_ = field;
             return ViewError::none;
@@ -146,10 +152,11 @@ struct SurfaceDrawing {
         ViewError look_by(const Pose& pose, const Image& image, Mode mode, By&... by)
         {
             if (mode > kFinest) return ViewError::mode_too_fine;
-            return detail::look_at_surface<typename ScreenOf::Pixel, kFinest>(
+            return detail::look_at_surface<typename ScreenOf::Pixel, kFinest, kHasViews>(
                 field_, pose, image, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_, by...);
         }
 
+        static constexpr bool kHasViews = kViewed != 0 || kSeeThrough != 0;
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
         typename Parts::Field field_{};
