@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kStateTag = 0x54465253;
+constexpr uint32_t kStateTag = 0x55465253;
 
 // Numbers of few bytes where they are small (LEB128), signed ones in zigzag order.
 void put_number(ByteWriter& out, uint64_t v)
@@ -120,6 +120,7 @@ std::vector<uint8_t> encode(const FitState& state)
     out.put64(state.paths);
     put(out, state.expected.texels);
     put(out, state.expected.nodes);
+    out(state.extra_chances);
     for (const PatchSums& patch : state.sums.patches()) put(out, patch);
     return out.bytes();
 }
@@ -141,6 +142,11 @@ bool add_encoded(const std::vector<uint8_t>& bytes, FitState& state)
     state.paths += in.get64();
     const bool same_texels = get(in, state.expected.texels, !state.has_pilot);
     if (!get(in, state.expected.nodes, !state.has_pilot) || !same_texels) return false;
+    std::vector<float> chances;
+    in(chances);
+    if (!chances.empty() && chances.size() != state.shape.mesh.patches.size()) return false;
+    if (!state.has_pilot) state.extra_chances = chances;
+    if (chances != state.extra_chances) return false;
     state.has_pilot = true;
     for (PatchSums& patch : state.sums.patches()) add(in, patch);
     return true;

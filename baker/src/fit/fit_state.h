@@ -19,10 +19,11 @@ struct FitState {
 
     const FitShape& shape;
     const EncodedTone& tone;
-    FitModel expected;     // what the pilot found
-    FitSums sums;          // equations that are linear around `expected`
-    uint32_t batches = 0;  // batches that are in the sums
-    uint32_t wanted = 0;   // batches in all, once they are known
+    FitModel expected;                 // what the pilot found
+    std::vector<float> extra_chances;  // of it, too: extra_chances()
+    FitSums sums;                      // equations that are linear around `expected`
+    uint32_t batches = 0;              // batches that are in the sums
+    uint32_t wanted = 0;               // batches in all, once they are known
     uint64_t paths = 0;
     bool has_pilot = false;
 };

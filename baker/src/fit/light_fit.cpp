@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "fit/extra_chances.h"
+
 namespace lumi::baker
 {
 namespace
@@ -17,6 +19,7 @@ constexpr int kPilotIterations = 12;
 // What a round of the pilot costs (sums of 65 paths, and iterations), in light paths a texel that take as long.
 constexpr double kRoundWork = 25;
 constexpr uint32_t kRoundRuns = kPilotIterations + 4;
+constexpr double kExtraShare = 0.33;                 // extra paths: 1 line of 4 beside 3
 constexpr uint32_t kMostAtOnce = 512, kRounds = 16;  // batches between two calls of `keep`, and calls at least
 
 // The levels of each texel's mean light; of those with few paths nearly their patch's.
@@ -38,6 +41,17 @@ void start_from_means(const FitShape& shape, const SortedSamples& samples, const
         for (size_t t = 0; t < sums.size(); ++t)
             model.texels[r.begin + t] = tone.encoded((sums[t] + mean * kPatchPaths) * (1 / (counts[t] + kPatchPaths)));
     }
+}
+
+struct PilotRound {
+    FitModel model;
+    std::vector<float> extra_chances;
+};
+
+template <class Io>
+void fields(Io& io, PilotRound& round)
+{
+    io(round.model, round.extra_chances);
 }
 
 }  // namespace
@@ -74,11 +88,12 @@ std::vector<uint32_t> LightFit::next_batches(uint32_t first, uint32_t count) con
     return result;
 }
 
-SampleBatches LightFit::traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const
+SampleBatches LightFit::traced(uint64_t seed, const std::vector<uint32_t>& batches, const ExtraLines* extra,
+                               Job& job) const
 {
     SampleBatches samples(batches.size());
     job.run(static_cast<uint32_t>(batches.size()), [&](uint32_t k) {
-        samples[k] = tracer_.samples(seed, batches[k]);
+        samples[k] = tracer_.samples(seed, batches[k], extra);
         job.add_rays(SampleTracer::kLines);
     });
     return samples;
@@ -99,7 +114,7 @@ SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
         std::iota(batches.begin(), batches.end(), first);
         const uint64_t end = job.part_of_rest(0) + uint64_t{SampleTracer::kLines} * batches.size();
         SampleBatches some = stages.once<SampleBatches>(
-            "pilot light", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, job); }, first);
+            "pilot light", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, nullptr, job); }, first);
         job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
         stages.require_shape(are_of(some, shape_));
         std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -126,12 +141,16 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
             });
             is_first = false;
             if (round != 0) smoothness.learn(sums, state.expected);
-            FitModel model = state.expected;
-            FitSolver(sums, smoothness, viewable, job).solve(model, kPilotIterations);
-            return model;
+            PilotRound done = {state.expected,
+                               extra_chances(sums, double{SampleTracer::kLines} * pilot_batches(), kExtraShare)};
+            FitSolver(sums, smoothness, viewable, job).solve(done.model, kPilotIterations);
+            return done;
         };
-        state.expected = stages.once<FitModel>("pilot round", next, round);
-        stages.require_shape(is_of(state.expected, shape_));
+        PilotRound done = stages.once<PilotRound>("pilot round", next, round);
+        const size_t chances = done.extra_chances.size();
+        stages.require_shape(is_of(done.model, shape_) && (chances == 0 || chances == shape_.mesh.patches.size()));
+        state.expected = std::move(done.model);
+        state.extra_chances = std::move(done.extra_chances);
     }
     state.has_pilot = true;
 }
@@ -161,10 +180,11 @@ void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::f
         pilot(state, stages, job);
         keep();
     }
+    const ExtraLines extra(shape_, state.extra_chances);
     const ProgressCallback quiet;
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
-        const SortedSamples samples = by_patch(traced(settings_.seed, next_batches(state.batches, count), job));
+        const SortedSamples samples = by_patch(traced(settings_.seed, next_batches(state.batches, count), &extra, job));
         Job whole(1, settings_.threads, quiet);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;

@@ -37,7 +37,7 @@ private:
     uint64_t pilot_work() const;
     void pilot(FitState& state, BakeStages& stages, Job& job) const;
     SortedSamples pilot_samples(BakeStages& stages, Job& job) const;
-    SampleBatches traced(uint64_t seed, const std::vector<uint32_t>& batches, Job& job) const;
+    SampleBatches traced(uint64_t seed, const std::vector<uint32_t>& batches, const ExtraLines* extra, Job& job) const;
     SortedSamples by_patch(const SampleBatches& batches) const;
     std::vector<uint32_t> next_batches(uint32_t first, uint32_t count) const;
 

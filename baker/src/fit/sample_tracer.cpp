@@ -50,13 +50,27 @@ std::optional<Ray> SampleTracer::ray(Sampler& sampler) const
     return cap_.sees(ray) ? std::optional<Ray>(ray) : std::nullopt;
 }
 
-std::optional<SampleTracer::Line> SampleTracer::line(Sampler& sampler) const
+std::optional<SampleTracer::Line> SampleTracer::line_to_mesh(const Ray& ray) const
 {
-    const std::optional<Ray> r = ray(sampler);
-    std::optional<Hit> hit = r ? mesh_.closest(*r) : std::nullopt;
+    std::optional<Hit> hit = mesh_.closest(ray);
     if (!hit) return std::nullopt;
     hit->triangle = numbers_[hit->triangle];
-    return Line{*r, *hit};
+    return Line{ray, *hit};
+}
+
+// The path's first hit draws the same numbers again.
+std::optional<SampleTracer::Line> SampleTracer::line(const Ray& ray, Sampler& sampler) const
+{
+    if (!see_through_.empty()) return see_through_line(ray, sampler);
+    const std::optional<Line> l = line_to_mesh(ray);
+    return l && scene_is_there(*l, sampler) ? l : std::nullopt;
+}
+
+std::optional<SampleTracer::Line> SampleTracer::extra_line(const ExtraLines& extra, Sampler& sampler) const
+{
+    const ExtraLines::Line wanted = extra.draw(sampler);
+    const std::optional<Line> l = cap_.sees(wanted.ray) ? line(wanted.ray, sampler) : std::nullopt;
+    return l && l->hit.triangle / 2 == wanted.patch ? l : std::nullopt;
 }
 
 bool SampleTracer::is_see_through(const Hit& in_scene) const
@@ -74,13 +88,10 @@ std::optional<SampleTracer::Line> SampleTracer::line_to(const Ray& ray, const Hi
     return Line{ray, *hit};
 }
 
-std::optional<SampleTracer::Line> SampleTracer::see_through_line(Sampler& sampler) const
+std::optional<SampleTracer::Line> SampleTracer::see_through_line(const Ray& ray, Sampler ahead) const
 {
-    const std::optional<Ray> r = ray(sampler);
-    if (!r) return std::nullopt;
-    Sampler ahead = sampler;  // the path's first hit draws the same numbers
-    const std::optional<Hit> hit = closest_opaque(scene_, *r, ahead);
-    return hit ? line_to(*r, *hit) : std::nullopt;
+    const std::optional<Hit> hit = closest_opaque(scene_, ray, ahead);
+    return hit ? line_to(ray, *hit) : std::nullopt;
 }
 
 uint32_t SampleTracer::texel_of(const Hit& hit) const
@@ -101,16 +112,19 @@ FitSample SampleTracer::sample(const Line& line, const Rgb& radiance) const
         radiance};
 }
 
-std::vector<FitSample> SampleTracer::samples(uint64_t seed, uint32_t batch) const
+std::vector<FitSample> SampleTracer::samples(uint64_t seed, uint32_t batch, const ExtraLines* extra) const
 {
     std::vector<FitSample> result;
     Sampler sampler(seed, batch, 0);
-    for (uint32_t k = 0; k < kLines; ++k) {
+    const uint32_t lines = kLines + (extra != nullptr && !extra->empty() ? kExtraLines : 0);
+    for (uint32_t k = 0; k < lines; ++k) {
         sampler.start(k);
-        const std::optional<Line> l = see_through_.empty() ? line(sampler) : see_through_line(sampler);
-        if (!l ||
-            (see_through_.empty() && !scene_is_there(*l, sampler)))  // the path's first hit draws the same numbers
-            continue;
+        std::optional<Line> l;
+        if (k >= kLines)
+            l = extra_line(*extra, sampler);
+        else if (const std::optional<Ray> r = ray(sampler))
+            l = line(*r, sampler);
+        if (!l) continue;
         const PathResult path = tracer_.trace(l->ray, sampler);
         if (path.covered) result.push_back(sample(*l, path.radiance));
     }
@@ -153,10 +167,12 @@ SampleTracer::Meeting SampleTracer::meeting(uint64_t seed, uint32_t batch) const
     Sampler sampler(seed, batch, 0);
     for (uint32_t k = 0; k < kLines; ++k) {
         sampler.start(k);
-        if (const std::optional<Line> l = see_through_.empty() ? line(sampler) : see_through_line(sampler)) {
-            ++result.mesh;
-            result.scene += !see_through_.empty() || scene_is_there(*l, sampler) ? 1u : 0u;
-        }
+        const std::optional<Ray> r = ray(sampler);
+        if (!r) continue;
+        const std::optional<Line> l = see_through_.empty() ? line_to_mesh(*r) : see_through_line(*r, sampler);
+        if (!l) continue;
+        ++result.mesh;
+        result.scene += !see_through_.empty() || scene_is_there(*l, sampler) ? 1u : 0u;
     }
     return result;
 }

@@ -2,7 +2,7 @@
 // Samples of the light that leaves a surface field's mesh: pure functions of scene, seed and number.
 #pragma once
 
-#include "fit/fit_shape.h"
+#include "fit/extra_lines.h"
 #include "geometry/view_cap.h"
 #include "mesh/mesh_tracer.h"
 #include "trace/path_tracer.h"
@@ -46,8 +46,9 @@ public:
 
     // The lines of a batch: uniform over all lines through the unit sphere, those outside of the cap left out.
     static constexpr uint32_t kLines = 4096;
+    static constexpr uint32_t kExtraLines = kLines / 4;  // that come on top
     // The light along those of a batch that meet the mesh where the scene is.
-    std::vector<FitSample> samples(uint64_t seed, uint32_t batch) const;
+    std::vector<FitSample> samples(uint64_t seed, uint32_t batch, const ExtraLines* extra = nullptr) const;
 
     // See-through texels of those lines.
     std::vector<PassingSample> passing(uint64_t seed, uint32_t batch) const;
@@ -64,11 +65,13 @@ private:
         Hit hit;  // its triangle has the mesh's number
     };
     std::optional<Ray> ray(Sampler& sampler) const;
-    std::optional<Line> line(Sampler& sampler) const;
+    std::optional<Line> line(const Ray& ray, Sampler& sampler) const;
+    std::optional<Line> line_to_mesh(const Ray& ray) const;
+    std::optional<Line> extra_line(const ExtraLines& extra, Sampler& sampler) const;
     bool scene_is_there(const Line& line, Sampler sampler) const;
     // The line to the mesh's triangle that stands for the surface at which the path of a scene with see-through parts
-    // begins. Draws what makes the ray.
-    std::optional<Line> see_through_line(Sampler& sampler) const;
+    // begins.
+    std::optional<Line> see_through_line(const Ray& ray, Sampler ahead) const;
     std::optional<Line> line_to(const Ray& ray, const Hit& in_scene) const;
     bool is_see_through(const Hit& in_scene) const;
     uint32_t texel_of(const Hit& hit) const;

@@ -54,6 +54,7 @@ PatchMesh assembled(const Mesh& shape, float crease_cosine);
 // The triangles of a part, and their numbers in the field: 2p or 2p + 1 of patch p.
 Mesh opaque_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
+Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 // By vertex: whether it can have a view table. What see-through patches add does not depend on the view.
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh);
 // Whether the format can hold it.
