@@ -5,6 +5,8 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <numeric>
+#include <unordered_map>
 
 namespace lumi::baker
 {
@@ -49,26 +51,127 @@ Mesh compact(const std::vector<Vec3>& positions, const Indices& indices)
     return mesh;
 }
 
+Indices simplified_to(size_t triangles, const Indices& indices, const std::vector<Vec3>& positions)
+{
+    return reduced(
+        indices,
+        [&](uint32_t* out) {
+            return meshopt_simplify(out, indices.data(), indices.size(), &positions[0].x, positions.size(),
+                                    sizeof(Vec3), 3 * triangles, kMaxError, 0, nullptr);
+        });
+}
+
+// Stalled by what it must not collapse.
+bool is_stalled(const Indices& indices, size_t triangles)
+{
+    return static_cast<double>(indices.size()) > 3 * kTolerated * static_cast<double>(triangles);
+}
+
+// Joins triangles around a vertex across the edges that they share as surfaces do: two triangles, in opposite
+// directions. Elements are corners: 3k + i is corner i of triangle k.
+class CornerSets
+{
+public:
+    explicit CornerSets(const Indices& indices) : indices_(indices), parent_(indices.size())
+    {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+        for (uint32_t k = 0; k < indices.size(); k += 3)
+            for (uint32_t i = 0; i < 3; ++i) add({k + i, k + (i + 1) % 3});
+        for (const auto& [key, edge] : edges_)
+            if (edge.uses == 2 && edge.is_one_surface) join(edge);
+    }
+
+    uint32_t root(uint32_t corner)
+    {
+        while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
+        return corner;
+    }
+
+private:
+    struct Side {
+        uint32_t from, to;  // corners
+    };
+    struct Edge {
+        Side first, second;
+        uint32_t uses;
+        bool is_one_surface;
+    };
+
+    void add(const Side& side)
+    {
+        const uint64_t a = indices_[side.from], b = indices_[side.to];
+        const auto [edge, is_new] =
+            edges_.try_emplace(std::min(a, b) << 32 | std::max(a, b), Edge{side, side, 1, false});
+        if (is_new) return;
+        Edge& e = edge->second;
+        ++e.uses;
+        e.second = side;
+        e.is_one_surface = indices_[e.first.from] == b;
+    }
+    void join(const Edge& e)
+    {
+        parent_[root(e.first.from)] = root(e.second.to);
+        parent_[root(e.first.to)] = root(e.second.from);
+    }
+
+    const Indices& indices_;
+    std::vector<uint32_t> parent_;
+    std::unordered_map<uint64_t, Edge> edges_;
+};
+
+// Surfaces that meet in an edge of more than two triangles, or whose windings differ, are parted there: each gets
+// vertices of its own, beside each other by less than shows. Only so may the simplifier collapse them.
+struct Parted {
+    std::vector<Vec3> positions;
+    Indices indices;
+    Indices originals;  // by vertex
+};
+
+Parted parted(const Mesh& mesh, const Indices& indices)
+{
+    constexpr float kBeside = 1e-6f;  // radii
+    CornerSets sets(indices);
+    std::unordered_map<uint32_t, uint32_t> numbers;
+    std::vector<uint32_t> copies(mesh.positions.size(), 0);
+    Parted result;
+    for (uint32_t corner = 0; corner < indices.size(); ++corner) {
+        const auto [number, is_new] =
+            numbers.try_emplace(sets.root(corner), static_cast<uint32_t>(result.positions.size()));
+        if (is_new) {
+            const float by = kBeside * static_cast<float>(copies[indices[corner]]++);
+            result.positions.push_back(mesh.positions[indices[corner]] + Vec3{by, by, by});
+            result.originals.push_back(indices[corner]);
+        }
+        result.indices.push_back(number->second);
+    }
+    return result;
+}
+
+Indices simplified_in_parts(size_t triangles, const Mesh& mesh, const Indices& indices)
+{
+    const Parted parts = parted(mesh, indices);
+    Indices result = simplified_to(triangles, parts.indices, parts.positions);
+    for (uint32_t& index : result) index = parts.originals[index];
+    return result;
+}
+
 }  // namespace
 
 Simplified simplified(const Mesh& mesh, size_t triangles)
 {
     Indices indices = indices_of(mesh);
     if (indices.size() <= 3 * triangles) return {compact(mesh.positions, indices), false};
-    const float* positions = &mesh.positions[0].x;
-    const size_t vertices = mesh.positions.size();
-    indices = reduced(indices, [&](uint32_t* out) {
-        return meshopt_simplify(out, indices.data(), indices.size(), positions, vertices, sizeof(Vec3), 3 * triangles,
-                                kMaxError, 0, nullptr);
-    });
-    // Stalled by borders and seams that it must not collapse. The rougher one leaves fewer than asked for.
-    const bool rough = static_cast<double>(indices.size()) > 3 * kTolerated * static_cast<double>(triangles);
-    if (rough) {
+    const Indices whole = std::move(indices);
+    indices = simplified_to(triangles, whole, mesh.positions);
+    if (is_stalled(indices, triangles)) indices = simplified_in_parts(triangles, mesh, whole);
+    const bool rough = is_stalled(indices, triangles);
+    if (rough) {  // the rougher one leaves fewer than asked for
         indices = reduced(
             indices,
             [&](uint32_t* out) {
-                return meshopt_simplifySloppy(out, indices.data(), indices.size(), positions, vertices, sizeof(Vec3),
-                                              3 * triangles, kMaxRoughError, nullptr);
+                return meshopt_simplifySloppy(out, indices.data(), indices.size(), &mesh.positions[0].x,
+                                              mesh.positions.size(), sizeof(Vec3), 3 * triangles, kMaxRoughError,
+                                              nullptr);
             });
     }
     return {compact(mesh.positions, indices), rough};

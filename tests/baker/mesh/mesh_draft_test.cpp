@@ -3,11 +3,57 @@
 
 #include <catch2/catch.hpp>
 
+#include "mesh/simplify.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"
 
 namespace lumi::baker::testing
 {
+namespace
+{
+
+// Upright walls that cross, of many rows of triangles: of each corner some edge belongs to four of these.
+Mesh waffle(uint32_t cells, uint32_t rows)
+{
+    Mesh mesh;
+    const auto corner = [&](uint32_t x, uint32_t y, uint32_t z) { return (z * (cells + 1) + y) * (cells + 1) + x; };
+    for (uint32_t z = 0; z <= rows; ++z)
+        for (uint32_t y = 0; y <= cells; ++y)
+            for (uint32_t x = 0; x <= cells; ++x)
+                mesh.positions.push_back({0.1f * static_cast<float>(x), 0.1f * static_cast<float>(y),
+                                          0.5f * static_cast<float>(z) / static_cast<float>(rows)});
+    const auto add = [&](uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+        mesh.corners.push_back({a, b, c});
+        mesh.corners.push_back({a, c, d});
+    };
+    for (uint32_t z = 0; z < rows; ++z) {
+        for (uint32_t k = 0; k <= cells; ++k) {
+            for (uint32_t i = 0; i < cells; ++i) {
+                add(corner(i, k, z), corner(i + 1, k, z), corner(i + 1, k, z + 1), corner(i, k, z + 1));
+                add(corner(k, i, z), corner(k, i + 1, z), corner(k, i + 1, z + 1), corner(k, i, z + 1));
+            }
+        }
+    }
+    return mesh;
+}
+
+float area_of(const Mesh& mesh)
+{
+    float area = 0;
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) area += mesh.area(k);
+    return area;
+}
+
+}  // namespace
+
+TEST_CASE("Walls that cross are simplified, each for itself, and stay whole", "[mesh]")
+{
+    const Mesh walls = waffle(3, 40);
+    const Simplified simple = simplified(walls, 100);
+    CHECK(!simple.rough);
+    CHECK(simple.mesh.triangle_count() <= 125);
+    CHECK(area_of(simple.mesh) == Approx(area_of(walls)));
+}
 
 TEST_CASE("Bars whose edges are split do not grow onto the bar beside them", "[mesh]")
 {
