@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "mesh/simplify.h"
+#include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"
 
@@ -37,22 +38,15 @@ Mesh waffle(uint32_t cells, uint32_t rows)
     return mesh;
 }
 
-float area_of(const Mesh& mesh)
-{
-    float area = 0;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) area += mesh.area(k);
-    return area;
-}
-
 }  // namespace
 
 TEST_CASE("Walls that cross are simplified, each for itself, and stay whole", "[mesh]")
 {
     const Mesh walls = waffle(3, 40);
-    const Simplified simple = simplified(walls, 100);
+    const Simplified simple = simplified(walls, 240);
     CHECK(!simple.rough);
-    CHECK(simple.mesh.triangle_count() <= 125);
-    CHECK(area_of(simple.mesh) == Approx(area_of(walls)));
+    CHECK(simple.mesh.triangle_count() <= 300);
+    CHECK(whole_area(simple.mesh) > 0.95 * whole_area(walls));
 }
 
 TEST_CASE("Bars whose edges are split do not grow onto the bar beside them", "[mesh]")
