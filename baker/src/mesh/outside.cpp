@@ -22,9 +22,9 @@ constexpr uint32_t kPlaces = 4;       // places on a triangle that are tried bef
 constexpr float kPlaceArea = 4e-4f;   // large triangles get one more place for each so many square radii
 constexpr float kMaxPlaces = 1024;
 constexpr uint32_t kTrianglesATask = 512;
-constexpr float kAbove = 1e-4f;         // the rays' starts, in radii: sheets closer together count as one
-constexpr double kMaxBothSides = 0.005;  // the share of what is seen that culling may lose
-constexpr float kWeldSteps = 1 << 17;   // vertices that round to the same 1/kWeldSteps radius are one
+constexpr float kAbove = 1e-4f;          // the rays' starts, in radii: sheets closer together count as one
+constexpr double kMaxBothSides = 0.005;  // the share of what is seen that culling may lose; a wash basin has 0.015
+constexpr float kWeldSteps = 1 << 17;    // vertices that round to the same 1/kWeldSteps radius are one
 constexpr uint64_t kOutsideSeed = 0x6F757473;
 
 // The shares of directions in which each side of a triangle is open to the outside.

@@ -8,6 +8,7 @@
 #include "mesh/simplify.h"
 
 #include "support/shapes.h"
+#include "support/surfaces.h"
 
 namespace lumi::baker::testing
 {
@@ -128,6 +129,17 @@ TEST_CASE("Sheets are turned whole, however their triangles are wound", "[mesh]"
         CHECK(outside.two_sided);
         CHECK(torn_edges(outside.mesh) == 0);
     }
+}
+
+TEST_CASE("A small sheet beside a large body has both of its sides", "[mesh]")
+{
+    SceneMaker maker;
+    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+    maker.box(matter, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
+    maker.quad(matter, {-0.12f, 0.6f, 0.55f}, {0.12f, 0.6f, 0.55f}, {0.12f, 0.6f, 0.8f}, {-0.12f, 0.6f, 0.8f});
+    const BuiltMesh built = built_mesh(maker.make(constant_environment(1)), {200, 2, 0.2f});
+    CHECK(built.loss.holes == 0);
+    CHECK(built.loss.missed < 0.001);
 }
 
 TEST_CASE("Sheets that cannot face one way are torn, not lost", "[mesh]")
