@@ -50,6 +50,7 @@ TABLES = {
     "attacks": scripts.attacks,
     "cases": scripts.cases,
     "model_sheet": scripts.model_sheet,
+    "people_sheet": scripts.people_sheet,
     "licences": lambda: scripts.licences("rows"),
     "licences filter": lambda: scripts.licences("filter"),
     "scene pictures": scripts.scene_pictures,

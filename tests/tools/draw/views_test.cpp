@@ -91,8 +91,11 @@ TEST_CASE("a turntable is a GIF or an MP4 where ffmpeg is installed, and otherwi
     ::setenv("PATH", path.c_str(), 1);
     CHECK(folder.entries() == 0);
     try {
-        for (const char* name : {"a.gif", "a.mp4"})
-            CHECK(write_views(options, folder / name, std::ref(drawer)) == std::vector<std::string>{folder / name});
+        for (const char* name : {"a.gif", "a.mp4"}) {
+            const auto written =
+                write_views(options, folder / name, std::ref(drawer));  // CHECK() would catch a failure
+            CHECK(written == std::vector<std::string>{folder / name});
+        }
         CHECK(test::content_of(folder / "a.gif").substr(0, 6) == "GIF89a");
         CHECK(test::content_of(folder / "a.mp4").substr(4, 4) == "ftyp");
     } catch (const Failure& failure) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What shell scripts of the laboratory measured: each puts rows into a part of docs/log/data/NAME.json."""
 import json
+import re
 
 from .table import DATA, NONE, Table, byte_text, decimal, load, or_none, save
 
@@ -60,6 +61,19 @@ def model_sheet():
                  lambda row: [row["model"], f"{row['bytes']:,}" if row["bytes"] else "refused",
                               " · ".join(decimal(value) for value in row["psnr_db"]),
                               "<br>".join(row["said"]).replace("|", "\\|")])
+
+
+def people_sheet():
+    def said(row):
+        drawn = [line for line in row["said"] if re.match("the mesh|the scene|of [0-9]|refused", line)]
+        others = len(row["said"]) - len(drawn)
+        return "<br>".join([*drawn, *([f"({others} of what the file says)"] if others else [])]).replace("|", "\\|")
+
+    def psnr(row):
+        values = [value for value in row["psnr_db"] if value is not None]
+        return [decimal(sum(values) / len(values)), decimal(min(values))] if values else ["", ""]
+    return table(["model", "bytes", "dB", "worst side", "what `lumi bake` warns of"], load("people_sheet")["models"],
+                 lambda row: [row["model"], f"{row['bytes']:,}" if row["bytes"] else "refused", *psnr(row), said(row)])
 
 
 def licences(part):
