@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "files/field_file.h"
 #include "lumi/surface/field.h"
 #include "support/program.h"
 #include "support/small_surface.h"
