@@ -45,7 +45,7 @@ struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
 
 // The paper's kernel occurs in its smallest, default and largest size.
 using Reconstructions = std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>,
-                                   BySpans<Linear>, BySpans<Paper<detail::kMaxNeighbours>>>;
+                                   BySpans<Linear>, BySpans<Paper<5>>, BySpans<Paper<detail::kMaxNeighbours>>>;
 template <class... Texel>
 std::tuple<Texel...> tuple_of(detail::TexelList<Texel...>);
 using Texels = decltype(tuple_of(detail::AllTexels()));
