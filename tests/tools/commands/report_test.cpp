@@ -181,6 +181,27 @@ TEST_CASE("a second report measures nothing that an earlier one has measured, an
     for (const std::string& path : lost) CHECK(again.at(path) > written.at(path));
 }
 
+TEST_CASE("a report measures anew what is damaged in the cache")
+{
+    const Fields fields;
+    const std::filesystem::path cache = fields.folder / "cache";
+    const test::Arguments call = {"--for", "rp2040", "--json"};
+    const auto figures = [&] {
+        const test::Outcome outcome = fields.report(call);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return nlohmann::json::parse(outcome.out)["trade"]["rows"];
+    };
+    const auto whole = figures();
+    for (const char* damage :
+         {"", "{", "null", "[]", R"({"figures": [1], "worst": [0, 0, null], "draw_ms": 1})", "junk"}) {
+        INFO(damage);
+        for (const auto& [path, time] : times_of(cache))
+            if (path.find("/measured/") != std::string::npos) std::ofstream(path) << damage;
+        CHECK(figures() == whole);
+    }
+}
+
 TEST_CASE("a report measures another field under the same name anew")
 {
     const Fields fields;

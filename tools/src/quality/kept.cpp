@@ -26,11 +26,10 @@ std::string hex(const baker::Digest& digest)
 
 }  // namespace
 
-std::optional<std::string> kept_text(const std::string& path)
+std::optional<std::string> kept_bytes(const std::string& path)
 {
     std::error_code unknown;
-    if (!std::filesystem::exists(path, unknown)) return std::nullopt;
-    baker::note_input(path);
+    if (!std::filesystem::is_regular_file(path, unknown)) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
     if (!file) return std::nullopt;
     return std::string(std::istreambuf_iterator<char>(file), {});
@@ -38,7 +37,8 @@ std::optional<std::string> kept_text(const std::string& path)
 
 Kept::Kept(const std::filesystem::path& folder)
 {
-    const std::optional<std::string> program = kept_text(kProgramFile);
+    baker::note_input(kProgramFile);
+    const std::optional<std::string> program = kept_bytes(kProgramFile);
     if (!program) return;
     baker::Digest digest;
     digest.add(*program);

@@ -29,7 +29,7 @@ private:
     std::string program_;  // a digest of its file
 };
 
-// A text that was written; nothing where there is none.
-std::optional<std::string> kept_text(const std::string& path);
+// The bytes of a file; nothing where there is none. What a report leaves for itself is no input of it (file_guard.h).
+std::optional<std::string> kept_bytes(const std::string& path);
 
 }  // namespace lumi::quality

@@ -10,6 +10,7 @@
 #include "draw/draw_surface.h"
 #include "files/field_report.h"
 #include "files/output_file.h"
+#include "image/picture_bytes.h"
 #include "image/png.h"
 #include "util/digest.h"
 
@@ -78,6 +79,23 @@ std::string_view bytes_of(const T& numbers)
     return {reinterpret_cast<const char*>(&numbers), sizeof numbers};
 }
 
+// What was kept, whole and of this size; whatever else lies there is measured again.
+std::optional<View> view_in(const std::string& stem, const tools::Picture& reference)
+{
+    const std::optional<std::string> text = kept_bytes(stem + ".json"), png = kept_bytes(stem + ".png");
+    if (!text || !png) return std::nullopt;
+    try {
+        baker::DecodedPicture decoded = baker::decode_png(*png, false);
+        if (decoded.width != reference.width_px || decoded.height != reference.height_px) return std::nullopt;
+        tools::Picture picture(decoded.width, decoded.height);
+        picture.rgb = std::move(decoded.rgb);
+        return view_of(Json::parse(*text), std::move(picture));
+    } catch (const Json::exception&) {
+    } catch (const baker::PictureError&) {
+    }
+    return std::nullopt;
+}
+
 // The same, kept for `field`: the key of a file and a way to draw it.
 View kept_view(const Kept& kept, const std::string& field, const HeldOutView& view, const Reference& reference,
                const DrawView& draw)
@@ -85,7 +103,7 @@ View kept_view(const Kept& kept, const std::string& field, const HeldOutView& vi
     if (!kept.keeps()) return measured_view(view, reference, draw);
     const std::string stem = kept.stem({"view", field, bytes_of(view.eye.pose), bytes_of(view.eye.image),
                                         bytes_of(reference.picture.rgb), bytes_of(reference.mask.values)});
-    if (const auto text = kept_text(stem + ".json")) return view_of(Json::parse(*text), tools::read_png(stem + ".png"));
+    if (std::optional<View> earlier = view_in(stem, reference.picture)) return std::move(*earlier);
     View result = measured_view(view, reference, draw);
     tools::write_png(stem + ".png", result.picture);
     tools::write_output(stem + ".json", json_of(result).dump());  // last: it says that both are there

@@ -47,21 +47,27 @@ std::string text_of(const std::vector<planner::PartRate>& rates)
     return json.dump();
 }
 
+// Empty where the text is not whole.
 std::vector<planner::PartRate> rates_in(const std::string& text)
 {
     std::vector<planner::PartRate> rates;
-    for (const Json& rate : Json::parse(text))
-        for (const planner::Chip& chip : planner::kChipList)
-            if (rate.at(0) == chip.key) rates.push_back({&chip, rate.at(1), rate.at(2), rate.at(3)});
-    return rates;
+    try {
+        for (const Json& rate : Json::parse(text))
+            for (const planner::Chip& chip : planner::kChipList)
+                if (rate.at(0) == chip.key) rates.push_back({&chip, rate.at(1), rate.at(2), rate.at(3)});
+    } catch (const Json::exception&) {
+        rates.clear();
+    }
+    return rates.size() == planner::kChips ? rates : std::vector<planner::PartRate>();
 }
 
 std::vector<planner::PartRate> kept_rates(const quality::Kept& kept, const FieldFile& file, const quality::Way& way)
 {
     if (!kept.keeps()) return rates_of(file, way);
     const std::string path = kept.stem({"rates", quality::key_of(file, way)}) + ".json";
-    if (const auto text = quality::kept_text(path)) return rates_in(*text);
-    const std::vector<planner::PartRate> rates = rates_of(file, way);
+    std::vector<planner::PartRate> rates = rates_in(quality::kept_bytes(path).value_or(""));
+    if (!rates.empty()) return rates;
+    rates = rates_of(file, way);
     tools::write_output(path, text_of(rates));
     return rates;
 }
