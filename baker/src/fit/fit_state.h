@@ -20,7 +20,7 @@ struct FitState {
     const FitShape& shape;
     const EncodedTone& tone;
     FitModel expected;                 // what the pilot found
-    std::vector<float> extra_chances;  // of it, too: extra_chances()
+    std::vector<float> extra_chances;  // by patch, from the pilot, too (fit/extra_chances.h)
     FitSums sums;                      // equations that are linear around `expected`
     uint32_t batches = 0;              // batches that are in the sums
     uint32_t wanted = 0;               // batches in all, once they are known

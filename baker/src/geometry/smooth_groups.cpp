@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/smooth_groups.h"
 
-#include <numeric>
 #include <unordered_map>
+
+#include "util/disjoint_sets.h"
 
 namespace lumi::baker
 {
 namespace
 {
-
-// Corners of triangles, 3 · triangle + corner, that are one vertex.
-class CornerSets
-{
-public:
-    explicit CornerSets(size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    uint32_t root(uint32_t c)
-    {
-        while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-        return c;
-    }
-    void join(uint32_t a, uint32_t b) { parent_[root(a)] = root(b); }
-
-private:
-    std::vector<uint32_t> parent_;
-};
 
 // An edge of more triangles is no part of a surface. Each of its triangles is compared with all others.
 constexpr size_t kMostSides = 64;
@@ -58,9 +42,9 @@ std::vector<Vec3> facings_of(const Mesh& mesh)
     return result;
 }
 
-CornerSets joined(const Mesh& mesh, const std::vector<Vec3>& facings, float crease_cosine)
+DisjointSets joined(const Mesh& mesh, const std::vector<Vec3>& facings, float crease_cosine)
 {
-    CornerSets sets(3 * mesh.triangle_count());
+    DisjointSets sets(3 * mesh.triangle_count());
     for (const auto& [edge, around] : sides_of(mesh)) {
         if (around.size() > kMostSides) continue;
         for (size_t a = 0; a < around.size(); ++a) {
@@ -106,7 +90,7 @@ void add_normals(Mesh& mesh, const std::vector<Vec3>& facings)
 Mesh with_creases(const Mesh& mesh, float crease_cosine)
 {
     const std::vector<Vec3> facings = facings_of(mesh);
-    CornerSets sets = joined(mesh, facings, crease_cosine);
+    DisjointSets sets = joined(mesh, facings, crease_cosine);
     Mesh result;
     std::unordered_map<uint32_t, uint32_t> numbers;  // the vertex made for each set, by the set's root
     for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {

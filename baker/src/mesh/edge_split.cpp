@@ -9,6 +9,26 @@ namespace lumi::baker
 namespace
 {
 
+constexpr float kMostMove = 0.1f;    // how far a new vertex may move onto the scene, as a share of its edge's length
+constexpr float kMinFacing = 0.5f;   // cosine between the surface that it moves to and the triangles around
+constexpr float kNextLayer = 1e-5f;  // from one hit to where the next one is looked for, in radii
+
+// Where a ray meets a front face at no slant, as near as possible to the distance wanted; in radii along the ray.
+std::optional<float> nearest_front(const MeshTracer& fronts, const Ray& ray, float wanted)
+{
+    std::optional<float> nearest;
+    for (float passed = 0; passed < ray.end;) {
+        const auto hit = fronts.closest({ray.origin + ray.direction * passed, ray.direction, ray.end - passed});
+        if (!hit) break;
+        const float at = passed + hit->distance;
+        const Vec3 area = fronts.mesh().area_vector(hit->triangle);
+        const bool is_alike = std::abs(dot(area, ray.direction)) > kMinFacing * length(area);
+        if (is_alike && !(nearest && std::abs(*nearest - wanted) <= std::abs(at - wanted))) nearest = at;
+        passed = at + kNextLayer;
+    }
+    return nearest;
+}
+
 class EdgeSplitter
 {
 public:
@@ -88,6 +108,16 @@ private:
 };
 
 }  // namespace
+
+PlaceMiddle onto(const MeshTracer& fronts)
+{
+    return [&](const Vec3& middle, const Vec3& facing, float edge) {
+        const float reach = kMostMove * edge;
+        const Ray ray = {middle + facing * reach, -facing, 2 * reach};
+        const std::optional<float> at = nearest_front(fronts, ray, reach);
+        return at ? ray.origin + ray.direction * *at : middle;
+    };
+}
 
 Mesh with_short_edges(Mesh mesh, float longest, const PlaceMiddle& place)
 {

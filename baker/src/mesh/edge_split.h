@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "geometry/mesh.h"
+#include "mesh/mesh_tracer.h"
 
 namespace lumi::baker
 {
@@ -12,6 +12,10 @@ namespace lumi::baker
 // Where the vertex goes that splits an edge: its middle, the direction that the triangles beside it face (unit
 // length), the edge's length. At most a tenth of that length from the middle.
 using PlaceMiddle = std::function<Vec3(const Vec3& middle, const Vec3& facing, float length)>;
+
+// Moves the middle of an edge onto the surface, where that is near and faces the same way. Another part may be within
+// reach, too, such as the second of two bars; the edge's own is the nearest one. Borrows the tracer.
+PlaceMiddle onto(const MeshTracer& fronts);
 
 // Only positions and corners count. The longest edge is split first, in all its triangles at once, so no vertex ends
 // up on another triangle's edge. Edges of one triangle alone are split in the middle.

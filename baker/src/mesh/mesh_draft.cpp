@@ -2,6 +2,7 @@
 #include "mesh/mesh_draft.h"
 
 #include "lumi/surface/format.h"
+#include "mesh/edge_split.h"
 #include "mesh/seen_part.h"
 #include "mesh/simplify.h"
 
@@ -11,30 +12,11 @@ namespace
 {
 
 constexpr float kSplitEarly = 0.95f;  // edges are split above this share of the longest edge: fitting makes some longer
-constexpr float kMostMove = 0.1f;     // how far a new vertex may move onto the scene, as a share of its edge's length
-constexpr float kMinFacing = 0.5f;    // cosine between the surface that it moves to and the triangles around
-constexpr float kNextLayer = 1e-5f;   // from one hit to where the next one is looked for, in radii
 constexpr double kEnoughSeen = 0.95;  // as a share of the triangles asked for
 constexpr uint32_t kCountRays = 256;  // a triangle, where seen ones are only counted: hidden ones take all of them
 constexpr int kAttempts = 3;          // attempts to have enough of them seen
 constexpr size_t kMaxTriangles = 65536;           // triangles that are fitted, hidden ones among them
 constexpr size_t kMostAsked = kMaxTriangles / 2;  // leaves room for edges that are split
-
-// Where a ray meets a front face at no slant, as near as possible to the distance wanted; in radii along the ray.
-std::optional<float> nearest_front(const MeshTracer& fronts, const Ray& ray, float wanted)
-{
-    std::optional<float> nearest;
-    for (float passed = 0; passed < ray.end;) {
-        const auto hit = fronts.closest({ray.origin + ray.direction * passed, ray.direction, ray.end - passed});
-        if (!hit) break;
-        const float at = passed + hit->distance;
-        const Vec3 area = fronts.mesh().area_vector(hit->triangle);
-        const bool is_alike = std::abs(dot(area, ray.direction)) > kMinFacing * length(area);
-        if (is_alike && !(nearest && std::abs(*nearest - wanted) <= std::abs(at - wanted))) nearest = at;
-        passed = at + kNextLayer;
-    }
-    return nearest;
-}
 
 size_t seen_triangles(const Mesh& mesh, Faces faces, const ViewCap& cap, Job& job)
 {
@@ -63,16 +45,6 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
 }
 
 }  // namespace
-
-PlaceMiddle onto(const MeshTracer& fronts)
-{
-    return [&](const Vec3& middle, const Vec3& facing, float edge) {
-        const float reach = kMostMove * edge;
-        const Ray ray = {middle + facing * reach, -facing, 2 * reach};
-        const std::optional<float> at = nearest_front(fronts, ray, reach);
-        return at ? ray.origin + ray.direction * *at : middle;
-    };
-}
 
 MeshDraft drafted(const Outside& outside, const MeshSettings& settings, Job& job)
 {

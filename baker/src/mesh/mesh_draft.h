@@ -2,8 +2,6 @@
 // The mesh that is fitted: few triangles on the scene's surface, without edges that are too long.
 #pragma once
 
-#include "mesh/edge_split.h"
-#include "mesh/mesh_tracer.h"
 #include "mesh/outside.h"
 #include "mesh/patch_mesh.h"
 
@@ -22,10 +20,6 @@ void fields(Io& io, MeshDraft& draft)
 {
     io(draft.rough, draft.exact, draft.fits, draft.mesh);
 }
-
-// Moves the middle of an edge onto the surface, where that is near and faces the same way. Another part may be within
-// reach, too, such as the second of two bars; the edge's own is the nearest one. Borrows the tracer.
-PlaceMiddle onto(const MeshTracer& fronts);
 
 // About as many triangles as `settings` ask for can be seen, before edges are split; hidden ones come on top.
 MeshDraft drafted(const Outside& outside, const MeshSettings& settings, Job& job);

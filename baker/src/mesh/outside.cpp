@@ -2,7 +2,6 @@
 #include "mesh/outside.h"
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 
 #include "math/frame.h"
@@ -11,6 +10,7 @@
 #include "mesh/copies.h"
 #include "mesh/cut_outs.h"
 #include "mesh/sheets.h"
+#include "util/disjoint_sets.h"
 
 namespace lumi::baker
 {
@@ -151,25 +151,17 @@ void drop_seen_copies(Mesh& mesh, const std::vector<Openness>& open)
 class Components
 {
 public:
-    explicit Components(const Mesh& mesh) : parent_(mesh.positions.size())
+    explicit Components(const Mesh& mesh) : sets_(mesh.positions.size())
     {
-        std::iota(parent_.begin(), parent_.end(), 0u);
         for (const Mesh::Corners& c : mesh.corners) {
-            join(c[0], c[1]);
-            join(c[0], c[2]);
+            sets_.join(c[0], c[1]);
+            sets_.join(c[0], c[2]);
         }
     }
-    uint32_t of(const Mesh::Corners& corners) { return root(corners[0]); }
+    uint32_t of(const Mesh::Corners& corners) { return sets_.root(corners[0]); }
 
 private:
-    uint32_t root(uint32_t v)
-    {
-        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-        return v;
-    }
-    void join(uint32_t a, uint32_t b) { parent_[root(a)] = root(b); }
-
-    std::vector<uint32_t> parent_;
+    DisjointSets sets_;
 };
 
 // How much of a sheet is seen from which side of its first triangle: areas times openness.

@@ -10,7 +10,7 @@
 #include "math/warp.h"
 #include "mesh/copies.h"
 #include "mesh/cut_outs.h"
-#include "mesh/mesh_draft.h"
+#include "mesh/edge_split.h"
 #include "mesh/mesh_loss.h"
 #include "mesh/outside.h"
 #include "mesh/rounded_mesh.h"

@@ -5,8 +5,9 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
+
+#include "util/disjoint_sets.h"
 
 namespace lumi::baker
 {
@@ -67,57 +68,46 @@ bool is_stalled(const Indices& indices, size_t triangles)
     return static_cast<double>(indices.size()) > 3 * kTolerated * static_cast<double>(triangles);
 }
 
-// Joins triangles around a vertex across the edges that they share as surfaces do: two triangles, in opposite
-// directions. Elements are corners: 3k + i is corner i of triangle k.
-class CornerSets
-{
-public:
-    explicit CornerSets(const Indices& indices) : indices_(indices), parent_(indices.size())
-    {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-        for (uint32_t k = 0; k < indices.size(); k += 3)
-            for (uint32_t i = 0; i < 3; ++i) add({k + i, k + (i + 1) % 3});
-        for (const auto& [key, edge] : edges_)
-            if (edge.uses == 2 && edge.is_one_surface) join(edge);
-    }
-
-    uint32_t root(uint32_t corner)
-    {
-        while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-        return corner;
-    }
-
-private:
-    struct Side {
-        uint32_t from, to;  // corners
-    };
-    struct Edge {
-        Side first, second;
-        uint32_t uses;
-        bool is_one_surface;
-    };
-
-    void add(const Side& side)
-    {
-        const uint64_t a = indices_[side.from], b = indices_[side.to];
-        const auto [edge, is_new] =
-            edges_.try_emplace(std::min(a, b) << 32 | std::max(a, b), Edge{side, side, 1, false});
-        if (is_new) return;
-        Edge& e = edge->second;
-        ++e.uses;
-        e.second = side;
-        e.is_one_surface = indices_[e.first.from] == b;
-    }
-    void join(const Edge& e)
-    {
-        parent_[root(e.first.from)] = root(e.second.to);
-        parent_[root(e.first.to)] = root(e.second.from);
-    }
-
-    const Indices& indices_;
-    std::vector<uint32_t> parent_;
-    std::unordered_map<uint64_t, Edge> edges_;
+// A side of a triangle, by its corners: 3k + i is corner i of triangle k.
+struct Side {
+    uint32_t from, to;
 };
+
+// The sides that an edge has; what is here is two of them.
+struct Edge {
+    Side first, second;
+    uint32_t uses = 0;
+};
+
+using Edges = std::unordered_map<uint64_t, Edge>;
+
+Edges edges_of(const Indices& indices)
+{
+    Edges edges;
+    for (uint32_t k = 0; k < indices.size(); k += 3) {
+        for (uint32_t i = 0; i < 3; ++i) {
+            const Side side = {k + i, k + (i + 1) % 3};
+            const uint64_t a = indices[side.from], b = indices[side.to];
+            Edge& edge = edges[std::min(a, b) << 32 | std::max(a, b)];
+            (edge.uses++ == 0 ? edge.first : edge.second) = side;
+        }
+    }
+    return edges;
+}
+
+// The corners of triangles around a vertex, joined across edges that these share as surfaces do: two triangles, in
+// opposite directions.
+DisjointSets corner_sets(const Indices& indices)
+{
+    DisjointSets sets(indices.size());
+    for (const auto& [key, edge] : edges_of(indices)) {
+        const bool is_one_surface = edge.uses == 2 && indices[edge.first.from] == indices[edge.second.to];
+        if (!is_one_surface) continue;
+        sets.join(edge.first.from, edge.second.to);
+        sets.join(edge.first.to, edge.second.from);
+    }
+    return sets;
+}
 
 // Surfaces that meet in an edge of more than two triangles, or whose windings differ, are parted there: each gets
 // vertices of its own, beside each other by less than shows. Only so may the simplifier collapse them.
@@ -130,7 +120,7 @@ struct Parted {
 Parted parted(const Mesh& mesh, const Indices& indices)
 {
     constexpr float kBeside = 1e-6f;  // radii
-    CornerSets sets(indices);
+    DisjointSets sets = corner_sets(indices);
     std::unordered_map<uint32_t, uint32_t> numbers;
     std::vector<uint32_t> copies(mesh.positions.size(), 0);
     Parted result;
