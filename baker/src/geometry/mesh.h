@@ -40,6 +40,12 @@ struct Mesh {
     float area(size_t triangle) const { return 0.5f * length(area_vector(triangle)); }
 };
 
+// Whether two corners are one vertex: then there is no area.
+inline bool is_degenerate(const Mesh::Corners& c)
+{
+    return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+}
+
 // Positions and corners, for files of a bake (byte_stream.h).
 template <class Io>
 void fields(Io& io, Mesh& mesh)

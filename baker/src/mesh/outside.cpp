@@ -107,11 +107,6 @@ private:
     std::unordered_map<uint64_t, uint32_t> numbers_;
 };
 
-bool is_degenerate(const Mesh::Corners& c)
-{
-    return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
-}
-
 // Welds all triangles; those that are degenerate then have equal corners.
 Mesh all_welded(const Mesh& mesh)
 {

@@ -27,7 +27,7 @@ std::vector<SheetSide> sheet_sides(const Mesh& mesh)
     sides.reserve(3 * mesh.triangle_count());
     for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
         const Mesh::Corners& c = mesh.corners[k];
-        if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+        if (is_degenerate(c)) continue;
         for (size_t i = 0; i < 3; ++i) {
             const uint32_t a = c[i], b = c[(i + 1) % 3];
             sides.push_back({std::min(a, b), std::max(a, b), k, a < b});

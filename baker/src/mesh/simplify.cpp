@@ -137,11 +137,16 @@ Parted parted(const Mesh& mesh, const Indices& indices)
     return result;
 }
 
+// What lies between two copies of a vertex has no area once they are one again.
 Indices simplified_in_parts(size_t triangles, const Mesh& mesh, const Indices& indices)
 {
     const Parted parts = parted(mesh, indices);
-    Indices result = simplified_to(triangles, parts.indices, parts.positions);
-    for (uint32_t& index : result) index = parts.originals[index];
+    const Indices few = simplified_to(triangles, parts.indices, parts.positions);
+    Indices result;
+    for (size_t k = 0; k + 2 < few.size(); k += 3) {
+        const Mesh::Corners c = {parts.originals[few[k]], parts.originals[few[k + 1]], parts.originals[few[k + 2]]};
+        if (!is_degenerate(c)) result.insert(result.end(), c.begin(), c.end());
+    }
     return result;
 }
 

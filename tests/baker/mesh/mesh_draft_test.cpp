@@ -2,6 +2,8 @@
 #include "mesh/mesh_draft.h"
 
 #include <catch2/catch.hpp>
+#include <map>
+#include <random>
 
 #include "mesh/simplify.h"
 #include "support/mesh_checks.h"
@@ -38,7 +40,55 @@ Mesh waffle(uint32_t cells, uint32_t rows)
     return mesh;
 }
 
+// The surfaces of unit cubes, half of a block's by chance: where two meet in an edge, four triangles do.
+Mesh cubes_by_chance()
+{
+    constexpr int kSide = 10;
+    std::mt19937 random(1);
+    std::vector<bool> there;
+    for (int k = 0; k < kSide * kSide * kSide; ++k) there.push_back(random() % 2 == 0);
+    using Place = std::array<int, 3>;
+    const auto is_there = [&](const Place& p) {
+        const bool inside = std::all_of(p.begin(), p.end(), [](int c) { return c >= 0 && c < kSide; });
+        return inside && there[static_cast<size_t>((p[2] * kSide + p[1]) * kSide + p[0])];
+    };
+    Mesh mesh;
+    std::map<Place, uint32_t> numbers;
+    const auto vertex = [&](const Place& p) {
+        const auto [number, is_new] = numbers.try_emplace(p, static_cast<uint32_t>(mesh.positions.size()));
+        const auto place = [](int c) { return static_cast<float>(c) / kSide; };
+        if (is_new) mesh.positions.push_back({place(p[0]), place(p[1]), place(p[2])});
+        return number->second;
+    };
+    const auto add_face = [&](Place p, size_t axis, int side) {
+        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        p[axis] += side;
+        const uint32_t a = vertex(p), b = (++p[u], vertex(p)), c = (++p[v], vertex(p)), d = (--p[u], vertex(p));
+        mesh.corners.push_back(side != 0 ? Mesh::Corners{a, b, c} : Mesh::Corners{a, c, b});
+        mesh.corners.push_back(side != 0 ? Mesh::Corners{a, c, d} : Mesh::Corners{a, d, c});
+    };
+    for (int k = 0; k < kSide * kSide * kSide; ++k) {
+        const Place p = {k % kSide, k / kSide % kSide, k / kSide / kSide};
+        for (size_t face = 0; is_there(p) && face < 6; ++face) {
+            Place beside = p;
+            beside[face / 2] += face % 2 != 0 ? 1 : -1;
+            if (!is_there(beside)) add_face(p, face / 2, static_cast<int>(face % 2));
+        }
+    }
+    return mesh;
+}
+
 }  // namespace
+
+TEST_CASE("Every triangle that is left of surfaces that meet has three vertices", "[mesh]")
+{
+    const Mesh cubes = cubes_by_chance();
+    for (const size_t triangles : {300u, 400u, 500u, 600u}) {
+        const Mesh few = simplified(cubes, triangles).mesh;
+        CHECK(few.triangle_count() > 0);
+        for (const Mesh::Corners& c : few.corners) CHECK(!is_degenerate(c));
+    }
+}
 
 TEST_CASE("Walls that cross are simplified, each for itself, and stay whole", "[mesh]")
 {
