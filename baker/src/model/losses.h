@@ -17,24 +17,27 @@ class Losses
 public:
     // `kind` goes on after the count, and says the mend: "normal map(s) are left out; ...".
     void add(const std::string& kind, size_t count = 1) { kinds_[kind].count += count; }
-    // The warning names the line of the first one.
-    void add_at(uint32_t line, const std::string& kind)
+    // The warning names the line of the first one, and which that is where `which` says so.
+    void add_at(uint32_t line, const std::string& kind, const std::string& which = "")
     {
         Kind& k = kinds_[kind];
-        if (k.count++ == 0) k.line = line;
+        if (k.count++ != 0) return;
+        k.line = line;
+        k.first = which.empty() ? "" : " (first: " + which + ")";
     }
 
     void report(const std::filesystem::path& file, std::vector<std::string>& warnings) const
     {
         for (const auto& [text, kind] : kinds_)
             if (kind.count != 0)
-                warnings.push_back(at({file.string(), kind.line}, std::to_string(kind.count) + " " + text));
+                warnings.push_back(at({file.string(), kind.line}, std::to_string(kind.count) + " " + text + kind.first));
     }
 
 private:
     struct Kind {
         size_t count = 0;
         uint32_t line = 0;
+        std::string first;
     };
     std::map<std::string, Kind> kinds_;
 };

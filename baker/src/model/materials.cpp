@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "image/texture.h"
+#include "model/losses.h"
 
 namespace lumi::baker
 {
@@ -51,30 +52,27 @@ TextureSlot slot_of(const MtlMap& map, int32_t texture)
 class TextureStore
 {
 public:
-    TextureStore(std::vector<Texture>& textures, std::vector<std::string>& warnings)
-        : textures_(textures), warnings_(warnings)
-    {
-    }
+    explicit TextureStore(std::vector<Texture>& textures) : textures_(textures) {}
 
     // None where `map` is null.
     TextureSlot slot(const std::filesystem::path& mtl, const MtlMap* named, PictureUse use)
     {
         if (!named) return {};
         const MtlMap& map = *named;
-        const Place place = {mtl.string(), map.line};
         const std::filesystem::path file = find_beside(mtl, map.name);
         if (file.empty()) {
-            warnings_.push_back(at(place, "the picture '" + map.name +
-                                              "' is missing, the plain number is used; put it beside " + mtl.string()));
+            losses_[mtl].add_at(map.line, "use(s) of the picture '" + map.name +
+                                              "', which is missing, take the plain number; put it beside " +
+                                              mtl.string());
             return {};
         }
         if (is_in_other_case(file, map.name)) {
-            warnings_.push_back(at(place, "the picture '" + map.name + "' is found as '" + file.filename().string() +
-                                              "'; write the name as the file's"));
+            losses_[mtl].add_at(map.line, "use(s) of the picture '" + map.name + "' take '" + file.filename().string() +
+                                              "' for it; write the name as the file's");
         }
         const Key key = {file.string(), use};
         const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
-        if (fresh) entry->second = load(place, file, use);
+        if (fresh) entry->second = load(mtl, map.line, file, use);
         return slot_of(map, entry->second);
     }
 
@@ -108,23 +106,28 @@ public:
         return found;
     }
 
+    void report(std::vector<std::string>& warnings) const
+    {
+        for (const auto& [mtl, losses] : losses_) losses.report(mtl, warnings);
+    }
+
 private:
     using Key = std::pair<std::string, PictureUse>;
 
-    int32_t load(const Place& place, const std::filesystem::path& file, PictureUse use)
+    int32_t load(const std::filesystem::path& mtl, uint32_t line, const std::filesystem::path& file, PictureUse use)
     {
         try {
             textures_.push_back(read_texture(file, use));
         } catch (const PictureError& e) {
-            warnings_.push_back(at(place, "the picture '" + file.string() + "' is not used (" + e.what() +
-                                              "), the plain number is; convert it to PNG"));
+            losses_[mtl].add_at(line, "use(s) of the picture '" + file.string() + "' take the plain number (" + e.what() +
+                                          "); convert it to PNG");
             return kNoTexture;
         }
         return static_cast<int32_t>(textures_.size() - 1);
     }
 
     std::vector<Texture>& textures_;
-    std::vector<std::string>& warnings_;
+    std::map<std::filesystem::path, Losses> losses_;  // by MTL file
     std::map<Key, int32_t> loaded_;
     std::map<std::pair<int32_t, float>, int32_t> normals_;  // by picture of heights and strength
 };
@@ -276,15 +279,14 @@ MaterialSet resolve_materials(const std::string& obj_file, const std::vector<Obj
                               const std::vector<MtlMaterial>& known, std::vector<std::string>& warnings)
 {
     MaterialSet set;
-    TextureStore textures(set.textures, warnings);
+    Losses losses;
+    TextureStore textures(set.textures);
     std::unordered_map<std::string_view, const MtlMaterial*> by_name;
     for (const MtlMaterial& m : known) by_name.try_emplace(m.name, &m);  // the first one counts
     for (const ObjName& use : uses) {
         const auto found = by_name.find(use.name);
         if (found == by_name.end()) {
-            warnings.push_back(
-                at({obj_file, use.line},
-                   "the material '" + use.name + "' is not defined, it is drawn grey; export the MTL file too"));
+            losses.add_at(use.line, "material(s) are not defined and are drawn grey; export the MTL file too", use.name);
             set.materials.push_back(default_material(use.name));
             continue;
         }
@@ -293,6 +295,8 @@ MaterialSet resolve_materials(const std::string& obj_file, const std::vector<Obj
         material.finish();
         set.materials.push_back(std::move(material));
     }
+    losses.report(obj_file, warnings);
+    textures.report(warnings);
     return set;
 }
 

@@ -143,9 +143,7 @@ MtlMap map_of(const Line& line)
 class MtlReader
 {
 public:
-    MtlReader(const std::filesystem::path& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings)
-    {
-    }
+    explicit MtlReader(const std::filesystem::path& file) : file_(file) {}
 
     void take(Line& line)
     {
@@ -163,9 +161,10 @@ public:
         take_known(line);
     }
 
-    std::vector<MtlMaterial> finish()
+    // Appends to `warnings`.
+    std::vector<MtlMaterial> finish(std::vector<std::string>& warnings)
     {
-        losses_.report(file_, warnings_);
+        losses_.report(file_, warnings);
         return std::move(materials_);
     }
 
@@ -190,7 +189,6 @@ private:
 
     MtlMaterial& current() { return skipped_ ? ignored_ : materials_.back(); }
     Place place(const Line& line) const { return {file_.string(), line.number}; }
-    void warn(const Line& line, const std::string& text) { warnings_.push_back(at(place(line), text)); }
 
     void begin(const Line& line)
     {
@@ -224,8 +222,9 @@ private:
         std::vector<float> numbers;
         for (const double value : numbers_of(place(line), line, rule.count, rule.count, kMost)) {
             if (value < rule.low || value > rule.high) {
-                warn(line, line.keyword + " " + std::string(list[numbers.size()]) +
-                               " is out of range and is clamped; correct the value");
+                losses_.add_at(line.number,
+                               "number(s) '" + line.keyword + "' are out of range and are clamped; correct them",
+                               std::string(list[numbers.size()]));
             }
             numbers.push_back(static_cast<float>(value));
         }
@@ -256,15 +255,15 @@ private:
         if (line.keyword == "d") material.opacity = value;
         if (line.keyword == "Tr" && !material.has("d")) material.opacity = 1 - value;
         if (line.keyword == "Tr" && material.has("d"))
-            warn(line, "both 'd' and 'Tr' are given, 'd' counts; remove one");
+            losses_.add_at(line.number, "material(s) have both 'd' and 'Tr', of which 'd' counts; remove one");
         else if (line.keyword == "Tr" && value >= 1)
-            warn(line, "'Tr 1' makes the material invisible; some programs mean opaque, then write 'd 1'");
+            losses_.add_at(line.number,
+                           "material(s) are invisible by 'Tr 1'; some programs mean opaque, then write 'd 1'");
         else if (line.keyword == "d" && value <= 0)
-            warn(line, "'d 0' makes the material invisible; write 'd 1' if that is not meant");
+            losses_.add_at(line.number, "material(s) are invisible by 'd 0'; write 'd 1' if that is not meant");
     }
 
     const std::filesystem::path& file_;
-    std::vector<std::string>& warnings_;
     std::vector<MtlMaterial> materials_;
     std::set<std::string> names_;
     Losses losses_;
@@ -277,10 +276,10 @@ private:
 std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, std::vector<std::string>& warnings,
                                   ColourScale colours)
 {
-    MtlReader reader(file, warnings);
+    MtlReader reader(file);
     const std::string text = read_text(file);
     for_each_line(text, [&](Line& line) { reader.take(line); });
-    std::vector<MtlMaterial> materials = reader.finish();
+    std::vector<MtlMaterial> materials = reader.finish(warnings);
     if (colours == ColourScale::display) std::for_each(materials.begin(), materials.end(), linearise);
     if (colours == ColourScale::unstated && look_displayed(text, materials)) {
         warnings.push_back(at({file.string()},

@@ -34,14 +34,14 @@ TEST_CASE("mtl: missing and broken pictures are named, and the plain colour is u
 {
     std::string warnings;
     CHECK(only_material("Kd 0.2 0.3 0.4\nmap_Kd no.png\n", &warnings).maps.base.texture == kNoTexture);
-    CHECK_THAT(warnings, Catch::Contains("m.mtl:3: the picture 'no.png' is missing"));
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:3: 1 use(s) of the picture 'no.png', which is missing"));
 
     const ScratchFolder folder;
     folder.write("m.mtl", "newmtl x\nmap_Kd bad.png\n");
     folder.write("bad.png", "\x89PNG\r\n\x1a\nrubbish");
     const LoadedObj l =
         load_obj_file(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"));
-    CHECK_THAT(l.warnings, Catch::Contains("m.mtl:2: the picture") && Catch::Contains("is not used"));
+    CHECK_THAT(l.warnings, Catch::Contains("m.mtl:2: 1 use(s) of the picture") && Catch::Contains("take the plain number"));
 }
 
 TEST_CASE("mtl: numbers that are none are refused with their line, those out of range are clamped with a warning")
@@ -54,13 +54,29 @@ TEST_CASE("mtl: numbers that are none are refused with their line, those out of 
     const Material m = only_material("Kd 2 -1 0.5\n", &warnings);
     CHECK(static_cast<double>(m.base.r) == 1);
     CHECK(static_cast<double>(m.base.g) == 0);
-    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: Kd 2 is out of range") && Catch::Contains("Kd -1"));
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 2 number(s) 'Kd' are out of range") && Catch::Contains("(first: 2)"));
     CHECK(static_cast<double>(only_material("Kd 0.25\n").base.b) == Approx(0.25));
     const Material brushed = only_material("Pr 0.5\nPm 1\naniso 3\nPs -1\n", &warnings);
     CHECK(brushed.anisotropy == 1);
     CHECK(brushed.sheen == 0);
-    CHECK_THAT(warnings, Catch::Contains("m.mtl:4: aniso 3 is out of range") && Catch::Contains("m.mtl:5: Ps -1"));
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:4: 1 number(s) 'aniso' are out of range") &&
+                             Catch::Contains("m.mtl:5: 1 number(s) 'Ps' are out of range"));
     CHECK_THROWS_WITH(only_material("anisor x\n"), Catch::Contains("m.mtl:2: 'x' is not a finite number"));
+}
+
+TEST_CASE("mtl: what many materials have wrong costs one warning with their count")
+{
+    const ScratchFolder folder;
+    const std::string wrong = "Ks 2 2 2\nmap_Kd no.png\nd 0\n";
+    folder.write("m.mtl", "newmtl x\n" + wrong + "newmtl y\n" + wrong);
+    const LoadedObj l = load_obj_file(folder.write("s.obj", std::string("mtllib m.mtl\n") + kCorners +
+                                                                "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\n"
+                                                                "usemtl lost\nf 1 2 3\nusemtl none\nf 1 2 3\n"));
+    CHECK_THAT(l.warnings, Catch::Contains("m.mtl:2: 6 number(s) 'Ks' are out of range and are clamped") &&
+                               Catch::Contains("m.mtl:3: 2 use(s) of the picture 'no.png'") &&
+                               Catch::Contains("m.mtl:4: 2 material(s) are invisible by 'd 0'") &&
+                               Catch::Contains("2 material(s) are not defined"));
+    CHECK(std::count(l.warnings.begin(), l.warnings.end(), '\n') == 4);
 }
 
 TEST_CASE("mtl: its terms become the materials that material.h states")
@@ -149,9 +165,9 @@ TEST_CASE("mtl: doubtful opacity and doubled names are named")
 {
     std::string warnings;
     CHECK(only_material("d 1\nTr 1\n", &warnings).opacity == 1);
-    CHECK_THAT(warnings, Catch::Contains("m.mtl:3: both 'd' and 'Tr'"));
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:3: 1 material(s) have both 'd' and 'Tr'"));
     only_material("Tr 1\n", &warnings);
-    CHECK_THAT(warnings, Catch::Contains("makes the material invisible"));
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 1 material(s) are invisible by 'Tr 1'"));
     CHECK(static_cast<double>(only_material("Kd 0.1 0.1 0.1\nnewmtl x\nKd 0.9 0.9 0.9\n", &warnings).base.r) ==
           Approx(0.1));
     CHECK_THAT(warnings, Catch::Contains("m.mtl:3: 1 material(s) have the name of an earlier one"));
