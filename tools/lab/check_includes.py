@@ -138,7 +138,7 @@ THIRD_PARTIES = {
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
     "webp/": "tools/src/image/webp.cpp",
     "Imf": "baker/src/image/exr_file.cpp",
-    "meshoptimizer.h": "baker/src/mesh/simplify.cpp",
+    "meshoptimizer.h": "baker/src/mesh/simplify/simplify.cpp",
     "nifti": "baker/src/volume/nifti_header.cpp",
     "openvdb/": "baker/src/volume/openvdb_module/module.cpp",
     "zlib.h": "baker/src/util/gzip.cpp",

@@ -4,7 +4,7 @@
 #include "lumi/surface/format.h"
 #include "mesh/edge_split.h"
 #include "mesh/seen_part.h"
-#include "mesh/simplify.h"
+#include "mesh/simplify/simplify.h"
 
 namespace lumi::baker
 {

@@ -15,7 +15,7 @@
 #include "mesh/outside.h"
 #include "mesh/rounded_mesh.h"
 #include "mesh/sheets.h"
-#include "mesh/simplify.h"
+#include "mesh/simplify/simplify.h"
 #include "mesh/survey.h"
 
 namespace lumi::baker

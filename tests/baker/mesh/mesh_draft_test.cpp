@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "mesh/simplify.h"
+#include "mesh/simplify/simplify.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"
@@ -97,6 +97,63 @@ TEST_CASE("Walls that cross are simplified, each for itself, and stay whole", "[
     CHECK(!simple.rough);
     CHECK(simple.mesh.triangle_count() <= 300);
     CHECK(whole_area(simple.mesh) > 0.95 * whole_area(walls));
+}
+
+TEST_CASE("Seams between sheets that lie side by side do not gape", "[mesh]")
+{
+    constexpr uint32_t kSteps = 60;
+    constexpr float kGap = 0.004f;  // half a pixel
+    Mesh two;
+    const auto add_sheet = [&](float inner, float outer) {  // of a bell, around the middle
+        const uint32_t first = static_cast<uint32_t>(two.positions.size());
+        for (uint32_t ring = 0; ring <= kSteps; ++ring) {
+            for (uint32_t step = 0; step < kSteps; ++step) {
+                const float r = inner + (outer - inner) * static_cast<float>(ring) / kSteps;
+                const float turn = 2 * kPi * static_cast<float>(step) / kSteps;
+                two.positions.push_back({r * std::cos(turn), r * std::sin(turn), 0.5f * std::cos(3 * r)});
+            }
+        }
+        for (uint32_t k = 0; k < kSteps * kSteps; ++k) {
+            const uint32_t a = first + k, b = first + k / kSteps * kSteps + (k + 1) % kSteps;
+            two.corners.push_back({a, a + kSteps, b});
+            two.corners.push_back({b, a + kSteps, b + kSteps});
+        }
+    };
+    add_sheet(0.1f, 0.5f);
+    add_sheet(0.5f + kGap, 0.9f);
+    const Mesh simple = simplified(two, 200).mesh;
+    CHECK(simple.triangle_count() > 100);
+    const MeshTracer tracer(simple, Faces::both);
+    uint32_t open = 0;
+    for (uint32_t k = 0; k < 360 * 200; ++k) {
+        const float turn = 2 * kPi * static_cast<float>(k % 360) / 360, r = 0.4f + 0.001f * static_cast<float>(k / 360);
+        open += tracer.closest({{r * std::cos(turn), r * std::sin(turn), 1}, {0, 0, -1}}) ? 0u : 1u;
+    }
+    CHECK(open == 0);
+}
+
+TEST_CASE("Wires far thinner than the error elsewhere stay whole", "[mesh]")
+{
+    constexpr float kThick = 0.004f;  // half a pixel
+    SceneMaker maker;
+    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+    maker.ball(matter, {0, 0, 0}, 0.4f, 64);
+    for (int k = 0; k < 8; ++k) {
+        const float low = 0.05f * static_cast<float>(k) + 0.5f;
+        maker.box(matter, {low, -0.5f, 0}, {low + kThick, 0.5f, kThick});
+    }
+    maker.span_unit_sphere();
+    const Mesh scene = welded(maker.make(constant_environment(1)).data().mesh);
+    const auto area_of_wires = [](const Mesh& mesh) {
+        double sum = 0;
+        for (size_t k = 0; k < mesh.triangle_count(); ++k)
+            sum += mesh.position(k, 0).x > 0.45f ? static_cast<double>(mesh.area(k)) : 0;
+        return sum;
+    };
+    const Simplified simple = simplified(scene, 400);
+    CHECK(!simple.rough);
+    CHECK(simple.mesh.triangle_count() <= 500);
+    CHECK(area_of_wires(simple.mesh) > 0.8 * area_of_wires(scene));
 }
 
 TEST_CASE("Bars whose edges are split do not grow onto the bar beside them", "[mesh]")

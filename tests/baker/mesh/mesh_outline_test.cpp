@@ -7,7 +7,7 @@
 #include "mesh/mesh_fit.h"
 #include "mesh/mesh_outline.h"
 #include "mesh/outside.h"
-#include "mesh/simplify.h"
+#include "mesh/simplify/simplify.h"
 
 #include "support/shapes.h"
 

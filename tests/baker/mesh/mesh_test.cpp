@@ -5,7 +5,7 @@
 #include "mesh/mesh_fit.h"
 #include "mesh/outside.h"
 #include "mesh/sheets.h"
-#include "mesh/simplify.h"
+#include "mesh/simplify/simplify.h"
 
 #include "support/shapes.h"
 #include "support/surfaces.h"

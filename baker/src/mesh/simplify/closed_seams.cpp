@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/simplify/closed_seams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "util/disjoint_sets.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+// Vertices by cells of space, as large as the reach: what is near lies in the cell or beside it.
+class Cells
+{
+public:
+    explicit Cells(float size) : size_(size) {}
+
+    void add(const Vec3& place, uint32_t vertex) { cells_[key(cell(place, 0, 0, 0))].push_back(vertex); }
+
+    // Calls with each vertex of the cells around a place until that returns true; whether it did.
+    template <class Use>
+    bool any_near(const Vec3& place, const Use& use) const
+    {
+        for (int k = 0; k < 27; ++k) {
+            const auto found = cells_.find(key(cell(place, k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)));
+            if (found != cells_.end() && std::any_of(found->second.begin(), found->second.end(), use)) return true;
+        }
+        return false;
+    }
+
+private:
+    using Cell = std::array<int32_t, 3>;
+
+    Cell cell(const Vec3& p, int x, int y, int z) const
+    {
+        const auto step = [&](float c) { return static_cast<int32_t>(std::floor(c / size_)); };
+        return {step(p.x) + x, step(p.y) + y, step(p.z) + z};
+    }
+    static uint64_t key(const Cell& c)
+    {
+        const auto bits = [](int32_t v) { return static_cast<uint64_t>(v) & 0x1FFFFF; };
+        return bits(c[0]) << 42 | bits(c[1]) << 21 | bits(c[2]);
+    }
+
+    float size_;
+    std::unordered_map<uint64_t, std::vector<uint32_t>> cells_;
+};
+
+// In rising order: those at an edge that one triangle has alone.
+std::vector<uint32_t> border_vertices(const Mesh& mesh)
+{
+    std::unordered_map<uint64_t, uint32_t> uses;
+    const auto key = [](uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); };
+    for (const Mesh::Corners& c : mesh.corners)
+        for (size_t i = 0; i < 3; ++i) ++uses[key(c[i], c[(i + 1) % 3])];
+    std::vector<uint32_t> vertices;
+    for (const auto& [edge, count] : uses)
+        if (count == 1)
+            vertices.insert(vertices.end(), {static_cast<uint32_t>(edge >> 32), static_cast<uint32_t>(edge)});
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+DisjointSets parts_of(const Mesh& mesh)
+{
+    DisjointSets parts(mesh.positions.size());
+    for (const Mesh::Corners& c : mesh.corners) {
+        parts.join(c[0], c[1]);
+        parts.join(c[0], c[2]);
+    }
+    return parts;
+}
+
+// For each vertex the one that it becomes.
+std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
+{
+    const std::vector<uint32_t> border = border_vertices(mesh);
+    DisjointSets parts = parts_of(mesh);
+    Cells all(reach), first(reach);
+    for (const uint32_t v : border) all.add(mesh.positions[v], v);
+    std::vector<uint32_t> to(mesh.positions.size());
+    std::iota(to.begin(), to.end(), 0u);
+    for (const uint32_t v : border) {
+        const Vec3& place = mesh.positions[v];
+        const auto is_near = [&](uint32_t other) { return length(mesh.positions[other] - place) <= reach; };
+        const bool is_seam =
+            all.any_near(place, [&](uint32_t other) { return parts.root(other) != parts.root(v) && is_near(other); });
+        if (!is_seam) continue;
+        const bool is_joined = first.any_near(place, [&](uint32_t other) {
+            if (is_near(other)) to[v] = other;
+            return to[v] == other;
+        });
+        if (!is_joined) first.add(place, v);
+    }
+    return to;
+}
+
+}  // namespace
+
+Mesh with_closed_seams(const Mesh& mesh, float reach)
+{
+    const std::vector<uint32_t> to = joined_vertices(mesh, reach);
+    Mesh result;
+    result.positions = mesh.positions;
+    for (const Mesh::Corners& c : mesh.corners) {
+        const Mesh::Corners joined = {to[c[0]], to[c[1]], to[c[2]]};
+        if (!is_degenerate(joined) || is_degenerate(c)) result.corners.push_back(joined);
+    }
+    return result;
+}
+
+}  // namespace lumi::baker
