@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "math/frame.h"
+
 namespace lumi::baker
 {
 namespace
@@ -11,7 +13,10 @@ namespace
 constexpr uint32_t kLossRays = 2048;  // an origin
 constexpr uint64_t kLossSeed = 0x6C6F7373;
 
-constexpr double kMaxMissed = 0.01;
+constexpr float kPixel = 1.0f / 120;    // at 240 x 240, in radii
+constexpr uint32_t kThinnessEvery = 4;  // rays: the others are not asked
+
+constexpr double kMaxMissed = 0.01, kMaxThin = 0.001;
 constexpr double kFarShort = 0.6;  // as a share of the triangles asked for
 
 std::string percent(double share)
@@ -20,19 +25,42 @@ std::string percent(double share)
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
+// Whether something that a ray meets ends within half a pixel on two opposite sides.
+bool is_thin(const SceneData& scene, const SurveyRay& seen)
+{
+    constexpr int kAngles = 4;
+    const Frame frame(seen.ray.direction);
+    const auto ends = [&](float angle) {
+        const Vec3 aside = frame.tangent * std::cos(angle) + frame.bitangent * std::sin(angle);
+        const Ray beside = {seen.ray.origin + aside * (0.5f * kPixel), seen.ray.direction, seen.scene + kMaxDepthError};
+        return !scene.accelerator.blocked(beside);
+    };
+    for (int k = 0; k < kAngles; ++k) {
+        const float angle = kPi * static_cast<float>(k) / kAngles;
+        if (ends(angle) && ends(angle + kPi)) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, const ViewCap& cap,
                  const MeshTracer* see_through)
 {
     const Survey survey(scene, kSurveyOrigins, kLossRays, kLossSeed, cap);
+    const bool is_solid = !scene.has_transparency && !scene.medium;
     struct Counts {
-        uint32_t scene = 0, missed = 0, added = 0, displaced = 0;
+        uint32_t scene = 0, missed = 0, added = 0, displaced = 0, asked = 0, thin = 0;
     };
     std::vector<Counts> counts(survey.origins());
     job.run(survey.origins(), [&](uint32_t i) {
+        uint32_t number = 0;
         for (const SurveyRay& r : survey.look(i, tracer)) {
             const bool hit = std::isfinite(r.scene);
+            if (hit && is_solid && number++ % kThinnessEvery == 0) {
+                ++counts[i].asked;
+                counts[i].thin += is_thin(scene, r) ? 1u : 0u;
+            }
             counts[i].scene += hit ? 1u : 0u;
             counts[i].added += !hit && r.mesh ? 1u : 0u;
             if (hit && see_through && see_through->near(r.ray, r.scene, kMaxDepthError)) continue;
@@ -45,12 +73,14 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& tracer, Job& job, con
     });
     Counts sum;
     for (const Counts& c : counts)
-        sum = {sum.scene + c.scene, sum.missed + c.missed, sum.added + c.added, sum.displaced + c.displaced};
+        sum = {sum.scene + c.scene,         sum.missed + c.missed, sum.added + c.added,
+               sum.displaced + c.displaced, sum.asked + c.asked,   sum.thin + c.thin};
     const double hits = std::max(1u, sum.scene);
     MeshLoss loss;
     loss.missed = sum.missed / hits;
     loss.added = sum.added / hits;
     loss.displaced = sum.displaced / hits;
+    loss.thin = sum.thin / std::max(1.0, static_cast<double>(sum.asked));
     return loss;
 }
 
@@ -66,6 +96,11 @@ std::vector<MeshWarning> mesh_warnings(const MeshLoss& loss, const MeshCount& tr
                             "take a chord field, which shows that, but blurs the rest", false});
     } else if (loss.missed > kMaxMissed) {
         warn(misses, "thicken parts that are thinner than a pixel");
+    }
+    if (loss.thin > kMaxThin) {
+        warnings.push_back(
+            {percent(loss.thin) + " of what can be seen is thinner than a pixel at 240 x 240, so samples may miss it",
+             "thicken it, or draw it larger", false});
     }
     if (loss.rough) {
         warn("the scene could only be simplified roughly, since its surfaces are torn or run through each other",

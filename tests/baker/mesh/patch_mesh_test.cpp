@@ -92,6 +92,28 @@ TEST_CASE("Rough and leaky meshes come with a warning each", "[surface]")
     CHECK_THAT(mesh_warnings(loss, {1000, 300}, false).at(2).problem, Catch::Contains("300 triangles where 1000"));
 }
 
+TEST_CASE("Wires thinner than half a pixel are named, and thicker ones are not", "[surface]")
+{
+    const auto thin_share = [](float thick) {
+        SceneMaker maker;
+        const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+        for (int k = 0; k < 8; ++k) {
+            const float low = 0.15f * static_cast<float>(k) - 0.6f;
+            maker.box(matter, {low, -0.7f, 0}, {low + thick, 0.7f, thick});
+        }
+        maker.ball(matter, {0, 0, 0.4f}, 0.3f);
+        maker.span_unit_sphere();
+        const BuiltMesh surface = built_mesh(maker.make(constant_environment(1)), {500, 0.5f, 0.2f});
+        const bool is_named = std::any_of(surface.warnings.begin(), surface.warnings.end(), [](const MeshWarning& w) {
+            return w.problem.find("thinner than a pixel") != std::string::npos;
+        });
+        CHECK(is_named == (surface.loss.thin > 0.001));
+        return surface.loss.thin;
+    };
+    CHECK(thin_share(0.003f) > 0.05);
+    CHECK(thin_share(0.012f) < 0.001);
+}
+
 TEST_CASE("The rough simplifier does not step in silently", "[surface]")
 {
     SceneMaker maker;  // bricks: most edges have more than two triangles

@@ -15,6 +15,9 @@ struct MeshLoss {
     double added = 0;               // the ray meets the mesh, but not the scene
     double displaced = 0;           // the depths differ by more than a twentieth of the radius
 
+    // Of the scene itself: what is seen is thinner than a pixel at 240 x 240; 0 where light may pass through surfaces.
+    double thin = 0;
+
     // Known for the mesh of a surface field only:
     bool rough = false;         // simplified without regard to the shape's topology, because nothing else got there
     uint32_t holes = 0;         // regions of more than 2 pixels that its silhouettes lack, 24 of 240 × 240 pixels
