@@ -2,7 +2,9 @@
 #include "mesh/simplify/closed_seams.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 #include "util/disjoint_sets.h"
@@ -103,6 +105,7 @@ std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
 
 Mesh with_closed_seams(const Mesh& mesh, float reach)
 {
+    if (!(reach > 0)) return mesh;
     const std::vector<uint32_t> to = joined_vertices(mesh, reach);
     Mesh result;
     result.positions = mesh.positions;
