@@ -30,7 +30,8 @@ public:
     {
         for (const auto& [text, kind] : kinds_)
             if (kind.count != 0)
-                warnings.push_back(at({file.string(), kind.line}, std::to_string(kind.count) + " " + text + kind.first));
+                warnings.push_back(
+                    at({file.string(), kind.line}, std::to_string(kind.count) + " " + text + kind.first));
     }
 
 private:

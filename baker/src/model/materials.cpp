@@ -119,8 +119,8 @@ private:
         try {
             textures_.push_back(read_texture(file, use));
         } catch (const PictureError& e) {
-            losses_[mtl].add_at(line, "use(s) of the picture '" + file.string() + "' take the plain number (" + e.what() +
-                                          "); convert it to PNG");
+            losses_[mtl].add_at(line, "use(s) of the picture '" + file.string() + "' take the plain number (" +
+                                          e.what() + "); convert it to PNG");
             return kNoTexture;
         }
         return static_cast<int32_t>(textures_.size() - 1);
@@ -286,7 +286,8 @@ MaterialSet resolve_materials(const std::string& obj_file, const std::vector<Obj
     for (const ObjName& use : uses) {
         const auto found = by_name.find(use.name);
         if (found == by_name.end()) {
-            losses.add_at(use.line, "material(s) are not defined and are drawn grey; export the MTL file too", use.name);
+            losses.add_at(use.line, "material(s) are not defined and are drawn grey; export the MTL file too",
+                          use.name);
             set.materials.push_back(default_material(use.name));
             continue;
         }

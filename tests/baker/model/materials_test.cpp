@@ -38,8 +38,8 @@ TEST_CASE("obj: a missing material file and an undefined material are named, and
 {
     const LoadedObj l = load_obj(std::string("mtllib lost one.mtl\n") + kCorners + "usemtl brick wall\nf 1 2 3\n");
     CHECK_THAT(l.warnings, Catch::Contains("scene.obj:1: the material file 'lost one.mtl' is missing"));
-    CHECK_THAT(l.warnings, Catch::Contains("scene.obj:6: 1 material(s) are not defined") &&
-                               Catch::Contains("(first: brick wall)"));
+    CHECK_THAT(l.warnings,
+               Catch::Contains("scene.obj:6: 1 material(s) are not defined") && Catch::Contains("(first: brick wall)"));
     REQUIRE(l.parts.materials.size() == 1);
     CHECK(static_cast<double>(l.parts.materials[0].base.r) == Approx(0.6));
 }

@@ -41,7 +41,8 @@ TEST_CASE("mtl: missing and broken pictures are named, and the plain colour is u
     folder.write("bad.png", "\x89PNG\r\n\x1a\nrubbish");
     const LoadedObj l =
         load_obj_file(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"));
-    CHECK_THAT(l.warnings, Catch::Contains("m.mtl:2: 1 use(s) of the picture") && Catch::Contains("take the plain number"));
+    CHECK_THAT(l.warnings,
+               Catch::Contains("m.mtl:2: 1 use(s) of the picture") && Catch::Contains("take the plain number"));
 }
 
 TEST_CASE("mtl: numbers that are none are refused with their line, those out of range are clamped with a warning")
@@ -54,7 +55,8 @@ TEST_CASE("mtl: numbers that are none are refused with their line, those out of 
     const Material m = only_material("Kd 2 -1 0.5\n", &warnings);
     CHECK(static_cast<double>(m.base.r) == 1);
     CHECK(static_cast<double>(m.base.g) == 0);
-    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 2 number(s) 'Kd' are out of range") && Catch::Contains("(first: 2)"));
+    CHECK_THAT(warnings,
+               Catch::Contains("m.mtl:2: 2 number(s) 'Kd' are out of range") && Catch::Contains("(first: 2)"));
     CHECK(static_cast<double>(only_material("Kd 0.25\n").base.b) == Approx(0.25));
     const Material brushed = only_material("Pr 0.5\nPm 1\naniso 3\nPs -1\n", &warnings);
     CHECK(brushed.anisotropy == 1);
