@@ -49,6 +49,7 @@ TABLES = {
     "fuzzing": scripts.fuzzing,
     "attacks": scripts.attacks,
     "cases": scripts.cases,
+    "dim light": scripts.dim_light,
     "model_sheet": scripts.model_sheet,
     "people_sheet": scripts.people_sheet,
     "licences": lambda: scripts.licences("rows"),

@@ -64,6 +64,7 @@ void put(ByteWriter& out, const PatchSums& sums)
         for (size_t c = 0; c < 3; ++c) {
             put_signed(out, texel.target[c]);
             put_signed(out, texel.predicted[c]);
+            put_signed(out, texel.light[c]);
         }
         put_number(out, texel.scatter);
     }
@@ -94,6 +95,7 @@ void add(ByteReader& in, PatchSums& sums)
         for (size_t c = 0; c < 3; ++c) {
             add_to(texel.target[c], get_signed(in));
             add_to(texel.predicted[c], get_signed(in));
+            add_to(texel.light[c], get_signed(in));
         }
         texel.scatter += get_number(in);
     }

@@ -20,6 +20,15 @@ std::array<int64_t, 3> fixed(const LevelColour& levels)
     return {step(levels[0]), step(levels[1]), step(levels[2])};
 }
 
+std::array<int64_t, 3> fixed(const Rgb& radiance)
+{
+    static constexpr double kMost = (1 << 20) / kLightUnit;
+    const auto step = [](float v) {
+        return int64_t{std::llround(std::min(static_cast<double>(v) / kLightUnit, kMost))};
+    };
+    return {step(radiance.r), step(radiance.g), step(radiance.b)};
+}
+
 }  // namespace
 
 int64_t& NodePairs::sum_after(uint16_t key)
@@ -119,6 +128,8 @@ void FitSums::add(uint32_t patch, const FitSample* begin, const FitSample* end)
         const uint32_t texel = texel_in(patch, *s);
         uint32_t* crossed = &sums.crossed[size_t{texel} * kPatchNodes];
         require_few_enough(++sums.texels[texel].count);
+        const std::array<int64_t, 3> light = fixed(s->radiance);
+        for (size_t c = 0; c < 3; ++c) sums.texels[texel].light[c] += light[c];
         for (uint32_t i = 0; i < taps.count; ++i) {
             const SampleTaps::Tap& a = taps.taps[i];
             crossed[a.node] += static_cast<uint32_t>(a.weight_q12);
@@ -132,7 +143,7 @@ void FitSums::add(uint32_t patch, const FitSample* begin, const FitSample* end)
 void FitSums::add_again(uint32_t patch, const FitSample* begin, const FitSample* end)
 {
     PatchSums& sums = patches_[patch];
-    for (TexelSums& texel : sums.texels) texel = {texel.count, {}, {}, 0};
+    for (TexelSums& texel : sums.texels) texel = {texel.count, {}, {}, texel.light, 0};
     sums.targets.assign(kPatchNodes, {});
     const std::vector<LevelColour> nodes = patch_nodes(shape_, expected_, patch);
     for (const FitSample* s = begin; s != end; ++s) add_target(sums, nodes, *s, taps_of(shape_, *s));

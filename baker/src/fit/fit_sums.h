@@ -13,12 +13,14 @@ namespace lumi::baker
 
 inline constexpr uint32_t kMaxTexelSamples = uint32_t{1} << 20;
 inline constexpr double kWeightUnit = 1.0 / 4096, kLevelUnit = 1.0 / 64;
+inline constexpr double kLightUnit = 1.0 / (1 << 20);
 inline constexpr int kScatterShift = 3;  // differences are shifted right by so many bits before they are squared
 inline constexpr double kScatterUnit = kLevelUnit * kLevelUnit * (1 << (2 * kScatterShift));
 
 struct TexelSums {
     uint32_t count = 0;
     std::array<int64_t, 3> target{}, predicted{};
+    std::array<int64_t, 3> light{};  // radiance, in kLightUnit
     uint64_t scatter = 0;  // squares of target - prediction, all channels, in kScatterUnit
 
     // The variance of one sample's channel, levels².

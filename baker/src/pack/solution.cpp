@@ -10,7 +10,7 @@
 #include "fit/encoded_tone.h"
 #include "fit/fit_solver.h"
 #include "fit/starved_patches.h"
-#include "fit/texel_noise.h"
+#include "fit/texel_finish.h"
 #include "image/k_means.h"
 #include "lumi/color.h"
 #include "lumi/field_format.h"
@@ -78,39 +78,33 @@ std::vector<LevelColour> opaque_texels(const FitShape& shape, std::vector<LevelC
 constexpr int kMostIterations = 60, kIterationsAtOnce = 10;
 constexpr double kSolveWork = 60;  // light paths a texel that take as long
 
-// Variances of texels' means, a channel. A texel's own scatter is known badly from few paths: its patch's helps.
-std::vector<double> texel_variances(const PatchSums& sums)
+TexelLight light_of(const EncodedTone& tone, const TexelSums& sums, const LevelColour& texel)
 {
-    constexpr double kPatchPaths = 16;
-    const double around = scatter_of(sums).variance();
-    std::vector<double> result;
-    for (const TexelSums& texel : sums.texels) {
-        const double scatter = texel.variance() * texel.count + around * kPatchPaths;
-        result.push_back(texel.count == 0 ? -1 : scatter / (texel.count + kPatchPaths) / texel.count);
+    const double unit = kLevelUnit / std::max(sums.count, 1u);
+    LevelColour expected, target;
+    float light[3];
+    for (size_t c = 0; c < 3; ++c) {
+        light[c] = static_cast<float>(kLightUnit * static_cast<double>(sums.light[c]) / std::max(sums.count, 1u));
+        expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(sums.predicted[c])));
+        target[c] = static_cast<float>(unit * static_cast<double>(sums.target[c]));
     }
-    return result;
+    const Rgb mean = {light[0], light[1], light[2]};
+    return {tone.line_at(expected), target, mean, texel, sums.variance() * sums.count, sums.count};
 }
 
-// Takes the line back: the mean light that it stands for, encoded.
 void finish_texels(const FitState& state, FitModel& model)
 {
-    std::vector<uint32_t> counts(model.texels.size(), 0);
+    std::vector<uint32_t> counts;
     for (uint32_t p = 0; p < state.shape.mesh.patches.size(); ++p) {
         const PatchRectangle& r = state.shape.layout.rectangles[p];
         const PatchSums& sums = state.sums.patches()[p];
+        std::vector<TexelLight> light;
         for (size_t t = 0; t < r.size(); ++t) {
-            const TexelSums& texel = sums.texels[t];
-            counts[r.begin + t] = texel.count;
-            const double unit = kLevelUnit / std::max(texel.count, 1u);
-            LevelColour expected, target;
-            for (size_t c = 0; c < 3; ++c) {
-                expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(texel.predicted[c])));
-                target[c] = static_cast<float>(unit * static_cast<double>(texel.target[c]));
-            }
-            const LevelColour shown = state.tone.encoded(state.tone.line_at(expected).inverse(target));
-            for (size_t c = 0; c < 3 && texel.count != 0; ++c) model.texels[r.begin + t][c] += shown[c] - target[c];
+            light.push_back(light_of(state.tone, sums.texels[t], model.texels[r.begin + t]));
+            counts.push_back(sums.texels[t].count);
         }
-        smooth_noise(&model.texels[r.begin], texel_variances(sums), r.n);
+        const std::vector<LevelColour> texels = finished(state.tone, light, r.n);
+        std::copy(texels.begin(), texels.end(), model.texels.begin() + r.begin);
     }
     fill_starved_patches(state.shape, counts, model.texels);
 }

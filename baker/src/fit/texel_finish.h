@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Texels as they are shown: what was summed along straight lines is encoded, and noise is taken out.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fit/encoded_tone.h"
+
+namespace lumi::baker
+{
+
+// What is known of a texel.
+struct TexelLight {
+    ToneLine line;       // about which its paths were summed: around the mean of what was expected of them
+    LevelColour target;  // the mean of the sums; nothing without paths
+    Rgb light;           // the mean radiance
+    LevelColour texel;   // the target less what view tables add
+    double scatter;      // sum over paths of squares from what was predicted, levels² a channel
+    uint32_t paths;
+};
+
+// The texels of a rectangle `width` wide. Where it is smooth, the mean of the light stays what it is, however noisy
+// texels are. Encoded means of few paths are darker than the encoded mean of many, and so they would be if each was
+// trusted by its own scatter: those that a bright path met scatter most.
+std::vector<LevelColour> finished(const EncodedTone& tone, const std::vector<TexelLight>& light, uint32_t width);
+
+}  // namespace lumi::baker

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "fit/texel_finish.h"
+
+#include <catch2/catch.hpp>
+
+#include "math/sampler.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+constexpr uint32_t kSide = 24;
+
+// Texels that each met so many paths, of which one in `rarity` is lit: a lamp behind a small hole.
+std::vector<TexelLight> rare_light(const EncodedTone& tone, uint32_t paths, uint32_t rarity, float bright)
+{
+    Sampler sampler(3, 0, 0);
+    const float mean = bright / static_cast<float>(rarity);
+    const ToneLine line = tone.line_at(tone.encoded({mean, mean, mean}));
+    std::vector<TexelLight> result;
+    for (uint32_t t = 0; t < kSide * kSide; ++t) {
+        sampler.start(t);
+        double sum = 0, squares = 0;
+        for (uint32_t k = 0; k < paths; ++k) {
+            const float value = sampler.next_1d() * static_cast<float>(rarity) < 1 ? bright : 0.0f;
+            const double levels = static_cast<double>(line({value, value, value})[1]);
+            sum += levels;
+            squares += (levels - static_cast<double>(line.levels[1])) * (levels - static_cast<double>(line.levels[1]));
+        }
+        const auto target = static_cast<float>(sum / paths);
+        const float mean_light = line.inverse({target, target, target}).g;
+        result.push_back({line,
+                          {target, target, target},
+                          {mean_light, mean_light, mean_light},
+                          {target, target, target},
+                          squares,
+                          paths});
+    }
+    return result;
+}
+
+float mean_light(const EncodedTone& tone, const std::vector<LevelColour>& texels)
+{
+    float sum = 0;
+    for (const LevelColour& t : texels) {
+        const ToneLine line = tone.line_at(t);
+        sum += line.inverse(t).g;
+    }
+    return sum / static_cast<float>(texels.size());
+}
+
+}  // namespace
+
+TEST_CASE("light that few paths find is not darker for it", "[fit]")
+{
+    const EncodedTone tone(ToneCurve::srgb);
+    for (const uint32_t rarity : {10u, 100u}) {
+        const std::vector<TexelLight> light = rare_light(tone, 60, rarity, 2);
+        float summed = 0;
+        for (const TexelLight& t : light) summed += t.line.inverse(t.target).g / static_cast<float>(light.size());
+        CHECK(mean_light(tone, finished(tone, light, kSide)) == Approx(summed).epsilon(0.02));
+    }
+}
+
+TEST_CASE("expectations that are wrong by noise do not make light brighter", "[fit]")
+{
+    const EncodedTone tone(ToneCurve::srgb);
+    const float light = tone.line_at({120, 120, 120}).at.g;
+    const ToneLine middle = tone.line_at({120, 120, 120});
+    TexelLight texel = {middle, {}, {light, light, light}, {}, 0, 64};
+    for (const float off : {-50.0f, +50.0f}) {  // half of the views each
+        const LevelColour summed = tone.line_at({120 + off, 120 + off, 120 + off})({light, light, light});
+        for (size_t c = 0; c < 3; ++c) texel.target[c] += summed[c] / 2;
+    }
+    texel.texel = texel.target;
+    REQUIRE(texel.target[1] > 125);  // tangents lie above the curve
+    CHECK(finished(tone, {texel}, 1).front()[1] == Approx(120).margin(0.1));
+}
+
+TEST_CASE("views that differ keep the mean of what is shown", "[fit]")
+{
+    const EncodedTone tone(ToneCurve::srgb);
+    const float dark = tone.line_at({40, 40, 40}).at.g, bright = tone.line_at({200, 200, 200}).at.g;
+    const float mean = (dark + bright) / 2;
+    const LevelColour shown = {120, 120, 120};
+    const TexelLight texel = {tone.line_at(shown), shown, {mean, mean, mean}, shown, 0, 64};
+    REQUIRE(tone.encoded(texel.light)[1] > 140);
+    CHECK(finished(tone, {texel}, 1).front()[1] == Approx(120).margin(0.1));
+}
+
+TEST_CASE("what view tables add stays out of a texel", "[fit]")
+{
+    const EncodedTone tone(ToneCurve::srgb);
+    std::vector<TexelLight> light = rare_light(tone, 60, 1, 0.5f);
+    for (TexelLight& t : light) t.texel = {t.target[0] - 20, t.target[1], t.target[2] + 5};
+    const LevelColour first = finished(tone, light, kSide).front();
+    CHECK(first[0] == Approx(light.front().target[0] - 20).margin(0.2));
+    CHECK(first[2] == Approx(light.front().target[2] + 5).margin(0.2));
+}
+
+}  // namespace lumi::baker::testing
