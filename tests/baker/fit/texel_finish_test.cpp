@@ -59,7 +59,7 @@ TEST_CASE("light that few paths find is not darker for it", "[fit]")
         const std::vector<TexelLight> light = rare_light(tone, 60, rarity, 2);
         float summed = 0;
         for (const TexelLight& t : light) summed += t.line.inverse(t.target).g / static_cast<float>(light.size());
-        CHECK(mean_light(tone, finished(tone, light, kSide)) == Approx(summed).epsilon(0.02));
+        CHECK(mean_light(tone, finished(tone, light, kSide)) == Approx(summed).epsilon(0.03));
     }
 }
 
