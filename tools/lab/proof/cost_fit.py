@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Fits instructions of kinds of work to counts: least squares of relative errors, the larger ones with more weight; no cost below zero."""
+import re
+
 import numpy as np
 
 
@@ -59,10 +61,12 @@ PREPARING = {"palette": ["frame"], "vertices": ["vertex"], "lists": ["patch", "l
              "lights": ["lit", "cornered"], "order": ["see_frame", "see_patch", "ordered"]}
 UNUSED = ["sorted"]
 SETUP = ["image_px", "scanline", "band", "tile", "wide_tile", "narrow_tile", "missed_tile", "zone", "capped", "tile_line", "gap",
-         "span", "span_pixel", "lone", "checked", "checked_pixel", "pole_pixel"]
+         "span", "span_pixel", "lone", "checked", "cell_pixel", "pole_pixel", "polar_side", "made_zone", "searched", "shortened"]
 INNER = ["tile", "wide_tile", "tile_line", "tile_pixel", "span", "span_pixel", "mixed", "mixed_line", "mixed_pixel", "lone_line", "steep_pixel",
-         "checked", "checked_pixel", "checked_row", "stretch", "checked_stretch", "pole_pixel", "row", "tap_rgb888", "tap_rgb565", "tap_palette8", "tap_luma8", "clear",
-         "half_clear"]
+         "checked", "cell_pixel", "pole_pixel", "checked_row", "stretch", "checked_stretch", "row", "tap_rgb888", "tap_rgb565",
+         "tap_palette8", "tap_luma8"]
+# Over black, Nearest alone asks whether a texel shows something.
+INNER_OF = {"nearest": [*INNER, "half_clear", "shown"], "linear": INNER, "paper": INNER}
 HITS = ["image_px", "pixel"]
 LATTICE = ["pixel", "few_side", "few_point", "cap_side", "pole_side", "blend_side", "zone_step", "row", "tap_rgb888", "tap_rgb565",
            "tap_palette8", "tap_luma8", "clear", "half_clear"]
@@ -98,63 +102,43 @@ def two_parts(rows, setup_rows, of_setup, of_rest):
     return added(setup, fitted(rows, of_rest, lambda row: row["counted"] - modelled(setup, row["counts"]), steps=STEPS))
 
 
-def costs_of(surface, chord):
-    """By core: lists of costs, in the order of modes and texels."""
-    costs = {}
-    for core in dict.fromkeys(row["core"] for row in surface):
-        of_core = [row for row in surface if row["core"] == core and is_seen(row)]
-        chords = [row for row in chord if row["core"] == core and is_seen(row)]
-        spans = [row for row in chords if row["span"]]
-
-        def exact(mode):
-            of = [row for row in chords if row["mode"] == mode and not row["span"]]
-            return two_parts(of, of, HITS, LATTICE)
-
-        costs[core] = {
-            "surface": [surface_costs([row for row in of_core if row["mode"] == mode]) for mode in SURFACE_MODES],
-            "exact": [exact(mode) for mode in CHORD_MODES],
-            "spans": [[two_parts([row for row in spans if (row["mode"], row["texel"]) == (mode, texel)], spans, SETUP, INNER)
-                       for texel in TEXELS] for mode in CHORD_MODES]}
-    return costs
+def by_core(rows, costs):
+    """Costs of each core, from its rows whose fields are seen."""
+    return [costs([row for row in rows if row["core"] == core and is_seen(row)])
+            for core in dict.fromkeys(row["core"] for row in rows)]
 
 
-def header(costs, surface_names, chord_names):
-    """The C++ header that holds them."""
-    def numbers(of, names):
-        return "{" + ", ".join(f"{of.get(name, 0):.4g}" for name in names) + "}"
+def by_surface_mode(rows):
+    return [surface_costs([row for row in rows if row["mode"] == mode]) for mode in SURFACE_MODES]
 
-    def array(of, names):
-        return "{" + ",\n".join(array(part, names) for part in of) + "}" if isinstance(of, list) else numbers(of, names)
 
-    cores = list(costs)
-    names = ", ".join(f'"{core}"' for core in cores)
-    text = f'''// SPDX-License-Identifier: MIT
-// Written by `tools/lab/proof/cost_model.py --fit`: instructions of each kind of work, fitted to what boards executed.
-// By core, then by mode (and texel format), in the order of SurfaceItem and of ChordItem.
-#pragma once
+def by_exact_mode(rows):
+    exact = [row for row in rows if not row["span"]]
+    of_mode = [[row for row in exact if row["mode"] == mode] for mode in CHORD_MODES]
+    return [two_parts(of, of, HITS, LATTICE) for of in of_mode]
 
-#include <string>
 
-#include "planner/chord_work.h"
-#include "planner/surface_work.h"
+def by_span_mode(rows):
+    spans = [row for row in rows if row["span"]]
+    return [[two_parts([row for row in spans if (row["mode"], row["texel"]) == (mode, texel)], spans, SETUP, INNER_OF[mode])
+             for texel in TEXELS] for mode in CHORD_MODES]
 
-namespace lumi::planner
-{{
 
-inline constexpr const char* kCountedCores[] = {{{names}}};
+# What is fitted to the counts of a layout: by core, then by mode, spans' by texel format, too.
+ARRAYS = {"surface": {"kSurfaceCosts": by_surface_mode},
+          "chord": {"kExactCosts": by_exact_mode, "kSpanCosts": by_span_mode}}
 
-// Of one of them.
-inline size_t cost_index(const std::string& core)
-{{
-    size_t k = 0;
-    while (core != kCountedCores[k]) ++k;
-    return k;
-}}
 
-// clang-format off
-'''
-    for title, size, part, items in (("kSurfaceCosts", "[3][kSurfaceItems]", "surface", surface_names),
-                                     ("kExactCosts", "[3][kChordItems]", "exact", chord_names),
-                                     ("kSpanCosts", "[3][4][kChordItems]", "spans", chord_names)):
-        text += f"inline constexpr double {title}[{len(cores)}]{size} = {array([costs[core][part] for core in cores], items)};\n\n"
-    return text + "// clang-format on\n\n}  // namespace lumi::planner\n"
+def initializer(costs, names):
+    if isinstance(costs, list):
+        return "{" + ",\n".join(initializer(part, names) for part in costs) + "}"
+    return "{" + ", ".join(f"{costs.get(name, 0):.4g}" for name in names) + "}"
+
+
+def renewed(header, layout, rows):
+    """The C++ header with the layout's costs fitted to `rows`."""
+    for array, costs in ARRAYS[layout].items():
+        values = initializer(by_core(rows, costs), rows[0]["counts"])
+        header, found = re.subn(rf"( {array}\[[^=]*= ){{.*?}};", lambda match: f"{match[1]}{values};", header, flags=re.DOTALL)
+        assert found == 1, array
+    return header

@@ -20,7 +20,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import bench  # noqa: E402
-from figures.table import save  # noqa: E402
+from figures.table import load, save  # noqa: E402
 from proof import cost_fit  # noqa: E402
 
 CORES = ["m0plus", "m4", "m7"]
@@ -238,17 +238,19 @@ def main(arguments):
             row["error"] = row["modelled"] / row["counted"] - 1
     (work / "rows.json").write_text(json.dumps(rows))
     if options.fit:
-        surface, chord = rows["surface"], rows["chord"]
-        costs = cost_fit.costs_of(surface, chord)
-        COSTS.write_text(cost_fit.header(costs, surface[0]["counts"], chord[0]["counts"]))
+        header = COSTS.read_text()
+        for layout, of in rows.items():
+            header = cost_fit.renewed(header, layout, of)
+        COSTS.write_text(header)
         print(f"{COSTS.relative_to(bench.ROOT)} is written: build lumi-lab, and look at the errors without --fit")
         return
-    data = {"surface": surface_cells(rows.get("surface", [])), "chord": chord_cells(rows.get("chord", []))}
+    cells_of = {"surface": surface_cells, "chord": chord_cells}
+    data = {layout: cells_of[layout](of) for layout, of in rows.items()}
     for part, cells in data.items():
         for cell in cells:
             print(part, cell)
     if options.docs:
-        save("cost-model", data)
+        save("cost-model", {**load("cost-model"), **data})
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include "lumi/chord/detail/stepper.h"
 #include "lumi/chord/render.h"
 #include "lumi/chord/render_spans_paper.h"
+#include "planner/span_tries.h"
 
 namespace lumi::planner
 {
@@ -50,13 +51,8 @@ public:
         for (int32_t y = 0; y < screen_.height_px; y += screen_.stripe_rows()) {
             const int32_t rows = std::min(screen_.stripe_rows(), screen_.height_px - y);
             detail::ChordStepper stepper(field_, camera_, {nullptr, 0, y, screen_.width_px, rows, 0}, span_log2);
-            int32_t band = -1;
-            detail::Piece before = {};
-            for (detail::Piece piece; stepper.next(piece); before = piece)
-                if (piece.kind == detail::Piece::Kind::scanline)
-                    count_scanline(piece, band);
-                else
-                    count_piece(piece, before, stepper.origins(), stepper.directions());
+            frame[ChordItem::made_zone] += made_zones(field_.origins) + made_zones(field_.directions);
+            count_stripe(stepper, SpanTries(span_log2));
         }
     }
 
@@ -72,18 +68,52 @@ public:
     std::vector<Read> reads;
 
 private:
-    void count_scanline(const detail::Piece& piece, int32_t& band)
+    // Those down to the equator's.
+    static int32_t made_zones(const detail::Lattice& lattice)
     {
+        const detail::LatticeZones zones(lattice);
+        int32_t count = 1;
+        while (count < detail::kSpanZones && zones.zone[count - 1].begin_z_q30 != 0) ++count;
+        return count;
+    }
+
+    void count_stripe(detail::ChordStepper& stepper, SpanTries tries)
+    {
+        detail::Piece scanline = {}, before = {};
+        for (detail::Piece piece; stepper.next(piece); before = piece)
+            if (piece.kind == detail::Piece::Kind::scanline) {
+                tries.begin_scanline(piece);
+                count_scanline(piece, scanline);
+                scanline = piece;
+            } else {
+                count_try(piece, tries);
+                count_piece(piece, before, stepper.origins(), stepper.directions());
+            }
+    }
+
+    void count_scanline(const detail::Piece& piece, const detail::Piece& above)
+    {
+        const bool follows = above.width > 0;
+        if (!follows || piece.width <= 0) frame[ChordItem::searched] += 1;
         if (piece.width <= 0) return;
         frame[ChordItem::scanline] += 1;
-        if (piece.y / kTilePx != band) frame[ChordItem::band] += 1;
-        band = piece.y / kTilePx;
+        if (!follows || piece.y % kTilePx == 0) frame[ChordItem::band] += 1;
+    }
+
+    void count_try(const detail::Piece& piece, SpanTries& tries)
+    {
+        if (piece.tile != nullptr)
+            tries.begin_tile(piece);
+        else if (tries.is_shortened(piece))
+            frame[ChordItem::shortened] += 1;
     }
 
     void count_piece(const detail::Piece& piece, const detail::Piece& before, const detail::LatticeLine& origins,
                      const detail::LatticeLine& directions)
     {
         if (field_.used_origins != field_.origins.size()) frame[ChordItem::capped] += 1;
+        const int32_t over_pole = origins.over_pole + directions.over_pole;
+        frame[ChordItem::polar_side] += over_pole;
         count_zone(origins, zones_[0]);
         count_zone(directions, zones_[1]);
         if (piece.tile == nullptr) {
@@ -94,8 +124,8 @@ private:
         }
         if (piece.kind == detail::Piece::Kind::checked) {
             frame[ChordItem::checked] += 1;
-            frame[ChordItem::checked_pixel] += piece.width;
-            frame[ChordItem::pole_pixel] += piece.width * (origins.over_pole + directions.over_pole);
+            frame[ChordItem::cell_pixel] += piece.width * (2 - over_pole);
+            frame[ChordItem::pole_pixel] += piece.width * over_pole;
             frame[ChordItem::checked_stretch] += stretches(origins, directions, piece.width);
             std::fill_n(is_checked_.begin() + piece.y * screen_.width_px + piece.x, piece.width, true);
             return;
@@ -196,7 +226,7 @@ private:
             for (uint32_t k = 0; k < directions.count; ++k) covered += read_texel(row, directions.index[k]);
         }
         const uint32_t whole = 255 * origins.count * directions.count;
-        if (covered != whole) frame[covered == 0 ? ChordItem::clear : ChordItem::half_clear] += 1;
+        frame[covered == 0 ? ChordItem::clear : covered == whole ? ChordItem::shown : ChordItem::half_clear] += 1;
     }
 
     void count_side(const detail::Lattice& side, const Vec3q30& hit)

@@ -36,14 +36,15 @@ enum class ChordItem : size_t {
     mixed,        // pieces with cells of either diagonal
     mixed_line,   // their scanlines
     mixed_pixel,
-    lone_line,    // scanlines of tiles that Linear's loop does not take at once
-    steep_pixel,  // pixels of scanlines whose steps are too long for it
-    checked,      // spans whose texels are checked
-    checked_pixel,
+    lone_line,        // scanlines of tiles that Linear's loop does not take at once
+    steep_pixel,      // pixels of scanlines whose steps are too long for it
+    checked,          // spans whose texels are checked
+    cell_pixel,       // their pixels through cells, of either side
+    pole_pixel,       // those over a pole
+    polar_side,       // pieces over a pole, of either side
     checked_row,      // origins that these read and that are baked
     stretch,          // stretches over which distances to points are stepped, in spans and scanlines of tiles
     checked_stretch,  // those of checked spans
-    pole_pixel,       // pixels over a pole, of either side
     cap_side,         // sides of exact pixels so near a pole that points there are all looked at
     pole_side,        // those in a polar region
     blend_side,       // those at its border
@@ -55,28 +56,26 @@ enum class ChordItem : size_t {
     tap_luma8,
     clear,       // pixels whose nearest ray misses the scene
     half_clear,  // those that partly do
+    shown,       // the others
     few_side,    // sides of exact pixels whose lattice has so few points that all are looked at
     few_point,   // these points
+    made_zone,   // zones that stripes set up, of either side
+    searched,    // scanlines whose outline does not follow from the one before
+    shortened,   // spans that were first tried longer
     kCount
 };
 inline constexpr size_t kChordItems = static_cast<size_t>(ChordItem::kCount);
 
 // In that order.
+// clang-format off
 inline constexpr std::array<const char*, kChordItems> kChordItemNames = {
-    "frame",       "image_px",    "pixel",
-    "scanline",    "band",        "tile",
-    "wide_tile",   "narrow_tile", "missed_tile",
-    "zone",        "capped",      "tile_line",
-    "tile_pixel",  "gap",         "span",
-    "span_pixel",  "lone",        "mixed",
-    "mixed_line",  "mixed_pixel", "lone_line",
-    "steep_pixel", "checked",     "checked_pixel",
-    "checked_row", "stretch",     "checked_stretch",
-    "pole_pixel",  "cap_side",    "pole_side",
-    "blend_side",  "zone_step",   "row",
-    "tap_rgb888",  "tap_rgb565",  "tap_palette8",
-    "tap_luma8",   "clear",       "half_clear",
-    "few_side",    "few_point"};
+    "frame", "image_px", "pixel", "scanline", "band", "tile", "wide_tile", "narrow_tile", "missed_tile", "zone",
+    "capped", "tile_line", "tile_pixel", "gap", "span", "span_pixel", "lone", "mixed", "mixed_line",
+    "mixed_pixel", "lone_line", "steep_pixel", "checked", "cell_pixel", "pole_pixel", "polar_side", "checked_row",
+    "stretch", "checked_stretch", "cap_side", "pole_side", "blend_side", "zone_step", "row", "tap_rgb888",
+    "tap_rgb565", "tap_palette8", "tap_luma8", "clear", "half_clear", "shown", "few_side", "few_point",
+    "made_zone", "searched", "shortened"};
+// clang-format on
 static_assert(kChordItemNames.back() != nullptr, "each item has a name");
 
 struct ChordWork {
