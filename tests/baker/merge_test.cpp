@@ -203,6 +203,40 @@ TEST_CASE("merge: missing, double, foreign, stale, damaged and unfinished shards
     CHECK_THROWS_WITH(merge_shards({shard(1), shard(2), shard(3)}, shard(2)), Catch::Contains("reads this file"));
 }
 
+TEST_CASE("merge: of a million missing shards a few are named")
+{
+    const ScratchFolder folder;
+    bake_shard(tiny_scene(), tiny_settings(), {2, 1000000}, folder.at("s"));
+    const auto problems = problems_of(folder, {folder.at("s")});
+    REQUIRE(problems.size() == 1);
+    CHECK(
+        problems[0] ==
+        "shards 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21 and 999979 more of 1000000 are "
+        "missing; bake each with --shard K/1000000");
+}
+
+TEST_CASE("merge: rows beyond the end of a file are missing, and none of them is looked for")
+{
+    const Scene scene = tiny_scene();
+    const ScratchFolder folder;
+    for (const TexelFormat texel : {TexelFormat::rgb888, TexelFormat::palette8}) {
+        bake_shard(scene, tiny_settings(texel), {1, 1}, folder.at("s"));
+        const std::string whole = read_bytes(folder.at("s"));
+        uint32_t before = 0;
+        for (size_t size = kHeadBytes; size <= whole.size(); ++size) {
+            folder.write("cut", whole.substr(0, size));
+            BlockFile file(std::make_unique<PosixFile>(folder.at("cut"), PosixFile::Mode::read));
+            const RowFile rows(file);
+            const uint32_t within = rows.slots_within_file();
+            INFO(size << " bytes of " << whole.size());
+            REQUIRE((within == before || within == before + 1));
+            REQUIRE(missing_slots(rows).size() == rows.slot_count() - within);
+            before = within;
+            if (size == whole.size()) CHECK(within == rows.slot_count());
+        }
+    }
+}
+
 TEST_CASE("merge: every truncation of a shard is refused by name")
 {
     const Scene scene = tiny_scene();

@@ -37,6 +37,7 @@ OBJ, MTL, scene files, damaged at random and cut short|nothing|baker\.(mutation|
 library named 2,000 times; 100,000 materials|4 minutes; 3 minutes|baker\.obj: (a library is read once|of many materials)
 OBJ line of 100,000 pieces; 200,000 triangles at one edge (at f6b01a4)|23 s; above 1 minute|baker\.(text lines: a line of a million|Triangles share an edge)
 shards and checkpoints: every truncation, damaged bytes|nothing|baker\.(merge: every truncation|checkpoint: every truncation|stage file)|fuzz\.shard
+shard of 1.2 kB that says there are a million; of 176 bytes, a million rows (at 4d48ff1b)|message of 7.9 MB; 0.6 s of looking|baker\.merge: (of a million|rows beyond)
 bakes killed before random writes, or each life before its fifth|a surface bake began again and again|tools\.(a bake that was killed ten|a surface bake of which each)
 `ulimit -u`: the first thread or a later one is not given (at f3e3b91)|aborted|faults\.fail_on_purpose
 an allocation, a read, write, sync or rename fails, one after the other|`terminate`; no mend; `embed` left one file of two|faults\.fail_on_purpose

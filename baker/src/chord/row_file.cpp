@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "chord/row_file.h"
 
+#include <algorithm>
+
 namespace lumi::baker
 {
 namespace
@@ -26,6 +28,12 @@ uint64_t RowFile::slot_offset(uint32_t slot) const
 {
     const uint64_t first = has_palette() ? kPaletteBlock.end() : kHeadBytes;
     return first + slot * Block{0, 0, layout_.row_stride()}.end();
+}
+
+uint32_t RowFile::slots_within_file() const
+{
+    const uint64_t all = file_.file().size(), first = slot_offset(0), each = slot_offset(1) - first;
+    return all < first ? 0 : static_cast<uint32_t>(std::min<uint64_t>((all - first) / each, slot_count()));
 }
 
 bool RowFile::read_row(uint32_t slot, std::vector<uint8_t>& row) const
@@ -63,8 +71,9 @@ std::vector<uint32_t> missing_slots(const RowFile& rows)
 {
     std::vector<uint32_t> missing;
     std::vector<uint8_t> row;
+    const uint32_t within = rows.slots_within_file();  // a file of a few bytes may say that it has a million
     for (uint32_t slot = 0; slot < rows.slot_count(); ++slot)
-        if (!rows.read_row(slot, row)) missing.push_back(slot);
+        if (slot >= within || !rows.read_row(slot, row)) missing.push_back(slot);
     return missing;
 }
 

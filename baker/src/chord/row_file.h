@@ -24,6 +24,8 @@ public:
     uint32_t slot_count() const { return rows_.size(); }
     uint32_t row_of(uint32_t slot) const { return rows_.row(slot); }
     uint64_t complete_bytes() const { return slot_offset(slot_count()); }
+    // The slots that do not reach beyond the file's end.
+    uint32_t slots_within_file() const;
 
     // False if it is not there; the output is then unspecified. `row` gets layout().row_stride() bytes. Thread-safe.
     bool read_row(uint32_t slot, std::vector<uint8_t>& row) const;

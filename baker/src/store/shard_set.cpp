@@ -88,10 +88,17 @@ void ShardSet::sort_out(const BlockFile& model)
 void ShardSet::name_missing()
 {
     if (shards_.empty() || shards_.size() == count()) return;
+    constexpr size_t kMostNamed = 20;  // a damaged file may say that there are a million
     std::string list;
-    for (uint32_t k = 1; k <= count(); ++k)
-        list += shards_.count(k) ? "" : (list.empty() ? "" : ", ") + std::to_string(k);
-    const bool one = count() - shards_.size() == 1;
+    size_t named = 0;
+    for (uint32_t k = 1; k <= count() && named < kMostNamed; ++k) {
+        if (shards_.count(k)) continue;
+        list += (list.empty() ? "" : ", ") + std::to_string(k);
+        ++named;
+    }
+    const size_t missing = count() - shards_.size();
+    if (missing > named) list += " and " + std::to_string(missing - named) + " more";
+    const bool one = missing == 1;
     problems_.push_back((one ? "shard " : "shards ") + list + " of " + std::to_string(count()) +
                         (one ? " is missing; bake it with --shard " : " are missing; bake each with --shard ") +
                         (one ? list : std::string("K")) + "/" + std::to_string(count()));
