@@ -2,10 +2,12 @@
 // A folder for the files that a fuzz target makes of its input, removed at the end. TMPDIR says where it lies.
 #pragma once
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <string>
 
 namespace lumi::fuzz
@@ -26,16 +28,35 @@ public:
     FuzzFolder(const FuzzFolder&) = delete;
     FuzzFolder& operator=(const FuzzFolder&) = delete;
 
-    std::filesystem::path write(const char* name, const std::string& bytes) const
+    // Leaves a file as it is that has these bytes already: most changes of an input of two files change one of them.
+    const std::filesystem::path& write(const char* name, const std::string& bytes)
     {
-        const std::filesystem::path file = path_ / name;
-        std::ofstream(file, std::ios::binary) << bytes;
-        return file;
+        File& file = files_[name];
+        if (file.path.empty()) file.path = path_ / name;
+        if (!file.is_written || file.bytes != bytes) put(file, bytes);
+        return file.path;
     }
     std::filesystem::path at(const char* name) const { return path_ / name; }
 
 private:
+    struct File {
+        std::filesystem::path path;
+        std::string bytes;
+        bool is_written = false;
+    };
+
+    static void put(File& file, const std::string& bytes)
+    {
+        const int descriptor = open(file.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+        if (descriptor < 0 || ::write(descriptor, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+            std::abort();  // the disk is full
+        close(descriptor);
+        file.bytes = bytes;
+        file.is_written = true;
+    }
+
     std::filesystem::path path_;
+    std::map<std::string, File> files_;
 };
 
 }  // namespace lumi::fuzz

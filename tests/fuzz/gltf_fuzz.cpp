@@ -5,7 +5,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
-    static const lumi::fuzz::FuzzFolder folder;
+    static lumi::fuzz::FuzzFolder folder;
     std::vector<std::string> warnings;
     try {
         lumi::baker::read_gltf(folder.write("m.glb", std::string(reinterpret_cast<const char*>(data), size)), warnings);

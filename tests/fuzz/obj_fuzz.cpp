@@ -5,7 +5,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
-    static const lumi::fuzz::FuzzFolder folder;
+    static lumi::fuzz::FuzzFolder folder;
     const std::string bytes(reinterpret_cast<const char*>(data), size);
     const size_t end = std::min(bytes.find('\xFF'), bytes.size());
     folder.write("m.mtl", bytes.substr(std::min(end + 1, bytes.size())));

@@ -20,7 +20,7 @@ struct Sound {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
-    static const Sound sound;
+    static Sound sound;
     std::vector<std::string> warnings;
     try {
         lumi::baker::load_scene(sound.folder.write("s.json", std::string(reinterpret_cast<const char*>(data), size)),

@@ -9,6 +9,7 @@
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
+#include "util/fuzzed.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -234,7 +235,7 @@ private:
     // Whether some path of diffuse reflections gets out, or through something.
     bool light_leaves(const Vec3& lamp) const
     {
-        constexpr uint32_t kPaths = 256, kBounces = 64;
+        constexpr uint32_t kPaths = kIsFuzzed ? 4 : 256, kBounces = 64;
         constexpr uint64_t kSeed = 0x6c616d70;
         Sampler sampler(kSeed, 0, 0);
         for (uint32_t path = 0; path < kPaths; ++path) {
