@@ -56,7 +56,8 @@ def dim_light():
     def place(means):
         return [means["pixels"], decimal(means["truth"], 2), decimal(means["drawn"], 2)]
 
-    return table(["light", "light paths a texel", "lit pixels", "traced", "drawn", "with border", "traced", "drawn"],
+    return table(["light", "light paths a texel", "lit pixels", "traced", "drawn",
+                  "pixels with border", "traced there", "drawn there"],
                  load("dim_light")["rows"], lambda row: [row["scene"], row["paths"], *place(row["lit"]), *place(row["border"])])
 
 

@@ -3,7 +3,7 @@
 """dim_light.py [--docs] [--spp N] [--work FOLDER]
 
 Whether light that few paths find is lost in a bake: a lamp seen through a small hole, first light and second light, and a
-caustic under a ball of glass. Each scene is baked with few paths and with many. Pictures of the field are compared with
+caustic under a ball of glass. Each scene is baked with few paths. Pictures of the field are compared with
 path-traced ones of N light paths a pixel [4096] where that light makes the picture brighter, by the mean of both in levels:
 there alone, and with a border, over which texels spread the edge of what is lit.
 --docs writes docs/log/data/dim_light.json, of which pages.py makes the table of docs/log/view-tables.md. Scenes, fields and
@@ -19,7 +19,7 @@ import bench  # noqa: E402
 from figures.table import save  # noqa: E402
 from scenes.write_failures import Obj  # noqa: E402
 
-PATHS = [60, 150, 300]
+PATHS = [60]
 BYTES = "250kB"
 VIEWS = ["20,12,3", "200,24,3"]
 SIZE = "128x128"
