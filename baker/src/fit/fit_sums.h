@@ -21,7 +21,7 @@ struct TexelSums {
     uint32_t count = 0;
     std::array<int64_t, 3> target{}, predicted{};
     std::array<int64_t, 3> light{};  // radiance, in kLightUnit
-    uint64_t scatter = 0;  // squares of target - prediction, all channels, in kScatterUnit
+    uint64_t scatter = 0;            // squares of target - prediction, all channels, in kScatterUnit
 
     // The variance of one sample's channel, levels².
     double variance() const { return count == 0 ? 0 : kScatterUnit * static_cast<double>(scatter) / (3.0 * count); }
