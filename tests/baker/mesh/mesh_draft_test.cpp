@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "mesh/mesh_tracer.h"
 #include "mesh/simplify/simplify.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
