@@ -33,7 +33,8 @@ test_packages=(
   arduino-builder                                                           # the Arduino library, as its IDE builds it
   slurm-wlm munge procps                                                    # a job array on this machine
   clang-tidy                                                                # checks what changed
-  python3)                                                                  # the generator of the scenes, includes
+  python3                                                                   # the generator of the scenes, includes
+  python3-numpy)                                                            # the fit of what drawing costs
 all_packages=(
   clang-format cppcheck g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev           # `lumi filter train`, `lumi render --filter`

@@ -2,7 +2,8 @@
 // The normal equations of a surface field's fit, summed over samples as integers: the same sums in any order.
 //
 // A sample's target is (texel) + Σ weight · (node). With 12 bits of weight and targets in 1/64 level, below 2^15
-// levels, 64-bit sums hold 2^30 samples a patch, and the 32-bit ones below 2^20 samples a texel.
+// levels, 64-bit sums hold 2^30 samples a patch, and the 32-bit ones below 2^20 samples a texel. Radiance counts as
+// 2^20 at most.
 #pragma once
 
 #include "fit/fit_model.h"

@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kScatterReach = 1;     // texels on each side: what light is there, and how much paths scatter
+constexpr int kAroundReach = 1;     // texels on each side: what light is there, and how much paths scatter
 constexpr double kAroundPaths = 16;  // of the whole rectangle's scatter, beside those: few paths know it badly
 
 LevelColour added(const LevelColour& a, const LevelColour& b, float sign)
@@ -44,7 +44,7 @@ double growth(const ToneLine& from, const ToneLine& to)
 // Tangents lie above the curve: where expectations of different views are wrong by noise, the sums are too bright.
 // Where they truly differ, the encoded mean light is brighter than the mean of what is shown. So the darker one is
 // right.
-Rgb light_of(const TexelLight& t)
+Rgb darker_light(const TexelLight& t)
 {
     const Rgb summed = t.line.inverse(t.target);
     return {std::min(summed.r, t.light.r), std::min(summed.g, t.light.g), std::min(summed.b, t.light.b)};
@@ -54,8 +54,8 @@ Rgb light_of(const TexelLight& t)
 template <class Function>
 void around(int x, int y, int width, int height, Function f)
 {
-    for (int j = std::max(y - kScatterReach, 0); j <= std::min(y + kScatterReach, height - 1); ++j)
-        for (int i = std::max(x - kScatterReach, 0); i <= std::min(x + kScatterReach, width - 1); ++i)
+    for (int j = std::max(y - kAroundReach, 0); j <= std::min(y + kAroundReach, height - 1); ++j)
+        for (int i = std::max(x - kAroundReach, 0); i <= std::min(x + kAroundReach, width - 1); ++i)
             f(static_cast<size_t>(j * width + i));
 }
 
@@ -65,16 +65,18 @@ public:
     Rectangle(const EncodedTone& tone, const std::vector<TexelLight>& light, uint32_t width)
         : tone_(tone), light_(light), width_(static_cast<int>(width)), height_(static_cast<int>(light.size()) / width_)
     {
-        for (const TexelLight& t : light) means_.push_back(t.paths == 0 ? Rgb() : light_of(t));
+        for (const TexelLight& t : light) means_.push_back(t.paths == 0 ? Rgb() : darker_light(t));
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x) lines_.push_back(line_at(x, y));
     }
 
     std::vector<LevelColour> smoothed() const
     {
-        std::vector<LevelColour> texels(light_.size());
-        for (size_t t = 0; t < light_.size(); ++t)
-            if (light_[t].paths != 0) texels[t] = added(lines_[t](means_[t]), tables_of(light_[t]), -1);
+        std::vector<LevelColour> texels;
+        for (size_t t = 0; t < light_.size(); ++t) {
+            const TexelLight& own = light_[t];
+            texels.push_back(own.paths == 0 ? own.texel : added(lines_[t](means_[t]), tables_of(own), -1));
+        }
         smooth_noise(texels.data(), variances(), static_cast<uint32_t>(width_));
         for (size_t t = 0; t < light_.size(); ++t) {
             if (light_[t].paths == 0) continue;

@@ -22,7 +22,7 @@ struct TexelLight {
 
 // The texels of a rectangle `width` wide. Where it is smooth, the mean of the light stays what it is, however noisy
 // texels are. Encoded means of few paths are darker than the encoded mean of many, and so they would be if each was
-// trusted by its own scatter: those that a bright path met scatter most.
+// trusted by its own scatter: those that a bright path met scatter most. A rectangle that no path met keeps its texels.
 std::vector<LevelColour> finished(const EncodedTone& tone, const std::vector<TexelLight>& light, uint32_t width);
 
 }  // namespace lumi::baker

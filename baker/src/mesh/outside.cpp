@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "geometry/components.h"
 #include "math/frame.h"
 #include "math/sampler.h"
 #include "math/warp.h"
 #include "mesh/copies.h"
 #include "mesh/cut_outs.h"
 #include "mesh/sheets.h"
-#include "util/disjoint_sets.h"
 
 namespace lumi::baker
 {
@@ -141,23 +141,6 @@ void drop_seen_copies(Mesh& mesh, const std::vector<Openness>& open)
     for (size_t k = 0; k < open.size(); ++k)
         if (first[k] != k && is_seen[first[k]]) mesh.corners[k].fill(mesh.corners[k][0]);
 }
-
-// Sets of triangles that share vertices.
-class Components
-{
-public:
-    explicit Components(const Mesh& mesh) : sets_(mesh.positions.size())
-    {
-        for (const Mesh::Corners& c : mesh.corners) {
-            sets_.join(c[0], c[1]);
-            sets_.join(c[0], c[2]);
-        }
-    }
-    uint32_t of(const Mesh::Corners& corners) { return sets_.root(corners[0]); }
-
-private:
-    DisjointSets sets_;
-};
 
 // How much of a sheet is seen from which side of its first triangle: areas times openness.
 struct Seen {

@@ -94,14 +94,14 @@ TexelLight light_of(const EncodedTone& tone, const TexelSums& sums, const LevelC
 
 void finish_texels(const FitState& state, FitModel& model)
 {
-    std::vector<uint32_t> counts;
+    std::vector<uint32_t> counts(model.texels.size(), 0);  // rectangles do not lie in the order of patches
     for (uint32_t p = 0; p < state.shape.mesh.patches.size(); ++p) {
         const PatchRectangle& r = state.shape.layout.rectangles[p];
         const PatchSums& sums = state.sums.patches()[p];
         std::vector<TexelLight> light;
         for (size_t t = 0; t < r.size(); ++t) {
             light.push_back(light_of(state.tone, sums.texels[t], model.texels[r.begin + t]));
-            counts.push_back(sums.texels[t].count);
+            counts[r.begin + t] = sums.texels[t].count;
         }
         const std::vector<LevelColour> texels = finished(state.tone, light, r.n);
         std::copy(texels.begin(), texels.end(), model.texels.begin() + r.begin);

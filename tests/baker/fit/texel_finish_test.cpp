@@ -2,6 +2,7 @@
 #include "fit/texel_finish.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "math/sampler.h"
 
@@ -97,6 +98,31 @@ TEST_CASE("what view tables add stays out of a texel", "[fit]")
     const LevelColour first = finished(tone, light, kSide).front();
     CHECK(first[0] == Approx(light.front().target[0] - 20).margin(0.2));
     CHECK(first[2] == Approx(light.front().target[2] + 5).margin(0.2));
+}
+
+TEST_CASE("black and white texels have finite levels by every tone curve", "[fit]")
+{
+    for (const ToneCurve curve : {ToneCurve::srgb, ToneCurve::reinhard, ToneCurve::aces, ToneCurve::agx}) {
+        const EncodedTone tone(curve);
+        for (const float level : {0.0f, 255.0f}) {
+            for (const float other : {0.0f, 255.0f}) {
+                const LevelColour shown = {level, other, other};
+                const ToneLine line = tone.line_at(shown);
+                const TexelLight texel = {line, shown, line.at, shown, 0, 4};
+                const TexelLight lit = {line, shown, {1e6f, 0, 1e6f}, shown, 1e9, 1};
+                for (const LevelColour& c : finished(tone, {texel, lit, texel, lit}, 2))
+                    for (const float v : c) CHECK(std::isfinite(v));
+            }
+        }
+    }
+}
+
+TEST_CASE("a rectangle that no path met keeps its texels", "[fit]")
+{
+    const EncodedTone tone(ToneCurve::srgb);
+    const LevelColour kept = {90, 80, 70};
+    const TexelLight texel = {tone.line_at({0, 0, 0}), {}, {}, kept, 0, 0};
+    for (const LevelColour& c : finished(tone, {texel, texel}, 2)) CHECK(c == kept);
 }
 
 }  // namespace lumi::baker::testing

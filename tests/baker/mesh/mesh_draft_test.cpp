@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mesh/mesh_tracer.h"
+#include "mesh/simplify/closed_seams.h"
 #include "mesh/simplify/simplify.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
@@ -131,6 +132,15 @@ TEST_CASE("Seams between sheets that lie side by side do not gape", "[mesh]")
         open += tracer.closest({{r * std::cos(turn), r * std::sin(turn), 1}, {0, 0, -1}}) ? 0u : 1u;
     }
     CHECK(open == 0);
+}
+
+TEST_CASE("A reach that is finer than numbers closes no seam", "[mesh]")
+{
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
+    mesh.corners = {{0, 1, 2}, {3, 4, 5}};
+    for (const float reach : {0.0f, 1e-30f, 1e-6f}) CHECK(with_closed_seams(mesh, reach).corners == mesh.corners);
+    CHECK(with_closed_seams(mesh, 1e-5f).corners != mesh.corners);
 }
 
 TEST_CASE("Wires far thinner than the error elsewhere stay whole", "[mesh]")

@@ -7,12 +7,14 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "util/disjoint_sets.h"
+#include "geometry/components.h"
 
 namespace lumi::baker
 {
 namespace
 {
+
+constexpr float kLeastReach = 1e-6f;  // positions of floats are no finer; cells have 21 bits a coordinate
 
 // Vertices by cells of space, as large as the reach: what is near lies in the cell or beside it.
 class Cells
@@ -67,21 +69,11 @@ std::vector<uint32_t> border_vertices(const Mesh& mesh)
     return vertices;
 }
 
-DisjointSets parts_of(const Mesh& mesh)
-{
-    DisjointSets parts(mesh.positions.size());
-    for (const Mesh::Corners& c : mesh.corners) {
-        parts.join(c[0], c[1]);
-        parts.join(c[0], c[2]);
-    }
-    return parts;
-}
-
 // For each vertex the one that it becomes.
 std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
 {
     const std::vector<uint32_t> border = border_vertices(mesh);
-    DisjointSets parts = parts_of(mesh);
+    Components parts(mesh);
     Cells all(reach), first(reach);
     for (const uint32_t v : border) all.add(mesh.positions[v], v);
     std::vector<uint32_t> to(mesh.positions.size());
@@ -90,7 +82,7 @@ std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
         const Vec3& place = mesh.positions[v];
         const auto is_near = [&](uint32_t other) { return length(mesh.positions[other] - place) <= reach; };
         const bool is_seam =
-            all.any_near(place, [&](uint32_t other) { return parts.root(other) != parts.root(v) && is_near(other); });
+            all.any_near(place, [&](uint32_t other) { return parts.of(other) != parts.of(v) && is_near(other); });
         if (!is_seam) continue;
         const bool is_joined = first.any_near(place, [&](uint32_t other) {
             if (is_near(other)) to[v] = other;
@@ -105,7 +97,7 @@ std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
 
 Mesh with_closed_seams(const Mesh& mesh, float reach)
 {
-    if (!(reach > 0)) return mesh;
+    if (!(reach > kLeastReach)) return mesh;
     const std::vector<uint32_t> to = joined_vertices(mesh, reach);
     Mesh result;
     result.positions = mesh.positions;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "util/disjoint_sets.h"
+#include "geometry/components.h"
 
 namespace lumi::baker
 {
@@ -39,16 +39,12 @@ struct Part {
 
 std::vector<Part> parts_of(const Mesh& mesh, std::vector<uint32_t>& part_of_vertex)
 {
-    DisjointSets sets(mesh.positions.size());
-    for (const Mesh::Corners& c : mesh.corners) {
-        sets.join(c[0], c[1]);
-        sets.join(c[0], c[2]);
-    }
+    Components components(mesh);
     std::unordered_map<uint32_t, uint32_t> numbers;
     std::vector<Part> parts;
     part_of_vertex.assign(mesh.positions.size(), 0);
     for (const Mesh::Corners& c : mesh.corners) {
-        const auto [number, is_new] = numbers.try_emplace(sets.root(c[0]), static_cast<uint32_t>(parts.size()));
+        const auto [number, is_new] = numbers.try_emplace(components.of(c), static_cast<uint32_t>(parts.size()));
         if (is_new) parts.emplace_back();
         for (const uint32_t corner : c) part_of_vertex[corner] = number->second;
         parts[number->second].triangles.push_back(c);
