@@ -11,7 +11,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr int kAroundReach = 1;     // texels on each side: what light is there, and how much paths scatter
+constexpr int kAroundReach = 1;      // texels on each side: what light is there, and how much paths scatter
 constexpr double kAroundPaths = 16;  // of the whole rectangle's scatter, beside those: few paths know it badly
 
 LevelColour added(const LevelColour& a, const LevelColour& b, float sign)
