@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Bakes models that people have, and draws them beside path-traced pictures.
 
-model_sheet.py FOLDER [NAME...] [--people] [--paths 60] [--fit 250kB] [--lumi PROGRAM] [--docs]
+model_sheet.py FOLDER [NAME...] [--people [1-60]] [--paths 60] [--fit 250kB] [--lumi PROGRAM] [--docs]
 
 FOLDER holds the models of MODELS below (Debian: python3-matplotlib):
     npm pack @webxr-input-profiles/assets@1.0.20 && tar xzf webxr*.tgz                     (as `package`)
     apt-get download sweethome3d-furniture && dpkg-deb -x sweethome3d-furniture*.deb .     (each .sh3f unpacked into `obj`)
 With --people FOLDER holds, in place of these, what Debian's packages minetest-mod-homedecor, assimp-testmodels and
-sweethome3d-furniture unpack (dpkg-deb -x), each .sh3f a folder of its files. Of all OBJ and glTF files there the sheet
-has the 60 whose paths have the smallest SHA-256, from six sides: nobody chose them.
+sweethome3d-furniture unpack (dpkg-deb -x), each .sh3f a folder of its files. All OBJ and glTF files there are ranked by
+the SHA-256 of their paths, and the sheet has those of the ranks that are said, from six sides: nobody chose them.
 NAMEs choose some of them. The sheet is build/model-sheet/sheet.png: path-traced, drawn from the field, and again from
 the next side. What is there already is not made again: delete a model's folder there to bake it anew. --docs brings dB,
 bytes and what `lumi bake` warns of into docs/log/data/model_sheet.json (people_sheet.json), beside what that holds of
@@ -49,7 +49,6 @@ MODELS = {
 }
 SIDES = ["30,20,3", "200,-10,3"]  # orbits
 PEOPLE_SIDES = ["30,20,3", "90,5,3", "150,40,3", "210,-10,3", "270,20,3", "330,-40,3"]
-PEOPLE = 60
 SIZE = "200x200"
 SPP = "64"  # of references
 FAR_DB, FAR_SPP = 34, "512"  # a view that is farther off is measured again: its reference may be the noisy one
@@ -63,9 +62,9 @@ class Set:
 
 
 def people(folder):
-    """Names and paths of the models whose paths have the smallest SHA-256."""
+    """Names and paths of all models, in the order of their paths' SHA-256."""
     paths = [p.relative_to(folder) for p in folder.rglob("*") if p.suffix.lower() in (".obj", ".gltf", ".glb") and p.is_file()]
-    chosen = sorted(paths, key=lambda p: hashlib.sha256(p.as_posix().encode()).digest())[:PEOPLE]
+    chosen = sorted(paths, key=lambda p: hashlib.sha256(p.as_posix().encode()).digest())
     return {f"{k + 1:02}-{path.stem}": path for k, path in enumerate(chosen)}
 
 
@@ -154,7 +153,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--people", action="store_true")
+    parser.add_argument("--people", nargs="?", const="1-60", metavar="FIRST-LAST")
     parser.add_argument("--paths", default="60")
     parser.add_argument("--fit", default="250kB")
     parser.add_argument("--lumi", default=str(ROOT / "build/release/tools/lumi"))
@@ -167,7 +166,8 @@ def main():
     unknown = sorted(set(options.names) - set(chosen.models))
     if unknown:
         parser.error(f"there is no model {', '.join(unknown)}")
-    models = [Model(name, chosen, options) for name in options.names or chosen.models]
+    first, last = map(int, options.people.split("-")) if options.people else (1, len(chosen.models))
+    models = [Model(name, chosen, options) for name in options.names or list(chosen.models)[first - 1:last]]
     rows = []
     for model in models:
         rows.append(model.row())

@@ -73,16 +73,17 @@ def model_sheet():
                               "<br>".join(row["said"]).replace("|", "\\|")])
 
 
-def people_sheet():
+def people_sheet(first, last):
     def said(row):
-        drawn = [line for line in row["said"] if re.match("the mesh|the scene|of [0-9]|refused", line)]
+        drawn = [line for line in row["said"] if re.match("the mesh|the scene|of [0-9]|[0-9.]+ %|refused", line)]
         others = len(row["said"]) - len(drawn)
         return "<br>".join([*drawn, *([f"({others} of what the file says)"] if others else [])]).replace("|", "\\|")
 
     def psnr(row):
         values = [value for value in row["psnr_db"] if value is not None]
         return [decimal(sum(values) / len(values)), decimal(min(values))] if values else ["", ""]
-    return table(["model", "bytes", "dB", "worst side", "what `lumi bake` warns of"], load("people_sheet")["models"],
+    models = [row for row in load("people_sheet")["models"] if first <= int(row["model"].split("-")[0]) <= last]
+    return table(["model", "bytes", "dB", "worst side", "what `lumi bake` warns of"], models,
                  lambda row: [row["model"], f"{row['bytes']:,}" if row["bytes"] else "refused", *psnr(row), said(row)])
 
 
