@@ -68,6 +68,11 @@ def people(folder):
     return {f"{k + 1:02}-{path.stem}": path for k, path in enumerate(chosen)}
 
 
+def ranks(text):
+    first, last = map(int, text.split("-"))
+    return first, last
+
+
 class Model:
     """A model's pictures and what was said of it, each made once."""
 
@@ -153,7 +158,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--people", nargs="?", const="1-60", metavar="FIRST-LAST")
+    parser.add_argument("--people", type=ranks, nargs="?", const=(1, 60), metavar="FIRST-LAST")
     parser.add_argument("--paths", default="60")
     parser.add_argument("--fit", default="250kB")
     parser.add_argument("--lumi", default=str(ROOT / "build/release/tools/lumi"))
@@ -166,7 +171,7 @@ def main():
     unknown = sorted(set(options.names) - set(chosen.models))
     if unknown:
         parser.error(f"there is no model {', '.join(unknown)}")
-    first, last = map(int, options.people.split("-")) if options.people else (1, len(chosen.models))
+    first, last = options.people or (1, len(chosen.models))
     models = [Model(name, chosen, options) for name in options.names or list(chosen.models)[first - 1:last]]
     rows = []
     for model in models:

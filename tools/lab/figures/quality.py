@@ -38,7 +38,7 @@ def rows_of(report):
 def collect(folder, *scenes):
     """The data, with the scenes that were measured in the folder; the others as they were."""
     folder, data = pathlib.Path(folder), load("quality")
-    rows = []
+    rows, note = [], {}
     for scene in scenes:
         measured = []
         for names in (["report", "others"], ["ring", "ring-others"]):
@@ -46,8 +46,10 @@ def collect(folder, *scenes):
             if all(file.exists() for file in files):
                 found = [row for file in files for row in rows_of(json.loads(file.read_text()))]
                 measured += sorted(found, key=lambda row: (ORDER.index(row["layout"]), row["flash_bytes"]))
-        rows += measured or [row for row in data["rows"] if row["scene"] == scene]
-    return {**data, "rows": rows}
+        if not measured:  # the note is about such rows
+            measured, note = [row for row in data["rows"] if row["scene"] == scene], {"note": data.get("note", "")}
+        rows += measured
+    return {**note, "rows": rows}
 
 
 def flash(row):
