@@ -34,6 +34,7 @@ EXR of 430 bytes (fuzzing); sparse PNG of 6 GB|gigabytes; read whole|fuzz\.pictu
 EXR of 25 bytes whose header claims a part of 1.9 GB (at f3e3b91)|took the memory before it refused|baker\.sky picture: an EXR header
 volume of a few bytes that claims 10^12 voxels; NIfTI cut short|nothing|baker\.(every truncation is refused, packed|a small file that claims)|fuzz\.nifti
 OBJ, MTL, scene files, damaged at random and cut short|nothing|baker\.(mutation|obj: every truncation)|fuzz\.(obj|scene)
+list of 10^63 numbers in the text of a PLY (fuzzing, at aad58aeb)|undefined conversion to an integer|fuzz\.ply|baker\.PLY: what claims
 library named 2,000 times; 100,000 materials|4 minutes; 3 minutes|baker\.obj: (a library is read once|of many materials)
 OBJ line of 100,000 pieces; 200,000 triangles at one edge (at f6b01a4)|23 s; above 1 minute|baker\.(text lines: a line of a million|Triangles share an edge)
 shards and checkpoints: every truncation, damaged bytes|nothing|baker\.(merge: every truncation|checkpoint: every truncation|stage file)|fuzz\.shard

@@ -135,6 +135,7 @@ TEST_CASE("PLY: what claims a billion elements, or an endless list, is refused b
     }
     check_ply_refused(with(with(text, "list uchar", "list uint"), "3 0 1 4", "4000000000 0 1 4"),
                       "4000000000 numbers follow");
+    check_ply_refused(with(text, "3 0 1 4", "1" + std::string(60, '0') + " 0 1 4"), "a list has 1e+60 numbers");
     CHECK(
         load_ply(with(text, "element vertex", "element nothing 1000000000000\nelement vertex")).mesh.triangle_count() ==
         6);
