@@ -143,6 +143,20 @@ TEST_CASE("A reach that is finer than numbers closes no seam", "[mesh]")
     CHECK(with_closed_seams(mesh, 1e-5f).corners != mesh.corners);
 }
 
+TEST_CASE("A sheet of very many vertices at one place is passed by", "[mesh]")
+{
+    constexpr uint32_t kRim = 200000;
+    Mesh mesh;  // a disc smaller than the reach, and a triangle beside it: 2 * 10^10 pairs of vertices
+    mesh.positions = {{0, 0, 0}, {0.5f, 0, 0}, {0.6f, 0, 0}, {0.5f, 0.1f, 0}};
+    mesh.corners = {{1, 2, 3}};
+    for (uint32_t k = 0; k < kRim; ++k) {
+        const float turn = 2 * kPi * static_cast<float>(k) / kRim;
+        mesh.positions.push_back({0.004f * std::cos(turn), 0.004f * std::sin(turn), 0});
+        mesh.corners.push_back({0, 4 + k, 4 + (k + 1) % kRim});
+    }
+    CHECK(with_closed_seams(mesh, 0.01f).corners == mesh.corners);
+}
+
 TEST_CASE("Wires far thinner than the error elsewhere stay whole", "[mesh]")
 {
     constexpr float kThick = 0.004f;  // half a pixel

@@ -24,13 +24,13 @@ public:
 
     void add(const Vec3& place, uint32_t vertex) { cells_[key(cell(place, 0, 0, 0))].push_back(vertex); }
 
-    // Calls with each vertex of the cells around a place until that returns true; whether it did.
+    // Calls with the vertices of each cell around a place, as they were added, until that returns true; whether it did.
     template <class Use>
-    bool any_near(const Vec3& place, const Use& use) const
+    bool any_around(const Vec3& place, const Use& use) const
     {
         for (int k = 0; k < 27; ++k) {
             const auto found = cells_.find(key(cell(place, k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)));
-            if (found != cells_.end() && std::any_of(found->second.begin(), found->second.end(), use)) return true;
+            if (found != cells_.end() && use(found->second)) return true;
         }
         return false;
     }
@@ -74,19 +74,26 @@ std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
 {
     const std::vector<uint32_t> border = border_vertices(mesh);
     Components parts(mesh);
+    const auto is_of_lower_part = [&](uint32_t a, uint32_t b) { return parts.of(a) < parts.of(b); };
+    std::vector<uint32_t> by_part = border;
+    std::sort(by_part.begin(), by_part.end(), is_of_lower_part);
     Cells all(reach), first(reach);
-    for (const uint32_t v : border) all.add(mesh.positions[v], v);
+    for (const uint32_t v : by_part) all.add(mesh.positions[v], v);
     std::vector<uint32_t> to(mesh.positions.size());
     std::iota(to.begin(), to.end(), 0u);
     for (const uint32_t v : border) {
         const Vec3& place = mesh.positions[v];
         const auto is_near = [&](uint32_t other) { return length(mesh.positions[other] - place) <= reach; };
-        const bool is_seam =
-            all.any_near(place, [&](uint32_t other) { return parts.of(other) != parts.of(v) && is_near(other); });
+        // A part's own vertices are passed over at once: a cell may hold all of a large one.
+        const bool is_seam = all.any_around(place, [&](const std::vector<uint32_t>& list) {
+            const auto [own, other] = std::equal_range(list.begin(), list.end(), v, is_of_lower_part);
+            return std::any_of(list.begin(), own, is_near) || std::any_of(other, list.end(), is_near);
+        });
         if (!is_seam) continue;
-        const bool is_joined = first.any_near(place, [&](uint32_t other) {
-            if (is_near(other)) to[v] = other;
-            return to[v] == other;
+        const bool is_joined = first.any_around(place, [&](const std::vector<uint32_t>& list) {
+            const auto found = std::find_if(list.begin(), list.end(), is_near);
+            if (found != list.end()) to[v] = *found;
+            return found != list.end();
         });
         if (!is_joined) first.add(place, v);
     }
