@@ -54,8 +54,8 @@ fuzz() {
     field) options=(-max_len=8192) ;;
     shard) options=(-max_len=10240) ;;
     extreme) options=(-max_len=4096) ;;
-    obj | gltf | scene) options=(-max_len=2048) ;;
-    stl | ply) options=(-max_len=1024) ;;
+    gltf | scene) options=(-max_len=2048) ;;
+    obj | stl | ply) options=(-max_len=1024) ;;
   esac
   # Files in memory, no callers of allocations, no count of rare features: each took a tenth of the time or more.
   local -x TMPDIR=$memory ASAN_OPTIONS=malloc_context_size=0

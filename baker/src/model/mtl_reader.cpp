@@ -74,11 +74,14 @@ std::vector<std::string> all_keywords()
 std::string known_keyword(const std::string& word)
 {
     static const std::vector<std::string> all = all_keywords();
+    static const std::map<std::string, std::string> by_small_letters = [] {
+        std::map<std::string, std::string> result;
+        for (const std::string& keyword : all) result.try_emplace(in_small_letters(keyword), keyword);
+        return result;
+    }();
     if (std::find(all.begin(), all.end(), word) != all.end()) return word;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const std::string& keyword) {
-        return in_small_letters(keyword) == in_small_letters(word);
-    });
-    return found == all.end() ? "" : *found;
+    const auto found = by_small_letters.find(in_small_letters(word));
+    return found == by_small_letters.end() ? "" : found->second;
 }
 
 std::string_view take_word(std::string_view& text)
