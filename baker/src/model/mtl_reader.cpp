@@ -2,6 +2,7 @@
 #include "model/mtl_reader.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "lumi/baker/scene.h"
@@ -70,18 +71,22 @@ std::vector<std::string> all_keywords()
     return all;
 }
 
+// Every word of MTL as it is written, and in small letters where no other word is written so.
+std::map<std::string, std::string> keywords_by_spelling()
+{
+    std::map<std::string, std::string> result;
+    for (const std::string& keyword : all_keywords()) result[keyword] = keyword;
+    for (const std::string& keyword : all_keywords()) result.try_emplace(in_small_letters(keyword), keyword);
+    return result;
+}
+
 // As it is, or else with the capitals that it should have; empty if MTL has no such word.
 std::string known_keyword(const std::string& word)
 {
-    static const std::vector<std::string> all = all_keywords();
-    static const std::map<std::string, std::string> by_small_letters = [] {
-        std::map<std::string, std::string> result;
-        for (const std::string& keyword : all) result.try_emplace(in_small_letters(keyword), keyword);
-        return result;
-    }();
-    if (std::find(all.begin(), all.end(), word) != all.end()) return word;
-    const auto found = by_small_letters.find(in_small_letters(word));
-    return found == by_small_letters.end() ? "" : found->second;
+    static const std::map<std::string, std::string> keywords = keywords_by_spelling();
+    if (const auto as_is = keywords.find(word); as_is != keywords.end()) return as_is->second;
+    const auto found = keywords.find(in_small_letters(word));
+    return found == keywords.end() ? "" : found->second;
 }
 
 std::string_view take_word(std::string_view& text)

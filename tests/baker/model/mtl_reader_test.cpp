@@ -148,6 +148,17 @@ TEST_CASE("mtl: words of colours and opacity that are not drawn cost their line,
     CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 1 opacities '-halo'"));
 }
 
+TEST_CASE("mtl: a word in other capitals is read, and named unless both spellings are MTL's")
+{
+    std::string warnings;
+    CHECK(only_material("KD 0.25 0 0\n", &warnings).base.r == 0.25f);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 1 line(s) write 'KD' for 'Kd'"));
+    only_material("MAP_BUMP\n", &warnings);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 1 line(s) write 'MAP_BUMP' for 'map_bump'"));
+    only_material("map_Bump\nmap_bump\nbump\n", &warnings);
+    CHECK_THAT(warnings, !Catch::Contains("line(s) write"));
+}
+
 TEST_CASE("mtl: the alpha of map_Kd cuts out unless map_d or an alpha that says nothing")
 {
     const auto opacity_of = [](const std::string& mtl, uint8_t a, uint8_t b) {
