@@ -302,9 +302,10 @@ void add_bake(CLI::App& lumi)
     command->footer(
         "Without other options the field is a surface field of at most " +
         byte_text(planner::SurfaceTask().budget_bytes) +
-        ". An option that only one layout\nhas chooses that layout. A chord field takes M x N x bytes per texel: " +
+        ". An option that only\none layout has chooses that layout, except --paths. A chord field takes M x N x "
+        "bytes\nper texel: " +
         byte_text(baker::field_file_bytes(chord_defaults())) +
-        " with the defaults. A chord bake that was\nstopped, by Ctrl-C or otherwise, goes on with the same command.\n"
+        " with the defaults. A bake that was stopped, by Ctrl-C or otherwise,\ngoes on with the same command.\n"
         "Example:\n  lumi bake product.obj\n"
         "  lumi bake product.obj -o product.lumi --fit 1MB --for rp2350@15fps\n"
         "  lumi bake product.obj -o product.lumi --fit 250kB --ram 40kB --screen 240x240 --rows 8\n"

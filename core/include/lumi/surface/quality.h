@@ -20,6 +20,7 @@ struct SurfaceFrameQuality {
     SurfaceMode mode;
 };
 
+// No mode may be finer than that of the view (SurfaceDrawing's kFinest, antialiased by default): View::look refuses it.
 struct SurfaceQualityLimits {
     uint32_t budget;  // what a frame may take, in any unit: that of next()'s `last_frame`. Below 2^29.
     SurfaceMode coarsest = SurfaceMode::one_sample;
