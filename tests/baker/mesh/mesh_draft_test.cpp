@@ -157,6 +157,21 @@ TEST_CASE("A sheet of very many vertices at one place is passed by", "[mesh]")
     CHECK(with_closed_seams(mesh, 0.01f).corners == mesh.corners);
 }
 
+TEST_CASE("Open strips that are narrower than the reach of seams stay", "[mesh]")
+{
+    constexpr float kWidth = 0.003f, kPeriod = 0.005f;
+    Mesh mesh;  // slats of a blind
+    for (uint32_t k = 0; k < 200; ++k) {
+        const float low = kPeriod * static_cast<float>(k), high = low + kWidth;
+        for (const Vec3& p : {Vec3{low, 0, 0}, {high, 0, 0}, {high, 1, 0}, {low, 1, 0}}) mesh.positions.push_back(p);
+        mesh.corners.push_back({4 * k, 4 * k + 1, 4 * k + 2});
+        mesh.corners.push_back({4 * k, 4 * k + 2, 4 * k + 3});
+    }
+    const Mesh closed = with_closed_seams(mesh, 1.0f / 120);
+    REQUIRE(closed.triangle_count() == mesh.triangle_count());
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) CHECK(closed.area(k) > 0.8f * mesh.area(k));
+}
+
 TEST_CASE("Wires far thinner than the error elsewhere stay whole", "[mesh]")
 {
     constexpr float kThick = 0.004f;  // half a pixel

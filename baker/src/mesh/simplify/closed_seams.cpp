@@ -70,10 +70,9 @@ std::vector<uint32_t> border_vertices(const Mesh& mesh)
 }
 
 // For each vertex the one that it becomes.
-std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
+std::vector<uint32_t> joined_vertices(const Mesh& mesh, Components& parts, float reach)
 {
     const std::vector<uint32_t> border = border_vertices(mesh);
-    Components parts(mesh);
     const auto is_of_lower_part = [&](uint32_t a, uint32_t b) { return parts.of(a) < parts.of(b); };
     std::vector<uint32_t> by_part = border;
     std::sort(by_part.begin(), by_part.end(), is_of_lower_part);
@@ -100,18 +99,45 @@ std::vector<uint32_t> joined_vertices(const Mesh& mesh, float reach)
     return to;
 }
 
+Mesh moved(const Mesh& mesh, const std::vector<uint32_t>& to)
+{
+    Mesh result;
+    result.positions = mesh.positions;
+    for (const Mesh::Corners& c : mesh.corners) result.corners.push_back({to[c[0]], to[c[1]], to[c[2]]});
+    return result;
+}
+
+// Parts whose area would change more keep their vertices: strips that are narrower than the reach would vanish.
+void keep_narrow_parts(const Mesh& mesh, Components& parts, std::vector<uint32_t>& to)
+{
+    constexpr double kMostChange = 0.15;
+    const Mesh joined = moved(mesh, to);
+    std::vector<double> before(to.size(), 0), after(to.size(), 0);
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
+        const uint32_t part = parts.of(mesh.corners[k]);
+        before[part] += static_cast<double>(mesh.area(k));
+        after[part] += static_cast<double>(joined.area(k));
+    }
+    for (uint32_t v = 0; v < to.size(); ++v) {
+        const uint32_t part = parts.of(v);
+        if (std::abs(after[part] - before[part]) > kMostChange * before[part]) to[v] = v;
+    }
+}
+
 }  // namespace
 
 Mesh with_closed_seams(const Mesh& mesh, float reach)
 {
     if (!(reach > kLeastReach)) return mesh;
-    const std::vector<uint32_t> to = joined_vertices(mesh, reach);
-    Mesh result;
-    result.positions = mesh.positions;
-    for (const Mesh::Corners& c : mesh.corners) {
-        const Mesh::Corners joined = {to[c[0]], to[c[1]], to[c[2]]};
-        if (!is_degenerate(joined) || is_degenerate(c)) result.corners.push_back(joined);
-    }
+    Components parts(mesh);
+    std::vector<uint32_t> to = joined_vertices(mesh, parts, reach);
+    keep_narrow_parts(mesh, parts, to);
+    Mesh result = moved(mesh, to);
+    size_t kept = 0;
+    for (size_t k = 0; k < mesh.triangle_count(); ++k)
+        if (!is_degenerate(result.corners[k]) || is_degenerate(mesh.corners[k]))
+            result.corners[kept++] = result.corners[k];
+    result.corners.resize(kept);
     return result;
 }
 
