@@ -32,6 +32,20 @@ bool is_known(const std::string& word)
     return is_among(kDrawn, word) || is_among(kSilent, word) || is_among(kFreeForms, word);
 }
 
+// Whether they run to 255: no brighter light than 4 is likely, but all of a file's bytes may be small.
+bool are_bytes(const std::vector<Rgb>& colours)
+{
+    constexpr float kNearlyOne = 1.01f, kMostLight = 4;
+    const auto is_whole = [](float c) { return c == std::floor(c); };
+    float most = 0;
+    bool are_whole = true;
+    for (const Rgb& c : colours) {
+        most = std::max(most, max_component(c));
+        are_whole = are_whole && is_whole(c.r) && is_whole(c.g) && is_whole(c.b);
+    }
+    return most > kMostLight || (most > kNearlyOne && are_whole);
+}
+
 class ObjScan
 {
 public:
@@ -123,15 +137,14 @@ private:
         out_.colours.push_back(Rgb{part(c[0]), part(c[1]), part(c[2])});
     }
 
-    // Of some programs they run to 255. Positions without a colour are white.
+    // Of some programs they run to 255, of others a little beyond 1. Positions without a colour are white.
     void finish_colours()
     {
         if (out_.colours.empty()) return;
         out_.colours.resize(out_.positions.size(), grey(-1));
-        float most = 0;
-        for (const Rgb& c : out_.colours) most = std::max(most, max_component(c));
-        constexpr float kNearlyOne = 1.01f, kBytes = 1.0f / 255;
-        for (Rgb& c : out_.colours) c = c.r < 0 ? grey(1) : most > kNearlyOne ? c * kBytes : c;
+        const float scale = are_bytes(out_.colours) ? 1.0f / 255 : 1.0f;
+        const auto part = [&](float c) { return std::min(1.0f, scale * c); };
+        for (Rgb& c : out_.colours) c = c.r < 0 ? grey(1) : Rgb{part(c.r), part(c.g), part(c.b)};
     }
 
     void take_normal(const Line& line)

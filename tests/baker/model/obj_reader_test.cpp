@@ -191,6 +191,20 @@ TEST_CASE("obj: colours at vertices are drawn where a material has no picture, t
     CHECK(both.parts.mesh.mapping[1][0] == 0);
 }
 
+TEST_CASE("obj: colours a little beyond 1 are no bytes")
+{
+    const auto colour_of = [](const std::string& colour) {
+        const std::string v = " " + colour + "\n";
+        const LoadedObj l = load_obj("v 0 0 0" + v + "v 1 0 0" + v + "v 0 1 0" + v + "f 1 2 3\n");
+        REQUIRE(l.parts.textures.size() == 1);
+        const auto& rgb = l.parts.textures[0].rgb;
+        return std::vector<int>{rgb[0], rgb[1], rgb[2]};
+    };
+    CHECK(colour_of("1.2 0.8 0") == std::vector<int>{255, 204, 0});
+    CHECK(colour_of("127.5 51 0") == std::vector<int>{128, 51, 0});
+    CHECK(colour_of("2 1 0") == std::vector<int>{2, 1, 0});
+}
+
 TEST_CASE("obj: triangles without area are left out, and the first is named")
 {
     const LoadedObj l = load_obj(std::string(kCorners) + "v 2 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\nf 1 2 2 3\n");
