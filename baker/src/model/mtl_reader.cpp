@@ -89,15 +89,6 @@ std::string known_keyword(const std::string& word)
     return found == keywords.end() ? "" : found->second;
 }
 
-std::string_view take_word(std::string_view& text)
-{
-    const std::string_view word = words(text).empty() ? std::string_view() : words(text)[0];
-    const size_t begin = word.empty() ? text.size() : static_cast<size_t>(word.data() - text.data());
-    text.remove_prefix(begin + word.size());
-    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-    return word;
-}
-
 // Beyond kMost no pixel would be found again.
 float sound(double number, float fallback)
 {

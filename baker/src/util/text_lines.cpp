@@ -169,15 +169,23 @@ std::vector<Line> split_lines(std::string_view text)
     return lines;
 }
 
+std::string_view take_word(std::string_view& text)
+{
+    const auto skip_blanks = [&] { text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size())); };
+    skip_blanks();
+    const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+    text.remove_prefix(word.size());
+    skip_blanks();
+    return word;
+}
+
 std::vector<std::string_view> words(std::string_view argument)
 {
     std::vector<std::string_view> result;
-    while (true) {
-        argument = trimmed(argument);
-        if (argument.empty()) return result;
-        const size_t end = std::min(argument.find_first_of(kBlanks), argument.size());
-        result.push_back(argument.substr(0, end));
-        argument.remove_prefix(end);
+    for (;;) {
+        const std::string_view word = take_word(argument);
+        if (word.empty()) return result;
+        result.push_back(word);
     }
 }
 

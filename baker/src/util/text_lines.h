@@ -42,6 +42,8 @@ struct Line {
 void for_each_line(std::string_view text, const std::function<void(Line&)>& use);
 std::vector<Line> split_lines(std::string_view text);
 
+// Takes the first word off the front, and blanks with it. Empty where there is none.
+std::string_view take_word(std::string_view& text);
 // The words of a line's argument.
 std::vector<std::string_view> words(std::string_view argument);
 

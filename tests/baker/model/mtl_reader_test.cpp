@@ -159,6 +159,15 @@ TEST_CASE("mtl: a word in other capitals is read, and named unless both spelling
     CHECK_THAT(warnings, !Catch::Contains("line(s) write"));
 }
 
+TEST_CASE("mtl: a line of very many options is read once")
+{
+    std::string line = "map_Kd";  // half a million, of which each was looked for in all that follows
+    for (int k = 0; k < 500000; ++k) line += " -clamp on";
+    std::string warnings;
+    only_material(line + " t.png\n", &warnings);
+    CHECK_THAT(warnings, Catch::Contains("t.png"));
+}
+
 TEST_CASE("mtl: the alpha of map_Kd cuts out unless map_d or an alpha that says nothing")
 {
     const auto opacity_of = [](const std::string& mtl, uint8_t a, uint8_t b) {
