@@ -225,18 +225,32 @@ void put_in_drawing_order(PatchMesh& mesh, Job& job)
     for (size_t k = 0; k < order.size(); ++k) mesh.patches[k] = patches[order[k]];
 }
 
+// Splits edges that are longer than `longest`, or than more where there would be more than `most` patches.
+PatchMesh split_mesh(const Mesh& few, float longest, size_t most, const PlaceMiddle& middle, const SceneData& opaque,
+                     const ViewCap& cap, Job& job)
+{
+    constexpr float kLeastStep = 1.2f, kDiameter = 2;
+    constexpr float kNoCrease = -2;  // both sides of a sheet share vertices, which have no view tables
+    for (;;) {
+        const Mesh split = with_short_edges(few, longest, middle);
+        PatchMesh mesh = assembled(rounded(open_sides(split, opaque, cap, job)), kNoCrease);
+        const bool is_whole = split.triangle_count() == few.triangle_count();
+        if (mesh.patches.size() <= most || is_whole || longest > kDiameter) return mesh;
+        const float excess = static_cast<float>(mesh.patches.size()) / static_cast<float>(most);
+        longest *= std::max(kLeastStep, 0.9f * std::sqrt(excess));  // patches are about as many as 1 / longest²
+    }
+}
+
 PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings,
                            const SeeThroughCount& most, std::vector<MeshWarning>& warnings, Job& job)
 {
-    constexpr float kNoCrease = -2;  // both sides of a sheet share vertices, which have no view tables
     const std::vector<bool> see_through = see_through_materials(scene);
     const Mesh all = without_copies(welded(part_of(scene.mesh, [&](uint32_t material) {
         return see_through[material] && !is_invisible(scene.materials[material]);
     })));
     const MeshTracer fronts(all, Faces::front);
-    const Mesh few =
-        with_short_edges(few_of(scene, all, most, settings.cap, warnings, job), settings.longest_edge, onto(fronts));
-    PatchMesh mesh = assembled(rounded(open_sides(few, opaque, settings.cap, job)), kNoCrease);
+    const Mesh few = few_of(scene, all, most, settings.cap, warnings, job);
+    PatchMesh mesh = split_mesh(few, settings.longest_edge, most.patches, onto(fronts), opaque, settings.cap, job);
     if (fits(mesh)) put_in_drawing_order(mesh, job);
     return mesh;
 }

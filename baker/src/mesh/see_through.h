@@ -18,10 +18,11 @@ std::vector<bool> see_through_materials(const SceneData& scene);
 // Null where the scene has no see-through triangle.
 std::unique_ptr<SceneData> opaque_part(const SceneData& scene);
 
-// Before edges are split, about so many triangles at most.
+// At most about so many.
 struct SeeThroughCount {
-    uint32_t triangles;
-    uint32_t cards;  // of a cloud of cards, such as leaves: whole ones are left out, with a warning
+    uint32_t triangles;  // before edges are split
+    uint32_t cards;      // the same of a cloud of cards, such as leaves: whole ones are left out, with a warning
+    size_t patches;      // where splitting edges makes more, longer ones stay
 };
 
 // Appends the mesh of the see-through triangles: each side that is not hidden by opaque ones, also behind others. The

@@ -52,7 +52,9 @@ BuiltMesh built_mesh(const SceneData& scene, MeshSettings mesh, BakeStages& stag
         const uint32_t left = mesh.triangles - std::min(mesh.triangles, opaque_ones);
         const uint32_t few = std::max({kFewest, mesh.triangles / kSeeThroughParts, left / kSides});
         const uint32_t cards = std::max(few, most - std::min(most, opaque_ones));  // which have no view tables
-        add_see_through(scene, *opaque, mesh, {few, cards}, built, job);
+        const size_t room =
+            detail::format::kMaxPatches - std::min<size_t>(detail::format::kMaxPatches, built.mesh.patches.size());
+        add_see_through(scene, *opaque, mesh, {few, cards, room}, built, job);
         if (fits(built.mesh)) return built;
         if (mesh.triangles < kFewest) throw BakeError("the scene's see-through parts are too many for a surface field");
     }

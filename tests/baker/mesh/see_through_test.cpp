@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/drawing_order.h"
+#include "lumi/surface/format.h"
 #include "support/shapes.h"
 
 namespace lumi::baker::testing
@@ -51,7 +52,8 @@ Scene tiles_in_tiles()
     return maker.make(constant_environment(0));
 }
 
-BuiltMesh built_of(uint32_t cards)
+// Edges are not split unless `longest_edge` says so.
+BuiltMesh built_of(uint32_t cards, float longest_edge = 2, size_t patches = detail::format::kMaxPatches)
 {
     const Scene scene = tiles_in_tiles();
     const std::unique_ptr<SceneData> opaque = opaque_part(scene.data());
@@ -59,8 +61,8 @@ BuiltMesh built_of(uint32_t cards)
     BuiltMesh built;
     Job job(1, 1, {});
     MeshSettings settings;
-    settings.longest_edge = 2;
-    add_see_through(scene.data(), *opaque, settings, {4, cards}, built, job);
+    settings.longest_edge = longest_edge;
+    add_see_through(scene.data(), *opaque, settings, {4, cards, patches}, built, job);
     return built;
 }
 
@@ -131,9 +133,34 @@ TEST_CASE("What splits long edges of a round see-through body lies on it", "[mes
     BuiltMesh built;
     Job job(1, 1, {});
     MeshSettings settings;
-    add_see_through(scene.data(), *opaque_part(scene.data()), settings, {200, 200}, built, job);
+    add_see_through(scene.data(), *opaque_part(scene.data()), settings, {200, 200, detail::format::kMaxPatches}, built,
+                    job);
     CHECK(built.mesh.positions.size() > 150);
     for (const Vec3& p : built.mesh.positions) CHECK(length(p) > 0.98f * kRadius);
+}
+
+TEST_CASE("Edges of see-through parts are longer where there would be too many patches", "[mesh]")
+{
+    constexpr float kShort = 0.05f;
+    constexpr size_t kWhole = 2 * 48;
+    const BuiltMesh built = built_of(96, kShort, 500);
+    CHECK(built.mesh.see_through_patches <= 500);
+    CHECK(built.mesh.see_through_patches > kWhole);
+    CHECK(built.warnings.empty());
+    CHECK(built_of(96, kShort, 4).mesh.see_through_patches == kWhole);
+}
+
+TEST_CASE("An opaque part that touches its sphere but for rounding is a scene", "[mesh]")
+{
+    SceneMaker maker;
+    const Vec3 top = {2.0f / 3, 2.0f / 3, 1.0f / 3};  // of binary32, so a little outside
+    Material glass = lamp(grey(0.5f));
+    glass.opacity = 0.4f;
+    glass.finish();
+    maker.quad(maker.add(lamp(grey(0.5f))), {0, 0, 0}, {0.5f, 0, 0}, top, {0, 0.5f, 0});
+    maker.quad(maker.add(glass), {0, 0, 0}, {0, 0, -0.5f}, {0, 0.5f, -0.5f}, {0, 0.5f, 0});
+    maker.span_unit_sphere();
+    CHECK(opaque_part(maker.make(constant_environment(0)).data()));
 }
 
 TEST_CASE("Cards that are left out count as missed", "[mesh]")
