@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "mesh/simplify/closed_seams.h"
+#include "mesh/simplify/flaps.h"
 #include "mesh/simplify/thin_parts.h"
 #include "util/disjoint_sets.h"
 
@@ -124,7 +125,8 @@ DisjointSets corner_sets(const Indices& indices)
 struct Parted {
     std::vector<Vec3> positions;
     Indices indices;
-    Indices originals;  // by vertex
+    Indices originals;        // by vertex
+    bool has_copies = false;  // of an original
 };
 
 Parted parted(const std::vector<Vec3>& positions, const Indices& indices)
@@ -138,13 +140,37 @@ Parted parted(const std::vector<Vec3>& positions, const Indices& indices)
         const auto [number, is_new] =
             numbers.try_emplace(sets.root(corner), static_cast<uint32_t>(result.positions.size()));
         if (is_new) {
-            const float by = kBeside * static_cast<float>(copies[indices[corner]]++);
+            const uint32_t copy = copies[indices[corner]]++;
+            const float by = kBeside * static_cast<float>(copy);
+            result.has_copies = result.has_copies || copy != 0;
             result.positions.push_back(positions[indices[corner]] + Vec3{by, by, by});
             result.originals.push_back(indices[corner]);
         }
         result.indices.push_back(number->second);
     }
     return result;
+}
+
+// Triangles but for flaps far smaller than a triangle to come. None could become fewer than one triangle, and what they
+// part could not be made coarser across, so the rest would pay for them.
+Indices without_small_flaps(const std::vector<Vec3>& positions, const Indices& indices, size_t triangles)
+{
+    constexpr double kSmall = 0.05;  // of the mean triangle to come
+    const Parted parts = parted(positions, indices);
+    if (!parts.has_copies) return indices;
+    DisjointSets joined(parts.positions.size());
+    Mesh mesh;
+    mesh.positions = positions;
+    mesh.corners = triangles_of(indices);
+    double area = 0;
+    for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
+        area += static_cast<double>(mesh.area(k));
+        joined.join(parts.indices[3 * k], parts.indices[3 * k + 1]);
+        joined.join(parts.indices[3 * k], parts.indices[3 * k + 2]);
+    }
+    Indices surfaces;
+    for (uint32_t k = 0; k < mesh.triangle_count(); ++k) surfaces.push_back(joined.root(parts.indices[3 * k]));
+    return without_flaps(positions, indices, surfaces, kSmall * area / static_cast<double>(triangles));
 }
 
 // What lies between two copies of a vertex has no area once they are one again.
@@ -163,7 +189,7 @@ Indices simplified_in_parts(size_t triangles, const std::vector<Vec3>& positions
 Fewer fewer_of(const std::vector<Vec3>& positions, const Triangles& whole, size_t triangles)
 {
     if (whole.size() <= triangles) return {whole, false};
-    const Indices all = indices_of(whole);
+    const Indices all = without_small_flaps(positions, indices_of(whole), triangles);
     Indices indices = simplified_to(triangles, all, positions);
     if (is_stalled(indices, triangles)) indices = simplified_in_parts(triangles, positions, all);
     const bool rough = is_stalled(indices, triangles);
