@@ -97,11 +97,15 @@ size_t GltfMeshBuilder::surface_of(const GltfPrimitive& primitive) const
 
 uint32_t GltfMeshBuilder::material_of(size_t surface)
 {
-    if (places_[surface] < 0) {
-        places_[surface] = static_cast<int64_t>(parts_.materials.size());
-        parts_.materials.push_back(surfaces_[surface].material);
-    }
+    if (places_[surface] < 0) places_[surface] = add_material(surfaces_[surface].material, surface);
     return static_cast<uint32_t>(places_[surface]);
+}
+
+uint32_t GltfMeshBuilder::add_material(Material material, size_t surface)
+{
+    parts_.materials.push_back(std::move(material));
+    made_of_.push_back(surface);
+    return static_cast<uint32_t>(parts_.materials.size() - 1);
 }
 
 void GltfMeshBuilder::add_vertices(const GltfShape& shape, const Affine& place)
@@ -173,9 +177,8 @@ void GltfMeshBuilder::paint(const GltfShape& shape, size_t surface, size_t first
         parts_.textures.push_back(picture_of_corners(parts_.mesh, first, corners));
     }
     material.finish();
-    for (size_t k = first; k < parts_.mesh.triangle_count(); ++k)
-        parts_.mesh.materials[k] = static_cast<uint32_t>(parts_.materials.size());
-    parts_.materials.push_back(std::move(material));
+    const uint32_t painted = add_material(std::move(material), surface);
+    for (size_t k = first; k < parts_.mesh.triangle_count(); ++k) parts_.mesh.materials[k] = painted;
 }
 
 }  // namespace lumi::baker

@@ -18,10 +18,14 @@ public:
     // Throws SceneError.
     void add(int32_t mesh, const Affine& place);
 
+    // What a material of `parts` is made of.
+    const GltfSurface& surface(uint32_t material) const { return surfaces_[made_of_[material]]; }
+
 private:
     void add_primitive(const GltfPrimitive& primitive, const GltfShape& shape, const Affine& place);
     size_t surface_of(const GltfPrimitive& primitive) const;
     uint32_t material_of(size_t surface);
+    uint32_t add_material(Material material, size_t surface);
     void add_vertices(const GltfShape& shape, const Affine& place);
     void paint(const GltfShape& shape, size_t surface, size_t first, const std::vector<std::array<uint32_t, 3>>& kept);
 
@@ -30,6 +34,7 @@ private:
     SceneParts& parts_;
     Losses& losses_;
     std::vector<int64_t> places_;                            // of surfaces among the scene's materials, or -1
+    std::vector<size_t> made_of_;                            // surfaces, of the scene's materials
     std::map<std::pair<int32_t, size_t>, GltfShape> known_;  // by mesh and primitive
 };
 

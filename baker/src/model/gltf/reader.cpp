@@ -127,28 +127,39 @@ private:
     // glTF's colour of glass without a volume is that of a thin pane. A body gets it on its shortest way.
     void colour_glass()
     {
+        if (std::none_of(surfaces_.begin(), surfaces_.end(), [](const GltfSurface& s) { return s.tinted; })) return;
+        const std::vector<Box> boxes = material_boxes();
         for (uint32_t k = 0; k < parts_.materials.size(); ++k) {
-            Material& material = parts_.materials[k];
-            const auto same = [&](const GltfSurface& s) { return s.tinted && s.material.name == material.name; };
-            if (!material.glass || std::none_of(surfaces_.begin(), surfaces_.end(), same)) continue;
-            material.transmittance_length = thickness_of(k);
-            material.finish();
+            if (!meshes_.surface(k).tinted) continue;
+            parts_.materials[k].transmittance_length = thickness_of(boxes[k]);
+            parts_.materials[k].finish();
         }
     }
 
-    float thickness_of(uint32_t material) const
-    {
-        constexpr float kFar = std::numeric_limits<float>::infinity();
+    struct Box {
+        static constexpr float kFar = std::numeric_limits<float>::infinity();
         Vec3 low = {kFar, kFar, kFar}, high = {-kFar, -kFar, -kFar};
+    };
+
+    // One for each material.
+    std::vector<Box> material_boxes() const
+    {
+        std::vector<Box> boxes(parts_.materials.size());
         const Mesh& mesh = parts_.mesh;
         for (size_t t = 0; t < mesh.triangle_count(); ++t) {
-            for (size_t c = 0; c < 3 && mesh.materials[t] == material; ++c) {
+            auto& [low, high] = boxes[mesh.materials[t]];
+            for (size_t c = 0; c < 3; ++c) {
                 const Vec3& p = mesh.position(t, c);
                 low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
                 high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
             }
         }
-        const Vec3 size = high - low;
+        return boxes;
+    }
+
+    static float thickness_of(const Box& box)
+    {
+        const Vec3 size = box.high - box.low;
         const float longest = std::max({size.x, size.y, size.z});
         constexpr float kThinnest = 1e-3f;  // of the longest side: a pane may be flat
         return longest > 0 ? std::max(std::min({size.x, size.y, size.z}), kThinnest * longest) : 1.0f;

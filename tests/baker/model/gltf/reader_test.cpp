@@ -229,6 +229,24 @@ TEST_CASE("glTF: extensions of materials: index, specular, coat, sheen, emission
     CHECK(old.alpha == Approx(0.25));
 }
 
+TEST_CASE("glTF: glass keeps the distance of its volume beside glass of the same name that has none")
+{
+    GltfMaker maker;
+    const std::string p = std::to_string(maker.vec3({0, 0, 0, 2, 0, 0, 0, 2, 2}));
+    const std::string primitive = "{\"attributes\":{\"POSITION\":" + p + "},\"material\":";
+    maker.add("\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[" + primitive + "0}," + primitive + "1}]}]");
+    const std::string clear = "\"KHR_materials_transmission\":{\"transmissionFactor\":1}";
+    const std::string smooth = "{\"pbrMetallicRoughness\":{\"metallicFactor\":0},\"extensions\":{" + clear;
+    maker.add("\"materials\":[" + smooth +
+              ",\"KHR_materials_volume\":{\"attenuationDistance\":0.1,\"attenuationColor\":[0.5,1,1]}}}," + smooth +
+              "}}]");
+    const SceneParts parts = load_glb(maker).parts;
+    REQUIRE(parts.materials.size() == 2);
+    CHECK(parts.materials[0].transmittance_length == 0.1f);
+    CHECK(parts.materials[0].absorbed(0.1f).r == Approx(0.5));
+    CHECK(parts.materials[1].transmittance_length == 2);
+}
+
 TEST_CASE("glTF: pictures lie upright, roughness is green, metalness blue")
 {
     const LoadedGltf base =
