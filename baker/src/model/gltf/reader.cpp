@@ -31,6 +31,7 @@ public:
         walk();
         if (parts_.mesh.corners.empty())
             fail_gltf(model_, "the scene in it shows no triangle; export at least one mesh");
+        end_parts_below();
         colour_glass();
         return std::move(parts_);
     }
@@ -62,7 +63,7 @@ private:
             const Affine place = combined(next.parent, node.matrix);
             const int32_t part = begin_part(node, next.part);
             if (node.mesh != kNoIndex) meshes_.add(node.mesh, place);
-            end_part(part);
+            parts_.named.back().end = parts_.mesh.triangle_count();
             if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
                 open.push_back({*child, place, part});
@@ -79,11 +80,15 @@ private:
         return static_cast<int32_t>(parts_.named.size() - 1);
     }
 
-    // Nodes come depth first, so that what lies below one stands together.
-    void end_part(int32_t part)
+    // A part ends where the last one below it does: nodes come depth first, so that what lies below one stands together
+    // and behind it.
+    void end_parts_below()
     {
-        for (; part != kNoIndex; part = parents_[static_cast<size_t>(part)])
-            parts_.named[static_cast<size_t>(part)].end = parts_.mesh.triangle_count();
+        for (size_t part = parents_.size(); part-- > 0;) {
+            if (parents_[part] == kNoIndex) continue;
+            size_t& end = parts_.named[static_cast<size_t>(parents_[part])].end;
+            end = std::max(end, parts_.named[part].end);
+        }
     }
 
     void add_view(const GltfNode& node, const GltfCamera& camera, const Affine& place)

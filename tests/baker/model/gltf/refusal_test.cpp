@@ -40,6 +40,20 @@ std::string glb_of_positions(const std::string& accessor)
     return maker.glb();
 }
 
+// What is read of a hostile file that is none the less a model.
+struct BoundedGltf {
+    SceneParts parts;
+    std::vector<std::string> warnings;
+};
+
+BoundedGltf read_bounded(const GltfMaker& maker)
+{
+    const ScratchFolder folder;
+    BoundedGltf read;
+    read.parts = read_gltf(folder.write("m.glb", maker.glb()), read.warnings);
+    return read;
+}
+
 }  // namespace
 
 TEST_CASE("glTF: what is required and not drawn is refused by its name, with the way out")
@@ -130,6 +144,21 @@ TEST_CASE("glTF: numbers that are not finite, or place a mesh nowhere, are refus
     check_gltf_refused(square("", "\"translation\":[1e999,0,0]").glb(), "");
     check_gltf_refused(square("", "\"scale\":[1e300,1e300,1e300]").glb(), "places its mesh");
     check_gltf_refused(square("", "\"scale\":[0,0,0]").glb(), "no triangle");
+}
+
+TEST_CASE("glTF: a chain of very many nodes is read at once")
+{
+    constexpr size_t kNodes = 200000;  // 2 * 10^10 pairs of a node and one above it
+    std::string nodes;
+    for (size_t k = 1; k < kNodes; ++k) nodes += "{\"children\":[" + std::to_string(k) + "]},";
+    GltfMaker maker;
+    const std::string p = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    maker.add("\"nodes\":[" + nodes + "{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" + p +
+              "}}]}]");
+    const SceneParts parts = read_bounded(maker).parts;
+    REQUIRE(parts.named.size() == kNodes);
+    CHECK(std::all_of(parts.named.begin(), parts.named.end(),
+                      [](const NamedPart& part) { return part.first == 0 && part.end == 1; }));
 }
 
 TEST_CASE("glTF: a JSON that nests too deeply, or claims too much, is refused before it is parsed")
