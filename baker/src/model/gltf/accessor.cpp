@@ -98,16 +98,39 @@ void check_zeros(const GltfModel& model, const GltfAccessor& accessor)
     }
 }
 
-// Calls take(element, place, bytes) for each component of all elements: first those of the view, then sparse ones.
-template <class Take>
-void for_each_component(const GltfModel& model, const GltfAccessor& accessor, size_t width, const Take& take)
+// The elements that are read: all, or those in a list that ascends.
+class Rows
 {
-    const auto take_element = [&](size_t element, const char* bytes) {
-        for (size_t c = 0; c < width; ++c) take(element, c, bytes + c * bytes_of(accessor.run.component));
+public:
+    explicit Rows(size_t count) : count_(count) {}
+    explicit Rows(const std::vector<uint32_t>& list) : count_(list.size()), list_(&list) {}
+
+    size_t count() const { return count_; }
+    size_t at(size_t k) const { return list_ ? (*list_)[k] : k; }
+    // Where an element is among them, or count() where it is not.
+    size_t find(size_t element) const
+    {
+        if (!list_) return element;
+        const auto found = std::lower_bound(list_->begin(), list_->end(), element);
+        return found != list_->end() && *found == element ? static_cast<size_t>(found - list_->begin()) : count_;
+    }
+
+private:
+    size_t count_;
+    const std::vector<uint32_t>* list_ = nullptr;
+};
+
+// Calls take(k, place, bytes) for each component of the k-th row: first those of the view, then sparse ones.
+template <class Take>
+void for_each_component(const GltfModel& model, const GltfAccessor& accessor, const Rows& rows, size_t width,
+                        const Take& take)
+{
+    const auto take_row = [&](size_t k, const char* bytes) {
+        for (size_t c = 0; c < width; ++c) take(k, c, bytes + c * bytes_of(accessor.run.component));
     };
     if (accessor.run.view != kNoIndex) {
         const Elements elements = elements_of(model, accessor.run, accessor.width);
-        for (size_t k = 0; k < accessor.run.count; ++k) take_element(k, elements.at(k));
+        for (size_t k = 0; k < rows.count(); ++k) take_row(k, elements.at(rows.at(k)));
     }
     if (!accessor.sparse_indices) return;
     const Elements places = elements_of(model, *accessor.sparse_indices, 1);
@@ -116,7 +139,8 @@ void for_each_component(const GltfModel& model, const GltfAccessor& accessor, si
         const double place = component_at(places.at(k), accessor.sparse_indices->component, false);
         if (!(place >= 0 && place < static_cast<double>(accessor.run.count)))
             fail_gltf(model, "a sparse accessor replaces an element that it does not have; export the file again");
-        take_element(static_cast<size_t>(place), values.at(k));
+        const size_t row = rows.find(static_cast<size_t>(place));
+        if (row < rows.count()) take_row(row, values.at(k));
     }
 }
 
@@ -132,18 +156,23 @@ const GltfAccessor& checked(const GltfModel& model, int32_t index)
 
 }  // namespace
 
-std::vector<float> floats_of(const GltfModel& model, int32_t index, size_t width)
+size_t count_of(const GltfModel& model, int32_t index)
+{
+    return checked(model, index).run.count;
+}
+
+std::vector<float> floats_of(const GltfModel& model, int32_t index, size_t width, const std::vector<uint32_t>& rows)
 {
     const GltfAccessor& accessor = checked(model, index);
     const size_t given = std::min<size_t>(width, accessor.width);
-    std::vector<float> result(accessor.run.count * width, 0.0f);
-    for (size_t k = 0; k < accessor.run.count; ++k) std::fill_n(&result[k * width] + given, width - given, 1.0f);
-    for_each_component(model, accessor, given, [&](size_t element, size_t c, const char* bytes) {
+    std::vector<float> result(rows.size() * width, 0.0f);
+    for (size_t k = 0; k < rows.size(); ++k) std::fill_n(&result[k * width] + given, width - given, 1.0f);
+    for_each_component(model, accessor, Rows(rows), given, [&](size_t k, size_t c, const char* bytes) {
         const double value = component_at(bytes, accessor.run.component, accessor.normalized);
         if (!std::isfinite(value))
             fail_gltf(model, "accessor " + std::to_string(index) +
                                  " holds a number that is not finite; repair the mesh and export it again");
-        result[element * width + c] = static_cast<float>(value);
+        result[k * width + c] = static_cast<float>(value);
     });
     return result;
 }
@@ -154,9 +183,9 @@ std::vector<uint32_t> indices_of(const GltfModel& model, int32_t index)
     if (accessor.run.component == kFloat32)
         fail_gltf(model, "accessor " + std::to_string(index) + " of indices holds fractions; export the file again");
     std::vector<uint32_t> result(accessor.run.count, 0);
-    for_each_component(model, accessor, 1, [&](size_t element, size_t, const char* bytes) {
+    for_each_component(model, accessor, Rows(accessor.run.count), 1, [&](size_t k, size_t, const char* bytes) {
         const double value = component_at(bytes, accessor.run.component, false);
-        result[element] = value < 0 ? std::numeric_limits<uint32_t>::max() : static_cast<uint32_t>(value);
+        result[k] = value < 0 ? std::numeric_limits<uint32_t>::max() : static_cast<uint32_t>(value);
     });
     return result;
 }

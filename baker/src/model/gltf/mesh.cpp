@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/polygon.h"
 #include "model/positions.h"
@@ -14,6 +15,8 @@ namespace
 {
 
 constexpr size_t kMaxTriangles = 100'000'000;
+// Each brings at most three normals, three texture coordinates, and three more for its colours.
+static_assert(6 * kMaxTriangles <= std::numeric_limits<int32_t>::max(), "an index of a mesh may be too large");
 constexpr Mesh::OptionalCorners kNone = {kNoIndex, kNoIndex, kNoIndex};
 
 Vec3 placed(const GltfModel& model, const Affine& place, const Vec3& p)
@@ -77,15 +80,20 @@ GltfMeshBuilder::GltfMeshBuilder(const GltfModel& model, const std::vector<GltfS
 void GltfMeshBuilder::add(int32_t mesh, const Affine& place)
 {
     const std::vector<GltfPrimitive>& primitives = element_of(model_, model_.meshes, mesh, "mesh");
-    for (size_t k = 0; k < primitives.size(); ++k) {
-        const GltfPrimitive& primitive = primitives[k];
-        auto found = known_.find({mesh, k});
-        if (found == known_.end()) {
-            const std::vector<int32_t>& uv_sets = surfaces_[surface_of(primitive)].uv_sets;
-            found = known_.try_emplace({mesh, k}, shape_of(model_, primitive, uv_sets, losses_)).first;
-        }
-        add_primitive(primitive, found->second, place);
-    }
+    for (size_t k = 0; k < primitives.size(); ++k) add_primitive(primitives[k], shape(mesh, k), place);
+}
+
+const GltfShape& GltfMeshBuilder::shape(int32_t mesh, size_t k)
+{
+    const auto found = known_.find({mesh, k});
+    if (found != known_.end()) return found->second;
+    const GltfPrimitive& primitive = model_.meshes[static_cast<size_t>(mesh)][k];
+    const std::vector<int32_t>& uv_sets = surfaces_[surface_of(primitive)].uv_sets;
+    GltfShape read = shape_of(model_, primitive, uv_sets, losses_);
+    replacements_ += replacements_of(model_, primitive);
+    if (replacements_ > kMostReplacements)
+        fail_gltf(model_, "its primitives share long sparse accessors; export it without sparse accessors");
+    return known_.try_emplace({mesh, k}, std::move(read)).first->second;
 }
 
 size_t GltfMeshBuilder::surface_of(const GltfPrimitive& primitive) const
@@ -124,22 +132,20 @@ void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfSh
 {
     if (shape.triangles.empty()) return;
     Mesh& mesh = parts_.mesh;
-    if (shape.triangles.size() > kMaxTriangles - mesh.triangle_count())
+    if (shape.triangles.size() > kMaxTriangles - triangles_)
         fail_gltf(model_, "it has more than " + std::to_string(kMaxTriangles) + " triangles; simplify it");
+    triangles_ += shape.triangles.size();
     const size_t surface = surface_of(primitive);
     const uint32_t position = static_cast<uint32_t>(mesh.positions.size());
     const int32_t normal = static_cast<int32_t>(mesh.normals.size()), uv = static_cast<int32_t>(mesh.uvs.size());
     const bool mirrored = determinant(place) < 0;
     add_vertices(shape, place);
     const size_t first = mesh.triangle_count();
-    std::vector<std::array<uint32_t, 3>> kept;
-    for (std::array<uint32_t, 3> t : shape.triangles) {
+    std::vector<GltfTriangle> kept;
+    for (GltfTriangle t : shape.triangles) {
         if (mirrored) std::swap(t[1], t[2]);
         const Mesh::Corners corners = {position + t[0], position + t[1], position + t[2]};
-        if (has_no_area(mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]])) {
-            losses_.add("triangle(s) have no area and are left out; merge doubled vertices");
-            continue;
-        }
+        if (has_no_area(mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]])) continue;
         const auto shifted = [&](int32_t by) {
             return Mesh::OptionalCorners{by + static_cast<int32_t>(t[0]), by + static_cast<int32_t>(t[1]),
                                          by + static_cast<int32_t>(t[2])};
@@ -150,13 +156,14 @@ void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfSh
         mesh.materials.push_back(material_of(surface));
         kept.push_back(t);
     }
+    losses_.add("triangle(s) have no area and are left out; merge doubled vertices",
+                shape.triangles.size() - kept.size());
     if (!kept.empty() && !shape.colours.empty()) paint(shape, surface, first, kept);
 }
 
 // Colours at vertices become a material of their own: with another base colour where they are all alike, with a
 // picture where it has none yet.
-void GltfMeshBuilder::paint(const GltfShape& shape, size_t surface, size_t first,
-                            const std::vector<std::array<uint32_t, 3>>& kept)
+void GltfMeshBuilder::paint(const GltfShape& shape, size_t surface, size_t first, const std::vector<GltfTriangle>& kept)
 {
     const std::vector<Rgb>& colours = shape.colours;
     if (std::all_of(colours.begin(), colours.end(), is_white)) return;
@@ -171,7 +178,7 @@ void GltfMeshBuilder::paint(const GltfShape& shape, size_t surface, size_t first
             losses_.add("mesh(es) have pictures and colours at vertices, whose mean is taken; bake them together");
     } else {
         std::vector<CornerColours> corners;
-        for (const std::array<uint32_t, 3>& t : kept) corners.push_back({colours[t[0]], colours[t[1]], colours[t[2]]});
+        for (const GltfTriangle& t : kept) corners.push_back({colours[t[0]], colours[t[1]], colours[t[2]]});
         TextureSlot& slot = is_black(material.base) ? material.maps.emission : material.maps.base;
         slot.texture = static_cast<int32_t>(parts_.textures.size());
         parts_.textures.push_back(picture_of_corners(parts_.mesh, first, corners));
