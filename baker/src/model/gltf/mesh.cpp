@@ -79,21 +79,38 @@ GltfMeshBuilder::GltfMeshBuilder(const GltfModel& model, const std::vector<GltfS
 
 void GltfMeshBuilder::add(int32_t mesh, const Affine& place)
 {
-    const std::vector<GltfPrimitive>& primitives = element_of(model_, model_.meshes, mesh, "mesh");
-    for (size_t k = 0; k < primitives.size(); ++k) add_primitive(primitives[k], shape(mesh, k), place);
+    const auto [found, fresh] = known_.try_emplace(mesh);
+    if (fresh) found->second = known_of(mesh);
+    for (Known& known : found->second) add_primitive(known, place);
 }
 
-const GltfShape& GltfMeshBuilder::shape(int32_t mesh, size_t k)
+std::vector<GltfMeshBuilder::Known> GltfMeshBuilder::known_of(int32_t mesh)
 {
-    const auto found = known_.find({mesh, k});
-    if (found != known_.end()) return found->second;
-    const GltfPrimitive& primitive = model_.meshes[static_cast<size_t>(mesh)][k];
-    const std::vector<int32_t>& uv_sets = surfaces_[surface_of(primitive)].uv_sets;
-    GltfShape read = shape_of(model_, primitive, uv_sets, losses_);
+    std::vector<Known> list;
+    size_t triangles = 0;
+    for (const GltfPrimitive& primitive : element_of(model_, model_.meshes, mesh, "mesh")) {
+        const size_t surface = surface_of(primitive);
+        GltfShape shape = read(primitive, surface);
+        triangles += shape.triangles.size();
+        check_triangles(triangles);
+        if (!shape.triangles.empty()) list.push_back({surface, std::move(shape), {}});
+    }
+    return list;
+}
+
+GltfShape GltfMeshBuilder::read(const GltfPrimitive& primitive, size_t surface)
+{
+    GltfShape shape = shape_of(model_, primitive, surfaces_[surface].uv_sets, losses_);
     replacements_ += replacements_of(model_, primitive);
     if (replacements_ > kMostReplacements)
         fail_gltf(model_, "its primitives share long sparse accessors; export it without sparse accessors");
-    return known_.try_emplace({mesh, k}, std::move(read)).first->second;
+    return shape;
+}
+
+void GltfMeshBuilder::check_triangles(size_t more) const
+{
+    if (more > kMaxTriangles - triangles_)
+        fail_gltf(model_, "it has more than " + std::to_string(kMaxTriangles) + " triangles; simplify it");
 }
 
 size_t GltfMeshBuilder::surface_of(const GltfPrimitive& primitive) const
@@ -128,24 +145,26 @@ void GltfMeshBuilder::add_vertices(const GltfShape& shape, const Affine& place)
     for (const Vec2& uv : shape.uvs) mesh.uvs.push_back(with_v_upwards(uv));
 }
 
-void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfShape& shape, const Affine& place)
+void GltfMeshBuilder::add_primitive(Known& known, const Affine& place)
 {
-    if (shape.triangles.empty()) return;
-    Mesh& mesh = parts_.mesh;
-    if (shape.triangles.size() > kMaxTriangles - triangles_)
-        fail_gltf(model_, "it has more than " + std::to_string(kMaxTriangles) + " triangles; simplify it");
+    const GltfShape& shape = known.shape;
+    check_triangles(shape.triangles.size());
     triangles_ += shape.triangles.size();
-    const size_t surface = surface_of(primitive);
+    Mesh& mesh = parts_.mesh;
     const uint32_t position = static_cast<uint32_t>(mesh.positions.size());
     const int32_t normal = static_cast<int32_t>(mesh.normals.size()), uv = static_cast<int32_t>(mesh.uvs.size());
-    const bool mirrored = determinant(place) < 0;
+    Drawing drawing = {determinant(place) < 0, {}};
     add_vertices(shape, place);
     const size_t first = mesh.triangle_count();
     std::vector<GltfTriangle> kept;
-    for (GltfTriangle t : shape.triangles) {
-        if (mirrored) std::swap(t[1], t[2]);
+    for (size_t k = 0; k < shape.triangles.size(); ++k) {
+        GltfTriangle t = shape.triangles[k];
+        if (drawing.first) std::swap(t[1], t[2]);
         const Mesh::Corners corners = {position + t[0], position + t[1], position + t[2]};
-        if (has_no_area(mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]])) continue;
+        if (has_no_area(mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]])) {
+            drawing.second.push_back(k);
+            continue;
+        }
         const auto shifted = [&](int32_t by) {
             return Mesh::OptionalCorners{by + static_cast<int32_t>(t[0]), by + static_cast<int32_t>(t[1]),
                                          by + static_cast<int32_t>(t[2])};
@@ -153,39 +172,54 @@ void GltfMeshBuilder::add_primitive(const GltfPrimitive& primitive, const GltfSh
         mesh.corners.push_back(corners);
         mesh.shading.push_back(shape.normals.empty() ? kNone : shifted(normal));
         mesh.mapping.push_back(shape.uvs.empty() ? kNone : shifted(uv));
-        mesh.materials.push_back(material_of(surface));
         kept.push_back(t);
     }
-    losses_.add("triangle(s) have no area and are left out; merge doubled vertices",
-                shape.triangles.size() - kept.size());
-    if (!kept.empty() && !shape.colours.empty()) paint(shape, surface, first, kept);
+    losses_.add("triangle(s) have no area and are left out; merge doubled vertices", drawing.second.size());
+    if (kept.empty()) return;
+    const uint32_t material =
+        shape.colours.empty() ? material_of(known.surface) : painted(known, std::move(drawing), first, kept);
+    mesh.materials.resize(mesh.triangle_count(), material);
+}
+
+uint32_t GltfMeshBuilder::painted(Known& known, Drawing drawing, size_t first, const std::vector<GltfTriangle>& kept)
+{
+    const auto [found, fresh] = known.looks.try_emplace(std::move(drawing));
+    Look& look = found->second;
+    if (fresh) {
+        look = paint(known, first, kept);
+    } else if (look.has_picture) {
+        std::vector<Mesh::OptionalCorners>& mapping = parts_.mesh.mapping;
+        for (size_t k = 0; k < kept.size(); ++k) mapping[first + k] = mapping[look.first + k];
+    }
+    return look.material;
 }
 
 // Colours at vertices become a material of their own: with another base colour where they are all alike, with a
 // picture where it has none yet.
-void GltfMeshBuilder::paint(const GltfShape& shape, size_t surface, size_t first, const std::vector<GltfTriangle>& kept)
+GltfMeshBuilder::Look GltfMeshBuilder::paint(const Known& known, size_t first, const std::vector<GltfTriangle>& kept)
 {
-    const std::vector<Rgb>& colours = shape.colours;
-    if (std::all_of(colours.begin(), colours.end(), is_white)) return;
-    Material material = surfaces_[surface].material;
+    const std::vector<Rgb>& colours = known.shape.colours;
+    const GltfSurface& surface = surfaces_[known.surface];
+    if (std::all_of(colours.begin(), colours.end(), is_white)) return {material_of(known.surface)};
+    Material material = surface.material;
     const bool even = std::all_of(colours.begin(), colours.end(), [&](const Rgb& c) {
         return c.r == colours[0].r && c.g == colours[0].g && c.b == colours[0].b;
     });
-    Rgb& tinted = is_black(material.base) ? material.emission : material.base;
-    if (even || !surfaces_[surface].uv_sets.empty()) {
-        tinted = tinted * mean_of(colours);
-        if (!even)
-            losses_.add("mesh(es) have pictures and colours at vertices, whose mean is taken; bake them together");
-    } else {
+    const bool has_picture = !even && surface.uv_sets.empty();
+    if (has_picture) {
         std::vector<CornerColours> corners;
         for (const GltfTriangle& t : kept) corners.push_back({colours[t[0]], colours[t[1]], colours[t[2]]});
         TextureSlot& slot = is_black(material.base) ? material.maps.emission : material.maps.base;
         slot.texture = static_cast<int32_t>(parts_.textures.size());
         parts_.textures.push_back(picture_of_corners(parts_.mesh, first, corners));
+    } else {
+        Rgb& tinted = is_black(material.base) ? material.emission : material.base;
+        tinted = tinted * mean_of(colours);
+        if (!even)
+            losses_.add("mesh(es) have pictures and colours at vertices, whose mean is taken; bake them together");
     }
     material.finish();
-    const uint32_t painted = add_material(std::move(material), surface);
-    for (size_t k = first; k < parts_.mesh.triangle_count(); ++k) parts_.mesh.materials[k] = painted;
+    return {add_material(std::move(material), known.surface), has_picture, first};
 }
 
 }  // namespace lumi::baker

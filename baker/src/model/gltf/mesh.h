@@ -22,22 +22,40 @@ public:
     const GltfSurface& surface(uint32_t material) const { return surfaces_[made_of_[material]]; }
 
 private:
-    const GltfShape& shape(int32_t mesh, size_t primitive);
-    void add_primitive(const GltfPrimitive& primitive, const GltfShape& shape, const Affine& place);
+    // A way to draw a primitive: mirrored or not, and without which of its triangles, as those have no area there.
+    using Drawing = std::pair<bool, std::vector<size_t>>;
+    // Which material that has. Drawings that are alike share a picture of colours at vertices, and so the places in it
+    // of the triangles from `first` on.
+    struct Look {
+        uint32_t material = 0;
+        bool has_picture = false;
+        size_t first = 0;
+    };
+    struct Known {
+        size_t surface;
+        GltfShape shape;                // of at least one triangle
+        std::map<Drawing, Look> looks;  // where it has colours at vertices
+    };
+
+    std::vector<Known> known_of(int32_t mesh);
+    GltfShape read(const GltfPrimitive& primitive, size_t surface);
+    void check_triangles(size_t more) const;
+    void add_primitive(Known& known, const Affine& place);
     size_t surface_of(const GltfPrimitive& primitive) const;
     uint32_t material_of(size_t surface);
     uint32_t add_material(Material material, size_t surface);
     void add_vertices(const GltfShape& shape, const Affine& place);
-    void paint(const GltfShape& shape, size_t surface, size_t first, const std::vector<GltfTriangle>& kept);
+    uint32_t painted(Known& known, Drawing drawing, size_t first, const std::vector<GltfTriangle>& kept);
+    Look paint(const Known& known, size_t first, const std::vector<GltfTriangle>& kept);
 
     const GltfModel& model_;
     const std::vector<GltfSurface>& surfaces_;
     SceneParts& parts_;
     Losses& losses_;
-    std::vector<int64_t> places_;                            // of surfaces among the scene's materials, or -1
-    std::vector<size_t> made_of_;                            // surfaces, of the scene's materials
-    std::map<std::pair<int32_t, size_t>, GltfShape> known_;  // by mesh and primitive
-    size_t triangles_ = 0, replacements_ = 0;                // as many as were placed, and read
+    std::vector<int64_t> places_;                  // of surfaces among the scene's materials, or -1
+    std::vector<size_t> made_of_;                  // surfaces, of the scene's materials
+    std::map<int32_t, std::vector<Known>> known_;  // by mesh
+    size_t triangles_ = 0, replacements_ = 0;      // as many as were placed, and read
 };
 
 }  // namespace lumi::baker

@@ -77,6 +77,14 @@ GltfMaker red_and_blue(const std::string& material)
     return maker;
 }
 
+// A triangle with a colour of its own at each corner.
+std::string coloured_triangle(GltfMaker& maker)
+{
+    const std::string p = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    const std::string c = std::to_string(maker.vec3({0.8f, 0.4f, 0.4f, 0.4f, 0.8f, 0.4f, 0.4f, 0.4f, 0.8f}));
+    return "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" + p + ",\"COLOR_0\":" + c + "}}]}]";
+}
+
 }  // namespace
 
 TEST_CASE("glTF: primitives that share vertices take those that they use, and their colours alone")
@@ -143,6 +151,59 @@ TEST_CASE("glTF: triangles without an area count as triangles where there are to
               "],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" + p + "},\"indices\":" + indices +
               "}]}]");
     check_sharing_refused(maker, "more than 100000000 triangles");
+}
+
+TEST_CASE("glTF: a coloured mesh that many nodes place has one material and one picture")
+{
+    constexpr uint32_t kNodes = 100;
+    GltfMaker maker;
+    maker.add("\"nodes\":[" + repeated("{\"mesh\":0,\"scale\":[2,1,1]}", kNodes) + "]," + coloured_triangle(maker));
+    const SceneParts parts = read_sharing(maker);
+    REQUIRE(parts.mesh.triangle_count() == kNodes);
+    CHECK(parts.materials.size() == 1);
+    CHECK(parts.textures.size() == 1);
+    for (const uint32_t triangle : {0u, kNodes - 1}) {
+        const Material& material = parts.materials[parts.mesh.materials[triangle]];
+        const Rgb seen = slot_colour(parts.mesh, parts.textures, material.maps.base, triangle, {1, 0});
+        CHECK(seen.g == Approx(0.8).margin(0.01));
+        CHECK(seen.r == Approx(0.4).margin(0.01));
+    }
+}
+
+TEST_CASE("glTF: a coloured mesh shows its colours mirrored, and flat where a node leaves triangles out")
+{
+    GltfMaker maker;
+    const std::string p = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 5, 1, 0, 5, 0, 0, 6}));
+    const std::string c = std::to_string(maker.vec3(
+        {0.8f, 0.4f, 0.4f, 0.4f, 0.8f, 0.4f, 0.4f, 0.4f, 0.8f, 0.4f, 0.4f, 0.4f, 0.6f, 0.6f, 0.6f, 0.4f, 0.4f, 0.4f}));
+    const std::string order = std::to_string(maker.indices({3, 4, 5, 0, 1, 2}));
+    // The second triangle's corners are 0, 1, 2; in the flat node the first one, in the plane y = 0, has no area.
+    maker.add(
+        "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"scale\":[-1,1,1]},{\"mesh\":0,\"scale\":[1,1,0]}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" +
+        p + ",\"COLOR_0\":" + c + "},\"indices\":" + order + "}]}]");
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    const SceneParts parts = read_gltf(folder.write("m.glb", maker.glb()), warnings);
+    REQUIRE(parts.mesh.triangle_count() == 5);
+    const auto green_at = [&](uint32_t triangle, const Vec2& place) {
+        const Material& material = parts.materials[parts.mesh.materials[triangle]];
+        return slot_colour(parts.mesh, parts.textures, material.maps.base, triangle, place).g;
+    };
+    CHECK(green_at(1, {1, 0}) == Approx(0.8).margin(0.01));
+    CHECK(green_at(3, {0, 1}) == Approx(0.8).margin(0.01));  // its second and third corner have changed places
+    CHECK(green_at(4, {1, 0}) == Approx(0.8).margin(0.01));
+}
+
+TEST_CASE("glTF: nodes that place a mesh of very many points are read at once")
+{
+    constexpr size_t kPrimitives = 20000, kNodes = 100000;  // 2 * 10^9 pairs
+    GltfMaker maker;
+    const std::string p = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    const std::string points = "{\"attributes\":{\"POSITION\":" + p + "},\"mode\":0}";
+    maker.add("\"nodes\":[" + repeated("{\"mesh\":0}", kNodes) + "],\"meshes\":[{\"primitives\":[" +
+              repeated(points, kPrimitives) + "]}]");
+    check_sharing_refused(maker, "no triangle");
 }
 
 }  // namespace lumi::baker
