@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "material/material.h"
 
+#include <map>
+#include <mutex>
+#include <tuple>
+#include <utility>
+
 #include "material/stretch.h"
 
 namespace lumi::baker
@@ -33,6 +38,38 @@ float clamped_alpha(float alpha)
     return std::clamp(alpha, kMinAlpha, 1.0f);
 }
 
+float key_of(float number)
+{
+    return number;
+}
+float key_of(const Isotropic& spread)
+{
+    return spread.alpha;
+}
+std::pair<float, float> key_of(const Anisotropic& spread)
+{
+    return {spread.alpha_x, spread.alpha_y};
+}
+
+// The table of these arguments: one that a material has already, or a new one. Materials may be finished by several
+// threads, which wait for each other here.
+template <class Table, class... Arguments>
+std::shared_ptr<const Table> shared_table(const Arguments&... arguments)
+{
+    using Key = std::tuple<decltype(key_of(arguments))...>;
+    static std::mutex mutex;  // guards what follows
+    static std::map<Key, std::weak_ptr<const Table>> known;
+    const std::lock_guard<std::mutex> lock(mutex);
+    const Key key(key_of(arguments)...);
+    const auto found = known.find(key);
+    std::shared_ptr<const Table> table = found == known.end() ? nullptr : found->second.lock();
+    if (table) return table;
+    for (auto old = known.begin(); old != known.end();) old = old->second.expired() ? known.erase(old) : std::next(old);
+    table = std::make_shared<const Table>(arguments...);
+    known[key] = table;
+    return table;
+}
+
 // One table for the material's alpha, or with a texture one for each step of roughness up to it.
 template <class Table, class Make>
 std::vector<std::shared_ptr<const Table>> tables(bool textured, float alpha, const Make& make)
@@ -40,7 +77,7 @@ std::vector<std::shared_ptr<const Table>> tables(bool textured, float alpha, con
     std::vector<std::shared_ptr<const Table>> result;
     for (size_t k = textured ? 0 : kRoughnessSteps; k <= kRoughnessSteps; ++k) {
         const float share = static_cast<float>(k) / kRoughnessSteps;
-        result.push_back(std::make_shared<const Table>(make(clamped_alpha(alpha * share * share))));
+        result.push_back(make(clamped_alpha(alpha * share * share)));
     }
     return result;
 }
@@ -72,11 +109,11 @@ void add_tables(const Material& m, const SpreadOf& spread_of, Skins& skins, Face
     const bool textured = m.maps.roughness.used();
     if (m.specular && (m.metalness < 1 || m.maps.metalness.used())) {
         skins = tables<SkinOf<Spread>>(
-            textured, m.alpha, [&](float a) { return SkinOf<Spread>(m.index, spread_of(a)); });
+            textured, m.alpha, [&](float a) { return shared_table<SkinOf<Spread>>(m.index, spread_of(a)); });
     }
     if (m.metalness > 0) {
         facets = tables<FacetTableOf<Spread>>(
-            textured, m.alpha, [&](float a) { return FacetTableOf<Spread>(spread_of(a)); });
+            textured, m.alpha, [&](float a) { return shared_table<FacetTableOf<Spread>>(spread_of(a)); });
     }
 }
 
@@ -126,7 +163,7 @@ void Material::finish()
         absorption = {absorption_of(transmittance.r, transmittance_length),
                       absorption_of(transmittance.g, transmittance_length),
                       absorption_of(transmittance.b, transmittance_length)};
-        frost = alpha > 0 ? std::make_shared<const GlassTable>(index, alpha) : nullptr;
+        frost = alpha > 0 ? shared_table<GlassTable>(index, alpha) : nullptr;
         return;
     }
     if (anisotropy > 0) {
@@ -136,8 +173,8 @@ void Material::finish()
         add_tables(
             *this, [](float a) { return Isotropic(a); }, skins, facets);
     }
-    coat_skin = coat > 0 ? std::make_shared<const Skin>(kDefaultIndex, coat_alpha) : nullptr;
-    fibres = sheen > 0 ? std::make_shared<const SheenTable>(sheen_roughness) : nullptr;
+    coat_skin = coat > 0 ? shared_table<Skin>(kDefaultIndex, Isotropic(coat_alpha)) : nullptr;
+    fibres = sheen > 0 ? shared_table<SheenTable>(sheen_roughness) : nullptr;
 }
 
 Rgb Material::absorbed(float distance) const

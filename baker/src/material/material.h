@@ -151,6 +151,7 @@ struct Material : MaterialNumbers {
     Bsdf bsdf(const PointValues& at, float u) const;
 
     // Made by finish(), one for each step of roughness; just one where no texture changes it. Empty if not needed.
+    // Materials share what is alike.
     std::vector<std::shared_ptr<const Skin>> skins;
     std::vector<std::shared_ptr<const FacetTable>> facets;
     std::vector<std::shared_ptr<const SkinOf<Anisotropic>>> brushed_skins;  // in place of the other two

@@ -203,6 +203,38 @@ TEST_CASE("material: a partly metallic surface is the mixture of metal and paint
     CHECK(std::abs(metal - paint) > 0.02);
 }
 
+TEST_CASE("material: those of the same widths and index share their tables")
+{
+    const auto made = [](float alpha, float anisotropy, bool glass) {
+        Material m;
+        m.alpha = alpha;
+        m.anisotropy = anisotropy;
+        m.metalness = 0.5f;
+        m.coat = m.sheen = 1;
+        m.specular = true;
+        m.glass = glass;
+        m.finish();
+        return m;
+    };
+    const Material a = made(0.4f, 0, false), b = made(0.4f, 0, false), c = made(0.5f, 0, false);
+    CHECK(a.skins == b.skins);
+    CHECK(a.facets == b.facets);
+    CHECK(a.coat_skin == b.coat_skin);
+    CHECK(a.fibres == b.fibres);
+    CHECK(a.skins[0] != c.skins[0]);
+    CHECK(a.facets[0] != c.facets[0]);
+    const Material brushed = made(0.4f, 0.5f, false), more_brushed = made(0.4f, 0.6f, false);
+    CHECK(brushed.brushed_skins == made(0.4f, 0.5f, false).brushed_skins);
+    CHECK(brushed.brushed_facets == made(0.4f, 0.5f, false).brushed_facets);
+    CHECK(brushed.brushed_skins[0] != more_brushed.brushed_skins[0]);
+    const Material frosted = made(0.4f, 0, true);
+    CHECK(frosted.frost == made(0.4f, 0, true).frost);
+    CHECK(frosted.frost != made(0.5f, 0, true).frost);
+    // A shared table is that of its own width.
+    CHECK(c.skins[0]->albedo(0.5f) == Skin(kSkinIndex, 0.5f).albedo(0.5f));
+    CHECK(b.facets[0]->lost(0.5f) == FacetTable(0.4f).lost(0.5f));
+}
+
 TEST_CASE("fresnel: reflectance at normal incidence and at grazing, and a smooth skin's mean")
 {
     CHECK(static_cast<double>(dielectric_reflectance(1, 1.5f)) == Approx(0.04).epsilon(1e-5));
