@@ -26,10 +26,11 @@ int64_t wrapped(int64_t i, int size, Wrap wrap)
     return r < size ? r : int64_t{2} * size - 1 - r;
 }
 
-// A coordinate without what makes no difference. Taken in double so that far-off coordinates keep their pixel.
+// A coordinate without what makes no difference. Taken in double so that far-off coordinates keep their pixel. Where
+// there is none, as numbers have overflowed, any pixel will do.
 double near_picture(float coordinate, Wrap wrap)
 {
-    const double c = static_cast<double>(coordinate);
+    const double c = std::isfinite(coordinate) ? static_cast<double>(coordinate) : 0;
     if (wrap == Wrap::clamp) return std::clamp(c, -1.0, 2.0);
     const double period = wrap == Wrap::repeat ? 1 : 2;
     return c - std::floor(c / period) * period;

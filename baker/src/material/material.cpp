@@ -24,9 +24,10 @@ constexpr size_t bytes_of_parameters()
 }
 static_assert(bytes_of_parameters() == sizeof(MaterialNumbers), "a material's number has no row among the parameters");
 
+// What is no number becomes the low end.
 float clamped(float v, float low, float high)
 {
-    return std::clamp(v, low, high);
+    return v >= low ? std::min(v, high) : low;
 }
 Rgb clamped(const Rgb& c, float low, float high)
 {
@@ -35,7 +36,7 @@ Rgb clamped(const Rgb& c, float low, float high)
 
 float clamped_alpha(float alpha)
 {
-    return std::clamp(alpha, kMinAlpha, 1.0f);
+    return clamped(alpha, kMinAlpha, 1);
 }
 
 float key_of(float number)

@@ -45,6 +45,7 @@ inline constexpr float kMinAlpha = 0.01f;  // sharper facets than this no field 
 inline constexpr float kDefaultIndex = 1.5f;
 // Diamond's index is 2.4, germanium's is 4. Closer to 1, facets and directions of glass can no longer be told apart.
 inline constexpr double kMinIndex = 1.01, kMaxIndex = 4;
+inline constexpr double kLeastLength = 1e-9;           // of a way through glass
 inline constexpr float kDefaultSheenRoughness = 0.3f;  // cloth
 
 // A picture on a surface: read where its coordinates lie once they are scaled, turned and moved, in this order.
@@ -128,7 +129,7 @@ inline constexpr MaterialParameter kMaterialParameters[] = {
     {"coat_roughness", "Pcr", 0, 1, &MaterialNumbers::coat_alpha, Stated::as_roughness},
     {"sheen", "Ps", 0, 1, &MaterialNumbers::sheen},
     {"sheen_roughness", nullptr, kMinSheenRoughness, 1, &MaterialNumbers::sheen_roughness},
-    {nullptr, nullptr, 0, std::numeric_limits<float>::max(), &MaterialNumbers::transmittance_length},
+    {nullptr, nullptr, kLeastLength, std::numeric_limits<float>::max(), &MaterialNumbers::transmittance_length},
 };
 
 struct Material : MaterialNumbers {

@@ -2,6 +2,7 @@
 #include "material/bsdf.h"
 
 #include <catch2/catch.hpp>
+#include <limits>
 #include <map>
 
 #include "material/fresnel.h"
@@ -233,6 +234,44 @@ TEST_CASE("material: those of the same widths and index share their tables")
     // A shared table is that of its own width.
     CHECK(c.skins[0]->albedo(0.5f) == Skin(kSkinIndex, 0.5f).albedo(0.5f));
     CHECK(b.facets[0]->lost(0.5f) == FacetTable(0.4f).lost(0.5f));
+}
+
+TEST_CASE("material: what is no number becomes the least of its range, and shows finite colours")
+{
+    constexpr float kNot = std::numeric_limits<float>::quiet_NaN();
+    for (const bool glass : {false, true}) {
+        Material m;
+        for (const MaterialParameter& parameter : kMaterialParameters)
+            std::visit([&](auto member) { m.*member = m.*member * kNot; }, parameter.member);
+        m.glass = glass;
+        m.specular = true;
+        m.finish();
+        for (const MaterialParameter& parameter : kMaterialParameters) {
+            INFO("parameter " << &parameter - kMaterialParameters);
+            std::visit(
+                [&](auto member) {
+                    if constexpr (std::is_same_v<decltype(member), float MaterialNumbers::*>)
+                        CHECK(std::isfinite(m.*member));
+                    else
+                        CHECK(std::isfinite((m.*member).r + (m.*member).g + (m.*member).b));
+                },
+                parameter.member);
+        }
+        CHECK(m.absorbed(1).r >= 0);
+    }
+}
+
+TEST_CASE("material: a picture shows a colour at any place, also where that is no number")
+{
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    const Texture picture{2, 1, {255, 0, 0, 0, 255, 0}, true};
+    for (const float far_off : {kInfinite, -kInfinite, kInfinite - kInfinite, 1e38f, -1e38f}) {
+        for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
+            INFO(far_off << ", " << static_cast<int>(wrap));
+            const Rgb seen = picture.at({far_off, far_off}, {wrap, wrap});
+            CHECK(seen.r + seen.g == Approx(1));
+        }
+    }
 }
 
 TEST_CASE("fresnel: reflectance at normal incidence and at grazing, and a smooth skin's mean")

@@ -2,6 +2,7 @@
 #include "model/gltf/extensions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
@@ -83,6 +84,12 @@ void refuse_foreign_pictures(const GltfModel& model, const std::map<std::string,
         if (const Remedy* remedy = remedy_of(entry.first)) refuse(model, *remedy);
 }
 
+float float_of(double number)
+{
+    constexpr double kMost = 1e15;
+    return static_cast<float>(std::clamp(number, -kMost, kMost));
+}
+
 const JsonValue* find_member(const JsonValue& value, const char* name)
 {
     const auto found = std::find_if(value.members.begin(), value.members.end(),
@@ -101,7 +108,7 @@ Rgb colour_member(const JsonValue& value, const char* name, const Rgb& fallback)
 {
     const JsonValue* member = find_member(value, name);
     if (!member || member->items.size() < 3) return fallback;
-    const auto component = [&](size_t k) { return static_cast<float>(member->items[k].number); };
+    const auto component = [&](size_t k) { return float_of(member->items[k].number); };
     return {component(0), component(1), component(2)};
 }
 
@@ -116,10 +123,16 @@ GltfTextureUse texture_use_of(const GltfModel& model, int32_t texture, int32_t u
     use.uv_set = uv_set;
     const auto found = extensions.find("KHR_texture_transform");
     if (found == extensions.end()) return use;
+    const auto number = [&](const JsonValue& item, float fallback) {
+        constexpr double kMost = 1e6;  // beyond it no pixel would be found again
+        if (std::abs(item.number) <= kMost) return static_cast<float>(item.number);
+        use.far_off = true;
+        return fallback;
+    };
     const auto pair = [&](const char* name, const Vec2& fallback) {
         const JsonValue* member = find_member(found->second, name);
         if (!member || member->items.size() < 2) return fallback;
-        return Vec2{static_cast<float>(member->items[0].number), static_cast<float>(member->items[1].number)};
+        return Vec2{number(member->items[0], fallback.x), number(member->items[1], fallback.y)};
     };
     use.offset = pair("offset", {});
     use.scale = pair("scale", {1, 1});

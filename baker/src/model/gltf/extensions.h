@@ -16,6 +16,9 @@ void check_required_extensions(const GltfModel& model, const std::vector<std::st
 // Of a texture whose pictures only its extensions name. Throws SceneError.
 void refuse_foreign_pictures(const GltfModel& model, const std::map<std::string, JsonValue>& extensions);
 
+// In binary32, and no larger than that products of two such numbers stay finite.
+float float_of(double number);
+
 // A member of an extension, or null. `value` is any value.
 const JsonValue* find_member(const JsonValue& value, const char* name);
 // The same; `fallback` where it is absent or no finite number.

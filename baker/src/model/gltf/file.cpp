@@ -76,11 +76,6 @@ std::map<std::string, JsonValue> json_of(const tinygltf::ExtensionMap& extension
     return result;
 }
 
-float float_of(double value)
-{
-    return static_cast<float>(value);
-}
-
 Rgb colour_of(const std::vector<double>& c, const Rgb& fallback)
 {
     return c.size() < 3 ? fallback : Rgb{float_of(c[0]), float_of(c[1]), float_of(c[2])};
@@ -147,7 +142,7 @@ GltfNode node_of(const tinygltf::Node& n)
     result.camera = n.camera;
     const auto light = n.extensions.find(kLights);
     if (light != n.extensions.end() && light->second.Get("light").IsNumber())
-        result.light = light->second.Get("light").GetNumberAsInt();
+        result.light = static_cast<int32_t>(std::clamp(light->second.Get("light").GetNumberAsDouble(), -1.0, 1e9));
     constexpr size_t kMatrixNumbers = 16;
     result.matrix =
         n.matrix.size() == kMatrixNumbers ? affine_of_columns(n.matrix) : affine_of(n.translation, n.rotation, n.scale);

@@ -15,7 +15,7 @@ namespace
 
 float float_member(const JsonValue& value, const char* name, double fallback)
 {
-    return static_cast<float>(number_member(value, name, fallback));
+    return float_of(number_member(value, name, fallback));
 }
 
 // Makes one material.
@@ -59,6 +59,9 @@ private:
     TextureSlot slot(const GltfTextureUse& use, int32_t texture)
     {
         if (texture == kNoTexture) return {};
+        if (use.far_off)
+            losses_.add(
+                "picture(s) are moved or scaled by more than a million, which is left out; mend their transform");
         std::vector<int32_t>& sets = result_.uv_sets;
         const auto found = std::find(sets.begin(), sets.end(), use.uv_set);
         const size_t place = static_cast<size_t>(found - sets.begin());
@@ -91,7 +94,7 @@ private:
         colour = colour_member(*e, "diffuseFactor", grey(1));
         base = texture_member(model_, *e, "diffuseTexture");
         const JsonValue* factor = find_member(*e, "diffuseFactor");
-        alpha_ = factor && factor->items.size() == 4 ? static_cast<float>(factor->items[3].number) : 1;
+        alpha_ = factor && factor->items.size() == 4 ? float_of(factor->items[3].number) : 1;
         m_.metalness = 0;
         m_.maps.metalness = m_.maps.roughness = {};
         m_.alpha = alpha_from_roughness(1 - std::clamp(float_member(*e, "glossinessFactor", 1), 0.0f, 1.0f));
@@ -242,8 +245,7 @@ private:
         result_.tinted = true;
         const JsonValue* volume = extension("KHR_materials_volume");
         const float distance = volume ? float_member(*volume, "attenuationDistance", 0) : 0;
-        constexpr float kShortest = 1e-9f;
-        if (distance > kShortest) {
+        if (distance > static_cast<float>(kLeastLength)) {
             m_.transmittance = colour_member(*volume, "attenuationColor", grey(1));
             m_.transmittance_length = distance;
             result_.tinted = false;

@@ -74,7 +74,8 @@ struct GltfTextureUse {
     int32_t uv_set = 0;
     Vec2 scale = {1, 1}, offset;
     double rotation = 0;
-    double strength = 1;  // of normals
+    bool far_off = false;  // the file's scale or offset is beyond any pixel, and not here
+    double strength = 1;   // of normals
     std::array<Wrap, 2> wrap = {Wrap::repeat, Wrap::repeat};
 
     bool used() const { return image != kNoIndex; }

@@ -13,12 +13,19 @@ namespace
 
 enum Mode : int32_t { kTriangles = 4, kStrip, kFan };
 
+// Of texture coordinates and colours: beyond it no pixel would be found again, and sums overflow.
+float bounded(float number)
+{
+    constexpr float kMost = 1e6f;
+    return std::clamp(number, -kMost, kMost);
+}
+
 template <class T>
 T element_at(const std::vector<float>& numbers, size_t first);
 template <>
 Vec2 element_at(const std::vector<float>& numbers, size_t first)
 {
-    return {numbers[first], numbers[first + 1]};
+    return {bounded(numbers[first]), bounded(numbers[first + 1])};
 }
 template <>
 Vec3 element_at(const std::vector<float>& numbers, size_t first)
@@ -28,7 +35,7 @@ Vec3 element_at(const std::vector<float>& numbers, size_t first)
 template <>
 Rgb element_at(const std::vector<float>& numbers, size_t first)
 {
-    return {numbers[first], numbers[first + 1], numbers[first + 2]};
+    return {bounded(numbers[first]), bounded(numbers[first + 1]), bounded(numbers[first + 2])};
 }
 
 // Of its attributes, the elements of the vertices that its triangles use.

@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/baker/scene.h"
+#include "material/texture_slot.h"
 #include "model/gltf/reader.h"
 #include "support/gltf_bytes.h"
+#include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 
 namespace lumi::baker
@@ -52,6 +54,38 @@ BoundedGltf read_bounded(const GltfMaker& maker)
     BoundedGltf read;
     read.parts = read_gltf(folder.write("m.glb", maker.glb()), read.warnings);
     return read;
+}
+
+bool is_finite(const Rgb& c)
+{
+    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+}
+
+Material bounded_material(const std::string& members)
+{
+    return read_bounded(square(members)).parts.materials.at(0);
+}
+
+// A square whose base picture lies as the members of a KHR_texture_transform say.
+GltfMaker square_with_transform(const std::string& transform)
+{
+    GltfMaker maker = square(
+        "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":{"
+        "\"KHR_texture_transform\":{" +
+        transform + "}}}}");
+    const std::string view = std::to_string(maker.view(testing::rgb_png(1, {255, 0, 0})));
+    maker.add("\"images\":[{\"bufferView\":" + view + ",\"mimeType\":\"image/png\"}],\"textures\":[{\"source\":0}]");
+    return maker;
+}
+
+// The first triangle shows the red picture.
+void check_red(const SceneParts& parts)
+{
+    const Vec2 middle = {0.25f, 0.25f};
+    const Material& material = parts.materials[parts.mesh.materials[0]];
+    const Rgb seen = slot_colour(parts.mesh, parts.textures, material.maps.base, 0, middle);
+    CHECK(seen.r == Approx(1));
+    CHECK(seen.g == 0);
 }
 
 }  // namespace
@@ -144,6 +178,90 @@ TEST_CASE("glTF: numbers that are not finite, or place a mesh nowhere, are refus
     check_gltf_refused(square("", "\"translation\":[1e999,0,0]").glb(), "");
     check_gltf_refused(square("", "\"scale\":[1e300,1e300,1e300]").glb(), "places its mesh");
     check_gltf_refused(square("", "\"scale\":[0,0,0]").glb(), "no triangle");
+}
+
+TEST_CASE("glTF: pictures that lie farther off than their pixels are told apart take the default, with a word")
+{
+    for (const char* transform : {"\"offset\":[1e300,0]", "\"offset\":[0,-1e30]", "\"scale\":[1e300,1e300]",
+                                  "\"scale\":[1e-3,2e6]", "\"offset\":[1e300,-1e300],\"rotation\":1e300"}) {
+        INFO(transform);
+        const BoundedGltf far_off = read_bounded(square_with_transform(transform));
+        check_red(far_off.parts);
+        REQUIRE(far_off.warnings.size() == 1);
+        CHECK_THAT(far_off.warnings[0], Catch::Contains("1 picture(s) are moved or scaled by more than a million"));
+    }
+    CHECK(read_bounded(square_with_transform("\"offset\":[1e6,0],\"scale\":[1e6,1]")).warnings.empty());
+}
+
+TEST_CASE("glTF: texture coordinates and colours at vertices stay finite in all that is made of them")
+{
+    constexpr float kMost = std::numeric_limits<float>::max();
+    GltfMaker maker = square_with_transform("\"scale\":[1e6,1e6]");
+    const std::string p = std::to_string(maker.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    const std::string uvs = std::to_string(maker.vec2({kMost, -kMost, -kMost, kMost, kMost, kMost}));
+    const std::string colours = std::to_string(maker.vec3({kMost, 0, 0, -kMost, kMost, 1, kMost, kMost, kMost}));
+    const std::string far_off =
+        "{\"attributes\":{\"POSITION\":" + p + ",\"TEXCOORD_0\":" + uvs + ",\"COLOR_0\":" + colours;
+    GltfMaker with_picture = maker;
+    with_picture.add("\"meshes\":[{\"primitives\":[" + far_off + "},\"material\":0}]}]");
+    const SceneParts mapped = read_bounded(with_picture).parts;
+    for (const Material& material : mapped.materials) CHECK(is_finite(material.base));
+    check_red(mapped);
+    GltfMaker plain = maker;
+    plain.add("\"meshes\":[{\"primitives\":[" + far_off + "}}]}]");
+    const SceneParts coloured = read_bounded(plain).parts;
+    const TextureSlot& slot = coloured.materials[coloured.mesh.materials[0]].maps.base;
+    REQUIRE(slot.used());
+    for (const Vec2 place : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0.25f, 0.5f}})
+        CHECK(is_finite(slot_colour(coloured.mesh, coloured.textures, slot, 0, place)));
+}
+
+TEST_CASE("glTF: factors beyond binary32 give materials of finite numbers")
+{
+    const auto with = [](const std::string& extension, const std::string& more = "") {
+        return bounded_material("\"pbrMetallicRoughness\":{\"metallicFactor\":0}" + more +
+                                ",\"extensions\":{\"KHR_materials_" + extension + "}");
+    };
+    const Material dark = with("specular\":{\"specularFactor\":1e300,\"specularColorFactor\":[0,0,0]}");
+    CHECK(dark.base.r == 1);
+    CHECK_FALSE(dark.specular);
+    CHECK(with("ior\":{\"ior\":1e300}").base.r == Approx(0.64));
+    const Material lamp = with("emissive_strength\":{\"emissiveStrength\":1e300}", ",\"emissiveFactor\":[1,0.5,0]");
+    CHECK(lamp.emission.r == kMaxRadiance);
+    CHECK(lamp.emission.b == 0);
+    const Material sheen = with("sheen\":{\"sheenColorFactor\":[1e300,0,0],\"sheenRoughnessFactor\":-1e300}");
+    CHECK(sheen.sheen_colour.r == 1);
+    CHECK(sheen.sheen_roughness == static_cast<float>(kMinSheenRoughness));
+    const Material glass = with(
+        "transmission\":{\"transmissionFactor\":1},\"KHR_materials_volume\":{"
+        "\"attenuationDistance\":1e300,\"attenuationColor\":[0,1e300,1]}");
+    CHECK(is_finite(glass.absorption));
+    CHECK(std::isfinite(glass.transmittance_length));
+    const Material smooth = bounded_material(
+        "\"pbrMetallicRoughness\":{\"roughnessFactor\":0},\"extensions\":{\"KHR_materials_anisotropy\":{"
+        "\"anisotropyStrength\":0,\"anisotropyRotation\":1e300}}");
+    CHECK(smooth.anisotropy == 0);
+    CHECK(std::isfinite(smooth.anisotropy_turns));
+    CHECK(is_finite(bounded_material("\"pbrMetallicRoughness\":{\"baseColorFactor\":[1e300,-1e300,0,1e300]}").base));
+}
+
+TEST_CASE("glTF: lamps beyond what can be drawn are left out or bounded")
+{
+    const std::string lamp = "\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}";
+    const auto fixtures = [](const GltfMaker& nodes) {
+        GltfMaker maker = nodes;
+        maker.add(
+            "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\",\"intensity\":1e300,"
+            "\"color\":[1,0.5,0]}]}}");
+        return read_bounded(maker).parts.fixtures;
+    };
+    const std::vector<Fixture> bright = fixtures(square("", lamp));
+    REQUIRE(bright.size() == 1);
+    CHECK(std::get<PointLight>(bright[0]).intensity.r == kMaxRadiance);
+    CHECK(std::get<PointLight>(bright[0]).intensity.b == 0);
+    CHECK(fixtures(square("", "\"children\":[1]", ",{\"translation\":[1e300,0,0]," + lamp + "}")).empty());
+    check_gltf_refused(square("", "\"extensions\":{\"KHR_lights_punctual\":{\"light\":1e300}}").glb(),
+                       "light 1000000000");
 }
 
 TEST_CASE("glTF: a chain of very many nodes is read at once")
