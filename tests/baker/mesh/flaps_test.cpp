@@ -10,23 +10,23 @@ namespace
 
 using Numbers = std::vector<uint32_t>;
 
-constexpr uint32_t kSquares = 20;
+constexpr uint32_t kSheetSquares = 20;
 
 uint32_t grid_vertex(uint32_t x, uint32_t y)
 {
-    return (kSquares + 1) * y + x;
+    return (kSheetSquares + 1) * y + x;
 }
 
-// A sheet of kSquares times kSquares squares of area 1, all of it surface 0. Further triangles are surfaces of their
-// own.
+// A sheet of kSheetSquares times kSheetSquares squares of area 1, all of it surface 0. Further triangles are surfaces
+// of their own.
 struct FlappedSheet {
     FlappedSheet()
     {
-        for (uint32_t y = 0; y <= kSquares; ++y)
-            for (uint32_t x = 0; x <= kSquares; ++x)
+        for (uint32_t y = 0; y <= kSheetSquares; ++y)
+            for (uint32_t x = 0; x <= kSheetSquares; ++x)
                 positions.push_back({static_cast<float>(x), static_cast<float>(y), 0});
-        for (uint32_t y = 0; y < kSquares; ++y) {
-            for (uint32_t x = 0; x < kSquares; ++x) {
+        for (uint32_t y = 0; y < kSheetSquares; ++y) {
+            for (uint32_t x = 0; x < kSheetSquares; ++x) {
                 add(0, {grid_vertex(x, y), grid_vertex(x + 1, y), grid_vertex(x + 1, y + 1)});
                 add(0, {grid_vertex(x, y), grid_vertex(x + 1, y + 1), grid_vertex(x, y + 1)});
             }
@@ -69,7 +69,7 @@ TEST_CASE("A small fin is left out, and a large one stays", "[mesh]")
 TEST_CASE("Of a small roof and the floor below it one stays, so that no hole is left", "[mesh]")
 {
     FlappedSheet sheet;
-    constexpr uint32_t kFloor = 2 * (5 * kSquares + 5), kAt = 5;
+    constexpr uint32_t kFloor = 2 * (5 * kSheetSquares + 5), kAt = 5;
     sheet.surfaces[kFloor] = 1;  // area 0.5
     const uint32_t top = sheet.vertex({5.7f, 5.3f, 0.1f});
     sheet.add(2, {grid_vertex(kAt, kAt), grid_vertex(kAt + 1, kAt), top});
