@@ -2,6 +2,7 @@
 // Triangles in the frame of the unit sphere, as indices into shared arrays.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,12 @@ struct Mesh {
 inline bool is_degenerate(const Mesh::Corners& c)
 {
     return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+}
+
+// The same number for an edge whichever way it runs: the lower vertex stands above the higher one.
+inline uint64_t edge_key(uint32_t a, uint32_t b)
+{
+    return uint64_t{std::min(a, b)} << 32 | std::max(a, b);
 }
 
 // Positions and corners, for files of a bake (byte_stream.h).

@@ -29,7 +29,7 @@ Sides sides_of(const Mesh& mesh)
             const uint32_t j = (i + 1) % 3;
             const uint32_t a = mesh.corners[k][i], b = mesh.corners[k][j];
             const Side side = a < b ? Side{3 * k + i, 3 * k + j} : Side{3 * k + j, 3 * k + i};
-            sides[uint64_t{std::min(a, b)} << 32 | std::max(a, b)].push_back(side);
+            sides[edge_key(a, b)].push_back(side);
         }
     }
     return sides;

@@ -50,23 +50,22 @@ public:
     }
 
 private:
-    using Key = uint64_t;  // the lower vertex above the higher one
+    using Key = uint64_t;  // of edges
     using Triangles = std::vector<uint32_t>;
 
-    static Key key(uint32_t a, uint32_t b) { return Key{std::min(a, b)} << 32 | std::max(a, b); }
     float edge_length(uint32_t a, uint32_t b) const { return length(mesh_.positions[a] - mesh_.positions[b]); }
 
     void add(uint32_t a, uint32_t b, uint32_t triangle)
     {
-        const auto [edge, is_new] = triangles_.try_emplace(key(a, b));
+        const auto [edge, is_new] = triangles_.try_emplace(edge_key(a, b));
         edge->second.push_back(triangle);
         if (is_new && edge_length(a, b) > longest_) queue_.emplace(edge_length(a, b), edge->first);
     }
 
     void split(uint32_t a, uint32_t b)
     {
-        const Triangles around = triangles_.at(key(a, b));
-        triangles_.erase(key(a, b));
+        const Triangles around = triangles_.at(edge_key(a, b));
+        triangles_.erase(edge_key(a, b));
         const uint32_t middle = add_middle(a, b, around);
         for (const uint32_t k : around) split_triangle(k, a, b, middle);
     }
@@ -92,7 +91,7 @@ private:
             *std::find_if(kept.begin(), kept.end(), [&](uint32_t v) { return v != a && v != middle; });
         mesh_.corners[triangle] = kept;
         mesh_.corners.push_back(moved);
-        Triangles& beyond = triangles_.at(key(b, apex));
+        Triangles& beyond = triangles_.at(edge_key(b, apex));
         std::replace(beyond.begin(), beyond.end(), triangle, added);
         add(a, middle, triangle);
         add(middle, b, added);

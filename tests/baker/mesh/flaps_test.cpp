@@ -8,8 +8,6 @@ namespace lumi::baker::testing
 namespace
 {
 
-using Numbers = std::vector<uint32_t>;
-
 constexpr uint32_t kSheetSquares = 20;
 
 uint32_t grid_vertex(uint32_t x, uint32_t y)
@@ -24,7 +22,7 @@ struct FlappedSheet {
     {
         for (uint32_t y = 0; y <= kSheetSquares; ++y)
             for (uint32_t x = 0; x <= kSheetSquares; ++x)
-                positions.push_back({static_cast<float>(x), static_cast<float>(y), 0});
+                mesh.positions.push_back({static_cast<float>(x), static_cast<float>(y), 0});
         for (uint32_t y = 0; y < kSheetSquares; ++y) {
             for (uint32_t x = 0; x < kSheetSquares; ++x) {
                 add(0, {grid_vertex(x, y), grid_vertex(x + 1, y), grid_vertex(x + 1, y + 1)});
@@ -33,25 +31,22 @@ struct FlappedSheet {
         }
     }
 
-    void add(uint32_t surface, const Numbers& triangle)
+    void add(uint32_t surface, const Mesh::Corners& triangle)
     {
-        corners.insert(corners.end(), triangle.begin(), triangle.end());
+        mesh.corners.push_back(triangle);
         surfaces.push_back(surface);
     }
 
     uint32_t vertex(const Vec3& p)
     {
-        positions.push_back(p);
-        return static_cast<uint32_t>(positions.size() - 1);
+        mesh.positions.push_back(p);
+        return static_cast<uint32_t>(mesh.positions.size() - 1);
     }
 
-    size_t left_out(double small) const
-    {
-        return (corners.size() - without_flaps(positions, corners, surfaces, small).size()) / 3;
-    }
+    size_t left_out(double small) const { return mesh.triangle_count() - without_flaps(mesh, surfaces, small).size(); }
 
-    std::vector<Vec3> positions;
-    Numbers corners, surfaces;
+    Mesh mesh;
+    std::vector<uint32_t> surfaces;  // by triangle
 };
 
 }  // namespace
@@ -62,8 +57,9 @@ TEST_CASE("A small fin is left out, and a large one stays", "[mesh]")
     sheet.add(1, {grid_vertex(5, 5), grid_vertex(6, 5), sheet.vertex({5.5f, 5, 0.2f})});  // area 0.1
     CHECK(sheet.left_out(0.2) == 1);
     CHECK(sheet.left_out(0.05) == 0);
-    const Numbers kept = without_flaps(sheet.positions, sheet.corners, sheet.surfaces, 0.2);
-    CHECK(kept == Numbers(sheet.corners.begin(), sheet.corners.end() - 3));
+    const std::vector<Mesh::Corners> kept = without_flaps(sheet.mesh, sheet.surfaces, 0.2);
+    sheet.mesh.corners.pop_back();
+    CHECK(kept == sheet.mesh.corners);
 }
 
 TEST_CASE("Of a small roof and the floor below it one stays, so that no hole is left", "[mesh]")

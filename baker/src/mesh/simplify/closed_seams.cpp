@@ -57,9 +57,8 @@ private:
 std::vector<uint32_t> border_vertices(const Mesh& mesh)
 {
     std::unordered_map<uint64_t, uint32_t> uses;
-    const auto key = [](uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); };
     for (const Mesh::Corners& c : mesh.corners)
-        for (size_t i = 0; i < 3; ++i) ++uses[key(c[i], c[(i + 1) % 3])];
+        for (size_t i = 0; i < 3; ++i) ++uses[edge_key(c[i], c[(i + 1) % 3])];
     std::vector<uint32_t> vertices;
     for (const auto& [edge, count] : uses)
         if (count == 1)

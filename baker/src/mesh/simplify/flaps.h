@@ -3,18 +3,14 @@
 // have them by the thousand.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "math/vec3.h"
+#include "geometry/mesh.h"
 
 namespace lumi::baker
 {
 
-// Corners of triangles, three by three, without those surfaces that are smaller than `small`, in square radii, that
-// hang at the rest by an edge and leave no hole in it. No body loses more than a fiftieth of its area. A body is what
-// shares no vertex with the rest. `surfaces`: by triangle, which it is of, numbers below that of the corners.
-std::vector<uint32_t> without_flaps(const std::vector<Vec3>& positions, const std::vector<uint32_t>& corners,
-                                    const std::vector<uint32_t>& surfaces, double small);
+// The triangles without those surfaces that are smaller than `small`, in square radii, that hang at the rest by an edge
+// and leave no hole in it. No body loses more than a fiftieth of its area. A body is what shares no vertex with the
+// rest. `surfaces`: by triangle, the number of the one that it is of.
+std::vector<Mesh::Corners> without_flaps(const Mesh& mesh, const std::vector<uint32_t>& surfaces, double small);
 
 }  // namespace lumi::baker

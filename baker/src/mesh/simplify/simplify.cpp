@@ -8,6 +8,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "geometry/components.h"
 #include "mesh/simplify/closed_seams.h"
 #include "mesh/simplify/flaps.h"
 #include "mesh/simplify/thin_parts.h"
@@ -98,8 +99,7 @@ Edges edges_of(const Indices& indices)
     for (uint32_t k = 0; k < indices.size(); k += 3) {
         for (uint32_t i = 0; i < 3; ++i) {
             const Side side = {k + i, k + (i + 1) % 3};
-            const uint64_t a = indices[side.from], b = indices[side.to];
-            Edge& edge = edges[std::min(a, b) << 32 | std::max(a, b)];
+            Edge& edge = edges[edge_key(indices[side.from], indices[side.to])];
             (edge.uses++ == 0 ? edge.first : edge.second) = side;
         }
     }
@@ -125,8 +125,7 @@ DisjointSets corner_sets(const Indices& indices)
 struct Parted {
     std::vector<Vec3> positions;
     Indices indices;
-    Indices originals;        // by vertex
-    bool has_copies = false;  // of an original
+    Indices originals;  // by vertex
 };
 
 Parted parted(const std::vector<Vec3>& positions, const Indices& indices)
@@ -140,37 +139,13 @@ Parted parted(const std::vector<Vec3>& positions, const Indices& indices)
         const auto [number, is_new] =
             numbers.try_emplace(sets.root(corner), static_cast<uint32_t>(result.positions.size()));
         if (is_new) {
-            const uint32_t copy = copies[indices[corner]]++;
-            const float by = kBeside * static_cast<float>(copy);
-            result.has_copies = result.has_copies || copy != 0;
+            const float by = kBeside * static_cast<float>(copies[indices[corner]]++);
             result.positions.push_back(positions[indices[corner]] + Vec3{by, by, by});
             result.originals.push_back(indices[corner]);
         }
         result.indices.push_back(number->second);
     }
     return result;
-}
-
-// Triangles but for flaps far smaller than a triangle to come. None could become fewer than one triangle, and what they
-// part could not be made coarser across, so the rest would pay for them.
-Indices without_small_flaps(const std::vector<Vec3>& positions, const Indices& indices, size_t triangles)
-{
-    constexpr double kSmall = 0.05;  // of the mean triangle to come
-    const Parted parts = parted(positions, indices);
-    if (!parts.has_copies) return indices;
-    DisjointSets joined(parts.positions.size());
-    Mesh mesh;
-    mesh.positions = positions;
-    mesh.corners = triangles_of(indices);
-    double area = 0;
-    for (uint32_t k = 0; k < mesh.triangle_count(); ++k) {
-        area += static_cast<double>(mesh.area(k));
-        joined.join(parts.indices[3 * k], parts.indices[3 * k + 1]);
-        joined.join(parts.indices[3 * k], parts.indices[3 * k + 2]);
-    }
-    Indices surfaces;
-    for (uint32_t k = 0; k < mesh.triangle_count(); ++k) surfaces.push_back(joined.root(parts.indices[3 * k]));
-    return without_flaps(positions, indices, surfaces, kSmall * area / static_cast<double>(triangles));
 }
 
 // What lies between two copies of a vertex has no area once they are one again.
@@ -189,7 +164,7 @@ Indices simplified_in_parts(size_t triangles, const std::vector<Vec3>& positions
 Fewer fewer_of(const std::vector<Vec3>& positions, const Triangles& whole, size_t triangles)
 {
     if (whole.size() <= triangles) return {whole, false};
-    const Indices all = without_small_flaps(positions, indices_of(whole), triangles);
+    const Indices all = indices_of(whole);
     Indices indices = simplified_to(triangles, all, positions);
     if (is_stalled(indices, triangles)) indices = simplified_in_parts(triangles, positions, all);
     const bool rough = is_stalled(indices, triangles);
@@ -204,14 +179,36 @@ Fewer fewer_of(const std::vector<Vec3>& positions, const Triangles& whole, size_
     return {triangles_of(indices), rough};
 }
 
+// Of a triangle, where the mesh has so many.
+double mean_area(const Mesh& mesh, size_t triangles)
+{
+    double area = 0;
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) area += static_cast<double>(mesh.area(k));
+    return area / static_cast<double>(triangles);
+}
+
 // What gapes less is closed, since edges will be longer: a tenth of the mean one, and a pixel at 240 x 240 at most.
 float seam_of(const Mesh& mesh, size_t triangles)
 {
     constexpr double kShareOfEdge = 0.1, kMost = 1.0 / 120;
-    double area = 0;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) area += static_cast<double>(mesh.area(k));
-    const double edge = std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(triangles));
+    const double edge = std::sqrt(4 / std::sqrt(3.0) * mean_area(mesh, triangles));
     return static_cast<float>(std::min(kMost, kShareOfEdge * edge));
+}
+
+// Without flaps far smaller than a triangle to come. None could become fewer than one triangle, and nothing could be
+// made coarser across them, so the rest would pay.
+Mesh without_small_flaps(Mesh mesh, size_t triangles)
+{
+    constexpr double kSmall = 0.05;  // of the mean triangle to come
+    Parted parts = parted(mesh.positions, indices_of(mesh.corners));
+    Mesh apart;
+    apart.positions = std::move(parts.positions);
+    apart.corners = triangles_of(parts.indices);
+    Components components(apart);
+    std::vector<uint32_t> surfaces;
+    for (const Mesh::Corners& c : apart.corners) surfaces.push_back(components.of(c));
+    mesh.corners = without_flaps(mesh, surfaces, kSmall * mean_area(mesh, triangles));
+    return mesh;
 }
 
 }  // namespace
@@ -219,7 +216,8 @@ float seam_of(const Mesh& mesh, size_t triangles)
 Simplified simplified(const Mesh& mesh, size_t triangles)
 {
     if (mesh.triangle_count() <= triangles) return {compact(mesh.positions, mesh.corners), false};
-    const Fewer fewer = fewer_with_thin_parts(with_closed_seams(mesh, seam_of(mesh, triangles)), triangles, fewer_of);
+    const Mesh whole = without_small_flaps(with_closed_seams(mesh, seam_of(mesh, triangles)), triangles);
+    const Fewer fewer = fewer_with_thin_parts(whole, triangles, fewer_of);
     return {compact(mesh.positions, fewer.triangles), fewer.rough};
 }
 
