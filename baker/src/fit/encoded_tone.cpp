@@ -177,4 +177,18 @@ ToneLine EncodedTone::line_at(const LevelColour& levels) const
     return line;
 }
 
+ToneLine EncodedTone::invertible_line_at(const LevelColour& levels) const
+{
+    constexpr float kLeast = 0.25f, kMost = 64;
+    ToneLine line = line_at(levels);
+    for (size_t k = 0; k < 3; ++k) {
+        std::array<float, 3>& row = line.slope[k];
+        const float rise = row[0] * line.at.r + row[1] * line.at.g + row[2] * line.at.b;
+        const float steeper = kLeast * line.levels[k] / rise;
+        if (rise > 0 && steeper > 1)
+            for (float& entry : row) entry *= std::min(steeper, kMost);
+    }
+    return line;
+}
+
 }  // namespace lumi::baker

@@ -44,9 +44,9 @@ double growth(const ToneLine& from, const ToneLine& to)
 // Tangents lie above the curve: where expectations of different views are wrong by noise, the sums are too bright.
 // Where they truly differ, the encoded mean light is brighter than the mean of what is shown. So the darker one is
 // right.
-Rgb darker_light(const TexelLight& t)
+Rgb darker_light(const EncodedTone& tone, const TexelLight& t)
 {
-    const Rgb summed = t.line.inverse(t.target);
+    const Rgb summed = tone.invertible_line_at(t.line.levels).inverse(t.target);
     return {std::min(summed.r, t.light.r), std::min(summed.g, t.light.g), std::min(summed.b, t.light.b)};
 }
 
@@ -65,7 +65,7 @@ public:
     Rectangle(const EncodedTone& tone, const std::vector<TexelLight>& light, uint32_t width)
         : tone_(tone), light_(light), width_(static_cast<int>(width)), height_(static_cast<int>(light.size()) / width_)
     {
-        for (const TexelLight& t : light) means_.push_back(t.paths == 0 ? Rgb() : darker_light(t));
+        for (const TexelLight& t : light) means_.push_back(t.paths == 0 ? Rgb() : darker_light(tone, t));
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x) lines_.push_back(line_at(x, y));
     }
@@ -96,7 +96,7 @@ private:
             sum = sum + means_[t] * static_cast<float>(light_[t].paths);
             paths += static_cast<float>(light_[t].paths);
         });
-        return tone_.line_at(cut_at_white(tone_.encoded(sum * (1 / std::max(paths, 1.0f)))));
+        return tone_.invertible_line_at(cut_at_white(tone_.encoded(sum * (1 / std::max(paths, 1.0f)))));
     }
 
     // Of texels' means where paths scatter as they do all around; negative without paths.

@@ -19,7 +19,8 @@ enum class ToneCurve : uint8_t {
 };
 inline constexpr ToneCurve kLastToneCurve = ToneCurve::agx;
 
-// Still linear; values above 1 clip later, and so do those below 0 that AgX gives to dark, strong colours.
+// Still linear; values above 1 clip later, and so do those below 0 that AgX gives to dark, strong colours. Light below
+// 0, as fits to noise may have it, is shown as none.
 Rgb toned(ToneCurve curve, const Rgb& radiance);
 
 }  // namespace lumi::baker

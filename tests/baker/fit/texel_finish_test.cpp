@@ -117,6 +117,32 @@ TEST_CASE("black and white texels have finite levels by every tone curve", "[fit
     }
 }
 
+// Near white some curves are so flat that a few levels along a tangent may be any light, also less than none.
+TEST_CASE("texels that a share of views sees as white have no other colour for it", "[fit]")
+{
+    const Rgb grey = {0.45f, 0.45f, 0.45f}, bright = {20, 20, 20};
+    for (const ToneCurve curve : {ToneCurve::srgb, ToneCurve::reinhard, ToneCurve::aces, ToneCurve::agx}) {
+        const EncodedTone tone(curve);
+        const LevelColour shown = tone.encoded(grey);
+        Sampler sampler(5, 0, 0);
+        std::vector<TexelLight> light;
+        for (uint32_t t = 0; t < kSide * kSide; ++t) {
+            sampler.start(t);
+            const float share = 0.5f + 0.4f * sampler.next_1d();
+            LevelColour expected, target;
+            for (size_t c = 0; c < 3; ++c) {
+                const float beyond = 260 + 80 * sampler.next_1d();
+                expected[c] = std::min(255.0f, share * beyond + (1 - share) * shown[c]);
+                target[c] = share * 255 + (1 - share) * shown[c];
+            }
+            const Rgb mean = bright * share + grey * (1 - share);
+            light.push_back({tone.line_at(expected), target, mean, target, 100, 20});
+        }
+        for (const LevelColour& c : finished(tone, light, kSide))
+            for (const float v : c) CHECK(v == Approx(230).margin(35));
+    }
+}
+
 TEST_CASE("a rectangle that no path met keeps its texels", "[fit]")
 {
     const EncodedTone tone(ToneCurve::srgb);

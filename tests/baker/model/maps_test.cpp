@@ -213,6 +213,8 @@ TEST_CASE("tone: the named curves have their values")
     CHECK(toned(ToneCurve::srgb, grey(3)).g == 3);
     CHECK(static_cast<double>(toned(ToneCurve::reinhard, grey(3)).g) == Approx(0.75));
     CHECK(static_cast<double>(toned(ToneCurve::aces, grey(0)).g) == 0);
+    for (const ToneCurve curve : {ToneCurve::srgb, ToneCurve::reinhard, ToneCurve::aces, ToneCurve::agx})
+        for (const float none : {-0.01f, -1.0f, -100.0f}) CHECK(toned(curve, grey(none)).g <= 0);
     CHECK(static_cast<double>(toned(ToneCurve::aces, grey(1)).g) == Approx(2.54 / 3.16));
     // Hue stays under Reinhard's curve of luminance.
     const Rgb c = toned(ToneCurve::reinhard, {2, 1, 0.5f});
