@@ -54,4 +54,18 @@ TEST_CASE("a tone's line can be inverted")
     }
 }
 
+TEST_CASE("a line that is to be inverted is steep enough near white, and a tangent elsewhere")
+{
+    for (const ToneCurve curve : kCurves) {
+        const EncodedTone tone(curve);
+        for (const float level : {1.0f, 60.0f, 150.0f, 230.0f, 252.0f, 255.0f}) {
+            const ToneLine line = tone.invertible_line_at({level, level, level});
+            CHECK(largest_difference(line.levels, tone.line_at({level, level, level}).levels) == 0);
+            const LevelColour darker = line(line.at * 0.9f);
+            CHECK(line.levels[1] - darker[1] > 0.024f * line.levels[1]);
+        }
+        CHECK(tone.invertible_line_at({90, 60, 30}).slope == tone.line_at({90, 60, 30}).slope);
+    }
+}
+
 }  // namespace lumi::baker::testing
