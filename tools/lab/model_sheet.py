@@ -8,9 +8,9 @@ FOLDER holds the models of MODELS below (Debian: python3-matplotlib):
     npm pack @webxr-input-profiles/assets@1.0.20 && tar xzf webxr*.tgz                     (as `package`)
     apt-get download sweethome3d-furniture && dpkg-deb -x sweethome3d-furniture*.deb .     (each .sh3f unpacked into `obj`)
 With --people FOLDER holds, in place of these, what Debian's packages minetest-mod-homedecor, assimp-testmodels and
-sweethome3d-furniture unpack (dpkg-deb -x), each .sh3f a folder of its files. All OBJ and glTF files there are ranked by
-the SHA-256 of their paths, and the sheet has those of the ranks that are said, from six sides: nobody chose them.
-NAMEs choose some of them. The sheet is build/model-sheet/sheet.png: path-traced, drawn from the field, and again from
+sweethome3d-furniture unpack (dpkg-deb -x), each .sh3f in place of itself, as a folder of that name. All OBJ and glTF files
+there are ranked by the SHA-256 of their paths, and the sheet has those of the ranks that are said, from six sides: nobody
+chose them. NAMEs choose some of them. The sheet is build/model-sheet/sheet.png: path-traced, drawn from the field, and again from
 the next side. What is there already is not made again: delete a model's folder there to bake it anew. --docs brings dB,
 bytes and what `lumi bake` warns of into docs/log/data/model_sheet.json (people_sheet.json), beside what that holds of
 other models."""
