@@ -179,7 +179,8 @@ ToneLine EncodedTone::line_at(const LevelColour& levels) const
 
 ToneLine EncodedTone::invertible_line_at(const LevelColour& levels) const
 {
-    constexpr float kLeast = 0.25f, kMost = 64;
+    constexpr float kLeast = 0.25f;  // share of levels for a share of light
+    constexpr float kMost = 64;      // times as steep; a strong colour's weak channel may have no rise of its own
     ToneLine line = line_at(levels);
     for (size_t k = 0; k < 3; ++k) {
         std::array<float, 3>& row = line.slope[k];
