@@ -64,9 +64,11 @@ void put(ByteWriter& out, const PatchSums& sums)
         for (size_t c = 0; c < 3; ++c) {
             put_signed(out, texel.target[c]);
             put_signed(out, texel.predicted[c]);
+            put_signed(out, texel.cut_off[c]);
             put_signed(out, texel.light[c]);
         }
         put_number(out, texel.scatter);
+        put_number(out, texel.whole_scatter);
     }
     for (const uint32_t crossed : sums.crossed) put_number(out, crossed);
     for (const std::array<int64_t, 3>& target : sums.targets)
@@ -95,9 +97,11 @@ void add(ByteReader& in, PatchSums& sums)
         for (size_t c = 0; c < 3; ++c) {
             add_to(texel.target[c], get_signed(in));
             add_to(texel.predicted[c], get_signed(in));
+            add_to(texel.cut_off[c], get_signed(in));
             add_to(texel.light[c], get_signed(in));
         }
         texel.scatter += get_number(in);
+        texel.whole_scatter += get_number(in);
     }
     for (uint32_t& crossed : sums.crossed) crossed += static_cast<uint32_t>(get_number(in));
     for (std::array<int64_t, 3>& target : sums.targets)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lumi/baker/bake.h"
 
@@ -12,6 +13,7 @@ namespace
 {
 
 constexpr float kWhite = 255;
+constexpr float kMostOff = 600;  // levels between target and expectation (docs/log/view-tables.md)
 
 std::array<int64_t, 3> fixed(const LevelColour& levels)
 {
@@ -27,6 +29,23 @@ std::array<int64_t, 3> fixed(const Rgb& radiance)
         return int64_t{std::llround(std::min(static_cast<double>(v) / kLightUnit, kMost))};
     };
     return {step(radiance.r), step(radiance.g), step(radiance.b)};
+}
+
+uint64_t square(int64_t difference)
+{
+    const int64_t off = difference >> kScatterShift;
+    return static_cast<uint64_t>(off * off);
+}
+
+// The difference from what is expected keeps its hue: a channel that is cut alone would tint.
+LevelColour cut(const LevelColour& target, const LevelColour& expected)
+{
+    float most = 0;
+    for (size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(target[c] - expected[c]));
+    if (most <= kMostOff) return target;
+    LevelColour result;
+    for (size_t c = 0; c < 3; ++c) result[c] = expected[c] + kMostOff / most * (target[c] - expected[c]);
+    return result;
 }
 
 }  // namespace
@@ -96,7 +115,7 @@ void require_few_enough(uint32_t texel_samples)
         throw BakeError("a texel got a million light paths, more than sums can hold; choose fewer --paths");
 }
 
-LevelColour FitSums::target_of(const FitSample& sample, const LevelColour& expected) const
+LevelColour FitSums::whole_target(const FitSample& sample, const LevelColour& expected) const
 {
     LevelColour target = tone_.line_at(expected)(sample.radiance);
     for (size_t c = 0; c < 3; ++c) target[c] = white_ == White::clips && expected[c] > kWhite ? kWhite : target[c];
@@ -107,13 +126,16 @@ void FitSums::add_target(PatchSums& sums, const std::vector<LevelColour>& nodes,
                          const SampleTaps& taps) const
 {
     const LevelColour expected = predicted(expected_, nodes, sample, taps);
-    const std::array<int64_t, 3> target = fixed(target_of(sample, expected)), p = fixed(expected);
+    const LevelColour all = whole_target(sample, expected), near = cut(all, expected);
+    const std::array<int64_t, 3> target = fixed(near), whole = sample.diffuse ? fixed(all) : target,
+                                 p = fixed(expected);
     TexelSums& texel = sums.texels[texel_in(sample.triangle / 2, sample)];
     for (size_t c = 0; c < 3; ++c) {
         texel.target[c] += target[c];
         texel.predicted[c] += p[c];
-        const int64_t off = (target[c] - p[c]) >> kScatterShift;
-        texel.scatter += static_cast<uint64_t>(off * off);
+        texel.cut_off[c] += whole[c] - target[c];
+        texel.scatter += square(target[c] - p[c]);
+        texel.whole_scatter += square(whole[c] - p[c]);
     }
     for (uint32_t i = 0; i < taps.count; ++i)
         for (size_t c = 0; c < 3; ++c) sums.targets[taps.taps[i].node][c] += taps.taps[i].weight_q12 * target[c];
@@ -143,7 +165,11 @@ void FitSums::add(uint32_t patch, const FitSample* begin, const FitSample* end)
 void FitSums::add_again(uint32_t patch, const FitSample* begin, const FitSample* end)
 {
     PatchSums& sums = patches_[patch];
-    for (TexelSums& texel : sums.texels) texel = {texel.count, {}, {}, texel.light, 0};
+    for (TexelSums& texel : sums.texels) {
+        const TexelSums before = std::exchange(texel, {});
+        texel.count = before.count;
+        texel.light = before.light;
+    }
     sums.targets.assign(kPatchNodes, {});
     const std::vector<LevelColour> nodes = patch_nodes(shape_, expected_, patch);
     for (const FitSample* s = begin; s != end; ++s) add_target(sums, nodes, *s, taps_of(shape_, *s));

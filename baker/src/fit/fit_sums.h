@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The normal equations of a surface field's fit, summed over samples as integers: the same sums in any order.
 //
-// A sample's target is (texel) + Σ weight · (node). With 12 bits of weight and targets in 1/64 level, below 2^15
+// A sample's target is (texel) + Σ weight · (node). Rare bright paths would tint tables, so targets are cut near what
+// is expected. Texels get back what was cut off diffuse light, which all sides see: light through a small hole is kept.
+//
+// With 12 bits of weight and targets in 1/64 level, below 2^15
 // levels, 64-bit sums hold 2^30 samples a patch, and the 32-bit ones below 2^20 samples a texel. Radiance counts as
 // 2^20 at most.
 #pragma once
@@ -21,8 +24,10 @@ inline constexpr double kScatterUnit = kLevelUnit * kLevelUnit * (1 << (2 * kSca
 struct TexelSums {
     uint32_t count = 0;
     std::array<int64_t, 3> target{}, predicted{};
-    std::array<int64_t, 3> light{};  // radiance, in kLightUnit
-    uint64_t scatter = 0;            // squares of target - prediction, all channels, in kScatterUnit
+    std::array<int64_t, 3> cut_off{};  // of targets of diffuse light
+    std::array<int64_t, 3> light{};    // radiance, in kLightUnit
+    // Squares of target - prediction, all channels, in kScatterUnit; without and with what was cut off.
+    uint64_t scatter = 0, whole_scatter = 0;
 
     // The variance of one sample's channel, levels².
     double variance() const { return count == 0 ? 0 : kScatterUnit * static_cast<double>(scatter) / (3.0 * count); }
@@ -81,7 +86,7 @@ struct PatchSums {
     NodePairs pairs;
 };
 
-// Count and scatter of all texels together.
+// Count and scatter of all texels together, without what was cut off.
 TexelSums scatter_of(const PatchSums& patch);
 
 // What is brighter than white shows as white: a fit may count it as that, once it is known well what is.
@@ -108,7 +113,7 @@ public:
     const std::vector<PatchSums>& patches() const { return patches_; }
 
 private:
-    LevelColour target_of(const FitSample& sample, const LevelColour& expected) const;
+    LevelColour whole_target(const FitSample& sample, const LevelColour& expected) const;
     void add_target(PatchSums& sums, const std::vector<LevelColour>& nodes, const FitSample& sample,
                     const SampleTaps& taps) const;
     uint32_t texel_in(uint32_t patch, const FitSample& sample) const

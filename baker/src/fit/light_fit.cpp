@@ -114,7 +114,7 @@ SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
         std::iota(batches.begin(), batches.end(), first);
         const uint64_t end = job.part_of_rest(0) + uint64_t{SampleTracer::kLines} * batches.size();
         SampleBatches some = stages.once<SampleBatches>(
-            "pilot light", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, nullptr, job); }, first);
+            "pilot paths", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, nullptr, job); }, first);
         job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
         stages.require_shape(are_of(some, shape_));
         std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -146,7 +146,7 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
             FitSolver(sums, smoothness, viewable, job).solve(done.model, kPilotIterations);
             return done;
         };
-        PilotRound done = stages.once<PilotRound>("pilot round", next, round);
+        PilotRound done = stages.once<PilotRound>("pilot fit", next, round);
         const size_t chances = done.extra_chances.size();
         stages.require_shape(is_of(done.model, shape_) && (chances == 0 || chances == shape_.mesh.patches.size()));
         state.expected = std::move(done.model);

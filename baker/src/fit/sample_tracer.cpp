@@ -104,12 +104,12 @@ bool SampleTracer::scene_is_there(const Line& line, Sampler sampler) const
     return std::abs(first_meeting(scene_, line.ray, sampler) - line.hit.distance) <= kMaxDepthError;
 }
 
-FitSample SampleTracer::sample(const Line& line, const Rgb& radiance) const
+FitSample SampleTracer::sample(const Line& line, const PathResult& path) const
 {
     const Vec3 eye = eye_of(line.ray);
     return {
         line.hit.triangle, texel_of(line.hit), q12(line.hit.u), q12(line.hit.v), {q12(eye.x), q12(eye.y), q12(eye.z)},
-        radiance};
+        path.radiance,     path.diffuse};
 }
 
 std::vector<FitSample> SampleTracer::samples(uint64_t seed, uint32_t batch, const ExtraLines* extra) const
@@ -126,7 +126,7 @@ std::vector<FitSample> SampleTracer::samples(uint64_t seed, uint32_t batch, cons
             l = line(*r, sampler);
         if (!l) continue;
         const PathResult path = tracer_.trace(l->ray, sampler);
-        if (path.covered) result.push_back(sample(*l, path.radiance));
+        if (path.covered) result.push_back(sample(*l, path));
     }
     return result;
 }

@@ -17,6 +17,7 @@ struct FitSample {
     int16_t second_q12, third_q12;  // barycentric weights of the triangle's corners
     EyePoint eye;                   // on the line
     Rgb radiance;
+    bool diffuse;  // so all sides see this light
 };
 
 // What the light along a line says of a see-through texel on its way.
@@ -33,7 +34,7 @@ using SampleBatches = std::vector<std::vector<FitSample>>;
 template <class Io>
 void fields(Io& io, FitSample& s)
 {
-    io(s.triangle, s.texel, s.second_q12, s.third_q12, s.eye.x, s.eye.y, s.eye.z, s.radiance);
+    io(s.triangle, s.texel, s.second_q12, s.third_q12, s.eye.x, s.eye.y, s.eye.z, s.radiance, s.diffuse);
 }
 // Whether all lie on the mesh.
 bool are_of(const SampleBatches& batches, const FitShape& shape);
@@ -75,7 +76,7 @@ private:
     std::optional<Line> line_to(const Ray& ray, const Hit& in_scene) const;
     bool is_see_through(const Hit& in_scene) const;
     uint32_t texel_of(const Hit& hit) const;
-    FitSample sample(const Line& line, const Rgb& radiance) const;
+    FitSample sample(const Line& line, const PathResult& path) const;
 
     const SceneData& scene_;
     const FitShape& shape_;

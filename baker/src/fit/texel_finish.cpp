@@ -19,12 +19,6 @@ LevelColour added(const LevelColour& a, const LevelColour& b, float sign)
     return {a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]};
 }
 
-// What view tables add to it.
-LevelColour tables_of(const TexelLight& t)
-{
-    return added(t.target, t.texel, -1);
-}
-
 LevelColour cut_at_white(const LevelColour& levels)
 {
     return {std::min(levels[0], 255.0f), std::min(levels[1], 255.0f), std::min(levels[2], 255.0f)};
@@ -75,13 +69,13 @@ public:
         std::vector<LevelColour> texels;
         for (size_t t = 0; t < light_.size(); ++t) {
             const TexelLight& own = light_[t];
-            texels.push_back(own.paths == 0 ? own.texel : added(lines_[t](means_[t]), tables_of(own), -1));
+            texels.push_back(own.paths == 0 ? own.target : added(lines_[t](means_[t]), own.tables, -1));
         }
         smooth_noise(texels.data(), variances(), static_cast<uint32_t>(width_));
         for (size_t t = 0; t < light_.size(); ++t) {
             if (light_[t].paths == 0) continue;
-            const LevelColour levels = added(texels[t], tables_of(light_[t]), 1);
-            texels[t] = added(tone_.encoded(lines_[t].inverse(levels)), tables_of(light_[t]), -1);
+            const LevelColour levels = added(texels[t], light_[t].tables, 1);
+            texels[t] = added(tone_.encoded(lines_[t].inverse(levels)), light_[t].tables, -1);
         }
         return texels;
     }

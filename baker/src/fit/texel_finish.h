@@ -13,9 +13,9 @@ namespace lumi::baker
 // What is known of a texel.
 struct TexelLight {
     ToneLine line;       // about which its paths were summed: around the mean of what was expected of them
-    LevelColour target;  // the mean of the sums; nothing without paths
+    LevelColour target;  // the mean of the sums; without paths the texel itself
     Rgb light;           // the mean radiance
-    LevelColour texel;   // the target less what view tables add
+    LevelColour tables;  // the mean of what view tables add
     double scatter;      // sum over paths of squares from what was predicted, levels² a channel
     uint32_t paths;
 };

@@ -81,15 +81,18 @@ constexpr double kSolveWork = 60;  // light paths a texel that take as long
 TexelLight light_of(const EncodedTone& tone, const TexelSums& sums, const LevelColour& texel)
 {
     const double unit = kLevelUnit / std::max(sums.count, 1u);
-    LevelColour expected, target;
+    LevelColour expected, target, tables;
     float light[3];
     for (size_t c = 0; c < 3; ++c) {
+        const double shown = unit * static_cast<double>(sums.target[c]);
+        tables[c] = static_cast<float>(shown) - texel[c];
+        target[c] = static_cast<float>(shown + unit * static_cast<double>(sums.cut_off[c]));
         light[c] = static_cast<float>(kLightUnit * static_cast<double>(sums.light[c]) / std::max(sums.count, 1u));
         expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(sums.predicted[c])));
-        target[c] = static_cast<float>(unit * static_cast<double>(sums.target[c]));
     }
     const Rgb mean = {light[0], light[1], light[2]};
-    return {tone.line_at(expected), target, mean, texel, sums.variance() * sums.count, sums.count};
+    const double scatter = kScatterUnit / 3 * static_cast<double>(sums.whole_scatter);
+    return {tone.line_at(expected), sums.count == 0 ? texel : target, mean, tables, scatter, sums.count};
 }
 
 void finish_texels(const FitState& state, FitModel& model)

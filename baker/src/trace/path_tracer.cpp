@@ -12,6 +12,7 @@ namespace
 constexpr int kRouletteAfter = 2;       // bounces on other things than glass that every path makes
 constexpr float kWorthTwoRays = 0.03f;  // of the light of white: what may add less is looked for by chance
 constexpr float kOnCatcher = 1e-5f;     // radii; far above the rounding error of a hit
+constexpr float kMattPdf = 1 / kPi;     // the highest of a matt surface
 constexpr float kMaxSurvival = 0.95f;   // even a white path ends some time; out of a medium it finds by itself
 
 // Veach's power heuristic with exponent 2.
@@ -228,6 +229,7 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         const Bsdf bsdf = bsdf_at(point, sampler);
         result.radiance = result.radiance + direct_light(scene_, walk, point, bsdf, wo, sampler);
         if (!scatter(walk, point, bsdf, wo, sampler)) break;
+        if (bounce == 0) result.diffuse = walk.pdf <= kMattPdf;
         ++bounce;
         // What shines through glass is only found by paths that go on: glass ends none.
         if (point.material->glass) continue;

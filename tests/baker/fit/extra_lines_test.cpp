@@ -82,7 +82,7 @@ void add_light(FitSums& sums, uint32_t patch, uint32_t paths_a_texel, float nois
     for (uint32_t k = 0; k < paths_a_texel * r.size(); ++k) {
         sampler.start(k);
         const float light = 0.2f + noise * (sampler.next_1d() - 0.5f);
-        samples.push_back({2 * patch, r.begin + k % r.size(), 1000, 1000, {0, 0, 12288}, {light, light, light}});
+        samples.push_back({2 * patch, r.begin + k % r.size(), 1000, 1000, {0, 0, 12288}, {light, light, light}, true});
     }
     sums.add(patch, samples.data(), samples.data() + samples.size());
 }

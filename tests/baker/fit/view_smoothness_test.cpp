@@ -38,7 +38,8 @@ std::vector<FitSample> paths(const FitShape& shape, float shine)
                            q12(u),
                            q12(v),
                            {q12(x), q12(4 * eye.y - 2), q12(2)},
-                           Rgb{light, light, light}});
+                           Rgb{light, light, light},
+                           true});
     }
     return samples;
 }

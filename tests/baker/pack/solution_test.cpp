@@ -45,7 +45,8 @@ std::vector<FitSample> paths_to(const FitShape& shape, uint32_t patch, const Rgb
                            q12(second),
                            q12(third),
                            {q12(4 * eye.x - 2), q12(4 * eye.y - 2), q12(2)},
-                           radiance});
+                           radiance,
+                           true});
     }
     return samples;
 }

@@ -35,7 +35,8 @@ struct Tables {
                                q12(place.x / 2),
                                q12(place.y / 2),
                                {q12(6 * eye.x - 3), q12(6 * eye.y - 3), q12(3 * sampler.next_1d())},
-                               Rgb{}});
+                               Rgb{},
+                               false});
         }
         sums.add(patch, samples.data(), samples.data() + samples.size());
     }

@@ -147,6 +147,26 @@ TEST_CASE("path tracer: the sky is not seen, a pane covers by its opacity")
     CHECK(covered.value() == Approx(0.3).margin(kSigmas * covered.error()));
 }
 
+TEST_CASE("path tracer: light from a matt surface is diffuse, from a mirror it is not, and from plastic by chance")
+{
+    const auto share = [](const Material& material) {
+        SceneMaker maker;
+        maker.quad(maker.add(material), {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
+        const Scene scene = maker.make(constant_environment(1));
+        const PathTracer tracer(scene.data());
+        Mean mean;
+        for (uint32_t k = 0; k < 4000; ++k) {
+            Sampler sampler(1, k, 0);
+            mean.add(tracer.trace({{0.1f, 0.1f, 1}, {0, 0, -1}}, sampler).diffuse ? 1 : 0);
+        }
+        return mean.value();
+    };
+    CHECK(share(testing::diffuse(grey(0.5f))) == 1);
+    CHECK(share(testing::metal(grey(0.9f), 0.01f)) < 0.01);
+    CHECK(share(testing::glossy(grey(0.8f), 0.1f)) > 0.75);
+    CHECK(share(testing::glossy(grey(0.01f), 0.1f)) < 0.35);
+}
+
 // The slope of log error against log samples, by least squares over five doublings of four. Sobol' points may only
 // steepen it.
 TEST_CASE("path tracer: the error falls as one over the root of the number of samples, or faster")
