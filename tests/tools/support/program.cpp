@@ -52,11 +52,13 @@ Arguments with_program(Arguments arguments)
     return arguments;
 }
 
-void wait_for_text(const std::string& path)
+// A warning may come before the work begins.
+void wait_for_progress(const std::string& path)
 {
     constexpr auto kPause = std::chrono::milliseconds(20);
     constexpr int kPatience = 1500;  // 30 s
-    for (int i = 0; i < kPatience && content_of(path).empty(); ++i) std::this_thread::sleep_for(kPause);
+    for (int i = 0; i < kPatience && content_of(path).find(" %") == std::string::npos; ++i)
+        std::this_thread::sleep_for(kPause);
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ Outcome lumi_interrupted(Arguments arguments)
     return run(
         with_program(std::move(arguments)),
         [](pid_t child, const std::string& err) {
-            wait_for_text(err);
+            wait_for_progress(err);
             kill(child, SIGINT);
         });
 }

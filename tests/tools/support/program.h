@@ -30,7 +30,7 @@ Outcome run_program(const Arguments& arguments);
 // The `lumi` that was built.
 Outcome lumi(Arguments arguments);
 
-// Starts `lumi`, sends SIGINT once it has written to stderr, waits for its end.
+// Starts `lumi`, sends SIGINT once it has written the progress of its work, waits for its end.
 Outcome lumi_interrupted(Arguments arguments);
 
 }  // namespace lumi::tools::test
