@@ -4,9 +4,8 @@
 // A sample's target is (texel) + Σ weight · (node). Rare bright paths would tint tables, so targets are cut near what
 // is expected. Texels get back what was cut off diffuse light, which all sides see: light through a small hole is kept.
 //
-// With 12 bits of weight and targets in 1/64 level, below 2^15
-// levels, 64-bit sums hold 2^30 samples a patch, and the 32-bit ones below 2^20 samples a texel. Radiance counts as
-// 2^20 at most.
+// With 12 bits of weight and targets in 1/64 level, below 2^15 levels, 64-bit sums hold 2^30 samples a patch, and the
+// 32-bit ones below 2^20 samples a texel. Radiance counts as 2^20 at most.
 #pragma once
 
 #include "fit/fit_model.h"

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "math/sampler.h"
+#include "support/brute_force.h"
 
 namespace lumi::baker::testing
 {
@@ -51,7 +52,39 @@ std::vector<FitSample> paths_to(const FitShape& shape, uint32_t patch, const Rgb
     return samples;
 }
 
+// The mean red of texels, where one path of eleven is bright, as kept sums of such paths show them.
+double mean_shown(bool diffuse)
+{
+    constexpr uint32_t kRarity = 11;
+    const FitShape shape = squares_in_a_row();
+    const EncodedTone tone(ToneCurve::srgb);
+    FitState state(shape, tone), kept(shape, tone);
+    for (LevelColour& texel : state.expected.texels) texel = tone.encoded({0.1f, 0.1f, 0.1f});
+    for (uint32_t p = 0; p < kSquares; ++p) {
+        std::vector<FitSample> samples = paths_to(shape, p, {0.1f, 0.1f, 0.1f});
+        for (size_t k = 0; k < samples.size(); ++k) {
+            samples[k].diffuse = diffuse;
+            if (k % kRarity == 0) samples[k].radiance = {4, 4, 4};
+        }
+        state.sums.add(p, samples.data(), samples.data() + samples.size());
+    }
+    REQUIRE(add_encoded(encode(state), kept));
+    Job job(solution_work(shape), 1, {});
+    BakeStages stages({}, {});
+    const FieldParts parts = solved(kept, false, {{0, 0, 0}, 1}, stages, job);
+    Mean mean;
+    for (const PatchRectangle& r : shape.layout.rectangles)
+        for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) mean.add(parts.palette[parts.texels[t]].r);
+    return mean.value();
+}
+
 }  // namespace
+
+TEST_CASE("rare bright light is whole in texels where all sides see it, and cut where few do", "[surface]")
+{
+    CHECK(mean_shown(true) == Approx(180).margin(5));   // (10 · 0.1 + 4)/11, encoded
+    CHECK(mean_shown(false) == Approx(131).margin(5));  // the same, the bright paths 600 levels off
+}
 
 TEST_CASE("a patch that no path met takes the colour around it, wherever its texels lie", "[surface]")
 {

@@ -27,6 +27,13 @@ Mean along(const Scene& scene, const Ray& ray, uint32_t paths)
     return mean;
 }
 
+Scene square_of(const Material& material)
+{
+    SceneMaker maker;
+    maker.quad(maker.add(material), {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
+    return maker.make(constant_environment(1));
+}
+
 }  // namespace
 
 TEST_CASE("path tracer: a convex diffuse body in constant light has radiance albedo × light everywhere")
@@ -130,11 +137,9 @@ TEST_CASE("path tracer: roulette ends no path between a dark body and the glass 
 // Chosen without regard to where they are, a thousand small lamps around a ball still give what looking for them gives.
 TEST_CASE("path tracer: the sky is not seen, a pane covers by its opacity")
 {
-    SceneMaker maker;
     Material pane = testing::diffuse(grey(0.5f));
     pane.opacity = 0.3f;
-    maker.quad(maker.add(pane), {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
-    const Scene scene = maker.make(constant_environment(1));
+    const Scene scene = square_of(pane);
     const PathTracer tracer(scene.data());
     Mean covered;
     for (uint32_t k = 0; k < 10000; ++k) {
@@ -150,9 +155,7 @@ TEST_CASE("path tracer: the sky is not seen, a pane covers by its opacity")
 TEST_CASE("path tracer: light from a matt surface is diffuse, from a mirror it is not, and from plastic by chance")
 {
     const auto share = [](const Material& material) {
-        SceneMaker maker;
-        maker.quad(maker.add(material), {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
-        const Scene scene = maker.make(constant_environment(1));
+        const Scene scene = square_of(material);
         const PathTracer tracer(scene.data());
         Mean mean;
         for (uint32_t k = 0; k < 4000; ++k) {

@@ -56,13 +56,17 @@ def flash(row):
     return byte_text(row["flash_bytes"]) if row["flash_bytes"] else "–"
 
 
+def how(row):
+    return row["layout"] + (", turntable" if row["views"] == "ring" else "")
+
+
 def flash_table():
     def place(block):
         return f"{decimal(block['psnr_db'])} ({block['view'] + 1}: {block['x']}, {block['y']})"
     return Table(
         ["scene", "layout", "flash", "triangles", "PSNR dB", "SSIM", "CW-SSIM", "FLIP", "mask PSNR", "worst view",
          "worst block", "instructions a pixel, M4 · M0+"],
-        [[row["scene"], row["layout"] + (", turntable" if row["views"] == "ring" else ""), flash(row),
+        [[row["scene"], how(row), flash(row),
           or_none(row.get("triangles")), decimal(row["psnr_db"], 2), decimal(row["ssim"], 4), decimal(row["cw_ssim"], 4),
           decimal(row["flip"], 4), decimal(row["mask_psnr_db"], 2),
           f"{decimal(row['worst_view']['psnr_db'])} ({row['worst_view']['view'] + 1})", place(row["worst_block"]),
@@ -73,7 +77,7 @@ def low_rows():
     """Which rows have a view far below their mean."""
     def below(row):
         return row["worst_view"]["psnr_db"] - row["psnr_db"]
-    low = [f"{row['scene']}, {row['layout']}, {flash(row)} ({below(row):.1f} dB)" for row in load("quality")["rows"]
+    low = [f"{row['scene']}, {how(row)}, {flash(row)} ({below(row):.1f} dB)" for row in load("quality")["rows"]
            if row["layout"] in MODES and below(row) < -MOST_BELOW_MEAN_DB]
     return f"Rows whose worst view lies more than {MOST_BELOW_MEAN_DB} dB below the mean: {'; '.join(low) or 'none'}.\n"
 
