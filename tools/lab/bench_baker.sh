@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/bench_baker.sh [--smoke] [speed] [adaptive] [footprint]
-# Measures the baker and writes the tables of docs/log/baker.md, each between two marker comments; without a name, all of
+# Measures the baker and writes the tables of docs/log/speed.md, each between two marker comments; without a name, all of
 # them. speed: convergence, threads and memory; times are those of this machine: leave it alone for the two minutes.
 # adaptive: what adaptive sampling leaves out. footprint: what footprints and beams show. The last two are the same on
 # every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # tools/lab/pictures.sh [readme] [smooth] [traced] [drawn] [NAME...]
 # Makes pictures of the documents anew, from the scenes of the project; without arguments all of them. readme: those of
-# README. smooth: the clock's case and plate at 480 x 480 pixels, for docs/log/view-tables.md. traced: the scenes of
+# README. smooth: the clock's case and plate at 480 x 480 pixels, for docs/log/surface.md. traced: the scenes of
 # docs/scenes.md with 512 light paths a pixel, a minute each. drawn: the same from fields that a bake without options
 # makes, and how like the traced ones they are. NAME: of these alone, such as product-front.
 set -euo pipefail

@@ -5,7 +5,7 @@
 # orbits, image sizes, stripes, pixel formats and modes of two surface fields, one of them with see-through parts, and a
 # chord field, with guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes
 # must be the frame drawn whole, by whichever of the two ways it was prepared, on one core or in halves. Sums up what was
-# drawn; --docs writes that into docs/log/tests.md and SECURITY.md. The first fault ends it before anything is written,
+# drawn; --docs writes that into SECURITY.md. The first fault ends it before anything is written,
 # and names the seed that shows it again.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr float kWhite = 255;
-constexpr float kMostOff = 600;  // levels between target and expectation (docs/log/view-tables.md)
+constexpr float kMostOff = 600;  // levels between target and expectation (docs/log/surface.md)
 
 std::array<int64_t, 3> fixed(const LevelColour& levels)
 {

@@ -14,7 +14,7 @@ namespace
 
 using detail::format::kViewNodes;
 
-// Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/view-tables.md).
+// Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/surface.md).
 constexpr double kLeastDifference = 8;
 // With a table at every vertex. Where some get none, codes have more bits.
 constexpr uint32_t kPlannedCodeBits = 3;

@@ -12,7 +12,7 @@ namespace
 {
 
 // Samples of the lights that a point takes. In a medium, where a path has many points, a second one does not pay
-// (docs/log/baker.md).
+// (docs/log/speed.md).
 constexpr float kSamplesOnSurfaces = 2, kSamplesInMedium = 1;
 
 Vec3 to_sphere_axes(const Vec3& v, UpAxis up)

@@ -4,7 +4,7 @@
 // The standard error of the mean of independent paths, carried through tone curve and encoding. Our paths are
 // stratified, so it is an upper estimate. A texel that happened to miss a rare bright path looks quieter than it is,
 // and a rule that stops at quiet moments would darken pictures: so one path more is assumed, kUnseen times as bright as
-// the brightest so far. What is left of that bias is measured in docs/log/baker.md.
+// the brightest so far. What is left of that bias is measured in docs/log/speed.md.
 #pragma once
 
 #include "image/tone.h"

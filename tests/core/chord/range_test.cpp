@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Spans at the edges of what a camera, a field and a stripe may be: under UndefinedBehaviorSanitizer no intermediate
-// overflows (docs/log/formats.md states ranges), and everywhere the picture is the exact one's.
+// overflows (docs/field-format.md states ranges), and everywhere the picture is the exact one's.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -12,7 +12,7 @@ namespace lumi::tools
 {
 
 // The picture of "linear" is that since Linear is continuous, those of "nearest" and "paper" since distances are those
-// of differences: one pixel shows another point, and 151 of 6,144 differ by one level (docs/log/exact.md).
+// of differences: one pixel shows another point, and 151 of 6,144 differ by one level (docs/log/chord.md).
 TEST_CASE("a chord field of an earlier version draws the pictures that it drew then")
 {
     const test::TemporaryFolder folder;

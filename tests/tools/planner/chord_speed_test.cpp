@@ -89,7 +89,7 @@ double waiting_share(const char* part, const Field& field, Mode mode)
 
 TEST_CASE("the planner's instructions of a frame are what the bench counted, in other views too")
 {
-    // docs/log/cost-model.md has the errors of all fields and modes.
+    // docs/log/tradeoff.md has the worst errors.
     constexpr double kError = 0.05;
     const Opened opened(1024, 2048, TexelFormat::rgb565);
     const std::tuple<const char*, Mode, int> drawn[] = {{"nearest", Mode::nearest, 16},

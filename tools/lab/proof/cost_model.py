@@ -8,7 +8,7 @@ QEMU: six surface fields and six chord fields, in three views, by every mode, an
 
 --fit writes the model's costs anew, tools/src/planner/instruction_costs.h, from those counts, those of other
 heights of stripes and those of poses all around; then build `lumi-lab` again. --docs writes
-docs/log/data/cost-model.json; pages.py writes docs/log/cost-model.md. What was counted of the same program and field
+docs/log/data/cost-model.json; pages.py writes docs/log/tradeoff.md. What was counted of the same program and field
 stays in FOLDER [build/model], so a stop loses little. LUMI and LUMI_LAB name programs, as for lumi-lab bench.
 """
 import argparse

@@ -10,7 +10,7 @@ namespace lumi::tools
 {
 
 // Shares of the light paths that meet a scene: if more miss its mesh, --layout auto takes a chord field. The edge of a
-// volume is soft, so many of its paths stop off the mesh and no hole is seen (docs/log/volumes.md). Leaves that are
+// volume is soft, so many of its paths stop off the mesh and no hole is seen (docs/log/surface.md). Leaves that are
 // left out of a cloud of them may be as many.
 inline constexpr double kMostMissed = 0.05, kMostMissedOfVolume = 0.25;
 // The same of what the mesh adds or displaces, other than in volumes.

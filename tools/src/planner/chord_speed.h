@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fast parts draw a chord field: a model of instructions, fitted to what boards executed (docs/log/cost-model.md),
+// How fast parts draw a chord field: a model of instructions, fitted to what boards executed (docs/log/tradeoff.md),
 // and of what the field's own rows of texels miss in the parts' caches.
 #pragma once
 

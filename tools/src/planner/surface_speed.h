@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How fast parts draw a surface field: a model of instructions, fitted to what boards executed
-// (docs/log/cost-model.md).
+// (docs/log/tradeoff.md).
 #pragma once
 
 #include <string>

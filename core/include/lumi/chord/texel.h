@@ -3,7 +3,7 @@
 //
 // A texel policy has `kFormat`, `kName`, and `load(field, row, j)`; row is Field::row(i), not null, and j < N. Writers
 // call `store(texel, colour)`: the bytes of a ray that hits; with `kIndexed` a texel is an index into the palette
-// instead. A new format is a policy here, in AllTexels, and a number in field_format.h (docs/log/formats.md). RGB888,
+// instead. A new format is a policy here, in AllTexels, and a number in field_format.h (docs/log/chord.md). RGB888,
 // RGB565 and luma8 keep one value (all bits zero) for "the ray misses the scene"; encoders move true black to the
 // nearest other value, so a black object stays visible. A palette entry carries its coverage.
 #pragma once
