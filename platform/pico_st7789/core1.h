@@ -8,7 +8,7 @@ namespace core1
 {
 
 void start();
-// Begins job(argument) on core 1. Its stack takes what docs/boards.md says.
+// Begins job(argument) on core 1. Its stack takes what docs/firmware.md says.
 void run(void (*job)(int32_t), int32_t argument);
 // Until that job has ended.
 void wait();

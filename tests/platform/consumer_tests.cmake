@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# A project that knows nothing of this one uses core in the two ways that docs/boards.md shows.
+# A project that knows nothing of this one uses core in the two ways that core/README.md shows.
 set(lumi_consumer ${CMAKE_CURRENT_SOURCE_DIR}/consumer)
 set(lumi_consumer_build ${CMAKE_CURRENT_BINARY_DIR}/consumer)
 set(lumi_test_prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)

@@ -6,7 +6,7 @@
 Reads the names that core's public headers declare, from the headers themselves.
 
 page            docs/api.md has a row for each name of namespace lumi, under its header, and no other row; the table of
-                docs/c.md has each call of lumi.h, and no other.
+                core/README.md has each call of lumi.h, and no other.
 page_self_test  Plants a missing row, a row too many, a wrong header and a missing call, and fails if one is not found.
 firmware        A firmware that has a global of its own for every name of namespace lumi::detail, and for every short name
                 that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
@@ -26,7 +26,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = ROOT / "core" / "include"
 HEADERS = sorted(path for path in (INCLUDE / "lumi").rglob("*.h") if path.name != "lumi.h")
 PAGE = ROOT / "docs" / "api.md"
-C_HEADER, C_PAGE = INCLUDE / "lumi" / "lumi.h", ROOT / "docs" / "c.md"
+C_HEADER, C_PAGE = INCLUDE / "lumi" / "lumi.h", ROOT / "core" / "README.md"
 
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
@@ -174,8 +174,8 @@ def c_page_problems(page, header):
     calls = set(re.findall(r"^[a-z][\w *]*[ *](lumi_\w+)\(", COMMENT.sub("", header), re.MULTILINE))
     rows = "\n".join(re.findall(r"^\| (`lumi_.*?) \|", page, re.MULTILINE))
     told = set(re.findall(r"`(lumi_\w+)`", rows))
-    return [f"docs/c.md: no row has {name}" for name in sorted(calls - told)] + \
-           [f"docs/c.md: {name} is no call of lumi.h" for name in sorted(told - calls)]
+    return [f"core/README.md: no row has {name}" for name in sorted(calls - told)] + \
+           [f"core/README.md: {name} is no call of lumi.h" for name in sorted(told - calls)]
 
 
 def check_page():

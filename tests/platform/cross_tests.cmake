@@ -13,7 +13,7 @@ set(lumi_boards ${PROJECT_SOURCE_DIR}/platform/mps2/boards.cmake)
 include(${lumi_boards})
 
 # Deepest stack of render(), of render_spans(), and of prepare_surface() and render_surface(), on any of the CPUs, as
-# docs/boards.md states it.
+# docs/firmware.md states it.
 set(LUMI_STACK_LIMIT 1024)
 set(LUMI_SPAN_STACK_LIMIT 2624)
 set(LUMI_SURFACE_STACK_LIMIT 3072)

@@ -22,7 +22,7 @@ if(NOT report MATCHES "${pattern}")
   message(FATAL_ERROR "this is not a frame's report")
 endif()
 if(CMAKE_MATCH_1 GREATER STACK_LIMIT)
-  message(FATAL_ERROR "the stack went to ${CMAKE_MATCH_1} bytes; docs/boards.md states ${STACK_LIMIT}")
+  message(FATAL_ERROR "the stack went to ${CMAKE_MATCH_1} bytes; docs/firmware.md states ${STACK_LIMIT}")
 endif()
 
 # "P6\n240 240\n255\n" and three bytes a pixel

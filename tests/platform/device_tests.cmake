@@ -17,6 +17,6 @@ foreach(example riscv lm3s_oled gba pico_st7789 simulator overlay)
 endforeach()
 set_tests_properties(devices.overlay PROPERTIES DEPENDS "devices.riscv;devices.simulator")  # which build its programs
 
-# RAM and stack that docs/boards.md states for README's firmware, measured.
+# RAM and stack that docs/firmware.md states for README's firmware, measured.
 add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/lab/board_memory.sh --check ${lumi_cpus})
 set_tests_properties(devices.memory PROPERTIES FIXTURES_REQUIRED lumi_device_field)

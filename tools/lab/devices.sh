@@ -5,7 +5,7 @@
 # Builds the examples of platform/, runs each on its emulator and compares what the emulated display shows, bit by bit,
 # with what `lumi render` or, in pixels that it does not write, the host's library draws. Ends with 0 only if all agree and
 # nothing was left out but LVGL, the Pico SDK, TFT_eSPI and LovyanGFX, of which it says so.
-#   --docs          writes the table and the pictures of docs/boards.md
+#   --docs          writes the table and the pictures of platform/README.md
 #   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay, lvgl,
 #                   pico_sdk, pico_measure, tft_espi, lovyangfx, table (of what was run last)
 #   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out

@@ -4,8 +4,8 @@
 pages.py put NAME PART | fuzzing          (rows of JSON on standard input)
 pages.py collect|show sweep|paper FOLDER | collect|show quality FOLDER SCENE...
 
-Writes every table of figures from docs/log/data/*.json into the pages: README.md, SECURITY.md, core/README.md, docs/*.md
-and docs/log/*.md. --check writes nothing, names each page that differs from its data, and then fails. --plots also draws
+Writes every table of figures from docs/log/data/*.json into the pages: README.md, SECURITY.md, core/README.md, platform/README.md,
+docs/*.md and docs/log/*.md. --check writes nothing, names each page that differs from its data, and then fails. --plots also draws
 docs/img/*.svg (Debian: python3-matplotlib). put and collect bring what scripts measured into the data first;
 show prints its tables alone.
 
@@ -129,7 +129,7 @@ def filled(text):
 
 
 def pages():
-    return [ROOT / "README.md", ROOT / "SECURITY.md", ROOT / "core/README.md", *sorted(ROOT.glob("docs/*.md")),
+    return [ROOT / "README.md", ROOT / "SECURITY.md", ROOT / "core/README.md", ROOT / "platform/README.md", *sorted(ROOT.glob("docs/*.md")),
             *sorted(ROOT.glob("docs/log/*.md"))]
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls the flush loop of docs/boards.md and writes two frames, while a transfer runs from each to the next.
+// Calls the flush loop of docs/firmware.md and writes two frames, while a transfer runs from each to the next.
 #include "product.h"
 #include "slow_dma.h"
 using namespace lumi;

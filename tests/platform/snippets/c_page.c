@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The programs of docs/c.md, each run once. */
+ * The short programs of core/README.md, each run once. */
 #include <lumi/lumi.h>
 #include <stdio.h>
 

@@ -94,8 +94,9 @@ def clock_rows(mode_of):
 
 def first_table():
     """What a visitor asks first: how large, how like the truth, how fast; surface fields, antialiased."""
-    return Table(["flash", "likeness", *CHIPS.values()],
-                 [[byte_text(row["flash_bytes"], 1), f"{decimal(row['psnr_db'])} dB",
+    return Table(["mode", "flash", "RAM", "likeness", *CHIPS.values()],
+                 [[row["mode"], byte_text(row["flash_bytes"], 1), f"{decimal(row['ram_bytes'] / 1e3, 0)} kB",
+                   f"{decimal(row['psnr_db'])} dB",
                    *(whole(row["parts"][chip][0]) for chip in CHIPS)]
                   for row in clock_rows({"surface": "antialiased", "chord": None})])
 

@@ -7,7 +7,7 @@
 //
 // Stateless and re-entrant: a stripe may be any rectangle of the image (or beside it), stripes may be drawn in any
 // order and on several cores at once. Any rectangle shows the same pixels as any other. Nothing is allocated; stack use
-// is stated in docs/boards.md.
+// is stated in docs/firmware.md.
 // Policies are templates: what a firmware does not name is not linked.
 #pragma once
 #pragma GCC system_header

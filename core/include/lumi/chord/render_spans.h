@@ -6,7 +6,7 @@
 // The same contract as render(): any rectangle, any order, re-entrant, and any rectangle shows the same pixels as any
 // other. Full scanlines are the cheapest: of a rectangle that begins right of the sphere's left outline, hits on the
 // way from there are evaluated, too. `span_px` (2, 4, 8 or 16) is the most pixels between exact hits: the trade of
-// speed for accuracy that docs/chord-tradeoff.md measures. From 8 on, the inside of the sphere is drawn in tiles of
+// speed for accuracy that docs/tradeoff.md measures. From 8 on, the inside of the sphere is drawn in tiles of
 // span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Paper<K> needs
 // <lumi/chord/render_spans_paper.h>, too.
 #pragma once
