@@ -33,8 +33,7 @@ def object_of(name):
     """Of "clock250": ("clock", 250)."""
     found = re.fullmatch(r"(\D+)(\d+)", name)
     if not found:
-        sys.exit(f"error: {name}.lumi: sample fields are named by object and kilobytes, such as clock250.lumi "
-                 "(tools/lab/samples.sh bakes them)")
+        sys.exit(f"error: {name}.lumi: sample fields are named by object and kilobytes, such as clock250.lumi")
     return found[1], int(found[2])
 
 
@@ -56,7 +55,7 @@ def files(lumi, folder, version):
     """{name: bytes} of the archive."""
     fields = sorted(folder.glob("*.lumi"), key=lambda path: object_of(path.stem))
     if not fields:
-        sys.exit(f"error: {folder}: it holds no field; tools/lab/samples.sh bakes them")
+        sys.exit(f"error: {folder}: it holds no field")
     largest = {object_of(path.stem)[0]: path for path in fields}  # the last of each
     with tempfile.TemporaryDirectory() as name:
         out = pathlib.Path(name)
