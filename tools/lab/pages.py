@@ -93,9 +93,6 @@ TABLES = {
     "baker memory": scripts.baker_memory,
     "noise": scripts.noise,
     "lamps": scripts.lamps,
-    "house": scripts.house,
-    "house builds": scripts.house_builds,
-    "first picture": scripts.first_picture,
     "other tools": scripts.other_tools,
 }
 COLLECTORS = {"quality": quality.collect, "sweep": sweep.collect, "paper": paper.collect}

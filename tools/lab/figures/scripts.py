@@ -361,28 +361,6 @@ def lamps():
                   for row in load("lamps")["lamps"]])
 
 
-def house():
-    """A row for each thing that is counted, a column for each revision."""
-    revisions = load("house")["revisions"]
-    counts = [("lines of C++ without tests", lambda r: r["lines"]["all"])]
-    counts += [(f"- of these in {area}", lambda r, area=area: r["lines"][area]) for area in ("core", "baker", "tools", "platform")]
-    counts += [("files of C++ without tests", lambda r: r["files"]["all"]),
-               ("entries of tools/", lambda r: r["entries_of_tools"]),
-               ("entries of the fullest folder", lambda r: f"{r['fullest_folder']['entries']} ({r['fullest_folder']['name']})")]
-    counts += [(f"files that name a {kind}", lambda r, kind=kind: r["files_naming"][kind]) for kind in revisions[0]["files_naming"]]
-    return Table(["", *(r["revision"] for r in revisions)], [[name, *map(count, revisions)] for name, count in counts])
-
-
-def house_builds():
-    return table(["revision", "CPU seconds", "seconds by the clock"], load("house")["builds"],
-                 lambda row: [row["revision"], row["cpu_seconds"], row["seconds"]])
-
-
-def first_picture():
-    return table(["way", "step", "seconds"], load("house")["first_picture"],
-                 lambda row: [row["way"], row["step"], decimal(row["seconds"])])
-
-
 def other_tools():
     tools = ["lumi", "cwebp", "gltfpack", "ffmpeg"]
     return table(["", *tools], load("other-tools")["rows"], lambda row: [row["question"], *(row[tool] for tool in tools)])
