@@ -93,7 +93,6 @@ TABLES = {
     "baker memory": scripts.baker_memory,
     "noise": scripts.noise,
     "lamps": scripts.lamps,
-    "other tools": scripts.other_tools,
 }
 COLLECTORS = {"quality": quality.collect, "sweep": sweep.collect, "paper": paper.collect}
 BLOCK = re.compile(r"(<!-- table: (?!end)(.*?) -->\n).*?(<!-- table: end -->)", re.DOTALL)

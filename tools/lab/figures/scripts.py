@@ -359,8 +359,3 @@ def lamps():
                  [[row["lamp"], f"{row['strength']:.0f} {row['unit']}".strip(), f"{row['in_the_file']:.0f} {row['file_unit']}",
                    decimal(row["cycles"], 3), decimal(row["lumi"], 3), f"{100 * (row['lumi'] / row['cycles'] - 1):+.1f} %"]
                   for row in load("lamps")["lamps"]])
-
-
-def other_tools():
-    tools = ["lumi", "cwebp", "gltfpack", "ffmpeg"]
-    return table(["", *tools], load("other-tools")["rows"], lambda row: [row["question"], *(row[tool] for tool in tools)])
