@@ -47,7 +47,6 @@ TABLES = {
     "coverage": scripts.coverage,
     "mutants": scripts.mutants,
     "fuzzing": scripts.fuzzing,
-    "attacks": scripts.attacks,
     "cases": scripts.cases,
     "dim light": scripts.dim_light,
     "model_sheet": scripts.model_sheet,

@@ -205,11 +205,6 @@ def fuzzing():
                  lambda row: [row["target"], row["executions"], decimal(row["cpu_s"] / 60), row["edges"]])
 
 
-def attacks():
-    return table(["attack", "found first", "found now", "tests"], load("attacks")["attacks"],
-                 lambda row: [row["attack"], row["first"], row["now"], row["tests"]])
-
-
 def volumes():
     def figures(found):
         return f"{decimal(found['psnr_db'])} dB · {decimal(found['ssim'], 3)} · {decimal(found['flip'], 4)}"
