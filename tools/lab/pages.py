@@ -90,7 +90,6 @@ TABLES = {
     "baker convergence": scripts.baker_convergence,
     "baker threads": scripts.baker_threads,
     "baker memory": scripts.baker_memory,
-    "noise": scripts.noise,
     "lamps": scripts.lamps,
 }
 COLLECTORS = {"quality": quality.collect, "sweep": sweep.collect, "paper": paper.collect}

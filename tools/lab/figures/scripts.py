@@ -326,28 +326,6 @@ def baker_memory():
                               megabytes(row["held_bytes_a_million"]), megabytes(row["most_bytes_a_million"])])
 
 
-def noise():
-    """A row for each scene; each program against the first one."""
-    rows = load("noise")["paths"]
-    names = list(dict.fromkeys(row["program"] for row in rows))
-    of = {(row["scene"], row["program"]): row for row in rows}
-
-    def ratio(scene, name, figure, timed=True):
-        def cost(program):
-            row = of[scene, program]
-            return row[figure] * (row["microseconds_a_path"] if timed else 1)
-        return decimal(cost(name) / cost(names[0]), 2)
-
-    def cells(scene, name):
-        return [ratio(scene, name, "variance_shown", timed=False), ratio(scene, name, "variance_shown"),
-                ratio(scene, name, "variance_of_light")]
-    scenes = list(dict.fromkeys(row["scene"] for row in rows))
-    columns = [f"{name}: {what}" for name in names[1:] for what in ("variance", "at equal time", "of light")]
-    return Table(["scene", "levels", *columns],
-                 [[quoted(scene), decimal(of[scene, names[0]]["variance_shown"] ** 0.5, 0),
-                   *(cell for name in names[1:] for cell in cells(scene, name))] for scene in scenes])
-
-
 def lamps():
     """Radiance of a floor below each lamp of Blender."""
     return Table(["lamp of Blender", "strength", "in the glTF file", "Cycles", "`lumi`", "difference"],

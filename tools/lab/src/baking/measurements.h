@@ -15,8 +15,6 @@ Json convergence(const char* scene_file, unsigned rows);
 Json adaptive(const char* scene_file, unsigned texels);
 // Paths a second against the number of threads.
 Json thread_rates(const char* scene_file, unsigned rows);
-// The noise of a light path and its time, at so many rays that meet the scene.
-Json noise(const char* scene_file, unsigned rays);
 // Memory of a scene of that many triangles.
 Json memory(unsigned triangles);
 

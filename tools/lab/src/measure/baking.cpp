@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lumi-lab convergence, adaptive, threads, noise and memory: what the baker costs.
+// lumi-lab convergence, adaptive, threads and memory: what the baker costs.
 #include <memory>
 
 #include "baking/measurements.h"
@@ -19,8 +19,7 @@ struct Measurement {
 constexpr Measurement kMeasurements[] = {
     {"convergence", "Error against the number of light paths", "ROWS", baker::bench::convergence},
     {"adaptive", "What adaptive sampling leaves out, and its error", "TEXELS", baker::bench::adaptive},
-    {"threads", "Paths a second against the number of threads", "ROWS", baker::bench::thread_rates},
-    {"noise", "Noise of a light path and its time", "RAYS", baker::bench::noise}};
+    {"threads", "Paths a second against the number of threads", "ROWS", baker::bench::thread_rates}};
 
 struct Words {
     std::string scene;
