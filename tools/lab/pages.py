@@ -48,7 +48,6 @@ TABLES = {
     "mutants": scripts.mutants,
     "fuzzing": scripts.fuzzing,
     "cases": scripts.cases,
-    "dim light": scripts.dim_light,
     "model_sheet": scripts.model_sheet,
     "people_sheet": lambda: scripts.people_sheet(1, 60),
     "people_sheet further": lambda: scripts.people_sheet(61, 82),

@@ -51,16 +51,6 @@ def mutants():
         row["kind"].replace("|", "\\|"), row["changes"], row["killed"], row["equal"], row["changes"] - row["killed"] - row["equal"]])
 
 
-def dim_light():
-    """Means in levels where such light is seen, and with the border over which texels spread its edge."""
-    def place(means):
-        return [means["pixels"], decimal(means["truth"], 2), decimal(means["drawn"], 2)]
-
-    return table(["light", "light paths a texel", "lit pixels", "traced", "drawn",
-                  "pixels with border", "traced there", "drawn there"],
-                 load("dim_light")["rows"], lambda row: [row["scene"], row["paths"], *place(row["lit"]), *place(row["border"])])
-
-
 def cases():
     return table(["kind", "cases", "right before", "right now"], load("cases")["cases"],
                  lambda row: [row["kind"], row["cases"], row["before"], row["after"]])
