@@ -62,8 +62,6 @@ TABLES = {
     "speed stripes": scripts.speed_stripes,
     "speed halves": scripts.speed_halves,
     "see-through cost": scripts.see_through_cost,
-    "features": lambda: scripts.features("present", "left out by"),
-    "features absent": lambda: scripts.features("absent", "beside"),
     "extremes exact": lambda: scripts.extremes("exact"),
     "extremes spans": lambda: scripts.extremes("spans"),
     "extremes surface": lambda: scripts.surface_extremes("surface"),

@@ -88,16 +88,6 @@ def scene_pictures():
         f"{row['layout']}, {row['bytes'] / 1000:.0f} kB", f"{decimal(row['psnr_db'])} dB"])
 
 
-def features(part, left_out):
-    """What properties of scenes add; bytes and instructions without and with each."""
-    def change(row, name):
-        return f"{decimal(row[name + '_without'])} → {decimal(row[name])}"
-    return table(["property", left_out, "field, bytes", "code M4", "code M0+", "RAM", "M4", "M0+"], load("features")[part],
-                 lambda row: [row["property"], row["left_out"], f"{row['bytes_without']:,} → {row['bytes']:,}",
-                              *(f"{row[key]:,}" for key in ("code_m4", "code_m0plus", "ram")), change(row, "m4"),
-                              change(row, "m0plus")])
-
-
 def extremes(part):
     """Worst errors of chord fields by `render` or `render_spans`: within nine tenths of the disc's radius, and anywhere."""
     def cell(row, place, name):
