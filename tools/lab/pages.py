@@ -61,7 +61,6 @@ TABLES = {
     "speed poses": scripts.speed_poses,
     "speed stripes": scripts.speed_stripes,
     "speed halves": scripts.speed_halves,
-    "see-through cost": scripts.see_through_cost,
     "extremes exact": lambda: scripts.extremes("exact"),
     "extremes spans": lambda: scripts.extremes("spans"),
     "extremes surface": lambda: scripts.surface_extremes("surface"),

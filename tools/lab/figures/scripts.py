@@ -167,19 +167,6 @@ def speed_halves():
                      rates(row)])
 
 
-def see_through_cost():
-    """Instructions a covered pixel: all, and of these the order of see-through triangles and what they add to drawing."""
-    rows = [row for row in load("see_through")["rows"] if row["view"] == "generic" and row["pixel"] == "rgb565"]
-
-    def texts(small):
-        large = next(row for row in rows if row["core"] == "m4" and all(row[key] == small[key] for key in ("file", "mode")))
-        return [small["file"].removesuffix(".lumi"), small["mode"],
-                *(decimal(row[part]) for row in (large, small) for part in ("instructions_per_pixel", "order", "blends")),
-                small["ram_bytes"], small["stack_bytes"]]
-    return table(["field", "mode", "m4", "order, m4", "blends, m4", "m0plus", "order, m0plus", "blends, m0plus", "RAM, bytes",
-                  "stack, bytes"], [row for row in rows if row["core"] == "m0plus"], texts)
-
-
 def fuzzing():
     return table(["target", "executions", "CPU minutes", "edges"], load("tests")["fuzzing"],
                  lambda row: [row["target"], row["executions"], decimal(row["cpu_s"] / 60), row["edges"]])
