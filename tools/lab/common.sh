@@ -34,25 +34,3 @@ mean_figures() {
 put() {
   python3 -B "$root/tools/lab/pages.py" put "$1" "$2"
 }
-
-# write_scenes WRITER ARGUMENT...: what the scripts that bake scenes of tools/lab/scenes begin with. Takes --scene NAME
-# (may be repeated) into the array `scenes`, --paths into `paths`, --fit into `fit` where the script has one, and --help;
-# builds lumi; runs the WRITER of that folder, whose scenes go to $work/scenes.
-write_scenes() {
-  local writer=$1 chosen=()
-  shift
-  while (($#)); do
-    case $1 in
-      --scene) chosen+=("${2:?"--scene needs a name"}") && shift ;;
-      --paths) paths=${2:?"--paths needs a number"} && shift ;;
-      --fit) [[ -v fit ]] || wrong_call "unknown option '$1'" && fit=${2:?"--fit needs a size"} && shift ;;
-      --help) help "$0" && exit ;;
-      *) wrong_call "unknown option '$1'" ;;
-    esac
-    shift
-  done
-  if ((${#chosen[@]})); then scenes=("${chosen[@]}"); fi
-  mkdir -p "$work"
-  if [[ -z ${LUMI:-} ]]; then run_step "Build" build_lumi; fi
-  run_step "Write the scenes" python3 "$root/tools/lab/scenes/$writer" "$work/scenes"
-}

@@ -221,8 +221,7 @@ def main(arguments):
     options = parser.parse_args(arguments)
     work = options.work.absolute()
     (work / "scenes").mkdir(parents=True, exist_ok=True)
-    for script in ("write_features.py", "write_see_through.py"):
-        subprocess.run([sys.executable, bench.ROOT / "tools/lab/scenes" / script, work / "scenes"], check=True)
+    subprocess.run([sys.executable, bench.ROOT / "tools/lab/scenes/write_scenes.py", work / "scenes"], check=True)
     try:
         counter = Counter(options.core.split(","), work)
         rows = {}

@@ -25,10 +25,8 @@ SCENES = {"clock": "the desk clock", "bottle": "a bottle of tinted glass", "volu
 def scene_file(name, work):
     if name == "clock":
         return bench.ROOT / "baker/scenes/product.obj"
-    script = {"bottle": "write_see_through.py", "volume": "write_features.py"}[name]
-    (work / "scenes").mkdir(exist_ok=True)
-    subprocess.run([sys.executable, bench.ROOT / "tools/lab/scenes" / script, work / "scenes"], check=True)
-    return next(file for file in (work / "scenes" / f"{name}{kind}" for kind in (".json", ".obj")) if file.exists())
+    subprocess.run([sys.executable, bench.ROOT / "tools/lab/scenes/write_scenes.py", work / "scenes"], check=True)
+    return work / "scenes" / f"{name}.json"
 
 
 def report(name, work, is_quick):
