@@ -76,7 +76,6 @@ TABLES = {
     "volume choices": scripts.volume_choices,
     "filter": scripts.filters,
     "skull": scripts.skull,
-    "small chip": scripts.small_chip,
     "devices": scripts.devices,
     "board memory": scripts.board_memory,
     "ram of examples": scripts.ram_of_examples,

@@ -200,11 +200,6 @@ def skull():
                      + "".join(f"    {line}\n" for line in row["lines"]) for row in load("skull")["bakes"])
 
 
-def small_chip():
-    """What the commands printed."""
-    return "".join(f"    {row['line']}\n" for row in load("small_chip")["said"])
-
-
 def devices():
     def kilobytes(row, key):
         return f"{row[key] / 1e3:.1f} kB" if key in row else NONE
