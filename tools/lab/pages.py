@@ -72,8 +72,6 @@ TABLES = {
     "trade modes": trade.modes,
     "trade scenes": trade.scenes,
     "trade choices": trade.choices,
-    "volumes": scripts.volumes,
-    "volume choices": scripts.volume_choices,
     "filter": scripts.filters,
     "skull": scripts.skull,
     "devices": scripts.devices,

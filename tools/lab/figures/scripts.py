@@ -172,18 +172,6 @@ def fuzzing():
                  lambda row: [row["target"], row["executions"], decimal(row["cpu_s"] / 60), row["edges"]])
 
 
-def volumes():
-    def figures(found):
-        return f"{decimal(found['psnr_db'])} dB · {decimal(found['ssim'], 3)} · {decimal(found['flip'], 4)}"
-    return table(["scene", "field, drawn", "flash", "PSNR · SSIM · FLIP (less is better)"], load("volumes")["rows"],
-                 lambda row: [row["scene"], f"{row['layout']}, {row['mode']}", byte_text(row["flash_bytes"]),
-                              figures(row["figures"])])
-
-
-def volume_choices():
-    return "".join(f"- {row['scene']}: {row['choice']}\n" for row in load("volumes")["choices"])
-
-
 def filters():
     def texts(row):
         def figure(key):
