@@ -172,16 +172,6 @@ def fuzzing():
                  lambda row: [row["target"], row["executions"], decimal(row["cpu_s"] / 60), row["edges"]])
 
 
-def filters():
-    def texts(row):
-        def figure(key):
-            return decimal(row[key], 4) + (f" ({row['worse'][key]})" if "worse" in row else "")
-        return [row["picture"], f"{row['bytes']:,}" if "bytes" in row else "", decimal(row["psnr_db"], 2),
-                decimal(row["mask_psnr_db"], 2), figure("ssim"), figure("cw_ssim"), figure("flip")]
-    return table(["picture", "bytes", "PSNR, dB", "covered part", "SSIM", "CW-SSIM", "FLIP (less is better)"],
-                 load("filter")["rows"], texts)
-
-
 def skull():
     """What `lumi bake` printed."""
     return "\n".join(f"{row['paths']} light paths a texel, at most {row['size']}:\n\n"
