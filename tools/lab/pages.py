@@ -72,7 +72,6 @@ TABLES = {
     "trade modes": trade.modes,
     "trade scenes": trade.scenes,
     "trade choices": trade.choices,
-    "skull": scripts.skull,
     "devices": scripts.devices,
     "board memory": scripts.board_memory,
     "ram of examples": scripts.ram_of_examples,

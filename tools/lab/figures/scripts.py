@@ -172,12 +172,6 @@ def fuzzing():
                  lambda row: [row["target"], row["executions"], decimal(row["cpu_s"] / 60), row["edges"]])
 
 
-def skull():
-    """What `lumi bake` printed."""
-    return "\n".join(f"{row['paths']} light paths a texel, at most {row['size']}:\n\n"
-                     + "".join(f"    {line}\n" for line in row["lines"]) for row in load("skull")["bakes"])
-
-
 def devices():
     def kilobytes(row, key):
         return f"{row[key] / 1e3:.1f} kB" if key in row else NONE
