@@ -9,7 +9,7 @@ from unittest import mock
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/lab"))
 import pages  # noqa: E402
-from figures import costs, scripts, sweep, table, tradeoff  # noqa: E402
+from figures import costs, scripts, table, tradeoff  # noqa: E402
 
 
 class Tables(unittest.TestCase):
@@ -25,8 +25,7 @@ class Tables(unittest.TestCase):
         self.assertEqual(made.cost().rows, [["linear luma8", "–", "–", "123", "–"]])
         self.assertEqual(made.accuracy().rows, [["linear luma8", "∞ / 0", "–", "–"]])
 
-    def test_the_front_keeps_what_nothing_beats(self):
-        def row(kind, size, instructions, db):
+    def row(kind, size, instructions, db):
             return {"kind": kind, "bytes": size, "instructions": instructions, "psnr_db": db}
         rows = [row("chord", 10, 5, 20), row("chord", 10, 6, 20), row("chord", 20, 5, 21), row("surface", 1, 1, 30)]
         beaten = [any(sweep.is_beaten(mine, other) for other in rows) for mine in rows]

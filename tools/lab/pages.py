@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """pages.py [--check | --plots]
 pages.py put NAME PART | fuzzing          (rows of JSON on standard input)
-pages.py collect|show sweep|paper FOLDER | collect|show quality FOLDER SCENE...
+pages.py collect|show paper FOLDER | collect|show quality FOLDER SCENE...
 
 Writes every table of figures from docs/log/data/*.json into the pages: README.md, SECURITY.md, core/README.md, platform/README.md,
 docs/*.md and docs/log/*.md. --check writes nothing, names each page that differs from its data, and then fails. --plots also draws
@@ -20,7 +20,7 @@ import json
 import re
 import sys
 
-from figures import costs, materials, paper, quality, scripts, sweep, trade, tradeoff
+from figures import costs, materials, paper, quality, scripts, trade, tradeoff
 from figures.table import ROOT, Table, save, shown
 
 TABLES = {
@@ -31,10 +31,6 @@ TABLES = {
     "quality low": quality.low_rows,
     "quality first": quality.first_table,
     "quality readme": quality.readme_table,
-    "sweep trade": sweep.trade,
-    "sweep kernel": sweep.kernel,
-    "sweep verdict": sweep.kernel_verdict,
-    "sweep cost": sweep.cost,
     "paper bakes": paper.bakes,
     "paper likeness": paper.likeness,
     "paper background": paper.background,
@@ -83,7 +79,7 @@ TABLES = {
     "baker memory": scripts.baker_memory,
     "lamps": scripts.lamps,
 }
-COLLECTORS = {"quality": quality.collect, "sweep": sweep.collect, "paper": paper.collect}
+COLLECTORS = {"quality": quality.collect, "paper": paper.collect}
 BLOCK = re.compile(r"(<!-- table: (?!end)(.*?) -->\n).*?(<!-- table: end -->)", re.DOTALL)
 VALUE = re.compile(r"(<!-- value: ([^;]*); (.*?) -->)[^<]*(<!-- end -->)")
 

@@ -2,7 +2,6 @@
 """Plots of docs/img, by matplotlib (Debian: python3-matplotlib). The same bytes of the same data."""
 import sys
 
-from . import sweep
 from .table import ROOT, load
 from .tradeoff import CORES, Tradeoff
 
@@ -44,34 +43,6 @@ def draw_tradeoff():
                 series[f"{mode} {texel}"] = points
         draw(f"tradeoff-{core}.svg", f"Cost and accuracy on {core}, generic view; labels are span lengths in pixels",
              "instructions per covered pixel", "PSNR against exact, dB", series)
-
-
-def draw_sweep():
-    rows = sweep.means()
-
-    def points(keep):
-        return [(row["bytes"] / 1e3, row["psnr_db"], "") for row in rows if keep(row)]
-
-    def chord(mode, texel, shape):
-        def keep(row):
-            if row["kind"] != "chord" or (row["mode"], row["texel"]) != (mode, texel):
-                return False
-            return shape(*map(int, row["lattice"].split("x")))
-        return points(keep)
-
-    def is_best(row):
-        return row["kind"] == "chord" and not any(
-            other["kind"] == "chord" and other["bytes"] <= row["bytes"] and other["psnr_db"] > row["psnr_db"] for other in rows)
-    series = {f"{mode} palette8, M = N": chord(mode, "palette8", lambda m, n: m == n)
-              for mode in ("nearest", "linear", "paper5")}
-    series |= {f"linear {texel}, M = N": chord("linear", texel, lambda m, n: m == n) for texel in ("luma8", "rgb565", "rgb888")}
-    series["linear palette8, N = 4 M"] = chord("linear", "palette8", lambda m, n: n == 4 * m)
-    series["linear palette8, M = 4 N"] = chord("linear", "palette8", lambda m, n: m == 4 * n)
-    series["front of chord fields"] = points(is_best)  # whatever they cost to draw
-    series |= {f"surface, {mode}": points(lambda row, mode=mode: row["kind"] == "surface" and row["mode"] == mode)
-               for mode in ("2x2", "antialiased", "one sample")}
-    draw("sweep.svg", "Bytes and PSNR against path-traced references, means over the scenes", "kB", "PSNR, dB",
-         {name: of_name for name, of_name in series.items() if of_name})
 
 
 def labelled(front, part):
@@ -119,4 +90,3 @@ def draw_front(part="rp2040"):
 def draw_all():
     draw_front()
     draw_tradeoff()
-    draw_sweep()
