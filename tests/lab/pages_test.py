@@ -25,12 +25,6 @@ class Tables(unittest.TestCase):
         self.assertEqual(made.cost().rows, [["linear luma8", "–", "–", "123", "–"]])
         self.assertEqual(made.accuracy().rows, [["linear luma8", "∞ / 0", "–", "–"]])
 
-    def row(kind, size, instructions, db):
-            return {"kind": kind, "bytes": size, "instructions": instructions, "psnr_db": db}
-        rows = [row("chord", 10, 5, 20), row("chord", 10, 6, 20), row("chord", 20, 5, 21), row("surface", 1, 1, 30)]
-        beaten = [any(sweep.is_beaten(mine, other) for other in rows) for mine in rows]
-        self.assertEqual(beaten, [False, True, False, False])
-
     def test_rows_come_one_by_one_or_as_lists(self):
         self.assertEqual(scripts.rows_of('{"a": 1}\n[{"a": 2}, {"a": 3}] {"a": 4}\n'), [{"a": k} for k in range(1, 5)])
 
@@ -40,7 +34,6 @@ class Tables(unittest.TestCase):
                 mock.patch.object(scripts, "save", saved.__setitem__):
             scripts.add_fuzzing('{"target": "obj", "executions": 6, "cpu_s": 30, "edges": 9}')
         self.assertEqual(saved["tests"]["fuzzing"], [{"target": "obj", "executions": 11, "cpu_s": 90, "edges": 9}])
-
 
     def test_the_model_of_instructions_keeps_its_limit_in_every_cell(self):
         for part, cells in table.load("cost-model").items():

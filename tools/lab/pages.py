@@ -20,7 +20,7 @@ import json
 import re
 import sys
 
-from figures import costs, materials, paper, quality, scripts, trade, tradeoff
+from figures import costs, paper, quality, scripts, trade, tradeoff
 from figures.table import ROOT, Table, save, shown
 
 TABLES = {
@@ -37,8 +37,6 @@ TABLES = {
     "paper times": paper.times,
     "paper eyes": paper.eyes,
     "paper m4": paper.m4,
-    "materials": materials.coloured,
-    "materials white": materials.white,
     "soak": scripts.soak,
     "coverage": scripts.coverage,
     "mutants": scripts.mutants,
@@ -77,7 +75,6 @@ TABLES = {
     "baker convergence": scripts.baker_convergence,
     "baker threads": scripts.baker_threads,
     "baker memory": scripts.baker_memory,
-    "lamps": scripts.lamps,
 }
 COLLECTORS = {"quality": quality.collect, "paper": paper.collect}
 BLOCK = re.compile(r"(<!-- table: (?!end)(.*?) -->\n).*?(<!-- table: end -->)", re.DOTALL)

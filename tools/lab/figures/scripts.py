@@ -258,11 +258,3 @@ def baker_memory():
     return table(["triangles", "OBJ file", "held while baking", "most, while loading"], load("baker")["memory"],
                  lambda row: [f"{row['triangles'] / 1e6:.2f} M", megabytes(row["file_bytes"]),
                               megabytes(row["held_bytes_a_million"]), megabytes(row["most_bytes_a_million"])])
-
-
-def lamps():
-    """Radiance of a floor below each lamp of Blender."""
-    return Table(["lamp of Blender", "strength", "in the glTF file", "Cycles", "`lumi`", "difference"],
-                 [[row["lamp"], f"{row['strength']:.0f} {row['unit']}".strip(), f"{row['in_the_file']:.0f} {row['file_unit']}",
-                   decimal(row["cycles"], 3), decimal(row["lumi"], 3), f"{100 * (row['lumi'] / row['cycles'] - 1):+.1f} %"]
-                  for row in load("lamps")["lamps"]])

@@ -14,11 +14,10 @@ FOV_RADIANS = 2 * math.asin(HALF_WIDTH / DISTANCE)
 SEGMENTS, HEIGHTS = 128, 64  # around the axis and from pole to pole
 RINGS = 8
 OUTERMOST = 0.95  # squared distance; pixels further out may show what is behind
-SUN_IRRADIANCE = 1
 
 
 def squared_distance(x, y, size):
-    """Of the sight line through a pixel's centre from the ball's."""
+    """The squared distance of the sight line through a pixel's centre from the ball's."""
     tangent = math.tan(FOV_RADIANS / 2)
     u, v = (((c + 0.5) / size * 2 - 1) * tangent for c in (x, y))
     return DISTANCE**2 * (u * u + v * v) / (1 + u * u + v * v)

@@ -4,8 +4,9 @@ Blender exports them.
 
     blender --background --factory-startup --python tools/lab/materials/cycles.py
 
-writes docs/log/data/cycles.json and cycles.mtl. Run with Blender 3.4.1 of Debian 12, on its CPU.
+writes cycles.json and cycles.mtl beside itself. Run with Blender 3.4.1 of Debian 12, on its CPU.
 """
+import json
 import math
 import os
 import sys
@@ -14,12 +15,52 @@ import tempfile
 import bpy
 
 here = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [here, os.path.dirname(here)]
+sys.path.insert(0, here)
 import ball  # noqa: E402
-from blender_scene import add, make_material, principled, set_up_cycles  # noqa: E402
-from figures.table import DATA, save  # noqa: E402
 
-SKY_SAMPLES, SUN_SAMPLES = 196, 25  # the sun's light has no noise: only edges need more than one sample
+SAMPLES = 196  # a pixel
+
+
+def principled(base, roughness, **inputs):
+    named = {key.replace("_", " "): value for key, value in inputs.items()}
+    return {"Base Color": (base, base, base, 1), "Roughness": roughness, **named}
+
+
+def make_material(name, inputs):
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    shader = made.node_tree.nodes["Principled BSDF"]
+    shader.distribution = inputs.pop("distribution", "GGX")
+    for key, value in inputs.items():
+        shader.inputs[key].default_value = value
+    return made
+
+
+def set_up_cycles(size_px):
+    """So that a picture holds linear radiance."""
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    cycles = scene.cycles
+    cycles.device = "CPU"
+    cycles.use_adaptive_sampling = False
+    cycles.use_denoising = False
+    cycles.pixel_filter_type = "BOX"
+    cycles.sample_clamp_indirect = 0
+    cycles.blur_glossy = 0
+    cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 64
+    scene.render.resolution_x = scene.render.resolution_y = size_px
+    scene.render.resolution_percentage = 100
+    scene.view_settings.view_transform = "Standard"
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+
+
+def add(name, data, location, rotation):
+    made = bpy.data.objects.new(name, data)
+    made.location = location
+    made.rotation_euler = rotation
+    bpy.context.collection.objects.link(made)
+    return made
 
 
 def materials():
@@ -51,27 +92,19 @@ def materials():
 
 
 def set_up_scene():
-    """Leaves camera, sun and ball; returns the last two."""
+    """Leaves a camera, a white sky and a ball, which it returns."""
     bpy.ops.object.select_all(action="SELECT")
     bpy.ops.object.delete()
     camera = add("camera", bpy.data.cameras.new("camera"), (0, -ball.DISTANCE, 0), (math.pi / 2, 0, 0))
     camera.data.angle = ball.FOV_RADIANS
     bpy.context.scene.camera = camera
-    sun = add("sun", bpy.data.lights.new("sun", "SUN"), (0, 0, 0), (math.radians(45), 0, 0))
-    sun.data.energy = ball.SUN_IRRADIANCE
-    sun.data.angle = 0
-    bpy.ops.mesh.primitive_uv_sphere_add(radius=1, segments=ball.SEGMENTS, ring_count=ball.HEIGHTS)
-    bpy.ops.object.shade_smooth()
-    return sun, bpy.context.object
-
-
-def set_light(sun, sunny):
-    sun.hide_render = not sunny
     world = bpy.context.scene.world
     world.use_nodes = True
-    sky = 0.0 if sunny else 1.0
-    world.node_tree.nodes["Background"].inputs["Color"].default_value = (sky, sky, sky, 1)
-    bpy.context.scene.cycles.samples = SUN_SAMPLES if sunny else SKY_SAMPLES
+    world.node_tree.nodes["Background"].inputs["Color"].default_value = (1, 1, 1, 1)
+    bpy.context.scene.cycles.samples = SAMPLES
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=1, segments=ball.SEGMENTS, ring_count=ball.HEIGHTS)
+    bpy.ops.object.shade_smooth()
+    return bpy.context.object
 
 
 def draw(folder):
@@ -85,16 +118,13 @@ def draw(folder):
     return [round(mean, 5) for mean in means]
 
 
-def measure(sun, body, made):
+def measure(body, made):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for material in made:
             body.data.materials.clear()
             body.data.materials.append(material)
-            rows.append({"name": material.name.replace("_", " ")})
-            for light in ("sky", "sun"):
-                set_light(sun, light == "sun")
-                rows[-1][light] = draw(folder)
+            rows.append({"name": material.name.replace("_", " "), "sky": draw(folder)})
     return rows
 
 
@@ -111,10 +141,19 @@ def export(body, made, mtl_file):
 
 def main():
     set_up_cycles(ball.SIZE_PX)
-    sun, body = set_up_scene()
+    body = set_up_scene()
     made = [make_material(*item) for item in materials().items()]
-    save("cycles", {"program": f"Cycles of Blender {bpy.app.version_string}", "materials": measure(sun, body, made)})
-    export(body, made, DATA / "cycles.mtl")
+    rows = ",
+  ".join(map(json.dumps, measure(body, made)))
+    with open(os.path.join(here, "cycles.json"), "w") as out:
+        out.write(f'{{
+ "program": "Cycles of Blender {bpy.app.version_string}",
+ "materials": [
+  {rows}
+ ]
+}}
+')
+    export(body, made, os.path.join(here, "cycles.mtl"))
 
 
 if __name__ == "__main__":
