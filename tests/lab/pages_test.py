@@ -9,7 +9,7 @@ from unittest import mock
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/lab"))
 import pages  # noqa: E402
-from figures import costs, scripts, table, tradeoff  # noqa: E402
+from figures import scripts, table, tradeoff  # noqa: E402
 
 
 class Tables(unittest.TestCase):
@@ -34,12 +34,6 @@ class Tables(unittest.TestCase):
                 mock.patch.object(scripts, "save", saved.__setitem__):
             scripts.add_fuzzing('{"target": "obj", "executions": 6, "cpu_s": 30, "edges": 9}')
         self.assertEqual(saved["tests"]["fuzzing"], [{"target": "obj", "executions": 11, "cpu_s": 90, "edges": 9}])
-
-    def test_the_model_of_instructions_keeps_its_limit_in_every_cell(self):
-        for part, cells in table.load("cost-model").items():
-            self.assertEqual({cell["core"] for cell in cells}, {"m0plus", "m4", "m7"})
-            for cell in cells:
-                self.assertLessEqual(max(abs(cell[view]) for view in costs.VIEWS), costs.LIMIT, (part, cell))
 
 
 class Pages(unittest.TestCase):

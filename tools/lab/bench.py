@@ -229,48 +229,6 @@ def surface_rows(options, boards):
     return rows, {**facts, "vertices": frames[0]["vertices"]}
 
 
-def counts_of_boards(options, boards, modes, word, names, subject_of):
-    """Yields board, field, pixel and counts. Frames of one subject have one CRC on all boards."""
-    field = surface_field(options)
-    frame = lab("frames", field, "--mode", modes[0], "--pixel", options.pixel[0], "--view", "generic")[0]
-    kind = "see_through" if frame["see_through_patches"] else "surface"
-    crcs = {}
-    for board in boards:
-        board.build([f"{kind}_{pixel}" for pixel in options.pixel])
-        for pixel in options.pixel:
-            counts = board.count(f"{kind}_{pixel}", field, [word, *modes], names)
-            for count in counts:
-                subject = (pixel, *(count[name] for name in subject_of))
-                if crcs.setdefault(subject, count["crc"]) != count["crc"]:
-                    raise BenchError(f"{board.core} draws other bits than {boards[0].core}: {subject}")
-            yield board, field, pixel, counts
-
-
-def stripe_rows(options, boards):
-    """Of each core, mode, pixel, view and height of stripes."""
-    modes = [mode for mode in options.mode if mode in SURFACE_MODES]
-    subject = ("mode", "view", "stripes")
-    return [{"field": field.stem, "file_bytes": field.stat().st_size, "core": board.core, "mode": count["mode"], "pixel": pixel,
-             "view": count["view"], "stripe_rows": count["stripes"],
-             "instructions_per_pixel": hundredths(count["instructions"] / count["covered"])}
-            for board, field, pixel, counts in counts_of_boards(options, boards, modes, "stripes", STRIPE_COUNTS, subject)
-            for count in counts if count["view"] in options.view]
-
-
-def pose_rows(options, boards):
-    """Of each core, mode and pixel: the mean and the dearest of the firmware's poses. All cores must draw the same."""
-    modes = [mode for mode in options.mode if mode in SURFACE_MODES]
-    rows = []
-    for board, field, pixel, counts in counts_of_boards(options, boards, modes, "poses", POSE_COUNTS, ("mode", "pose")):
-        for mode in modes:
-            costs = {count["pose"]: count["instructions"] / count["covered"] for count in counts if count["mode"] == mode}
-            worst = max(costs, key=costs.get)
-            rows.append({"field": field.stem, "file_bytes": field.stat().st_size, "core": board.core, "mode": mode,
-                         "pixel": pixel, "poses": len(costs), "mean": hundredths(sum(costs.values()) / len(costs)),
-                         "worst": hundredths(costs[worst]), "worst_pose": int(worst)})
-    return rows
-
-
 def baseline_rows(options, boards):
     field = chord_field(options, "rgb565")
     rows = []
@@ -289,45 +247,19 @@ def baseline_rows(options, boards):
 def renewed(old, rows):
     """The old rows, with those of `rows` in the place of what counts the same."""
     def subject(row):
-        names = ("field", "layout", "core", "mode", "texel", "pixel", "span", "view", "stripe_rows")
-        return tuple(row.get(name) for name in (names + ("file",) if "see_through_patches" in row else names))
+        return tuple(row.get(name) for name in ("layout", "core", "mode", "texel", "pixel", "span", "view"))
 
     fresh = {subject(row): row for row in rows}
     return [fresh.pop(subject(row), row) for row in old] + list(fresh.values())
 
 
-def measure_speed(options, name, rows):
-    """Rows for docs/log/data/speed.json."""
-    if options.docs:
-        data = load("speed")
-        save("speed", {**data, name: renewed(data.get(name, []), rows)})
-    return rows
-
-
-def renew_facts(options):
-    """Writes the rows of chord fields that were counted once with what this machine says of their frames now."""
-    data = load("tradeoff")
-    frames = chord_frames(options, CHORD_MODES, {texel: chord_field(options, texel) for texel in TEXELS})
-    rows = [put_facts(row, facts_of(row, frames)) if row["layout"] == "chord" else row for row in data["rows"]]
-    save("tradeoff", {**data, "parts": lab("parts"), "rows": lab("parts", "--rate", stdin=json.dumps(rows))})
-    return rows
-
-
 def measure(options):
-    if options.facts:
-        return renew_facts(options)
     boards = [Board(core, options.work) for core in options.core]
-    if options.poses:
-        return written(options, measure_speed(options, "poses", pose_rows(options, boards)))
-    if options.stripes:
-        return written(options, measure_speed(options, "stripes", stripe_rows(options, boards)))
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
     is_see_through = "see_through_patches" in (facts or {})
     rows = surface if is_see_through else lab("parts", "--rate", stdin=json.dumps(chord + surface))
-    if options.docs and is_see_through:
-        save("see_through", {"rows": renewed(load("see_through")["rows"], rows)})
-    elif options.docs:
+    if options.docs and not is_see_through:
         data = load("tradeoff")
         data.update({"parts": lab("parts"), "rows": renewed(data["rows"], rows)})
         if surface:
@@ -347,7 +279,7 @@ def written(options, rows):
 
 
 def print_rows(rows):
-    columns = ["core", "mode", "texel", "pixel", "span", "view", "stripe_rows", "poses", "mean", "worst", "worst_pose", "instructions_per_pixel", "code_bytes", "stack_bytes",
+    columns = ["core", "mode", "texel", "pixel", "span", "view", "instructions_per_pixel", "code_bytes", "stack_bytes",
                "psnr_db", "worst_pixel"]
     for row in rows:
         rates = [f"{key[4:]} {value:.1f} frames/s" for key, value in row.items() if key.startswith("fps_")]
@@ -377,20 +309,12 @@ def parse(arguments):
     add_list("--span", SPANS, "pixels between exact ones, 0 for the exact renderer")
     parser.add_argument("--json", metavar="FILE", help="write the rows here")
     parser.add_argument("--docs", action="store_true",
-                        help="write rows, parts and baselines into docs/log/data/tradeoff.json, rows of a see-through field "
-                        "into see_through.json; both keep the rows of what was not counted; pages.py writes the pages")
+                        help="write rows, parts and baselines into docs/log/data/tradeoff.json, which keeps the "
+                        "rows of what was not counted; pages.py writes the pages")
     parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
     parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts there are "
                         "neither rates nor accuracy")
-    parser.add_argument("--poses", action="store_true",
-                        help="count a surface field from 200 poses, poles, rolls and 1.2 radii among them, in "
-                        "stripes of 24 rows, and tell their mean and the dearest; --docs writes them into docs/log/data/speed.json")
-    parser.add_argument("--stripes", action="store_true",
-                        help="count a surface field in stripes of 2 to 24 rows; --docs as with --poses")
-    parser.add_argument("--facts", action="store_true",
-                        help="count nothing: renew accuracy, flash lines and rates of the chord fields' rows in "
-                        "tradeoff.json, as when a part is new; count surface fields before, which is soon done")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

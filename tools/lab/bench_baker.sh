@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/bench_baker.sh [--smoke] [speed] [adaptive] [footprint]
-# Measures the baker and writes the tables of docs/log/speed.md, each between two marker comments; without a name, all of
-# them. speed: convergence, threads and memory; times are those of this machine: leave it alone for the two minutes.
+# Measures the baker and prints rows of JSON; without a name, of all parts. speed: convergence, threads and memory; times are those of this machine: leave it alone for the two minutes.
 # adaptive: what adaptive sampling leaves out. footprint: what footprints and beams show. The last two are the same on
-# every machine of one kind. With --smoke it only tries every measurement on little work, and writes nothing.
+# every machine of one kind. With --smoke it only tries every measurement on little work.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -33,14 +32,6 @@ for_scenes() {
   for scene; do
     "$lab" "$command" "$root/baker/scenes/$scene" "$count"
   done
-}
-
-processor() {
-  awk -F': ' '/^model name/ { print $2; exit }' /proc/cpuinfo
-}
-
-print_machine() {
-  json_row processor "$(processor)"
 }
 
 print_convergence() {
@@ -93,20 +84,12 @@ print_footprint() {
   done
 }
 
-# The smoke test prints a part's rows; else the pages take them.
-measure() {
-  "print_$1" >"$work/$1"
-  cat "$work/$1"
-  "$smoke" || put baker "$1" <"$work/$1"
-}
-
-smoke=false
 parts=()
 for word; do
   case $word in
     speed | adaptive | footprint) parts+=("$word") ;;
     --smoke)
-      smoke=true convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj)
+      convergence_rows=1 thread_rows=2 triangles=2000 scenes=(cornell.obj)
       adaptive_scenes=(cornell.obj) adaptive_texels=20
       footprint_scenes=(cornell.obj) footprint_size=64 picture=32x32 views=1 reference_spp=4
       ;;
@@ -115,10 +98,10 @@ for word; do
   esac
 done
 ((${#parts[@]} > 0)) || parts=(speed adaptive footprint)
-read -ra parts <<<"${parts[*]/#speed/machine convergence threads memory}"
+read -ra parts <<<"${parts[*]/#speed/convergence threads memory}"
 for program in "$lab" "$lumi"; do
   [[ -x $program ]] || die "$program is missing: build it with 'cmake --preset release && cmake --build --preset release --target lumi lumi-lab'"
 done
 for part in "${parts[@]}"; do
-  measure "$part"
+  "print_$part"
 done

@@ -20,7 +20,7 @@ import json
 import re
 import sys
 
-from figures import costs, paper, quality, scripts, trade, tradeoff
+from figures import paper, quality, scripts, trade, tradeoff
 from figures.table import ROOT, Table, save, shown
 
 TABLES = {
@@ -43,38 +43,14 @@ TABLES = {
     "fuzzing": scripts.fuzzing,
     "cases": scripts.cases,
     "model_sheet": scripts.model_sheet,
-    "people_sheet": lambda: scripts.people_sheet(1, 60),
-    "people_sheet further": lambda: scripts.people_sheet(61, 82),
     "licences": lambda: scripts.licences("rows"),
-    "licences filter": lambda: scripts.licences("filter"),
     "scene pictures": scripts.scene_pictures,
-    "speed steps": lambda: scripts.speed_steps("steps"),
-    "speed steps of 24 rows": lambda: scripts.speed_steps("steps_24"),
-    "speed modes": scripts.speed_modes,
-    "speed parts": scripts.speed_parts,
-    "speed poses": scripts.speed_poses,
-    "speed stripes": scripts.speed_stripes,
-    "speed halves": scripts.speed_halves,
-    "extremes exact": lambda: scripts.extremes("exact"),
-    "extremes spans": lambda: scripts.extremes("spans"),
-    "extremes surface": lambda: scripts.surface_extremes("surface"),
-    "extremes texture": lambda: scripts.surface_extremes("texture"),
-    "cost model": costs.worst,
-    "cost model surface": lambda: costs.errors("surface"),
-    "cost model chord": lambda: costs.errors("chord"),
     **{f"trade {scene}": (lambda scene=scene: trade.front(scene)) for scene in ("clock", "bottle", "volume")},
     "trade modes": trade.modes,
     "trade scenes": trade.scenes,
     "trade choices": trade.choices,
     "devices": scripts.devices,
     "board memory": scripts.board_memory,
-    "ram of examples": scripts.ram_of_examples,
-    "emulated rates": scripts.emulated_rates,
-    "baker adaptive": scripts.baker_adaptive,
-    "baker footprint": scripts.baker_footprint,
-    "baker convergence": scripts.baker_convergence,
-    "baker threads": scripts.baker_threads,
-    "baker memory": scripts.baker_memory,
 }
 COLLECTORS = {"quality": quality.collect, "paper": paper.collect}
 BLOCK = re.compile(r"(<!-- table: (?!end)(.*?) -->\n).*?(<!-- table: end -->)", re.DOTALL)

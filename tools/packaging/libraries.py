@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""libraries.py PROGRAM [--filter]
+"""libraries.py PROGRAM
 
 Prints the Debian packages of the shared objects that a program and its modules load on this machine, with their licences,
-as rows of JSON: `tools/lab/pages.py put licences rows` takes them. --filter: those that its module for training alone
-loads, for `put licences filter`."""
+as rows of JSON: `tools/lab/pages.py put licences rows` takes them."""
 import json
 import pathlib
 import re
@@ -36,7 +35,6 @@ def package_of(file):
 
 
 MODULES = ["lumi_openvdb.so"]  # beside a program, which loads them when they are needed
-FILTER = "lumi_filter.so"  # the same, where libtorch was there for the build; no part of a release
 
 
 def packages_of(program, modules=MODULES):
@@ -62,24 +60,20 @@ def licences_of(package):
     return main, sorted({licence for _, licence in of_files}, key=str.lower)
 
 
-def rows(program, only_filter):
+def rows(program):
     """What the page of licences shows: a row a package, and which of the program's files load it."""
     parts = {path.name: loaded_by(path) for path in
-             [pathlib.Path(program), *(pathlib.Path(program).parent / name for name in [*MODULES, FILTER])]}
-    others = packages_of(program)
-    listed = others if not only_filter else {name: objects for name, objects in packages_of(program, [FILTER]).items()
-                                             if name not in others}
+             [pathlib.Path(program), *(pathlib.Path(program).parent / name for name in MODULES)]}
     return [{"package": name, "objects": objects, "licence": licences_of(name)[0],
              "by": [part for part, loaded in parts.items() if set(objects) & set(loaded)]}
-            for name, objects in sorted(listed.items())]
+            for name, objects in sorted(packages_of(program).items())]
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2 and sys.argv[2:] != ["--filter"]:
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
-    missing = [name for name in [*MODULES, FILTER] if not (pathlib.Path(sys.argv[1]).parent / name).exists()]
+    missing = [name for name in MODULES if not (pathlib.Path(sys.argv[1]).parent / name).exists()]
     if missing:
-        sys.exit(f"libraries.py: {', '.join(missing)} is not beside {sys.argv[1]}: install libopenvdb-dev and libtorch-dev, and "
-                 "build anew")
-    for row in rows(sys.argv[1], sys.argv[2:] == ["--filter"]):
+        sys.exit(f"libraries.py: {', '.join(missing)} is not beside {sys.argv[1]}: install libopenvdb-dev, and build anew")
+    for row in rows(sys.argv[1]):
         print(json.dumps(row))

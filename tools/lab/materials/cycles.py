@@ -143,16 +143,9 @@ def main():
     set_up_cycles(ball.SIZE_PX)
     body = set_up_scene()
     made = [make_material(*item) for item in materials().items()]
-    rows = ",
-  ".join(map(json.dumps, measure(body, made)))
+    rows = ",\n  ".join(map(json.dumps, measure(body, made)))
     with open(os.path.join(here, "cycles.json"), "w") as out:
-        out.write(f'{{
- "program": "Cycles of Blender {bpy.app.version_string}",
- "materials": [
-  {rows}
- ]
-}}
-')
+        out.write(f'{{\n "program": "Cycles of Blender {bpy.app.version_string}",\n "materials": [\n  {rows}\n ]\n}}\n')
     export(body, made, os.path.join(here, "cycles.mtl"))
 
 

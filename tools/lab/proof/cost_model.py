@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""cost_model.py [--fit] [--docs] [--core LIST] [--work FOLDER]
+"""cost_model.py [--fit] [--core LIST] [--work FOLDER]
 
 How far the planner's model of instructions is from what boards execute. `lumi-lab work` counts what a frame takes
 (triangles, rows, samples, texels), the model makes instructions of that, and `lumi-lab bench`'s boards count them on
 QEMU: six surface fields and six chord fields, in three views, by every mode, and two more fields that no fit has seen.
 
 --fit writes the model's costs anew, tools/src/planner/instruction_costs.h, from those counts, those of other
-heights of stripes and those of poses all around; then build `lumi-lab` again. --docs writes
-docs/log/data/cost-model.json; pages.py writes docs/log/tradeoff.md. What was counted of the same program and field
-stays in FOLDER [build/model], so a stop loses little. LUMI and LUMI_LAB name programs, as for lumi-lab bench.
+heights of stripes and those of poses all around; then build `lumi-lab` again. What was counted of the same program and
+field stays in FOLDER [build/model], so a stop loses little. LUMI and LUMI_LAB name programs, as for lumi-lab bench.
 """
 import argparse
 import hashlib
@@ -20,7 +19,6 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import bench  # noqa: E402
-from figures.table import load, save  # noqa: E402
 from proof import cost_fit  # noqa: E402
 
 CORES = ["m0plus", "m4", "m7"]
@@ -214,7 +212,6 @@ def chord_cells(rows):
 def main(arguments):
     parser = argparse.ArgumentParser(prog="cost_model.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fit", action="store_true", help="write the model's costs")
-    parser.add_argument("--docs", action="store_true", help="write docs/log/data/cost-model.json")
     parser.add_argument("--core", default=",".join(CORES), help="[%(default)s]")
     parser.add_argument("--layout", default="surface,chord", help="[%(default)s]")
     parser.add_argument("--work", type=pathlib.Path, default=bench.ROOT / "build/model", help="[build/model]")
@@ -244,12 +241,9 @@ def main(arguments):
         print(f"{COSTS.relative_to(bench.ROOT)} is written: build lumi-lab, and look at the errors without --fit")
         return
     cells_of = {"surface": surface_cells, "chord": chord_cells}
-    data = {layout: cells_of[layout](of) for layout, of in rows.items()}
-    for part, cells in data.items():
-        for cell in cells:
-            print(part, cell)
-    if options.docs:
-        save("cost-model", {**load("cost-model"), **data})
+    for layout, of in rows.items():
+        for cell in cells_of[layout](of):
+            print(layout, cell)
 
 
 if __name__ == "__main__":
