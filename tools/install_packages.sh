@@ -28,7 +28,6 @@ test_packages=(
   qemu-system-arm                                                           # boards to run it on
   gcc-riscv64-unknown-elf qemu-system-misc                                  # the same for RISC-V
   g++-s390x-linux-gnu qemu-user                                             # a big-endian machine
-  libmgba-dev                                                               # a Game Boy Advance
   libsdl2-dev                                                               # the simulator's window
   arduino-builder                                                           # the Arduino library, as its IDE builds it
   slurm-wlm munge procps                                                    # a job array on this machine

@@ -4,7 +4,7 @@
 #   cmake -S platform/riscv -B build/riscv -G Ninja --toolchain "$PWD/toolchains/rv32imc.cmake" \
 #       -DLUMI_TOOL="$PWD/build/release/tools/lumi" -DLUMI_EXAMPLE_FIELD="$PWD/desk_clock.lumi"
 #
-# gba has arm7tdmi.cmake, lm3s_oled cortex-m3.cmake, pico_st7789 cortex-m0plus.cmake.
+# lm3s_oled has cortex-m3.cmake, pico_st7789 cortex-m0plus.cmake.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lumi_device_picture FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT [ZOOM]
 // What a device of platform/ shows, drawn on the host by the free functions in one piece: the pixels of its display, in
-// FORMAT bgr555, grey4 (two pixels a byte), rgb565, rgb565-swapped, or coverage (a byte a pixel). ROWS of the device's
+// FORMAT grey4 (two pixels a byte), rgb565, rgb565-swapped, or coverage (a byte a pixel). ROWS of the device's
 // stripes decide the bands: where triangles touch, their order shows. Angles in 2^-32 turns, 3 radii away; ZOOM
 // in 2^-16.
 // tools/lab/devices.sh compares the emulated displays with it.
@@ -63,7 +63,6 @@ std::vector<uint8_t> packed(std::vector<uint8_t> greys, const Display& display)
 std::vector<uint8_t> picture(const std::string& format, const SurfaceField& field, const Display& display,
                              const Orbit& orbit)
 {
-    if (format == "bgr555") return drawn<PixelBgr555>(field, display, orbit);
     if (format == "grey4") return packed(drawn<PixelGrey8>(field, display, orbit), display);
     if (format == "rgb565") return drawn<PixelRgb565>(field, display, orbit);
     if (format == "coverage") return drawn<PixelA8, OverNothing>(field, display, orbit);

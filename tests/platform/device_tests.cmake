@@ -10,7 +10,7 @@ if(NOT LUMI_TEST_ALL)
 endif()
 add_test(NAME devices.field COMMAND ${lumi_devices} --only field)
 set_tests_properties(devices.field PROPERTIES FIXTURES_SETUP lumi_device_field COST 300)
-foreach(example riscv lm3s_oled gba pico_st7789 simulator overlay)
+foreach(example riscv lm3s_oled pico_st7789 simulator overlay)
   add_test(NAME devices.${example} COMMAND ${lumi_devices} --only ${example})
   set_tests_properties(devices.${example} PROPERTIES FIXTURES_REQUIRED lumi_device_field SKIP_RETURN_CODE 77
     COST 200 TIMEOUT 600)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Frames that other compilers and machines draw from the same files: big-endian, of 32 bits, RISC-V, and Clang; and RISC-V
-# of 32 bits without an operating system, by its toolchain files.
+# Frames that other compilers and machines draw from the same files: big-endian, of 32 bits, RISC-V, ARMv4T, and Clang;
+# and RISC-V of 32 bits without an operating system, by its toolchain files.
 
 # machine_test(NAME COMPILER [EMULATOR])
 function(machine_test name compiler)
@@ -15,6 +15,7 @@ function(machine_test name compiler)
     COMMAND ${CMAKE_COMMAND} -D COMPILER=${compiler} -D "EMULATOR=${ARGN}" -D SOURCE=${PROJECT_SOURCE_DIR}
       -D GENERATED=${CMAKE_CURRENT_BINARY_DIR} -D PROGRAM=${CMAKE_CURRENT_BINARY_DIR}/frame_crcs_${name}
       -D HOST=$<TARGET_FILE:lumi_frame_crcs> -D "FIELDS=${lumi_test_fields}" -D EVERY_FRAME=${LUMI_TEST_ALL}
+      -D "OPTIONS=${LUMI_${name}_OPTIONS}"
       -P ${CMAKE_CURRENT_SOURCE_DIR}/machine_frames.cmake)
 endfunction()
 
@@ -23,6 +24,9 @@ if(LUMI_TEST_ALL)
   machine_test(i686 i686-linux-gnu-g++ qemu-i386)
   machine_test(riscv64 riscv64-linux-gnu-g++ qemu-riscv64)
   machine_test(clang clang++)
+  # toolchains/arm7tdmi.cmake; the emulator answers semihosting.
+  set(LUMI_arm7tdmi_OPTIONS -mcpu=arm7tdmi -mthumb -mfloat-abi=soft -ffunction-sections -Wl,--gc-sections --specs=rdimon.specs)
+  machine_test(arm7tdmi arm-none-eabi-g++ qemu-arm)
 endif()
 
 if(LUMI_TEST_ALL)

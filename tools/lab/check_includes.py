@@ -69,7 +69,6 @@ platform/bare
 platform/overlay
 platform/riscv
 platform/lm3s_oled
-platform/gba
 platform/pico_st7789
 platform/simulator
 platform/lvgl

@@ -6,7 +6,7 @@
 # with what `lumi render` or, in pixels that it does not write, the host's library draws. Ends with 0 only if all agree and
 # nothing was left out but LVGL, the Pico SDK, TFT_eSPI and LovyanGFX, of which it says so.
 #   --docs          writes the table and the pictures of platform/README.md
-#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, gba, pico_st7789, simulator, overlay, lvgl,
+#   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, pico_st7789, simulator, overlay, lvgl,
 #                   pico_sdk, pico_measure, tft_espi, lovyangfx, table (of what was run last)
 #   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out
 #   --pico-sdk PATH the Pico SDK: platform/pico_st7789 is built against it, too, and run, and so is platform/measure/pico
@@ -24,7 +24,7 @@ devices=$root/build/devices
 lumi=$root/build/release/tools/lumi
 field=$devices/desk_clock.lumi
 declare -A sources_of=([pico_sdk]=pico_st7789 [pico_measure]=measure/pico)  # where the folder has another name
-examples=(riscv lm3s_oled gba pico_st7789 simulator overlay)
+examples=(riscv lm3s_oled pico_st7789 simulator overlay)
 lvgl='' pico_sdk='' tft_espi='' lovyangfx='' only='' built='' may_skip='' docs=''
 frames=2
 npm_folder=$root/build/npm
@@ -139,24 +139,6 @@ draw_expected() {
     "$devices/$1/expected-$6.raw" ${9+"$9"}
 }
 
-run_gba() {
-  require gba arm-none-eabi-g++ cc python3
-  build gba arm7tdmi
-  local folder=$devices/gba word frame azimuth elevation
-  if ! cc -O1 -Wall "$root/tools/lab/devices/run_gba.c" -o "$folder/run_gba" -lmgba 2>"$folder/run_gba.log"; then
-    cat "$folder/run_gba.log" >&2
-    require gba "libmgba (libmgba-dev)"
-  fi
-  "$folder/run_gba" "$folder/build/lumi_gba.gba" "$folder" 3 | tee "$folder/log"
-  while read -r word frame _ _ _ _ _ _ _ azimuth _ elevation; do
-    [[ $word == frame ]] || die "gba: not the report of a frame: $word"
-    draw_expected gba bgr555 240 160 8 "$frame" "$azimuth" "$elevation"
-    check gba rgb888 240x160 "$frame" "$folder/expected-$frame.raw" bgr555
-  done <"$folder/log"
-  write_row gba main arm-none-eabi-size "$(value stack "$folder/log")" \
-    "$(rate 16777216 "$(value cycles "$folder/log")")" – "mGBA's clocks, 16.8 MHz"
-}
-
 # run_pico EXAMPLE NAME COUNTED: a program of one or two cores, with and without modelled flash misses, and its row.
 run_pico() {
   local folder=$devices/$1 frame option stack
@@ -194,16 +176,14 @@ run_pico_sdk() {
   run_pico pico_sdk two_cores two_cores "the same; Pico SDK $(pico_sdk_version), core 1 modelled"
 }
 
-# The program that measures a real board, which here tells what the emulator takes.
+# The program that measures a real board; here it prints what the emulator takes.
 run_pico_measure() {
   [[ -n $pico_sdk ]] || die "name the Pico SDK: --pico-sdk PATH"
   require_rp2040js pico_measure
   local folder=$devices/pico_measure
   build pico_measure host -DPICO_SDK_PATH="$pico_sdk" -DPICO_NO_PICOTOOL=ON -DFIELD="$field"
   NODE_PATH=$npm_folder/node_modules node "$root/tools/lab/devices/pico/run.cjs" "$folder/build/lumi_measure.bin" "$folder" \
-    --flash-misses --json 2 >"$folder/log"
-  "$lumi" inspect "$field" --screen 240x240 --for rp2040 --json |
-    python3 -B "$root/tools/lab/devices/measured.py" "$folder/log" | tee "$folder/measured"
+    --flash-misses --json 2
 }
 
 pico_sdk_version() {
@@ -293,13 +273,6 @@ run_lvgl() {
     --pixel rgb565 >/dev/null
   python3 -B "$root/tools/lab/devices/picture.py" rgb565 "${side}x$side" "$folder/rgb565-0.expected" \
     --same-as "$folder/rendered.png" png
-  json_row source lvgl/main.c glue_lines "$(lines_of lvgl/main.c)" counted_by "on the host, LVGL $(lvgl_version)" \
-    same_bits 'but for outlines, which LVGL blends' >"$folder/row"
-}
-
-lvgl_version() {
-  awk '$2 ~ /^LVGL_VERSION_(MAJOR|MINOR|PATCH)$/ { version = version separator $3; separator = "." } END { print version }' \
-    "$lvgl/lv_version.h"
 }
 
 # check_sketch EXAMPLE SKETCH HEADERS LINE...: a library's own headers take the sketch's calls; the lines come before it.
@@ -335,7 +308,6 @@ run_example() {
 }
 
 publish() {
-  print_rows | tee "$devices/rows"
   [[ -z $docs ]] || write_docs
   [[ -n $pico_sdk ]] || echo "pico_sdk was not run: it needs the SDK: --pico-sdk PATH"
   [[ -n $lvgl ]] || echo "SKIPPED lvgl: it needs LVGL's source: --lvgl PATH"
@@ -356,7 +328,6 @@ main() {
   case $only in
     '')
       bake_field
-      rm -f "$devices"/{lvgl,pico_sdk}/row
       [[ -z $lvgl ]] || examples+=(lvgl)
       [[ -z $pico_sdk ]] || examples+=(pico_sdk pico_measure)
       [[ -z $tft_espi ]] || examples+=(tft_espi)

@@ -3,7 +3,7 @@
 """picture.py FORMAT WIDTHxHEIGHT PIXELS [-o OUT.png] [--same-as EXPECTED [EXPECTED_FORMAT]]
 
 Turns the pixels of a display into a PNG and compares them with expected ones, bit by bit. FORMAT: rgb565, rgb565-swapped,
-bgr555, grey4 (two pixels a byte, the left one in the high bits), rgb888, bmp, or png. Ends with 1 if a pixel differs.
+grey4 (two pixels a byte, the left one in the high bits), rgb888, bmp, or png. Ends with 1 if a pixel differs.
 """
 import argparse
 import struct
@@ -30,10 +30,7 @@ def unpack(name, data):
         return bytes(out)
     order = ">" if name == "rgb565-swapped" else "<"
     for (v,) in struct.iter_unpack(order + "H", data):
-        if name == "bgr555":
-            out += bytes([five(v & 31), five(v >> 5 & 31), five(v >> 10 & 31)])
-        else:
-            out += bytes([five(v >> 11), six(v >> 5 & 63), five(v & 31)])
+        out += bytes([five(v >> 11), six(v >> 5 & 63), five(v & 31)])
     return bytes(out)
 
 

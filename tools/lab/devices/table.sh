@@ -40,23 +40,11 @@ rate() {
   awk -v hz="$1" -v clocks="$2" 'BEGIN { printf "%.1f", hz / clocks }'
 }
 
-# Rows of what was run; what needs a path that was not given keeps the rows that it has.
-print_rows() {
-  local example
-  local -A kept=([pico_sdk]='Pico SDK' [lvgl]='"lvgl/')
-  for example in riscv lm3s_oled gba pico_st7789 pico_sdk lvgl; do
-    if [[ -f $devices/$example/row ]]; then
-      cat "$devices/$example/row"
-    elif [[ -n ${kept[$example]:-} ]]; then
-      sed --quiet "\\|${kept[$example]}|{s/,\$//;p}" "$root/docs/log/data/devices.json"
-    fi
-  done
-}
-
+# Writes the table and the pictures. Examples that need a path have no row: not every machine can make it anew.
 write_docs() {
-  put devices rows <"$devices/rows"
-  [[ -z $pico_sdk ]] || put measured emulated <"$devices/pico_measure/measured"
-  for example in gba lm3s_oled overlay pico_st7789 lvgl; do
-    [[ ! -f $devices/$example/frame-0.png ]] || cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
+  local example
+  for example in riscv lm3s_oled pico_st7789; do cat "$devices/$example/row"; done | put devices rows
+  for example in lm3s_oled overlay pico_st7789; do
+    cp "$devices/$example/frame-0.png" "$root/docs/img/device-$example.png"
   done
 }
