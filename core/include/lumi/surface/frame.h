@@ -179,7 +179,7 @@ namespace lumi
 {
 
 // Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
-// docs/log/tradeoff.md, surface fields.
+// docs/log/speed.md.
 // A mode up to kFinest: what finer modes take is not linked.
 template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
