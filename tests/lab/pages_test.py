@@ -23,7 +23,6 @@ class Tables(unittest.TestCase):
                "instructions_per_pixel": 123.46, "psnr_db": None, "worst_pixel": 0}
         made = tradeoff.Tradeoff({"rows": [row], "parts": []})
         self.assertEqual(made.cost().rows, [["linear luma8", "–", "–", "123", "–"]])
-        self.assertEqual(made.accuracy().rows, [["linear luma8", "∞ / 0", "–", "–"]])
 
     def test_rows_come_one_by_one_or_as_lists(self):
         self.assertEqual(scripts.rows_of('{"a": 1}\n[{"a": 2}, {"a": 3}] {"a": 4}\n'), [{"a": k} for k in range(1, 5)])

@@ -25,10 +25,8 @@ from figures.table import ROOT, Table, save, shown
 
 TABLES = {
     **{f"tradeoff {name}": (lambda name=name: tradeoff.table(name)) for name in (
-        "choice", "glance", "cost", "split", "accuracy", "memory", "polar", "rates", "parts", "surface_cost",
-        "surface_split", "surface_rates", "baselines")},
+        "glance", "cost", "split", "parts", "surface_cost", "surface_split", "baselines")},
     "quality": quality.flash_table,
-    "quality low": quality.low_rows,
     "quality first": quality.first_table,
     "quality readme": quality.readme_table,
     "paper bakes": paper.bakes,
@@ -45,10 +43,8 @@ TABLES = {
     "model_sheet": scripts.model_sheet,
     "licences": lambda: scripts.licences("rows"),
     "scene pictures": scripts.scene_pictures,
-    **{f"trade {scene}": (lambda scene=scene: trade.front(scene)) for scene in ("clock", "bottle", "volume")},
+    **{f"trade {scene}": (lambda scene=scene: trade.front(scene)) for scene in ("clock", "volume")},
     "trade modes": trade.modes,
-    "trade scenes": trade.scenes,
-    "trade choices": trade.choices,
     "devices": scripts.devices,
     "board memory": scripts.board_memory,
 }
@@ -122,7 +118,7 @@ def main(words):
         sys.exit(__doc__)
     if words == ["--plots"]:
         from figures import plots
-        plots.draw_all()
+        plots.draw_front()
     write_pages(check=words == ["--check"])
 
 

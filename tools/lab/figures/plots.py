@@ -1,48 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Plots of docs/img, by matplotlib (Debian: python3-matplotlib). The same bytes of the same data."""
+"""Draws the plot of docs/tradeoff.md by matplotlib (Debian: python3-matplotlib). Equal data give equal bytes."""
 import sys
 
 from .table import ROOT, load
-from .tradeoff import CORES, Tradeoff
 
 FOLDER = ROOT / "docs/img"
-
-
-def draw(name, title, x_title, y_title, series, log=True):
-    """`series`: name to points (x, y, label)."""
-    try:
-        import matplotlib  # needed only here
-    except ImportError:
-        sys.exit("matplotlib is missing: apt-get install python3-matplotlib")
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    matplotlib.rcParams.update({"svg.hashsalt": "lumi", "svg.fonttype": "none", "font.size": 9})
-    figure, axes = pyplot.subplots(figsize=(9, 5), layout="constrained")
-    styles = [(colour, dash) for dash in ("-", "--", ":") for colour in pyplot.colormaps["tab10"].colors]
-    for (label, points), (colour, dash) in zip(series.items(), styles):
-        axes.plot([p[0] for p in points], [p[1] for p in points], dash, color=colour, marker="o", markersize=3.5, label=label)
-        for x, y, text in points:
-            axes.annotate(text, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
-    axes.set(title=title, xlabel=x_title, ylabel=y_title, xscale="log" if log else "linear")
-    axes.grid(True, which="both", color="#dddddd")
-    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), fontsize=7)
-    figure.savefig(FOLDER / name, metadata={"Date": None})
-    pyplot.close(figure)
-
-
-def draw_tradeoff():
-    """A plot a core; exact pictures, which do not differ, have no place on it."""
-    trade = Tradeoff(load("tradeoff"))
-    for core in CORES:
-        series = {}
-        for mode, texel in trade.renderers:
-            rows = [trade.chord_row(core, mode, texel, span) for span in trade.spans]
-            points = [(row["instructions_per_pixel"], row["psnr_db"], str(row["span"] or "exact")) for row in rows
-                      if row and row["psnr_db"] is not None]
-            if points:
-                series[f"{mode} {texel}"] = points
-        draw(f"tradeoff-{core}.svg", f"Cost and accuracy on {core}, generic view; labels are span lengths in pixels",
-             "instructions per covered pixel", "PSNR against exact, dB", series)
 
 
 def labelled(front, part):
@@ -57,7 +19,10 @@ def labelled(front, part):
 
 def draw_front(part="rp2040"):
     """A panel a scene: frames a second across, dB up, the area of a mark its flash; beaten ways are grey."""
-    import matplotlib
+    try:
+        import matplotlib  # needed only here
+    except ImportError:
+        sys.exit("matplotlib is missing: apt-get install python3-matplotlib")
     matplotlib.use("Agg")
     from matplotlib import pyplot
     matplotlib.rcParams.update({"svg.hashsalt": "lumi", "svg.fonttype": "none", "font.size": 9})
@@ -85,8 +50,3 @@ def draw_front(part="rp2040"):
     panels[0][0].set_ylabel("PSNR against path-traced pictures, dB")
     figure.savefig(FOLDER / "front.svg", metadata={"Date": None})
     pyplot.close(figure)
-
-
-def draw_all():
-    draw_front()
-    draw_tradeoff()

@@ -7,7 +7,6 @@ from .table import Table, byte_text, decimal, load, or_none, whole
 
 MODES = {"surface": "2x2", "antialiased": "antialiased", "one sample": "one-sample"}  # by what a row shows
 ORDER = ["surface", "antialiased", "one sample", "mean alone", "chord", "sprites", "JPEG sprites", "one ray"]
-MOST_BELOW_MEAN_DB = 2  # the worst view may lie so far below the mean
 KEPT = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "flip", "mask_psnr_db", "worst_view",
         "worst_block"]
 
@@ -71,15 +70,6 @@ def flash_table():
           decimal(row["flip"], 4), decimal(row["mask_psnr_db"], 2),
           f"{decimal(row['worst_view']['psnr_db'])} ({row['worst_view']['view'] + 1})", place(row["worst_block"]),
           f"{or_none(row.get('m4'))} · {or_none(row.get('m0plus'))}"] for row in load("quality")["rows"]])
-
-
-def low_rows():
-    """Which rows have a view far below their mean."""
-    def below(row):
-        return row["worst_view"]["psnr_db"] - row["psnr_db"]
-    low = [f"{row['scene']}, {how(row)}, {flash(row)} ({below(row):.1f} dB)" for row in load("quality")["rows"]
-           if row["layout"] in MODES and below(row) < -MOST_BELOW_MEAN_DB]
-    return f"Rows whose worst view lies more than {MOST_BELOW_MEAN_DB} dB below the mean: {'; '.join(low) or 'none'}.\n"
 
 
 CHIPS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3", "stm32f4": "STM32F407", "stm32h7": "STM32H743"}

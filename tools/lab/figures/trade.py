@@ -46,17 +46,3 @@ def modes():
         return str(len(on))
 
     return Table(["layout", "mode", *scenes], [[*name, *(count(name, scene) for scene in scenes)] for name in names])
-
-
-def scenes():
-    data = load("trade")
-    return Table(["scene", "what it is", "views", "light paths a pixel of references", "report"],
-                 [[scene["scene"], scene["title"], scene["views"], scene["reference_samples"],
-                   "--quick" if scene["quick"] else "whole"] for scene in data["scenes"]])
-
-
-def choices():
-    """What the report recommends at the pace that it takes by default."""
-    rows = [[row["scene"], PARTS[row["part"]], f"{row['field'].split('-')[0]}, {row['field'].split('-')[1].replace('kB', ' kB').replace('MB', ' MB')}",
-             row["mode"], "yes" if row["keeps_pace"] else "no"] for row in load("trade")["parts"]]
-    return Table(["scene", "part", "field", "mode", "reaches 10 frames a second"], rows)

@@ -49,21 +49,6 @@ class Tradeoff:
     def chord_row(self, core, mode, texel, span, view="generic"):
         return find(self.chord, core=core, mode=mode, texel=texel, span=span, view=view)
 
-    def choice(self):
-        """The best reconstruction, then the shortest span, then the finest texel that reaches a rate on a part."""
-        def best(part, wanted):
-            key = f"fps_{part['key']}"
-            for mode in ("paper", "linear", "nearest"):
-                for span in (4, 8, 16):
-                    for _, texel in [pair for pair in self.renderers if pair[0] == mode]:
-                        row = self.chord_row(part["core"], mode, texel, span)
-                        if row and row.get(key, 0) >= wanted:
-                            return f"{mode} {texel}, S = {span} ({row[key]:.0f})"
-            return "none"
-        rates = (10, 20, 30, 60)
-        return Table(["part", *(f"{rate} frames/s" for rate in rates)],
-                     [[part["title"], *(best(part, rate) for rate in rates)] for part in self.data["parts"]])
-
     def glance(self):
         return Table(["renderer", "M4", "M0+ code", "dB generic", "dB pole"],
                      [[f"{mode} {texel}, S = {span}", cell(self.chord_row("m4", mode, texel, span), per_pixel()),
@@ -83,39 +68,6 @@ class Tradeoff:
                                 lambda mode, texel: [cell(self.chord_row(core, mode, texel, span), lambda row:
                                                           f"{decimal(row['setup'])} + {decimal(row['inner'])}")
                                                      for core, span in keys])
-
-    def accuracy(self):
-        """The same for every core: all draw the same bits."""
-        keys = [(view, span) for view in VIEWS for span in self.spans]
-        return self.by_renderer("renderer", [f"{view} S{span}" for view, span in keys], lambda mode, texel: [
-            cell(find(self.chord, mode=mode, texel=texel, view=view, span=span), exactness) for view, span in keys])
-
-    def memory(self):
-        def text(core, mode, texel):
-            rows = [row for row in self.chord if (row["core"], row["mode"], row["texel"]) == (core, mode, texel)]
-            stack = max((row.get("stack_bytes", 0) for row in rows if row["span"]), default=0)
-            return cell(find(rows, span=16, view="generic"), lambda row: f"{row['code_bytes']} / {stack}")
-        return self.by_renderer("renderer", [f"{core} code / stack, bytes" for core in CORES],
-                                lambda mode, texel: [text(core, mode, texel) for core in CORES])
-
-    def polar(self):
-        def text(core, mode, texel):
-            generic, pole = (self.chord_row(core, mode, texel, 16, view) for view in ("generic", "pole"))
-            if not generic or not pole:
-                return NONE
-            change = 100 * (pole["instructions_per_pixel"] / generic["instructions_per_pixel"] - 1)
-            return f"{per_pixel(0)(generic)} → {per_pixel(0)(pole)} ({change:+.1f} %)"
-        return self.by_renderer("renderer, S = 16", [f"{core} generic → pole" for core in CORES],
-                                lambda mode, texel: [text(core, mode, texel) for core in CORES])
-
-    def rates(self):
-        def text(part, mode, texel):
-            key = part["key"]
-            return cell(self.chord_row(part["core"], mode, texel, 16), lambda row:
-                        f"{row['lines_' + key]}, {row['misses_' + key]}, **{decimal(row['fps_' + key])}**")
-        parts = self.data["parts"]
-        return self.by_renderer("renderer, S = 16", [f"{part['title']}: lines, misses, frames/s" for part in parts],
-                                lambda mode, texel: [text(part, mode, texel) for part in parts])
 
     def parts(self):
         def shape(cache):
@@ -154,17 +106,6 @@ class Tradeoff:
             ["view tables" if part == "lights" else part for part in SPLIT],
             lambda core, mode, pixel: [cell(self.surface_row(core, mode, pixel), lambda row: decimal(row[part]))
                                        for part in SPLIT], ("m4", "m0plus"))
-
-    def surface_rates(self):
-        def text(part, mode, pixel):
-            row, key = self.surface_row(part["core"], mode, pixel), part["key"]
-            if row is None:
-                return NONE
-            both = f", both cores **{decimal(row['fps2_' + key])}**" if part["cores"] == 2 else ""
-            return f"{row['misses_' + key]}, **{decimal(row['fps_' + key])}**{both}"
-        parts = self.data["parts"]
-        return self.by_surface_renderer([f"{part['title']}: misses, frames/s" for part in parts],
-                                        lambda _, mode, pixel: [text(part, mode, pixel) for part in parts])
 
     def baselines(self):
         def ours(mode, core):
