@@ -186,7 +186,8 @@ def licences(archives):
     loaded = sorted(names[r["relatedSpdxElement"]] for r in bill["relationships"] if r["relationshipType"] == "DYNAMIC_LINK")
     told = [row["package"] for row in json.loads((ROOT / "docs/log/data/licences.json").read_text())["rows"]]
     if loaded != sorted(told):
-        sys.exit(f"error: docs/licences.md is old: {set(loaded) ^ set(told)}; the page says how it is made anew")
+        sys.exit(f"error: docs/licences.md is old: {set(loaded) ^ set(told)}; `python3 tools/packaging/libraries.py LUMI | "
+                 "tools/lab/pages.py put licences rows` makes it anew")
 
 
 def tagging(build):
