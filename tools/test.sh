@@ -44,13 +44,17 @@ check_with_clang_tidy() {
   )
 }
 
-# The same of what the last commits changed: those of four hours before the newest, and what is not committed.
+# Checks the sources that changed most in the last commits (those of four hours before the newest) and in what is not
+# committed. `--all` checks the others, too.
+most_tidy_files=6
 check_changes_with_clang_tidy() {
   local base files
   base=$(git -C "$root" rev-list -1 --before="$(($(git -C "$root" log -1 --format=%ct) - 4 * 3600))" HEAD)
   [[ -n $base ]] || return 0
-  mapfile -t files < <(git -C "$root" diff --name-only --diff-filter=d "$base" -- '*.cpp')
-  ((${#files[@]} == 0)) || check_with_clang_tidy "${files[@]}"
+  mapfile -t files < <(git -C "$root" diff --numstat --no-renames --diff-filter=d "$base" -- '*.cpp' |
+    sort --reverse --numeric-sort | cut --fields=3)
+  ((${#files[@]} <= most_tidy_files)) || printf '%d of %d changed sources\n' "$most_tidy_files" "${#files[@]}"
+  ((${#files[@]} == 0)) || check_with_clang_tidy "${files[@]:0:most_tidy_files}"
 }
 
 check_format() {
@@ -106,7 +110,7 @@ run_tests() {
 main() {
   parse_arguments "$@"
   run_step "Packages" "$root/tools/install_packages.sh" "$packages"
-  run_step "Build for the host" build_preset host -DLUMI_TEST_ALL="$all"
+  run_step "Build for the host" build_preset host -DLUMI_TEST_ALL="$all" -DLUMI_TEST_SHORT=ON
   run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all"
   if [[ $all == ON ]]; then
     run_step "clang-format" check_format

@@ -130,8 +130,8 @@ TEST_CASE("a bake counts what it warns of, the mesh's faults among it")
 {
     const test::TemporaryFolder folder;
     const std::string scene = write_specks(folder.path());
-    const Outcome bake = lumi({"bake", scene, "-o", folder / "f.lumi", "--fit", "30kB", "--layout", "surface",
-                               "--paths", "1", "--progress", "json"});
+    const Outcome bake = lumi({"bake", scene, "-o", folder / "f.lumi", "--layout", "surface", "--triangles", "150",
+                               "--longest-edge", "0.5", "--texel-density", "6", "--paths", "1", "--progress", "json"});
     INFO(bake.err);
     REQUIRE(bake.code == 0);
     size_t told = 0;

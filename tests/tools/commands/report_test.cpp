@@ -62,24 +62,35 @@ TEST_CASE("report --mode draws a chord field by every mode that is named, in vie
 namespace
 {
 
-// A chord field that spans draw, and a surface field, of a cube.
+// The bytes of a chord field that spans draw, of a cube; baked once.
+const std::string& small_chord_bytes()
+{
+    static const std::string bytes = [] {
+        const test::TemporaryFolder folder;
+        const std::string field = folder / "c.lumi";
+        REQUIRE(test::lumi({"bake", test::write_cube(folder.path()), "-o", field, "--origins", "70", "--directions",
+                            "70", "--spp", "1"})
+                    .code == 0);
+        return test::content_of(field);
+    }();
+    return bytes;
+}
+
+// A chord field and a surface field of a cube, and a folder for what reports keep.
 struct Fields {
     const test::TemporaryFolder folder;
     const std::string scene = test::write_cube(folder.path()), surface = folder / "s.lumi", chord = folder / "c.lumi";
 
     Fields()
     {
-        test::Arguments bake = {"bake", scene, "-o", surface};
-        for (const std::string& option : test::small_surface_options()) bake.push_back(option);
-        REQUIRE(test::lumi(bake).code == 0);
-        REQUIRE(test::lumi({"bake", scene, "-o", chord, "--origins", "70", "--directions", "70", "--spp", "1"}).code ==
-                0);
+        test::write_content(surface, test::small_surface_bytes());
+        test::write_content(chord, small_chord_bytes());
     }
 
     test::Outcome report(const test::Arguments& more) const
     {
-        test::Arguments call = {"report", scene,   surface, chord,     "--count",
-                                "1",      "--spp", "1",     "--cache", folder / "cache"};
+        test::Arguments call = {"report", scene, surface,  chord, "--count", "1",
+                                "--spp",  "1",   "--size", "64",  "--cache", folder / "cache"};
         call.insert(call.end(), more.begin(), more.end());
         return test::lumi(call);
     }
