@@ -68,11 +68,24 @@ set(LUMI_PLAIN_FILES
   platform/
   tools/)
 
-# Files that both trees run: their bits must be the same whatever the compiler's options, or they hold damaged files
-# beside bakes that are repeated.
+# Files that both trees run: their full form needs speed and their reads need sanitizers, which run the light form; or their
+# bits must be the same whatever the compiler's options; or they hold damaged files beside bakes that are repeated.
 set(LUMI_BOTH_FILES
+  core/camera/
+  core/chord/both_sides_test.cpp
+  core/chord/cover_test.cpp
+  core/chord/cut_columns_test.cpp
   core/chord/extreme_chord_test.cpp
+  core/chord/range_test.cpp
+  core/chord/reads_test.cpp
+  core/chord/render_test.cpp
+  core/field/field_test.cpp
+  core/math/
+  core/stripes_test.cpp
   core/surface/extreme_surface_test.cpp
+  core/surface/halves_test.cpp
+  core/surface/render_test.cpp
+  core/surface/view_nodes_test.cpp
   core/view/same_bits_test.cpp
   baker/merge_test.cpp
   baker/store/checkpoint_test.cpp
