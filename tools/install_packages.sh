@@ -37,7 +37,6 @@ test_packages=(
 all_packages=(
   clang-format cppcheck g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev           # `lumi filter train`, `lumi render --filter`
-  python3-matplotlib     # `tools/lab/pages.py --plots`
   chromium)              # the page of `lumi view`
 # Each with the hash of its archive; they go to build/npm.
 npm_packages=(  # for tests: an emulator of the RP2040

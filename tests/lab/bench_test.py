@@ -53,12 +53,6 @@ class Lines(unittest.TestCase):
             bench.with_facts(dict(row), {"crc": 8}, [frame])
 
 
-    def test_rows_that_were_not_counted_are_kept(self):
-        old = [{"layout": "chord", "core": "m4", "mode": "linear", "n": 1}, {"layout": "surface", "core": "m4", "mode": "2x2", "n": 2}]
-        new = [{"layout": "surface", "core": "m4", "mode": "2x2", "n": 3}, {"layout": "surface", "core": "m7", "mode": "2x2", "n": 4}]
-        self.assertEqual([row["n"] for row in bench.renewed(old, new)], [1, 3, 4])
-
-
     def test_quality_control_expects_no_less_than_what_modes_were_counted_to_cost(self):
         header = (ROOT / "core/include/lumi/surface/quality.h").read_text()
         growth = [int(k) / 16 for k in re.search(r"kGrowth_q4\[\] = {(.*)}", header).group(1).split(",")]

@@ -14,7 +14,7 @@ import pathlib
 import subprocess
 import sys
 
-from figures.table import load, save
+from figures.table import save
 
 CORES = ["m0plus", "m3", "m4", "m7"]
 CHORD_MODES = ["nearest", "linear", "paper"]
@@ -244,31 +244,16 @@ def baseline_rows(options, boards):
     return rows
 
 
-def renewed(old, rows):
-    """The old rows, with those of `rows` in the place of what counts the same."""
-    def subject(row):
-        return tuple(row.get(name) for name in ("layout", "core", "mode", "texel", "pixel", "span", "view"))
-
-    fresh = {subject(row): row for row in rows}
-    return [fresh.pop(subject(row), row) for row in old] + list(fresh.values())
-
-
 def measure(options):
     boards = [Board(core, options.work) for core in options.core]
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
     is_see_through = "see_through_patches" in (facts or {})
     rows = surface if is_see_through else lab("parts", "--rate", stdin=json.dumps(chord + surface))
-    if options.docs and not is_see_through:
-        data = load("tradeoff")
-        data.update({"parts": lab("parts"), "rows": renewed(data["rows"], rows)})
-        if surface:
-            data["surface_field"] = facts
-        if chord:
-            data.update({"field": {"scene": options.scene.name, "origins": options.origins,
-                                   "directions": options.directions, "spp": options.spp},
-                         "baselines": baseline_rows(options, boards)})
-        save("tradeoff", data)
+    if options.docs:
+        save("tradeoff", {"parts": lab("parts"), "rows": rows, "surface_field": facts, "baselines": baseline_rows(options, boards),
+                          "field": {"scene": options.scene.name, "origins": options.origins,
+                                    "directions": options.directions, "spp": options.spp}})
     return written(options, rows)
 
 
@@ -309,8 +294,7 @@ def parse(arguments):
     add_list("--span", SPANS, "pixels between exact ones, 0 for the exact renderer")
     parser.add_argument("--json", metavar="FILE", help="write the rows here")
     parser.add_argument("--docs", action="store_true",
-                        help="write rows, parts and baselines into docs/log/data/tradeoff.json, which keeps the "
-                        "rows of what was not counted; pages.py writes the pages")
+                        help="write rows, parts and baselines into docs/log/data/tradeoff.json")
     parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
     parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts there are "

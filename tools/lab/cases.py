@@ -2,14 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Draws small inputs of the kinds that people report, and compares each picture and message with what is right.
 
-cases.py FOLDER [--lumi PROGRAM] [--docs before|after]
+cases.py FOLDER [--lumi PROGRAM]
 
 FOLDER holds a folder for each case, with a.obj or a.json and RIGHT.txt, which says in words what a user calls right. RIGHT
 below says it in pictures: the picture of another text, or of another case, that surely means the same. A case that is right
-has a picture of at least LEAST_PSNR dB, where a picture is stated, and says what is stated. --docs writes the counts of each
-kind to docs/log/data/cases.json."""
+has a picture of at least LEAST_PSNR dB, where a picture is stated, and says what is stated."""
 import argparse
-import json
 import re
 import shutil
 import subprocess
@@ -194,7 +192,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--lumi", default=str(ROOT / "build/release/tools/lumi"))
-    parser.add_argument("--docs", choices=["before", "after"])
     options = parser.parse_args()
     counts, lumi = {}, Lumi(options.lumi)
     with tempfile.TemporaryDirectory() as scratch:
@@ -206,13 +203,6 @@ def main():
                 if fault:
                     print(f"  {name}: {fault}")
     print(f"{sum(counts.values())} of {sum(map(len, RIGHT.values()))} are right")
-    if options.docs:
-        path = ROOT / "docs/log/data/cases.json"
-        rows = json.loads(path.read_text())["cases"] if path.exists() else []
-        rows = rows or [{"kind": kind, "cases": len(cases)} for kind, cases in RIGHT.items()]
-        for row in rows:
-            row[options.docs] = counts[row["kind"]]
-        path.write_text('{"cases": [\n' + ",\n".join("  " + json.dumps(row) for row in rows) + "\n]}\n")
     return 0
 
 

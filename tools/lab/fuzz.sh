@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/fuzz.sh [--minutes N | --hours N | --runs N] [--docs] [TARGET...]
+# tools/lab/fuzz.sh [--minutes N | --hours N | --runs N] [TARGET...]
 # Fuzzes under AddressSanitizer and UndefinedBehaviorSanitizer, so long a target (a minute if not said) or so many
-# executions, as many targets at once as there are cores, and says executions and coverage; --docs adds them to the sums
-# in docs/log/tests.md, of which SECURITY.md has a copy, as soon as a target ends. A finding ends its target, of which
-# nothing is added; the input that shows it lies in build/fuzz/findings. What is learnt stays in build/fuzz/corpus, so
-# the next run goes on from there. Needs clang.
+# executions, as many targets at once as there are cores, and says executions and coverage. A finding ends its
+# target; the input that shows it lies in build/fuzz/findings. What is learnt stays in build/fuzz/corpus, so the next run
+# goes on from there. Needs clang.
 # Targets: field, extreme, picture, obj, gltf, stl, ply, scene, nifti, shard, weights; all if none is named.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -14,7 +13,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 limit=(-max_total_time=60)
 limit_text="a minute"
 targets=()
-write_docs=false
 work=$root/build/fuzz
 memory=$([[ -w /dev/shm ]] && echo /dev/shm || echo "${TMPDIR:-/tmp}")
 
@@ -27,7 +25,6 @@ parse_arguments() {
   while (($#)); do
     case $1 in
       --minutes) set_minutes "${2:?"--minutes needs a number"}" && shift ;;
-      --docs) write_docs=true ;;
       --help) help "$0" && exit ;;
       --hours) set_minutes $((60 * ${2:?"--hours needs a number"})) && shift ;;
       --runs) limit=(-runs="${2:?"--runs needs a number"}") && limit_text="$2 executions" && shift ;;
@@ -75,17 +72,16 @@ figures_of() {
     "$(sed --quiet 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)"
 }
 
-fuzz_and_add() {
+fuzz_and_tell() {
   fuzz "$1"
-  figures_of "$1" | tee "$work/$1.json"
-  if $write_docs; then flock "$work/sums.lock" python3 -B "$root/tools/lab/pages.py" fuzzing <"$work/$1.json"; fi
+  figures_of "$1"
 }
 
 fuzz_all() {
   local target pids=() pid status=0
   for target in "${targets[@]}"; do
     while (($(jobs -rp | wc -l) >= jobs)); do sleep 1; done
-    fuzz_and_add "$target" & pids+=($!)
+    fuzz_and_tell "$target" & pids+=($!)
   done
   for pid in "${pids[@]}"; do wait "$pid" || status=1; done
   return "$status"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Bakes models that people have, and draws them beside path-traced pictures.
 
-model_sheet.py FOLDER [NAME...] [--people [1-60]] [--paths 60] [--fit 250kB] [--lumi PROGRAM] [--docs]
+model_sheet.py FOLDER [NAME...] [--people [1-60]] [--paths 60] [--fit 250kB] [--lumi PROGRAM]
 
 FOLDER holds the models of MODELS below (Debian: python3-matplotlib):
     npm pack @webxr-input-profiles/assets@1.0.20 && tar xzf webxr*.tgz                     (as `package`)
@@ -11,17 +11,13 @@ With --people FOLDER holds, in place of these, what Debian's packages minetest-m
 sweethome3d-furniture unpack (dpkg-deb -x), each .sh3f in place of itself, as a folder of that name. All OBJ and glTF files
 there are ranked by the SHA-256 of their paths, and the sheet has those of the ranks that are said, from six sides: nobody
 chose them. NAMEs choose some of them. The sheet is build/model-sheet/sheet.png: path-traced, drawn from the field, and again from
-the next side. What is there already is not made again: delete a model's folder there to bake it anew. --docs brings dB,
-bytes and what `lumi bake` warns of into docs/log/data/model_sheet.json (people_sheet.json), beside what that holds of
-other models."""
+the next side. What is there already is not made again: delete a model's folder there to bake it anew."""
 import argparse
 import hashlib
 import re
 import subprocess
 import sys
 from pathlib import Path
-
-from figures.table import DATA, load, save
 
 ROOT = Path(__file__).resolve().parents[2]
 PROFILES = "package/dist/profiles"
@@ -57,8 +53,8 @@ FAR_DB, FAR_SPP = 34, "512"  # a view that is farther off is measured again: its
 class Set:
     """Which models, from which sides, and where it goes."""
 
-    def __init__(self, work, table, models, sides):
-        self.work, self.table, self.models, self.sides = ROOT / "build" / work, table, models, sides
+    def __init__(self, work, models, sides):
+        self.work, self.models, self.sides = ROOT / "build" / work, models, sides
 
 
 def people(folder):
@@ -148,12 +144,6 @@ def draw_sheet(models, path):
     figure.savefig(path, dpi=100)
 
 
-def write_rows(rows, chosen):
-    known = load(chosen.table)["models"] if (DATA / f"{chosen.table}.json").exists() else []
-    by_name = {row["model"]: row for row in [*known, *rows]}
-    save(chosen.table, {"models": [by_name[name] for name in chosen.models if name in by_name]})
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
@@ -162,25 +152,20 @@ def main():
     parser.add_argument("--paths", default="60")
     parser.add_argument("--fit", default="250kB")
     parser.add_argument("--lumi", default=str(ROOT / "build/release/tools/lumi"))
-    parser.add_argument("--docs", action="store_true")
     options = parser.parse_args()
     if options.people:
-        chosen = Set("people-sheet", "people_sheet", people(options.folder), PEOPLE_SIDES)
+        chosen = Set("people-sheet", people(options.folder), PEOPLE_SIDES)
     else:
-        chosen = Set("model-sheet", "model_sheet", MODELS, SIDES)
+        chosen = Set("model-sheet", MODELS, SIDES)
     unknown = sorted(set(options.names) - set(chosen.models))
     if unknown:
         parser.error(f"there is no model {', '.join(unknown)}")
     first, last = options.people or (1, len(chosen.models))
     models = [Model(name, chosen, options) for name in options.names or list(chosen.models)[first - 1:last]]
-    rows = []
     for model in models:
-        rows.append(model.row())
-        print(rows[-1], flush=True)
+        print(model.row(), flush=True)
     draw_sheet(models, chosen.work / "sheet.png")
     print(chosen.work / "sheet.png")
-    if options.docs:
-        write_rows(rows, chosen)
     return 0
 
 

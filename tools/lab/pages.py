@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """pages.py [--check | --plots]
-pages.py put NAME PART | fuzzing          (rows of JSON on standard input)
-pages.py collect|show paper FOLDER | collect|show quality FOLDER SCENE...
+pages.py put NAME PART          (rows of JSON on standard input)
+pages.py collect|show paper FOLDER
 
-Writes every table of figures from docs/log/data/*.json into the pages: README.md, SECURITY.md, core/README.md, platform/README.md,
-docs/*.md and docs/log/*.md. --check writes nothing, names each page that differs from its data, and then fails. --plots also draws
-docs/img/*.svg (Debian: python3-matplotlib). put and collect bring what scripts measured into the data first;
-show prints its tables alone.
+Writes every table of figures from docs/log/data/*.json into the pages: README.md, SECURITY.md, core/README.md,
+platform/README.md, docs/*.md and docs/log/*.md. --check writes nothing. It fails where a page differs from its data, and
+where two files of data are of two commits. --plots also draws docs/img/front.svg. put and
+collect bring what scripts measured into the data first; show prints its tables alone. tools/lab/figures.sh measures all.
 
 A page says what it wants in comments; TABLE is a name of TABLES below, ROWS a regular expression, and without them the
 table is whole:
@@ -20,35 +20,25 @@ import json
 import re
 import sys
 
-from figures import paper, quality, scripts, trade, tradeoff
-from figures.table import ROOT, Table, save, shown
+from figures import bench, boards, paper, plots, scenes, trade
+from figures.table import ROOT, Table, commits, put, save, shown
 
 TABLES = {
-    **{f"tradeoff {name}": (lambda name=name: tradeoff.table(name)) for name in (
+    **{f"tradeoff {name}": (lambda name=name: bench.table(name)) for name in (
         "glance", "cost", "split", "parts", "surface_cost", "surface_split", "baselines")},
-    "quality": quality.flash_table,
-    "quality first": quality.first_table,
-    "quality readme": quality.readme_table,
-    "paper bakes": paper.bakes,
-    "paper likeness": paper.likeness,
-    "paper background": paper.background,
-    "paper times": paper.times,
-    "paper eyes": paper.eyes,
-    "paper m4": paper.m4,
-    "soak": scripts.soak,
-    "coverage": scripts.coverage,
-    "mutants": scripts.mutants,
-    "fuzzing": scripts.fuzzing,
-    "cases": scripts.cases,
-    "model_sheet": scripts.model_sheet,
-    "licences": lambda: scripts.licences("rows"),
-    "scene pictures": scripts.scene_pictures,
-    **{f"trade {scene}": (lambda scene=scene: trade.front(scene)) for scene in ("clock", "volume")},
+    "quality": trade.quality,
+    "quality first": trade.first_table,
+    "quality readme": trade.readme_table,
+    "trade clock": lambda: trade.front("clock"),
+    "trade volume": lambda: trade.front("volume"),
     "trade modes": trade.modes,
-    "devices": scripts.devices,
-    "board memory": scripts.board_memory,
+    **{f"paper {name}": (lambda name=name: getattr(paper, name)()) for name in (
+        "bakes", "likeness", "background", "times", "eyes", "m4")},
+    "licences": boards.licences,
+    "scene pictures": scenes.pictures,
+    "devices": boards.devices,
+    "board memory": boards.memory,
 }
-COLLECTORS = {"quality": quality.collect, "paper": paper.collect}
 BLOCK = re.compile(r"(<!-- table: (?!end)(.*?) -->\n).*?(<!-- table: end -->)", re.DOTALL)
 VALUE = re.compile(r"(<!-- value: ([^;]*); (.*?) -->)[^<]*(<!-- end -->)")
 
@@ -79,47 +69,44 @@ def filled(text):
 
 
 def pages():
-    return [ROOT / "README.md", ROOT / "SECURITY.md", ROOT / "core/README.md", ROOT / "platform/README.md", *sorted(ROOT.glob("docs/*.md")),
-            *sorted(ROOT.glob("docs/log/*.md"))]
+    names = ["README.md", "SECURITY.md", "core/README.md", "platform/README.md"]
+    return [*map(ROOT.joinpath, names), *sorted(ROOT.glob("docs/*.md")), *sorted(ROOT.glob("docs/log/*.md"))]
 
 
-def write_pages(check=False):
-    stale = []
+def write_pages():
     for page in pages():
         text = page.read_text(encoding="utf-8")
-        new = filled(text)
-        if new != text:
-            stale.append(str(page.relative_to(ROOT)))
-            if not check:
-                page.write_text(new, encoding="utf-8")
-    if check and stale:
-        sys.exit("other than their data: " + ", ".join(stale) + "; run tools/lab/pages.py and commit them")
+        if filled(text) != text:
+            page.write_text(filled(text), encoding="utf-8")
 
 
-def show(name, data):
-    shown[name] = data
-    for title in TABLES:
-        if title.split()[0] == name and title != "quality readme":
-            print(f"\n{title}\n\n{table(title)}", end="")
+def faults():
+    """What is wrong, a line each."""
+    stale = [str(page.relative_to(ROOT)) for page in pages() if filled(text := page.read_text(encoding="utf-8")) != text]
+    if stale:
+        yield "other than their data: " + ", ".join(stale) + "; run tools/lab/pages.py and commit them"
+    if len(set(commits().values())) > 1:
+        yield "data of two commits: " + ", ".join(f"{name} {commit}" for name, commit in commits().items()) + (
+            "; run tools/lab/figures.sh")
 
 
 def main(words):
     if words[:1] == ["put"] and len(words) == 3:
-        scripts.put(words[1], words[2], sys.stdin.read())
-    elif words == ["fuzzing"]:
-        scripts.add_fuzzing(sys.stdin.read())
-    elif words[:1] in (["collect"], ["show"]) and len(words) >= 3 and words[1] in COLLECTORS:
-        data = COLLECTORS[words[1]](*words[2:])
+        put(words[1], words[2], sys.stdin.read())
+    elif words[:2] in (["collect", "paper"], ["show", "paper"]) and len(words) == 3:
+        data = paper.collect(words[2])
         if words[0] == "show":
-            show(words[1], data)
+            shown["paper"] = data
+            print("\n".join(f"\n{title}\n\n{table(title)}" for title in TABLES if title.startswith("paper ")))
             return
-        save(words[1], data)
-    elif words not in ([], ["--check"], ["--plots"]):
-        sys.exit(__doc__)
-    if words == ["--plots"]:
-        from figures import plots
+        save("paper", data)
+    elif words == ["--check"]:
+        sys.exit("\n".join(faults()) or None)
+    elif words == ["--plots"]:
         plots.draw_front()
-    write_pages(check=words == ["--check"])
+    elif words:
+        sys.exit(__doc__)
+    write_pages()
 
 
 if __name__ == "__main__":

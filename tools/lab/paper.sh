@@ -27,7 +27,7 @@ eye_size=(1268 720)
 eye_orbit=40,82,6  # every ray enters through the upper half of the sphere
 eye_fovs=("33.2 1" "61.5 1/2" "99.9 1/4")  # degrees over the width; what the sphere then fills of the height
 probe_shards=512 probe_spp=64  # a bake of one of them tells the speed
-work=$root/build/paper
+work=${LUMI_WORK:-$root/build/paper}
 
 # processor_s FILE COMMAND...: runs COMMAND; its seconds of processor stand in FILE then, whatever else the machine does.
 processor_s() {

@@ -1,18 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/pictures.sh [readme] [smooth] [traced] [drawn] [NAME...]
+# tools/lab/pictures.sh [readme] [traced] [drawn] [NAME...]
 # Makes pictures of the documents anew, from the scenes of the project; without arguments all of them. readme: those of
-# README. smooth: the clock's case and plate at 480 x 480 pixels, for docs/log/surface.md. traced: the scenes of
+# README. traced: the scenes of
 # docs/scenes.md with 512 light paths a pixel, a minute each. drawn: the same from fields that a bake without options
 # makes, and how like the traced ones they are. NAME: of these alone, such as product-front.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-work=$root/build/pictures
+work=${LUMI_WORK:-$root/build/pictures}
 scenes=$root/baker/scenes
 readme_view=(--orbit 30,20,3 --size 224x224 --background 202428)
-smooth_view=(--orbit 75,15,3 --size 480x480)
 
 # A picture's name, its scene, and where the eye is.
 pictures=("product-front product.obj 30,20,3" "product-back product.obj 205,15,3" "product-above product.obj 40,55,3"
@@ -51,21 +50,13 @@ draw_readme() {
   "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/readme-reference.png" --spp 256 "${readme_view[@]}" >/dev/null
 }
 
-draw_smooth() {
-  bake_once smooth "$scenes/product.obj" --fit 250kB
-  "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/smooth-truth.png" --spp 256 "${smooth_view[@]}" >/dev/null
-  "$lumi" render "$work/smooth.lumi" -o "$root/docs/img/smooth.png" "${smooth_view[@]}" >/dev/null
-  "$lumi" compare "$root/docs/img/smooth-truth.png" "$root/docs/img/smooth.png"
-}
-
 main() {
   if [[ ${1:-} == --help ]]; then help "$0" && exit; fi
-  local wanted=" ${*:-readme smooth traced drawn} " picture name scene eye
+  local wanted=" ${*:-readme traced drawn} " picture name scene eye
   mkdir -p "$work"
   rm -f "$work/rows.json"
   run_step "Build" build_lumi
   if [[ $wanted == *" readme "* ]]; then run_step "readme" draw_readme; fi
-  if [[ $wanted == *" smooth "* ]]; then run_step "smooth" draw_smooth; fi
   for picture in "${pictures[@]}"; do
     read -r name scene eye <<<"$picture"
     if [[ $wanted == *" traced "* || $wanted == *" $name "* ]]; then run_step "$name" trace "$name" "$scene" "$eye"; fi

@@ -1,18 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/soak.sh [--minutes N] [--docs]
+# tools/lab/soak.sh [--minutes N]
 # Draws random frames on an emulated Cortex-M0+, Cortex-M4 and Cortex-M55 at once, so long (a minute if not said): random
 # orbits, image sizes, stripes, pixel formats and modes of two surface fields, one of them with see-through parts, and a
 # chord field, with guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes
 # must be the frame drawn whole, by whichever of the two ways it was prepared, on one core or in halves. Sums up what was
-# drawn; --docs writes that into SECURITY.md. The first fault ends it before anything is written,
-# and names the seed that shows it again.
+# drawn. The first fault ends it and names the seed that shows it again.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 minutes=1
-write_docs=false
 work=$root/build/soak
 frames=4000  # frames in a batch; each batch begins with another seed
 cpus=(cortex-m0plus cortex-m4 cortex-m55)
@@ -21,7 +19,6 @@ parse_arguments() {
   while (($#)); do
     case $1 in
       --minutes) minutes=${2:?"--minutes needs a number"} && shift ;;
-      --docs) write_docs=true ;;
       --help) help "$0" && exit ;;
       *) wrong_call "unknown argument '$1'" ;;
     esac
@@ -74,11 +71,6 @@ sum_up() {
   done
 }
 
-write_rows() {
-  sum_up | tee "$work/rows.json"
-  if $write_docs; then put tests soak <"$work/rows.json"; fi
-}
-
 main() {
   parse_arguments "$@"
   mkdir -p "$work"
@@ -86,7 +78,7 @@ main() {
   run_step "Build for the boards" build_programs
   run_step "Soak, $minutes minutes" soak_all
   printf '\n'
-  write_rows
+  sum_up
 }
 
 main "$@"

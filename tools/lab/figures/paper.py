@@ -4,7 +4,7 @@ import json
 import math
 import pathlib
 
-from . import tradeoff
+from . import bench
 from .table import NONE, Table, byte_text, decimal, load, mean, whole
 
 PAPER_SPP = 1024  # light paths a pixel of the paper's references
@@ -103,10 +103,10 @@ def eyes():
 def m4():
     """Share of the time in texel reads on an STM32F407, from counted instructions and the model of that part."""
     data = load("tradeoff")
-    part = tradeoff.find(data["parts"], key="stm32f4")
+    part = bench.find(data["parts"], key="stm32f4")
     rows = []
     for mode in ("nearest", "linear", "paper"):
-        row = tradeoff.find(data["rows"], layout="chord", core="m4", mode=mode, texel="rgb565", span=16, view="generic")
+        row = bench.find(data["rows"], layout="chord", core="m4", mode=mode, texel="rgb565", span=16, view="generic")
         instructions = whole(row["instructions_per_pixel"]) * row["covered_pixels"]
         computing = instructions * part["clocks_per_instruction"] / (part["clock_mhz"] * 1e3)
         reading = row["misses_stm32f4"] * part["miss_ns"] * 1e-6

@@ -1,52 +1,86 @@
 # SPDX-License-Identifier: MIT
-"""Draws the plot of docs/tradeoff.md by matplotlib (Debian: python3-matplotlib). Equal data give equal bytes."""
-import sys
+"""The plot of docs/tradeoff.md, docs/img/front.svg: a panel a scene, frames a second across, dB up."""
+import math
 
 from .table import ROOT, load
 
-FOLDER = ROOT / "docs/img"
+WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 400, 330, 44, 34, 44  # of a panel and its margins, in px
+TICKS = [0.2, 0.5, 1, 2, 5, 10, 20, 50, 100]
+WANTED = 10  # frames a second, marked by a line
+COLOURS = {"surface": "#1668b8", "chord": "#c8541a"}
+BEATEN = "#c4c4c4"
 
 
-def labelled(front, part):
-    """Those of a front that do not lie beside another one that has a label."""
-    spread = max(row["psnr_db"] for row in front) - min(row["psnr_db"] for row in front)
-    shown = []
-    for row in sorted(front, key=lambda row: -row["psnr_db"]):
-        if not shown or shown[-1]["psnr_db"] - row["psnr_db"] > 0.035 * spread:
-            shown.append(row)
-    return shown
+def text(x, y, words, anchor="middle", more=""):
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {more}>{words}</text>'
+
+
+def line(x1, y1, x2, y2, colour="#e6e6e6", more=""):
+    return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{colour}" {more}/>'
+
+
+class Panel:
+    """Maps frames a second and dB to the panel's px."""
+
+    def __init__(self, left, rows, part):
+        self.left = left
+        rates = [math.log(row["parts"][part][0]) for row in rows]
+        levels = [row["psnr_db"] for row in rows]
+        self.low, self.high = min(rates) - 0.3, max(rates) + 0.2
+        self.bottom, self.top = min(levels) - 1, max(levels) + 1
+
+    def x(self, rate):
+        return self.left + LEFT + (math.log(rate) - self.low) / (self.high - self.low) * (WIDTH - LEFT - 10)
+
+    def y(self, level):
+        return TOP + (self.top - level) / (self.top - self.bottom) * (HEIGHT - TOP - BOTTOM)
+
+    def holds(self, rate):
+        return self.low < math.log(rate) < self.high
+
+
+def axes(panel, title):
+    bottom = HEIGHT - BOTTOM
+    yield text(panel.left + WIDTH / 2, 20, title, more='font-size="13"')
+    for rate in filter(panel.holds, TICKS):
+        yield line(panel.x(rate), TOP, panel.x(rate), bottom)
+        yield text(panel.x(rate), bottom + 15, f"{rate:g}")
+    yield text(panel.left + WIDTH / 2, bottom + 32, "frames a second")
+    for level in range(math.ceil(panel.bottom), math.floor(panel.top) + 1, 2):
+        yield line(panel.left + LEFT, panel.y(level), panel.left + WIDTH - 10, panel.y(level))
+        yield text(panel.left + LEFT - 6, panel.y(level) + 4, level, "end")
+    if panel.holds(WANTED):
+        yield line(panel.x(WANTED), TOP, panel.x(WANTED), bottom, "#888888", 'stroke-dasharray="4 3"')
+
+
+def marks(panel, rows, part):
+    """The area of a mark is the flash; ways that another one beats are grey and behind."""
+    for row in sorted(rows, key=lambda row: row["parts"][part][3]):
+        rate, _, _, is_front = row["parts"][part]
+        radius = 2 + 5 * (row["flash_bytes"] / 4e6) ** 0.25
+        colour = COLOURS[row["layout"]] if is_front else BEATEN
+        yield f'<circle cx="{panel.x(rate):.1f}" cy="{panel.y(row["psnr_db"]):.1f}" r="{radius:.1f}" fill="{colour}"/>'
+
+
+def labels(panel, rows, part):
+    """Names of the ways that none beats, but for those that lie close below another label."""
+    last = math.inf
+    for row in sorted((row for row in rows if row["parts"][part][3]), key=lambda row: -row["psnr_db"]):
+        y = panel.y(row["psnr_db"])
+        if last == math.inf or y - last > 11:
+            last = y
+            yield text(panel.x(row["parts"][part][0]) - 9, y + 3, f"{row['field'].split('-')[1]} {row['mode']}", "end",
+                       'font-size="9"')
 
 
 def draw_front(part="rp2040"):
-    """A panel a scene: frames a second across, dB up, the area of a mark its flash; beaten ways are grey."""
-    try:
-        import matplotlib  # needed only here
-    except ImportError:
-        sys.exit("matplotlib is missing: apt-get install python3-matplotlib")
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    matplotlib.rcParams.update({"svg.hashsalt": "lumi", "svg.fonttype": "none", "font.size": 9})
-    data = load("trade")
-    figure, panels = pyplot.subplots(1, len(data["scenes"]), figsize=(12, 4.6), layout="constrained", squeeze=False)
-    colours = {"surface": "#1668b8", "chord": "#c8541a"}
-    for axes, scene in zip(panels[0], data["scenes"]):
+    data, drawn = load("trade"), []
+    for k, scene in enumerate(data["scenes"]):
         rows = [row for row in data["rows"] if row["scene"] == scene["scene"] and row["parts"][part][2]]
-        for row in sorted(rows, key=lambda row: row["parts"][part][3]):
-            fps, _, _, is_front = row["parts"][part]
-            axes.scatter(fps, row["psnr_db"], s=8 + 90 * (row["flash_bytes"] / 4e6) ** 0.5, marker="o" if row["layout"] == "surface" else "s",
-                         color=colours[row["layout"]] if is_front else "#c4c4c4", linewidths=0, zorder=3 if is_front else 2)
-        front = [row for row in rows if row["parts"][part][3]]
-        front.sort(key=lambda row: row["parts"][part][0])
-        axes.plot([row["parts"][part][0] for row in front], [row["psnr_db"] for row in front], color="#888888", linewidth=0.8, zorder=1)
-        for row in labelled(front, part):
-            axes.annotate(f"{row['field'].split('-')[1]} {row['mode']}", (row["parts"][part][0], row["psnr_db"]), xytext=(-7, -3),
-                          textcoords="offset points", fontsize=7, ha="right")
-        axes.axvline(10, color="#888888", linewidth=0.8, linestyle="--")
-        axes.set(title=scene["title"], xlabel="frames a second", xscale="log")
-        axes.set_xticks([0.2, 0.5, 1, 2, 5, 10, 20, 40], ["0.2", "0.5", "1", "2", "5", "10", "20", "40"])
-        axes.minorticks_off()
-        axes.margins(x=0.12)
-        axes.grid(True, color="#e6e6e6")
-    panels[0][0].set_ylabel("PSNR against path-traced pictures, dB")
-    figure.savefig(FOLDER / "front.svg", metadata={"Date": None})
-    pyplot.close(figure)
+        panel = Panel(k * WIDTH, rows, part)
+        drawn += [*axes(panel, scene["title"]), *marks(panel, rows, part), *labels(panel, rows, part)]
+    drawn.append(text(0, 0, "PSNR, dB", more=f'transform="translate(12 {HEIGHT // 2}) rotate(-90)"'))
+    size = f'width="{WIDTH * len(data["scenes"])}" height="{HEIGHT}"'
+    (ROOT / "docs/img/front.svg").write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" font-size="11">\n<rect {size} fill="white"/>\n'
+        + "\n".join(drawn) + "\n</svg>\n", encoding="utf-8")

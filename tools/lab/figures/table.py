@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Tables as pages show them, and the data that they are made of."""
+import datetime
 import json
 import math
+import os
 import pathlib
 import re
+import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 DATA = ROOT / "docs/log/data"
@@ -30,9 +33,42 @@ def text_of(data):
     return "{\n " + ",\n ".join(f"{line(key)}: {part(value)}" for key, value in data.items()) + "\n}\n"
 
 
+# What figures depend on: all code, but for what writes tables of data.
+MEASURED = ["core", "baker", "platform", "tools", "toolchains", ":!tools/lab/pages.py", ":!tools/lab/figures", ":!*.md"]
+
+
+def measured_commit():
+    """The commit that a measurement is of: the last one that changed MEASURED."""
+    return os.environ.get("LUMI_MEASURED") or subprocess.run(
+        ["git", "-C", ROOT, "log", "-1", "--format=%h", "--abbrev=10", "--", *MEASURED], capture_output=True, text=True,
+        check=True).stdout.strip()
+
+
 def save(name, data):
+    """Each file of data begins with the commit that it is of, and the day."""
     DATA.mkdir(exist_ok=True)
-    (DATA / f"{name}.json").write_text(text_of(data), encoding="utf-8")
+    of = {"commit": measured_commit(), "date": datetime.date.today().isoformat()}
+    (DATA / f"{name}.json").write_text(text_of({**of, **{key: data[key] for key in data if key not in of}}), encoding="utf-8")
+
+
+def commits():
+    """{name of the data: its commit}"""
+    return {path.stem: load(path.stem)["commit"] for path in sorted(DATA.glob("*.json"))}
+
+
+def rows_of(text):
+    """Rows of JSON one after the other, or lists of them."""
+    decoder, rows = json.JSONDecoder(), []
+    while text := text.lstrip():
+        value, end = decoder.raw_decode(text)
+        rows += value if isinstance(value, list) else [value]
+        text = text[end:]
+    return rows
+
+
+def put(name, part, text):
+    """The rows become that part of the data."""
+    save(name, {**(load(name) if (DATA / f"{name}.json").exists() else {}), part: rows_of(text)})
 
 
 def decimal(value, digits=1):
@@ -61,6 +97,11 @@ def mean(values):
 class Table:
     def __init__(self, columns, rows):
         self.columns, self.rows = columns, [[str(cell) for cell in row] for row in rows]
+
+    @staticmethod
+    def of(columns, rows, cells):
+        """A row of cells(row) for each row of data."""
+        return Table(columns, [cells(row) for row in rows])
 
     def selected(self, pattern, names):
         """The rows that match a regular expression, and these columns of them; without names all."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Speed against accuracy of scenes, as `lumi report --for` measured it (tools/lab/proof/trade.py)."""
-from .table import NONE, Table, byte_text, decimal, load
+from .table import NONE, Table, byte_text, decimal, load, or_none, whole
 
 PARTS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3*", "stm32f4": "STM32F407", "stm32h7": "STM32H743",
          "nrf52840": "nRF52840", "stm32u5": "STM32U585", "esp32c3": "ESP32-C3*"}
@@ -46,3 +46,42 @@ def modes():
         return str(len(on))
 
     return Table(["layout", "mode", *scenes], [[*name, *(count(name, scene) for scene in scenes)] for name in names])
+
+
+CHIPS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3", "stm32f4": "STM32F407", "stm32h7": "STM32H743"}
+
+
+def clock_rows(mode_of):
+    """Of the desk clock in `lumi report`, without its smallest fields; `mode_of` says by layout which mode."""
+    least = {"surface": 100_000, "chord": 500_000}
+    return [row for row in load("trade")["rows"]
+            if row["scene"] == "clock" and row["mode"] == mode_of[row["layout"]] and row["flash_bytes"] > least[row["layout"]]]
+
+
+def first_table():
+    """What a visitor asks first: how large, how like the truth, how fast; surface fields, antialiased."""
+    return Table(["mode", "flash", "RAM", "likeness", *CHIPS.values()],
+                 [[row["mode"], byte_text(row["flash_bytes"], 1), f"{decimal(row['ram_bytes'] / 1e3, 0)} kB",
+                   f"{decimal(row['psnr_db'])} dB",
+                   *(whole(row["parts"][chip][0]) for chip in CHIPS)]
+                  for row in clock_rows({"surface": "antialiased", "chord": None})])
+
+
+def readme_table():
+    fast = clock_rows({"surface": "antialiased", "chord": "nearest, S = 16"})
+    good = {row["field"]: row for row in clock_rows({"surface": "2x2", "chord": "linear, S = 8"})}
+
+    def text(row):
+        return f"{decimal(row['psnr_db'])} dB / {decimal(row['ssim'], 3)}"
+    return Table(["field", "flash", "antialiased; nearest", "2×2; linear"],
+                 [[row["field"].replace("-", ", ").replace("kB", " kB").replace("MB", " MB"),
+                   f"{row['flash_bytes'] / 1e6:.2f} MB", text(row), text(good[row["field"]])] for row in fast])
+
+
+def quality():
+    """What fields and other ways show of the desk clock."""
+    return Table.of(["layout", "flash", "triangles", "PSNR dB", "SSIM", "CW-SSIM", "FLIP", "mask PSNR", "worst view"],
+                    load("trade")["quality"], lambda row: [
+        row["layout"], byte_text(row["flash_bytes"]) if row["flash_bytes"] else NONE, or_none(row.get("triangles")),
+        decimal(row["psnr_db"], 2), decimal(row["ssim"], 4), decimal(row["cw_ssim"], 4), decimal(row["flip"], 4),
+        decimal(row["mask_psnr_db"], 2), f"{decimal(row['worst_view']['psnr_db'])} ({row['worst_view']['view'] + 1})"])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""coverage.py [--docs] [--list] [--again]
+"""coverage.py [--list] [--again]
 
 Builds core's tests for the host without optimization and under `gcc --coverage`, runs lumi_core_tests (but for those of
 threads) and lumi_c_tests, and prints the share of core's branches that they take, as gcov counts them: exceptions are off,
@@ -8,7 +8,7 @@ as core is built; nothing is left out; templates are merged by source line, so a
 takes it. Every branch that is not taken must have a sentence in tests/core/untaken_branches.txt that says why. One without
 a sentence is an error, and so is a sentence whose branch is taken.
 
---list prints the lines of that file that are missing, to be completed. --docs writes the table of docs/log/tests.md.
+--list prints the lines of that file that are missing, to be completed.
 --again builds and runs nothing, and counts what the last run left. What lines the tests run goes to
 build/coverage/lines.json, which tools/lab/proof/mutants.py reads.
 """
@@ -146,7 +146,7 @@ def sentences():
 
 
 def main(words):
-    if not set(words) <= {"--docs", "--list", "--again"}:
+    if not set(words) <= {"--list", "--again"}:
         sys.exit(__doc__)
     if "--again" not in words:
         build_and_run()
@@ -173,9 +173,6 @@ def main(words):
     if "--list" in words:
         print("\n" + "\n\n".join(f"{key[0]} {' '.join(numbers(found[key]))}\n{key[1]}\n" for key in sorted(found)
                                   if found[key] - said.get(key, (set(), ""))[0]))
-    if "--docs" in words and not faults:
-        subprocess.run([sys.executable, "-B", ROOT / "tools/lab/pages.py", "put", "tests", "coverage"], check=True,
-                       text=True, input="\n".join(map(json.dumps, rows)))
     if faults:
         stop("\n".join(["untaken_branches.txt is not right:", *faults]))
 

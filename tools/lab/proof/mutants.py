@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mutants.py [--count N] [--minutes M] [--again] [--docs]
+"""mutants.py [--count N] [--minutes M] [--again]
 
 Changes core by one operator at a time, and counts which changes core's tests see. A change is one of: + and -, < and <=,
 << and >>, & and |, && and ||, == and != put for each other; a whole number one more or one less; a condition negated.
@@ -10,7 +10,7 @@ seen where a test of lumi_core_tests fails, crashes or takes far longer. Those t
 proof in tests/core/equal_mutants.txt, lack a test.
 
 Results are kept in build/mutants/results.json, and the next call goes on from there; it ends after M minutes. --again
-tries the survivors again. --docs writes the table of docs/log/tests.md.
+tries the survivors again.
 """
 import argparse
 import collections
@@ -313,7 +313,6 @@ def main():
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--minutes", type=float, default=1e9)
     parser.add_argument("--again", action="store_true")
-    parser.add_argument("--docs", action="store_true")
     options = parser.parse_args()
     results = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.exists() else []
     if options.again:
@@ -338,9 +337,6 @@ def main():
     rows = rows_of(tried)
     for row in rows:
         print(json.dumps(row, ensure_ascii=False))
-    if options.docs:
-        subprocess.run([sys.executable, "-B", ROOT / "tools/lab/pages.py", "put", "tests", "mutants"], check=True,
-                       text=True, input="\n".join(json.dumps(row, ensure_ascii=False) for row in rows))
     unseen = [result for result in tried if result["outcome"] == "survived" and result["name"] not in equal_names()]
     if unseen:
         stop("\n".join(["no test sees these changes:", *(f"line {r['line']}: {r['name']}" for r in unseen)]))

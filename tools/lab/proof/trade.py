@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""trade.py [--docs] [--kept] [--quick SCENES] [--scene SCENES] [--work FOLDER]
+"""trade.py [--docs] [--quick] [--work FOLDER]
 
-The trade of speed against accuracy of three scenes that differ, by `lumi report --for` with every named part: the desk clock
-(matt and glossy), a bottle of tinted glass, and a block in fog, which no surface can stand for. Each gets a page,
-FOLDER/SCENE.html. --docs writes docs/log/data/trade.json, of which pages.py makes the tables of README.md, docs/tradeoff.md
-and docs/log/tradeoff.md, and with --plots their picture. --quick: reports of these scenes, or of all, have few light paths.
-Fields and references stay in FOLDER [build/trade]. LUMI names the program.
+Measures the trade of speed against accuracy of three scenes that differ, by `lumi report --for` with every named part: the
+desk clock (matt and glossy), a bottle of tinted glass, and a block in fog, which no surface can stand for. The last two have
+few light paths, as by `lumi report --quick`. `lumi-lab baselines` says what the bytes of one of the clock's fields show
+otherwise. --docs writes docs/log/data/trade.json and the pages. --quick: the clock has few light paths, too. Fields,
+references and reports stay in FOLDER [build/trade], and what is there is not made again. LUMI and LUMI_LAB name programs.
 """
 import argparse
 import json
@@ -16,72 +16,74 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import bench  # noqa: E402
-from figures.table import DATA, load, save  # noqa: E402
+from figures.table import save  # noqa: E402
 
 PARTS = ["rp2040", "rp2350", "esp32s3", "stm32f4", "stm32h7", "nrf52840", "stm32u5", "esp32c3"]
-SCENES = {"clock": "the desk clock", "bottle": "a bottle of tinted glass", "volume": "a block in fog"}
+TITLES = {"clock": "the desk clock", "bottle": "a bottle of tinted glass", "volume": "a block in fog"}
+CLOCK = bench.ROOT / "baker/scenes/product.obj"
+BASELINE_BYTES = 250_000  # what other ways get
+QUALITY = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "flip", "mask_psnr_db", "worst_view"]
 
 
-def scene_file(name, work):
-    if name == "clock":
-        return bench.ROOT / "baker/scenes/product.obj"
-    subprocess.run([sys.executable, bench.ROOT / "tools/lab/scenes/write_scenes.py", work / "scenes"], check=True)
-    return work / "scenes" / f"{name}.json"
+def kept(path, *words):
+    """What the command writes as JSON, kept in the file."""
+    if not path.exists():
+        text = words[0](*words[1:])
+        path.write_text(text if isinstance(text, str) else json.dumps(text))
+    return json.loads(path.read_text())
 
 
 def report(name, work, is_quick):
-    text = bench.lumi("report", scene_file(name, work), "--for", ",".join(PARTS), "--cache", work / "cache", "-o",
-                      work / f"{name}.html", "--json", *["--quick"] * is_quick)
-    (work / f"{name}.json").write_text(text)
-    return json.loads(text)
+    scene = CLOCK if name == "clock" else work / f"scenes/{name}.json"
+    return kept(work / f"{name}.json", bench.lumi, "report", scene, "--for", ",".join(PARTS), "--cache", work / "cache", "-o",
+                work / f"{name}.html", "--json", *["--quick"] * is_quick)
 
 
-def of_scene(name, told, is_quick):
-    """Rows of the scene, and what is recommended for each part."""
-    trade = told["trade"]
-
+def trade_rows(name, told):
     def field(row):
         return "-".join(pathlib.Path(row["field"]).stem.split("-")[:2])  # surface-250kB
 
-    rows = [{"scene": name, "field": field(row), **{key: row[key] for key in ("layout", "mode", "flash_bytes", "ram_bytes")},
+    return [{"scene": name, "field": field(row), **{key: row[key] for key in ("layout", "mode", "flash_bytes", "ram_bytes")},
              "psnr_db": round(row["psnr_db"], 2), "ssim": row["ssim"], "flip": row["flip"],
              "parts": {part: [round(of["frames_per_second"], 2), round(of["worst"], 2), of["fits"], of["on_front"]]
-                       for part, of in row["parts"].items()}} for row in trade["rows"]]
-    parts = [{"scene": name, "part": part["part"], "wanted": part["wanted"], "keeps_pace": part.get("keeps_pace"),
-              "field": field(trade["rows"][part["recommended"]]), "mode": trade["rows"][part["recommended"]]["mode"],
-              "firmware": part["firmware"]} for part in trade["parts"] if part["front"]]
-    scene = {"scene": name, "title": SCENES[name], "views": len(told["views"]), "reference_samples": told["reference_samples"],
-             "quick": is_quick}
-    return {"scenes": [scene], "parts": parts, "rows": rows}
+                       for part, of in row["parts"].items()}} for row in told["trade"]["rows"]]
+
+
+def quality_rows(told, others):
+    """What the clock's fields show, and other ways beside the same references."""
+    modes = [row for row in told["variants"] if row["layout"] in ("antialiased", "one sample")]
+    measured = [*told["fields"], *modes, *others["fields"]]
+    return [{key: row[key] for key in QUALITY if key in row} for row in measured]
 
 
 def main(arguments):
     parser = argparse.ArgumentParser(prog="trade.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--docs", action="store_true", help="write docs/log/data/trade.json; scenes that are not asked for stay")
-    parser.add_argument("--quick", nargs="?", const=",".join(SCENES), default="", metavar="SCENES")
-    parser.add_argument("--kept", action="store_true", help="take the reports that lie in FOLDER, and run none")
-    parser.add_argument("--scene", default=",".join(SCENES), metavar="SCENES", help="[%(default)s]")
+    parser.add_argument("--docs", action="store_true", help="write docs/log/data/trade.json")
+    parser.add_argument("--quick", action="store_true", help="few light paths for all scenes")
     parser.add_argument("--work", type=pathlib.Path, default=bench.ROOT / "build/trade", help="[build/trade]")
     options = parser.parse_args(arguments)
     work = options.work.absolute()
     work.mkdir(parents=True, exist_ok=True)
-    told = {}
+    subprocess.run([sys.executable, "-B", bench.ROOT / "tools/lab/scenes/write_scenes.py", work / "scenes"], check=True)
+    data = {"scenes": [], "rows": []}
     try:
-        for name in options.scene.split(","):
-            is_quick = name in options.quick.split(",")
+        for name, title in TITLES.items():
+            is_quick = options.quick or name != "clock"
             bench.announce(name)
-            kept = work / f"{name}.json"
-            told[name] = of_scene(name, json.loads(kept.read_text()) if options.kept else report(name, work, is_quick), is_quick)
+            told = report(name, work, is_quick)
+            data["scenes"].append({"scene": name, "title": title, "views": len(told["views"]),
+                                   "reference_samples": told["reference_samples"], "quick": is_quick})
+            data["rows"] += trade_rows(name, told)
+            if name == "clock":
+                others = kept(work / "others.json", bench.lab, "baselines", CLOCK, "--bytes", BASELINE_BYTES, "--cache",
+                              work / "cache", "--spp", told["reference_samples"], "--count", len(told["views"]))
+                data["quality"] = quality_rows(told, others)
     except bench.BenchError as error:
         sys.exit(f"trade.py: {error}")
-    if not options.docs:
-        return
-    old = load("trade") if (DATA / "trade.json").exists() else {}
-    data = {part: [row for row in old.get(part, []) if row["scene"] not in told] for part in ("scenes", "parts", "rows")}
-    for of in told.values():
-        for part, rows in of.items():
-            data[part] += rows
-    save("trade", data)
+    if options.docs:
+        save("trade", data)
+    else:
+        print(json.dumps(data, indent=1))
 
 
 if __name__ == "__main__":

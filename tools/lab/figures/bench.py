@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Speed against accuracy: what `lumi-lab bench --docs` counted."""
-from .table import NONE, Table, decimal, load, whole
+from .table import NONE, Table, decimal, load
 
-CORES = ["m0plus", "m3", "m4", "m7"]
-VIEWS = ["generic", "pole", "close"]
+CORES = ["m0plus", "m4"]
 SPLIT = ["vertices", "lists", "lights", "edges", "samples", "outlines", "resolve", "palette"]
 # What a reader looks for first.
 GLANCES = [("nearest", "rgb565", 16), ("linear", "luma8", 16), ("linear", "palette8", 16), ("linear", "rgb888", 16),
@@ -28,10 +27,6 @@ def per_pixel(digits=1):
 
 def psnr(row):
     return decimal(row["psnr_db"])
-
-
-def exactness(row):
-    return f"{psnr(row)} / {row['worst_pixel']}"
 
 
 class Tradeoff:
@@ -91,15 +86,9 @@ class Tradeoff:
 
     def surface_cost(self):
         def texts(_, mode, pixel):
-            small = self.surface_row("m0plus", mode, pixel)
             return [*(cell(self.surface_row(core, mode, pixel), per_pixel()) for core in CORES),
-                    *(cell(find(self.surface, mode=mode, pixel=pixel, view=view), exactness) for view in VIEWS),
-                    cell(find(self.surface, mode=mode, pixel=pixel), lambda row: row["ram_bytes"]),
-                    cell(small, lambda row: f"{row['code_bytes']} / {row['stack_bytes']}"),
-                    *(cell(self.surface_row(core, mode, pixel), lambda row: decimal(row["tall"]) if "tall" in row else NONE)
-                      for core in ("m0plus", "m4"))]
-        return self.by_surface_renderer([*CORES, *(f"{view}, dB / worst" for view in VIEWS), "RAM, bytes",
-                                         "m0plus code / stack, bytes", "m0plus, 24 rows", "m4, 24 rows"], texts)
+                    cell(find(self.surface, mode=mode, pixel=pixel), lambda row: row["ram_bytes"])]
+        return self.by_surface_renderer([*CORES, "RAM, bytes"], texts)
 
     def surface_split(self):
         return self.by_surface_renderer(
@@ -119,9 +108,3 @@ class Tradeoff:
 
 def table(name):
     return getattr(Tradeoff(load("tradeoff")), name)()
-
-
-def surface_cost_of(mode, core):
-    """Instructions a covered pixel of the desk clock's surface field in RGB565, as the page has them."""
-    row = find(load("tradeoff")["rows"], layout="surface", mode=mode, core=core, pixel="rgb565", view="generic")
-    return row and whole(row["instructions_per_pixel"])

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+"""Examples on emulated devices, memory of README's firmware, and what the `lumi` command loads."""
+from .table import NONE, Table, load, or_none
+
+
+def devices():
+    def kilobytes(row, key):
+        return f"{row[key] / 1e3:.1f} kB" if key in row else NONE
+    return Table.of(
+        ["`platform/`", "glue lines", "flash", "RAM", "stack", "frames a second", "with flash misses", "counted by",
+         "same bits"], load("devices")["rows"],
+        lambda row: [f"`{row['source']}`", row["glue_lines"], kilobytes(row, "flash_bytes"), kilobytes(row, "ram_bytes"),
+                     f"{row['stack']} B" if "stack" in row else NONE, or_none(row.get("fps")),
+                     or_none(row.get("fps_with_misses")), row["counted_by"], row["same_bits"]])
+
+
+def memory():
+    return Table.of(["core", "RAM: view and stripe", "stack of `open`", "stack of `look` and `draw`"],
+                    load("devices")["memory"],
+                    lambda row: [row[key] for key in ("cpu", "ram_bytes", "open_stack_bytes", "draw_stack_bytes")])
+
+
+def licences():
+    return Table.of(["package", "loaded", "licence of most files", "loaded by"], load("licences")["rows"], lambda row: [
+        row["package"], ", ".join(row["objects"]), row["licence"], ", ".join(f"`{name}`" for name in row["by"])])
