@@ -12,6 +12,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtbb-dev         # ray queries
   libtinygltf-dev                  # glTF and GLB
+  libtinyobjloader-dev             # OBJ and MTL
   libpng-dev libturbojpeg0-dev     # PNG and JPEG
   libwebp-dev                      # turning pictures
   libopenexr-dev                   # EXR

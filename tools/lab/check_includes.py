@@ -133,6 +133,7 @@ ALLOWED_BACK_UP = {}
 THIRD_PARTIES = {
     "embree": "baker/src/geometry/accelerator.cpp",
     "tiny_gltf.h": "baker/src/model/gltf/file.cpp",
+    "tiny_obj_loader.h": "baker/src/model/tiny_obj.cpp",
     "png.h": "baker/src/image/png_file.cpp",
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
     "webp/": "tools/src/image/webp.cpp",

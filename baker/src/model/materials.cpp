@@ -250,10 +250,7 @@ void add_maps(const MtlMaterial& mtl, TextureStore& textures, Material& m)
     for (const MapUse& use : kMaps) m.maps.*use.slot = textures.slot(mtl.file, mtl.map(use.keyword), use.use);
     if (!metal && m.maps.base.used() && !mtl.map("map_d") && !m.glass)
         m.maps.opacity = textures.alpha_slot(mtl.file, *mtl.map("map_Kd"));
-    const MtlMap* normals = nullptr;
-    for (const char* keyword : {"bump", "map_bump", "map_Bump", "norm"})
-        if (mtl.map(keyword)) normals = mtl.map(keyword);
-    m.maps.normal = textures.normal_slot(mtl.file, normals);
+    m.maps.normal = textures.normal_slot(mtl.file, mtl.map(mtl.map("norm") ? "norm" : "bump"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "image/texture.h"
 #include "material/material.h"
 #include "model/mtl_reader.h"
-#include "model/obj_scan.h"
+#include "model/obj_lines.h"
 
 namespace lumi::baker
 {

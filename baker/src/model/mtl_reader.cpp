@@ -9,6 +9,7 @@
 #include "material/material.h"
 #include "model/losses.h"
 #include "model/mtl_colours.h"
+#include "model/tiny_obj.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -27,20 +28,25 @@ constexpr NumberRule kOtherRules[] = {{"Ks", 3, 0, 1}, {"Ns", 1, 0, 1e9}, {"Tr",
 
 // Keywords of pictures that are drawn, and keywords that change a surface but are not drawn.
 constexpr const char* kPictures[] = {"map_Kd", "map_Ks", "map_Ke", "map_Pr",   "map_Pm",  "map_Ps",
-                                     "map_d",  "norm",   "bump",   "map_Bump", "map_bump"};
+                                     "map_d",  "norm",   "bump",   "map_bump", "map_Bump"};
 constexpr const char* kIgnored[] = {"map_Ns", "disp", "decal", "refl", "map_Tr"};
 // Keywords that take something else, and those that change nothing in a traced picture.
 constexpr const char* kOtherWords[] = {"newmtl", "illum", "Ka", "map_Ka", "Km", "sharpness", "map_aat", "Tf"};
 
-// Before a picture's name, with so many words at most.
+// Stands before a picture's name, with so many words at most.
 struct MapOption {
     const char* name;
     size_t most;
+    const char* fallback = nullptr;  // for a number that is missing or unsound; null: the option is not drawn
 };
 constexpr MapOption kMapOptions[] = {
-    {"-s", 3},      {"-o", 3},      {"-t", 3},     {"-mm", 2},      {"-bm", 1},   {"-boost", 1},      {"-texres", 1},
-    {"-blendu", 1}, {"-blendv", 1}, {"-clamp", 1}, {"-imfchan", 1}, {"-type", 1}, {"-colorspace", 1}, {"-cc", 1},
+    {"-s", 3, " 1"}, {"-o", 3, " 0"}, {"-bm", 1, " 0"},   {"-t", 3},      {"-mm", 2},
+    {"-boost", 1},   {"-texres", 1},  {"-blendu", 1},     {"-blendv", 1}, {"-clamp", 1},
+    {"-imfchan", 1}, {"-type", 1},    {"-colorspace", 1}, {"-cc", 1},
 };
+
+// Of the words for bump maps the later one here counts, whatever the order of their lines. tinyobjloader keeps one map.
+constexpr const char* kBumps[] = {"bump", "map_bump", "map_Bump"};
 
 template <size_t Size>
 bool is_one_of(const char* const (&list)[Size], const std::string& word)
@@ -90,40 +96,40 @@ std::string known_keyword(const std::string& word)
 }
 
 // Beyond kMost no pixel would be found again.
-float sound(double number, float fallback)
+bool is_sound(double number)
 {
     constexpr double kMost = 1e6;
-    return std::abs(number) <= kMost ? static_cast<float>(number) : fallback;
+    return std::abs(number) <= kMost;
 }
 
-// What stands behind an option: numbers as far as there are any, or a word.
-std::vector<double> take_numbers(const MapOption& option, std::string_view& text)
+// Takes what stands behind an option off the front of `text`: numbers as far as there are any, or else a word. Appends
+// the option to `out` if it is drawn, with as many numbers as tinyobjloader takes, which would else read on into the
+// name.
+void take_option(const MapOption& option, std::string_view& text, std::string& out)
 {
-    std::vector<double> numbers;
+    std::string numbers;
+    size_t count = 0;
     double number = 0;
-    for (std::string_view rest = text; numbers.size() < option.most && parse_finite(take_word(rest), number);
-         text = rest)
-        numbers.push_back(number);
-    return numbers;
+    for (std::string_view rest = text; count < option.most; text = rest, ++count) {
+        const std::string_view word = take_word(rest);
+        if (!parse_finite(word, number)) break;
+        if (is_sound(number))
+            append_number(numbers, word, number);
+        else
+            numbers += option.fallback;
+    }
+    if (count == 0) take_word(text);
+    if (!option.fallback) return;
+    for (; count < option.most; ++count) numbers += option.fallback;
+    out += option.name + numbers + ' ';
 }
 
-void apply(const std::string_view& option, const std::vector<double>& numbers, MtlMap& map)
+// The options that are drawn and the picture's name, as tinyobjloader reads them; empty where there is no name.
+std::string map_text(std::string argument)
 {
-    const auto number = [&](size_t k, float fallback) {
-        return k < numbers.size() ? sound(numbers[k], fallback) : fallback;
-    };
-    if (option == "-s") map.scale = {number(0, 1), number(1, 1)};
-    if (option == "-o") map.offset = {number(0, 0), number(1, 0)};
-    if (option == "-bm") map.strength = number(0, 1);
-}
-
-MtlMap map_of(const Line& line)
-{
-    std::string argument = line.argument;
     std::replace(argument.begin(), argument.end(), '\\', '/');
     std::string_view rest = argument;
-    MtlMap map;
-    map.line = line.number;
+    std::string text = "-s 1 1 1 -o 0 0 0 -bm 1 ";  // else those of an earlier line with the same word would count
     for (;;) {
         std::string_view after = rest;
         const std::string_view word = take_word(after);
@@ -131,12 +137,9 @@ MtlMap map_of(const Line& line)
                                           [&](const MapOption& o) { return word == o.name; });
         if (option == std::end(kMapOptions)) break;
         rest = after;
-        const std::vector<double> numbers = take_numbers(*option, rest);
-        if (numbers.empty()) take_word(rest);
-        apply(word, numbers, map);
+        take_option(*option, rest, text);
     }
-    map.name = std::string(rest);
-    return map;
+    return rest.empty() ? "" : text.append(rest);
 }
 
 class MtlReader
@@ -163,6 +166,7 @@ public:
     // Appends to `warnings`.
     std::vector<MtlMaterial> finish(std::vector<std::string>& warnings)
     {
+        end_material();
         losses_.report(file_, warnings);
         return std::move(materials_);
     }
@@ -173,11 +177,11 @@ private:
         if (line.keyword == "newmtl") {
             begin(line);
         } else if (is_one_of(kPictures, line.keyword)) {
-            if (MtlMap map = map_of(line); !map.name.empty()) current().maps[line.keyword] = std::move(map);
+            take_map(line);
         } else if (line.keyword == "illum") {
             double model = 0;
             take_first(line, model);
-            current().illum = static_cast<int>(std::clamp(model, 0.0, 10.0));
+            text_ += "illum " + std::to_string(static_cast<int>(std::clamp(model, 0.0, 10.0))) + '\n';
         } else if (!is_one_of(kIgnored, line.keyword)) {
             take_numbers_of(line);
         } else if (line.argument != "0" && line.argument.rfind("0.0", 0) != 0) {
@@ -186,11 +190,21 @@ private:
         }
     }
 
+    // Takes what stands before the first material or in a double one, too.
     MtlMaterial& current() { return skipped_ ? ignored_ : materials_.back(); }
     Place place(const Line& line) const { return {file_.string(), line.number}; }
 
+    // tinyobjloader reads one material at a time: it does not say which line made which.
+    void end_material()
+    {
+        if (!skipped_) read_mtl_text(text_, materials_.back());
+        text_.clear();
+        bump_rank_ = 0;
+    }
+
     void begin(const Line& line)
     {
+        end_material();
         if (line.argument.empty()) losses_.add_at(line.number, "material(s) have no name; give them one");
         skipped_ = !names_.insert(line.argument).second;
         if (skipped_) {
@@ -202,6 +216,20 @@ private:
         materials_.back().name = line.argument;
         materials_.back().file = file_;
         materials_.back().line = line.number;
+        text_ = "newmtl " + line.argument + '\n';
+    }
+
+    void take_map(const Line& line)
+    {
+        const std::string text = map_text(line.argument);
+        if (text.empty()) return;
+        const char* const* bump = std::find(std::begin(kBumps), std::end(kBumps), line.keyword);
+        const bool is_bump = bump != std::end(kBumps);
+        if (is_bump && bump - kBumps < bump_rank_) return;
+        if (is_bump) bump_rank_ = bump - kBumps;
+        const std::string keyword = is_bump ? kBumps[0] : line.keyword;
+        current().maps[keyword].line = line.number;
+        text_ += keyword + ' ' + text + '\n';
     }
 
     static void take_first(const Line& line, double& value)
@@ -218,17 +246,19 @@ private:
             line.argument += " " + line.argument + " " + line.argument;
         constexpr double kMost = 1e30;  // binary32 holds it
         const std::vector<std::string_view> list = words(line.argument);
-        std::vector<float> numbers;
-        for (const double value : numbers_of(place(line), line, rule.count, rule.count, kMost)) {
-            if (value < rule.low || value > rule.high) {
+        const std::vector<double> numbers = numbers_of(place(line), line, rule.count, rule.count, kMost);
+        text_ += line.keyword;
+        for (size_t k = 0; k < rule.count; ++k) {
+            if (numbers[k] < rule.low || numbers[k] > rule.high) {
                 losses_.add_at(line.number,
                                "number(s) '" + line.keyword + "' are out of range and are clamped; correct them",
-                               std::string(list[numbers.size()]));
+                               std::string(list[k]));
             }
-            numbers.push_back(static_cast<float>(value));
+            append_number(text_, list[k], numbers[k]);
         }
-        current().numbers[line.keyword] = rule.count == 3 ? Rgb{numbers[0], numbers[1], numbers[2]} : grey(numbers[0]);
-        take_opacity(line, numbers[0]);
+        text_ += '\n';
+        current().numbers[line.keyword] = {};
+        doubt_opacity(line, numbers[0]);
     }
 
     // "d -halo 0.5" is drawn as "d 0.5".
@@ -248,12 +278,9 @@ private:
         return true;
     }
 
-    void take_opacity(const Line& line, float value)
+    void doubt_opacity(const Line& line, double value)
     {
-        MtlMaterial& material = current();
-        if (line.keyword == "d") material.opacity = value;
-        if (line.keyword == "Tr" && !material.has("d")) material.opacity = 1 - value;
-        if (line.keyword == "Tr" && material.has("d"))
+        if (line.keyword == "Tr" && current().has("d"))
             losses_.add_at(line.number, "material(s) have both 'd' and 'Tr', of which 'd' counts; remove one");
         else if (line.keyword == "Tr" && value >= 1)
             losses_.add_at(line.number,
@@ -266,8 +293,10 @@ private:
     std::vector<MtlMaterial> materials_;
     std::set<std::string> names_;
     Losses losses_;
-    MtlMaterial ignored_;  // takes what stands before the first material or in a double one
+    std::string text_;  // the sound lines of the material
+    MtlMaterial ignored_;
     bool skipped_ = true;
+    ptrdiff_t bump_rank_ = 0;
 };
 
 }  // namespace
@@ -277,7 +306,8 @@ std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, std::vector
 {
     MtlReader reader(file);
     const std::string text = read_text(file);
-    for_each_line(text, [&](Line& line) { reader.take(line); });
+    Lines lines(text);
+    for (Line line; lines.next(line);) reader.take(line);
     std::vector<MtlMaterial> materials = reader.finish(warnings);
     if (colours == ColourScale::display) std::for_each(materials.begin(), materials.end(), linearise);
     if (colours == ColourScale::unstated && look_displayed(text, materials)) {

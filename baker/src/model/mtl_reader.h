@@ -27,8 +27,8 @@ struct MtlMaterial {
     std::filesystem::path file;
     uint32_t line = 0;
     std::map<std::string, Rgb> numbers;  // one number is a grey
-    std::map<std::string, MtlMap> maps;
-    float opacity = 1;  // by d, or else by Tr
+    std::map<std::string, MtlMap> maps;  // bump for all words of bump maps
+    float opacity = 1;                   // by d, or else by Tr
     int illum = 0;
 
     bool has(const char* keyword) const { return numbers.count(keyword) != 0; }

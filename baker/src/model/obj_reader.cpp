@@ -9,7 +9,7 @@
 #include "image/srgb.h"
 #include "lumi/baker/scene.h"
 #include "model/materials.h"
-#include "model/obj_scan.h"
+#include "model/tiny_obj.h"
 #include "model/vertex_colours.h"
 
 namespace lumi::baker
@@ -246,7 +246,7 @@ void count_unmapped(const SceneParts& parts, Losses& losses)
 SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>& warnings, ColourScale colours)
 {
     Losses losses;
-    ObjContent content = scan_obj(file.string(), read_text(file), losses);
+    ObjContent content = read_obj_text(file.string(), read_text(file), losses);
     const std::vector<MtlMaterial> known = Libraries(file, colours, losses, warnings).materials_of(content);
     CentredPositions at = centred(content.positions);
     smooth_normals(at.positions, content);

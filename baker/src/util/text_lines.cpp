@@ -15,20 +15,37 @@ namespace lumi::baker
 namespace
 {
 
-constexpr std::string_view kBlanks = " \t\v\f";
 constexpr uintmax_t kMaxFileBytes = uintmax_t{1} << 32;
+
+// Lambdas, since a pointer to a function would not be inlined in find_first().
+constexpr auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; };
+constexpr auto is_no_blank = [](char c) { return !is_blank(c); };
+constexpr auto ends_line = [](char c) { return c == '\r' || c == '\n'; };
+
+// The place of the first character that `is` holds for, or the end. string_view::find_first_of takes three times as
+// long.
+template <class Is>
+size_t find_first(std::string_view s, Is is)
+{
+    return static_cast<size_t>(std::find_if(s.begin(), s.end(), is) - s.begin());
+}
+
+void skip_blanks(std::string_view& s)
+{
+    s.remove_prefix(find_first(s, is_no_blank));
+}
 
 std::string_view trimmed(std::string_view s)
 {
-    const size_t first = s.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return s.substr(first, s.find_last_not_of(kBlanks) - first + 1);
+    skip_blanks(s);
+    while (!s.empty() && is_blank(s.back())) s.remove_suffix(1);
+    return s;
 }
 
 // Takes one physical line off the front of `rest`.
 std::string_view take_line(std::string_view& rest)
 {
-    const size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+    const size_t end = find_first(rest, ends_line);
     const std::string_view line = rest.substr(0, end);
     size_t next = std::min(end + 1, rest.size());
     if (end + 1 < rest.size() && rest[end] == '\r' && rest[end + 1] == '\n') ++next;
@@ -40,7 +57,7 @@ std::string_view take_line(std::string_view& rest)
 std::string_view without_comment(std::string_view line)
 {
     for (size_t k = 0; k < line.size(); ++k)
-        if (line[k] == '#' && (k == 0 || kBlanks.find(line[k - 1]) != std::string_view::npos)) return line.substr(0, k);
+        if (line[k] == '#' && (k == 0 || is_blank(line[k - 1]))) return line.substr(0, k);
     return line;
 }
 
@@ -50,35 +67,35 @@ bool goes_on(std::string_view line)
     return !line.empty() && line.back() == '\\' && without_comment(line).size() == line.size();
 }
 
-// Of a line without blanks in front.
+// The line has no blanks in front.
 bool begins_with_a_name(std::string_view line)
 {
     constexpr size_t kWord = 6;
     const std::string_view word = line.substr(0, kWord);
-    return (word == "newmtl" || word == "usemtl") && line.size() > kWord &&
-           kBlanks.find(line[kWord]) != std::string_view::npos;
+    return (word == "newmtl" || word == "usemtl") && line.size() > kWord && is_blank(line[kWord]);
 }
 
 // Takes one logical line off the front of `rest`, without blanks in front, and counts its physical lines. Looks at each
 // piece once, however many there are.
-std::string take_joined_line(std::string_view& rest, uint32_t& number)
+void take_joined_line(std::string_view& rest, std::string& joined, uint32_t& number)
 {
-    std::string joined;
+    joined.clear();
     for (;;) {
         std::string_view line = take_line(rest);
         ++number;
         const bool joins = goes_on(line);
-        if (joined.empty()) line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+        if (joined.empty()) skip_blanks(line);
         joined += line;
-        if (!joins || begins_with_a_name(joined)) return joined;
+        if (!joins || begins_with_a_name(joined)) return;
         joined.back() = ' ';
         if (joined.size() == 1) joined.clear();
     }
 }
 
+// "+-1" is no number.
 std::string_view without_plus(std::string_view word)
 {
-    return !word.empty() && word[0] == '+' ? word.substr(1) : word;
+    return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
 template <class T>
@@ -145,37 +162,33 @@ std::string read_text(const std::filesystem::path& file)
     return text;
 }
 
-void for_each_line(std::string_view text, const std::function<void(Line&)>& use)
+Lines::Lines(std::string_view text) : rest_(text)
 {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
-    uint32_t number = 0;
-    while (!text.empty()) {
-        const uint32_t first = number + 1;
-        const std::string joined = take_joined_line(text, number);
-        const std::string_view content = trimmed(without_comment(joined));
-        if (!content.empty()) {
-            const size_t end = std::min(content.find_first_of(kBlanks), content.size());
-            Line line = {first, std::string(content.substr(0, end)), std::string(trimmed(content.substr(end)))};
-            use(line);
-        }
-    }
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest_.remove_prefix(kByteOrderMark.size());
 }
 
-std::vector<Line> split_lines(std::string_view text)
+bool Lines::next(Line& line)
 {
-    std::vector<Line> lines;
-    for_each_line(text, [&](Line& line) { lines.push_back(std::move(line)); });
-    return lines;
+    while (!rest_.empty()) {
+        line.number = number_ + 1;
+        take_joined_line(rest_, joined_, number_);
+        const std::string_view content = trimmed(without_comment(joined_));
+        if (content.empty()) continue;
+        const size_t end = find_first(content, is_blank);
+        line.keyword.assign(content.substr(0, end));
+        line.argument.assign(trimmed(content.substr(end)));
+        return true;
+    }
+    return false;
 }
 
 std::string_view take_word(std::string_view& text)
 {
-    const auto skip_blanks = [&] { text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size())); };
-    skip_blanks();
-    const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+    skip_blanks(text);
+    const std::string_view word = text.substr(0, find_first(text, is_blank));
     text.remove_prefix(word.size());
-    skip_blanks();
+    skip_blanks(text);
     return word;
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,12 +21,12 @@ struct Place {
 // "file:line: text".
 std::string at(const Place& place, const std::string& text);
 
-// Opened to read its bytes, and noted as an input (file_guard.h). Throws SceneError if it is no file, larger than 4 GiB
-// or cannot be opened.
+// Opens a file to read its bytes, and notes it as an input (file_guard.h). Throws SceneError if it is no file, larger
+// than 4 GiB or cannot be opened.
 std::ifstream open_file(const std::filesystem::path& file);
-// The same, read. Throws SceneError if it cannot be.
+// Opens a file so and reads it. Throws SceneError if it cannot be read.
 std::string read_file(const std::filesystem::path& file);
-// The same, of a text. Refuses UTF-16.
+// Reads a file of text so. Refuses UTF-16.
 std::string read_text(const std::filesystem::path& file);
 
 // One logical line: continuation lines (ending in a backslash) joined, comment and surrounding blanks cut off. A
@@ -38,16 +37,27 @@ struct Line {
     std::string argument;  // the rest
 };
 
-// Calls for every line that says something, in order; `use` may change its line. Accepts LF, CR LF and CR.
-void for_each_line(std::string_view text, const std::function<void(Line&)>& use);
-std::vector<Line> split_lines(std::string_view text);
+// Walks the lines of a text that say something. Accepts LF, CR LF and CR.
+class Lines
+{
+public:
+    // `text` must outlive this.
+    explicit Lines(std::string_view text);
+    // Overwrites `line`; false at the end.
+    bool next(Line& line);
+
+private:
+    std::string_view rest_;
+    uint32_t number_ = 0;
+    std::string joined_;
+};
 
 // Takes the first word off the front, and blanks with it. Empty where there is none.
 std::string_view take_word(std::string_view& text);
 // The words of a line's argument.
 std::vector<std::string_view> words(std::string_view argument);
 
-// Of ASCII only.
+// Changes ASCII letters only.
 std::string in_small_letters(std::string text);
 
 // All parts with the separator between them.

@@ -159,6 +159,34 @@ TEST_CASE("mtl: a word in other capitals is read, and named unless both spelling
     CHECK_THAT(warnings, !Catch::Contains("line(s) write"));
 }
 
+TEST_CASE("mtl: of the words for bump maps map_Bump counts, whatever the order of their lines")
+{
+    for (const char* order : {"map_Bump c.png\nbump a.png\nmap_bump b.png\n", "bump a.png\nmap_Bump c.png\n"}) {
+        std::string warnings;
+        only_material(order, &warnings);
+        CHECK_THAT(warnings, Catch::Contains("'c.png'") && !Catch::Contains("'a.png'") && !Catch::Contains("'b.png'"));
+    }
+}
+
+TEST_CASE("mtl: options of pictures may have fewer numbers than MTL says, or senseless ones")
+{
+    const ScratchFolder folder;
+    folder.write("t.png", testing::kRedPixel);
+    const auto slot_of = [&](const std::string& options) {
+        folder.write("m.mtl", "newmtl x\nmap_Kd " + options + " t.png\n");
+        return load_obj_file(folder.write("s.obj", std::string("mtllib m.mtl\nusemtl x\n") + kCorners + "f 1 2 3\n"))
+            .parts.materials[0]
+            .maps.base;
+    };
+    CHECK(slot_of("-s 2 -o 0.5").scale.x == 2);
+    CHECK(slot_of("-s 2 -o 0.5").scale.y == 1);
+    CHECK(slot_of("-s 2 -o 0.5").offset.x == 0.5f);
+    CHECK(slot_of("-o 1e9 0.25 -clamp on -mm 1 -texres 512").offset.x == 0);
+    CHECK(slot_of("-o 1e9 0.25 -clamp on -mm 1 -texres 512").offset.y == 0.25f);
+    CHECK(slot_of("-s 25e-2 1 1 -cc a -type sphere").scale.x == 0.25f);
+    CHECK(slot_of("-s 2 2 2 -o 1 1 1 t.png\nmap_Kd").scale.x == 1);
+}
+
 TEST_CASE("mtl: a line of very many options is read once")
 {
     std::string line = "map_Kd";  // half a million, of which each was looked for in all that follows

@@ -77,6 +77,44 @@ TEST_CASE("obj: numbers that are none, infinite or too large")
     check_refused(std::string(kCorners) + "vt nan 0\n", ":5", "not a finite number");
 }
 
+TEST_CASE("obj: numbers that tinyobjloader alone would misread")
+{
+    const auto corner_of = [](const std::string& x) {
+        const LoadedObj l = load_obj("v " + x + " 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
+        return l.parts.mesh.positions.at(0).x;
+    };
+    CHECK(corner_of("0e999") == 0);
+    CHECK(corner_of("-25e-2") == -0.25f);
+    CHECK(corner_of("0." + std::string(400, '0') + "5e400") == 0.5f);
+    CHECK(corner_of("0." + std::string(30, '3')) == 1 / 3.0f);
+    CHECK(corner_of("1\v") == 1);
+    check_refused("v 1e2147483648 0 0\n", ":1", "not a finite number");
+    check_refused("v +-1 0 0\n", ":1", "'+-1' is not a finite number");
+    check_refused(std::string(kCorners) + "f 1 2 4294967297\n", ":5", "uses vertex 4294967297");
+    check_refused(std::string(kCorners) + "f 1/0 2/0 3/0\n", ":5", "uses texture coordinate 0");
+}
+
+TEST_CASE("obj: names keep their blanks, and lines end as they like")
+{
+    const LoadedObj l = load_obj("v 0 0 0\rv 1 0 0\r\nv 0 1 0\ng  a  b\rusemtl x  y\rf 1 2 3\ro c\rf 1 2 3");
+    REQUIRE(l.parts.named.size() == 2);
+    CHECK(l.parts.named[0].name == "a  b");
+    CHECK(l.parts.named[0].end == 1);
+    CHECK(l.parts.named[1].name == "c");
+    CHECK(l.parts.materials.at(0).name == "x  y");
+    CHECK_THAT(l.warnings, Catch::Contains("scene.obj:5: "));
+}
+
+TEST_CASE("obj: lines of very many words and very many names of libraries are read once")
+{
+    std::string text = kCorners, face = "f";
+    for (int k = 0; k < 100000; ++k) face += " 1 2 3";
+    for (int k = 0; k < 2000; ++k) text += "mtllib m.mtl\n";
+    const LoadedObj l = load_obj(text + "l" + face.substr(1) + "\nf 1 2 3\n");
+    CHECK(l.parts.mesh.triangle_count() == 1);
+    CHECK(std::count(l.warnings.begin(), l.warnings.end(), '\n') == 2);
+}
+
 TEST_CASE("obj: files that hold nothing to draw")
 {
     check_refused("", "", "there is no face");

@@ -7,6 +7,18 @@
 
 namespace lumi::baker
 {
+namespace
+{
+
+std::vector<Line> split_lines(const std::string& text)
+{
+    std::vector<Line> result;
+    Lines lines(text);
+    for (Line line; lines.next(line);) result.push_back(line);
+    return result;
+}
+
+}  // namespace
 
 TEST_CASE("text lines: every line ending, comments, continuations and blanks")
 {

@@ -82,7 +82,8 @@ private:
     {
         bool open = false;
         uint32_t last = 0;
-        for_each_line(text, [&](Line& line) {
+        Lines lines(text);
+        for (Line line; lines.next(line);) {
             last = line.number;
             line.keyword = in_small_letters(line.keyword);
             if (line.keyword == "solid" || line.keyword == "endsolid")
@@ -93,7 +94,7 @@ private:
                 take_loop(line);
             else if (line.keyword != "facet" && line.keyword != "outer" && line.keyword != "endfacet")
                 fail(line, "'" + line.keyword + "' is no word of an STL text; export it again");
-        });
+        }
         if (open || corners_ != 0)
             throw SceneError(at({file_, last}, "the file ends before 'endsolid', it is cut short; export it again"));
     }

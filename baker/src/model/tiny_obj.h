@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the words of an OBJ text in one pass.
+// Reads OBJ and MTL texts by tinyobjloader, behind a wall.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "model/losses.h"
+#include "model/mtl_reader.h"
+#include "model/obj_lines.h"
 #include "model/positions.h"
 
 namespace lumi::baker
@@ -24,12 +25,6 @@ struct ObjFace {
     uint32_t line;
 };
 
-// A name as it is written, with blanks, and where it stands first.
-struct ObjName {
-    std::string name;
-    uint32_t line;
-};
-
 // Faces below a line 'o' or 'g', up to the next one; groups also end where an object begins.
 struct ObjPart {
     std::string name;
@@ -42,12 +37,19 @@ struct ObjContent {
     std::vector<Vec3> normals;
     std::vector<Vec2> uvs;
     std::vector<ObjCorner> corners;  // in range
-    std::vector<ObjFace> faces;      // in the file's order
+    std::vector<ObjFace> faces;      // in the file's order; at least one
     std::vector<ObjName> libraries, materials;
     std::vector<ObjPart> parts;
 };
 
 // Faces may come before what they use. `file` only serves messages. Throws SceneError, also where there is no face.
-ObjContent scan_obj(const std::string& file, std::string_view text, Losses& losses);
+ObjContent read_obj_text(const std::string& file, std::string_view text, Losses& losses);
+
+// Gives the numbers and maps that `material` has the values that `text` states. It has only sound lines, of one
+// material.
+void read_mtl_text(const std::string& text, MtlMaterial& material);
+
+// Appends a blank and a number, which the package then reads right: `word`, which stands for `value`, or another word.
+void append_number(std::string& text, std::string_view word, double value);
 
 }  // namespace lumi::baker
