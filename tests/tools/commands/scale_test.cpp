@@ -105,7 +105,22 @@ TEST_CASE(
     const test::TemporaryFolder folder;
     const std::string whole = folder / "whole.lumi", killed = folder / "killed.lumi";
     const auto surface_bake = [](const std::string& output) -> Arguments {
-        return {"bake", kScene, "-o", output, "--fit", "40kB", "--paths", "30", "--threads", "2"};
+        return {"bake",
+                kScene,
+                "-o",
+                output,
+                "--layout",
+                "surface",
+                "--triangles",
+                "200",
+                "--longest-edge",
+                "0.5",
+                "--texel-density",
+                "12",
+                "--paths",
+                "8",
+                "--threads",
+                "2"};
     };
     REQUIRE(lumi(surface_bake(whole)).code == 0);
     test::write_content(killed, "earlier");
