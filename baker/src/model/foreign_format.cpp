@@ -58,7 +58,7 @@ constexpr ForeignFormat kFormats[] = {
     {"a cloud of Gaussian splats", ".splat .ksplat .spz ", {}, {}, Way::surface},
 };
 
-// What is no model at all, whatever its name.
+// These files are no models at all, whatever their names.
 struct OtherFile {
     std::string_view begins, what;
 };

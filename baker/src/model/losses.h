@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reader of a model leaves out or doubts, counted: one warning for each kind.
+// Counts what a reader of a model leaves out or doubts, and gives one warning for each kind.
 #pragma once
 
 #include <filesystem>

@@ -76,7 +76,7 @@ public:
         return slot_of(map, entry->second);
     }
 
-    // What the picture's alpha cuts out: a part of it, or nothing.
+    // The slot that cuts out what the picture's alpha hides; none where alpha hides all or nothing.
     TextureSlot alpha_slot(const std::filesystem::path& mtl, const MtlMap& map)
     {
         const Key key = {find_beside(mtl, map.name).string(), PictureUse::opacity};
@@ -161,9 +161,9 @@ void make_glass(const MtlMaterial& mtl, Material& m)
     m.metalness = 0;
 }
 
-// What 1 means in the Principled shader (Burley 2012), which Blender exports up to version 3.6: a skin that reflects
-// this much from straight above, a coat that reflects a quarter of what it would, and of sheen the share of the finest
-// fibres that sends back as much (tools/lab/materials compares with Cycles).
+// A number of 1 means this in the Principled shader (Burley 2012), which Blender exports up to version 3.6: a skin that
+// reflects this much from straight above, a coat that reflects a quarter of what it would, and of sheen the share of
+// the finest fibres that sends back as much (tools/lab/materials compares with Cycles).
 constexpr float kMostReflectance = 0.08f, kCoat = 0.25f, kSheen = 1.0f / 6;
 
 // A number that only a picture gives counts as 1.
@@ -189,7 +189,7 @@ Rgb base_of(const MtlMaterial& mtl)
     return mtl.has("Kd") ? mtl.colour("Kd") : MaterialNumbers().base;
 }
 
-// What the body wears: a skin, and from Blender coat and fibres.
+// Gives the body a skin, and coat and fibres as Blender exports them.
 void take_layers(const MtlMaterial& mtl, Material& m)
 {
     const Rgb ks = colour_of(mtl, "Ks", "map_Ks");

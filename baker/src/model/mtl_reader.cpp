@@ -33,7 +33,7 @@ constexpr const char* kIgnored[] = {"map_Ns", "disp", "decal", "refl", "map_Tr"}
 // Keywords that take something else, and those that change nothing in a traced picture.
 constexpr const char* kOtherWords[] = {"newmtl", "illum", "Ka", "map_Ka", "Km", "sharpness", "map_aat", "Tf"};
 
-// Stands before a picture's name, with so many words at most.
+// An option stands before a picture's name, and has so many words at most.
 struct MapOption {
     const char* name;
     size_t most;
@@ -45,7 +45,7 @@ constexpr MapOption kMapOptions[] = {
     {"-imfchan", 1}, {"-type", 1},    {"-colorspace", 1}, {"-cc", 1},
 };
 
-// Of the words for bump maps the later one here counts, whatever the order of their lines. tinyobjloader keeps one map.
+// A material has one bump map: that of the word which stands later here, whatever the order of their lines.
 constexpr const char* kBumps[] = {"bump", "map_bump", "map_Bump"};
 
 template <size_t Size>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reader of a file format delivers of a scene.
+// A reader of a file format delivers these parts of a scene.
 #pragma once
 
 #include <array>

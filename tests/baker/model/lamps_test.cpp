@@ -19,7 +19,7 @@ constexpr double kLumensPerWatt = 683;
 const std::string kFloor = "v -0.25 0 -0.25\nv -0.25 0 0.25\nv 0.25 0 0.25\nv 0.25 0 -0.25\nf 1 2 3 4\n";
 const std::string kSphere = R"("sphere": {"centre": [0, 0, 0], "radius": 1}, "exposure": 0)";
 
-// What the middle of the floor shows, divided by what it would show of an irradiance of 1.
+// Divides what the middle of the floor shows by what it would show of an irradiance of 1.
 testing::Mean irradiance_of(const Scene& scene)
 {
     const PathTracer tracer(scene.data());

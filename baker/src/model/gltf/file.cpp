@@ -21,7 +21,7 @@ namespace
 
 constexpr const char* kLights = "KHR_lights_punctual";
 
-// What tinygltf asks of the disk: it sees only names that find_beside finds.
+// Answers what tinygltf asks of the disk: it sees only names that find_beside finds.
 tinygltf::FsCallbacks files_beside(std::filesystem::path& file)
 {
     tinygltf::FsCallbacks files{};

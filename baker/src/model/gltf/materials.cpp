@@ -118,7 +118,7 @@ private:
             losses_.add("picture(s) of anisotropy are left out, its numbers are drawn; give parts their own materials");
     }
 
-    // Of a picture's alpha, or 1 without one.
+    // Returns 1 where there is no picture.
     float mean_of_alpha(const JsonValue& extension, const char* texture)
     {
         const int32_t found = textures_.find(texture_member(model_, extension, texture), PictureUse::opacity);

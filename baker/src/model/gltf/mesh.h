@@ -18,7 +18,7 @@ public:
     // Throws SceneError.
     void add(int32_t mesh, const Affine& place);
 
-    // What a material of `parts` is made of.
+    // The surface that a material of `parts` is made of.
     const GltfSurface& surface(uint32_t material) const { return surfaces_[made_of_[material]]; }
 
 private:

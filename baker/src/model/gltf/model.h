@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a glTF 2.0 file says, as plain data. Its terms are those of the specification. Indices may be out of range:
-// who follows one checks it.
+// Holds what a glTF 2.0 file says, as plain data. Its terms are those of the specification. Indices may be out of
+// range: who follows one checks it.
 #pragma once
 
 #include <filesystem>

@@ -13,7 +13,7 @@ namespace
 
 enum Mode : int32_t { kTriangles = 4, kStrip, kFan };
 
-// Of texture coordinates and colours: beyond it no pixel would be found again, and sums overflow.
+// Bounds texture coordinates and colours: beyond it no pixel would be found again, and sums overflow.
 float bounded(float number)
 {
     constexpr float kMost = 1e6f;
@@ -38,7 +38,7 @@ Rgb element_at(const std::vector<float>& numbers, size_t first)
     return {bounded(numbers[first]), bounded(numbers[first + 1]), bounded(numbers[first + 2])};
 }
 
-// Of its attributes, the elements of the vertices that its triangles use.
+// Holds of a primitive's attributes the elements of those vertices that its triangles use.
 class Attributes
 {
 public:

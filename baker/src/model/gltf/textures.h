@@ -28,7 +28,7 @@ public:
     int32_t find_opacity(const GltfTextureUse& use);
     int32_t find_mask(const GltfTextureUse& use, float alpha, float cutoff);
 
-    // Of the bytes of red, 0, green, 1, or blue, 2; from 0 to 1.
+    // Returns the mean of the bytes of red (0), green (1) or blue (2), from 0 to 1.
     double mean_of(int32_t texture, size_t channel = 0) const;
 
 private:

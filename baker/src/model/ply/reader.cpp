@@ -17,7 +17,7 @@ namespace lumi::baker
 namespace
 {
 
-// What a number of a vertex means; the last one: nothing.
+// A number of a vertex has one of these meanings; the last one stands for none.
 enum Role : size_t { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kRed, kGreen, kBlue, kRoles };
 
 struct RoleName {
@@ -49,7 +49,7 @@ Role role_of(const PlyProperty& property)
     return property.is_list || found == std::end(kRoleNames) ? kRoles : found->role;
 }
 
-// What white is: floats run to 1, whole numbers to the largest of their type.
+// White is 1 in floats, and the largest number of the type in whole numbers.
 double white_of(PlyType type)
 {
     if (type >= PlyType::float32) return 1;

@@ -53,7 +53,7 @@ LoadedGltf load_with_picture(const std::string& png, const std::string& material
     return load_glb(maker);
 }
 
-// What a slot of the first material shows where the square's plane has the coordinates.
+// Returns what a slot of the first material shows where the square's plane has the coordinates.
 Rgb shown_on_square(const SceneParts& parts, TextureSlot TextureSlots::*slot, float x, float y)
 {
     const Vec2 barycentric = x > y ? Vec2{x - y, y} : Vec2{x, y - x};

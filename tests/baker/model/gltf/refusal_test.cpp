@@ -42,7 +42,7 @@ std::string glb_of_positions(const std::string& accessor)
     return maker.glb();
 }
 
-// What is read of a hostile file that is none the less a model.
+// Holds what is read of a hostile file that is none the less a model.
 struct BoundedGltf {
     SceneParts parts;
     std::vector<std::string> warnings;
