@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fuzz target: an OBJ and its MTL from a stranger; a byte 0xFF divides them.
 #include "fuzz_folder.h"
-#include "model/obj_reader.h"
+#include "model/readers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fuzz target: a PLY file from a stranger.
 #include "fuzz_folder.h"
-#include "model/ply/reader.h"
+#include "model/readers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/obj_reader.h"
+#include "model/readers.h"
 
 #include <algorithm>
 #include <map>

@@ -3,10 +3,7 @@
 
 #include "model/foreign_format.h"
 #include "model/gltf/container.h"
-#include "model/gltf/reader.h"
-#include "model/obj_reader.h"
-#include "model/ply/reader.h"
-#include "model/stl/reader.h"
+#include "model/readers.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/stl/reader.h"
+#include "model/readers.h"
 
 #include <catch2/catch.hpp>
 

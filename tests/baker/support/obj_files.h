@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "model/obj_reader.h"
+#include "model/readers.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 

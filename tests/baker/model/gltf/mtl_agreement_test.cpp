@@ -2,8 +2,7 @@
 // A grid of metallic and roughness is the same material from a GLB and from the MTL that describes it.
 #include <catch2/catch.hpp>
 
-#include "model/gltf/reader.h"
-#include "model/obj_reader.h"
+#include "model/readers.h"
 #include "support/gltf_bytes.h"
 #include "support/scratch_folder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Good glTF files: triangles, materials and lamps as the specification says.
-#include "model/gltf/reader.h"
+#include "model/readers.h"
 
 #include <png.h>
 

@@ -4,7 +4,7 @@
 
 #include "lumi/baker/scene.h"
 #include "material/texture_slot.h"
-#include "model/gltf/reader.h"
+#include "model/readers.h"
 #include "support/gltf_bytes.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
