@@ -29,7 +29,8 @@ class Tables(unittest.TestCase):
         self.assertEqual(table.rows_of('{"a": 1}\n[{"a": 2}, {"a": 3}] {"a": 4}\n'), [{"a": k} for k in range(1, 5)])
 
     def test_data_begin_with_the_commit_that_they_are_of(self):
-        with mock.patch.dict(os.environ, LUMI_MEASURED="0123456789"), mock.patch.object(pathlib.Path, "write_text") as write:
+        with mock.patch.dict(os.environ, LUMI_MEASURED="0123456789"), \
+                mock.patch.object(pathlib.Path, "write_text") as write:
             table.save("made_up", {"commit": "another", "rows": []})
         self.assertIn('{\n "commit": "0123456789",\n', write.call_args.args[0])
 
@@ -38,7 +39,8 @@ class Pages(unittest.TestCase):
     def test_a_page_that_differs_from_its_data_is_named(self):
         data = table.load("devices")
         row, *others = data["memory"]
-        with mock.patch.dict(table.shown, devices={**data, "memory": [{**row, "ram_bytes": row["ram_bytes"] + 1}, *others]}):
+        changed = {**data, "memory": [{**row, "ram_bytes": row["ram_bytes"] + 1}, *others]}
+        with mock.patch.dict(table.shown, devices=changed):
             said = "\n".join(pages.faults())
         self.assertIn("docs/firmware.md", said)
         self.assertNotIn("README.md", said)

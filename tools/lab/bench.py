@@ -23,8 +23,6 @@ TEXELS = ["rgb888", "rgb565", "palette8", "luma8"]
 PIXELS = ["rgb565", "rgb888"]
 VIEWS = ["generic", "pole", "close"]
 SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel exact
-QUICK = {"core": ["m0plus", "m4"], "mode": ["nearest", "linear", *SURFACE_MODES], "texel": ["rgb565", "rgb888"],
-         "view": ["generic"], "pixel": ["rgb565"], "span": [16]}
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
 SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
@@ -32,7 +30,7 @@ SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
 STRIPE_COUNTS = ["stripes", "view", "mode", "covered", "instructions", "crc"]
-# What one would do without this library: a title, the firmware, and the cores that it is counted on.
+# Firmware does this without the library: a title, the firmware, and the cores that it is counted on.
 BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
              ("paper 5×5 in float, FPU", "baseline_float_fpu", ["m4", "m7"]),
              ("sprite, copied", "baseline_copy", CORES),
@@ -50,7 +48,7 @@ def announce(text):
 
 
 def run(*command, stdin=None):
-    """What the command wrote to standard output."""
+    """Returns what the command wrote to standard output."""
     command = [str(word) for word in command]
     try:
         result = subprocess.run(command, input=stdin, capture_output=True, text=True)
@@ -149,7 +147,7 @@ def hundredths(value):
 
 
 def facts_of(row, frames):
-    """What the host says of the row's frame."""
+    """Finds the host's facts about the row's frame."""
     keys = [key for key in ("texel", "pixel", "mode", "span", "view") if key in row]
     return next(frame for frame in frames if all(frame.get(key) == row[key] for key in keys))
 
@@ -285,7 +283,6 @@ def parse(arguments):
             return found
         default = [word for word in words if word != 2]  # spans of 2 pixels pay nowhere
         parser.add_argument(name, type=parsed, metavar="LIST", default=default, help=f"{what} [{','.join(map(str, default))}]")
-    parser.add_argument("--quick", action="store_true", help="a few rows only")
     add_list("--core", CORES, "cores")
     add_list("--mode", CHORD_MODES + SURFACE_MODES, "reconstructions of chord fields, modes of surface fields")
     add_list("--texel", TEXELS, "texel formats of chord fields")
@@ -303,8 +300,6 @@ def parse(arguments):
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")
     options = parser.parse_args(arguments)
-    if options.quick:
-        vars(options).update(QUICK)
     options.work = options.work.absolute()
     options.work.mkdir(parents=True, exist_ok=True)
     return options

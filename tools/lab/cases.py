@@ -157,7 +157,7 @@ class Lumi:
         self.program = program
 
     def draw(self, folder, picture):
-        """What it says, without the folder's name; the picture is not there if it refuses."""
+        """Returns the messages without the folder's name; the picture is not there if it refuses."""
         picture.unlink(missing_ok=True)
         scene = folder / ("a.json" if (folder / "a.json").exists() else "a.obj")
         run = subprocess.run([self.program, "reference", scene, "-o", picture, *VIEW], capture_output=True, text=True,
@@ -173,7 +173,7 @@ class Lumi:
 
 
 def fault_of(lumi, cases, scratch, name, picture, said):
-    """What is wrong with the case, or nothing."""
+    """Says how the case is wrong, or returns nothing."""
     mine, right = scratch / "mine.png", scratch / "right.png"
     words = lumi.draw(cases / name, mine)
     if said and not re.search(said, words):

@@ -210,7 +210,7 @@ def include_roots(files):
 
 
 def third_party_problems(path, names):
-    """What a file includes of third parties that another file is there for."""
+    """Lists third parties that a file includes although another file is there for them."""
     if area_of(path) == "tests":
         return []
     return [f"{path}: includes <{name}>, which only {only} may"
@@ -336,7 +336,7 @@ def check(root, order, allowed, quiet=False):
     if not quiet:
         print("\nbetween areas: " + ", ".join(f"{a} -> {b} {n}" for (a, b), n in sorted(between.items()) if a != b))
 
-    # What goes back up in core is counted above; without it no folders may need each other.
+    # Includes that go back up in core are counted above; without them no folders may need each other.
     for what, edges in (("folders", graph(kept)), ("files", graph(tree.includes))):
         found = circle(edges)
         if found:

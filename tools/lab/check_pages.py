@@ -35,7 +35,7 @@ def prose(text):
 
 
 def anchors(text):
-    """What a page's headings and <a id> are called in links, by GitHub's rule."""
+    """Names a page's headings and <a id> as links do, by GitHub's rule."""
     text = CODE.sub("", text)
     names = set(ANCHOR.findall(text))
     for heading in HEADING.findall(text):

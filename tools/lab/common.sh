@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034,SC2154
-# What the shell scripts of the laboratory share; sourced, after `set -euo pipefail`. With LUMI or LUMI_LAB in the
+# The shell scripts of the laboratory source this, after `set -euo pipefail`. With LUMI or LUMI_LAB in the
 # environment those programs are taken as they are.
 # shellcheck source-path=SCRIPTDIR source=../common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"

@@ -62,7 +62,8 @@ require() {
   done
 }
 
-# What every example draws: a desk clock in some 80 kB. By processor it differs by a few bytes: 80,936 were seen, and 80,944.
+# Every example draws a desk clock of some 80 kB. Its size differs by a few bytes between processors: 80,936 and 80,944
+# were seen.
 bake_field() {
   mkdir -p "$devices"
   "$lumi" bake "$root/baker/scenes/product.obj" -o "$field" --triangles 1200 --longest-edge 0.5 --texel-density 44 --paths 20 \
@@ -167,7 +168,7 @@ run_pico_st7789() {
   run_pico pico_st7789 two_cores two_cores "the same; core 1 modelled"
 }
 
-# The same programs behind the SDK's start-up, with the SDK's drivers and its launch of core 1.
+# Runs these programs behind the SDK's start-up, with the SDK's drivers and its launch of core 1.
 run_pico_sdk() {
   [[ -n $pico_sdk ]] || die "name the Pico SDK: --pico-sdk PATH"
   require_rp2040js pico_sdk
@@ -237,7 +238,7 @@ run_simulator() {
   done
 }
 
-# What is drawn over a baked face, on an emulated device and on the host.
+# Draws over a baked face, on an emulated device and on the host.
 run_overlay() {
   require overlay riscv64-unknown-elf-g++ qemu-system-riscv32
   require_simulator overlay

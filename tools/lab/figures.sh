@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tools/lab/figures.sh [--check | --try] [STAGE...]
-# Measures every figure, table and picture of README and docs anew, of one commit, in about 65 minutes of two quiet cores.
-# The commit is the last one that changed code. A stage whose data in docs/log/data bear it already is left out, so a stop
-# loses one stage at most, and what that has in build stays. docs/log/data/measured.json says commit and day at the end.
+# Measures every figure, table and picture of README and docs anew, of one commit, in about 65 minutes of two quiet
+# cores. The commit is the last one that changed code. A stage whose data in docs/log/data bear it already is left out,
+# so a stop loses one stage at most. docs/log/data/measured.json says commit and day at the end.
 #   --check  measures nothing; fails where a page shows other figures than the data, or data are of two commits
 #   --try    tries the stages with tiny parameters, in build/figures-try; nothing of docs changes
 #   STAGE    one of them: licences, devices, bench, trade, pictures, paper
@@ -15,7 +15,8 @@ data=$root/docs/log/data
 code=(core baker platform tools toolchains ':!tools/lab/pages.py' ':!tools/lab/figures' ':!*.md')
 stages=(licences devices bench trade pictures paper)
 declare -A minutes=([licences]=1 [devices]=8 [bench]=10 [trade]=13 [pictures]=14 [paper]=18)
-declare -A data_of=([licences]=licences [devices]=devices [bench]=tradeoff [trade]=trade [pictures]=scenes [paper]=paper)
+declare -A data_of=([licences]=licences [devices]=devices [bench]=tradeoff [trade]=trade [pictures]=scenes
+  [paper]=paper)
 paper_minutes=10  # of the bake; the more, the less noise
 try=''
 
@@ -47,15 +48,17 @@ run_paper() {
   LUMI_WORK=$work/paper "$root/tools/lab/paper.sh" --scene product --minutes "$paper_minutes" --views 24 --docs
 }
 
-# The same on little work, and nothing is written into docs.
+# Each try_STAGE does little work and writes nothing into docs.
 try_licences() { python3 -B "$root/tools/packaging/libraries.py" "$lumi" >"$work/licences.json"; }
 try_devices() { "$root/tools/lab/devices.sh" --built --only riscv; }
 try_bench() {
-  "$lab" bench --core m4 --mode nearest,one-sample --texel rgb565 --span 0,16 --view generic --pixel rgb565 --origins 64 \
-    --directions 64 --spp 1 --work "$work/bench"
+  "$lab" bench --core m4 --mode nearest,one-sample --texel rgb565 --span 0,16 --view generic --pixel rgb565 \
+    --origins 64 --directions 64 --spp 1 --work "$work/bench"
 }
 try_trade() { python3 -B "$root/tools/lab/proof/trade.py" --quick --work "$work/trade" >"$work/trade.json"; }
-try_pictures() { "$lumi" reference "$root/baker/scenes/cornell.obj" -o "$work/cornell.png" --size 32x32 --spp 4 >/dev/null; }
+try_pictures() {
+  "$lumi" reference "$root/baker/scenes/cornell.obj" -o "$work/cornell.png" --size 32x32 --spp 4 >/dev/null
+}
 try_paper() { "$root/tools/lab/paper.sh" --quick; }
 
 bears() {
@@ -92,7 +95,8 @@ main() {
     for stage in "${chosen[@]}"; do run_step "$stage" "try_$stage"; done
     print_step_times && exit
   }
-  git -C "$root" diff --quiet HEAD -- "${code[@]}" || die "code has changes that are not committed; figures are of a commit"
+  git -C "$root" diff --quiet HEAD -- "${code[@]}" ||
+    die "code has changes that are not committed; figures are of a commit"
   LUMI_MEASURED=$(git -C "$root" log -1 --format=%h --abbrev=10 -- "${code[@]}")
   export LUMI_MEASURED
   work=$root/build/figures/$LUMI_MEASURED

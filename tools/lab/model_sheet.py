@@ -83,7 +83,7 @@ class Model:
         return subprocess.run([self.options.lumi, *map(str, words)], capture_output=True, text=True, check=False)
 
     def bake(self):
-        """What lumi says; a refusal is what was said, without a field."""
+        """Keeps what lumi says; after a refusal there is no field."""
         said = self.folder / "said.txt"
         if not said.exists():
             done = self.run("bake", self.scene, "-o", self.field, "--fit", self.options.fit, "--paths", self.options.paths)

@@ -24,7 +24,7 @@ parse_arguments() {
   done
 }
 
-# What a copy of the repository would hold: everything but ignored files.
+# Copies what a clone of the repository would hold: everything but ignored files.
 copy_repository() {
   mkdir "$folder/lumi"
   git -C "$root" ls-files -z --cached --others --exclude-standard |

@@ -81,7 +81,7 @@ def write_pages():
 
 
 def faults():
-    """What is wrong, a line each."""
+    """Yields a line for each fault."""
     stale = [str(page.relative_to(ROOT)) for page in pages() if filled(text := page.read_text(encoding="utf-8")) != text]
     if stale:
         yield "other than their data: " + ", ".join(stale) + "; run tools/lab/pages.py and commit them"

@@ -64,7 +64,8 @@ bake_scene() {
     -o "$work/$scene-surface.lumi" --layout surface --paths "$surface_paths" --fit "$surface_budget"
 }
 
-# What the background around a small object does to likeness: SCENE.background.json has what `lumi compare` says of each.
+# Measures how the background around a small object changes likeness: SCENE.background.json has the figures of `lumi
+# compare` for each share.
 measure_background() {
   local scene=$1 size=${eye_size[0]}x${eye_size[1]} fov share separator=
   {

@@ -61,7 +61,7 @@ def licences_of(package):
 
 
 def rows(program):
-    """What the page of licences shows: a row a package, and which of the program's files load it."""
+    """Rows of the page of licences: each package, and which of the program's files load it."""
     parts = {path.name: loaded_by(path) for path in
              [pathlib.Path(program), *(pathlib.Path(program).parent / name for name in MODULES)]}
     return [{"package": name, "objects": objects, "licence": licences_of(name)[0],

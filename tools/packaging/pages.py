@@ -36,7 +36,7 @@ complete -o default -F _lumi lumi
 
 
 class Command:
-    """What the help of `lumi WORDS` says."""
+    """Returns the help of `lumi WORDS`."""
 
     def __init__(self, lumi, words=()):
         self.words, self.name = words, "-".join(["lumi", *words])
@@ -94,7 +94,7 @@ def man_page(command, version):
 
 
 def value_cases(command):
-    """What follows an option: one of its words, nothing for a number; files where no case says otherwise."""
+    """Completes what follows an option: one of its words, nothing for a number; files where no case says otherwise."""
     name, text = command.words[0], ""
     for other in command.everything():
         if other.commands:

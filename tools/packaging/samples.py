@@ -30,7 +30,7 @@ def run(*command):
 
 
 def object_of(name):
-    """Of "clock250": ("clock", 250)."""
+    """Splits "clock250" into ("clock", 250)."""
     found = re.fullmatch(r"(\D+)(\d+)", name)
     if not found:
         sys.exit(f"error: {name}.lumi: sample fields are named by object and kilobytes, such as clock250.lumi")

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What fields are compared with, and how restless they look.
+// The chord field and the sprites that fields are compared with.
 #include "comparison/baselines.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "comparison/flicker.h"
 #include "comparison/sprites.h"
 #include "lumi/baker/chord.h"
-#include "support/small_surface.h"
 
 namespace lumi::quality
 {
@@ -67,21 +65,6 @@ TEST_CASE("sprites of a ring lie nearer to views of that ring than those of a sp
         CHECK(away <= 0.5 / 48 + 1e-6);
         CHECK(nearest_sprite(sphere, bench_view(view)) < 48);
     }
-}
-
-TEST_CASE("in a zoom one sample a pixel flickers more than four, and a drawing of 64 is the measure of both")
-{
-    SurfaceField field;
-    const auto& file = tools::test::small_surface().file;
-    REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
-    const std::vector<Flicker> all = zoom_flicker(field, 12, 48);
-    REQUIRE(all.size() == 3);
-    CHECK(all[0].mode == SurfaceMode::one_sample);
-    CHECK(all[0].ratio > 1.2);
-    CHECK(all[1].ratio < all[0].ratio);
-    CHECK(all[2].ratio == 1);
-    CHECK(all[2].rms_levels > 0);
-    CHECK(all[2].rms_levels < 20);
 }
 
 }  // namespace lumi::quality

@@ -66,7 +66,7 @@ def read_png(path):
 
 
 def read_bmp(path):
-    """The same of a BMP of 24 bits a pixel, bottom row first."""
+    """Reads a BMP of 24 bits a pixel, bottom row first, to the same."""
     data = open(path, "rb").read()
     (begin,) = struct.unpack_from("<I", data, 10)
     width, height, _, depth, packed = struct.unpack_from("<iiHHI", data, 18)

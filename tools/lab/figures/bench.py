@@ -4,7 +4,7 @@ from .table import NONE, Table, decimal, load
 
 CORES = ["m0plus", "m4"]
 SPLIT = ["vertices", "lists", "lights", "edges", "samples", "outlines", "resolve", "palette"]
-# What a reader looks for first.
+# A reader looks for these first.
 GLANCES = [("nearest", "rgb565", 16), ("linear", "luma8", 16), ("linear", "palette8", 16), ("linear", "rgb888", 16),
            ("paper", "rgb888", 16), ("linear", "luma8", 8), ("linear", "palette8", 8), ("linear", "rgb888", 8)]
 

@@ -82,5 +82,5 @@ def draw_front(part="rp2040"):
     drawn.append(text(0, 0, "PSNR, dB", more=f'transform="translate(12 {HEIGHT // 2}) rotate(-90)"'))
     size = f'width="{WIDTH * len(data["scenes"])}" height="{HEIGHT}"'
     (ROOT / "docs/img/front.svg").write_text(
-        f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" font-size="11">\n<rect {size} fill="white"/>\n'
-        + "\n".join(drawn) + "\n</svg>\n", encoding="utf-8")
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" font-size="11">\n'
+        f'<rect {size} fill="white"/>\n' + "\n".join(drawn) + "\n</svg>\n", encoding="utf-8")

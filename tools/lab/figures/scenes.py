@@ -4,6 +4,9 @@ from .table import Table, decimal, load
 
 
 def pictures():
-    return Table.of(["scene, `--orbit`", "path-traced", "drawn from flash", "field", "likeness"], load("scenes")["pictures"], lambda row: [
-        f"`{row['scene']}`, {row['orbit']}", f"![traced](img/{row['picture']}.png)", f"![drawn](img/{row['picture']}-drawn.png)",
-        f"{row['layout']}, {row['bytes'] / 1000:.0f} kB", f"{decimal(row['psnr_db'])} dB"])
+    def cells(row):
+        return [f"`{row['scene']}`, {row['orbit']}", f"![traced](img/{row['picture']}.png)",
+                f"![drawn](img/{row['picture']}-drawn.png)", f"{row['layout']}, {row['bytes'] / 1000:.0f} kB",
+                f"{decimal(row['psnr_db'])} dB"]
+    columns = ["scene, `--orbit`", "path-traced", "drawn from flash", "field", "likeness"]
+    return Table.of(columns, load("scenes")["pictures"], cells)

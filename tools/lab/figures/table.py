@@ -33,7 +33,7 @@ def text_of(data):
     return "{\n " + ",\n ".join(f"{line(key)}: {part(value)}" for key, value in data.items()) + "\n}\n"
 
 
-# What figures depend on: all code, but for what writes tables of data.
+# Figures depend on all code, but for the programs that write tables of data.
 MEASURED = ["core", "baker", "platform", "tools", "toolchains", ":!tools/lab/pages.py", ":!tools/lab/figures", ":!*.md"]
 
 
@@ -48,7 +48,8 @@ def save(name, data):
     """Each file of data begins with the commit that it is of, and the day."""
     DATA.mkdir(exist_ok=True)
     of = {"commit": measured_commit(), "date": datetime.date.today().isoformat()}
-    (DATA / f"{name}.json").write_text(text_of({**of, **{key: data[key] for key in data if key not in of}}), encoding="utf-8")
+    rest = {key: data[key] for key in data if key not in of}
+    (DATA / f"{name}.json").write_text(text_of({**of, **rest}), encoding="utf-8")
 
 
 def commits():

@@ -52,14 +52,14 @@ CHIPS = {"rp2040": "RP2040", "rp2350": "RP2350", "esp32s3": "ESP32-S3", "stm32f4
 
 
 def clock_rows(mode_of):
-    """Of the desk clock in `lumi report`, without its smallest fields; `mode_of` says by layout which mode."""
+    """Rows of the desk clock without its smallest fields; `mode_of` gives the mode of each layout."""
     least = {"surface": 100_000, "chord": 500_000}
     return [row for row in load("trade")["rows"]
             if row["scene"] == "clock" and row["mode"] == mode_of[row["layout"]] and row["flash_bytes"] > least[row["layout"]]]
 
 
 def first_table():
-    """What a visitor asks first: how large, how like the truth, how fast; surface fields, antialiased."""
+    """Answers a visitor's first question: how large, how like the truth and how fast antialiased surface fields are."""
     return Table(["mode", "flash", "RAM", "likeness", *CHIPS.values()],
                  [[row["mode"], byte_text(row["flash_bytes"], 1), f"{decimal(row['ram_bytes'] / 1e3, 0)} kB",
                    f"{decimal(row['psnr_db'])} dB",
@@ -79,7 +79,7 @@ def readme_table():
 
 
 def quality():
-    """What fields and other ways show of the desk clock."""
+    """Compares fields and other ways to show the desk clock."""
     return Table.of(["layout", "flash", "triangles", "PSNR dB", "SSIM", "CW-SSIM", "FLIP", "mask PSNR", "worst view"],
                     load("trade")["quality"], lambda row: [
         row["layout"], byte_text(row["flash_bytes"]) if row["flash_bytes"] else NONE, or_none(row.get("triangles")),

@@ -56,7 +56,7 @@ def modelled(costs, counts):
     return sum(cost * counts[name] for name, cost in costs.items())
 
 
-# What preparing a frame takes, by the parts of the bench's counts; all else is of the stripes.
+# Kinds of work that prepare a frame, by the parts of the bench's counts; all other kinds belong to the stripes.
 PREPARING = {"palette": ["frame"], "vertices": ["vertex"], "lists": ["patch", "listed", "bordered"],
              "lights": ["lit", "cornered"], "order": ["see_frame", "see_patch", "ordered"]}
 UNUSED = ["sorted"]
@@ -85,7 +85,7 @@ def added(*costs):
 
 
 def surface_costs(rows):
-    """Of rows of one core and mode."""
+    """Fits the costs of one core and mode to its rows."""
     views = [row for row in rows if row["kind"] == "views"]
     costs = {}
     for part, names in PREPARING.items():
@@ -124,7 +124,7 @@ def by_span_mode(rows):
              for texel in TEXELS] for mode in CHORD_MODES]
 
 
-# What is fitted to the counts of a layout: by core, then by mode, spans' by texel format, too.
+# Arrays of costs that are fitted to the counts of a layout: by core, then by mode; those of spans by texel format, too.
 ARRAYS = {"surface": {"kSurfaceCosts": by_surface_mode},
           "chord": {"kExactCosts": by_exact_mode, "kSpanCosts": by_span_mode}}
 

@@ -116,7 +116,7 @@ def work_of(field, *words):
 
 
 def rows_of_surface(counter, fields):
-    """What boards counted of each frame beside what the model counts of it."""
+    """Puts the counts of boards beside those of the model, for each frame of surface fields."""
     kinds = {}
     for name, field in fields:
         kinds[name] = "see_through" if work_of(field)[0]["counts"]["see_frame"] else "surface"
@@ -149,7 +149,7 @@ def rows_of_surface(counter, fields):
 
 
 def rows_of_chord(counter, fields, small):
-    """The same of chord fields."""
+    """Puts the counts of boards beside those of the model, for each frame of chord fields."""
     exact = {(f"exact_{mode}_{own}") for mode in bench.CHORD_MODES for _, _, own, _ in [*fields, *small]}
     spans = {f"spans_{mode}_{texel}" for mode in bench.CHORD_MODES for _, texel, _, _ in fields}
     counter.build(sorted(exact | spans))

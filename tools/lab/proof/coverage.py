@@ -55,7 +55,7 @@ def build_and_run():
 
 
 def notes_of_gcov():
-    """What gcov says of every object, also of those that no test links: a JSON object each."""
+    """Yields gcov's JSON for every object, also for those that no test links."""
     # Objects of tests that are gone, and of the compiler's own checks, tell of lines that are no longer there.
     subprocess.run(["ninja", "-C", BUILD, "-t", "cleandead"], check=True, stdout=subprocess.DEVNULL)
     notes = [note for note in sorted(BUILD.rglob("*.gcno")) if note.with_suffix(".o").exists()]

@@ -53,7 +53,7 @@ def stop(text):
 
 
 def masked(line):
-    """The same line, where nothing in strings, comments and the angle brackets of templates can be found."""
+    """Blanks strings, comments and the angle brackets of templates in a line."""
     blank = lambda found: "\0" * len(found[0])
     line = re.sub(r"\"(?:\\.|[^\"])*\"|'(?:\\.|[^'])'|//.*", blank, line)
     before = None
@@ -129,7 +129,7 @@ class Builder:
                          for entry in json.loads((BUILD / "compile_commands.json").read_text())}
         self.dependents = self.read_dependents()
         self.tests = [o for o in self.commands if o.startswith(OBJECTS) and o.endswith("_test.cpp.o")]
-        # What a test does not call is not linked.
+        # Functions that no test calls are not linked.
         self.libraries = [BUILD / "lumi_c.a", *sorted(BUILD.glob("tests/core/*.a")), BUILD / "core/liblumi_core.a",
                           *sorted(BUILD.glob("tools/lab/twin/*.a"))]
         self.main = next(BUILD.glob("tests/CMakeFiles/lumi_catch_main.dir/main.cpp.o"), None)
@@ -291,7 +291,7 @@ class Trial:
 
 
 def equal_names():
-    """What the file says of changes that are core's equals: two lines each, the name and its proof."""
+    """Reads the changes that equal core: two lines each, the name and its proof."""
     blocks = [block.strip().splitlines() for block in EQUAL.read_text(encoding="utf-8").split("\n\n")]
     return {lines[0]: " ".join(lines[1:]) for lines in blocks if lines and not lines[0].startswith("#")}
 

@@ -26,7 +26,7 @@ QUALITY = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "
 
 
 def kept(path, *words):
-    """What the command writes as JSON, kept in the file."""
+    """Returns the JSON that the command writes, and keeps it in the file."""
     if not path.exists():
         text = words[0](*words[1:])
         path.write_text(text if isinstance(text, str) else json.dumps(text))
@@ -50,7 +50,7 @@ def trade_rows(name, told):
 
 
 def quality_rows(told, others):
-    """What the clock's fields show, and other ways beside the same references."""
+    """Compares the clock's fields and other ways with the same references."""
     modes = [row for row in told["variants"] if row["layout"] in ("antialiased", "one sample")]
     measured = [*told["fields"], *modes, *others["fields"]]
     return [{key: row[key] for key in QUALITY if key in row} for row in measured]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a program finds in the RP2040's boot ROM (datasheet, 2.8.3): the table of functions, and those of them that the Pico
-// SDK calls for memory and bits, done by JavaScript. A call takes as long as its bytes (assumed: one clock a byte).
+// A program finds this in the RP2040's boot ROM (datasheet, 2.8.3): the table of functions, and those of them that the
+// Pico SDK calls for memory and bits, done by JavaScript. A call takes as long as its bytes (assumed: one clock a byte).
 'use strict';
 
 const kTable = 0x20, kLookup = 0x18, kVersion = 0x10, kFunctions = 0x100, kBytesEach = 4;

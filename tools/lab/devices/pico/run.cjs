@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // run.cjs PROGRAM.bin FOLDER [--flash-misses] [--json LINES]
 // Runs platform/pico_st7789 in rp2040js, an emulator of the RP2040 in JavaScript, from the second stage of its boot on.
-// What the emulator lacks lies beside this file: the second core, the boot ROM's functions, and the display behind SPI0.
+// The emulator lacks three things, which lie beside this file: the second core, the boot ROM's functions, and the
+// display behind SPI0.
 // Prints the lines of UART0 and writes what the panel shows at each that says "frame ...", FOLDER/frame-0.raw, ...,
 // 240 x 240 pixels of 16 bits, high byte first. --flash-misses adds the flash's cache. Ends with the program's "exit"
 // code, with 0 after so many lines of JSON, which it prints, or with 1 after 20 seconds of the board's time.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 'use strict';
 
-// What the controller does with the commands that a picture takes.
+// Does what the controller does with the commands that a picture takes.
 class St7789 {
   constructor(isData) {
     this.isData = isData;

@@ -23,7 +23,7 @@ struct Texels {
     uint64_t paths = 0;
 };
 
-// The same texels of a field, drawn by lot, for all settings.
+// Draws texels of a field by lot; all settings get the same ones.
 Texels traced(const Scene& scene, unsigned count, uint32_t paths, float levels, uint64_t seed)
 {
     BakeSettings settings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the baker costs: each returns rows of a table.
+// These measure what the baker costs; each returns rows of a table.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 
 // Error against the number of light paths.
 Json convergence(const char* scene_file, unsigned rows);
-// What adaptive sampling leaves out, and what it costs in error, on so many texels.
+// Measures what adaptive sampling leaves out and its error, on so many texels.
 Json adaptive(const char* scene_file, unsigned texels);
 // Paths a second against the number of threads.
 Json thread_rates(const char* scene_file, unsigned rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What this machine can say about a frame of the bench; the same for every core.
+// This machine tells these facts about a frame of the bench; they hold for every core.
 #pragma once
 
 #include <string>

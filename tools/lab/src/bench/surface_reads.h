@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What drawing a frame of a surface field reads of its file, about: vertices and patches once, view tables of lit
+// Estimates what drawing a frame of a surface field reads of its file: vertices and patches once, view tables of lit
 // vertices, then for each stripe the patches that show there and a texel for each sample. Samples that end up hidden
 // and triangles that reach a stripe without a sample are left out.
 #pragma once

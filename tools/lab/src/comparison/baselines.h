@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field is compared with at its own size: the paper's chord field, and what firmware does without a field.
+// A field is compared with these at its own size: the paper's chord field, and what firmware does without a field.
 #pragma once
 
 #include <vector>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// lumi-lab baselines and zoom: what `lumi report` does not tell of a field.
+// lumi-lab baselines: what else so many bytes show.
 #include <memory>
 
 #include "commands/scene_options.h"
 #include "comparison/baselines.h"
-#include "comparison/flicker.h"
 #include "measure/commands.h"
 #include "program/choice.h"
 #include "quality/report_data.h"
@@ -62,17 +61,6 @@ void run(const Options& options)
     }
 }
 
-void zoom(const std::string& path)
-{
-    const tools::FieldFile file(path);
-    file.require_intact();
-    if (!file.is_surface()) throw tools::Failure(path, "holds a chord field", "give a surface field");
-    nlohmann::ordered_json json;
-    for (const quality::Flicker& flicker : quality::zoom_flicker(file.surface()))
-        json[tools::name_of(flicker.mode)] = {{"rms_levels", flicker.rms_levels}, {"ratio", flicker.ratio}};
-    print(json);
-}
-
 }  // namespace
 
 void add_baselines(CLI::App& lab)
@@ -90,15 +78,6 @@ void add_baselines(CLI::App& lab)
     command->add_option("--spp", options->samples, "Light paths per pixel of the references")->capture_default_str();
     command->add_option("--cache", options->cache, "Folder of references, that of lumi report")->capture_default_str();
     command->callback([options] { run(*options); });
-}
-
-void add_zoom(CLI::App& lab)
-{
-    auto field = std::make_shared<std::string>();
-    CLI::App* command =
-        lab.add_subcommand("zoom", "Measure how much a surface field flickers while the eye moves away slowly");
-    command->add_option("FIELD", *field, "A surface field")->required();
-    command->callback([field] { zoom(*field); });
 }
 
 }  // namespace lumi::lab

@@ -26,7 +26,7 @@ Json json_of(const planner::Chip& chip)
             {"remark", chip.remark}};
 }
 
-// Of a row's parts, which are instructions a covered pixel, those of a frame.
+// Converts a row's parts from instructions a covered pixel to instructions a frame.
 uint64_t of_frame(const Json& row, std::initializer_list<const char*> parts)
 {
     double sum = 0;

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr Rgb8 kNothing = {16, 16, 16};
 
-// What a field's palette becomes, and with it all colours.
+// A field's palette becomes this, and with it all colours.
 enum class Palette : uint8_t { own, black, white };
 
 struct Case {
@@ -66,7 +66,7 @@ std::vector<uint8_t> recoloured(const tools::FieldFile& file, Palette palette)
     return bytes;
 }
 
-// What the exact picture shows in a pixel and the eight around it.
+// The range of what the exact picture shows in a pixel and the eight around it.
 struct Around {
     double least_covered = 1, most_covered = 0;
     std::array<double, 3> least{255, 255, 255}, most{};

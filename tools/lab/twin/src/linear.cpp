@@ -78,7 +78,7 @@ Vec3 cross(const Vec3& a, const Vec3& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// Of all triangles of points that the ray from the centre through q passes, the outermost: it is of the convex hull.
+// Finds the outermost triangle of points that the ray from the centre through q passes: it belongs to the convex hull.
 Weights hull_weights(const std::vector<Vec3>& all, const Vec3& q)
 {
     const auto n = static_cast<uint32_t>(all.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a surface file holds, decoded without core's reader.
+// The contents of a surface file, decoded without core's reader.
 #pragma once
 
 #include <vector>

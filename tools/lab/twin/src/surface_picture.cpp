@@ -26,7 +26,7 @@ Vec3 cross(const Vec3& a, const Vec3& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// What a sample sees.
+// A sample sees this.
 struct Hit {
     double depth = 0;  // along the viewing axis; 0: nothing
     uint32_t triangle = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same mathematics in double precision, by other means: brute force in place of inverse maps, the plain quadratic
-// equation in place of the renderer's stable form.
+// This computes what core computes, in double precision and by other means: brute force in place of inverse maps, the
+// plain quadratic equation in place of the renderer's stable form.
 #pragma once
 
 #include <array>

@@ -21,7 +21,7 @@ struct Hits {
 // Where the ray through the centre of pixel (x, y) enters and leaves the unit sphere. Precondition: it meets it.
 Hits hits_of_pixel(const Pose& pose, const Image& image, int32_t x, int32_t y);
 
-// What the field shows for these taps over a background; origins outside the cap count as misses.
+// The colour that the field shows for these taps over a background; origins outside the cap count as misses.
 Colour blended(const Field& field, const Weights& origins, const Weights& directions, const Rgb8& background);
 
 }  // namespace lumi::twin
