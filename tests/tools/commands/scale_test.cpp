@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "support/program.h"
+#include "support/small_surface.h"
 #include "support/temporary_folder.h"
 
 namespace lumi::tools
@@ -105,22 +106,7 @@ TEST_CASE(
     const test::TemporaryFolder folder;
     const std::string whole = folder / "whole.lumi", killed = folder / "killed.lumi";
     const auto surface_bake = [](const std::string& output) -> Arguments {
-        return {"bake",
-                kScene,
-                "-o",
-                output,
-                "--layout",
-                "surface",
-                "--triangles",
-                "200",
-                "--longest-edge",
-                "0.5",
-                "--texel-density",
-                "12",
-                "--paths",
-                "8",
-                "--threads",
-                "2"};
+        return joined({"bake", kScene, "-o", output, "--threads", "2"}, test::small_surface_options());
     };
     REQUIRE(lumi(surface_bake(whole)).code == 0);
     test::write_content(killed, "earlier");
