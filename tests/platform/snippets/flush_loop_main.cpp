@@ -6,7 +6,7 @@ using namespace lumi;
 
 static product_view<Screen<240, 240, 16>> view;
 
-#include "boards_loop.h"
+#include "flush_loop.h"
 
 int main()
 {
