@@ -24,12 +24,6 @@ words = sys.argv[1:]
 print(json.dumps({key: value(text) for key, text in zip(words[::2], words[1::2])}, ensure_ascii=False))' "$@"
 }
 
-# mean_figures COUNT: the means of what `lumi compare` said of so many pictures, from standard input, as JSON.
-mean_figures() {
-  awk -v count="$1" '{ sum[$1] += $2 }
-    END { printf "{\"psnr_db\": %.4f, \"ssim\": %.5f, \"flip\": %.5f}", sum["PSNR"] / count, sum["SSIM"] / count, sum["FLIP"] / count }'
-}
-
 # put NAME PART: rows from standard input become that part of docs/log/data/NAME.json, and the pages follow.
 put() {
   python3 -B "$root/tools/lab/pages.py" put "$1" "$2"
