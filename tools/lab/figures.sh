@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/figures.sh [--check | --try] [STAGE...]
-# Measures every figure, table and picture of README and docs anew, of one commit, in about 65 minutes of two quiet
+# tools/lab/figures.sh [--check | --try] [--paper-minutes N] [STAGE...]
+# Measures every figure, table and picture of README and docs anew, of one commit, in about 67 minutes of two quiet
 # cores. The commit is the last one that changed code. A stage whose data in docs/log/data bear it already is left out,
 # so a stop loses one stage at most. docs/log/data/measured.json says commit and day at the end.
 #   --check  measures nothing; fails where a page shows other figures than the data, or data are of two commits
 #   --try    tries the stages with tiny parameters, in build/figures-try; nothing of docs changes
+#   --paper-minutes  time of the bake of the paper's size [10]; the more, the less noise
 #   STAGE    one of them: licences, devices, bench, trade, pictures, paper
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -14,10 +15,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 data=$root/docs/log/data
 code=(core baker platform tools toolchains ':!tools/lab/pages.py' ':!tools/lab/figures' ':!*.md')
 stages=(licences devices bench trade pictures paper)
-declare -A minutes=([licences]=1 [devices]=8 [bench]=10 [trade]=13 [pictures]=14 [paper]=18)
+declare -A minutes=([licences]=1 [devices]=8 [bench]=10 [trade]=13 [pictures]=17 [paper]=18)
 declare -A data_of=([licences]=licences [devices]=devices [bench]=tradeoff [trade]=trade [pictures]=scenes
   [paper]=paper)
-paper_minutes=10  # of the bake; the more, the less noise
+paper_minutes=10
 try=''
 
 run_licences() {
@@ -26,7 +27,6 @@ run_licences() {
 
 run_devices() {
   cmake --build "$root/build/release" --parallel "$jobs" --target lumi_device_picture
-  rm -f "$data/devices.json"
   LUMI_MEASURED=incomplete "$root/tools/lab/devices.sh" --built --docs
   LUMI_MEASURED=incomplete "$root/tools/lab/board_memory.sh"
   sed -i "s/\"incomplete\"/\"$LUMI_MEASURED\"/" "$data/devices.json"
@@ -81,13 +81,15 @@ measure() {
 
 main() {
   local stage chosen=()
-  for stage; do
-    case $stage in
+  while (($#)); do
+    case $1 in
       --check) exec python3 -B "$root/tools/lab/pages.py" --check ;;
       --try) try=yes ;;
+      --paper-minutes) paper_minutes=${2:?"--paper-minutes needs a number"} && shift ;;
       --help) help "$0" && exit ;;
-      *) [[ -n ${minutes[$stage]:-} ]] || wrong_call "there is no stage '$stage'" && chosen+=("$stage") ;;
+      *) [[ -n ${minutes[$1]:-} ]] || wrong_call "there is no stage '$1'" && chosen+=("$1") ;;
     esac
+    shift
   done
   ((${#chosen[@]})) || chosen=("${stages[@]}")
   [[ -z $try ]] || {
