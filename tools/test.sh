@@ -46,7 +46,7 @@ check_with_clang_tidy() {
 
 # Checks the sources that changed most in the last commits (those of four hours before the newest) and in what is not
 # committed. `--all` checks the others, too.
-most_tidy_files=6
+most_tidy_files=4
 check_changes_with_clang_tidy() {
   local base files
   base=$(git -C "$root" rev-list -1 --before="$(($(git -C "$root" log -1 --format=%ct) - 4 * 3600))" HEAD)
