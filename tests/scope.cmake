@@ -40,7 +40,6 @@ set(LUMI_PLAIN_FILES
   core/chord/linear_test.cpp
   core/chord/nine_taps_test.cpp
   core/chord/one_tap_test.cpp
-  core/chord/quality_test.cpp
   core/chord/render_spans_test.cpp
   core/chord/sphere_test.cpp
   core/chord/stepping/
@@ -62,7 +61,6 @@ set(LUMI_PLAIN_FILES
   baker/volume/opacity_surface_test.cpp
   baker/volume/vdb_file_test.cpp
   baker/surface/surface_bake_test.cpp
-  baker/surface/surface_draft_test.cpp
   baker/chord/field_rays_test.cpp
   lab/
   platform/
@@ -91,6 +89,12 @@ set(LUMI_BOTH_FILES
   baker/store/checkpoint_test.cpp
   baker/surface/see_through_bake_test.cpp
   baker/surface/surface_checkpoint_test.cpp)
+
+foreach(entry IN LISTS LUMI_PLAIN_FILES LUMI_BOTH_FILES)
+  if(NOT EXISTS ${CMAKE_CURRENT_LIST_DIR}/${entry})
+    message(FATAL_ERROR "tests/scope.cmake: there is no tests/${entry}")
+  endif()
+endforeach()
 
 # Tests with these tags are not run under sanitizers: they bake one scene again and again (stopped, killed, in shards), or
 # compare pictures and meshes of several bakes.
