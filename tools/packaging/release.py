@@ -12,8 +12,7 @@ PlatformIO; the same as a component of ESP-IDF, whose folder is its name; the Ar
 the part for LVGL and the changelog.
 
 COMMAND (build/release/tools/lumi) bakes the field of Arduino's sketches, which takes minutes; with --field it only embeds
-that file. With --samples there is also an archive of the fields in FOLDER, with pages that
-turn them.
+that file. With --samples there is also an archive of the fields in FOLDER, with pages that turn them.
 """
 import argparse
 import hashlib
