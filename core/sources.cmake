@@ -30,8 +30,6 @@ set(LUMI_CORE_SOURCES
   src/chord/stepping/polar_line.cpp
   src/chord/stepping/walker.cpp
   src/chord/stepping/zones.cpp
-  src/chord/kernel/distances.cpp
-  src/chord/kernel/kernel.cpp
   src/chord/armv6m/linear_luma8.S
   src/chord/armv6m/linear_palette8.S
   src/chord/armv6m/linear_rgb565.S

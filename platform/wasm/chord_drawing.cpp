@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A mode is a reconstruction. Fields that spans do not draw are drawn pixel by pixel, in one mode.
+// A mode is a reconstruction: the paper's is drawn pixel by pixel, the others by spans. Fields that spans do not draw
+// have one mode, pixel by pixel.
 #include "drawing.h"
 #include "lumi/chord/camera.h"
 #include "lumi/chord/field.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "lumi/chord/texel.h"
 
 namespace lumi::wasm
@@ -17,19 +18,13 @@ constexpr uint32_t kModes = 3;
 LUMI_CONSTANT Field field;
 LUMI_CONSTANT Camera camera;
 
-// Calls `next` with a value of the mode's policy.
-template <class Next>
-RenderError with_reconstruction(uint32_t mode, const Next& next)
-{
-    if (mode == 0) return next(Paper<>());
-    return mode == 1 ? next(Linear()) : next(Nearest());
-}
-
-template <class Reconstruction, class Texel, class Pixel>
+template <class Texel, class Pixel>
 RenderError draw_as(const Style& style, const Stripe& stripe)
 {
     if (!fits_spans(field)) return render<Linear, Texel, Pixel>(field, camera, style.background, stripe);
-    return render_spans<Reconstruction, Texel, Pixel>(field, camera, style.background, stripe, kSpanPx);
+    if (style.mode == 0) return render<Paper<>, Texel, Pixel>(field, camera, style.background, stripe);
+    if (style.mode == 1) return render_spans<Linear, Texel, Pixel>(field, camera, style.background, stripe, kSpanPx);
+    return render_spans<Nearest, Texel, Pixel>(field, camera, style.background, stripe, kSpanPx);
 }
 
 }  // namespace
@@ -63,9 +58,7 @@ ViewError draw(const Style& style, const Stripe& stripe)
 {
     const RenderError error = detail::with_texel(field.texel_format, [&](auto texel) {
         return with_pixel(style.format, [&](auto pixel) {
-            return with_reconstruction(style.mode, [&](auto reconstruction) {
-                return draw_as<decltype(reconstruction), decltype(texel), decltype(pixel)>(style, stripe);
-            });
+            return draw_as<decltype(texel), decltype(pixel)>(style, stripe);
         });
     });
     return error == RenderError::none ? ViewError::none : ViewError::other_renderer;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "field_bytes.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "views.h"
 
 using namespace lumi;

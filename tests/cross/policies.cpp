@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "lumi/surface/render.h"
 #include "lumi/surface/view.h"
 
@@ -45,7 +45,7 @@ struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
 
 // The paper's kernel occurs in its smallest, default and largest size.
 using Reconstructions = std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>,
-                                   BySpans<Linear>, BySpans<Paper<5>>, BySpans<Paper<detail::kMaxNeighbours>>>;
+                                   BySpans<Linear>>;
 template <class... Texel>
 std::tuple<Texel...> tuple_of(detail::TexelList<Texel...>);
 using Texels = decltype(tuple_of(detail::AllTexels()));
@@ -74,12 +74,12 @@ struct Combination {
     }
 };
 
-// `pairs` has one combination of each reconstruction and texel, and counts pixel and background on with their sum: 4
-// and 3 have no common divisor, so 12 sums in a row meet every pair of those too.
+// `pairs` has one combination of each reconstruction and texel. Pixel and background count on with a sum of both
+// places, which takes all values modulo 12: 4 and 3 have no common divisor, so every pair of those meets, too.
 constexpr bool is_chosen(const Combination& of, Choice choice)
 {
     if (choice == Choice::all) return true;
-    const size_t sum = of.reconstruction + of.texel;
+    const size_t sum = 5 * of.reconstruction + of.texel;
     if (of.pixel != sum % kPixels || of.background != sum % kBackgrounds) return false;
     return choice == Choice::pairs || of.texel == of.reconstruction % kTexels;
 }

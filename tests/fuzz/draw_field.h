@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "lumi/surface/see_through.h"
 
 namespace lumi::fuzz
@@ -45,30 +45,25 @@ struct Canvas {
     Stripe stripe{};
 };
 
-template <class Reconstruction, class Texel>
+template <class Texel>
 void draw_chord(const Field& field, const Camera& camera, const Scene& s)
 {
     Canvas canvas(s, PixelRgb888::kBytes);
     const OverColour background{{1, 2, 3}};
-    if ((s.choice & 8) != 0) {
-        static_cast<void>(render<Reconstruction, Texel, PixelRgb888>(field, camera, background, canvas.stripe));
-    } else {
-        static_cast<void>(render_spans<Reconstruction, Texel, PixelRgb888>(field, camera, background, canvas.stripe,
-                                                                           1 << (s.choice >> 4 & 7)));
-    }
-}
-
-template <class Texel>
-void draw_chord(const Field& field, const Camera& camera, const Scene& s)
-{
-    switch (s.choice & 7) {
-        case 0:
-            return draw_chord<Nearest, Texel>(field, camera, s);
-        case 1:
-            return draw_chord<Paper<5>, Texel>(field, camera, s);
-        default:
-            return draw_chord<Linear, Texel>(field, camera, s);
-    }
+    const auto exactly = [&](auto reconstruction) {
+        return render<decltype(reconstruction), Texel, PixelRgb888>(field, camera, background, canvas.stripe);
+    };
+    const auto by_spans = [&](auto reconstruction) {
+        return render_spans<decltype(reconstruction), Texel, PixelRgb888>(field, camera, background, canvas.stripe,
+                                                                          1 << (s.choice >> 4 & 7));
+    };
+    const uint32_t kind = s.choice & 7;
+    if (kind == 1)
+        static_cast<void>(exactly(Paper<5>()));
+    else if ((s.choice & 8) != 0)
+        static_cast<void>(kind == 0 ? exactly(Nearest()) : exactly(Linear()));
+    else
+        static_cast<void>(kind == 0 ? by_spans(Nearest()) : by_spans(Linear()));
 }
 
 inline void draw_chord(const Field& field, const Scene& s)

@@ -18,6 +18,7 @@ from figures.table import save
 
 CORES = ["m0plus", "m3", "m4", "m7"]
 CHORD_MODES = ["nearest", "linear", "paper"]
+SPAN_MODES = ["nearest", "linear"]  # those that render_spans() draws
 SURFACE_MODES = ["one-sample", "antialiased", "2x2"]
 TEXELS = ["rgb888", "rgb565", "palette8", "luma8"]
 PIXELS = ["rgb565", "rgb888"]
@@ -180,7 +181,7 @@ def chord_rows(options, boards):
     spans = [span for span in options.span if span]
     kinds = [("exact", [0])] * (0 in options.span) + [("spans", spans)] * bool(spans)
     programs = [(f"{kind}_{mode}_{texel}", mode, texel, of_kind) for mode in modes for texel in options.texel
-                for kind, of_kind in kinds]
+                for kind, of_kind in kinds if kind == "exact" or mode in SPAN_MODES]
     rows = []
     for board in boards:
         board.build([renderer for renderer, *_ in programs])

@@ -42,8 +42,7 @@ core/include/lumi/surface
 core/include/lumi/chord
 core/include/lumi/chord/detail/stepping
 core/include/lumi/chord/detail
-core/include/lumi/chord/detail/kernel
-core/include/lumi/chord: quality.h render.h render_spans.h render_spans_paper.h view.h
+core/include/lumi/chord: quality.h render.h render_spans.h view.h
 core/src
 core/src/math
 core/src/field
@@ -57,7 +56,6 @@ core/src/surface/see_through
 core/src/chord/stepping
 core/src/chord
 core/src/chord/armv6m
-core/src/chord/kernel
 core/zephyr
 core/examples
 

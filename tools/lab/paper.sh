@@ -4,7 +4,7 @@
 # The evaluation of the LumiPath paper (MICCAI 2019) at its size, on the scenes testcard and product: M = 12,288, of
 # which the upper half is kept, N = 24,576, with as many light paths a ray as MIN minutes of all cores allow for all
 # scenes together [120; at least 1 path]. COUNT held-out views of the upper half [48] are compared with references of S
-# light paths a pixel [128]: nearest, 3×3, 5×5 and 9×9, exact and by spans; a surface field beside them; one view with
+# light paths a pixel [128]: nearest, 3×3, 5×5 and 9×9, the first two by spans, too; a surface field beside them; one view with
 # more and more background. Then what drawing costs: seconds of a reference, share of time in texel reads, frames a
 # second of one and two eyes at the HoloLens's 1268×720 pixels.
 # --docs: write docs/log/data/paper.json and the pages, of all scenes measured so far. --quick: tiny lattices, to try it. What lies in
@@ -22,7 +22,7 @@ beam=parallel  # the paper's directions d(i,j), as we read them
 minutes=120
 surface_budget=150kB surface_paths=60
 views=48 reference_spp=128
-modes=nearest,linear,paper5,paper9,nearest/8,linear/8,paper5/8
+modes=nearest,linear,paper5,paper9,nearest/8,linear/8
 eye_size=(1268 720)
 eye_orbit=40,82,6  # every ray enters through the upper half of the sphere
 eye_fovs=("33.2 1" "61.5 1/2" "99.9 1/4")  # degrees over the width; what the sphere then fills of the height

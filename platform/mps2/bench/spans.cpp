@@ -2,7 +2,7 @@
 // The span renderer with the policies that the build names: LUMI_BENCH_RECONSTRUCTION, LUMI_BENCH_TEXEL.
 #include "instance.h"
 #include "lumi/bench/views.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 
 namespace lumi::bench
 {

@@ -3,7 +3,7 @@
 #include "hits_only.h"
 #include "instance.h"
 #include "lumi/bench/views.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 
 namespace lumi
 {

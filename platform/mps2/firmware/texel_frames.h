@@ -4,7 +4,7 @@
 
 #include "listed_frame.h"
 #include "lumi/chord/render.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "lumi/detail/crc32.h"
 
 namespace lumi::firmware
@@ -53,7 +53,6 @@ inline constexpr Named<Exact<Linear>> kLinear = {"linear"};
 inline constexpr Named<Exact<Paper<5>>> kPaper5 = {"paper5"};
 inline constexpr Named<Spans<Nearest>> kNearestSpans = {"nearest-spans"};
 inline constexpr Named<Spans<Linear>> kLinearSpans = {"linear-spans"};
-inline constexpr Named<Spans<Paper<5>>> kPaper5Spans = {"paper5-spans"};
 
 inline constexpr Named<PixelRgb565> kPixelRgb565 = {"rgb565"};
 inline constexpr Named<PixelRgb565Swapped> kPixelRgb565Swapped = {"rgb565-swapped"};
@@ -137,7 +136,7 @@ bool write_texel_frames(const Frame& frame)
 {
     return for_one_pixel_format<Texel>(frame, kNearest) && for_each_pixel_format<Texel>(frame, kLinear) &&
            for_one_pixel_format<Texel>(frame, kPaper5) && for_one_pixel_format<Texel>(frame, kNearestSpans) &&
-           for_each_pixel_format<Texel>(frame, kLinearSpans) && for_one_pixel_format<Texel>(frame, kPaper5Spans);
+           for_each_pixel_format<Texel>(frame, kLinearSpans);
 }
 
 }  // namespace lumi::firmware

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "field_bytes.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "views.h"
 
 using namespace lumi;
@@ -145,8 +145,8 @@ TEST_CASE("spans cut into rectangles of any shape show the pixels of the whole f
     check_cuts<Linear, TexelPalette8, PixelRgb888>(capped, OverStripe{});
     check_cuts<Nearest, TexelRgb565, PixelRgb565>(plain, OverColour{{9, 8, 7}});
     check_cuts<Nearest, TexelPalette8, PixelRgb565Swapped>(capped, OverBlack{});
-    check_cuts<Paper<5>, TexelPalette8, PixelArgb8888>(capped, OverBlack{});
-    check_cuts<Paper<1>, TexelRgb565, PixelGrey8>(plain, OverBlack{});
+    check_cuts<Linear, TexelPalette8, PixelArgb8888>(capped, OverBlack{});
+    check_cuts<Nearest, TexelRgb565, PixelGrey8>(plain, OverBlack{});
 }
 
 TEST_CASE("exactly drawn frames cut into rectangles of any shape show the pixels of the whole frame", "[render]")

@@ -3,7 +3,7 @@
 
 #include "extreme_chords.h"
 #include "extreme_frames.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -14,27 +14,23 @@ namespace
 
 constexpr uint32_t kDrawnExactly = 64;  // `render` takes a hundred times as long
 
-template <class Reconstruction, class Texel>
-void draw_chord(const Field& field, const Camera& camera, const Stripe& stripe, uint32_t choice)
-{
-    const bool exactly = choice % kDrawnExactly == 0 || !fits_spans(field);
-    const RenderError error = exactly ? render<Reconstruction, Texel, PixelRgb565>(field, camera, OverBlack{}, stripe)
-                                      : render_spans<Reconstruction, Texel, PixelRgb565>(
-                                            field, camera, OverBlack{}, stripe, 2 << (choice >> 6) % 4);
-    REQUIRE(error == RenderError::none);
-}
-
 template <class Texel>
 void draw_chord(const Field& field, const Camera& camera, const Stripe& stripe, uint32_t choice)
 {
-    switch ((choice >> 8) % 4) {
-        case 0:
-            return draw_chord<Nearest, Texel>(field, camera, stripe, choice);
-        case 1:
-            return draw_chord<Paper<9>, Texel>(field, camera, stripe, choice);
-        default:
-            return draw_chord<Linear, Texel>(field, camera, stripe, choice);
-    }
+    const auto exactly = [&](auto reconstruction) {
+        return render<decltype(reconstruction), Texel, PixelRgb565>(field, camera, OverBlack{}, stripe);
+    };
+    const auto by_spans = [&](auto reconstruction) {
+        return render_spans<decltype(reconstruction), Texel, PixelRgb565>(field, camera, OverBlack{}, stripe,
+                                                                          2 << (choice >> 6) % 4);
+    };
+    const uint32_t kind = (choice >> 8) % 4;
+    RenderError error = RenderError::none;
+    if (choice % kDrawnExactly == 0 || !fits_spans(field))
+        error = kind == 0 ? exactly(Nearest()) : kind == 1 ? exactly(Paper<9>()) : exactly(Linear());
+    else
+        error = kind == 0 ? by_spans(Nearest()) : by_spans(Linear());
+    REQUIRE(error == RenderError::none);
 }
 
 // From the smallest lattices that spans take to the largest, some with a cap.

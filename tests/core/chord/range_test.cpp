@@ -7,7 +7,7 @@
 
 #include "edges.h"
 #include "field_bytes.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "twin.h"
 
 using namespace lumi;
@@ -100,7 +100,6 @@ TEST_CASE("spans hold at every edge of the camera's range", "[span]")
                     const Edge edge = edges.next(distance, fov);
                     worst.see(drawn<Linear>(field, edge, 0), drawn<Linear>(field, edge, span_px));
                     (void)drawn<Nearest>(field, edge, span_px);
-                    (void)drawn<Paper<9>>(field, edge, span_px);
                 }
             }
         }
@@ -133,7 +132,6 @@ TEST_CASE("spans hold for lattices of the smallest and the largest size that the
             for (const double fov : {2.0, 120.0}) {
                 const Edge edge = edges.next(distance, fov);
                 worst.see(drawn<Linear>(field, edge, 0), drawn<Linear>(field, edge, 8));
-                (void)drawn<Paper<5>>(field, edge, 8);
             }
         }
         std::printf("%u origins, %u directions: lowest PSNR %.1f dB, worst pixel %d levels\n",

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "field_bytes.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "views.h"
 
 using namespace lumi;
@@ -112,7 +112,6 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
                 strays = 0;
                 (void)render_spans<Linear, CheckedLuma8, PixelGrey8>(field, camera, grey, stripe, span_px);
                 (void)render_spans<Nearest, CheckedLuma8, PixelGrey8>(field, camera, grey, stripe, span_px);
-                (void)render_spans<Paper<9>, CheckedLuma8, PixelGrey8>(field, camera, grey, stripe, span_px);
                 INFO(view.name << ", spans of " << span_px << ", " << size[0] << " x " << size[2]);
                 REQUIRE(strays == 0);
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -165,13 +165,12 @@ TEST_CASE("shorter spans come closer to the exact picture", "[span]")
     }
 }
 
-TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "[span]")
+TEST_CASE("spans of 8 hold for hundreds of random views", "[span]")
 {
     const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
     const Field field = opened(bytes);
     std::minstd_rand random(11);
     Worst linear;
-    Worst paper;
     for (uint32_t k = 0; k < kRandomViews; ++k) {
         const View view = random_view(random, kSide);
         const OverBlack black;
@@ -180,51 +179,10 @@ TEST_CASE("spans of 8 hold for hundreds of random views, all reconstructions", "
                            .psnr_db() +
                        100,
                    k);
-        paper.see(-difference(draw<Paper<5>, TexelRgb888>(field, view, black, 0),
-                              draw<Paper<5>, TexelRgb888>(field, view, black, 8))
-                          .psnr_db() +
-                      100,
-                  k);
     }
-    std::printf("spans of 8 over %u random views, lowest PSNR: linear %.1f dB at %u, paper %.1f dB at %u\n",
-                static_cast<unsigned>(kRandomViews), 100 - linear.error, static_cast<unsigned>(linear.where),
-                100 - paper.error, static_cast<unsigned>(paper.where));
+    std::printf("spans of 8 over %u random views, lowest PSNR: linear %.1f dB at %u\n",
+                static_cast<unsigned>(kRandomViews), 100 - linear.error, static_cast<unsigned>(linear.where));
     CHECK(100 - linear.error > 45);
-    CHECK(100 - paper.error > 42);
-}
-
-namespace
-{
-
-// The lowest PSNR of random views, poles and extremes among them, by spans of 4 against the exact renderer.
-template <uint32_t K>
-double lowest_of_paper(const Field& field)
-{
-    std::minstd_rand random(K);
-    std::vector<View> views = extreme_views(kSide);
-    for (uint32_t k = 0; k < kRandomViews / 10; ++k) views.push_back(random_view(random, kSide));
-    double lowest = 1000;
-    for (const View& view : views) {
-        const auto exact = draw<Paper<K>, TexelRgb888>(field, view, OverBlack{}, 0);
-        lowest =
-            std::min(lowest, difference(exact, draw<Paper<K>, TexelRgb888>(field, view, OverBlack{}, 4)).psnr_db());
-    }
-    std::printf("spans of 4, the paper's kernel of %u points: lowest PSNR %.1f dB\n", static_cast<unsigned>(K), lowest);
-    return lowest;
-}
-
-}  // namespace
-
-TEST_CASE("the paper's kernel of any number of neighbours is drawn on spans like the exact renderer draws it", "[span]")
-{
-    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
-    const Field field = opened(bytes);
-    // Of few points the picture has edges, where one point takes another's place; spans move them by parts of a pixel.
-    CHECK(lowest_of_paper<1>(field) > 20);
-    CHECK(lowest_of_paper<2>(field) > 20);
-    CHECK(lowest_of_paper<3>(field) > 36);
-    CHECK(lowest_of_paper<4>(field) > 42);
-    CHECK(lowest_of_paper<9>(field) > 42);
 }
 
 TEST_CASE("a field of another texel format is refused by every renderer, and no pixel is touched")
@@ -275,15 +233,15 @@ struct Alike {
     double psnr_db;
 };
 
-template <class Texel, class Spans, class Exact>
+template <class Texel, class Reconstruction>
 void check_hole(const Alike& alike)
 {
     const Bytes bytes = field_with_a_hole<Texel>();
     const Field field = opened(bytes);
     for (const double up : {-0.8, 0.3, 0.9}) {  // from below, the side and above
         const View view = {"hole", look_at({1.8, 1.1, 2 * up}, {0, 0, 0}, 10), {kSide, kSide, degrees(50)}};
-        const auto exact = draw<Exact, Texel>(field, view, OverColour{kGreen}, 0);
-        const auto spans = draw<Spans, Texel>(field, view, OverColour{kGreen}, 2);
+        const auto exact = draw<Reconstruction, Texel>(field, view, OverColour{kGreen}, 0);
+        const auto spans = draw<Reconstruction, Texel>(field, view, OverColour{kGreen}, 2);
         const auto greens = [&](const std::vector<uint8_t>& pixels) {
             int count = 0;
             for (size_t k = 0; k < pixels.size(); k += 3)
@@ -299,9 +257,8 @@ void check_hole(const Alike& alike)
 template <class Texel>
 void check_holes()
 {
-    check_hole<Texel, Linear, Linear>({kSide / 2, 36});
-    check_hole<Texel, Paper<5>, Paper<5>>({kSide, 36});
-    check_hole<Texel, Nearest, Nearest>({kSide / 8, 23});  // its cells on spans are others
+    check_hole<Texel, Linear>({kSide / 2, 36});
+    check_hole<Texel, Nearest>({kSide / 8, 23});  // its cells on spans are others
 }
 
 }  // namespace
@@ -327,9 +284,6 @@ TEST_CASE("every texel format is drawn on spans like the exact renderer draws it
         const Difference black = difference(draw<Linear, Texel>(field, view, OverBlack{}, 0),
                                             draw<Linear, Texel>(field, view, OverBlack{}, 4));
         CHECK(black.psnr_db() > 40);
-        const Difference paper =
-            difference(draw<Paper<5>, Texel>(field, view, grey, 0), draw<Paper<5>, Texel>(field, view, grey, 4));
-        CHECK(paper.psnr_db() > 40);
     };
     check(TexelRgb565{}, smooth_field(200, 200, 300, TexelFormat::rgb565));
     check(TexelRgb888{}, smooth_field(200, 200, 300, TexelFormat::rgb888));
@@ -359,7 +313,6 @@ TEST_CASE("origins that are not baked stay transparent on spans, and their bytes
         const Difference d = difference(exact, draw<Linear, TexelRgb888>(field, view, OverColour{{20, 200, 20}}, 8));
         INFO(view.name);
         CHECK(d.psnr_db() > 33);
-        (void)draw<Paper<9>, TexelRgb888>(field, view, OverBlack{}, 16);
         (void)draw<Nearest, TexelRgb888>(field, view, OverBlack{}, 16);
     }
 }

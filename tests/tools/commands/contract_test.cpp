@@ -59,6 +59,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {render("--neighbours", "10"), "--neighbours"},
         {render("--neighbours", "3"), "--mode paper"},
         {render("--span", "3"), "--span"},
+        {{"render", field, "-o", png, "--mode", "paper", "--span", "8"}, "paper draws every pixel exactly"},
         {render("--mode", "dither"), "nearest, linear or paper"},
         {render("--background", "red"), "RRGGBB"},
         {render("--pixel", "rgb332"), "rgb888, rgb565 or grey8"},

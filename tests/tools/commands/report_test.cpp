@@ -42,7 +42,7 @@ TEST_CASE("report --mode draws a chord field by every mode that is named, in vie
         return test::lumi({"report", LUMI_TEST_SCENE, field, "--count", "1", "--spp", "1", "--size", "48", "--cache",
                            folder / "cache", "--json", "--mode", modes});
     };
-    const test::Outcome outcome = report("nearest,linear,paper5,paper5/8");
+    const test::Outcome outcome = report("nearest,linear,paper5,linear/8");
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const auto written = nlohmann::json::parse(outcome.out);
@@ -50,8 +50,8 @@ TEST_CASE("report --mode draws a chord field by every mode that is named, in vie
     CHECK(written["variants"][0]["layout"] == "nearest");
     CHECK(written["variants"][1]["psnr_db"] == written["fields"][0]["psnr_db"]);
     CHECK(written["variants"][2]["psnr_db"] != written["variants"][0]["psnr_db"]);
-    CHECK(written["variants"][3]["layout"] == "paper5/8");
-    for (const char* wrong : {"paper0", "paper10", "cubic", "paper5/3", "linear/", "dither"}) {
+    CHECK(written["variants"][3]["layout"] == "linear/8");
+    for (const char* wrong : {"paper0", "paper10", "cubic", "linear/3", "paper5/8", "linear/", "dither"}) {
         const test::Outcome refused = report(wrong);
         INFO(wrong << refused.err);
         CHECK(refused.code == 2);

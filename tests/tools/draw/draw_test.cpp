@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/chord/render.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render.h"
 #include "lumi/host/camera.h"
 #include "metrics/psnr.h"
 #include "support/temporary_folder.h"
@@ -107,19 +107,13 @@ TEST_CASE("spans are drawn where asked for, and longer ones differ more")
     CHECK(at16 > 25);
 }
 
-TEST_CASE("kernels of more than five points are those of core, on spans and exactly")
+TEST_CASE("the paper's kernel is drawn exactly, whatever span is asked for")
 {
     const Camera camera = test_camera(60, 60);
     const std::string bytes = test::field_bytes({200, 300, 200, TexelFormat::rgb888});
     const Field field = opened(bytes);
     constexpr uint32_t kMost = detail::kMaxNeighbours;
-    Picture spans(camera.width_px(), camera.height_px());
-    const Stripe stripe = {spans.rgb.data(), 0, 0, camera.width_px(), camera.height_px(), 3 * 60};
-    const RenderError error =
-        render_spans<Paper<kMost>, TexelRgb888, PixelRgb888>(field, camera, OverColour{kBackground}, stripe, 4);
-    REQUIRE(error == RenderError::none);
-    CHECK((draw(field, camera, {Mode::paper, kMost, DisplayFormat::rgb888, kBackground, 4}).rgb == spans.rgb));
-    CHECK((draw(field, camera, {Mode::paper, kMost, DisplayFormat::rgb888, kBackground}).rgb ==
+    CHECK((draw(field, camera, {Mode::paper, kMost, DisplayFormat::rgb888, kBackground, 4}).rgb ==
            drawn_at_once<Paper<kMost>, TexelRgb888>(field, camera).rgb));
 }
 

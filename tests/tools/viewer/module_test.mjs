@@ -31,7 +31,7 @@ async function pageFrom(orbit) {
 // What the tool draws from that orbit and from the other side.
 function rendered(size, orbit, mode, format, layout) {
   const output = path.join(folder, 'picture.png');
-  const span = layout === 'chord' ? ['--span', '8'] : [];
+  const span = layout === 'chord' && mode !== 'paper' ? ['--span', '8'] : [];
   execFileSync(lumi, ['render', field, '-o', output, '--size', size, '--orbit', orbit, '--background', BACKGROUND,
     '--mode', mode, '--pixel', format, '--turntable', '2', ...span]);
   return ['000', '001'].map(number => readPng(path.join(folder, `picture-${number}.png`)));

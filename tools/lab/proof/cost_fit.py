@@ -63,10 +63,10 @@ UNUSED = ["sorted"]
 SETUP = ["image_px", "scanline", "band", "tile", "wide_tile", "narrow_tile", "missed_tile", "zone", "capped", "tile_line", "gap",
          "span", "span_pixel", "lone", "checked", "cell_pixel", "pole_pixel", "polar_side", "made_zone", "searched", "shortened"]
 INNER = ["tile", "wide_tile", "tile_line", "tile_pixel", "span", "span_pixel", "mixed", "mixed_line", "mixed_pixel", "lone_line", "steep_pixel",
-         "checked", "cell_pixel", "pole_pixel", "checked_row", "stretch", "checked_stretch", "row", "tap_rgb888", "tap_rgb565",
+         "checked", "cell_pixel", "pole_pixel", "checked_row", "row", "tap_rgb888", "tap_rgb565",
          "tap_palette8", "tap_luma8"]
 # Over black, Nearest alone asks whether a texel shows something.
-INNER_OF = {"nearest": [*INNER, "half_clear", "shown"], "linear": INNER, "paper": INNER}
+INNER_OF = {"nearest": [*INNER, "half_clear", "shown"], "linear": INNER}
 HITS = ["image_px", "pixel"]
 LATTICE = ["pixel", "few_side", "few_point", "cap_side", "pole_side", "blend_side", "zone_step", "row", "tap_rgb888", "tap_rgb565",
            "tap_palette8", "tap_luma8", "clear", "half_clear"]
@@ -121,7 +121,7 @@ def by_exact_mode(rows):
 def by_span_mode(rows):
     spans = [row for row in rows if row["span"]]
     return [[two_parts([row for row in spans if (row["mode"], row["texel"]) == (mode, texel)], spans, SETUP, INNER_OF[mode])
-             for texel in TEXELS] for mode in CHORD_MODES]
+             for texel in TEXELS] for mode in INNER_OF]
 
 
 # Arrays of costs that are fitted to the counts of a layout: by core, then by mode; those of spans by texel format, too.

@@ -151,7 +151,7 @@ def rows_of_surface(counter, fields):
 def rows_of_chord(counter, fields, small):
     """Puts the counts of boards beside those of the model, for each frame of chord fields."""
     exact = {(f"exact_{mode}_{own}") for mode in bench.CHORD_MODES for _, _, own, _ in [*fields, *small]}
-    spans = {f"spans_{mode}_{texel}" for mode in bench.CHORD_MODES for _, texel, _, _ in fields}
+    spans = {f"spans_{mode}_{texel}" for mode in bench.SPAN_MODES for _, texel, _, _ in fields}
     counter.build(sorted(exact | spans))
     rows = []
     for name, texel, own, field in [*fields, *small]:
@@ -162,7 +162,7 @@ def rows_of_chord(counter, fields, small):
                 counts = []
                 if texel == own:
                     counts += counter.count(board, f"exact_{mode}_{texel}", field, [*bench.VIEWS, 0], bench.CHORD_COUNTS)
-                if has_spans:
+                if has_spans and mode in bench.SPAN_MODES:
                     counts += counter.count(board, f"spans_{mode}_{texel}", field, [*bench.VIEWS, *SPANS], bench.CHORD_COUNTS)
                 for count in counts:
                     work = works[count["view"], mode, count["span"]]

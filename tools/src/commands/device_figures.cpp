@@ -58,7 +58,7 @@ std::string head_text(const FieldFile& file, const host::ScreenSize& screen)
                   screen.width_px, screen.height_px, screen.stripe_rows());
     if (file.is_surface())
         text += formatted(", mean (worst) of %d poses", planner::rated_poses(screen));
-    else if (!planner::is_drawn_by_spans(file.field()))
+    else if (!fits_spans(file.field()))
         text += ", every pixel exact: spans refuse this field";
     return text + ":\n";
 }

@@ -68,6 +68,8 @@ Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
 {
     DrawSettings drawing = options.drawing;
     drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
+    if (drawing.mode == Mode::paper && drawing.span_px > 1)
+        throw UsageError("--span belongs to --mode linear and nearest; paper draws every pixel exactly");
     warn_of_spans(options, file.field());
     return [&file, drawing](const Eye& eye, const Rgb8& background) mutable {
         drawing.background = background;

@@ -43,7 +43,7 @@ std::vector<ShownMode> chord_modes(const Field& field)
         return {{1, "linear", "Linear", "3×3 texels a pixel; the field is too small for spans", {}}};
     return {{2, "nearest", "Nearest", "1 texel a pixel, the fastest", {}},
             {1, "linear", "Linear", "3×3 texels a pixel", {}},
-            {0, "paper", "Paper", "5×5 texels a pixel, the kernel of the paper", {}}};
+            {0, "paper", "Paper", "5×5 texels a pixel, the kernel of the paper; every pixel exact", {}}};
 }
 
 std::vector<ShownMode> modes_of(const FieldFile& file)

@@ -22,7 +22,7 @@ struct DrawSettings {
     uint32_t neighbours = kDefaultNeighbours;  // 1 .. kMaxNeighbours; for Mode::paper
     DisplayFormat display = DisplayFormat::rgb888;
     Rgb8 background = {0, 0, 0};
-    int32_t span_px = 0;  // as render_spans() takes it; 0 or 1 draws every pixel exactly
+    int32_t span_px = 0;  // as render_spans() takes it; 0, 1 and Mode::paper draw every pixel exactly
 };
 
 // The whole image of `camera`, as a display of that format would show it. Leaves by Interrupted between stripes.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draw/display.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "terminal/interrupt.h"
 
 namespace lumi::tools
@@ -18,27 +18,20 @@ namespace lumi::tools
 
 inline constexpr int kSpanStripeHeight = 16;  // what firmware with a few kilobytes to spare draws at once
 
-// Spans weigh at most five points a side, so larger kernels of the paper are the same there. They are compiled for the
-// exact renderer alone, which draws the fields that spans cannot.
+// The paper's kernel is drawn exactly, whatever the settings say.
 template <class Reconstruction>
-struct OnSpans {
-    using Type = Reconstruction;
-};
-
+inline constexpr bool kHasSpans = true;
 template <uint32_t kNeighbours>
-struct OnSpans<Paper<kNeighbours>> {
-    static constexpr uint32_t kMost = detail::KernelTaps::kMost;
-    using Type = Paper<(kNeighbours < kMost ? kNeighbours : kMost)>;
-};
+inline constexpr bool kHasSpans<Paper<kNeighbours>> = false;
 
 template <class Reconstruction, class Texel, class Pixel>
 RenderError draw_stripe(const Field& field, const Camera& camera, const DrawSettings& settings, const Stripe& stripe)
 {
     const OverColour background = {settings.background};
-    if (settings.span_px < 2 || !fits_spans(field))
-        return render<Reconstruction, Texel, Pixel>(field, camera, background, stripe);
-    return render_spans<typename OnSpans<Reconstruction>::Type, Texel, Pixel>(field, camera, background, stripe,
-                                                                              settings.span_px);
+    if constexpr (kHasSpans<Reconstruction>)
+        if (settings.span_px >= 2 && fits_spans(field))
+            return render_spans<Reconstruction, Texel, Pixel>(field, camera, background, stripe, settings.span_px);
+    return render<Reconstruction, Texel, Pixel>(field, camera, background, stripe);
 }
 
 template <class Reconstruction, class Texel, class Pixel>

@@ -19,7 +19,7 @@ const double (&costs_of(const std::string& core, Mode mode, const Field& field, 
 {
     const size_t of_core = cost_index(core);
     const size_t of_mode = static_cast<size_t>(mode);
-    if (span_px == 0 || !is_drawn_by_spans(field)) return kExactCosts[of_core][of_mode];
+    if (!is_drawn_by_spans(field, mode, span_px)) return kExactCosts[of_core][of_mode];
     return kSpanCosts[of_core][of_mode][static_cast<size_t>(field.texel_format)];
 }
 
@@ -33,11 +33,6 @@ Camera camera_of_generic_view(const host::ScreenSize& screen)
 }
 
 }  // namespace
-
-bool is_drawn_by_spans(const Field& field)
-{
-    return fits_spans(field);
-}
 
 double chord_instructions(const std::string& core, Mode mode, const Field& field, int32_t span_px,
                           const ChordWork& work)

@@ -12,9 +12,6 @@
 namespace lumi::planner
 {
 
-// Whether firmware draws the field by spans; else every pixel is drawn exactly, whatever span is asked for.
-bool is_drawn_by_spans(const Field& field);
-
 // The span that rates are told for unless they say which.
 inline constexpr int32_t kRatedSpanPx = 8;
 

@@ -9,7 +9,7 @@
 #include "lumi/chord/detail/both_sides.h"
 #include "lumi/chord/detail/stepper.h"
 #include "lumi/chord/render.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "planner/span_tries.h"
 
 namespace lumi::planner
@@ -126,7 +126,6 @@ private:
             frame[ChordItem::checked] += 1;
             frame[ChordItem::cell_pixel] += piece.width * (2 - over_pole);
             frame[ChordItem::pole_pixel] += piece.width * over_pole;
-            frame[ChordItem::checked_stretch] += stretches(origins, directions, piece.width);
             std::fill_n(is_checked_.begin() + piece.y * screen_.width_px + piece.x, piece.width, true);
             return;
         }
@@ -149,19 +148,6 @@ private:
         }
     }
 
-    // How many stretches a scanline is cut into (chord/detail/kernel/kernel.h).
-    static int32_t stretches(const detail::LatticeLine& origins, const detail::LatticeLine& directions, int32_t width)
-    {
-        const auto follows = [](const detail::LatticeLine& line, int32_t length) {
-            return line.over_pole || detail::SpanDistances::is_followed(line.cells, length);
-        };
-        int32_t count = 0;
-        for (int32_t from = 0; from < width; ++count)
-            from += detail::stretch_length(
-                width - from, [&](int32_t length) { return follows(origins, length) && follows(directions, length); });
-        return count;
-    }
-
     // Scanline by scanline: how a tile's lines change.
     void count_lines(const detail::Piece& piece, detail::LatticeLine origins, detail::LatticeLine directions)
     {
@@ -170,7 +156,6 @@ private:
             is_tile && detail::BothSidesScanlines::can_follow(origins.cells, piece.tile->origins, piece.width) &&
             detail::BothSidesScanlines::can_follow(directions.cells, piece.tile->directions, piece.width);
         for (int32_t line = 0; line < (is_tile ? piece.tile->count : 1); ++line) {
-            frame[ChordItem::stretch] += stretches(origins, directions, piece.width);
             if (!is_at_once) {
                 if (!detail::can_follow(origins.cells, directions.cells, piece.width))
                     frame[ChordItem::steep_pixel] += piece.width;
@@ -281,7 +266,7 @@ private:
 ChordFrame frame_of(const Field& field, tools::Mode mode, int32_t span_px, const Camera& camera,
                     const host::ScreenSize& screen)
 {
-    const bool by_spans = span_px != 0 && fits_spans(field);
+    const bool by_spans = is_drawn_by_spans(field, mode, span_px);
     ChordCounter count(field, camera, by_spans, screen);
     if (by_spans)
         count.count_pieces(span_px == 4 ? 2 : span_px == 8 ? 3 : 4);

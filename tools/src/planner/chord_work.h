@@ -43,8 +43,6 @@ enum class ChordItem : size_t {
     pole_pixel,       // those over a pole
     polar_side,       // pieces over a pole, of either side
     checked_row,      // origins that these read and that are baked
-    stretch,          // stretches over which distances to points are stepped, in spans and scanlines of tiles
-    checked_stretch,  // those of checked spans
     cap_side,         // sides of exact pixels so near a pole that points there are all looked at
     pole_side,        // those in a polar region
     blend_side,       // those at its border
@@ -72,7 +70,7 @@ inline constexpr std::array<const char*, kChordItems> kChordItemNames = {
     "frame", "image_px", "pixel", "scanline", "band", "tile", "wide_tile", "narrow_tile", "missed_tile", "zone",
     "capped", "tile_line", "tile_pixel", "gap", "span", "span_pixel", "lone", "mixed", "mixed_line",
     "mixed_pixel", "lone_line", "steep_pixel", "checked", "cell_pixel", "pole_pixel", "polar_side", "checked_row",
-    "stretch", "checked_stretch", "cap_side", "pole_side", "blend_side", "zone_step", "row", "tap_rgb888",
+    "cap_side", "pole_side", "blend_side", "zone_step", "row", "tap_rgb888",
     "tap_rgb565", "tap_palette8", "tap_luma8", "clear", "half_clear", "shown", "few_side", "few_point",
     "made_zone", "searched", "shortened"};
 // clang-format on
@@ -90,7 +88,13 @@ struct ChordFrame {
     std::vector<Read> reads;  // in the order of drawing; addresses count from the first texel
 };
 
-// Of a frame in stripes over black. span_px: 4, 8 or 16; 0, or a field that spans refuse: every pixel exact.
+// Whether a field is drawn by spans; else every pixel is drawn exactly, whatever span is asked for.
+inline bool is_drawn_by_spans(const Field& field, tools::Mode mode, int32_t span_px)
+{
+    return span_px != 0 && mode != tools::Mode::paper && fits_spans(field);
+}
+
+// Counts a frame in stripes over black. span_px: 4, 8 or 16, or 0 for exact pixels.
 ChordFrame frame_of(const Field& field, tools::Mode mode, int32_t span_px, const Camera& camera,
                     const host::ScreenSize& screen);
 

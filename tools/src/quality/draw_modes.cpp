@@ -33,7 +33,7 @@ bool set_span(std::string_view word, DrawSettings& settings)
     constexpr std::pair<std::string_view, int32_t> kSpans[] = {{"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}};
     for (const auto& [name, span] : kSpans)
         if (word == name) settings.span_px = span;
-    return settings.span_px > 0;
+    return settings.span_px > 0 && settings.mode != Mode::paper;
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct DrawMode {
 };
 
 inline constexpr const char* kDrawModeWords =
-    "nearest, linear or paperK with K from 1 to 9, and /S for spans "
-    "of S = 2, 4, 8 or 16 pixels, for instance paper5/8";
+    "nearest, linear or paperK with K from 1 to 9; the first two also with /S for spans "
+    "of S = 2, 4, 8 or 16 pixels, for instance linear/8";
 
 // "linear", "paper9", "nearest/8"; nothing for other words.
 std::optional<DrawMode> parse_draw_mode(std::string_view text);

@@ -132,7 +132,7 @@ Row row_of(const Measured& measured, const FieldFile& file, const std::vector<pl
 // Spans of a field that they refuse are exact pixels once more.
 bool is_repeated(const Measured& measured, const FieldFile& file)
 {
-    return !file.is_surface() && measured.way.chord.span_px > 1 && !planner::is_drawn_by_spans(file.field());
+    return !file.is_surface() && measured.way.chord.span_px > 1 && !fits_spans(file.field());
 }
 
 PartTrade part_of(const planner::Pace& pace, size_t k, const std::vector<Row>& rows)
@@ -159,7 +159,7 @@ std::vector<quality::DrawMode> usual_modes()
 {
     std::vector<quality::DrawMode> modes;
     for (const char* word :
-         {"nearest/16", "nearest/8", "linear/16", "linear/8", "linear/4", "paper5/16", "paper5/8", "nearest", "paper5"})
+         {"nearest/16", "nearest/8", "linear/16", "linear/8", "linear/4", "nearest", "paper5"})
         modes.push_back(*quality::parse_draw_mode(word));
     return modes;
 }

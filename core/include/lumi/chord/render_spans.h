@@ -7,8 +7,8 @@
 // other. Full scanlines are the cheapest: of a rectangle that begins right of the sphere's left outline, hits on the
 // way from there are evaluated, too. `span_px` (2, 4, 8 or 16) is the most pixels between exact hits: the trade of
 // speed for accuracy that docs/tradeoff.md measures. From 8 on, the inside of the sphere is drawn in tiles of
-// span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Paper<K> needs
-// <lumi/chord/render_spans_paper.h>, too.
+// span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Of
+// reconstructions it draws Nearest and Linear; render() draws Paper<K>, too.
 #pragma once
 #pragma GCC system_header
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "lumi/bench/views.h"
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "lumi/detail/crc32.h"
 
 namespace lumi::bench
@@ -65,17 +65,29 @@ struct Job {
     const Camera& camera;
 };
 
+// The paper's kernel is drawn exactly alone.
+template <class Reconstruction>
+inline constexpr bool kHasSpans = true;
+template <uint32_t kNeighbours>
+inline constexpr bool kHasSpans<Paper<kNeighbours>> = false;
+
+template <class Reconstruction, class Texel, class Pixel>
+RenderError draw_stripe(const Job& job, const Stripe& stripe)
+{
+    if (job.span == 0) return render<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe);
+    if constexpr (kHasSpans<Reconstruction>)
+        return render_spans<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe, job.span);
+    throw std::logic_error("this mode is drawn without spans");
+}
+
 template <class Reconstruction, class Texel, class Pixel>
 std::vector<uint8_t> frame_bytes(const Job& job)
 {
     constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
     std::vector<uint8_t> pixels(kSidePx * kStrideBytes);
     const Stripe stripe = {pixels.data(), 0, 0, kSidePx, kSidePx, kStrideBytes};
-    const RenderError error =
-        job.span == 0
-            ? render<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe)
-            : render_spans<Reconstruction, Texel, Pixel>(job.field, job.camera, kBackground, stripe, job.span);
-    if (error != RenderError::none) throw std::logic_error("the field's texels are not the policy's");
+    if (draw_stripe<Reconstruction, Texel, Pixel>(job, stripe) != RenderError::none)
+        throw std::logic_error("the field's texels are not the policy's");
     return pixels;
 }
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "lumi/chord/render_spans_paper.h"
+#include "lumi/chord/render_spans.h"
 #include "lumi/twin/weights.h"
 #include "measure/commands.h"
 #include "measure/extreme_views.h"
@@ -152,7 +152,9 @@ Row row_of(const Field& field, const Camera& camera, const View& view, int32_t y
     const Stripe stripe = {row.data(), 0, y, width, 1, static_cast<uint32_t>(3 * width)};
     const OverColour over = {kNothing};
     RenderError error = RenderError::none;
-    if (by_spans)
+    if constexpr (std::is_same_v<Reconstruction, Paper<kPaperPoints>>)
+        error = render<Reconstruction, TexelRgb888, PixelRgb888>(field, camera, over, stripe);
+    else if (by_spans)
         error = render_spans<Reconstruction, TexelRgb888, PixelRgb888>(field, camera, over, stripe, kSpan);
     else
         error = render<Reconstruction, TexelRgb888, PixelRgb888>(field, camera, over, stripe);
@@ -255,7 +257,7 @@ void judge_line(const Lattices& l, const Scanline& whole, Result& result)
         result.left_out += static_cast<uint32_t>(whole.places.size() - line.places.size());
         judge_points<Nearest>(l, line, by_spans, "nearest_spacings", worst);
         judge_shades<Linear>(l, line, by_spans, "linear_levels", linear, worst);
-        judge_shades<Paper<kPaperPoints>>(l, line, by_spans, "paper_levels", paper, worst);
+        if (!by_spans) judge_shades<Paper<kPaperPoints>>(l, line, false, "paper_levels", paper, worst);
     }
 }
 

@@ -62,7 +62,7 @@ void add_chord(Json& rows, const tools::FieldFile& file, const Json& view, const
 {
     for (const auto& [name, mode] : kModes)
         for (const int span : {0, 4, 8, 16}) {
-            if (span != 0 && !planner::is_drawn_by_spans(file.field())) continue;
+            if (span != 0 && !planner::is_drawn_by_spans(file.field(), mode, span)) continue;
             tools::leave_if_interrupted();
             const planner::ChordWork work = planner::frame_of(file.field(), mode, span, eye.camera, {}).work;
             Json row = {{"view", view}, {"mode", name}, {"span", span}};

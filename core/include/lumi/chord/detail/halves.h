@@ -77,45 +77,4 @@ LUMI_ALWAYS_INLINE uint32_t add_product_high(uint32_t a, uint32_t b, uint32_t su
 }
 #endif
 
-// Signed halves: a's by b's, both products, and added to a sum; the lower halves' product less the upper ones'; a's
-// upper half by b's lower one, added to a sum.
-#ifdef __ARM_FEATURE_DSP
-LUMI_ALWAYS_INLINE int32_t dual_product(int32_t a, int32_t b)
-{
-    return __smuad(a, b);
-}
-LUMI_ALWAYS_INLINE int32_t add_dual_product(int32_t a, int32_t b, int32_t sum)
-{
-    return __smlad(a, b, sum);
-}
-LUMI_ALWAYS_INLINE int32_t dual_difference(int32_t a, int32_t b)
-{
-    return __smusd(a, b);
-}
-LUMI_ALWAYS_INLINE int32_t add_product_top_bottom(int32_t a, int32_t b, int32_t sum)
-{
-    return __smlatb(a, b, sum);
-}
-#else
-LUMI_ALWAYS_INLINE int32_t add_dual_product(int32_t a, int32_t b, int32_t sum)
-{
-    const uint32_t low = static_cast<uint32_t>(static_cast<int16_t>(a) * static_cast<int16_t>(b));
-    const uint32_t high = static_cast<uint32_t>((a >> 16) * (b >> 16));
-    return static_cast<int32_t>(static_cast<uint32_t>(sum) + low + high);
-}
-LUMI_ALWAYS_INLINE int32_t dual_product(int32_t a, int32_t b)
-{
-    return add_dual_product(a, b, 0);
-}
-LUMI_ALWAYS_INLINE int32_t dual_difference(int32_t a, int32_t b)
-{
-    return static_cast<int16_t>(a) * static_cast<int16_t>(b) - (a >> 16) * (b >> 16);
-}
-LUMI_ALWAYS_INLINE int32_t add_product_top_bottom(int32_t a, int32_t b, int32_t sum)
-{
-    const uint32_t product = static_cast<uint32_t>((a >> 16) * static_cast<int16_t>(b));
-    return static_cast<int32_t>(static_cast<uint32_t>(sum) + product);
-}
-#endif
-
 }  // namespace lumi::detail

@@ -24,16 +24,6 @@ constexpr uint32_t row_weight(uint32_t weight)
     return Sum::kUpperHalves ? weight << 16 : weight;
 }
 
-// Adds a row whose weight lies in the lower half of a word, whatever Sum::add takes.
-template <class Sum, class Row>
-LUMI_ALWAYS_INLINE void add_plainly(Sum& sum, const Row& row, uint32_t weight)
-{
-    if constexpr (Sum::kUpperHalves)
-        sum.add_plain(row, weight);
-    else
-        sum.add(row, weight);
-}
-
 // As pack_rgb565 does it, rounded once: of colours below 2^22, Q14. DSP's upper bits are not zero.
 #ifdef __ARM_FEATURE_DSP
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
@@ -122,20 +112,6 @@ struct TexelSumHalves {
             g = kCoverage || kHasHalfProducts ? add_product_low(row.ga, weight, g) : g + row.ga * weight;
         if (kCoverage)
             a = Load::kGreenIsHigh ? add_product_low(row.ga, weight, a) : add_product_high(row.ga, weight, a);
-    }
-
-    // The same with the weight in the lower half.
-    void add_plain(const Row& texels, uint32_t weight)
-    {
-        const SpanHalves row = texels.sum();
-        const auto add_product_top = [](uint32_t v, uint32_t w, uint32_t sum) {
-            return static_cast<uint32_t>(
-                add_product_top_bottom(static_cast<int32_t>(v), static_cast<int32_t>(w), static_cast<int32_t>(sum)));
-        };
-        r = add_product16(row.rb, weight, r);
-        b = add_product_top(row.rb, weight, b);
-        g = Load::kGreenIsHigh ? add_product_top(row.ga, weight, g) : add_product16(row.ga, weight, g);
-        if (kCoverage) a = Load::kGreenIsHigh ? add_product16(row.ga, weight, a) : add_product_top(row.ga, weight, a);
     }
 
     Rgb8 over(const Rgb8& under) const

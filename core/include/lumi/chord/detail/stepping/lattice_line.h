@@ -26,8 +26,6 @@ struct CellLine {
     const Zone* zone;
     bool uniform;  // no flipped cell lies under the line
 
-    // Whether `first` runs against the zone's step.
-    bool reflected() const { return (first ^ second) < 0; }
     bool is_flipped(int32_t corner) const { return ((corner - flip) ^ flip_mask) < 0; }
     // The highest index that the corners under `length` pixels can have.
     int32_t highest(int32_t length) const
