@@ -28,21 +28,12 @@ WITHIN = {"tools/lab": "lab", "platform/mps2/bench": "lab"}
 PLUGINS = ["tools/src/filter"]
 
 # The order of folders: each includes from those above it in this list, or from itself. A folder that is not listed
-# takes the place of the nearest one around it. "FOLDER: FILES" places some files of a folder on their own: the words that
-# all else speaks in come first, and renderers after the parts that they are made of.
+# takes the place of the nearest one around it. A folder named "detail" is a part of the one around it, for whose
+# templates it is there.
 ORDER = """
-core/include/lumi/detail: cpp17.h
-core/include/lumi: fixed.h
-core/include/lumi/detail
 core/include/lumi
-core/include/lumi/surface/detail: hot.h packed_colour.h samples.h
-core/include/lumi/surface: format.h field.h frame.h see_through_frame.h
-core/include/lumi/surface/detail
 core/include/lumi/surface
 core/include/lumi/chord
-core/include/lumi/chord/detail/stepping
-core/include/lumi/chord/detail
-core/include/lumi/chord: quality.h render.h render_spans.h view.h
 core/src
 core/src/math
 core/src/field
@@ -166,17 +157,12 @@ def are_apart(a, b):
 
 class Order:
     def __init__(self, text):
-        self.places, self.names, self.files = {}, {}, {}
-        for number, line in enumerate(filter(None, text.splitlines())):
-            folder, _, files = line.partition(":")
-            for name in files.split():
-                self.files[folder + "/" + name] = folder + " (some)"
-            row = folder + " (some)" if files else folder
-            self.places.setdefault(row, number)
+        self.places = {folder: number for number, folder in enumerate(filter(None, text.splitlines()))}
 
-    def row_of(self, path):
-        """The row of the table that a file counts in: its folder, or where it is placed on its own."""
-        return self.files.get(path, os.path.dirname(path))
+    @staticmethod
+    def row_of(path):
+        """The row of the table that a file counts in."""
+        return os.path.dirname(path).split("/detail")[0]
 
     def place_of(self, row):
         """None where neither the folder nor one around it is listed."""
@@ -343,7 +329,7 @@ def check(root, order, allowed, quiet=False):
 
 
 def self_test():
-    order = Order("core/include/lumi\ncore/include/lumi: door.h\ncore/src\nbaker/src\nbaker/src/high\ntools/src\ntools/lab/src\ntools/src/filter")
+    order = Order("core/include/lumi\ncore/src\nbaker/src\nbaker/src/high\ntools/src\ntools/lab/src\ntools/src/filter")
     sound = {
         "core/include/lumi/word.h": "",
         "core/include/lumi/door.h": '#include "lumi/word.h"\n',
@@ -357,8 +343,11 @@ def self_test():
         ("a circle of folders", {"core/src/two/two.h": "", "core/src/one/o.cpp": '#include "two/two.h"\n'}, 0, "circle"),
         ("a circle of files", {"baker/src/low/low.h": '#include "other.h"\n',
                                "baker/src/low/other.h": '#include "low.h"\n'}, 0, "files include each other"),
-        ("an include back up", {"core/include/lumi/other.h": '#include "lumi/door.h"\n'}, 0, "back up"),
-        ("an include back up that is allowed", {"core/include/lumi/other.h": '#include "lumi/door.h"\n'}, 1, None),
+        ("an include back up", {"core/include/lumi/detail/other.h": '#include "one/one.h"\n'}, 0, "back up"),
+        ("an include back up that is allowed", {"core/include/lumi/x.h": '#include "one/other.h"\n', "core/src/one/other.h": ""}, 1, None),
+        ("a folder and its details include each other",
+         {"core/include/lumi/detail/part.h": '#include "lumi/word.h"\n',
+          "core/include/lumi/door.h": '#include "lumi/detail/part.h"\n'}, 0, None),
         ("an arrow against the areas", {"core/src/x.cpp": '#include "low/low.h"\n'}, 8, "must not know"),
         ("a program that includes the laboratory", {"tools/lab/src/judge.h": "", "tools/src/x.cpp": '#include "judge.h"\n'}, 8,
          "must not know"),
