@@ -21,8 +21,7 @@ set(LUMI_CORE_SOURCES
   src/camera/orbit.cpp
   src/chord/camera.cpp
   src/chord/field.cpp
-  src/chord/quality.cpp
-  src/control/quality_ladder.cpp
+  src/control/quality.cpp
   src/chord/sphere.cpp
   src/chord/stepping/zone_map.cpp
   src/chord/stepping/hits.cpp

@@ -6,12 +6,12 @@ set(LUMI_CORE_TEST_SOURCES
   camera/attitude_test.cpp
   camera/camera_test.cpp
   camera/orbit_test.cpp
-  chord/quality_test.cpp
   chord/sphere_test.cpp
   chord/cover_test.cpp
   chord/cut_columns_test.cpp
   chord/exact_test.cpp
   chord/extreme_chord_test.cpp
+  chord/interlaced_test.cpp
   chord/linear_test.cpp
   chord/nine_taps_test.cpp
   chord/one_tap_test.cpp
@@ -36,7 +36,6 @@ set(LUMI_CORE_TEST_SOURCES
   surface/render_test.cpp
   surface/see_through_test.cpp
   surface/field_test.cpp
-  surface/quality_test.cpp
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp
   view/c_api_test.cpp
@@ -44,6 +43,7 @@ set(LUMI_CORE_TEST_SOURCES
   c/frames_test.cpp
   c/memory_test.cpp
   control/gesture_test.cpp
+  control/quality_test.cpp
   pixel/pack_test.cpp
   view/same_bits_test.cpp
   view/small_screens_test.cpp

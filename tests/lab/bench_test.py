@@ -54,7 +54,7 @@ class Lines(unittest.TestCase):
 
 
     def test_quality_control_expects_no_less_than_what_modes_were_counted_to_cost(self):
-        header = (ROOT / "core/include/lumi/surface/quality.h").read_text()
+        header = (ROOT / "core/include/lumi/quality.h").read_text()
         growth = [int(k) / 16 for k in re.search(r"kGrowth_q4\[\] = {(.*)}", header).group(1).split(",")]
         cost = {(r["core"], r["pixel"], r["view"], r["mode"]): r["instructions_per_pixel"]
                 for r in load("tradeoff")["rows"] if r["layout"] == "surface"}

@@ -115,9 +115,10 @@ class Header:
         name = self.tokens[self.at]
         is_special = self.tokens[self.at + 1] == "<"
         self.skip_to("{;") if not is_special else self.skip_to_body()
-        if self.tokens[self.at] == "{":
+        is_defined = self.tokens[self.at] == "{"
+        if is_defined:
             self.skip()
-        return [] if is_special else [("type", name)]
+        return [("type", name)] if is_defined and not is_special else []
 
     def skip_to_body(self):
         while self.tokens[self.at] not in "{;":
@@ -209,9 +210,9 @@ USE = {"type": "    sum_of_own += {0}{{1}}.own;\n", "function": "    sum_of_own 
 VIEWS = """
 static View<SurfaceDrawing<100, 100, SurfaceMode::two_by_two>, Screen<>> surface_view_1;
 static View<ChordDrawing<TexelRgb888>, Screen<>> chord_view_1;
-static View<ChordDrawing<TexelPalette8, Paper<5>>, Screen<240, 240, 16, PixelArgb8888>> chord_view_2;
+static View<ExactChordDrawing<TexelPalette8, Paper<5>>, Screen<240, 240, 16, PixelArgb8888>> chord_view_2;
 static View<ChordDrawing<TexelRgb565, Nearest>, Screen<240, 240, 16, PixelGrey8>> chord_view_3;
-static View<ChordDrawing<TexelLuma8, Paper<1>>, Screen<240, 240, 16, PixelBgr555>> chord_view_4;
+static View<ExactChordDrawing<TexelLuma8, Paper<1>>, Screen<240, 240, 16, PixelBgr555>> chord_view_4;
 static View<ExactChordDrawing<TexelPalette8>, Screen<>> chord_view_5;
 
 template <class V>

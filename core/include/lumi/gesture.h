@@ -2,7 +2,7 @@
 // Turns an object by a finger or a mouse: it follows, and runs on when it is let go.
 //
 //     OrbitDrag drag({degrees(180) / 240});                     // half a turn across the display
-//     const bool is_moving = drag.next(touch, elapsed_ms, orbit);    // each frame; for SurfaceQuality
+//     const bool is_moving = drag.next(touch, elapsed_ms, orbit);    // each frame; for QualityControl
 #pragma once
 #pragma GCC system_header
 

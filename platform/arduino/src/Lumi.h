@@ -3,5 +3,5 @@
 #pragma once
 
 #include <lumi/gesture.h>
-#include <lumi/surface/quality.h>
+#include <lumi/quality.h>
 #include <lumi/view.h>

@@ -3,10 +3,9 @@
 #include <random>
 
 #include "c/views.h"
-#include "lumi/chord/quality.h"
 #include "lumi/gesture.h"
 #include "lumi/pack.h"
-#include "lumi/surface/quality.h"
+#include "lumi/quality.h"
 
 using namespace lumi;
 using namespace lumi::test;
@@ -70,11 +69,12 @@ void check_control(const lumi_view* view, const lumi_quality_limits& limits, Qua
 TEST_CASE("a finger and a budget choose the same orbits and modes from C, for surface fields")
 {
     const ViewInC view(surface_bytes(), LUMI_TWO_BY_TWO);
-    const auto mode_of = [](const SurfaceFrameQuality& q) { return static_cast<uint8_t>(q.mode); };
-    check_control(view.get(), {kBudget, LUMI_ONE_SAMPLE, LUMI_TWO_BY_TWO, LUMI_TWO_BY_TWO}, SurfaceQuality({kBudget}),
+    const auto mode_of = [](const FrameQuality<SurfaceMode>& q) { return static_cast<uint8_t>(q.mode); };
+    using Control = QualityControl<SurfaceMode>;
+    check_control(view.get(), {kBudget, LUMI_ONE_SAMPLE, LUMI_TWO_BY_TWO, LUMI_TWO_BY_TWO}, Control({kBudget}),
                   mode_of);
     check_control(view.get(), {kBudget, LUMI_ANTIALIASED, LUMI_ANTIALIASED, LUMI_TWO_BY_TWO},
-                  SurfaceQuality({kBudget, SurfaceMode::antialiased, SurfaceMode::antialiased}), mode_of);
+                  Control({kBudget, SurfaceMode::antialiased, SurfaceMode::antialiased}), mode_of);
 }
 
 TEST_CASE("limits of quality that are no modes, in the wrong order or too fine are errors in C")
@@ -101,14 +101,15 @@ TEST_CASE("limits of quality that are no modes, in the wrong order or too fine a
 TEST_CASE("a budget chooses the same spans from C, for chord fields")
 {
     const ViewInC view(chord_bytes(TexelFormat::rgb565), 16);
-    const auto mode_of = [](const FrameQuality& q) {
-        CHECK((!q.one_tap && !q.interlaced));
-        return static_cast<uint8_t>(q.span_px);
+    using Control = QualityControl<QualityStep>;
+    const auto mode_of = [](const FrameQuality<QualityStep>& q) {
+        CHECK(q.mode >= QualityStep::spans16);
+        return static_cast<uint8_t>(span_px_of(q.mode));
     };
     check_control(view.get(), {kBudget, 16, 4, 2},
-                  QualityControl({kBudget, QualityStep::spans16, QualityStep::spans4, QualityStep::spans2}), mode_of);
+                  Control({kBudget, QualityStep::spans16, QualityStep::spans4, QualityStep::spans2}), mode_of);
     check_control(view.get(), {kBudget, 8, 2, 2},
-                  QualityControl({kBudget, QualityStep::spans8, QualityStep::spans2, QualityStep::spans2}), mode_of);
+                  Control({kBudget, QualityStep::spans8, QualityStep::spans2, QualityStep::spans2}), mode_of);
     lumi_quality quality;
     const auto error = [&](const lumi_quality_limits& limits) {
         return lumi_quality_start(&quality, view.get(), limits);

@@ -13,7 +13,9 @@ namespace lumi::detail
 // both sides' coordinates advance by addition and a texel's address is a sum of products of whole lattice steps; no
 // division, no table, no clamping.
 template <class Reconstruction>
-struct SpanDraw;
+struct SpanDraw {
+    static_assert(sizeof(Reconstruction) == 0, "spans are drawn by Nearest and Linear; render() draws Paper<K>, too");
+};
 
 // A span through cells, or one below the other those of a tile's scanlines, so that what they share is set up once.
 template <class Background>

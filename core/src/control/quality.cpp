@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/detail/quality_ladder.h"
+#include "lumi/quality.h"
 
 namespace lumi::detail
 {
