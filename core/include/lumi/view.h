@@ -20,6 +20,15 @@
 #include "lumi/stripe.h"
 #include "lumi/view_error.h"
 
+namespace lumi::detail
+{
+
+struct ImageSize {
+    int32_t width_px, height_px;
+};
+
+}  // namespace lumi::detail
+
 namespace lumi
 {
 
@@ -35,6 +44,12 @@ struct Screen {
     static constexpr int32_t kRowsPx = kRows < kHeight ? kRows : kHeight;
     static constexpr uint32_t kStripeBytes = static_cast<uint32_t>(kWidthPx * kRowsPx) * Pixel::kBytes;
     static constexpr bool kHasSamples = true;
+
+    template <class State>
+    static constexpr detail::ImageSize size_of(const State&)
+    {
+        return {kWidthPx, kHeightPx};
+    }
 };
 
 // The same screen for a view without memory for samples of its own: several views that draw in turn share one.
@@ -91,9 +106,6 @@ constexpr uint32_t most_of(uint32_t first, More... more)
 }
 
 // What of a stripe lies in the image; nothing where a side is 0.
-struct ImageSize {
-    int32_t width_px, height_px;
-};
 struct StripePart {
     int32_t width_px, rows_px;
 };
@@ -148,7 +160,7 @@ public:
     // The next frame's eye. A failure leaves the frame as it was.
     ViewError look(const Orbit& orbit, Mode mode = Drawing::kDefaultMode)
     {
-        return look(pose_of(orbit), image_of(orbit, ScreenOf::kWidthPx, ScreenOf::kHeightPx).fov_turns32, mode);
+        return look(pose_of(orbit), fov_of(orbit), mode);
     }
     ViewError look(const Pose& pose, uint32_t fov_turns32, Mode mode = Drawing::kDefaultMode)
     {
@@ -161,14 +173,20 @@ public:
     template <class Both>
     ViewError look(const Orbit& orbit, Halves& halves, const Both& both, Mode mode = Drawing::kDefaultMode)
     {
-        return look(pose_of(orbit), image_of(orbit, ScreenOf::kWidthPx, ScreenOf::kHeightPx).fov_turns32, halves, both,
-                    mode);
+        return look(pose_of(orbit), fov_of(orbit), halves, both, mode);
     }
     template <class Both>
     ViewError look(const Pose& pose, uint32_t fov_turns32, Halves& halves, const Both& both,
                    Mode mode = Drawing::kDefaultMode)
     {
         return look_by(pose, fov_turns32, mode, halves, both);
+    }
+
+    // The field of view that look() takes for an orbit: fitted to the sphere, and zoomed.
+    uint32_t fov_of(const Orbit& orbit) const
+    {
+        const detail::ImageSize size = ScreenOf::size_of(state_);
+        return image_of(orbit, size.width_px, size.height_px).fov_turns32;
     }
 
     // Where the object is in this frame: beside it, every pixel is background. What a display must be sent is this
@@ -192,8 +210,7 @@ public:
         static_assert(SamplesOf::kBytes >= Samples::kBytes, "the samples are too few for this view: see SamplesFor");
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
         detail::StripePart part = {};
-        const ViewError error =
-            detail::check_stripe(stripe, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, Pixel::kBytes, part);
+        const ViewError error = detail::check_stripe(stripe, ScreenOf::size_of(state_), Pixel::kBytes, part);
         return error == ViewError::none ? state_.draw(stripe, part, background, samples.data()) : error;
     }
 
@@ -210,7 +227,7 @@ public:
         static_assert(SamplesOf::kBytes >= Samples::kBytes, "the samples are too few for this view: see SamplesFor");
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
         detail::StripePart part = {};
-        const ViewError error = detail::check_stripe(coverage, {ScreenOf::kWidthPx, ScreenOf::kHeightPx}, 1, part);
+        const ViewError error = detail::check_stripe(coverage, ScreenOf::size_of(state_), 1, part);
         return error == ViewError::none ? state_.draw_coverage(coverage, part, samples.data()) : error;
     }
 
@@ -219,11 +236,13 @@ private:
     ViewError look_by(const Pose& pose, uint32_t fov_turns32, Mode mode, By&... by)
     {
         if (bytes_ == nullptr) return ViewError::no_field;
-        const ViewError error = state_.look(pose, {ScreenOf::kWidthPx, ScreenOf::kHeightPx, fov_turns32}, mode, by...);
+        const detail::ImageSize size = ScreenOf::size_of(state_);
+        const ViewError error = state_.look(pose, {size.width_px, size.height_px, fov_turns32}, mode, by...);
         if (error == ViewError::none) has_look_ = true;
         return error;
     }
 
+protected:  // a lumi_view (src/c/view.h) opens its field by itself
     typename Drawing::template State<ScreenOf> state_{};
     detail::OwnSamples<Samples, ScreenOf::kHasSamples> own_{};
     const uint8_t* bytes_ = nullptr;

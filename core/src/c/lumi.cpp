@@ -33,19 +33,6 @@ ViewError check_memory(const void* memory, size_t bytes)
     return bytes < sizeof(lumi_view) ? ViewError::memory_too_small : ViewError::none;
 }
 
-lumi_error look(lumi_view& view, const Pose& pose, uint32_t fov_turns32, uint8_t mode)
-{
-    const Image image = {view.screen.width_px, view.screen.height_px, fov_turns32};
-    const ViewError error = view.drawing.look(pose, image, mode);
-    if (error == ViewError::none) view.has_look = true;
-    return code(error);
-}
-
-uint32_t fov_of(const lumi_view& view, const Orbit& orbit)
-{
-    return image_of(orbit, view.screen.width_px, view.screen.height_px).fov_turns32;
-}
-
 }  // namespace
 
 size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen screen)
@@ -65,9 +52,7 @@ lumi_error lumi_open(void* memory, size_t memory_bytes, const uint8_t* field, si
         return code(error);
     if (memory_bytes < bytes_of(opened, screen)) return code(ViewError::memory_too_small);
     lumi_view& view = *new (memory) lumi_view;
-    view.screen = screen;
-    view.has_look = false;
-    view.drawing.begin(opened, screen, &view + 1);
+    view.begin(field, field_bytes, opened, screen);
     *out = &view;
     return code(ViewError::none);
 }
@@ -79,30 +64,28 @@ lumi_error lumi_verify(const uint8_t* field, size_t field_bytes)
 
 lumi_error lumi_look(lumi_view* view, lumi_orbit orbit)
 {
-    return lumi_look_mode(view, orbit, view == nullptr ? uint8_t{0} : view->screen.mode);
+    return lumi_look_mode(view, orbit, view == nullptr ? uint8_t{0} : view->screen().mode);
 }
 
-lumi_error lumi_look_mode(lumi_view* view, lumi_orbit o, uint8_t mode)
+lumi_error lumi_look_mode(lumi_view* view, lumi_orbit orbit, uint8_t mode)
 {
-    if (view == nullptr) return code(ViewError::no_field);
-    const Orbit orbit = in_cpp(o);
-    return look(*view, pose_of(orbit), fov_of(*view, orbit), mode);
+    return code(view == nullptr ? ViewError::no_field : view->look(in_cpp(orbit), mode));
 }
 
 lumi_error lumi_look_pose(lumi_view* view, lumi_pose pose, uint32_t fov_turns32, uint8_t mode)
 {
-    return view == nullptr ? code(ViewError::no_field) : look(*view, in_cpp(pose), fov_turns32, mode);
+    return code(view == nullptr ? ViewError::no_field : view->look(in_cpp(pose), fov_turns32, mode));
 }
 
 uint32_t lumi_fov_of(const lumi_view* view, lumi_orbit orbit)
 {
-    return view == nullptr ? 0 : fov_of(*view, in_cpp(orbit));
+    return view == nullptr ? 0 : view->fov_of(in_cpp(orbit));
 }
 
 lumi_rect lumi_bounds(const lumi_view* view)
 {
-    if (view == nullptr || !view->has_look) return {0, 0, 0, 0};
-    const PixelRect r = view->drawing.bounds();
+    if (view == nullptr) return {0, 0, 0, 0};
+    const PixelRect r = view->bounds();
     return {r.x_px, r.y_px, r.width_px, r.height_px};
 }
 
@@ -111,11 +94,9 @@ lumi_error lumi_draw(lumi_view* view, lumi_stripe stripe)
     return drawn_over(LUMI_C_BACKGROUND, view, stripe);
 }
 
-lumi_error lumi_draw_coverage(lumi_view* view, lumi_stripe s)
+lumi_error lumi_draw_coverage(lumi_view* view, lumi_stripe coverage)
 {
-    return drawn(
-        view, s, 1,
-        [&](const Stripe& coverage, const StripePart& part) { return view->drawing.draw_coverage(coverage, part); });
+    return code(view == nullptr ? ViewError::no_field : view->draw_coverage(in_cpp(coverage)));
 }
 
 const char* lumi_error_text(lumi_error error)

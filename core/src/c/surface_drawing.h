@@ -4,7 +4,6 @@
 #pragma once
 
 #include "lumi/lumi.h"
-#include "lumi/surface/quality.h"
 #include "lumi/surface/view.h"
 
 namespace lumi::detail
@@ -43,7 +42,7 @@ public:
         return error == ViewError::none && !is_mode(screen.mode) ? ViewError::bad_argument : error;
     }
 
-    // What a view needs behind itself.
+    static constexpr bool has_spans() { return false; }
     static size_t bytes_of(const Field& field, const lumi_screen& screen) { return places_of(field, screen).end; }
 
     void begin(const Field& field, const lumi_screen& screen, void* memory)
@@ -59,9 +58,6 @@ public:
         finest_ = static_cast<SurfaceMode>(screen.mode);
     }
 
-    // Whether modes are pixels between exact hits; else they are those of SurfaceMode.
-    static constexpr bool has_spans() { return false; }
-
     ViewError look(const Pose& pose, const Image& image, uint8_t number)
     {
         const SurfaceMode mode = static_cast<SurfaceMode>(number);
@@ -72,29 +68,18 @@ public:
     PixelRect bounds() const { return bounds_of(frame_); }
 
     template <class Background>
-    ViewError draw(const Stripe& stripe, const StripePart& part, const Background& background) const
+    ViewError draw(const Stripe& stripe, const StripePart& part, const Background& background, uint32_t*) const
     {
         const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
         if (error == ViewError::none) render_surface<Pixel>(frame_, background, stripe, samples_);
         return error;
     }
 
-    ViewError draw_coverage(const Stripe& coverage, const StripePart& part) const
+    ViewError draw_coverage(const Stripe& coverage, const StripePart& part, uint32_t*) const
     {
         const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
         if (error == ViewError::none) render_coverage(frame_, coverage, samples_);
         return error;
-    }
-
-    ViewError limit(const lumi_quality_limits& limits, LadderLimits& out) const
-    {
-        const uint8_t coarsest = limits.coarsest, moving = limits.finest_moving, resting = limits.finest_resting;
-        if (!is_mode(moving) || !is_mode(resting) || coarsest > moving || coarsest > resting)
-            return ViewError::bad_argument;
-        const auto mode = [](uint8_t number) { return static_cast<SurfaceMode>(number); };
-        if (mode(moving) > finest_ || mode(resting) > finest_) return ViewError::mode_too_fine;
-        out = ladder_limits(SurfaceQualityLimits{limits.budget, mode(coarsest), mode(moving), mode(resting)});
-        return ViewError::none;
     }
 
 private:
@@ -125,12 +110,12 @@ private:
         return p;
     }
 
-    Field field_;
-    typename Parts::Frame frame_;
-    typename Parts::Memory memory_;
-    uint32_t* samples_;
-    uint32_t samples_bytes_;
-    SurfaceMode finest_;
+    Field field_{};
+    typename Parts::Frame frame_{};
+    typename Parts::Memory memory_{};
+    uint32_t* samples_ = nullptr;
+    uint32_t samples_bytes_ = 0;
+    SurfaceMode finest_{};
 };
 
 }  // namespace lumi::detail

@@ -9,38 +9,21 @@
 namespace lumi::detail
 {
 
-// Opens a field for render_spans() with texels of this format. `out` stays as it was on failure.
-inline ViewError open_for_spans(const uint8_t* bytes, size_t size, TexelFormat texels, Field& out)
+// Opens a field with texels of one of these formats, for render_spans() or for render(). `out` stays as it was on
+// failure.
+template <bool kBySpans, class... Texels>
+ViewError open_chord(const uint8_t* bytes, size_t size, Field& out)
 {
     Field opened;
     if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none) return view_error(error);
-    if (opened.texel_format != texels) return ViewError::other_renderer;
-    if (!fits_spans(opened)) {
+    if (((opened.texel_format != Texels::kFormat) && ...)) return ViewError::other_renderer;
+    if (kBySpans && !fits_spans(opened)) {
         const bool is_aligned = reinterpret_cast<uintptr_t>(bytes) % 4 == 0;
         return is_aligned ? ViewError::other_renderer : ViewError::unaligned_field;
     }
     out = opened;
     return ViewError::none;
 }
-
-// Field and camera, which every renderer of chord fields takes.
-template <class Texel>
-struct ChordState {
-    Field field{};
-    Camera camera{};
-
-    ViewError open(const uint8_t* bytes, size_t size)
-    {
-        Field opened;
-        if (const FieldError error = open_field(bytes, size, opened); error != FieldError::none)
-            return view_error(error);
-        if (opened.texel_format != Texel::kFormat) return ViewError::other_renderer;
-        field = opened;
-        return ViewError::none;
-    }
-
-    ViewError look(const Pose& pose, const Image& image) { return view_error(make_camera(pose, image, camera)); }
-};
 
 // The spans that render_spans() tells apart.
 constexpr bool is_span(int32_t px)
@@ -51,6 +34,45 @@ constexpr bool is_span(int32_t px)
 // Nothing of a frame is prepared that two cores could share.
 struct NoHalves {
     void prepare(int32_t, uint32_t) {}
+};
+
+// A view's field and camera, by spans, of fields with texels of one of these formats.
+template <class Reconstruction, class Pixel, class... Texels>
+class SpansState
+{
+public:
+    ViewError open(const uint8_t* bytes, size_t size) { return open_chord<true, Texels...>(bytes, size, field_); }
+
+    template <class... Halves>
+    ViewError look(const Pose& pose, const Image& image, int32_t span_px, const Halves&...)
+    {
+        if (!is_span(span_px)) return ViewError::wrong_span;
+        const ViewError error = view_error(make_camera(pose, image, camera_));
+        if (error == ViewError::none) span_px_ = span_px;
+        return error;
+    }
+
+    PixelRect bounds() const { return covered_rectangle(camera_); }
+
+    template <class Background>
+    ViewError draw(const Stripe& stripe, const StripePart&, const Background& background, uint32_t*) const
+    {
+        const RenderError error = with_texel(
+            field_.texel_format,
+            [&](auto texel) {
+                return render_spans<Reconstruction, decltype(texel), Pixel>(field_, camera_, background, stripe,
+                                                                            span_px_);
+            },
+            TexelList<Texels...>());
+        return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
+    }
+
+protected:
+    Field field_{};
+
+private:
+    Camera camera_{};
+    int32_t span_px_ = 0;
 };
 
 }  // namespace lumi::detail
@@ -71,37 +93,7 @@ struct ChordDrawing {
     using Halves = detail::NoHalves;
 
     template <class ScreenOf>
-    class State
-    {
-    public:
-        ViewError open(const uint8_t* bytes, size_t size)
-        {
-            return detail::open_for_spans(bytes, size, Texel::kFormat, state_.field);
-        }
-
-        template <class... Halves>
-        ViewError look(const Pose& pose, const Image& image, Mode span_px, const Halves&...)
-        {
-            if (!detail::is_span(span_px)) return ViewError::wrong_span;
-            const ViewError error = state_.look(pose, image);
-            if (error == ViewError::none) span_px_ = span_px;
-            return error;
-        }
-
-        PixelRect bounds() const { return detail::covered_rectangle(state_.camera); }
-
-        template <class Background>
-        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background, uint32_t*) const
-        {
-            const RenderError error = render_spans<Reconstruction, Texel, typename ScreenOf::Pixel>(
-                state_.field, state_.camera, background, stripe, span_px_);
-            return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
-        }
-
-    private:
-        detail::ChordState<Texel> state_{};
-        Mode span_px_ = 0;
-    };
+    using State = detail::SpansState<Reconstruction, typename ScreenOf::Pixel, Texel>;
 };
 
 // Every pixel by itself, render(): for fields that spans do not draw, at any address.
@@ -120,25 +112,29 @@ struct ExactChordDrawing {
     class State
     {
     public:
-        ViewError open(const uint8_t* bytes, size_t size) { return state_.open(bytes, size); }
+        ViewError open(const uint8_t* bytes, size_t size)
+        {
+            return detail::open_chord<false, Texel>(bytes, size, field_);
+        }
         template <class... Halves>
         ViewError look(const Pose& pose, const Image& image, Mode, const Halves&...)
         {
-            return state_.look(pose, image);
+            return detail::view_error(make_camera(pose, image, camera_));
         }
 
-        PixelRect bounds() const { return detail::covered_rectangle(state_.camera); }
+        PixelRect bounds() const { return detail::covered_rectangle(camera_); }
 
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background, uint32_t*) const
         {
-            const RenderError error = render<Reconstruction, Texel, typename ScreenOf::Pixel>(
-                state_.field, state_.camera, background, stripe);
+            const RenderError error =
+                render<Reconstruction, Texel, typename ScreenOf::Pixel>(field_, camera_, background, stripe);
             return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
         }
 
     private:
-        detail::ChordState<Texel> state_{};
+        Field field_{};
+        Camera camera_{};
     };
 };
 
