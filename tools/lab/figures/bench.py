@@ -6,7 +6,7 @@ CORES = ["m0plus", "m4"]
 SPLIT = ["vertices", "lists", "lights", "edges", "samples", "outlines", "resolve", "palette"]
 # A reader looks for these first.
 GLANCES = [("nearest", "rgb565", 16), ("linear", "luma8", 16), ("linear", "palette8", 16), ("linear", "rgb888", 16),
-           ("paper", "rgb888", 16), ("linear", "luma8", 8), ("linear", "palette8", 8), ("linear", "rgb888", 8)]
+           ("linear", "luma8", 8), ("linear", "palette8", 8), ("linear", "rgb888", 8)]
 
 
 def distinct(rows, *keys):
@@ -38,8 +38,9 @@ class Tradeoff:
         self.spans = sorted({row["span"] for row in self.chord})
 
     def by_renderer(self, title, columns, texts):
-        """A row for each mode and texel; `texts` makes its cells."""
-        return Table([title, *columns], [[f"{mode} {texel}", *texts(mode, texel)] for mode, texel in self.renderers])
+        """A row for each mode and texel that has a cell; `texts` makes these."""
+        rows = [(f"{mode} {texel}", texts(mode, texel)) for mode, texel in self.renderers]
+        return Table([title, *columns], [[name, *cells] for name, cells in rows if any(cell != NONE for cell in cells)])
 
     def chord_row(self, core, mode, texel, span, view="generic"):
         return find(self.chord, core=core, mode=mode, texel=texel, span=span, view=view)
@@ -100,7 +101,7 @@ class Tradeoff:
         def ours(mode, core):
             row = self.chord_row(core, mode, "rgb565", 16)
             return row and {**row, "method": f"this library, {mode}, S = 16"}
-        rows = self.data["baselines"] + [ours(mode, core) for mode in ("nearest", "linear", "paper") for core in CORES]
+        rows = self.data["baselines"] + [ours(mode, core) for mode in ("nearest", "linear") for core in CORES]
         return Table(["method", "core", "instructions a covered pixel", "M instructions a frame", "code, bytes"],
                      [[row["method"], row["core"], per_pixel()(row), decimal(row["instructions_per_frame"] / 1e6, 2),
                        row["code_bytes"]] for row in rows if row])
