@@ -25,15 +25,14 @@ set(LUMI_CORE_SOURCES
   src/chord/sphere.cpp
   src/chord/stepping/zone_map.cpp
   src/chord/stepping/hits.cpp
+  src/chord/stepping/lattice_line.cpp
   src/chord/stepping/outline.cpp
-  src/chord/stepping/polar_line.cpp
   src/chord/stepping/walker.cpp
-  src/chord/stepping/zones.cpp
   src/chord/armv6m/linear_luma8.S
   src/chord/armv6m/linear_palette8.S
   src/chord/armv6m/linear_rgb565.S
   src/chord/armv6m/linear_rgb888.S
-  src/chord/cut_piece.cpp
+  src/chord/piece.cpp
   src/chord/stepper.cpp
   src/chord/tile.cpp
   src/surface/coverage.cpp

@@ -57,9 +57,8 @@ ViewError look(const Pose& pose, const Image& image, const Style&, uint8_t*)
 ViewError draw(const Style& style, const Stripe& stripe)
 {
     const RenderError error = detail::with_texel(field.texel_format, [&](auto texel) {
-        return with_pixel(style.format, [&](auto pixel) {
-            return draw_as<decltype(texel), decltype(pixel)>(style, stripe);
-        });
+        return with_pixel(style.format,
+                          [&](auto pixel) { return draw_as<decltype(texel), decltype(pixel)>(style, stripe); });
     });
     return error == RenderError::none ? ViewError::none : ViewError::other_renderer;
 }

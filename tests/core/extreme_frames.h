@@ -138,7 +138,7 @@ uint64_t draw_frame(const Edge& edge, uint32_t pixel_bytes, bool twice, const Dr
         std::count_if(canvas.pixels.begin(), canvas.pixels.end(), [](uint8_t byte) { return byte != 0; }));
 }
 
-// That at least so many bytes a frame show something of the fields, and not the background.
+// Checks that at least so many bytes a frame show something of the fields, and not the background.
 inline void check_shown(const char* of, uint32_t frames, uint64_t shown, uint64_t least)
 {
     std::printf("%u extreme frames of %s, %llu bytes show something\n", static_cast<unsigned>(frames), of,

@@ -27,7 +27,7 @@ set(LUMI_CORE_TEST_SOURCES
   lattice/triangle_test.cpp
   math/math_test.cpp
   chord/stepping/hits_test.cpp
-  chord/stepping/polar_line_test.cpp
+  chord/stepping/lattice_line_test.cpp
   surface/coverage_test.cpp
   surface/extreme_surface_test.cpp
   surface/halves_test.cpp

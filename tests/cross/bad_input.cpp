@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bad input gets on a board, in C++ and in C: an error that has a text, no hang and no read past the field's end,
+// Bad input gets this on a board, in C++ and in C: an error that has a text, no hang and no read past the field's end,
 // which faults here (guarded_memory.h). LUMI_C_TEXEL tells a build for chord fields from one for surface fields. The
 // emulator has loaded a field of the build's kind, and one of the other kind a MiB later. With the argument "wild" the
 // program reads behind the guarded memory itself.
@@ -197,7 +197,7 @@ void try_stripes(Api& api, const LoadedField& field)
     expect<Api>("stripe too far", api.draw({frame, INT32_MAX, 0, kWidth, kRows, kStride}), ViewError::stripe_too_far);
 }
 
-// Of frames of two eyes and modes.
+// CRCs of frames of two eyes and modes.
 struct Crcs {
     uint32_t orbit, held;
 

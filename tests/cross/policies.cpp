@@ -44,8 +44,8 @@ struct Policy<BySpans<Reconstruction>, Texel, Pixel, Background> {
 };
 
 // The paper's kernel occurs in its smallest, default and largest size.
-using Reconstructions = std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>,
-                                   BySpans<Linear>>;
+using Reconstructions =
+    std::tuple<Nearest, Linear, Paper<1>, Paper<5>, Paper<detail::kMaxNeighbours>, BySpans<Nearest>, BySpans<Linear>>;
 template <class... Texel>
 std::tuple<Texel...> tuple_of(detail::TexelList<Texel...>);
 using Texels = decltype(tuple_of(detail::AllTexels()));
@@ -208,7 +208,7 @@ ViewError draw_surface_view_over_nothing(PolicyView& view, const Stripe& stripe)
     return view.draw(stripe, OverNothing{});
 }
 
-// The same with see-through parts.
+// Views of fields with see-through parts.
 struct SeeThroughView {
     SeeThroughField field;
     SurfaceCamera camera;

@@ -65,7 +65,7 @@ template <uint32_t kMost>
 class Guarded
 {
 public:
-    // What it held is lost.
+    // The bytes that it held are lost.
     uint8_t* of(uint32_t bytes)
     {
         if (bytes > kMost) fail("the test's own memory is too small");

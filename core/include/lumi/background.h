@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies behind the object: a constant colour, or what the stripe already holds.
+// Backgrounds lie behind the object: a constant colour, or the pixels that the stripe already holds.
 //
 // A background policy has `kFills` (are uncovered pixels written?) and `under<Pixel>(pointer)`, the colour to blend
 // with.

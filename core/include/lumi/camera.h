@@ -45,7 +45,7 @@ struct Image {
     int32_t shift_x_q8 = 0, shift_y_q8 = 0;
 };
 
-// The same pose moved by `offset` along its own right axis: a stereo pair is moved_right(p, -d/2), moved_right(p,
+// Moves a pose by `offset` along its own right axis: a stereo pair is moved_right(p, -d/2), moved_right(p,
 // +d/2), with parallel axes as a head-mounted display needs. An eye that leaves the range of numbers stops at its end,
 // which make_camera refuses.
 Pose moved_right(const Pose& pose, int32_t offset_q20);
@@ -59,7 +59,7 @@ namespace lumi::detail
 // azimuth 0 looks from +x, a quarter turn from +y; elevation from -1/4 to 1/4 turn (as a signed fraction).
 Pose orbit(uint32_t azimuth_turns32, int32_t elevation_turns32, int32_t distance_q20);
 
-// What is wrong with a view, if anything.
+// Tells whether a camera can have this view.
 CameraError check_view(const Pose& pose, const Image& image);
 
 }  // namespace lumi::detail

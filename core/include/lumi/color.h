@@ -24,7 +24,8 @@ struct Rgba8 {
     uint8_t r, g, b, a;
 };
 
-// A premultiplied colour over a background.
+// A premultiplied colour c over a background u: c + (1 - a)·u. (257·x + 2^15)/2^16 is x/255 rounded to nearest, but for
+// 24 of all 65,536 products.
 constexpr Rgb8 over(const Rgba8& c, const Rgb8& under)
 {
     const uint32_t transparency = 255u - c.a;
@@ -34,8 +35,7 @@ constexpr Rgb8 over(const Rgba8& c, const Rgb8& under)
     return {blend(c.r, under.r), blend(c.g, under.g), blend(c.b, under.b)};
 }
 
-// The same of one channel of a weighted sum: colour and transparency where weights sum to 2^kBits, transparency in
-// those units.
+// Blends one channel of a weighted sum: c + (1 - a)·u with c and 1 - a times 2^kBits, to which the weights sum.
 template <int kBits>
 constexpr uint8_t blended(uint32_t sum, uint32_t transparency, uint8_t under)
 {
@@ -48,7 +48,8 @@ constexpr uint8_t luma(const Rgb8& c)
     return static_cast<uint8_t>((54u * c.r + 183u * c.g + 19u * c.b + 128u) >> 8);
 }
 
-// 5-6-5 packing, red in the high bits; rounds to nearest: unpack(pack(unpack(v))) = unpack(v).
+// 5-6-5 packing, red in the high bits: round(31·c/255) by 249/2048, round(63·c/255) by 253/1024, so that
+// unpack(pack(unpack(v))) = unpack(v). Unpacked, v has its upper bits once more below: 255·v/31 or 255·v/63 within 1.
 constexpr uint16_t pack_rgb565(const Rgb8& c)
 {
     const uint32_t r = (c.r * 249u + 1014u) >> 11;
@@ -66,7 +67,7 @@ constexpr Rgb8 unpack_rgb565(uint16_t v)
             static_cast<uint8_t>(b << 3 | b >> 2)};
 }
 
-// 5-5-5 packing, blue in the high bits: rounds to nearest as that of 5-6-5 does.
+// 5-5-5 packing, blue in the high bits, by the same products.
 constexpr uint16_t pack_bgr555(const Rgb8& c)
 {
     const auto five = [](uint8_t v) { return (v * 249u + 1014u) >> 11; };

@@ -99,7 +99,7 @@ typedef struct lumi_view lumi_view;
 /* To be added to either where LUMI_C_SEE_THROUGH is defined; see-through patches are not among the patches. */
 #define LUMI_SEE_THROUGH_MEMORY(see_through_patches) (2048 + 8 * (size_t)(see_through_patches))
 
-/* The same to the byte, of a field; 0 if it cannot be opened or the screen is out of range. */
+/* Tells them to the byte for a field; 0 if it cannot be opened or the screen is out of range. */
 size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen screen);
 
 /* Checks all that decides where bytes are read, and makes a view in `memory`, at an address divisible by 8. Field and
@@ -113,9 +113,9 @@ lumi_error lumi_verify(const uint8_t* field, size_t field_bytes);
 
 /* The next frame's eye, in the screen's mode. A failure leaves the frame as it was. */
 lumi_error lumi_look(lumi_view* view, lumi_orbit orbit);
-/* The same in another mode: of surface fields none finer than the screen's. */
+/* Looks in another mode: of surface fields none finer than the screen's. */
 lumi_error lumi_look_mode(lumi_view* view, lumi_orbit orbit, uint8_t mode);
-/* The same from any pose; lumi_fov_of tells a field of view. */
+/* Looks from any pose; lumi_fov_of tells a field of view. */
 lumi_error lumi_look_pose(lumi_view* view, lumi_pose pose, uint32_t fov_turns32, uint8_t mode);
 
 /* The field of view that lumi_look takes for an orbit: fitted to the sphere, and zoomed. 0 without a view. */
@@ -138,7 +138,7 @@ lumi_rect lumi_bounds(const lumi_view* view);
 /* Draws every pixel of the stripe over LUMI_C_BACKGROUND; where it lies beside the image, background. */
 lumi_error lumi_draw(lumi_view* view, lumi_stripe stripe);
 
-/* The same over another background, whatever LUMI_C_BACKGROUND is; each that is called links a renderer of its own.
+/* Draws over another background, whatever LUMI_C_BACKGROUND is; each that is called links a renderer of its own.
  * Over the stripe: over what it holds. Over nothing: coverage goes into pixels that have room for it. Chord fields are
  * not drawn over nothing: other_renderer. */
 typedef struct {

@@ -75,7 +75,7 @@ class QualityLadder
 public:
     explicit QualityLadder(const LadderLimits& limits);
 
-    // As QualityControl::next.
+    // QualityControl::next says what it takes and returns.
     bool next(uint32_t last_frame, bool moving);
     uint8_t step() const { return resting_ ? refined_ : moving_; }
 
@@ -147,8 +147,8 @@ public:
     // Begins antialiased, at spans of 16, or at the limit next to it.
     explicit QualityControl(const QualityLimits<Mode>& limits) : ladder_(detail::ladder_limits(limits)) {}
 
-    // What to draw now. `last_frame` is what drawing the last answer took (of the first call and where nothing was
-    // drawn, anything); `moving`: whether the view differs from the last one. Costs some tens of instructions.
+    // Chooses what to draw now. `last_frame` is what drawing the last answer took (of the first call and where nothing
+    // was drawn, anything); `moving`: whether the view differs from the last one. Costs some tens of instructions.
     FrameQuality<Mode> next(uint32_t last_frame, bool moving)
     {
         const bool draws = ladder_.next(last_frame, moving);

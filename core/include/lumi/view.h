@@ -52,7 +52,7 @@ struct Screen {
     }
 };
 
-// The same screen for a view without memory for samples of its own: several views that draw in turn share one.
+// A screen for a view without memory for samples of its own: several views that draw in turn share one.
 //
 //     using Panel = SharedSamples<Screen<240, 240, 16>>;
 //     static clock_view<Panel> clock;
@@ -105,7 +105,7 @@ constexpr uint32_t most_of(uint32_t first, More... more)
     return first > most_of(more...) ? first : most_of(more...);
 }
 
-// What of a stripe lies in the image; nothing where a side is 0.
+// The part of a stripe that lies in the image; nothing where a side is 0.
 struct StripePart {
     int32_t width_px, rows_px;
 };
@@ -130,7 +130,7 @@ public:
     // Memory for samples that a stripe takes. The view has one; a second core brings its own, and so does each core
     // where the screen is SharedSamples.
     using Samples = typename Drawing::template Samples<ScreenOf>;
-    // What two cores share while they prepare a frame. One core needs none.
+    // Two cores share it while they prepare a frame. One core needs none.
     using Halves = typename Drawing::template Halves<ScreenOf>;
 
     constexpr View() = default;
@@ -167,7 +167,7 @@ public:
         return look_by(pose, fov_turns32, mode);
     }
 
-    // The same frame, prepared by two cores. `both(step)` lets halves.prepare(step, 0) and halves.prepare(step, 1) run
+    // Two cores prepare the frame. `both(step)` lets halves.prepare(step, 0) and halves.prepare(step, 1) run
     // once each, at once or in turn, and comes back after both; surface/halves.h says what it must guarantee. Chord
     // fields have nothing to prepare and do not call it.
     template <class Both>
@@ -203,7 +203,7 @@ public:
         static_assert(ScreenOf::kHasSamples, "a view of SharedSamples draws with the samples that it is given");
         return draw(stripe, background, own_.samples);
     }
-    // The same with other samples, those of this view or larger ones: from several cores at once, each with its own.
+    // Draws with other samples, those of this view or larger ones: from several cores at once, each with its own.
     template <class Background, class SamplesOf>
     ViewError draw(const Stripe& stripe, const Background& background, SamplesOf& samples) const
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be wrong with a view (view.h): one value for every cause, and its text.
+// The errors of a view (view.h): one value for every cause, and its text.
 #pragma once
 #pragma GCC system_header
 

@@ -8,7 +8,7 @@ using namespace lumi::detail;
 namespace
 {
 
-// What lies in a lumi_drag.
+// A lumi_drag holds this.
 struct Drag : lumi::OrbitDrag {
     using OrbitDrag::OrbitDrag;
 

@@ -10,7 +10,7 @@ using c::code;
 namespace
 {
 
-// What lies in a lumi_quality.
+// A lumi_quality holds this.
 struct Quality {
     QualityLadder ladder;
     bool has_spans;

@@ -9,7 +9,7 @@
 namespace lumi::detail
 {
 
-// What a view has of opaque fields, and of those that may have see-through parts.
+// Types of a view of opaque fields, and of one whose field may have see-through parts.
 struct OpaqueParts {
     using Field = SurfaceField;
     using Frame = SurfaceFrame;
@@ -90,7 +90,7 @@ private:
 
     static constexpr bool is_mode(uint8_t number) { return number <= LUMI_TWO_BY_TWO; }
 
-    // As surface_stripe_bytes_up_to: one sample takes the least.
+    // One sample takes the least, as surface_stripe_bytes_up_to has it.
     static uint32_t samples_bytes(const lumi_screen& s)
     {
         const auto bytes = [&](SurfaceMode mode) { return surface_stripe_bytes<Pixel>(s.width_px, s.rows_px, mode); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lies behind a lumi_view, by the macros of lumi.h: a View (lumi/view.h) of a screen and a field that are known
-// when it is opened. Every source of lumi::c includes it, with the same macros. Each background has a source of its
+// A lumi_view is a View (lumi/view.h), by the macros of lumi.h, of a screen and a field that are known when it is
+// opened. Every source of lumi::c includes it, with the same macros. Each background has a source of its
 // own: the compiler then builds its renderer as if there were no other.
 #pragma once
 
@@ -135,8 +135,9 @@ struct ViewScreen {
 struct lumi_view : lumi::View<lumi::detail::c::ViewDrawing, lumi::detail::c::ViewScreen> {
     static void* operator new(size_t, void* memory) { return memory; }  // <new> is not everywhere
 
-    // Of a field that was opened; what it takes besides lies behind the view.
-    void begin(const uint8_t* bytes, size_t size, const lumi::detail::c::Drawing::Field& field, const lumi_screen& screen)
+    // Takes a field that was opened. The memory that it needs besides lies behind the view.
+    void begin(const uint8_t* bytes, size_t size, const lumi::detail::c::Drawing::Field& field,
+               const lumi_screen& screen)
     {
         bytes_ = bytes;
         size_ = size;

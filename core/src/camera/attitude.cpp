@@ -10,7 +10,7 @@ namespace
 
 using namespace detail;
 
-// The same turn with numbers of 30 bits: four squares of them fit 64 bits.
+// Returns the turn with numbers of 30 bits: four squares of them fit 64 bits.
 Quaternion scaled(const Quaternion& q)
 {
     const auto size = [](int32_t c) { return c < 0 ? -static_cast<uint32_t>(c) : static_cast<uint32_t>(c); };
@@ -21,7 +21,7 @@ Quaternion scaled(const Quaternion& q)
     return {to_30_bits(q.w), to_30_bits(q.x), to_30_bits(q.y), to_30_bits(q.z)};
 }
 
-// The same turn as a quaternion of length 1, Q30.
+// Returns the turn as a quaternion of length 1, Q30.
 Quaternion normalised(const Quaternion& turn)
 {
     const Quaternion q = scaled(turn);

@@ -3,7 +3,6 @@
 #include "lattice/lattice_query.h"
 #include "lattice/polar.h"
 #include "lattice/polar_triangle.h"
-#include "lumi/detail/cell_triangle.h"
 #include "lumi/detail/lattice.h"
 
 namespace lumi::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the macros of lumi.h say that a view takes is no less than it takes, for screens of many sizes.
+// The macros of lumi.h tell no less memory than a view takes, for screens of many sizes.
 #include "c/views.h"
 
 using namespace lumi;

@@ -61,7 +61,7 @@ bool is_accepted(const Pose& pose)
            make_surface_camera(pose, image, surface_camera) == CameraError::none;
 }
 
-// What a set of turns has shown, each of them held at both ends of the distances and at one between.
+// Collects what a set of turns shows, each of them held at both ends of the distances and at one between.
 struct Held {
     double worst = 0;
     uint32_t turns = 0, refused = 0;

@@ -25,7 +25,7 @@ constexpr int32_t kRowBytes = 1 << 16;  // rows and texels can be told from an a
 constexpr int32_t kTexelBytes = 3;
 constexpr uintptr_t kTexels = 0x40000000;  // nothing is read there
 
-// What a sum asks of the taps.
+// A sum that asks only for taps.
 template <int kBitsOfRow, int kBitsOfTap>
 struct Weights {
     static constexpr int kRowBits = kBitsOfRow;
@@ -105,7 +105,7 @@ double worst_of_scanline(BothSidesWalk<kFlips>& both, const CellLine& origins, c
     return worst;
 }
 
-// The same of all scanlines of a tile, or of a span's one.
+// Checks all scanlines of a tile, or a span's one.
 template <bool kFlips, int kRowBits, int kTapBits>
 double worst_difference(CellLine origins, CellLine directions, const TileScanlines* tile)
 {

@@ -23,7 +23,7 @@ constexpr int32_t kSide = 88;
 constexpr int kCuts = 12;
 #endif
 
-// What the stripe holds before it is drawn over.
+// The stripe holds this before it is drawn over.
 uint8_t held(int32_t x, int32_t y, uint32_t byte)
 {
     return static_cast<uint8_t>(37 * x + 91 * y + 53 * static_cast<int32_t>(byte));

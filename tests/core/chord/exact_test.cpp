@@ -56,7 +56,7 @@ private:
     std::vector<Vec3> origins_, directions_;
 };
 
-// What a hit may read.
+// The points that a hit may read.
 struct Around {
     std::vector<uint32_t> nearest;  // more than one near a tie
     twin::Weights kernel;

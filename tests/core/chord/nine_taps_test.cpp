@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "lumi/chord/detail/both_sides.h"
 #include "lumi/chord/detail/both_sides_steps.h"
-#include "lumi/chord/detail/nine_taps.h"
 
 using namespace lumi;
 using namespace lumi::detail;

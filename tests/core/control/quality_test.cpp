@@ -22,7 +22,7 @@ uint32_t duration(QualityStep mode, uint32_t spans16)
     return static_cast<uint32_t>(kRatio[static_cast<size_t>(mode)] * spans16);
 }
 
-// The same of surface fields, where one sample a pixel takes `one_sample`.
+// The time of a frame of a surface field, where one sample a pixel takes `one_sample`.
 uint32_t duration(SurfaceMode mode, uint32_t one_sample)
 {
     constexpr double kRatio[] = {1, 1.5, 2};

@@ -115,7 +115,7 @@ void check_chord_frames(const Bytes& bytes)
            })));
 }
 
-// What draw() says of a stripe that is right but for one change.
+// The answer of draw() to a stripe that is right but for one change.
 template <class Change>
 ViewError drawn_with(Change change)
 {

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/chord/render.h"
-#include "lumi/chord/render.h"
 #include "lumi/host/camera.h"
 #include "metrics/psnr.h"
 #include "support/temporary_folder.h"

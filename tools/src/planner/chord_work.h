@@ -36,19 +36,19 @@ enum class ChordItem : size_t {
     mixed,        // pieces with cells of either diagonal
     mixed_line,   // their scanlines
     mixed_pixel,
-    lone_line,        // scanlines of tiles that Linear's loop does not take at once
-    steep_pixel,      // pixels of scanlines whose steps are too long for it
-    checked,          // spans whose texels are checked
-    cell_pixel,       // their pixels through cells, of either side
-    pole_pixel,       // those over a pole
-    polar_side,       // pieces over a pole, of either side
-    checked_row,      // origins that these read and that are baked
-    cap_side,         // sides of exact pixels so near a pole that points there are all looked at
-    pole_side,        // those in a polar region
-    blend_side,       // those at its border
-    zone_step,        // zones that are looked at for them
-    row,              // origins that pixels read
-    tap_rgb888,       // texels that they read, by format
+    lone_line,    // scanlines of tiles that Linear's loop does not take at once
+    steep_pixel,  // pixels of scanlines whose steps are too long for it
+    checked,      // spans whose texels are checked
+    cell_pixel,   // their pixels through cells, of either side
+    pole_pixel,   // those over a pole
+    polar_side,   // pieces over a pole, of either side
+    checked_row,  // origins that these read and that are baked
+    cap_side,     // sides of exact pixels so near a pole that points there are all looked at
+    pole_side,    // those in a polar region
+    blend_side,   // those at its border
+    zone_step,    // zones that are looked at for them
+    row,          // origins that pixels read
+    tap_rgb888,   // texels that they read, by format
     tap_rgb565,
     tap_palette8,
     tap_luma8,

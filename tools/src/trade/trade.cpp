@@ -158,8 +158,7 @@ PartTrade part_of(const planner::Pace& pace, size_t k, const std::vector<Row>& r
 std::vector<quality::DrawMode> usual_modes()
 {
     std::vector<quality::DrawMode> modes;
-    for (const char* word :
-         {"nearest/16", "nearest/8", "linear/16", "linear/8", "linear/4", "nearest", "paper5"})
+    for (const char* word : {"nearest/16", "nearest/8", "linear/16", "linear/8", "linear/4", "nearest", "paper5"})
         modes.push_back(*quality::parse_draw_mode(word));
     return modes;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What main.cpp takes from panel.cpp, which you write for your board, as the example of its panel's driver does it.
+// The calls that main.cpp takes from panel.cpp, which you write for your board, as the example of its panel's driver
+// does it.
 #pragma once
 
 #include <esp_lcd_panel_ops.h>

@@ -34,9 +34,9 @@ struct OutlineQuadratic {
 namespace lumi
 {
 
-// What the renderer needs of a camera. Every quantity is scaled by one positive factor so that a pixel's viewing vector
-// D is at most 1 long. With ê the unit vector towards the eye, e its distance, m = -ê·D and P = e·(D + m·ê), the ray
-// hits the sphere where |P|² + s² = q with q = m² + |P|²/e² and s² = m² - (1 - 1/e²)|P|², at
+// Holds the numbers that the renderer needs of a camera. Every quantity is scaled by one positive factor so that a
+// pixel's viewing vector D is at most 1 long. With ê the unit vector towards the eye, e its distance, m = -ê·D and P =
+// e·(D + m·ê), the ray hits the sphere where |P|² + s² = q with q = m² + |P|²/e² and s² = m² - (1 - 1/e²)|P|², at
 //     h = ê·(|P|²/e ± s·m)/q + P·(m ∓ s/e)/q      (upper sign: front, lower sign: back).
 // No difference of large numbers appears, from an eye on the sphere (e = 1) to one at infinity. m and P are affine in
 // the pixel.

@@ -3,16 +3,15 @@
 //
 //     render_spans<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverBlack{}, stripe, 16);
 //
-// The same contract as render(): any rectangle, any order, re-entrant, and any rectangle shows the same pixels as any
+// It keeps render()'s contract: any rectangle, any order, re-entrant, and any rectangle shows the same pixels as any
 // other. Full scanlines are the cheapest: of a rectangle that begins right of the sphere's left outline, hits on the
 // way from there are evaluated, too. `span_px` (2, 4, 8 or 16) is the most pixels between exact hits: the trade of
 // speed for accuracy that docs/tradeoff.md measures. From 8 on, the inside of the sphere is drawn in tiles of
-// span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter. Of
-// reconstructions it draws Nearest and Linear; render() draws Paper<K>, too.
+// span_px × 8 pixels. Next to the rim, where hits turn fast, spans are shorter. It
+// draws by Nearest and Linear; Paper<K> is drawn by render() alone.
 #pragma once
 #pragma GCC system_header
 
-#include "lumi/chord/detail/cut_piece.h"
 #include "lumi/chord/detail/linear.h"
 #include "lumi/chord/detail/one_tap.h"
 #include "lumi/chord/render.h"
@@ -20,9 +19,9 @@
 namespace lumi
 {
 
-// What render_spans() draws, and render() draws all else: lattices of kMinSpanLattice to kMaxSpanLattice points, whose
-// texels and palette entries lie at multiples of their size, as they are read in one access each. Any field at an
-// address divisible by 4 has that, if its row stride is even.
+// Tells whether render_spans() draws a field; render() draws all. It takes lattices of kMinSpanLattice to
+// kMaxSpanLattice points, whose texels and palette entries lie at multiples of their size, as they are read in one
+// access each. Any field at an address divisible by 4 has that, if its row stride is even.
 inline bool fits_spans(const Field& field)
 {
     const auto has_zones = [](const detail::Lattice& l) {

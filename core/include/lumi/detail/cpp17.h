@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a compiler of an older C++ says, and all that it says: the file that is not there ends it, before errors of the
+// A compiler of an older C++ says this, and no more: the file that is not there ends it, before errors of the
 // language hide the remedy.
 #pragma once
 

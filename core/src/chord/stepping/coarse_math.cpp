@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/chord/detail/stepping/coarse_math.h"
+#include "chord/stepping/coarse_math.h"
 
 #include "math/generate.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/chord/detail/stepping/hits.h"
 
+#include "chord/stepping/coarse_math.h"
 #include "lumi/detail/register_hints.h"
 
 namespace lumi::detail

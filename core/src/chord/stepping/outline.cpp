@@ -66,7 +66,7 @@ OutlineQuadratic make_outline(const Camera& camera)
     return f;
 }
 
-// What of a scanline's columns lies in the image; none: {0, 0}.
+// Returns those of a scanline's columns that lie in the image; none: {0, 0}.
 static Extent within(const Extent& columns, int32_t width_px)
 {
     const Extent inside = {columns.begin > 0 ? columns.begin : 0, columns.end < width_px ? columns.end : width_px};

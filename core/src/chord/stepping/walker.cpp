@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/chord/detail/stepping/walker.h"
 
+#include "chord/stepping/coarse_math.h"
 #include "lumi/detail/math.h"
 
 namespace lumi::detail

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "chord/stepping/coarse_math.h"
 #include "lumi/chord/detail/stepping/outline.h"
 #include "lumi/chord/render_spans.h"
 #include "lumi/detail/math.h"

@@ -10,11 +10,34 @@
 #pragma once
 
 #include "lumi/chord/detail/both_sides_steps.h"
-#include "lumi/chord/detail/nine_taps.h"
 #include "lumi/chord/detail/piece.h"
+#include "lumi/chord/detail/sums.h"
 
 namespace lumi::detail
 {
+
+// Rows of three origins, the same three texels of each, weights as Sum takes them.
+struct PixelTaps {
+    const uint8_t* row[3];
+    int32_t offset[2];  // where the second and third texel are
+    uint32_t row_weight[3], weight[3];
+};
+
+template <class Sum>
+LUMI_ALWAYS_INLINE Sum sum_of(const Field& field, const PixelTaps& taps)
+{
+    Sum sum;
+#pragma GCC unroll 3
+    for (int m = 0; m < 3; ++m) {
+        const uint8_t* row = settled(taps.row[m]);
+        typename Sum::Row of_row;
+        of_row.add(field, row, taps.weight[0]);
+        of_row.add(field, row + taps.offset[0], taps.weight[1]);
+        of_row.add(field, row + taps.offset[1], taps.weight[2]);
+        sum.add(of_row, taps.row_weight[m]);
+    }
+    return sum;
+}
 
 // Whether a side's cell is divided by the difference of its steps.
 struct SideFlip {
@@ -201,7 +224,7 @@ public:
         int32_t direction = steps.direction(at.a, at.b);
         const DoubleWord<const uint8_t*, int32_t> rows = reload(rows_);
         DoubleWord<int32_t> across = reload(across_);
-        // The same cell in the basis of `first` and -`second` is one of the others.
+        // A flipped cell is one of the others in the basis of `first` and -`second`: v becomes 1 - v there.
         if (kFlips && __builtin_expect(origin_flip_.is_flipped(origin), false)) {
             origin += steps.second_origin();
             fv += Bits::kOneOrigin - 2 * (fv & 0xFFFF0000u);

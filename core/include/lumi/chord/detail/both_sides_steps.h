@@ -3,12 +3,33 @@
 // Armv7E-M's DSP extension both sides share registers and instructions; the results are the same.
 #pragma once
 
-#include "lumi/chord/detail/double_word.h"
 #include "lumi/chord/detail/halves.h"
 #include "lumi/chord/detail/stepping/lattice_line.h"
 
 namespace lumi::detail
 {
+
+// Two words that an inner loop keeps in memory and reads by one instruction where there is one (LDRD of Armv7-M), in
+// place of two registers or of two that a compiler spills one by one.
+template <class A, class B = A>
+struct DoubleWord {
+    A a;
+    B b;
+};
+
+template <class A, class B>
+LUMI_ALWAYS_INLINE DoubleWord<A, B> reload(const DoubleWord<A, B>& words)
+{
+#ifdef __ARM_FEATURE_DSP
+    static_assert(sizeof(A) == 4 && sizeof(B) == 4, "LDRD loads words");
+    A a;
+    B b;
+    asm volatile("ldrd %0, %1, %2" : "=r"(a), "=r"(b) : "m"(words));
+    return {a, b};
+#else
+    return words;
+#endif
+}
 
 inline constexpr int kFractionBits = 12;  // bits of a coordinate's fraction
 
@@ -61,7 +82,7 @@ public:
     {
         return __smlatb(v_q16, steps_.b, (u_q16 >> 16) * static_cast<int16_t>(steps_.a));
     }
-    // The same from halves.
+    // These take the halves of words.
     LUMI_ALWAYS_INLINE int32_t origin(uint32_t u, uint32_t v) const
     {
         return __smlatt(whole(v), steps_.b, product_tops(whole(u), steps_.a)) >> kFractionBits;
@@ -71,7 +92,9 @@ public:
         return __smlabb(whole(v), steps_.b, product_bottoms(whole(u), steps_.a)) >> kFractionBits;
     }
 
-    // The triangle for fractions of u and v; Bits::kOnes is one in each half.
+    // Computes CellTriangle (lumi/detail/lattice.h) in both halves at once: weights 1 - max(fu, fv), max - min and min,
+    // and the middle corner, `first` on where fu >= fv, else `second` on. Bits::kOnes is 1 in each half. SSUB16 leaves
+    // a flag for each half where fu >= fv, by which SEL takes its bytes from one word or the other.
     template <class Bits>
     LUMI_ALWAYS_INLINE BothSidesTriangle triangle(uint32_t fu, uint32_t fv) const
     {
@@ -137,6 +160,8 @@ public:
                second_direction_ * (static_cast<int32_t>(v << 16) >> kShift);
     }
 
+    // Computes the same without SSUB16: bit kRowBits or kTapBits of fu + 1 - fv is set where fu >= fv. Less one, it is
+    // a mask of the half's lower bits, by which min and max come from exchanging the bits in which fu and fv differ.
     template <class Bits>
     LUMI_ALWAYS_INLINE BothSidesTriangle triangle(uint32_t fu, uint32_t fv) const
     {

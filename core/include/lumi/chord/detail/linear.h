@@ -37,7 +37,7 @@ void draw_both_sides(const CellPiece<Background>& span, const TileScanlines* til
     }
 }
 
-// The same by the core's own loop: the sums of a scanline, then its pixels.
+// Draws by the assembly loop of the core: first the sums of a scanline, then its pixels.
 template <class Texel, class Pixel, class Background>
 void draw_assembled(const CellPiece<Background>& span, const TileScanlines* tile)
 {

@@ -81,8 +81,8 @@ public:
     }
 
 private:
-    // What all scanlines share, and the offset of the first one's cell; returns what all offsets are from. `one` is 0
-    // if cells may be flipped.
+    // Sets what all scanlines share, and the offset of the first one's cell. Returns the place from which all offsets
+    // count. `one` is 0 if cells may be flipped.
     static uint32_t begin(LinearSide& to, const CellLine& side, uint32_t bytes, uint32_t one)
     {
         const auto whole = [](int32_t q16) { return static_cast<uint32_t>(q16 >> 16); };

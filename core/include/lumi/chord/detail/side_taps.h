@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lumi/chord/detail/stepping/lattice_line.h"
-#include "lumi/detail/cell_triangle.h"
+#include "lumi/detail/lattice.h"
 
 namespace lumi::detail
 {

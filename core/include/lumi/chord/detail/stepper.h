@@ -32,7 +32,7 @@ struct Piece {
         checked,   // a span that needs care: over a pole, or with origins that are not baked
     };
     Kind kind;
-    // In the image. A piece that the stripe's sides cut begins or ends beside the stripe (cut_piece.h), and is one
+    // In the image. A piece that the stripe's sides cut begins or ends beside the stripe (piece.h), and is one
     // scanline high.
     int32_t x, y;
     int32_t width;

@@ -24,7 +24,8 @@ constexpr uint32_t row_weight(uint32_t weight)
     return Sum::kUpperHalves ? weight << 16 : weight;
 }
 
-// As pack_rgb565 does it, rounded once: of colours below 2^22, Q14. DSP's upper bits are not zero.
+// Packs a colour as pack_rgb565 does, from Q14 below 2^22, rounded once: round(31·c/255) by 249/2048, round(63·c/255)
+// by 253/1024. With DSP the upper bits of the result are not zero.
 #ifdef __ARM_FEATURE_DSP
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 {
@@ -71,8 +72,8 @@ struct HalvesRow {
     SpanHalves sum() const { return {rb, ga}; }
 };
 
-// The same by words as they are, modulo 2^32, and their odd bytes; what is left are the even ones. That spares an
-// instruction a texel.
+// Sums words v as they are, modulo 2^32, and their odd bytes o: v·w - 256·(o·w) is the sum of the even bytes, as
+// v = e + 256·o. That spares an instruction a texel.
 template <class Load, bool kCoverage>
 struct HalvesRow<Load, kCoverage, true> {
     uint32_t all = 0, odd = 0;

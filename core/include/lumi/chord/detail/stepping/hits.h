@@ -8,7 +8,6 @@
 #pragma once
 
 #include "lumi/chord/camera.h"
-#include "lumi/chord/detail/stepping/coarse_math.h"
 
 namespace lumi::detail
 {

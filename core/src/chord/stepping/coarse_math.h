@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reciprocal, root and angle of 16-bit accuracy from 32×32→32 products, for what is evaluated every few pixels: small
-// tables with linear interpolation (src/math/coarse_math.cpp, 0.8 KB). math.h has the exact ones.
+// tables with linear interpolation (0.8 KB). math.h has the exact ones.
 #pragma once
 
 #include <stdint.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/chord/detail/stepping/polar_line.h"
+#include "lumi/chord/detail/stepping/lattice_line.h"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/chord/detail/cut_piece.h"
+#include "lumi/chord/detail/piece.h"
 
 namespace lumi::detail
 {
