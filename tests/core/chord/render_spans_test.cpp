@@ -204,7 +204,7 @@ TEST_CASE("a field of another texel format is refused by every renderer, and no 
 namespace
 {
 
-// The same with texels that are misses: where rays go up, seen from below that is a third of the picture.
+// Some texels are misses: those of rays that go up. Seen from below that is a third of the picture.
 template <class Texel>
 Bytes field_with_a_hole()
 {
@@ -338,35 +338,6 @@ TEST_CASE("lattices of every size are drawn, the small and the huge ones are ref
     huge.origins = Lattice(kMaxSpanLattice + 1);
     huge.directions = Lattice(64);
     CHECK(!fits_spans(huge));
-}
-
-TEST_CASE("rows drawn as stripes of any height give the same frame", "[span]")
-{
-    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb565);
-    const Field field = opened(bytes);
-    const int32_t span_px = GENERATE(2, 8, 16);
-    for (const View& view : extreme_views(kSide)) {
-        Camera camera;
-        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        const int32_t width = view.image.width_px;
-        const int32_t image_height = view.image.height_px;
-        const auto frame = [&](int32_t height) {
-            const uint32_t stride = static_cast<uint32_t>(width) * 2;
-            std::vector<uint8_t> pixels(stride * static_cast<uint32_t>(image_height));
-            for (int32_t y = 0; y < image_height; y += height) {
-                const Stripe stripe = {&pixels[static_cast<size_t>(y) * stride], 0,     y, width,
-                                       std::min(height, image_height - y),       stride};
-                REQUIRE(render_spans<Linear, TexelRgb565, PixelRgb565>(field, camera, OverBlack{}, stripe, span_px) ==
-                        RenderError::none);
-            }
-            return pixels;
-        };
-        INFO(view.name << " " << span_px);
-        const auto whole = frame(image_height);
-        CHECK(whole == frame(16));
-        CHECK(whole == frame(5));
-        CHECK(whole == frame(1));
-    }
 }
 
 TEST_CASE("unaligned fields are refused", "[span]")

@@ -215,31 +215,6 @@ TEST_CASE("origins outside the cap are transparent", "[render]")
     }
 }
 
-TEST_CASE("a frame is the same however it is cut into stripes", "[render]")
-{
-    TestLayout layout;
-    layout.origins = 80;
-    layout.used_origins = 80;
-    layout.directions = 90;
-    const Scene scene(layout);
-    Camera camera;
-    REQUIRE(make_camera(look_at({1.5, 1.2, 0.8}, {0, 0, 0}), {31, 23, degrees(50)}, camera) == CameraError::none);
-    const auto draw = [&](std::vector<uint8_t>& frame, int32_t x, int32_t y, int32_t width, int32_t height) {
-        const Stripe stripe = {&frame[static_cast<size_t>((y * 31 + x) * 2)], x, y, width, height, 62};
-        REQUIRE(render<Linear, TexelRgb888, PixelRgb565>(scene.field, camera, OverColour{kBackground}, stripe) ==
-                RenderError::none);
-    };
-    std::vector<uint8_t> whole(31 * 23 * 2);
-    std::vector<uint8_t> pieces(31 * 23 * 2);
-    draw(whole, 0, 0, 31, 23);
-    for (const int32_t y : {20, 3, 0, 9}) {  // any order, odd heights
-        const int32_t next = y == 0 ? 3 : y == 3 ? 9 : y == 9 ? 20 : 23;
-        draw(pieces, 17, y, 14, next - y);
-        draw(pieces, 0, y, 17, next - y);
-    }
-    CHECK(whole == pieces);
-}
-
 TEST_CASE("over the stripe's own content only the object is drawn", "[render]")
 {
     TestLayout layout;
@@ -258,37 +233,6 @@ TEST_CASE("over the stripe's own content only the object is drawn", "[render]")
             RenderError::none);
     REQUIRE(render<Linear, TexelRgb888, PixelRgb888>(scene.field, camera, OverStripe{}, b) == RenderError::none);
     CHECK(over_colour == over_stripe);
-}
-
-TEST_CASE("pixels beside the stripe are never touched", "[render]")
-{
-    TestLayout layout;
-    const Scene scene(layout);
-    Camera camera;
-    REQUIRE(make_camera(look_at({1.2, 0, 0}, {0, 0, 0}), {16, 16, degrees(100)}, camera) == CameraError::none);
-    std::vector<uint8_t> guarded(20 * 20 * 2, 0xA5);
-    const Stripe stripe = {&guarded[(2 * 20 + 2) * 2], -3, 5, 16, 16, 40};
-    REQUIRE(render<Nearest, TexelRgb888, PixelRgb565Swapped>(scene.field, camera, OverColour{kBackground}, stripe) ==
-            RenderError::none);
-    for (size_t y = 0; y < 20; ++y) {
-        for (size_t x = 0; x < 20; ++x) {
-            const bool inside = x >= 2 && x < 18 && y >= 2 && y < 18;
-            const bool touched = guarded[(y * 20 + x) * 2] != 0xA5 || guarded[(y * 20 + x) * 2 + 1] != 0xA5;
-            REQUIRE(touched == inside);
-        }
-    }
-}
-
-TEST_CASE("a texel policy that does not fit the field is refused", "[render]")
-{
-    const Scene scene(TestLayout{});
-    Camera camera;
-    REQUIRE(make_camera(look_at({3, 0, 0}, {0, 0, 0}), {4, 4, degrees(40)}, camera) == CameraError::none);
-    uint8_t pixels[16] = {};
-    const Stripe stripe = {pixels, 0, 0, 4, 4, 4};
-    CHECK(render<Nearest, TexelLuma8, PixelGrey8>(scene.field, camera, OverColour{kBackground}, stripe) ==
-          RenderError::wrong_texel_format);
-    CHECK(pixels[0] == 0);
 }
 
 TEST_CASE("saturated colours blend without overflow", "[render]")

@@ -43,7 +43,7 @@ lumi_view* opened(uint8_t mode)
     return view;
 }
 
-// What lumi_open says of arguments that are right but for these.
+// The answer of lumi_open to arguments that are right but for these.
 lumi_error open_error(void* at, size_t bytes, const Bytes& field, size_t field_bytes, const lumi_screen& screen)
 {
     lumi_view* view = reinterpret_cast<lumi_view*>(memory);
@@ -53,26 +53,6 @@ lumi_error open_error(void* at, size_t bytes, const Bytes& field, size_t field_b
 }
 
 }  // namespace
-
-TEST_CASE("a frame drawn by the calls for C is that of the view")
-{
-    static View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two>, Screen<kWidth, kHeight, kRows>> view;
-    REQUIRE(view.open(ball().data(), ball().size()) == ViewError::none);
-    for (const uint8_t mode : {uint8_t{LUMI_ONE_SAMPLE}, uint8_t{LUMI_ANTIALIASED}, uint8_t{LUMI_TWO_BY_TWO}}) {
-        lumi_view* const c = opened(mode);
-        REQUIRE(lumi_look(c, kOrbit) == 0);
-        REQUIRE(view.look({degrees(30), degrees(-20), radii(5) / 2}, static_cast<SurfaceMode>(mode)) ==
-                ViewError::none);
-        Bytes by_c(kStride * kHeight, 0xA5), by_view(kStride * kHeight, 0x5A);
-        for (int32_t y = 0; y < kHeight; y += kRows) {
-            const int32_t rows = kHeight - y < kRows ? kHeight - y : kRows;
-            const uint32_t at = static_cast<uint32_t>(y) * kStride;
-            CHECK(lumi_draw(c, {by_c.data() + at, 0, y, kWidth, rows, kStride}) == 0);
-            CHECK(view.draw({by_view.data() + at, 0, y, kWidth, rows, kStride}) == ViewError::none);
-        }
-        CHECK((by_c == by_view));
-    }
-}
 
 TEST_CASE("memory of the size that is told is enough, and a byte less is an error")
 {
