@@ -5,9 +5,9 @@
 # AddressSanitizer and UndefinedBehaviorSanitizer or, where it needs speed, without; and on emulated Cortex-M boards.
 # Checks by clang-tidy the sources that changed most in the last commits. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test in both trees, the laboratory, every policy, frame and unit test
-# on every board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing includes),
-# cppcheck, the branches that core's tests take, a minute of fuzzing a target, the commands of the examples' pages, and
-# the page of `lumi view` in Chromium. There a missing tool is an error.
+# on every board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing
+# includes), cppcheck, the branches that core's tests take, a minute of fuzzing a target, the commands of the examples'
+# pages, and the page of `lumi view` in Chromium. There a missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
