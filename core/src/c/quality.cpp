@@ -31,8 +31,9 @@ bool find_mode(uint8_t number, SurfaceMode& out)
 #ifdef LUMI_C_TEXEL
 bool find_mode(uint8_t span_px, QualityStep& out)
 {
-    for (const QualityStep step :
-         {QualityStep::spans16, QualityStep::spans8, QualityStep::spans4, QualityStep::spans2}) {
+    constexpr QualityStep kSteps[] = {QualityStep::spans16, QualityStep::spans8, QualityStep::spans4,
+                                      QualityStep::spans2};
+    for (const QualityStep step : kSteps) {
         out = step;
         if (span_px_of(step) == span_px) return true;
     }
