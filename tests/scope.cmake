@@ -33,7 +33,7 @@ set(LUMI_POLICIES_cortex-m55 each)
 
 # Files and folders of tests that need speed and are not built under sanitizers. Sweeps of formulas and statistics index no
 # memory that other tests do not. Plans, reports, benches and command lines are made of code that bakes and draws nothing
-# itself. OpenVDB reads its own files.
+# itself. OpenVDB, which reads its own files and makes iso-surfaces, is not built there.
 set(LUMI_PLAIN_FILES
   core/lattice/
   core/chord/exact_test.cpp
@@ -59,6 +59,7 @@ set(LUMI_PLAIN_FILES
   baker/mesh/patch_mesh_test.cpp
   baker/volume/flight_test.cpp
   baker/volume/opacity_surface_test.cpp
+  baker/volume/iso_surface_test.cpp
   baker/volume/vdb_file_test.cpp
   baker/surface/surface_bake_test.cpp
   baker/chord/field_rays_test.cpp
