@@ -47,16 +47,11 @@ set(LUMI_CORE_SOURCES
   src/surface/projection.cpp
   src/surface/armv6m/rows.S
   src/surface/armv7m/rows.S
-  src/surface/rows/rows_565.cpp
-  src/surface/rows/rows_565_swapped.cpp
-  src/surface/rows/rows_packed.cpp
+  src/surface/rows/rows.cpp
   src/surface/see_through/coverage.cpp
   src/surface/see_through/field.cpp
   src/surface/see_through/outlines.cpp
   src/surface/see_through/pieces.cpp
-  src/surface/see_through/rows_565.cpp
-  src/surface/see_through/rows_565_swapped.cpp
-  src/surface/see_through/rows_packed.cpp
   src/surface/silhouette.cpp
   src/surface/split.cpp
   src/surface/target.cpp

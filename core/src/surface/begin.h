@@ -22,10 +22,12 @@ LUMI_ALWAYS_INLINE bool begin_whole(TrianglePiece& piece, const SurfaceFrame& fr
         b = c;
         c = first;
     }
-    Box box;
-    if (!set_box(box, *a, *b, *c, target) || is_hidden(*a, *b, *c, box, target)) return false;
+    const Seen s = {a, b, c};
+    TriangleSize size;
+    Extent columns;
+    if (!set_size(size, columns, s, target) || is_hidden(s, size, columns, target)) return false;
     const Places p = places_of(patch, is_first);
-    return begin_triangle(piece, {{a, p.u_q8, p.v_q8}, {b, p.across_q8, p.v_q8}, {c, p.u_q8, p.down_q8}}, box,
+    return begin_triangle(piece, {{a, p.u_q8, p.v_q8}, {b, p.across_q8, p.v_q8}, {c, p.u_q8, p.down_q8}}, size,
                           texture_of(patch, frame.field), target);
 }
 
@@ -34,9 +36,10 @@ inline bool begin_part(TrianglePiece& piece, const SurfaceFrame& frame, Parts& p
 {
     Corner corner[3];
     while (next_part(parts, frame, target, corner)) {
-        Box box;
-        if (set_box(box, *corner[0].at, *corner[1].at, *corner[2].at, target) &&
-            begin_triangle(piece, corner, box, parts.texture, target))
+        TriangleSize size;
+        Extent columns;
+        if (set_size(size, columns, {corner[0].at, corner[1].at, corner[2].at}, target) &&
+            begin_triangle(piece, corner, size, parts.texture, target))
             return true;
     }
     return false;

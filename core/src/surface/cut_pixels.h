@@ -53,15 +53,15 @@ LUMI_ALWAYS_INLINE void mark_pixel(uint16_t& depth, uint32_t& bits, uint32_t bit
 // share of the other.
 template <bool kIsSeeThrough>
 LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, const SampleLines& lines,
-                                      const SampleRows& rows)
+                                      const Target& target)
 {
     const bool is_row = lines.stride == sizeof(uint16_t);
     const PixelSide to_upper = is_row ? PixelSide::right : PixelSide::below;
     const PixelSide to_lower = is_row ? PixelSide::left : PixelSide::above;
     const int32_t to_inner = inside_is_upper ? lines.stride : 0, to_outer = lines.stride - to_inner;
     constexpr uint32_t kFarLevel = kFarDepth >> kMarkBits;
-    const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1, words = rows.marks_words();
-    uint8_t* line_at = rows.first + c.first * lines.pitch;
+    const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1, words = target.marks_words();
+    uint8_t* line_at = target.first + c.first * lines.pitch;
     int32_t at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;
     const auto depth_at = [](uint8_t* p) -> uint16_t& { return *reinterpret_cast<uint16_t*>(p); };
     for (int32_t line = c.first; line < c.end; ++line) {
@@ -79,7 +79,7 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
                 if (share != 0) {
                     const uint32_t cut = lower + (cuts_lower ? 0 : 1), other = static_cast<uint32_t>(line);
                     const uint32_t x = is_row ? cut : other, y = is_row ? other : cut;
-                    mark_pixel(depth_at(at + (cuts_lower ? 0 : lines.stride)), rows.marks[y * words + x / 32],
+                    mark_pixel(depth_at(at + (cuts_lower ? 0 : lines.stride)), target.marks[y * words + x / 32],
                                1u << (x & 31), mark_bits(share, cuts_lower ? to_upper : to_lower));
                 }
             }
@@ -94,18 +94,17 @@ template <bool kIsSeeThrough>
 LUMI_ALWAYS_INLINE void mark_cut_pixels(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target)
 {
     constexpr int32_t kBetween = sizeof(uint16_t);
-    const SampleRows& rows = target.rows;
-    const int32_t left_q6 = target.x * 64, top_q6 = target.y * 64, row_bytes = static_cast<int32_t>(rows.row_bytes);
+    const int32_t left_q6 = target.x * 64, top_q6 = target.y * 64, row_bytes = static_cast<int32_t>(target.row_bytes);
     const int32_t dx = x_q6(to) - x_q6(from), dy = y_q6(to) - y_q6(from);
     const bool is_steep = magnitude(dy) >= magnitude(dx), is_forward = is_steep ? dy > 0 : dx > 0;
     const SurfaceVertex &low = is_forward ? from : to, &high = is_forward ? to : from;
     Ends e = {x_q6(low) - left_q6, x_q6(high) - left_q6, y_q6(low) - top_q6, y_q6(high) - top_q6, 0, 0};
-    SampleLines lines = {rows.height, kBetween, row_bytes};
-    int32_t count = rows.width;
+    SampleLines lines = {target.height, kBetween, row_bytes};
+    int32_t count = target.width;
     if (is_steep) {
         e = {e.low_place_q6, e.high_place_q6, e.low_line_q6, e.high_line_q6, 0, 0};
-        lines = {rows.width, row_bytes, kBetween};
-        count = rows.height;
+        lines = {target.width, row_bytes, kBetween};
+        count = target.height;
     }
     Crossing c;
     const int32_t begin = line_from(e.low_line_q6), end = line_from(e.high_line_q6), across_q6 = 64 * lines.count;
@@ -118,7 +117,7 @@ LUMI_ALWAYS_INLINE void mark_cut_pixels(const SurfaceVertex& from, const Surface
     e.high_depth = static_cast<int32_t>(depth_of(high));
     set_steps(c, e);
     // Counter-clockwise on the screen, with y down: what goes down has its inside to the right, what goes right above.
-    mark_crossing<kIsSeeThrough>(c, is_forward == is_steep, lines, rows);
+    mark_crossing<kIsSeeThrough>(c, is_forward == is_steep, lines, target);
 }
 
 }  // namespace lumi::detail

@@ -64,19 +64,19 @@ LUMI_ALWAYS_INLINE void set_edge(Rows& rows, uint32_t edge, const EdgeWalk& w)
     rows.edge_step_q16[edge] = w.step_q16;
 }
 
-// The rows of a box, of which the first may lie below the bend.
-LUMI_ALWAYS_INLINE void set_edges(Rows& rows, const Outline& o, const Box& box, const Target& target)
+// Sets the edges of a triangle's rows, of which the first may lie below the bend.
+LUMI_ALWAYS_INLINE void set_edges(Rows& rows, const Outline& o, const TriangleSize& size, const Target& target)
 {
-    const int32_t row = box.first_row, bend = line_from(y_q6(*o.bend));
+    const int32_t row = size.first_row, bend = line_from(y_q6(*o.bend));
     set_edge(rows, o.short_edge ^ 1, edge_walk(*o.top, *o.bottom, row, target));
-    rows.count = box.end_row - row;
+    rows.count = size.end_row - row;
     rows.count_below = 0;
     if (row < bend) {
         end_part();
         set_edge(rows, o.short_edge, edge_walk(*o.top, *o.bend, row, target));
-        if (bend >= box.end_row) return;
+        if (bend >= size.end_row) return;
         rows.count = bend - row;
-        rows.count_below = box.end_row - bend;
+        rows.count_below = size.end_row - bend;
     }
     end_part();
     const EdgeWalk below = edge_walk(*o.bend, *o.bottom, row < bend ? bend : row, target);
@@ -108,16 +108,16 @@ LUMI_ALWAYS_INLINE void set_planes(Rows& rows, const PlaneMaker& maker)
 }
 
 // Whether the rounding of a triangle's steps of colour adds up to a few levels from one side to the other.
-LUMI_ALWAYS_INLINE bool loses_colour(WideTriangle& wide, const PlaneMaker& maker, const Box& box)
+LUMI_ALWAYS_INLINE bool loses_colour(WideTriangle& wide, const PlaneMaker& maker, const TriangleSize& size)
 {
     const PlaneMaker::Lost lost = maker.set_lost(wide);
-    wide.is_lost_in_rows = lost.right * box.wide_q6 > kMostLostQ24;
-    return wide.is_lost_in_rows || lost.down * box.high_q6 > kMostLostQ24;
+    wide.is_lost_in_rows = lost.right * size.wide_q6 > kMostLostQ24;
+    return wide.is_lost_in_rows || lost.down * size.high_q6 > kMostLostQ24;
 }
 
 LUMI_ALWAYS_INLINE void set_memory(Rows& rows, const Texture& texture, const Target& target, int32_t row)
 {
-    rows.row = target.rows.row(row - target.y);
+    rows.row = target.row(row - target.y);
     rows.texels = texture.texels;
     rows.columns = texture.columns;
     rows.texel_rows = texture.rows;
@@ -125,29 +125,29 @@ LUMI_ALWAYS_INLINE void set_memory(Rows& rows, const Texture& texture, const Tar
 
 }  // namespace
 
-LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const Box& box, const Texture& texture,
-                             const Target& target)
+LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const TriangleSize& size,
+                             const Texture& texture, const Target& target)
 {
     const SurfaceVertex &p = *corner[0].at, &q = *corner[1].at, &r = *corner[2].at;
     Facing f = {&corner[0], &corner[1], &corner[2], between(p, q), between(p, r)};
     const int32_t area = doubled_area(f.ab, f.ac);
     if (area >= 0) return false;
     const Outline o = outline_of(f.a->at, f.b->at, f.c->at);
-    const Shares shares = shares_of(f, static_cast<uint32_t>(-area), box.longer_q6);
+    const Shares shares = shares_of(f, static_cast<uint32_t>(-area), size.longer_q6);
     end_part();
     Rows& rows = piece.rows;
-    const PlaneMaker maker(f, shares, target.x, box.first_row);
+    const PlaneMaker maker(f, shares, target.x, size.first_row);
     set_planes(rows, maker);
-    const bool is_wide = may_lose_colour(box.longer_q6, p, q, r) && loses_colour(piece.wide, maker, box);
+    const bool is_wide = may_lose_colour(size.longer_q6, p, q, r) && loses_colour(piece.wide, maker, size);
     end_part();
-    set_memory(rows, texture, target, box.first_row);
+    set_memory(rows, texture, target, size.first_row);
     piece.is_magnified =
         target.magnified_q10 >= 0 && is_magnified(rows.place_right, rows.place_down, target.magnified_q10);
     if (target.has_two_taps && !piece.is_magnified) rows.place -= kQuarter;
-    piece.is_cut = box.is_cut;
+    piece.is_cut = size.is_cut;
     end_part();
-    set_edges(rows, o, box, target);
-    if (is_wide) begin_wide(piece, rows.edge_step_q16[o.short_edge ^ 1], box.first_row);
+    set_edges(rows, o, size, target);
+    if (is_wide) begin_wide(piece, rows.edge_step_q16[o.short_edge ^ 1], size.first_row);
     return true;
 }
 

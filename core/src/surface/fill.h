@@ -42,12 +42,12 @@ LUMI_ALWAYS_INLINE Places places_of(const SurfacePatch& patch, bool is_first)
     return {right, bottom, kInsetQ8, kInsetQ8};
 }
 
-struct Box;
+struct TriangleSize;
 
 // Begins a triangle at most kSmallQ6 wide and high whose corners are there and lie counter-clockwise on the screen;
-// false: it lies another way. `box` is the one around it, not empty.
-LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const Box& box, const Texture& texture,
-                             const Target& target);
+// false: it lies another way. `size` is its size, and it has rows in the target.
+LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const TriangleSize& size,
+                             const Texture& texture, const Target& target);
 
 // What colour may lose from one side of a triangle to the other, levels: nothing in the middle, and half of it at
 // either end. In triangles of less than kWideQ6 samples it never loses more, for blue, which loses most, loses at most

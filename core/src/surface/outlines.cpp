@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/surface/detail/target.h"
+#include "lumi/surface/detail/resolve.h"
 #include "surface/box.h"
 #include "surface/lists.h"
 #include "surface/sides.h"
@@ -15,7 +15,7 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Tar
     const SurfacePatch patch = surface_patch(frame.field, k >> 1);
     const SurfaceVertex* v = frame.memory.vertices;
     const uint32_t odd = k & 1;
-    if (!reaches(v[patch.corner[3 * odd]], v[patch.corner[1]], v[patch.corner[2]], target)) return;
+    if (!reaches({&v[patch.corner[3 * odd]], &v[patch.corner[1]], &v[patch.corner[2]]}, target)) return;
     for (uint32_t m = 0; sides != 0; ++m, sides >>= 1) {
         if ((sides & 1) == 0) continue;
         const Side side = side_of(patch, k, m);

@@ -112,8 +112,8 @@ private:
     __attribute__((noinline)) bool is_beside(const ViewPoint (&v)[3]) const
     {
         const SurfaceProjection& p = frame_.projection;
-        const int32_t left = target_.x, right = target_.x + target_.rows.width;
-        const int32_t top = target_.y, bottom = target_.y + target_.rows.height;
+        const int32_t left = target_.x, right = target_.x + target_.width;
+        const int32_t top = target_.y, bottom = target_.y + target_.height;
         return is_beyond(v, &ViewPoint::x, p.centre_x_q6 - 64 * left, -1) ||
                is_beyond(v, &ViewPoint::x, p.centre_x_q6 - 64 * right, 1) ||
                is_beyond(v, &ViewPoint::y, p.centre_y_q6 - 64 * top, -1) ||

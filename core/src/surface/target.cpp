@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/surface/detail/target.h"
+#include "lumi/surface/detail/resolve.h"
 
 namespace lumi::detail
 {
@@ -24,62 +24,69 @@ LUMI_ALWAYS_INLINE uint32_t* fill_words(uint32_t* at, uint32_t count, uint32_t v
     return at;
 }
 
-uint32_t* first_word(const SampleRows& rows)
+uint32_t* first_word(const Target& target)
 {
-    return reinterpret_cast<uint32_t*>(reinterpret_cast<uintptr_t>(rows.first) & ~uintptr_t{3});
+    return reinterpret_cast<uint32_t*>(reinterpret_cast<uintptr_t>(target.first) & ~uintptr_t{3});
 }
 
-void clear_marks(const SampleRows& rows)
+void clear_marks(const Target& target)
 {
-    if (rows.marks != nullptr) fill_words(rows.marks, rows.marks_words() * static_cast<uint32_t>(rows.height), 0);
+    if (target.marks != nullptr)
+        fill_words(target.marks, target.marks_words() * static_cast<uint32_t>(target.height), 0);
 }
 
 }  // namespace
 
-DrawnPart drawn_part(const SurfaceFrame& frame, const Stripe& stripe)
+Stripe covered_part(const SurfaceFrame& frame, const Stripe& stripe, uint32_t pixel_bytes)
 {
-    DrawnPart part = {within(stripe.x_px, frame.columns),
-                      within(stripe.right_px(), frame.columns),
-                      within(stripe.y_px, frame.scanlines),
-                      within(stripe.bottom_px(), frame.scanlines),
-                      {},
-                      false};
-    const int32_t x = within(part.left_px - frame.margin, frame.columns);
-    const int32_t y = within(part.top_px - frame.margin, frame.scanlines);
-    part.rect = {x, y, within(part.right_px + frame.margin, frame.columns) - x,
-                 within(part.bottom_px + frame.margin, frame.scanlines) - y};
-    part.is_odd = ((x ^ stripe.x_px) & 1) != 0;
-    return part;
+    const int32_t left = within(stripe.x_px, frame.columns), right = within(stripe.right_px(), frame.columns);
+    const int32_t top = within(stripe.y_px, frame.scanlines), bottom = within(stripe.bottom_px(), frame.scanlines);
+    if (left >= right || top >= bottom) return {stripe.pixels, left, top, 0, 0, stripe.stride_bytes};
+    uint8_t* const first = stripe.pixels + static_cast<size_t>(top - stripe.y_px) * stripe.stride_bytes +
+                           static_cast<uint32_t>(left - stripe.x_px) * pixel_bytes;
+    return {first, left, top, right - left, bottom - top, stripe.stride_bytes};
 }
 
-SampleRows samples_of(const SurfaceFrame& frame, const DrawnPart& part, bool are_pixels, void* memory)
+Target target_of(const SurfaceFrame& frame, const Stripe& covered, int32_t left_px, bool are_pixels, void* memory)
 {
-    const int32_t width = part.rect.width_px << frame.samples_log2, height = part.rect.height_px << frame.samples_log2;
-    const uint32_t row_bytes = sample_row_bytes(static_cast<uint32_t>(width), are_pixels ? 2 : 4);
+    constexpr int32_t kMagnifiedPx = 3;  // texels larger than so many pixels are read bilinearly in modes that do so
+    const uint32_t log2 = frame.samples_log2;
+    const int32_t x_px = within(covered.x_px - frame.margin, frame.columns);
+    const int32_t y_px = within(covered.y_px - frame.margin, frame.scanlines);
+    const int32_t right_px = within(covered.x_px + covered.width_px + frame.margin, frame.columns);
+    const int32_t bottom_px = within(covered.y_px + covered.height_px + frame.margin, frame.scanlines);
+    Target t;
+    t.width = (right_px - x_px) << log2;
+    t.height = (bottom_px - y_px) << log2;
+    t.x = x_px << log2;
+    t.y = y_px << log2;
+    t.row_bytes = sample_row_bytes(static_cast<uint32_t>(t.width), are_pixels ? 2 : 4);
+    t.colours_at = are_pixels ? t.row_bytes / 2 : t.row_bytes / 3;
     uint8_t* const bytes = static_cast<uint8_t*>(memory);
-    uint8_t* const end = bytes + row_bytes * static_cast<uint32_t>(height);
-    return {are_pixels && part.is_odd ? bytes + sizeof(uint16_t) : bytes,
-            row_bytes,
-            are_pixels ? row_bytes / 2 : row_bytes / 3,
-            width,
-            height,
-            frame.margin != 0 ? reinterpret_cast<uint32_t*>(end) : nullptr};
+    const bool is_odd = ((x_px ^ left_px) & 1) != 0;
+    t.first = are_pixels && is_odd ? bytes + sizeof(uint16_t) : bytes;
+    uint8_t* const end = bytes + t.row_bytes * static_cast<uint32_t>(t.height);
+    t.marks = frame.margin != 0 ? reinterpret_cast<uint32_t*>(end) : nullptr;
+    t.palette = frame.palette;
+    t.has_two_taps = frame.mode == SurfaceMode::antialiased;
+    t.magnified_q10 = frame.mode == SurfaceMode::one_sample ? -1 : (1024 / kMagnifiedPx) >> log2;
+    return t;
 }
 
-LUMI_HOT void clear_depths(const SampleRows& rows)
+LUMI_HOT void clear_depths(const Target& target)
 {
-    uint32_t* at = first_word(rows);
-    for (int32_t y = 0; y < rows.height; ++y, at += rows.row_bytes / sizeof *at)
-        fill_words(at, rows.colours_at / sizeof *at, 0);
-    clear_marks(rows);
+    uint32_t* at = first_word(target);
+    for (int32_t y = 0; y < target.height; ++y, at += target.row_bytes / sizeof *at)
+        fill_words(at, target.colours_at / sizeof *at, 0);
+    clear_marks(target);
 }
 
-LUMI_HOT void clear_pixels(const SampleRows& rows, uint16_t pixel)
+LUMI_HOT void clear_pixels(const Target& target, uint16_t pixel)
 {
-    const uint32_t words = rows.colours_at / sizeof(uint32_t), two = pixel | static_cast<uint32_t>(pixel) << 16;
-    uint32_t* at = first_word(rows);
-    for (int32_t y = 0; y < rows.height; ++y) at = fill_words(fill_words(at, words, 0), words, two);
-    clear_marks(rows);
+    const uint32_t words = target.colours_at / sizeof(uint32_t), two = pixel | static_cast<uint32_t>(pixel) << 16;
+    uint32_t* at = first_word(target);
+    for (int32_t y = 0; y < target.height; ++y) at = fill_words(fill_words(at, words, 0), words, two);
+    clear_marks(target);
 }
 
 LUMI_HOT void copy_pixels(uint8_t* to_bytes, const uint8_t* from_bytes, uint32_t count)

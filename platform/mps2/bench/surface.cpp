@@ -14,9 +14,21 @@ namespace
 using Pixel = LUMI_BENCH_PIXEL;
 constexpr SurfaceMode kFinest = SurfaceMode::LUMI_BENCH_FINEST;
 
-using OneSample = detail::OneSampleOf<Pixel>::Type;
 
 constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
+
+// Draws the opaque triangles and their outlines.
+template <class Samples>
+void fill(const SurfaceFrame& filled, const detail::Target& target)
+{
+    using detail::TrianglePieces;
+    if (Samples::kSide == 2 || filled.mode == SurfaceMode::one_sample)
+        return detail::draw_triangles<TrianglePieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(filled, target);
+    if constexpr (kFinest != SurfaceMode::one_sample) {
+        detail::draw_triangles<TrianglePieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(filled, target);
+        if (filled.margin != 0) detail::mark_outlines(filled, target);
+    }
+}
 
 SurfaceParts::Frame frame;
 SurfaceParts parts;
@@ -64,20 +76,18 @@ void fill_alone(int32_t width_px, bool with_outlines)
     const bool are_pixels = filled.samples_are_pixels;
     for (int32_t y = 0; y < kSidePx; y += kSurfaceStripeHeight) {
         const Stripe stripe = {nullptr, 0, y, kSidePx, kSurfaceStripeHeight, kStrideBytes};
-        detail::DrawnPart part = detail::drawn_part(filled, stripe);
-        if (part.is_empty()) continue;
-        if (width_px == 0) part.rect.width_px = 0;
-        const detail::SampleRows rows = detail::samples_of(filled, part, are_pixels, samples);
+        Stripe covered = detail::covered_part(filled, stripe, 0);
+        if (covered.width_px == 0) continue;
+        if (width_px == 0) covered.width_px = 0;
+        const detail::Target target = detail::target_of(filled, covered, 0, are_pixels, samples);
         if (are_pixels)
-            detail::clear_pixels(rows, 0);
+            detail::clear_pixels(target, 0);
         else
-            detail::clear_depths(rows);
-        const detail::Target target = detail::target_of(filled, part, rows);
-        const detail::StripeSamples of_stripe = {filled, rows, part, stripe};
+            detail::clear_depths(target);
         if (filled.mode == SurfaceMode::two_by_two)
-            detail::FourSamples<Pixel>{of_stripe}.template draw<kFinest>(target);
+            fill<detail::FourSamples<Pixel>>(filled, target);
         else
-            OneSample{of_stripe}.template draw<kFinest>(target);
+            fill<detail::OneSampleOf<Pixel>::Type>(filled, target);
     }
 }
 

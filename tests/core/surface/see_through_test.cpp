@@ -304,17 +304,25 @@ TEST_CASE("an opaque edge behind glass marks no pixels that show glass alone")
     for (const bool has_inside : {false, true}) {
         std::vector<uint32_t> memory(sample_bytes(kWidth, kHeight, 2, true) / 4);
         const uint32_t row_bytes = sample_row_bytes(kWidth, 2);
-        const SampleRows rows = {
-            reinterpret_cast<uint8_t*>(memory.data()), row_bytes, 2 * even(kWidth + 1), kWidth, kHeight,
-            memory.data() + kHeight * row_bytes / 4};
+        const Target target = {reinterpret_cast<uint8_t*>(memory.data()),
+                               row_bytes,
+                               2 * even(kWidth + 1),
+                               kWidth,
+                               kHeight,
+                               memory.data() + kHeight * row_bytes / 4,
+                               0,
+                               0,
+                               nullptr,
+                               true,
+                               -1};
         for (int32_t y = 0; y < kHeight; ++y)
             for (int32_t x = 0; x < kWidth; ++x)
-                rows.depths(y)[x] = static_cast<uint16_t>(x < 2 ? kShownDepth : has_inside ? 40000 : kFarDepth - 1);
+                target.depths(y)[x] = static_cast<uint16_t>(x < 2 ? kShownDepth : has_inside ? 40000 : kFarDepth - 1);
         // Downwards at x = 2.2, so its inside is to the right.
         const auto vertex = [](int32_t x_q6, int32_t y_q6) { return packed({x_q6, y_q6, 30000}, 0); };
-        mark_edge(vertex(141, 0), vertex(141, 256), {rows, 0, 0, nullptr, true, -1});
-        CHECK(is_marked(rows, 1, 1) == false);
-        CHECK(is_marked(rows, 2, 1) == has_inside);
+        mark_edge(vertex(141, 0), vertex(141, 256), target);
+        CHECK(is_marked(target, 1, 1) == false);
+        CHECK(is_marked(target, 2, 1) == has_inside);
     }
 }
 

@@ -73,12 +73,13 @@ Picture draw_as(const SeeThroughField& field, const Eye& eye, const SurfaceDrawS
 Plane<uint16_t> depths_of(const SurfaceFrame& frame, const Stripe& stripe, void* samples)
 {
     Plane<uint16_t> depths(stripe.width_px, stripe.height_px);
-    const detail::DrawnPart part = detail::drawn_part(frame, stripe);
-    if (part.is_empty()) return depths;
-    const detail::SampleRows rows = detail::samples_of(frame, part, frame.samples_are_pixels, samples);
-    for (int32_t y = 0; y < rows.height; ++y)
-        std::copy_n(rows.depths(y), rows.width,
-                    depths.values.begin() + (part.rect.y_px + y) * stripe.width_px + part.rect.x_px);
+    const Stripe covered = detail::covered_part(frame, stripe, PixelRgb888::kBytes);
+    if (covered.width_px == 0) return depths;
+    const detail::Target target =
+        detail::target_of(frame, covered, stripe.x_px, frame.samples_are_pixels, samples);
+    for (int32_t y = 0; y < target.height; ++y)
+        std::copy_n(target.depths(y), target.width,
+                    depths.values.begin() + (target.y + y) * stripe.width_px + target.x);
     return depths;
 }
 

@@ -15,14 +15,15 @@ namespace lumi::planner
 // How many samples core looks at to know whether a triangle is hidden (src/surface/box.h); 0: its box has none.
 inline uint32_t looked_at(const detail::Seen& s, const detail::Target& target)
 {
-    detail::Box box;
-    if (!detail::set_box(box, *s.a, *s.b, *s.c, target)) return 0;
-    const int32_t most = detail::nearest_depth(*s.a, *s.b, *s.c);
+    detail::TriangleSize size;
+    detail::Extent columns;
+    if (!detail::set_size(size, columns, s, target)) return 0;
+    const int32_t most = detail::nearest_depth(s);
     uint32_t count = 0;
-    for (int32_t y = box.first_row; y < box.end_row; ++y)
-        for (int32_t x = box.first_column; x < box.end_column; ++x) {
+    for (int32_t y = size.first_row; y < size.end_row; ++y)
+        for (int32_t x = columns.begin; x < columns.end; ++x) {
             ++count;
-            if (target.rows.depths(y - target.y)[x] < most) return count;
+            if (target.depths(y - target.y)[x] < most) return count;
         }
     return count;
 }
@@ -30,8 +31,10 @@ inline uint32_t looked_at(const detail::Seen& s, const detail::Target& target)
 // Whether core looks at what a triangle's colour loses (src/surface/fill.cpp).
 inline bool is_looked_at_for_colour(const detail::Seen& s, const detail::Target& target)
 {
-    detail::Box box;
-    return detail::set_box(box, *s.a, *s.b, *s.c, target) && detail::may_lose_colour(box.longer_q6, *s.a, *s.b, *s.c);
+    detail::TriangleSize size;
+    detail::Extent columns;
+    return detail::set_size(size, columns, s, target) &&
+           detail::may_lose_colour(size.longer_q6, *s.a, *s.b, *s.c);
 }
 
 // Begins a triangle as a whole; false if none of it shows.
@@ -71,9 +74,10 @@ public:
         while (detail::next_part(parts_, frame_, target_, corner)) {
             ++ready_;
             left_ -= share_of(corner);
-            detail::Box box;
-            if (detail::set_box(box, *corner[0].at, *corner[1].at, *corner[2].at, target_) &&
-                detail::begin_triangle(piece, corner, box, parts_.texture, target_)) {
+            detail::TriangleSize size;
+            detail::Extent columns;
+            if (detail::set_size(size, columns, {corner[0].at, corner[1].at, corner[2].at}, target_) &&
+                detail::begin_triangle(piece, corner, size, parts_.texture, target_)) {
                 add(SurfaceItem::parts);
                 return true;
             }
@@ -175,6 +179,7 @@ public:
     CountedSeeThrough(const SeeThroughFrame& frame, const detail::Target& target)
         : piece(target), frame_(frame), target_(target), parts_(frame, target)
     {
+        piece.rows.palette = frame.added_and_passed;
     }
 
     bool next()

@@ -5,7 +5,6 @@
 #include "lumi/surface/see_through.h"
 #include "planner/surface_work.h"
 #include "surface/rows/row_loops.h"
-#include "surface/see_through/rows.h"
 
 namespace lumi::planner
 {
@@ -65,22 +64,26 @@ struct Pixels {
     using Blended = detail::Blended565<PixelRgb565, false>;
 };
 struct Packed {
-    using Drawn = detail::BlendedPacked;
+    using Drawn = detail::PackedSample;
     using Blended = detail::BlendedPacked;
 };
 
-// Counts a row's samples, and then draws them.
-template <class Samples, const LoopItems& kItems, detail::Filter kFilter, bool kIsSeeThrough>
-void count_samples(uint16_t* first, const uint16_t* end, typename Samples::Drawn::Colour* colours, uint32_t first_depth,
-                   uint32_t first_place, detail::PackedColour first_colour, const detail::Rows& rows)
+// Counts the samples of a row, as core's draw_rows goes through them.
+template <const LoopItems& kItems, detail::Filter kFilter, bool kIsSeeThrough>
+void count_samples(const detail::Rows& rows)
 {
-    uint32_t depth = first_depth, place = first_place, colour = first_colour;
+    const int32_t first = rows.edge_q16[0] >> 16, last = rows.edge_q16[1] >> 16;
+    if (first >= last) return;
+    const uint32_t column = static_cast<uint32_t>(first);
+    const auto* const depths = reinterpret_cast<const uint16_t*>(rows.row);
+    uint32_t depth = rows.depth + column * rows.depth_right, place = rows.place + column * rows.place_right;
+    detail::PackedColour colour = rows.colour + column * rows.colour_right;
     uint32_t shown = 0, alone = 0, different = 0, at_rim = 0, clamped = 0;
-    for (const uint16_t* at = first; at != end; ++at) {
-        if (depth >> 16 > *at) {
+    for (int32_t x = first; x < last; ++x) {
+        if (depth >> 16 > depths[x]) {
             ++shown;
-            alone += *at < detail::kFarDepth;
-            clamped += ((colour + detail::filtered<kFilter>(place, rows)) & detail::kGuardBits) != 0;
+            alone += depths[x] < detail::kFarDepth;
+            clamped += ((colour + detail::texel<kFilter>(place, rows)) & detail::kGuardBits) != 0;
             if (kFilter == detail::Filter::bilinear) {
                 const FourTexelsKind kind(place, rows);
                 different += kind.differ;
@@ -92,27 +95,28 @@ void count_samples(uint16_t* first, const uint16_t* end, typename Samples::Drawn
         colour += rows.colour_right;
     }
     add(kItems.filled);
-    add(kItems.sample, static_cast<double>(end - first));
+    add(kItems.sample, last - first);
     add(kItems.shown, shown);
     add(kItems.clamped, clamped);
     add(kItems.rim, at_rim);
     add(kItems.blended, different);
-    if constexpr (kIsSeeThrough) {
-        add(SurfaceItem::see_alone, alone);
-        detail::blend_samples<typename Samples::Blended, kFilter>(first, end, colours, first_depth, first_place,
-                                                                  first_colour, rows);
-    } else {
-        detail::draw_samples<typename Samples::Drawn, kFilter>(first, end, colours, first_depth, first_place,
-                                                               first_colour, rows);
-    }
+    if (kIsSeeThrough) add(SurfaceItem::see_alone, alone);
 }
 
+// Counts what rows have, and then draws them.
 template <class Samples, const LoopItems& kItems, detail::Filter kFilter, bool kIsSeeThrough>
 void count_rows(detail::Rows& rows)
 {
     add(kItems.loop);
     add(kItems.row, rows.count + rows.count_below);
-    detail::draw_rows<typename Samples::Drawn, kFilter, count_samples<Samples, kItems, kFilter, kIsSeeThrough>>(rows);
+    detail::Rows counted_rows = rows;
+    do
+        count_samples<kItems, kFilter, kIsSeeThrough>(counted_rows);
+    while (detail::next_row(counted_rows));
+    if constexpr (kIsSeeThrough)
+        detail::draw_rows<typename Samples::Blended, kFilter>(rows);
+    else
+        detail::draw_rows<typename Samples::Drawn, kFilter>(rows);
 }
 
 }  // namespace lumi::planner

@@ -27,8 +27,8 @@ int32_t lines_of(const SurfaceVertex& a, const SurfaceVertex& b, const detail::T
     const auto across = [&](const SurfaceVertex& v) {
         return is_steep ? detail::x_q6(v) - 64 * target.x : detail::y_q6(v) - 64 * target.y;
     };
-    const int32_t count = is_steep ? target.rows.height : target.rows.width;
-    const int32_t wide = 64 * (is_steep ? target.rows.width : target.rows.height);
+    const int32_t count = is_steep ? target.height : target.width;
+    const int32_t wide = 64 * (is_steep ? target.width : target.height);
     const int32_t begin = detail::line_from(std::min(along(a), along(b))),
                   end = detail::line_from(std::max(along(a), along(b)));
     const int32_t first = std::max(begin, 0), last = std::min(end, count);
@@ -41,7 +41,7 @@ void count_sides(const SurfaceFrame& frame, uint32_t triangle, uint32_t sides, c
 {
     add(SurfaceItem::outline);
     const detail::Seen s = detail::seen(frame, triangle);
-    if (!detail::reaches(*s.a, *s.b, *s.c, target)) return;
+    if (!detail::reaches(s, target)) return;
     const detail::SurfacePatch patch = detail::surface_patch(frame.field, triangle >> 1);
     const SurfaceVertex* const v = frame.memory.vertices;
     for (uint32_t n = 0; n < 3; ++n) {
@@ -82,32 +82,28 @@ void count_see_through_outlines(const SeeThroughFrame& frame, const detail::Targ
 template <class Samples, Filter kPlainFilter, Filter kMagnifiedFilter>
 void count_triangles(const SeeThroughFrame& frame, const detail::Target& target)
 {
-    CountedPieces pieces(frame, target);
-    detail::draw_pieces<count_rows<Samples, kPlain, kPlainFilter, false>,
-                        count_rows<Samples, kMagnified, kMagnifiedFilter, false>>(pieces, target);
+    detail::draw_triangles<CountedPieces, count_rows<Samples, kPlain, kPlainFilter, false>,
+                           count_rows<Samples, kMagnified, kMagnifiedFilter, false>>(frame, target);
     if (frame.order_count == 0) return;
-    detail::Target over = target;
-    over.palette = frame.added_and_passed;
-    CountedSeeThrough see_through(frame, over);
-    detail::draw_pieces<count_rows<Samples, kSeePlain, kPlainFilter, true>,
-                        count_rows<Samples, kSeeMagnified, kMagnifiedFilter, true>>(see_through, over);
+    detail::draw_triangles<CountedSeeThrough, count_rows<Samples, kSeePlain, kPlainFilter, true>,
+                           count_rows<Samples, kSeeMagnified, kMagnifiedFilter, true>>(frame, target);
 }
 
 void count_marks(const detail::StripeSamples& s)
 {
-    add(SurfaceItem::marked_row, s.part.bottom_px - s.part.top_px);
-    for (int32_t y = s.part.top_px; y < s.part.bottom_px; ++y)
-        detail::each_marked(s.rows, s.row(y), s.begin(), s.end(), [](int32_t) { add(SurfaceItem::marked); });
+    add(SurfaceItem::marked_row, s.covered.height_px);
+    for (int32_t y = s.covered.y_px; y < s.covered.bottom_px(); ++y)
+        detail::each_marked(s.target, s.row(y), s.begin(), s.end(), [](int32_t) { add(SurfaceItem::marked); });
 }
 
-void count_fours(const detail::StripeSamples& s)
+// Samples without a margin, four a pixel.
+void count_fours(const detail::Target& target)
 {
-    for (int32_t y = s.part.top_px; y < s.part.bottom_px; ++y) {
-        const int32_t row = 2 * s.row(y);
-        const uint16_t *upper = s.rows.depths(row), *lower = s.rows.depths(row + 1);
-        const auto *above = s.rows.colours<detail::PackedColour>(row),
-                   *below = s.rows.colours<detail::PackedColour>(row + 1);
-        for (int32_t x = 2 * s.begin(); x < 2 * s.end(); x += 2) {
+    for (int32_t row = 0; row < target.height; row += 2) {
+        const uint16_t *upper = target.depths(row), *lower = target.depths(row + 1);
+        const auto *above = target.colours<detail::PackedColour>(row),
+                   *below = target.colours<detail::PackedColour>(row + 1);
+        for (int32_t x = 0; x < target.width; x += 2) {
             const int with = (upper[x] != 0) + (upper[x + 1] != 0) + (lower[x] != 0) + (lower[x + 1] != 0);
             if (with == 0) continue;
             add(with == 4 ? SurfaceItem::whole_px : SurfaceItem::mixed_px);
@@ -120,18 +116,18 @@ void count_fours(const detail::StripeSamples& s)
 void count_stripe(const SeeThroughFrame& frame, const Stripe& stripe, void* memory)
 {
     add(SurfaceItem::stripe);
-    const detail::DrawnPart part = detail::drawn_part(frame, stripe);
-    if (part.is_empty()) return;
-    add(SurfaceItem::part_px, part.rect.width_px * part.rect.height_px);
-    const detail::SampleRows rows = detail::samples_of(frame, part, frame.samples_are_pixels, memory);
-    const detail::StripeSamples samples = {frame, rows, part, stripe};
-    detail::clear_pixels(rows, 0);
-    if (frame.samples_log2 != 0) detail::clear_depths(rows);
+    const Stripe covered = detail::covered_part(frame, stripe, 0);
+    if (covered.width_px == 0) return;
+    const detail::Target target =
+        detail::target_of(frame, covered, stripe.x_px, frame.samples_are_pixels, memory);
+    const detail::StripeSamples samples = {frame, target, covered};
+    add(SurfaceItem::part_px, (target.width >> frame.samples_log2) * (target.height >> frame.samples_log2));
+    detail::clear_pixels(target, 0);
+    if (frame.samples_log2 != 0) detail::clear_depths(target);
     if (frame.samples_log2 != 0 && frame.order_count != 0) {
-        add(SurfaceItem::see_sample_px, rows.width * rows.height);
+        add(SurfaceItem::see_sample_px, target.width * target.height);
         detail::fill_colours<PixelRgb565>(samples, OverBlack());
     }
-    const detail::Target target = detail::target_of(frame, part, rows);
     if (frame.mode == SurfaceMode::antialiased)
         count_triangles<Pixels, Filter::two_taps, Filter::bilinear>(frame, target);
     else if (frame.mode == SurfaceMode::two_by_two)
@@ -145,7 +141,7 @@ void count_stripe(const SeeThroughFrame& frame, const Stripe& stripe, void* memo
         if (frame.order_count != 0) detail::mark_see_through_outlines(frame, target);
         count_marks(samples);
     }
-    if (frame.mode == SurfaceMode::two_by_two) count_fours(samples);
+    if (frame.mode == SurfaceMode::two_by_two) count_fours(target);
 }
 
 void count_preparing(const SeeThroughField& field, const SeeThroughFrame& frame)

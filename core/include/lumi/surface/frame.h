@@ -14,7 +14,7 @@
 
 #include "lumi/camera.h"
 #include "lumi/stripe.h"
-#include "lumi/surface/detail/samples.h"
+#include "lumi/surface/detail/target.h"
 #include "lumi/surface/field.h"
 
 namespace lumi::detail
@@ -127,7 +127,7 @@ struct SurfaceFrame {
     uint32_t samples_log2;              // a side of a pixel: 0 or 1
     int32_t margin;                     // samples around a stripe that it reads: 1 with outlines, else 0
     detail::Extent columns, scanlines;  // beside them all is background
-    bool samples_are_pixels;            // in modes of one sample: detail/samples.h
+    bool samples_are_pixels;            // in modes of one sample: detail/target.h
     bool is_whole;                      // no vertex is missing
     bool is_narrow;                     // areas of triangles fit 32 bits
     int32_t reach;                      // bands that a triangle of theirs reaches beyond its first, at most

@@ -11,8 +11,7 @@
 #pragma GCC system_header
 
 #include "lumi/background.h"
-#include "lumi/surface/detail/resolve.h"
-#include "lumi/surface/detail/target.h"
+#include "lumi/surface/detail/see_through.h"
 
 namespace lumi::detail
 {
@@ -78,27 +77,46 @@ constexpr uint32_t surface_stripe_bytes_up_to(int32_t width_px, int32_t height_p
 namespace lumi::detail
 {
 
-// Fills the samples of a stripe's drawn part and makes pixels of them.
-template <class Samples, SurfaceMode kFinest, class Background>
-void draw_part(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, const DrawnPart& part,
-               void* memory)
+// Whether a kind of frame may have see-through triangles.
+template <class Frame>
+inline constexpr bool kMayHaveGlass = false;
+template <>
+inline constexpr bool kMayHaveGlass<SeeThroughFrame> = true;
+
+// Whether this one has some.
+template <class Frame>
+LUMI_ALWAYS_INLINE bool has_glass(const Frame& frame)
 {
-    const SampleRows rows = samples_of(frame, part, Samples::kArePixels, memory);
-    const Samples samples = {{frame, rows, part, stripe}};
-    samples.clear(background);
-    const Target target = target_of(frame, part, rows);
-    samples.template draw<kFinest>(target);
-    for (int32_t y = part.top_px; y < part.bottom_px; ++y) samples.template resolve<kFinest>(background, y);
+    if constexpr (kMayHaveGlass<Frame>)
+        return frame.order_count != 0;
+    else
+        return false;
 }
 
 // Writes the background where nothing is drawn.
 template <class Pixel, class Background>
-void fill_around(const Background& background, const Stripe& stripe, const DrawnPart& part)
+void fill_around(const Background& background, const Stripe& stripe, const Stripe& covered)
 {
+    const int32_t left = covered.x_px, top = covered.y_px;
     for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
-        const bool has_drawn = !part.is_empty() && y >= part.top_px && y < part.bottom_px;
+        const bool is_covered = y >= top && y < top + covered.height_px;
         fill_beside<Pixel>(background, stripe,
-                           has_drawn ? Extent{part.left_px, part.right_px} : Extent{stripe.x_px, stripe.x_px}, y);
+                           is_covered ? Extent{left, left + covered.width_px} : Extent{stripe.x_px, stripe.x_px}, y);
+    }
+}
+
+// Marks outlines of opaque triangles, or of all. A mark would take most of what tells a sample's coverage, and a
+// stripe's content beside it is not known: over these, see-through triangles have none.
+template <class Background, class Frame>
+void mark_all_outlines(const Frame& frame, const Target& target)
+{
+    mark_outlines(frame, target);
+    if constexpr (kMayHaveGlass<Frame>) {
+        if (!has_glass(frame)) return;
+        if constexpr (!Background::kFills)
+            unmark_glass(target);
+        else if constexpr (!kKeepsCoverage<Background>)
+            mark_see_through_outlines(frame, target);
     }
 }
 
@@ -108,31 +126,63 @@ namespace lumi
 {
 
 // Draws every pixel of the stripe: over a constant colour all of them are written, over the stripe's own content only
-// those that the surface covers. `samples`: surface_stripe_bytes() of the stripe, at an address divisible by 4. The
-// frame was prepared for these pixels, in a mode up to kFinest: what finer modes take is not linked.
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Background>
-void render_surface(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, void* samples)
+// those that the surface covers. `memory`: surface_stripe_bytes() of the stripe for its samples, at an address divisible
+// by 4. The frame was prepared for these pixels, in a mode up to kFinest: what finer modes take is not linked, nor what
+// see-through triangles take unless it is a SeeThroughFrame.
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Frame, class Background>
+void render_surface(const Frame& frame, const Background& background, const Stripe& stripe, void* memory)
 {
-    const detail::DrawnPart part = detail::drawn_part(frame, stripe);
-    detail::fill_around<Pixel>(background, stripe, part);
-    if (part.is_empty()) return;
+    using namespace detail;
+    const Stripe covered = covered_part(frame, stripe, Pixel::kBytes);
+    fill_around<Pixel>(background, stripe, covered);
+    if (covered.width_px == 0) return;
+    const auto draw_as = [&](auto kind) {
+        using Samples = typename decltype(kind)::Type;
+        constexpr bool kHasTaps = kFinest != SurfaceMode::one_sample && Samples::kSide == 1;
+        const Target target = target_of(frame, covered, stripe.x_px, Samples::kArePixels, memory);
+        const Samples samples = {{frame, target, covered}};
+        samples.clear(background);
+        if constexpr (kMayHaveGlass<Frame> && !Samples::kArePixels)
+            if (has_glass(frame)) fill_colours<Pixel>(samples, background);
+        if (kHasTaps && frame.mode == SurfaceMode::antialiased) {
+            draw_triangles<TrianglePieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(frame, target);
+            if constexpr (kMayHaveGlass<Frame>)
+                if (has_glass(frame))
+                    draw_triangles<SeeThroughPieces, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame, target);
+            if (frame.margin != 0) mark_all_outlines<Background>(frame, target);
+        } else {
+            draw_triangles<TrianglePieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(frame, target);
+            if constexpr (kMayHaveGlass<Frame>)
+                if (has_glass(frame))
+                    draw_triangles<SeeThroughPieces, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame, target);
+        }
+        for (int32_t y = covered.y_px; y < covered.y_px + covered.height_px; ++y) {
+            samples.template resolve<kFinest>(background, y);
+            if constexpr (kMayHaveGlass<Frame> && kKeepsCoverage<Background>)
+                if (has_glass(frame)) store_glass<Pixel>(samples, y);
+        }
+    };
     if constexpr (kFinest == SurfaceMode::two_by_two)
-        if (frame.mode == SurfaceMode::two_by_two)
-            return detail::draw_part<detail::FourSamples<Pixel>, kFinest>(frame, background, stripe, part, samples);
-    using Samples = typename detail::OneSampleOf<Pixel>::Type;
-    detail::draw_part<Samples, kFinest>(frame, background, stripe, part, samples);
+        if (frame.mode == SurfaceMode::two_by_two) return draw_as(KindOf<FourSamples<Pixel>>{});
+    draw_as(OneSampleOf<Pixel>{});
 }
 
-// The coverage of the stripe that render_surface drew last into these samples, a byte a pixel: `coverage` has that
-// stripe's place and size in the image. Colours over nothing and this are the planes of LVGL's RGB565A8.
-inline void render_coverage(const SurfaceFrame& frame, const Stripe& coverage, void* samples)
+// Stores the coverage of the stripe that render_surface drew last into these samples, a byte a pixel: `coverage` has
+// that stripe's place and size in the image. Colours over nothing and this are the planes of LVGL's RGB565A8.
+template <class Frame>
+void render_coverage(const Frame& frame, const Stripe& coverage, void* memory)
 {
-    const detail::DrawnPart part = detail::drawn_part(frame, coverage);
-    detail::fill_around<PixelA8>(OverNothing{}, coverage, part);
-    if (part.is_empty()) return;
-    const detail::SampleRows rows = detail::samples_of(frame, part, frame.samples_are_pixels, samples);
-    const detail::StripeSamples of_stripe = {frame, rows, part, coverage};
-    for (int32_t y = part.top_px; y < part.bottom_px; ++y) detail::store_coverage(of_stripe, y);
+    const Stripe covered = detail::covered_part(frame, coverage, PixelA8::kBytes);
+    detail::fill_around<PixelA8>(OverNothing{}, coverage, covered);
+    if (covered.width_px == 0) return;
+    const detail::Target target =
+        detail::target_of(frame, covered, coverage.x_px, frame.samples_are_pixels, memory);
+    const detail::StripeSamples samples = {frame, target, covered};
+    for (int32_t y = covered.y_px; y < covered.y_px + covered.height_px; ++y)
+        if (detail::has_glass(frame))
+            detail::store_see_through_coverage(samples, y);
+        else
+            detail::store_coverage(samples, y);
 }
 
 }  // namespace lumi

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The loops of lumi/surface/detail/row_loops.h in C++, for every kind of colour and way to read textures.
+// The loops of lumi/surface/detail/row_loops.h in C++, for every kind of colour and way to read textures, of opaque
+// triangles and of see-through ones.
 #pragma once
 
-#include "lumi/surface/detail/row_loops.h"
+#include "lumi/surface/detail/see_through.h"
 
 namespace lumi::detail
 {
@@ -37,8 +38,23 @@ LUMI_ALWAYS_INLINE FourTexels texels_around(uint32_t place, const Rows& rows)
             down};
 }
 
-// Between the middles of four texels of a rectangle, by 1/16 of a texel.
-LUMI_ALWAYS_INLINE PackedColour bilinear_texel(uint32_t place, const Rows& rows)
+// The texture's colour at a place: of the texel there, the sum of two, or blended between the middles of four by 1/16 of
+// a texel. Of two taps `place` is the upper left one's.
+template <Filter kFilter>
+LUMI_ALWAYS_INLINE PackedColour texel(uint32_t place, const Rows& rows)
+{
+    // v = place / 2^26 and u = place / 2^10 mod 2^6, texels: see Rows.
+    const auto tap = [&](uint32_t at) {
+        return rows.palette[rows.texels[(at >> 26) * rows.columns + ((at << 16) >> 26)]];
+    };
+    if constexpr (kFilter == Filter::nearest)
+        return tap(place);
+    else
+        return tap(place) + tap(place + 2 * kQuarter);
+}
+
+template <>
+LUMI_ALWAYS_INLINE PackedColour texel<Filter::bilinear>(uint32_t place, const Rows& rows)
 {
     const FourTexels t = texels_around(place, rows);
     const uint32_t upper_left = t.upper[t.left], upper_right = t.upper[t.right];
@@ -47,8 +63,8 @@ LUMI_ALWAYS_INLINE PackedColour bilinear_texel(uint32_t place, const Rows& rows)
         return rows.has_two_taps ? rows.palette[upper_left] * 2 : rows.palette[upper_left];
     const uint32_t both = t.across * t.down, across = 16 * t.across - both, down = 16 * t.down - both;
     uint32_t r = 0, g = 0, b = 0;
-    const auto add = [&](uint32_t texel, uint32_t weight) {
-        const PackedColour c = rows.palette[texel];
+    const auto add = [&](uint32_t entry, uint32_t weight) {
+        const PackedColour c = rows.palette[entry];
         g += weight * (c >> 21);
         r += weight * ((c >> 10) & 0x3FF);
         b += weight * (c & 0x1FF);
@@ -57,30 +73,14 @@ LUMI_ALWAYS_INLINE PackedColour bilinear_texel(uint32_t place, const Rows& rows)
     add(upper_right, across);
     add(lower_left, down);
     add(lower_right, both);
-    const PackedColour texel = (g >> 8) << 21 | (r >> 8) << 10 | b >> 8;
-    return rows.has_two_taps ? texel * 2 : texel;
-}
-
-LUMI_ALWAYS_INLINE PackedColour texel_at(uint32_t place, const Rows& rows)
-{
-    return rows.palette[rows.texels[(place >> 26) * rows.columns + ((place << 16) >> 26)]];
-}
-
-// Of two taps `place` is the upper left one's.
-template <Filter kFilter>
-LUMI_ALWAYS_INLINE PackedColour filtered(uint32_t place, const Rows& rows)
-{
-    if constexpr (kFilter == Filter::nearest)
-        return texel_at(place, rows);
-    else if constexpr (kFilter == Filter::two_taps)
-        return texel_at(place, rows) + texel_at(place + 2 * kQuarter, rows);
-    else
-        return bilinear_texel(place, rows);
+    const PackedColour mean = (g >> 8) << 21 | (r >> 8) << 10 | b >> 8;
+    return rows.has_two_taps ? mean * 2 : mean;
 }
 
 // Samples that hold a pixel in 5, 6 and 5 bits.
 template <class Pixel>
 struct Sample565 {
+    static constexpr bool kIsBlended = false;
     using Colour = uint16_t;
     static Colour stored(PackedColour c)
     {
@@ -90,52 +90,106 @@ struct Sample565 {
     }
 };
 
-// Draws the samples of a row from `depth_at` to `end`, whose first quantities are given. Sample: how a colour is
-// stored, `Colour` and stored().
-template <class Sample, Filter kFilter>
-LUMI_ALWAYS_INLINE void draw_samples(uint16_t* depth_at, const uint16_t* end, typename Sample::Colour* colour_at,
-                                     uint32_t depth, uint32_t place, PackedColour colour, const Rows& state)
+// Samples that hold a PackedColour.
+struct PackedSample {
+    static constexpr bool kIsBlended = false;
+    using Colour = PackedColour;
+    static PackedColour loaded(Colour c) { return c; }
+    static Colour stored(PackedColour c) { return c; }
+};
+
+// The sum of two colours whose channels have their guard bits clear, each at most white.
+LUMI_ALWAYS_INLINE PackedColour saturated_sum(PackedColour a, PackedColour b)
 {
-    const Rows rows = state;  // none of it changes when a colour is stored
-    do {
-        if (depth >> 16 > *depth_at) {
-            *depth_at = static_cast<uint16_t>(depth >> 16);
-            PackedColour sum = colour + filtered<kFilter>(place, rows);
-            if ((sum & kGuardBits) != 0) sum = clamped(sum);
-            *colour_at = Sample::stored(sum);
-        }
-        depth += rows.depth_right;
-        place += rows.place_right;
-        colour += rows.colour_right;
-        ++colour_at;
-    } while (++depth_at != end);
+    const PackedColour sum = a + b, over = sum & kGuardBits;
+    if (over == 0) return sum;
+    constexpr PackedColour kUpper = kGuardBits & ~PackedColour{0x200};  // green and red have ten bits, blue has nine
+    const PackedColour full = (over & kUpper) - ((over & kUpper) >> 10) + (over & 0x200) - ((over & 0x200) >> 9);
+    return (sum | full) & ~kGuardBits;
 }
 
-template <class Sample, Filter kFilter, auto kDrawSamples = draw_samples<Sample, kFilter>>
-LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
+// How clear a sample stays for the background, as coverage_of() reads it from the depth, behind what passes light by
+// these shares and shows this colour. What shines brighter than it covers counts as covering.
+LUMI_ALWAYS_INLINE uint16_t depth_behind(uint32_t depth, PackedColour shares, PackedColour shown)
 {
-    while (true) {
-        const int32_t first = rows.edge_q16[0] >> 16, last = rows.edge_q16[1] >> 16;
-        if (first < last) {
-            const uint32_t column = static_cast<uint32_t>(first);
-            uint16_t* const depths = reinterpret_cast<uint16_t*>(rows.row);
-            auto* const colours = reinterpret_cast<typename Sample::Colour*>(rows.row + rows.colours_at);
-            kDrawSamples(depths + first, depths + last, colours + first, rows.depth + column * rows.depth_right,
-                         rows.place + column * rows.place_right, rows.colour + column * rows.colour_right, rows);
-        }
-        rows.edge_q16[0] += rows.edge_step_q16[0];
-        rows.edge_q16[1] += rows.edge_step_q16[1];
-        rows.depth += rows.depth_down;
-        rows.place += rows.place_down;
-        rows.colour += rows.colour_down;
-        rows.row += rows.row_bytes;
-        if (--rows.count != 0) continue;
-        if (rows.count_below == 0) return;
-        rows.count = rows.count_below;
-        rows.count_below = 0;
-        rows.edge_q16[rows.bent_edge] = rows.below.x_q16;
-        rows.edge_step_q16[rows.bent_edge] = rows.below.step_q16;
+    const uint32_t g = shares >> 21, r = (shares >> 10) & 0x3FF, b = shares & 0x1FF;
+    const uint32_t mean = ((r + 2 * g + 2 * b) >> 2) + 1;  // 1/1024
+    const uint32_t clear = depth < kShownDepth ? kMostClear : kFarDepth - 1 - depth;
+    const uint32_t passed = (clear * mean + 512) >> 10;
+    const uint32_t green = shown >> 26, red = (shown >> 15) & 31, blue = (shown >> 4) & 31;
+    const uint32_t brighter = red > blue ? red : blue, brightest = green > brighter ? green : brighter;  // of 31
+    const uint32_t most = quotient<31, kMostClear * 31>(kMostClear * (31 - brightest));
+    return static_cast<uint16_t>(kFarDepth - 1 - (passed < most ? passed : most));
+}
+
+// Samples that hold the same and what see-through triangles are blended over.
+struct BlendedPacked : PackedSample {
+    static constexpr bool kIsBlended = true;
+};
+
+template <class Pixel, bool kIsSwapped>
+struct Blended565 : Sample565<Pixel> {
+    static constexpr bool kIsBlended = true;
+    // In the middle of the levels that become this pixel.
+    static PackedColour loaded(uint16_t pixel)
+    {
+        const uint16_t v = kIsSwapped ? __builtin_bswap16(pixel) : pixel;
+        return (apart(v).word << 4) + palette_colour<Pixel>({0, 0, 0});
     }
+};
+
+// Goes to the next row; false after the last.
+LUMI_ALWAYS_INLINE bool next_row(Rows& rows)
+{
+    rows.edge_q16[0] += rows.edge_step_q16[0];
+    rows.edge_q16[1] += rows.edge_step_q16[1];
+    rows.depth += rows.depth_down;
+    rows.place += rows.place_down;
+    rows.colour += rows.colour_down;
+    rows.row += rows.row_bytes;
+    if (--rows.count != 0) return true;
+    if (rows.count_below == 0) return false;
+    rows.count = rows.count_below;
+    rows.count_below = 0;
+    rows.bend();
+    return true;
+}
+
+// Draws every row. Sample: what a sample holds, `Colour`, and how a PackedColour becomes that, `stored()`; where
+// triangles are blended over samples, also how it is read, `loaded()`.
+template <class Sample, Filter kFilter>
+LUMI_ALWAYS_INLINE void draw_rows(Rows& state)
+{
+    do {
+        const int32_t first = state.edge_q16[0] >> 16, last = state.edge_q16[1] >> 16;
+        if (first >= last) continue;
+        const Rows rows = state;  // none of it changes when a colour is stored
+        Rows of_passed = rows;
+        of_passed.palette += format::kPaletteEntries;
+        const uint32_t column = static_cast<uint32_t>(first);
+        uint16_t* depth_at = reinterpret_cast<uint16_t*>(rows.row) + first;
+        const uint16_t* const end = reinterpret_cast<uint16_t*>(rows.row) + last;
+        auto* colour_at = reinterpret_cast<typename Sample::Colour*>(rows.row + rows.colours_at) + first;
+        uint32_t depth = rows.depth + column * rows.depth_right, place = rows.place + column * rows.place_right;
+        PackedColour colour = rows.colour + column * rows.colour_right;
+        do {
+            if (depth >> 16 > *depth_at) {
+                if constexpr (!Sample::kIsBlended) *depth_at = static_cast<uint16_t>(depth >> 16);
+                PackedColour sum = colour + texel<kFilter>(place, rows);
+                if ((sum & kGuardBits) != 0) sum = clamped(sum);
+                if constexpr (Sample::kIsBlended) {
+                    const PackedColour passed = texel<kFilter>(place, of_passed);
+                    sum = saturated_sum(sum, share_of(passed, Sample::loaded(*colour_at)));
+                    if (*depth_at < kFarDepth) *depth_at = depth_behind(*depth_at, passed, sum);
+                }
+                *colour_at = Sample::stored(sum);
+            }
+            depth += rows.depth_right;
+            place += rows.place_right;
+            colour += rows.colour_right;
+            ++colour_at;
+        } while (++depth_at != end);
+    } while (next_row(state));
 }
 
 }  // namespace lumi::detail

@@ -13,7 +13,7 @@ namespace
 void mark_sides(const SurfaceFrame& frame, uint32_t triangle, const Target& target)
 {
     const Seen s = seen(frame, triangle);
-    if (!reaches(*s.a, *s.b, *s.c, target)) return;
+    if (!reaches(s, target)) return;
     const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
     const SurfaceVertex* const v = frame.memory.vertices;
     for (uint32_t n = 0; n < 3; ++n) {

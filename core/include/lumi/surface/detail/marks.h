@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Marks of pixels that an outline cuts: a bit for each of SampleRows. A marked pixel's depth has in its low bits how
+// Marks of pixels that an outline cuts: a bit for each of a Target. A marked pixel's depth has in its low bits how
 // much of it, in 1/32, shows the colour of a pixel beside it, and below that which one. Colours stay as they are, and
 // of several marks the largest, so the order of edges does not matter.
 #pragma once
 
-#include "lumi/surface/detail/samples.h"
+#include "lumi/surface/detail/target.h"
 #include "lumi/surface/frame.h"
 
 namespace lumi::detail
@@ -21,11 +21,11 @@ constexpr uint32_t mark_bits(uint32_t share, PixelSide other)
     return (share > kMostShare ? kMostShare : share) << 2 | static_cast<uint32_t>(other);
 }
 
-inline bool is_marked(const SampleRows& rows, int32_t x, int32_t y)
+inline bool is_marked(const Target& target, int32_t x, int32_t y)
 {
-    if (rows.marks == nullptr) return false;
+    if (target.marks == nullptr) return false;
     const uint32_t column = static_cast<uint32_t>(x);
-    const uint32_t word = rows.marks[rows.marks_words() * static_cast<uint32_t>(y) + column / 32];
+    const uint32_t word = target.marks[target.marks_words() * static_cast<uint32_t>(y) + column / 32];
     return ((word >> (column & 31)) & 1) != 0;
 }
 
@@ -34,10 +34,10 @@ struct Mark {
     const uint16_t *own, *other;
     uint32_t share;
 
-    Mark(const SampleRows& rows, int32_t x, int32_t y) : own(rows.depths(y) + x), other(own), share(0)
+    Mark(const Target& target, int32_t x, int32_t y) : own(target.depths(y) + x), other(own), share(0)
     {
         const uint32_t mark = *own;
-        const int32_t step = (mark & 2) != 0 ? static_cast<int32_t>(rows.row_bytes / sizeof *own) : 1;
+        const int32_t step = (mark & 2) != 0 ? static_cast<int32_t>(target.row_bytes / sizeof *own) : 1;
         other += (mark & 1) != 0 ? -step : step;
         share = (mark >> 2) & kMostShare;
     }

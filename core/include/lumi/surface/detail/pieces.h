@@ -16,16 +16,6 @@
 namespace lumi::detail
 {
 
-// A rectangle of samples in memory, and how to draw into it.
-struct Target {
-    SampleRows rows;
-    int32_t x, y;  // of its first sample, on the frame's grid
-    const PackedColour* palette;
-    bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side; the palette has halves
-    // Textures that change by no more than so much of a texel a sample are read bilinearly; negative: none.
-    int32_t magnified_q10;
-};
-
 // A rectangle of texels, see surface/format.h.
 struct Texture {
     const uint8_t* texels;
@@ -57,8 +47,8 @@ struct WideTriangle {
 struct TrianglePiece {
     explicit TrianglePiece(const Target& target)
     {
-        rows.row_bytes = target.rows.row_bytes;
-        rows.colours_at = target.rows.colours_at;
+        rows.row_bytes = target.row_bytes;
+        rows.colours_at = target.colours_at;
         rows.palette = target.palette;
         rows.has_two_taps = target.has_two_taps;
     }
@@ -125,39 +115,49 @@ private:
     Parts parts_;
 };
 
-// Draws rows, each cut to what lies in the target.
-template <DrawRows kDraw>
-void draw_cut(Rows& rows, int32_t width)
+// Cuts rows to what lies in the target, one after the other:
+//
+//     do {
+//         cut.begin();
+//         loop(rows);
+//     } while (cut.end());
+class CutRows
 {
-    const int32_t end = width * 65536;
-    int32_t count = rows.count, below = rows.count_below;
-    rows.count_below = 0;
-    while (true) {
-        for (; count > 0; --count) {
-            const int32_t left = rows.edge_q16[0], right = rows.edge_q16[1];
-            if (left < 0) rows.edge_q16[0] = 0;
-            if (right > end) rows.edge_q16[1] = end;
-            rows.count = 1;
-            kDraw(rows);
-            rows.edge_q16[0] = left + rows.edge_step_q16[0];
-            rows.edge_q16[1] = right + rows.edge_step_q16[1];
-        }
-        if (below == 0) return;
-        count = below;
-        below = 0;
-        rows.edge_q16[rows.bent_edge] = rows.below.x_q16;
-        rows.edge_step_q16[rows.bent_edge] = rows.below.step_q16;
+public:
+    CutRows(Rows& rows, int32_t width)
+        : rows_(rows), end_q16_(width * 65536), count_(rows.count), below_(rows.count_below)
+    {
+        rows.count_below = 0;
     }
-}
 
-template <DrawRows kDraw>
-LUMI_ALWAYS_INLINE void draw_piece(TrianglePiece& piece, int32_t width)
-{
-    if (piece.is_cut)
-        draw_cut<kDraw>(piece.rows, width);
-    else
-        kDraw(piece.rows);
-}
+    LUMI_ALWAYS_INLINE void begin()
+    {
+        left_q16_ = rows_.edge_q16[0];
+        right_q16_ = rows_.edge_q16[1];
+        if (left_q16_ < 0) rows_.edge_q16[0] = 0;
+        if (right_q16_ > end_q16_) rows_.edge_q16[1] = end_q16_;
+        rows_.count = 1;
+    }
+
+    // False after the last row.
+    LUMI_ALWAYS_INLINE bool end()
+    {
+        rows_.edge_q16[0] = left_q16_ + rows_.edge_step_q16[0];
+        rows_.edge_q16[1] = right_q16_ + rows_.edge_step_q16[1];
+        if (--count_ > 0) return true;
+        if (below_ == 0) return false;
+        count_ = below_;
+        below_ = 0;
+        rows_.bend();
+        return true;
+    }
+
+private:
+    Rows& rows_;
+    const int32_t end_q16_;
+    int32_t count_, below_;
+    int32_t left_q16_, right_q16_;  // of the row, before it was cut
+};
 
 // Compared as parameters of templates: sanitizers compare addresses of functions at run time.
 template <DrawRows, DrawRows>
@@ -165,23 +165,32 @@ inline constexpr bool kIsOneLoop = false;
 template <DrawRows kDraw>
 inline constexpr bool kIsOneLoop<kDraw, kDraw> = true;
 
-// All pieces; textures whose texels are larger than samples take the second loop.
-template <DrawRows kPlain, DrawRows kMagnified, class Pieces>
-LUMI_ALWAYS_INLINE void draw_pieces(Pieces& pieces, const Target& target)
-{
-    while (pieces.next())
-        if (!kIsOneLoop<kPlain, kMagnified> && pieces.piece.is_magnified)
-            draw_piece<kMagnified>(pieces.piece, target.rows.width);
-        else
-            draw_piece<kPlain>(pieces.piece, target.rows.width);
-}
+template <DrawRows kDrawRows>
+struct Loop {
+    static constexpr DrawRows kDraw = kDrawRows;
+};
 
-// Draws every triangle that reaches a target, over samples whose depths are kEmptyDepth.
-template <DrawRows kPlain, DrawRows kMagnified = kPlain>
-__attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
+// Draws every triangle of a frame that reaches a target; textures whose texels are larger than samples take the second
+// loop. Pieces: TrianglePieces, over samples whose depths are kEmptyDepth, or SeeThroughPieces after these.
+template <class Pieces, DrawRows kPlain, DrawRows kMagnified, class Frame>
+__attribute__((noinline)) void draw_triangles(const Frame& frame, const Target& target)
 {
-    TrianglePieces pieces(frame, target);
-    draw_pieces<kPlain, kMagnified>(pieces, target);
+    Pieces pieces(frame, target);
+    TrianglePiece& piece = pieces.piece;
+    const auto draw = [&](auto loop) __attribute__((always_inline))
+    {
+        if (!piece.is_cut) return decltype(loop)::kDraw(piece.rows);
+        CutRows cut(piece.rows, target.width);
+        do {
+            cut.begin();
+            decltype(loop)::kDraw(piece.rows);
+        } while (cut.end());
+    };
+    while (pieces.next())
+        if (!kIsOneLoop<kPlain, kMagnified> && piece.is_magnified)
+            draw(Loop<kMagnified>{});
+        else
+            draw(Loop<kPlain>{});
 }
 
 }  // namespace lumi::detail

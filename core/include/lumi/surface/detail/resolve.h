@@ -1,43 +1,44 @@
 // SPDX-License-Identifier: MIT
 // From samples to pixels: PixelSamples (a sample is the pixel itself), PackedSamples (a sample's colour becomes one)
-// and FourSamples (the mean light of four does). Each has `clear`, before triangles are filled, and `resolve`, a
-// scanline of the stripe.
+// and FourSamples (the mean light of four does). Each names the loops that draw its samples, and has `clear`, before
+// triangles are drawn, and `resolve`, a scanline of the stripe.
 #pragma once
 
 #include "lumi/background.h"
 #include "lumi/surface/detail/marks.h"
-#include "lumi/surface/detail/target.h"
+#include "lumi/surface/detail/pieces.h"
 
 namespace lumi::detail
 {
 
-// A stripe's drawn part with its samples.
+// The part of a stripe that the surface may cover.
+Stripe covered_part(const SurfaceFrame& frame, const Stripe& stripe, uint32_t pixel_bytes);
+
+// The samples of such a part in the caller's memory: with outlines one more on every side, as far as there are any.
+// Samples that are pixels have the place in a word that those of the whole stripe have, which begins at column `left_px`
+// of the image, if the stripe's first pixel lies at the start of one.
+Target target_of(const SurfaceFrame& frame, const Stripe& covered, int32_t left_px, bool are_pixels, void* memory);
+
+// Sets the depths of all samples to kEmptyDepth and clears their marks.
+LUMI_HOT void clear_depths(const Target& target);
+// Does that, and sets the colours of samples that are pixels.
+LUMI_HOT void clear_pixels(const Target& target, uint16_t pixel);
+// Copies pixels; best where both lie equally in a word.
+LUMI_HOT void copy_pixels(uint8_t* to, const uint8_t* from, uint32_t count);
+// Marks the pixels that outlines cut after triangles were drawn, where the target has marks and these are clear.
+LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target);
+
+// A stripe's covered part with its samples.
 struct StripeSamples {
     const SurfaceFrame& frame;
-    const SampleRows& rows;
-    const DrawnPart& part;
-    const Stripe& stripe;
+    const Target& target;
+    const Stripe& covered;
 
     // Columns and rows of samples, for one a pixel.
-    int32_t column(int32_t x_px) const { return x_px - part.rect.x_px; }
-    int32_t row(int32_t y_px) const { return y_px - part.rect.y_px; }
-    int32_t begin() const { return column(part.left_px); }
-    int32_t end() const { return column(part.right_px); }
+    int32_t begin() const { return covered.x_px - target.x; }
+    int32_t end() const { return begin() + covered.width_px; }
+    int32_t row(int32_t y_px) const { return y_px - target.y; }
 };
-
-// Draws the triangles of a frame with one sample a pixel, in a mode up to kFinest, and marks its outlines.
-template <const RowFilters& kFilters, SurfaceMode kFinest>
-void draw_one_sample(const SurfaceFrame& frame, const Target& target)
-{
-    if constexpr (kFinest != SurfaceMode::one_sample) {
-        if (frame.mode == SurfaceMode::antialiased) {
-            draw_triangles<kFilters.two_taps, kFilters.bilinear>(frame, target);
-            if (frame.margin != 0) mark_outlines(frame, target);
-            return;
-        }
-    }
-    draw_triangles<kFilters.nearest>(frame, target);
-}
 
 // A pixel that an outline cuts: its column of samples, and what shows there.
 template <class Colour>
@@ -71,9 +72,9 @@ Blended<typename Samples::Colour> blended(const Samples& s, const Mark& mark, in
 
 // Calls visit(x) for the marked samples of a row from `begin` to `end`.
 template <class Visit>
-LUMI_ALWAYS_INLINE void each_marked(const SampleRows& rows, int32_t row, int32_t begin, int32_t end, const Visit& visit)
+LUMI_ALWAYS_INLINE void each_marked(const Target& target, int32_t row, int32_t begin, int32_t end, const Visit& visit)
 {
-    const uint32_t* word = rows.marks + rows.marks_words() * static_cast<uint32_t>(row);
+    const uint32_t* word = target.marks + target.marks_words() * static_cast<uint32_t>(row);
     for (int32_t first = 0; first < end; first += 32) {
         for (uint32_t bits = *word++; bits != 0; bits &= bits - 1) {
             const int32_t x = first + __builtin_ctz(bits);
@@ -98,9 +99,9 @@ __attribute__((noinline)) void resolve_marked(const Samples& s, const Background
         count = 0;
         done = end;
     };
-    each_marked(s.rows, row, s.begin(), s.end(), [&](int32_t x) {
+    each_marked(s.target, row, s.begin(), s.end(), [&](int32_t x) {
         if (count == kMost) write(x);
-        pending[count++] = blended(s, Mark(s.rows, x, row), x, background, place(x));
+        pending[count++] = blended(s, Mark(s.target, x, row), x, background, place(x));
     });
     write(s.end());
 }
@@ -110,15 +111,20 @@ __attribute__((noinline)) void resolve_marked(const Samples& s, const Background
 template <class Pixel, SurfaceMode kFinest, class Samples, class Background>
 LUMI_ALWAYS_INLINE void resolve_one_sample(const Samples& s, const Background& background, int32_t y)
 {
-    uint8_t* const pixel = pixel_of<Pixel>(s.stripe, s.part.left_px, y);
+    uint8_t* const pixel = pixel_of<Pixel>(s.covered, s.covered.x_px, y);
     if constexpr (kFinest != SurfaceMode::one_sample)
-        if (s.rows.marks != nullptr) return resolve_marked<Pixel>(s, background, pixel, s.row(y));
+        if (s.target.marks != nullptr) return resolve_marked<Pixel>(s, background, pixel, s.row(y));
     s.put(background, pixel, s.row(y), s.begin(), s.end());
 }
 
 template <class Pixel>
 struct PixelSamples : StripeSamples {
     static constexpr bool kArePixels = true;
+    static constexpr const RowFilters& kRows = kPixelRows<Pixel>;
+    static constexpr const RowFilters& kBlends = kPixelBlends<Pixel>;
+    static constexpr int32_t kSide = 1;  // samples a side of a pixel
+    // In the mode of one tap no texture is read bilinearly.
+    static constexpr DrawRows kMagnifiedRows = kRows.nearest, kMagnifiedBlends = kBlends.nearest;
     using PixelType = Pixel;
     using Colour = Fields565;
 
@@ -128,17 +134,11 @@ struct PixelSamples : StripeSamples {
         uint16_t pixel = 0;
         if constexpr (Background::kFills && !Background::kIsBlack && !kKeepsCoverage<Background>)
             Pixel::store(reinterpret_cast<uint8_t*>(&pixel), background.template under<Pixel>(nullptr));
-        clear_pixels(rows, pixel);
+        clear_pixels(target, pixel);
         if constexpr (!Background::kFills)
-            for (int32_t y = part.top_px; y < part.bottom_px; ++y)
-                copy_pixels(sample(row(y), begin()), pixel_of<Pixel>(stripe, part.left_px, y),
-                            static_cast<uint32_t>(end() - begin()));
-    }
-
-    template <SurfaceMode kFinest>
-    void draw(const Target& target) const
-    {
-        draw_one_sample<kPixelRows<Pixel>, kFinest>(frame, target);
+            for (int32_t y = covered.y_px; y < covered.y_px + covered.height_px; ++y)
+                copy_pixels(sample(row(y), begin()), pixel_of<Pixel>(covered, covered.x_px, y),
+                            static_cast<uint32_t>(covered.width_px));
     }
 
     template <SurfaceMode kFinest, class Background>
@@ -154,7 +154,7 @@ struct PixelSamples : StripeSamples {
     }
     Colour colour_at(const uint16_t* depth) const
     {
-        return apart(Pixel::load_packed(reinterpret_cast<const uint8_t*>(depth) + rows.colours_at));
+        return apart(Pixel::load_packed(reinterpret_cast<const uint8_t*>(depth) + target.colours_at));
     }
     static Colour converted(const Rgb8& c) { return apart(pack_rgb565(c)); }
     static void store(uint8_t* pixel, Colour c, uint8_t) { Pixel::store_packed(pixel, together(c)); }
@@ -162,34 +162,32 @@ struct PixelSamples : StripeSamples {
 private:
     uint8_t* sample(int32_t row, int32_t x) const
     {
-        return reinterpret_cast<uint8_t*>(rows.template colours<uint16_t>(row) + x);
+        return reinterpret_cast<uint8_t*>(target.template colours<uint16_t>(row) + x);
     }
 };
 
 // The colour of the sample whose depth lies there.
-inline Rgb8 packed_at(const SampleRows& rows, const uint16_t* depth)
+inline Rgb8 packed_at(const Target& target, const uint16_t* depth)
 {
-    const uint32_t before = static_cast<uint32_t>(reinterpret_cast<const uint8_t*>(depth) - rows.first);
-    const uint32_t y = before / rows.row_bytes, column = (before - y * rows.row_bytes) / sizeof *depth;
-    return unpacked(rows.template colours<PackedColour>(static_cast<int32_t>(y))[column]);
+    const uint32_t before = static_cast<uint32_t>(reinterpret_cast<const uint8_t*>(depth) - target.first);
+    const uint32_t y = before / target.row_bytes, column = (before - y * target.row_bytes) / sizeof *depth;
+    return unpacked(target.template colours<PackedColour>(static_cast<int32_t>(y))[column]);
 }
 
 template <class Pixel>
 struct PackedSamples : StripeSamples {
     static constexpr bool kArePixels = false;
+    static constexpr const RowFilters& kRows = kPackedRows;
+    static constexpr const RowFilters& kBlends = kPackedBlends;
+    static constexpr int32_t kSide = 1;
+    static constexpr DrawRows kMagnifiedRows = kRows.nearest, kMagnifiedBlends = kBlends.nearest;
     using PixelType = Pixel;
     using Colour = Rgb8;
 
     template <class Background>
     void clear(const Background&) const
     {
-        clear_depths(rows);
-    }
-
-    template <SurfaceMode kFinest>
-    void draw(const Target& target) const
-    {
-        draw_one_sample<kPackedRows, kFinest>(frame, target);
+        clear_depths(target);
     }
 
     template <SurfaceMode kFinest, class Background>
@@ -201,9 +199,9 @@ struct PackedSamples : StripeSamples {
     template <class Background>
     void put(const Background& background, uint8_t* pixel, int32_t row, int32_t begin, int32_t end) const
     {
-        const uint16_t* depth_at = rows.depths(row) + begin;
-        const PackedColour* colour_at = rows.template colours<PackedColour>(row) + begin;
-        for (const uint16_t* const last = rows.depths(row) + end; depth_at != last; ++depth_at, ++colour_at) {
+        const uint16_t* depth_at = target.depths(row) + begin;
+        const PackedColour* colour_at = target.template colours<PackedColour>(row) + begin;
+        for (const uint16_t* const last = target.depths(row) + end; depth_at != last; ++depth_at, ++colour_at) {
             if (*depth_at >= kShownDepth)
                 store_colour<Pixel>(pixel, *colour_at);
             else if (Background::kFills)
@@ -211,19 +209,21 @@ struct PackedSamples : StripeSamples {
             pixel += Pixel::kBytes;
         }
     }
-    Rgb8 colour_at(const uint16_t* depth) const { return packed_at(rows, depth); }
+    Rgb8 colour_at(const uint16_t* depth) const { return packed_at(target, depth); }
     static Colour converted(const Rgb8& c) { return c; }
     static void store(uint8_t* pixel, const Colour& c, uint8_t coverage) { store_part<Pixel>(pixel, c, coverage); }
 };
 
-// What modes of one sample a pixel take.
+template <class Samples>
+struct KindOf {
+    using Type = Samples;
+};
+// The samples of modes of one sample a pixel.
 template <class Pixel, bool kArePixels = kIsSample<Pixel>>
-struct OneSampleOf {
-    using Type = PackedSamples<Pixel>;
+struct OneSampleOf : KindOf<PackedSamples<Pixel>> {
 };
 template <class Pixel>
-struct OneSampleOf<Pixel, true> {
-    using Type = PixelSamples<Pixel>;
+struct OneSampleOf<Pixel, true> : KindOf<PixelSamples<Pixel>> {
 };
 
 // The samples of a pixel that some background shows through.
@@ -264,29 +264,27 @@ __attribute__((noinline)) void store_covered_part(uint8_t* pixel, const uint16_t
 template <class Pixel>
 struct FourSamples : StripeSamples {
     static constexpr bool kArePixels = false;
+    static constexpr const RowFilters& kRows = kPackedRows;
+    static constexpr const RowFilters& kBlends = kPackedBlends;
+    static constexpr int32_t kSide = 2;
+    static constexpr DrawRows kMagnifiedRows = kRows.bilinear, kMagnifiedBlends = kBlends.bilinear;
 
     template <class Background>
     void clear(const Background&) const
     {
-        clear_depths(rows);
-    }
-
-    template <SurfaceMode>
-    void draw(const Target& target) const
-    {
-        draw_triangles<kPackedRows.nearest, kPackedRows.bilinear>(frame, target);
+        clear_depths(target);
     }
 
     template <SurfaceMode, class Background>
     void resolve(const Background& background, int32_t y) const
     {
         constexpr PackedColour kBlack = palette_colour<Pixel>({0, 0, 0});
-        uint8_t* pixel = pixel_of<Pixel>(stripe, part.left_px, y);
-        const int32_t upper_row = 2 * row(y), first = 2 * begin();
-        const uint16_t *upper = rows.depths(upper_row) + first, *lower = rows.depths(upper_row + 1) + first;
-        const PackedColour* above = rows.template colours<PackedColour>(upper_row) + first;
-        const PackedColour* below = rows.template colours<PackedColour>(upper_row + 1) + first;
-        for (int32_t count = part.right_px - part.left_px; count > 0; --count) {
+        uint8_t* pixel = pixel_of<Pixel>(covered, covered.x_px, y);
+        const int32_t upper_row = 2 * (y - covered.y_px);  // there is no margin
+        const uint16_t *upper = target.depths(upper_row), *lower = target.depths(upper_row + 1);
+        const PackedColour* above = target.template colours<PackedColour>(upper_row);
+        const PackedColour* below = target.template colours<PackedColour>(upper_row + 1);
+        for (int32_t count = covered.width_px; count > 0; --count) {
             if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0)
                 store_colour<Pixel>(pixel, mean_of(above[0], above[1], below[0], below[1], kBlack));
             else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0)
@@ -303,7 +301,7 @@ struct FourSamples : StripeSamples {
             below += 2;
         }
     }
-    Rgb8 colour_at(const uint16_t* depth) const { return packed_at(rows, depth); }
+    Rgb8 colour_at(const uint16_t* depth) const { return packed_at(target, depth); }
 };
 
 // A scanline of coverage, a byte a pixel, from the samples of any of these.

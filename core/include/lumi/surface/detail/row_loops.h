@@ -6,7 +6,7 @@
 // A firmware links those that it names.
 #pragma once
 
-#include "lumi/surface/detail/samples.h"
+#include "lumi/surface/detail/target.h"
 
 namespace lumi::detail
 {
@@ -33,13 +33,20 @@ struct Rows {
     const uint8_t* texels;
     uint32_t columns;  // of the rectangle of texels
     const PackedColour* palette;
-    uint32_t row_bytes, colours_at;  // SampleRows
+    uint32_t row_bytes, colours_at;  // of Target
     int32_t count;                   // rows, at least one
     int32_t count_below;             // rows after these
     uint32_t bent_edge;              // for which `below` takes the place of this edge
     EdgeWalk below;
     uint32_t texel_rows;
     bool has_two_taps;  // the palette has halves
+
+    // From the next row on `below` is an edge.
+    void bend()
+    {
+        edge_q16[bent_edge] = below.x_q16;
+        edge_step_q16[bent_edge] = below.step_q16;
+    }
 };
 
 // Draws the rows, and leaves `rows` at the one after them.
@@ -58,6 +65,16 @@ LUMI_HOT void rows_565_swapped_bilinear(Rows& rows);
 LUMI_HOT void rows_packed_nearest(Rows& rows);
 LUMI_HOT void rows_packed_two_taps(Rows& rows);
 LUMI_HOT void rows_packed_bilinear(Rows& rows);
+// These blend see-through triangles, whose palette is SeeThroughFrame::added_and_passed, over what samples hold.
+LUMI_HOT void blend_565_nearest(Rows& rows);
+LUMI_HOT void blend_565_two_taps(Rows& rows);
+LUMI_HOT void blend_565_bilinear(Rows& rows);
+LUMI_HOT void blend_565_swapped_nearest(Rows& rows);
+LUMI_HOT void blend_565_swapped_two_taps(Rows& rows);
+LUMI_HOT void blend_565_swapped_bilinear(Rows& rows);
+LUMI_HOT void blend_packed_nearest(Rows& rows);
+LUMI_HOT void blend_packed_two_taps(Rows& rows);
+LUMI_HOT void blend_packed_bilinear(Rows& rows);
 
 // Nearest texel, two taps, four texels, for samples that hold a kind of pixel.
 struct RowFilters {
@@ -73,5 +90,14 @@ template <>
 inline constexpr RowFilters kPixelRows<PixelRgb565Swapped> = {
     lumi_rows_565_swapped_nearest, lumi_rows_565_swapped_two_taps, rows_565_swapped_bilinear};
 inline constexpr RowFilters kPackedRows = {rows_packed_nearest, rows_packed_two_taps, rows_packed_bilinear};
+
+template <class Pixel>
+inline constexpr RowFilters kPixelBlends = {};
+template <>
+inline constexpr RowFilters kPixelBlends<PixelRgb565> = {blend_565_nearest, blend_565_two_taps, blend_565_bilinear};
+template <>
+inline constexpr RowFilters kPixelBlends<PixelRgb565Swapped> = {blend_565_swapped_nearest, blend_565_swapped_two_taps,
+                                                                blend_565_swapped_bilinear};
+inline constexpr RowFilters kPackedBlends = {blend_packed_nearest, blend_packed_two_taps, blend_packed_bilinear};
 
 }  // namespace lumi::detail

@@ -1,53 +1,57 @@
 // SPDX-License-Identifier: MIT
-// What a stripe takes of the samples, and what is done with all of them at once.
+// A rectangle of samples in the caller's memory: row after row, a row's depths and then its colours. Colours are pixels
+// where a pixel is one sample in 5, 6 and 5 bits, so that a row of them is copied as it is; else they are PackedColour.
+// A bit for each sample marks what an outline cuts.
 #pragma once
 
-#include "lumi/surface/detail/pieces.h"
+#include "lumi/pixel.h"
+#include "lumi/surface/detail/packed_colour.h"
 
 namespace lumi::detail
 {
 
-// After draw_triangles: marks the pixels that outlines cut, where the rows have marks and these are clear.
-LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target);
+// Whether samples of one-sample modes hold pixels of a format.
+template <class Pixel>
+inline constexpr bool kIsSample = kPacks565<Pixel>;
 
-struct SampleRect {
-    int32_t x_px, y_px, width_px, height_px;  // within the image
+// Samples that triangles are drawn into, and how.
+struct Target {
+    uint8_t* first;       // the depth of the first sample
+    uint32_t row_bytes;   // from row to row
+    uint32_t colours_at;  // from a row's first depth to its first colour, bytes
+    int32_t width, height;
+    uint32_t* marks;  // marks_words() a row, after the rows; null: no outlines
+    int32_t x, y;     // where the first sample lies on the frame's grid
+    const PackedColour* palette;
+    bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side; the palette has halves
+    // Textures that change by no more than so much of a texel a sample are read bilinearly; negative: none.
+    int32_t magnified_q10;
+
+    uint8_t* row(int32_t line) const { return first + static_cast<uint32_t>(line) * row_bytes; }
+    uint16_t* depths(int32_t line) const { return reinterpret_cast<uint16_t*>(row(line)); }
+    template <class Colour>
+    Colour* colours(int32_t line) const
+    {
+        return reinterpret_cast<Colour*>(row(line) + colours_at);
+    }
+    uint32_t marks_words() const { return (static_cast<uint32_t>(width) + 31) / 32; }
 };
 
-// The pixels of a stripe that the surface may cover, and those whose samples they take: with outlines one more on every
-// side, as far as there are any.
-struct DrawnPart {
-    int32_t left_px, right_px, top_px, bottom_px;
-    SampleRect rect;
-    bool is_odd;  // its first sample has an odd column in the stripe
-
-    bool is_empty() const { return left_px >= right_px || top_px >= bottom_px; }
-};
-DrawnPart drawn_part(const SurfaceFrame& frame, const Stripe& stripe);
-
-// The samples of a rectangle in the caller's memory. With samples that are pixels, their place in a word is that of
-// the stripe's, if the stripe's first pixel lies at the start of one.
-SampleRows samples_of(const SurfaceFrame& frame, const DrawnPart& part, bool are_pixels, void* memory);
-
-// Sets the depths of all samples to kEmptyDepth and clears their marks.
-LUMI_HOT void clear_depths(const SampleRows& rows);
-// The same, and sets the colours of samples that are pixels.
-LUMI_HOT void clear_pixels(const SampleRows& rows, uint16_t pixel);
-// Copies pixels; best where both lie equally in a word.
-LUMI_HOT void copy_pixels(uint8_t* to, const uint8_t* from, uint32_t count);
-
-// Texels larger than so many pixels are read bilinearly in modes that do so.
-inline constexpr int32_t kMagnifiedPx = 3;
-
-inline Target target_of(const SurfaceFrame& frame, const DrawnPart& part, const SampleRows& rows)
+constexpr uint32_t even(uint32_t v)
 {
-    const uint32_t log2 = frame.samples_log2;
-    return {rows,
-            part.rect.x_px << log2,
-            part.rect.y_px << log2,
-            frame.palette,
-            frame.mode == SurfaceMode::antialiased,
-            frame.mode == SurfaceMode::one_sample ? -1 : (1024 / kMagnifiedPx) >> log2};
+    return (v + 1) & ~1u;
+}
+
+// Bytes of a row of samples, `colour_bytes` each for the colours, a multiple of 4. A row of pixels may begin a sample
+// late, so that a stripe's first pixel has a place like its own.
+constexpr uint32_t sample_row_bytes(uint32_t width, uint32_t colour_bytes)
+{
+    return (static_cast<uint32_t>(sizeof(uint16_t)) + colour_bytes) * even(width + (colour_bytes == 2 ? 1 : 0));
+}
+
+constexpr uint32_t sample_bytes(uint32_t width, uint32_t height, uint32_t colour_bytes, bool has_marks)
+{
+    return height * (sample_row_bytes(width, colour_bytes) + (has_marks ? 4 * ((width + 31) / 32) : 0));
 }
 
 }  // namespace lumi::detail
