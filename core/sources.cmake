@@ -43,22 +43,15 @@ set(LUMI_CORE_SOURCES
   src/surface/packed_colour.cpp
   src/surface/outlines.cpp
   src/surface/pieces.cpp
-  src/surface/planes.cpp
   src/surface/projection.cpp
   src/surface/armv6m/rows.S
   src/surface/armv7m/rows.S
-  src/surface/rows/rows.cpp
-  src/surface/see_through/coverage.cpp
-  src/surface/see_through/field.cpp
-  src/surface/see_through/outlines.cpp
-  src/surface/see_through/pieces.cpp
-  src/surface/silhouette.cpp
+  src/surface/rows.cpp
+  src/surface/see_through.cpp
   src/surface/split.cpp
   src/surface/target.cpp
-  src/surface/camera.cpp
   src/surface/field.cpp
-  src/surface/views/view_nodes.cpp
-  src/surface/views/without_views.cpp
+  src/surface/view_nodes.cpp
   src/view/check_stripe.cpp
   src/control/gesture.cpp
   src/pixel/pack.cpp

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "surface/open_mesh.h"
+#include "field/sections.h"
+#include "lumi/surface/see_through_frame.h"
 
 namespace lumi
 {
@@ -11,6 +12,12 @@ using namespace detail::format;
 using namespace detail::container;
 
 constexpr int32_t kOneQ14 = 1 << 14;
+
+constexpr uint32_t kSurfaceSections[] = {
+    kSurfaceSection, kVertexSection, kPatchSection,     kColourSection,
+    kPaletteRgb,     kViewSection,   kNeighbourSection, kSeeThroughSection};
+constexpr KnownTypes kOpaqueSections = {kSurfaceSections, 7};
+constexpr KnownTypes kSeeThroughSections = {kSurfaceSections, 8};
 
 FieldError read_counts(const uint8_t* b, SurfaceField& out)
 {
@@ -92,18 +99,8 @@ bool fits(const SurfacePatch& patch, const SurfaceField& field)
            patch.texels + patch_reach(patch.columns) <= field.texel_bytes;
 }
 
-FieldError check_mesh(const SurfaceField& field)
-{
-    for (uint32_t k = 0; k < field.vertex_count; ++k)
-        if (!lies_in_sphere(surface_vertex(field, k))) return FieldError::bad_vertices;
-    for (uint32_t k = 0; k < field.patch_count; ++k)
-        if (!fits(surface_patch(field, k), field)) return FieldError::bad_patches;
-    return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
-}
-
-}  // namespace
-
-bool detail::has_fitting_neighbours(const SurfaceField& field)
+// Whether there are neighbours for no triangle but those of the field's patches.
+bool has_fitting_neighbours(const SurfaceField& field)
 {
     if (field.neighbours == nullptr) return true;
     for (uint32_t k = 0; k < 4 * field.patch_count; ++k) {
@@ -113,7 +110,17 @@ bool detail::has_fitting_neighbours(const SurfaceField& field)
     return true;
 }
 
-FieldError detail::open_mesh(const uint8_t* bytes, size_t size, KnownTypes known, SurfaceField& out)
+FieldError check_mesh(const SurfaceField& field)
+{
+    for (uint32_t k = 0; k < field.vertex_count; ++k)
+        if (!lies_in_sphere(surface_vertex(field, k))) return FieldError::bad_vertices;
+    for (uint32_t k = 0; k < field.patch_count; ++k)
+        if (!fits(surface_patch(field, k), field)) return FieldError::bad_patches;
+    return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
+}
+
+// open_surface for a file that may have `known` sections.
+FieldError open_mesh(const uint8_t* bytes, size_t size, KnownTypes known, SurfaceField& out)
 {
     if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
     if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
@@ -130,11 +137,40 @@ FieldError detail::open_mesh(const uint8_t* bytes, size_t size, KnownTypes known
     return FieldError::none;
 }
 
+// Parts the see-through patches from the opaque ones.
+FieldError part_patches(const uint8_t* section, SeeThroughField& field)
+{
+    const uint32_t first = load_u16(section + see_through::kFirstAt);
+    const uint32_t order = load_u16(section + see_through::kOrderAt);
+    if (order >= kDrawingOrders || first >= field.patch_count) return FieldError::bad_see_through;
+    field.is_in_order = static_cast<DrawingOrder>(order) == DrawingOrder::of_the_file;
+    field.see_through_count = static_cast<uint16_t>(field.patch_count - first);
+    field.see_through_palette = section + see_through::kPaletteAt;
+    field.patch_count = first;
+    return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
+}
+
+}  // namespace
+
 FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
 {
     const FieldError error = open_mesh(bytes, size, kOpaqueSections, out);
     const bool is_see_through = error == FieldError::unknown_required && has_section(bytes, kSeeThroughSection);
     return is_see_through ? FieldError::see_through : error;
+}
+
+FieldError open_surface(const uint8_t* bytes, size_t size, SeeThroughField& out)
+{
+    SeeThroughField field;
+    if (const FieldError error = open_mesh(bytes, size, kSeeThroughSections, field); error != FieldError::none)
+        return error;
+    if (Section section{}; find_section(bytes, kSeeThroughSection, section)) {
+        if (section.size != kSeeThroughBytes) return FieldError::bad_see_through;
+        if (const FieldError error = part_patches(bytes + section.offset, field); error != FieldError::none)
+            return error;
+    }
+    out = field;
+    return FieldError::none;
 }
 
 }  // namespace lumi

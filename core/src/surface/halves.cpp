@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/surface/halves.h"
 
-#include "surface/lister.h"
-#include "surface/lists.h"
 #include "surface/preparing.h"
+#include "surface/lists.h"
 
 namespace lumi::detail
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/surface/detail/pieces.h"
 
-#include "surface/begin.h"
+#include "surface/fill.h"
 #include "surface/lists.h"
 
 namespace lumi::detail

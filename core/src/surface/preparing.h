@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The steps of preparing a frame, for any part of a field's vertices. Inlined: what prepares on one core has no calls
-// for the sake of two.
+// The steps of preparing a frame: for any part of a field's vertices, and for any of its patches, whose triangles that
+// are seen are put into lists (lists.h). Inlined: what prepares on one core has no calls for the sake of two.
 #pragma once
 
 #include "lumi/surface/halves.h"
-#include "surface/bands.h"
-#include "surface/seen.h"
+#include "surface/lists.h"
+#include "surface/projection.h"
 
 namespace lumi::detail
 {
@@ -77,5 +77,110 @@ LUMI_ALWAYS_INLINE void set_extents(SurfaceFrame& frame, const PlacedVertices& p
     frame.columns = placed.are_whole ? pixels_of(x, frame.samples_log2, frame.width_px) : Extent{0, frame.width_px};
     frame.scanlines = placed.are_whole ? pixels_of(y, frame.samples_log2, frame.height_px) : Extent{0, frame.height_px};
 }
+
+// A triangle as long as this may be too large for a list, or curved. Of packed numbers.
+inline int32_t long_from(const SurfaceFrame& frame)
+{
+    const int32_t straight_px = frame.projection.straight_px, small_px = kSmallQ6 >> (6 + frame.samples_log2);
+    const int32_t length_px = straight_px < small_px ? straight_px : small_px;
+    return length_px << (14 + frame.samples_log2);
+}
+
+// Of patches in the order of the file. `kLight` is called for each corner of a triangle that is listed. Several cores
+// may have one each, with bands of their own and with patches that no other has.
+template <void (*kLight)(const SurfaceFrame&, const SurfaceVertex*)>
+class Lister
+{
+public:
+    Lister(const SurfaceFrame& frame, uint16_t* bands)
+        : frame_(frame),
+          bands_(bands),
+          scanlines_(frame.height_px << frame.samples_log2),
+          right_(frame.width_px << (frame.samples_log2 + 14)),
+          long_from_(long_from(frame)),
+          band_log2_(frame.samples_log2 + frame.memory.band_log2)
+    {
+    }
+
+    // The triangles (a, b, c) and (d, c, b) of a patch.
+    LUMI_ALWAYS_INLINE void add(uint32_t patch, const uint32_t (&corner)[4])
+    {
+        const SurfaceVertex* v = frame_.memory.vertices;
+        uint16_t* const links = frame_.memory.links + 2 * patch;
+        const SurfaceVertex &a = v[corner[0]], &b = v[corner[1]], &c = v[corner[2]];
+        const int32_t x = x_q6(b), y = y_q6(b), across = x_q6(c) - x, down = y_q6(c) - y;
+        const auto area_with = [&](const SurfaceVertex& other) {
+            const int32_t right = x_q6(other) - x, below = y_q6(other) - y;
+            return frame_.is_narrow ? across * below - right * down : wide_sign(across, below, right, down);
+        };
+        links[0] = links[1] = kTurnedAway;
+        if (area_with(a) < 0 || is_cut(a, b, c)) list_triangle(2 * patch, &a, &b, &c);
+        if (corner[3] == format::kNoVertex) return;
+        const SurfaceVertex& d = v[corner[3]];
+        if (area_with(d) > 0 || is_cut(d, c, b)) list_triangle(2 * patch + 1, &d, &c, &b);
+    }
+
+    // Bands that a triangle reaches beyond its first, at most.
+    int32_t reach() const { return reach_; }
+
+private:
+    LUMI_ALWAYS_INLINE bool is_cut(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) const
+    {
+        return !frame_.is_whole && !Seen{&a, &b, &c}.are_there();
+    }
+
+    // One that faces the eye, or is cut.
+    __attribute__((noinline)) void list_triangle(uint32_t triangle, const SurfaceVertex* a, const SurfaceVertex* b,
+                                                 const SurfaceVertex* c)
+    {
+        if (is_cut(*a, *b, *c)) {
+            put(frame_.other_list, triangle, 0);
+        } else if (!list(triangle, {a, b, c})) {
+            frame_.memory.links[triangle] = kWithoutSamples;
+            return;
+        }
+        kLight(frame_, a);
+        kLight(frame_, b);
+        kLight(frame_, c);
+    }
+
+    // False if it lies beside the image or between the scanlines.
+    LUMI_ALWAYS_INLINE bool list(uint32_t triangle, const Seen& s)
+    {
+        const int32_t upper = s.upper(), lower = s.lower();
+        const int32_t first = line_from_packed(upper), last = line_from_packed(lower);
+        const int32_t begin = first > 0 ? first : 0, end = last < scanlines_ ? last : scanlines_;
+        if (begin >= end) return false;
+        const int32_t left = s.left(), right = s.right();
+        if (right < 0 || left > right_) return false;
+        const uint32_t band = static_cast<uint32_t>(begin + frame_.margin) >> band_log2_;
+        const uint32_t last_band = static_cast<uint32_t>(end - 1 + frame_.margin) >> band_log2_;
+        const int32_t reach = static_cast<int32_t>(last_band - band);
+        const bool is_short = lower - upper < long_from_ && right - left < long_from_;
+        if (reach >= kBandReach || !(is_short || is_small(frame_, s))) {
+            put(frame_.other_list, triangle, 0);
+            return true;
+        }
+        const uint32_t nearness = static_cast<uint32_t>(s.a->y & 0xFF) * kBandLists >> 8;
+        if (reach > reach_) reach_ = reach;
+        put(list_of(band, nearness), triangle, reach);
+        return true;
+    }
+
+    // Puts a triangle before the others of a list.
+    void put(uint32_t list, uint32_t triangle, int32_t reach)
+    {
+        uint16_t& first = bands_[list];
+        const uint32_t next = first == kEmptyBand ? triangle : first;
+        frame_.memory.links[triangle] = static_cast<uint16_t>(next | static_cast<uint32_t>(reach) << kLinkBits);
+        first = static_cast<uint16_t>(triangle);
+    }
+
+    const SurfaceFrame& frame_;
+    uint16_t* const bands_;
+    const int32_t scanlines_, right_, long_from_;
+    const uint32_t band_log2_;
+    int32_t reach_ = 0;
+};
 
 }  // namespace lumi::detail

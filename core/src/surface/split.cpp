@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surface/split.h"
+#include "surface/fill.h"
 
 namespace lumi::detail
 {

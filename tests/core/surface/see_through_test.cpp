@@ -8,7 +8,7 @@
 #include "lumi/surface/view.h"
 #include "see_through_bytes.h"
 #include "surface/projection.h"
-#include "surface/silhouette.h"
+#include "lumi/surface/detail/marks.h"
 #include "surface_drawing.h"
 #include "truncation.h"
 

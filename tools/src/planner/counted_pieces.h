@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "planner/counted_rows.h"
-#include "surface/begin.h"
+#include "surface/fill.h"
 #include "surface/lists.h"
-#include "surface/see_through/order.h"
+#include "surface/order.h"
 
 namespace lumi::planner
 {
 
-// How many samples core looks at to know whether a triangle is hidden (src/surface/box.h); 0: its box has none.
+// How many samples core looks at to know whether a triangle is hidden (src/surface/fill.h); 0: its box has none.
 inline uint32_t looked_at(const detail::Seen& s, const detail::Target& target)
 {
     detail::TriangleSize size;

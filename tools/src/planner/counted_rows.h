@@ -4,7 +4,7 @@
 
 #include "lumi/surface/see_through.h"
 #include "planner/surface_work.h"
-#include "surface/rows/row_loops.h"
+#include "surface/row_loops.h"
 
 namespace lumi::planner
 {

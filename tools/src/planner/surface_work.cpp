@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "planner/counted_pieces.h"
-#include "surface/sides.h"
-#include "surface/silhouette.h"
+#include "surface/lists.h"
+#include "lumi/surface/detail/marks.h"
 
 namespace lumi::planner
 {
@@ -16,7 +16,7 @@ namespace
 
 using detail::Filter;
 
-// Lines of samples that an edge crosses within a target (src/surface/cut_pixels.h).
+// Lines of samples that an edge crosses within a target (src/surface/outlines.cpp).
 int32_t lines_of(const SurfaceVertex& a, const SurfaceVertex& b, const detail::Target& target)
 {
     const int32_t dx = detail::x_q6(b) - detail::x_q6(a), dy = detail::y_q6(b) - detail::y_q6(a);

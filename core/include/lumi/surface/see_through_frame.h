@@ -30,7 +30,7 @@ struct SeeThroughMemory : SurfaceMemory {
 };
 
 struct SeeThroughFrame : SurfaceFrame {
-    const uint32_t* order;  // src/surface/see_through/pieces.cpp
+    const uint32_t* order;  // src/surface/order.h
     uint32_t order_count;
     detail::PackedColour added_and_passed[512];  // 256 each; PackedColour, but what passes has no fraction for rounding
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Rows of 5-6-5 pixels on Armv6-M: what draw_rows (surface/rows/row_loops.h) does, for the nearest texel or two taps.
+// Rows of 5-6-5 pixels on Armv6-M: what draw_rows (surface/row_loops.h) does, for the nearest texel or two taps.
 //
 // Instructions: a row about 52, a sample that is written 46 (two taps) or 33, one that is not 8.
 #if defined(__ARM_ARCH_6M__)
-#include "../rows/rows.inc"
+#include "../rows.inc"
 
 // On the stack, below the registers that are kept.
         .equ    GUARD_AT, 0

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Rows of 5-6-5 pixels on Armv7-M and later, with Thumb-2: what draw_rows (surface/rows/row_loops.h) does, for the nearest
+// Rows of 5-6-5 pixels on Armv7-M and later, with Thumb-2: what draw_rows (surface/row_loops.h) does, for the nearest
 // texel or two taps.
 //
 // Instructions: a row about 34, a sample that is written 31 (two taps) or 23, one that is not 7.
 #if defined(__thumb2__) && __ARM_ARCH_PROFILE == 'M'
-#include "../rows/rows.inc"
+#include "../rows.inc"
 
 // On the stack, below the registers that are kept.
         .equ    GUARD_AT, 0

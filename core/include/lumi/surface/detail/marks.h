@@ -61,4 +61,8 @@ inline Fields565 mixed(Fields565 a, Fields565 b, uint32_t share)
     return {((a.word * (32 - share) + b.word * share + kHalf) >> 5) & kFields565};
 }
 
+// Marks the pixels that an edge cuts, after all triangles are drawn. The edge lies on a triangle that is
+// counter-clockwise on the screen, in its order.
+LUMI_HOT void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target);
+
 }  // namespace lumi::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loops over the samples of a triangle's rows: one for each kind of colour and each way to read textures. Each exists
-// in C++ (src/surface/rows/row_loops.h); those for 5-6-5 pixels also in assembly, for Armv6-M and for Armv7-M and
+// in C++ (src/surface/row_loops.h); those for 5-6-5 pixels also in assembly, for Armv6-M and for Armv7-M and
 // later.
 //
 // A firmware links those that it names.

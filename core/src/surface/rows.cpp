@@ -2,7 +2,7 @@
 // The loops over rows, by name: those that a firmware does not name are not linked.
 #include <stddef.h>
 
-#include "surface/rows/row_loops.h"
+#include "surface/row_loops.h"
 
 // Processors for which loops over 5-6-5 pixels exist in assembly (armv6m/rows.S, armv7m/rows.S), which reads struct Rows
 // as it is.

@@ -2,8 +2,8 @@
 // The order of see-through triangles, and their pieces.
 #include "lumi/surface/detail/see_through.h"
 
-#include "surface/begin.h"
-#include "surface/see_through/order.h"
+#include "surface/fill.h"
+#include "surface/order.h"
 
 namespace lumi::detail
 {

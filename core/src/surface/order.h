@@ -4,8 +4,8 @@
 // of two is drawn later.
 #pragma once
 
-#include "surface/bands.h"
-#include "surface/seen.h"
+#include "surface/lists.h"
+#include "surface/projection.h"
 
 namespace lumi::detail
 {
