@@ -25,7 +25,7 @@ lumi::ViewError use(const lumi::Stripe& stripe)
 }
 """
 # From, to, where that lies, and how many functions there may be.
-WAYS = [("View::draw", r"palette\[.*texels\[|\bFourTexels t = ", 7), ("View::look", r"vertices\[k\] = packed\(", 6)]
+WAYS = [("View::draw", r"palette\[.*texels\[|\bFourTexels t = ", 7), ("View::look", r"SamplePoint projected\(", 6)]
 
 
 def compiled(root, folder):

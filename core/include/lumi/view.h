@@ -164,7 +164,8 @@ public:
     }
     ViewError look(const Pose& pose, uint32_t fov_turns32, Mode mode = Drawing::kDefaultMode)
     {
-        return look_by(pose, fov_turns32, mode);
+        if (bytes_ == nullptr) return ViewError::no_field;
+        return looked(state_.look(pose, image_with(fov_turns32), mode));
     }
 
     // Two cores prepare the frame. `both(step)` lets halves.prepare(step, 0) and halves.prepare(step, 1) run
@@ -179,7 +180,8 @@ public:
     ViewError look(const Pose& pose, uint32_t fov_turns32, Halves& halves, const Both& both,
                    Mode mode = Drawing::kDefaultMode)
     {
-        return look_by(pose, fov_turns32, mode, halves, both);
+        if (bytes_ == nullptr) return ViewError::no_field;
+        return looked(state_.look(pose, image_with(fov_turns32), mode, halves, both));
     }
 
     // The field of view that look() takes for an orbit: fitted to the sphere, and zoomed.
@@ -232,12 +234,14 @@ public:
     }
 
 private:
-    template <class... By>
-    ViewError look_by(const Pose& pose, uint32_t fov_turns32, Mode mode, By&... by)
+    Image image_with(uint32_t fov_turns32) const
     {
-        if (bytes_ == nullptr) return ViewError::no_field;
         const detail::ImageSize size = ScreenOf::size_of(state_);
-        const ViewError error = state_.look(pose, {size.width_px, size.height_px, fov_turns32}, mode, by...);
+        return {size.width_px, size.height_px, fov_turns32};
+    }
+
+    ViewError looked(ViewError error)
+    {
         if (error == ViewError::none) has_look_ = true;
         return error;
     }

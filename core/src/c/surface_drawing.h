@@ -62,7 +62,11 @@ public:
     {
         const SurfaceMode mode = static_cast<SurfaceMode>(number);
         if (mode > finest_) return ViewError::mode_too_fine;
-        return look_at_surface<Pixel, SurfaceMode::two_by_two, true>(field_, pose, image, mode, memory_, frame_);
+        SurfaceCamera camera;
+        const CameraError error = make_surface_camera(pose, image, camera);
+        if (error != CameraError::none) return view_error(error);
+        prepare_surface<Pixel>(field_, camera, mode, memory_, frame_);
+        return ViewError::none;
     }
 
     PixelRect bounds() const { return bounds_of(frame_); }

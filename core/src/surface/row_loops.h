@@ -138,58 +138,59 @@ struct Blended565 : Sample565<Pixel> {
     }
 };
 
-// Goes to the next row; false after the last.
-LUMI_ALWAYS_INLINE bool next_row(Rows& rows)
-{
-    rows.edge_q16[0] += rows.edge_step_q16[0];
-    rows.edge_q16[1] += rows.edge_step_q16[1];
-    rows.depth += rows.depth_down;
-    rows.place += rows.place_down;
-    rows.colour += rows.colour_down;
-    rows.row += rows.row_bytes;
-    if (--rows.count != 0) return true;
-    if (rows.count_below == 0) return false;
-    rows.count = rows.count_below;
-    rows.count_below = 0;
-    rows.bend();
-    return true;
-}
-
 // Draws every row. Sample: what a sample holds, `Colour`, and how a PackedColour becomes that, `stored()`; where
 // triangles are blended over samples, also how it is read, `loaded()`.
 template <class Sample, Filter kFilter>
-LUMI_ALWAYS_INLINE void draw_rows(Rows& state)
+LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
 {
-    do {
-        const int32_t first = state.edge_q16[0] >> 16, last = state.edge_q16[1] >> 16;
-        if (first >= last) continue;
-        const Rows rows = state;  // none of it changes when a colour is stored
-        Rows of_passed = rows;
-        of_passed.palette += format::kPaletteEntries;
-        const uint32_t column = static_cast<uint32_t>(first);
-        uint16_t* depth_at = reinterpret_cast<uint16_t*>(rows.row) + first;
-        const uint16_t* const end = reinterpret_cast<uint16_t*>(rows.row) + last;
-        auto* colour_at = reinterpret_cast<typename Sample::Colour*>(rows.row + rows.colours_at) + first;
-        uint32_t depth = rows.depth + column * rows.depth_right, place = rows.place + column * rows.place_right;
-        PackedColour colour = rows.colour + column * rows.colour_right;
+    // The first sample's quantities are given.
+    const auto draw_row = [](uint16_t* depth_at, const uint16_t* end, typename Sample::Colour* colour_at, uint32_t depth,
+                             uint32_t place, PackedColour colour, const Rows& state) __attribute__((always_inline))
+    {
+        const Rows at = state;  // none of it changes when a colour is stored
+        Rows passing = at;
+        if constexpr (Sample::kIsBlended) passing.palette += format::kPaletteEntries;
         do {
             if (depth >> 16 > *depth_at) {
                 if constexpr (!Sample::kIsBlended) *depth_at = static_cast<uint16_t>(depth >> 16);
-                PackedColour sum = colour + texel<kFilter>(place, rows);
+                PackedColour sum = colour + texel<kFilter>(place, at);
                 if ((sum & kGuardBits) != 0) sum = clamped(sum);
                 if constexpr (Sample::kIsBlended) {
-                    const PackedColour passed = texel<kFilter>(place, of_passed);
+                    const PackedColour passed = texel<kFilter>(place, passing);
                     sum = saturated_sum(sum, share_of(passed, Sample::loaded(*colour_at)));
+                    *colour_at = Sample::stored(sum);
                     if (*depth_at < kFarDepth) *depth_at = depth_behind(*depth_at, passed, sum);
+                } else {
+                    *colour_at = Sample::stored(sum);
                 }
-                *colour_at = Sample::stored(sum);
             }
-            depth += rows.depth_right;
-            place += rows.place_right;
-            colour += rows.colour_right;
+            depth += at.depth_right;
+            place += at.place_right;
+            colour += at.colour_right;
             ++colour_at;
         } while (++depth_at != end);
-    } while (next_row(state));
+    };
+    while (true) {
+        const int32_t first = rows.edge_q16[0] >> 16, last = rows.edge_q16[1] >> 16;
+        if (first < last) {
+            const uint32_t column = static_cast<uint32_t>(first);
+            uint16_t* const depths = reinterpret_cast<uint16_t*>(rows.row);
+            auto* const colours = reinterpret_cast<typename Sample::Colour*>(rows.row + rows.colours_at);
+            draw_row(depths + first, depths + last, colours + first, rows.depth + column * rows.depth_right,
+                     rows.place + column * rows.place_right, rows.colour + column * rows.colour_right, rows);
+        }
+        rows.edge_q16[0] += rows.edge_step_q16[0];
+        rows.edge_q16[1] += rows.edge_step_q16[1];
+        rows.depth += rows.depth_down;
+        rows.place += rows.place_down;
+        rows.colour += rows.colour_down;
+        rows.row += rows.row_bytes;
+        if (--rows.count != 0) continue;
+        if (rows.count_below == 0) return;
+        rows.count = rows.count_below;
+        rows.count_below = 0;
+        rows.bend();
+    }
 }
 
 }  // namespace lumi::detail

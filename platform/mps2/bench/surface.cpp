@@ -45,10 +45,7 @@ const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
 void prepare_alone(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
 {
     const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
-    if constexpr (LUMI_BENCH_VIEW_TABLES)
-        prepare_surface<Pixel, kFinest>(field, view.camera, view.mode, memory, frame);
-    else
-        detail::prepare_all<Pixel, kFinest, false>(field, view.camera, view.mode, memory, frame);
+    prepare_surface<Pixel, kFinest, LUMI_BENCH_VIEW_TABLES>(field, view.camera, view.mode, memory, frame);
 }
 
 uint64_t prepare_by_halves(const BenchField& field, const SurfaceView& view, int32_t stripe_height)

@@ -103,6 +103,22 @@ void count_samples(const detail::Rows& rows)
     if (kIsSeeThrough) add(SurfaceItem::see_alone, alone);
 }
 
+// Goes to the next row, as core's draw_rows does; false after the last.
+inline bool next_row(detail::Rows& rows)
+{
+    for (int k = 0; k < 2; ++k) rows.edge_q16[k] += rows.edge_step_q16[k];
+    rows.depth += rows.depth_down;
+    rows.place += rows.place_down;
+    rows.colour += rows.colour_down;
+    rows.row += rows.row_bytes;
+    if (--rows.count != 0) return true;
+    if (rows.count_below == 0) return false;
+    rows.count = rows.count_below;
+    rows.count_below = 0;
+    rows.bend();
+    return true;
+}
+
 // Counts what rows have, and then draws them.
 template <class Samples, const LoopItems& kItems, detail::Filter kFilter, bool kIsSeeThrough>
 void count_rows(detail::Rows& rows)
@@ -112,7 +128,7 @@ void count_rows(detail::Rows& rows)
     detail::Rows counted_rows = rows;
     do
         count_samples<kItems, kFilter, kIsSeeThrough>(counted_rows);
-    while (detail::next_row(counted_rows));
+    while (next_row(counted_rows));
     if constexpr (kIsSeeThrough)
         detail::draw_rows<typename Samples::Blended, kFilter>(rows);
     else

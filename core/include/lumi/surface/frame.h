@@ -142,7 +142,7 @@ namespace lumi::detail
 
 void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
              SurfaceFrame& out);
-// The same of a field without view tables: nothing that reads them is linked.
+// Does that for a field without view tables: nothing that reads them is linked.
 void prepare_without_views(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                            const SurfaceMemory& memory, SurfaceFrame& out);
 // After that: which triangles of these patches have a side on an outline.
@@ -160,19 +160,6 @@ void put_palette(SurfaceFrame& frame)
     }
 }
 
-template <class Pixel, SurfaceMode kFinest, bool kHasViews>
-void prepare_all(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
-                 SurfaceFrame& out)
-{
-    if constexpr (kHasViews)
-        prepare(field, camera, mode, memory, out);
-    else
-        prepare_without_views(field, camera, mode, memory, out);
-    if constexpr (kFinest != SurfaceMode::one_sample)
-        if (out.margin != 0) put_outlines(out, 0, field.patch_count);
-    put_palette<Pixel>(out);
-}
-
 }  // namespace lumi::detail
 
 namespace lumi
@@ -180,12 +167,19 @@ namespace lumi
 
 // Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
 // docs/log/speed.md.
-// A mode up to kFinest: what finer modes take is not linked.
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two>
+// The mode is at most kFinest: what finer modes take is not linked, nor what view tables take where kHasViews is false
+// and fields have none.
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool kHasViews = true>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out)
 {
-    detail::prepare_all<Pixel, kFinest, true>(field, camera, mode, memory, out);
+    if constexpr (kHasViews)
+        detail::prepare(field, camera, mode, memory, out);
+    else
+        detail::prepare_without_views(field, camera, mode, memory, out);
+    if constexpr (kFinest != SurfaceMode::one_sample)
+        if (out.margin != 0) detail::put_outlines(out, 0, field.patch_count);
+    detail::put_palette<Pixel>(out);
 }
 
 }  // namespace lumi

@@ -100,7 +100,7 @@ void prepare_half(SurfaceHalves& halves, int32_t step, uint32_t half)
 
 // As prepare_surface() on one core, and as fast as that if `both` runs both halves here. Give `both` as a lambda: no
 // call then goes through a pointer, whose stack has no bound.
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Both>
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool = true, class Both>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out, SurfaceHalves& halves, const Both& both)
 {
@@ -114,7 +114,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
     detail::put_palette<Pixel>(out);
 }
 
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Both>
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool = true, class Both>
 void prepare_surface(const SeeThroughField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SeeThroughMemory& memory, SeeThroughFrame& out, SurfaceHalves& halves, const Both& both)
 {

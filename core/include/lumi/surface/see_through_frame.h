@@ -91,7 +91,7 @@ void add_see_through(const SeeThroughField& field, const SeeThroughMemory& memor
 namespace lumi
 {
 
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two>
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool = true>
 void prepare_surface(const SeeThroughField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SeeThroughMemory& memory, SeeThroughFrame& out)
 {

@@ -10,22 +10,6 @@
 namespace lumi::detail
 {
 
-// kHasViews: whether fields may have view tables or see-through patches. `by`: nothing, or SurfaceHalves and what
-// prepares both.
-template <class Pixel, SurfaceMode kFinest, bool kHasViews, class Field, class Memory, class Frame, class... By>
-ViewError look_at_surface(const Field& field, const Pose& pose, const Image& image, SurfaceMode mode,
-                          const Memory& memory, Frame& out, By&... by)
-{
-    SurfaceCamera camera;
-    if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
-        return view_error(error);
-    if constexpr (kHasViews || sizeof...(By) != 0)
-        prepare_surface<Pixel, kFinest>(field, camera, mode, memory, out, by...);
-    else
-        prepare_all<Pixel, kFinest, false>(field, camera, mode, memory, out);
-    return ViewError::none;
-}
-
 inline PixelRect bounds_of(const SurfaceFrame& frame)
 {
     const Extent &x = frame.columns, &y = frame.scanlines;
@@ -90,9 +74,9 @@ struct SurfaceDrawing {
     public:
         void prepare(int32_t step, uint32_t half) { prepare_half<kFinest>(shared_, step, half); }
 
-        SurfaceHalves& with_bands()
+        operator SurfaceHalves&()
         {
-            shared_.bands = bands_;
+            shared_.bands = bands_;  // of this one, also where it is a copy
             return shared_;
         }
 
@@ -119,11 +103,17 @@ struct SurfaceDrawing {
             return ViewError::none;
         }
 
-        ViewError look(const Pose& pose, const Image& image, Mode mode) { return look_by(pose, image, mode); }
-        template <class Both>
-        ViewError look(const Pose& pose, const Image& image, Mode mode, Halves<ScreenOf>& halves, const Both& both)
+        // `both`: nothing, or Halves and what prepares both.
+        template <class... Both>
+        ViewError look(const Pose& pose, const Image& image, Mode mode, Both&... both)
         {
-            return look_by(pose, image, mode, halves.with_bands(), both);
+            if (mode > kFinest) return ViewError::mode_too_fine;
+            SurfaceCamera camera;
+            const CameraError error = make_surface_camera(pose, image, camera);
+            if (error != CameraError::none) return detail::view_error(error);
+            prepare_surface<typename ScreenOf::Pixel, kFinest, kHasViews>(
+                field_, camera, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_, both...);
+            return ViewError::none;
         }
 
         PixelRect bounds() const { return detail::bounds_of(frame_); }
@@ -148,14 +138,7 @@ struct SurfaceDrawing {
         }
 
     private:
-        template <class... By>
-        ViewError look_by(const Pose& pose, const Image& image, Mode mode, By&... by)
-        {
-            if (mode > kFinest) return ViewError::mode_too_fine;
-            return detail::look_at_surface<typename ScreenOf::Pixel, kFinest, kHasViews>(
-                field_, pose, image, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_, by...);
-        }
-
+        // Whether fields may have view tables or see-through patches.
         static constexpr bool kHasViews = kViewed != 0 || kSeeThrough != 0;
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
