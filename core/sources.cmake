@@ -52,6 +52,7 @@ set(LUMI_CORE_SOURCES
   src/surface/target.cpp
   src/surface/field.cpp
   src/surface/view_nodes.cpp
+  src/surface/without_views.cpp
   src/view/check_stripe.cpp
   src/control/gesture.cpp
   src/pixel/pack.cpp

@@ -91,9 +91,6 @@ LUMI_ALWAYS_INLINE uint32_t second_outlines(const SurfaceFrame& frame, const uin
            (other == kTurnedAway ? 1u : 0u) << 2;
 }
 
-// For vertices that have their colour already.
-LUMI_ALWAYS_INLINE void light_nothing(const SurfaceFrame&, const SurfaceVertex*) {}
-
 }  // namespace
 
 void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
@@ -102,17 +99,6 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
     if (!begin_frame(field, camera, mode, memory, out)) return;
     set_extents(out, put_vertices(out, 0, field.vertex_count));
     put_triangles(out);
-}
-
-void prepare_without_views(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
-                           const SurfaceMemory& memory, SurfaceFrame& out)
-{
-    constexpr uint32_t kAsTexels = 0;
-    if (!begin_frame(field, camera, mode, memory, out)) return;
-    set_extents(out, put_vertices(out, 0, field.vertex_count, kAsTexels));
-    Lister<light_nothing> lister(out, memory.bands);
-    for (uint32_t k = 0; k < field.patch_count; ++k) lister.add(k, surface_patch(field, k).corner);
-    out.reach = lister.reach();
 }
 
 void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end)

@@ -97,11 +97,12 @@ LUMI_ALWAYS_INLINE bool has_glass(const Frame& frame)
 template <class Pixel, class Background>
 void fill_around(const Background& background, const Stripe& stripe, const Stripe& covered)
 {
-    const int32_t left = covered.x_px, top = covered.y_px;
-    for (int32_t y = stripe.y_px; y < stripe.bottom_px(); ++y) {
-        const bool is_covered = y >= top && y < top + covered.height_px;
+    const int32_t left = covered.x_px, right = left + covered.width_px;
+    const int32_t top = covered.y_px, bottom = top + covered.height_px, end = stripe.bottom_px();
+    for (int32_t y = stripe.y_px; y < end; ++y) {
+        const bool is_covered = y >= top && y < bottom;
         fill_beside<Pixel>(background, stripe,
-                           is_covered ? Extent{left, left + covered.width_px} : Extent{stripe.x_px, stripe.x_px}, y);
+                           is_covered ? Extent{left, right} : Extent{stripe.x_px, stripe.x_px}, y);
     }
 }
 
@@ -156,7 +157,8 @@ void render_surface(const Frame& frame, const Background& background, const Stri
                 if (has_glass(frame))
                     draw_triangles<SeeThroughPieces, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame, target);
         }
-        for (int32_t y = covered.y_px; y < covered.y_px + covered.height_px; ++y) {
+        const int32_t end = covered.y_px + covered.height_px;
+        for (int32_t y = covered.y_px; y < end; ++y) {
             samples.template resolve<kFinest>(background, y);
             if constexpr (kMayHaveGlass<Frame> && kKeepsCoverage<Background>)
                 if (has_glass(frame)) store_glass<Pixel>(samples, y);

@@ -91,19 +91,20 @@ __attribute__((noinline)) void resolve_marked(const Samples& s, const Background
 {
     constexpr int32_t kMost = 16;
     Blended<typename Samples::Colour> pending[kMost];
-    int32_t count = 0, done = s.begin();
-    const auto place = [&](int32_t x) { return pixel + (x - s.begin()) * static_cast<int32_t>(Pixel::kBytes); };
+    const int32_t begin = s.begin(), last = s.end();
+    int32_t count = 0, done = begin;
+    const auto place = [&](int32_t x) { return pixel + (x - begin) * static_cast<int32_t>(Pixel::kBytes); };
     const auto write = [&](int32_t end) {
         s.put(background, place(done), row, done, end);
         for (int32_t k = 0; k < count; ++k) s.store(place(pending[k].x), pending[k].colour, pending[k].coverage);
         count = 0;
         done = end;
     };
-    each_marked(s.target, row, s.begin(), s.end(), [&](int32_t x) {
+    each_marked(s.target, row, begin, last, [&](int32_t x) {
         if (count == kMost) write(x);
         pending[count++] = blended(s, Mark(s.target, x, row), x, background, place(x));
     });
-    write(s.end());
+    write(last);
 }
 
 // A scanline of the stripe, of samples that have put(), the pixels of a row from `begin` to `end`; colour_at(), the
@@ -276,7 +277,7 @@ struct FourSamples : StripeSamples {
     }
 
     template <SurfaceMode, class Background>
-    void resolve(const Background& background, int32_t y) const
+    __attribute__((noinline)) void resolve(const Background& background, int32_t y) const
     {
         constexpr PackedColour kBlack = palette_colour<Pixel>({0, 0, 0});
         uint8_t* pixel = pixel_of<Pixel>(covered, covered.x_px, y);

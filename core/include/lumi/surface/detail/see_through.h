@@ -118,9 +118,10 @@ void fill_colours(const StripeSamples& s, const Background& background)
     PackedColour under = palette_colour<Pixel>({0, 0, 0});
     if constexpr (Background::kFills && !kKeepsCoverage<Background>)
         under = palette_colour<Pixel>(background.template under<Pixel>(nullptr));
-    for (int32_t y = 0; y < s.target.height; ++y) {
+    const int32_t width = s.target.width, height = s.target.height;
+    for (int32_t y = 0; y < height; ++y) {
         PackedColour* const colours = s.target.template colours<PackedColour>(y);
-        for (int32_t x = 0; x < s.target.width; ++x) colours[x] = under;
+        for (int32_t x = 0; x < width; ++x) colours[x] = under;
     }
     if constexpr (!Background::kFills) fill_from_stripe<Pixel>(s);
 }
