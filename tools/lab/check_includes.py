@@ -43,7 +43,6 @@ core/src/control
 core/src/pixel
 core/src/view
 core/src/surface
-core/src/surface/see_through
 core/src/chord/stepping
 core/src/chord
 core/src/chord/armv6m
