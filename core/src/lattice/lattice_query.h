@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What neighbours and triangles share: a direction as the lattice sees it.
+// Neighbours and triangles share this: a direction as the lattice sees it.
 #pragma once
 
 #include "lumi/detail/lattice.h"

@@ -42,7 +42,7 @@ constexpr Spreads kSpreads = make_spreads();
 constexpr uint32_t kEighthTurnQ16 = 51472;  // 2π/8
 constexpr int32_t kHalfUnitQ14 = 1 << 13;
 
-// Of two numbers of one sign: within three spacings, or half a turn, it takes 32 bits and no sign.
+// Multiplies two numbers of one sign: within three spacings, or half a turn, that takes 32 bits and no sign.
 uint32_t product(int32_t a, int32_t b)
 {
     return static_cast<uint32_t>(a) * static_cast<uint32_t>(b);

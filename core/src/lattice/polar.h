@@ -68,7 +68,7 @@ struct Gradient {
     int16_t x_q14, y_q14;
 };
 
-// What walking needs, apart from the corners: render(), which does not walk, links those alone.
+// Walking needs this, apart from the corners: render(), which does not walk, links those alone.
 struct TriangleWalk {
     uint8_t beyond[3];   // the triangles across the edges opposite the corners; kNone where the pattern's table ends
     Gradient weight[2];  // barycentric, of the corners 1 and 2; both are 0 at corner 0. Shorter than 1
@@ -88,7 +88,7 @@ inline const uint8_t* corners(int k)
     return kCorners[k];
 }
 
-// Of triangle k < kWalkTriangles.
+// The triangles beyond the edges of triangle k < kWalkTriangles.
 inline const uint8_t* beyond(int k)
 {
     return kWalks.triangle[k].beyond;

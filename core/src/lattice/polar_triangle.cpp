@@ -61,7 +61,7 @@ void improve(PolarParts& best, int k, const PolarPosition& p)
     best = {c, {opposite_0, opposite_1, opposite_2}, smaller < opposite_2 ? smaller : opposite_2};
 }
 
-// Of the triangle that holds the position; where rounding leaves a gap, of the one that misses it least.
+// Finds the triangle that holds the position or, where rounding leaves a gap, the one that misses it least.
 PolarParts find(const PolarPosition& position)
 {
     PolarParts best = {polar::corners(0), {0, 0, 0}, INT32_MIN};

@@ -13,8 +13,8 @@ struct PolarTriangle {
     uint32_t weight_q12[3];
 };
 
-// Of a direction whose real-valued index is below polar::kReach; `query` is make_query() of it. The place in the plane
-// comes from x and y: a height does not resolve what lies around a pole.
+// Finds the triangle of a direction whose real-valued index is below polar::kReach; `query` is make_query() of it. The
+// place in the plane comes from x and y: a height does not resolve what lies around a pole.
 PolarTriangle polar_triangle(const Lattice& lattice, const Query& query, const Vec3q30& direction);
 
 // The query, moved from where longitude and height see it towards where the weights put it: all the way at

@@ -18,7 +18,8 @@ inline uint32_t coarse_q29(uint32_t v)
     return kReciprocals.q29[(v >> 8) - 128];
 }
 
-// mantissa · 2^(leading - 47) = 1/v to 2^-16, for v > 0; mantissa in [2^15, 2^16).
+// mantissa · 2^(leading - 47) = 1/v to 2^-16, for v > 0; mantissa in [2^15, 2^16). One Newton step for y = 1/m from the
+// table's y0: y = y0 + y0·(1 - m·y0), m being v shifted left until its top bit is set.
 struct Reciprocal {
     uint32_t mantissa;
     int32_t leading;  // zeros of v
@@ -58,7 +59,8 @@ inline Reciprocal reciprocal(uint32_t v)
             leading};
 }
 
-// (a · mantissa) / 2^16 for |a| < 2^31, mantissa < 2^16; rounds down.
+// (a · m)/2^16 for |a| < 2^31, mantissa m < 2^16; rounds down. With a = 2^16·h + l that is h·m + l·m/2^16, two products
+// of 32 bits.
 inline int32_t times_q16(int32_t a, uint32_t mantissa)
 {
     const int32_t high = a >> 16;

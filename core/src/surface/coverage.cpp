@@ -60,7 +60,8 @@ void unmark_glass(const Target& target)
     for (int32_t y = 0; y < target.height; ++y)
         for (int32_t x = 0; x < target.width; ++x)
             if (is_marked(target, x, y) && is_glass_alone(*Mark(target, x, y).other))
-                target.depths(y)[x] = static_cast<uint16_t>(target.depths(y)[x] & ~mark_bits(kMostShare, PixelSide::right));
+                target.depths(y)[x] =
+                    static_cast<uint16_t>(target.depths(y)[x] & ~mark_bits(kMostShare, PixelSide::right));
 }
 
 void store_see_through_coverage(const StripeSamples& s, int32_t y)

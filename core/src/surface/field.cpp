@@ -13,9 +13,8 @@ using namespace detail::container;
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-constexpr uint32_t kSurfaceSections[] = {
-    kSurfaceSection, kVertexSection, kPatchSection,     kColourSection,
-    kPaletteRgb,     kViewSection,   kNeighbourSection, kSeeThroughSection};
+constexpr uint32_t kSurfaceSections[] = {kSurfaceSection, kVertexSection, kPatchSection,     kColourSection,
+                                         kPaletteRgb,     kViewSection,   kNeighbourSection, kSeeThroughSection};
 constexpr KnownTypes kOpaqueSections = {kSurfaceSections, 7};
 constexpr KnownTypes kSeeThroughSections = {kSurfaceSections, 8};
 

@@ -34,7 +34,7 @@ struct Outline {
     uint32_t short_edge;  // 0: left, 1: right
 };
 
-// Of corners that run counter-clockwise on the screen.
+// Takes corners that run counter-clockwise on the screen.
 LUMI_ALWAYS_INLINE Outline outline_of(const SurfaceVertex* a, const SurfaceVertex* b, const SurfaceVertex* c)
 {
     // Packed numbers compare as their upper bits do, and any of two that lie equally high may be the upper one.

@@ -111,7 +111,7 @@ LUMI_ALWAYS_INLINE bool is_hidden(const Seen& s, const TriangleSize& size, const
 LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], const TriangleSize& size,
                              const Texture& texture, const Target& target);
 
-// What colour may lose from one side of a triangle to the other, levels: nothing in the middle, and half of it at
+// Colour may lose so many levels from one side of a triangle to the other: nothing in the middle, and half of it at
 // either end. In triangles of less than kWideQ6 samples it never loses more, for blue, which loses most, loses at most
 // a quarter level a sample.
 inline constexpr int32_t kMostLostQ24 = 6 << 24, kWideQ6 = kMostLostQ24 >> 16;
@@ -135,7 +135,7 @@ void begin_parts(Parts& parts, const SurfaceFrame& frame, uint32_t triangle);
 // last.
 bool next_part(Parts& parts, const SurfaceFrame& frame, const Target& target, Corner (&corner)[3]);
 
-// Of a triangle that is drawn as a whole; false if none of it shows.
+// Begins a triangle that is drawn as a whole; false if none of it shows.
 LUMI_ALWAYS_INLINE bool begin_whole(TrianglePiece& piece, const SurfaceFrame& frame, uint32_t triangle,
                                     const Target& target)
 {
@@ -158,7 +158,7 @@ LUMI_ALWAYS_INLINE bool begin_whole(TrianglePiece& piece, const SurfaceFrame& fr
                           texture_of(patch, frame.field), target);
 }
 
-// Of the next part of a triangle that begin_parts() began; false after the last.
+// Begins the next part of a triangle that begin_parts() began; false after the last.
 inline bool begin_part(TrianglePiece& piece, const SurfaceFrame& frame, Parts& parts, const Target& target)
 {
     Corner corner[3];

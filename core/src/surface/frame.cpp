@@ -74,7 +74,8 @@ LUMI_ALWAYS_INLINE uint32_t is_outline(const SurfaceFrame& frame, const uint8_t*
     return across == format::kNoNeighbour || frame.memory.links[across] == kTurnedAway ? 1 : 0;
 }
 
-// Bits of the sides of a patch's first triangle that are outlines, numbered as in side_of(); `other`: the second's link.
+// Bits of the sides of a patch's first triangle that are outlines, numbered as in side_of(); `other`: the second's
+// link.
 LUMI_ALWAYS_INLINE uint32_t first_outlines(const SurfaceFrame& frame, uint32_t patch, const uint8_t* neighbours,
                                            uint32_t other)
 {
@@ -84,7 +85,7 @@ LUMI_ALWAYS_INLINE uint32_t first_outlines(const SurfaceFrame& frame, uint32_t p
     return sides | (is_alone ? is_outline(frame, neighbours, 2) : 1) << 2;
 }
 
-// The same of the second; `other`: the first's link.
+// Returns those of the second triangle; `other`: the first's link.
 LUMI_ALWAYS_INLINE uint32_t second_outlines(const SurfaceFrame& frame, const uint8_t* neighbours, uint32_t other)
 {
     return is_outline(frame, neighbours, 2) | is_outline(frame, neighbours, 3) << 1 |

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/surface/halves.h"
 
-#include "surface/preparing.h"
 #include "surface/lists.h"
+#include "surface/preparing.h"
 
 namespace lumi::detail
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lists of triangles in SurfaceMemory, ways through them, and the triangles' sides. A band has kBandLists lists, by depth.
-// A list holds the first triangle of those that begin in the band's scanlines, a link the next after each, the last one
-// itself. A link's upper bits tell how many bands further a triangle reaches.
+// Lists of triangles in SurfaceMemory, ways through them, and the triangles' sides. A band has kBandLists lists, by
+// depth. A list holds the first triangle of those that begin in the band's scanlines, a link the next after each, the
+// last one itself. A link's upper bits tell how many bands further a triangle reaches.
 #pragma once
 
 #include "lumi/surface/detail/pieces.h"

@@ -21,7 +21,7 @@ constexpr uint32_t triangle_of(uint32_t number)
     return number >> kTriangleShift & kLinkMask;
 }
 
-// Of a triangle that is there.
+// Returns the corners of a triangle that a patch has.
 inline Seen seen(const SurfaceFrame& frame, uint32_t triangle)
 {
     const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);

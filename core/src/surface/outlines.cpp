@@ -42,7 +42,7 @@ struct SampleLines {
     int32_t pitch, stride;  // from line to line, from sample to sample, bytes
 };
 
-// Of several marks of a pixel the largest share stays, so the order of edges does not matter.
+// Marks a pixel. The largest share of several marks stays, so the order of edges does not matter.
 LUMI_ALWAYS_INLINE void mark_pixel(uint16_t& depth, uint32_t& bits, uint32_t bit, uint32_t mark)
 {
     constexpr uint32_t kMask = (1u << kMarkBits) - 1;
@@ -150,7 +150,8 @@ void mark_see_through_sides(const SurfaceFrame& frame, uint32_t triangle, const 
 
 }  // namespace
 
-LUMI_HOT __attribute__((noinline)) void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target)
+LUMI_HOT __attribute__((noinline)) void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to,
+                                                  const Target& target)
 {
     mark_cut_pixels<false>(from, to, target);
 }

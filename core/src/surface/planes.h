@@ -16,7 +16,8 @@ struct Plane {
     uint32_t value, right, down;
 };
 
-// Whether neither coordinate of a texture changes by more than `most_q10` from sample to sample.
+// Tells whether neither coordinate of a texture changes by more than `most_q10` from sample to sample. A step is
+// 2^16·dv + du modulo 2^32, so du is its lower half with its sign, and dv what is left above when du is taken away.
 LUMI_ALWAYS_INLINE bool is_magnified(uint32_t right, uint32_t down, int32_t most_q10)
 {
     const auto fits = [&](uint32_t step) {
@@ -48,7 +49,8 @@ struct Facing {
     Length ab, ac;
 };
 
-// What the shares of the corners b and c in a sample add to the right and downwards, Q16.
+// A sample is a + s·(b - a) + t·(c - a). These are the changes of s and t from a sample to the next one to the right
+// and to the one below, Q16: by Cramer's rule, s = cross(p - a, ac)/area and t = cross(ab, p - a)/area.
 struct Shares {
     int32_t b_right, b_down, c_right, c_down;
 };
@@ -120,7 +122,7 @@ public:
         int32_t right, down;
     };
 
-    // What steps of colour() lose, and the most of it.
+    // Sets what rounding the steps of colour() loses, and returns the most of it.
     LUMI_ALWAYS_INLINE Lost set_lost(WideTriangle& wide) const
     {
         const uint32_t a = a_.at->colour, b = b_.at->colour, c = c_.at->colour;
@@ -173,7 +175,7 @@ private:
                 static_cast<uint32_t>(down)};
     }
 
-    // Of levels times 4; rounded to 2 bits of fraction less `drop`.
+    // Takes levels times 4; rounds to 2 bits of fraction less `drop`.
     LUMI_ALWAYS_INLINE Channel channel(int32_t a, int32_t b, int32_t c, int drop) const
     {
         const uint32_t of_b = static_cast<uint32_t>(b - a), of_c = static_cast<uint32_t>(c - a);

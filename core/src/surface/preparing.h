@@ -86,8 +86,8 @@ inline int32_t long_from(const SurfaceFrame& frame)
     return length_px << (14 + frame.samples_log2);
 }
 
-// Of patches in the order of the file. `kLight` is called for each corner of a triangle that is listed. Several cores
-// may have one each, with bands of their own and with patches that no other has.
+// Takes patches in the order of the file. `kLight` is called for each corner of a triangle that is listed. Several
+// cores may have one each, with bands of their own and with patches that no other has.
 template <void (*kLight)(const SurfaceFrame&, const SurfaceVertex*)>
 class Lister
 {

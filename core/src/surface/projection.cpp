@@ -163,7 +163,8 @@ CameraError make_surface_camera(const Pose& pose, const Image& image, SurfaceCam
 {
     if (const CameraError error = detail::check_view(pose, image); error != CameraError::none) return error;
     out.position = pose.eye;
-    out.eye = {detail::along(pose.right, pose.eye), detail::along(pose.up, pose.eye), detail::along(pose.forward, pose.eye)};
+    out.eye = {detail::along(pose.right, pose.eye), detail::along(pose.up, pose.eye),
+               detail::along(pose.forward, pose.eye)};
     out.right = pose.right;
     out.up = pose.up;
     out.forward = pose.forward;

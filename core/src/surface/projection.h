@@ -81,7 +81,7 @@ LUMI_ALWAYS_INLINE bool is_there(const SurfaceVertex& v)
 // 128 samples.
 inline constexpr int32_t kSmallQ6 = 1 << 13;
 
-// The first line of samples, at y = line + 1/2, at or below a height.
+// The first line of samples, at y = line + 1/2, at or below a height: ceil(y - 1/2), in 1/64.
 LUMI_ALWAYS_INLINE int32_t line_from(int32_t y_q6)
 {
     return (y_q6 + 31) >> 6;
@@ -111,7 +111,7 @@ LUMI_ALWAYS_INLINE int32_t most_of(int32_t a, int32_t b, int32_t c)
 
 inline constexpr uint32_t kUnlit = 1;  // a vertex's colour before it is known: in the two bits that no colour uses
 
-// What a vertex's view table shows of the eye.
+// Returns the light of a vertex's view table for the frame's eye.
 uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex);
 
 LUMI_ALWAYS_INLINE void light(const SurfaceFrame& frame, const SurfaceVertex* v)

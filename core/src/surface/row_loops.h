@@ -10,7 +10,8 @@ namespace lumi::detail
 
 enum class Filter : uint8_t { nearest, two_taps, bilinear };
 
-// Four texels around a place, and how far it is from the first one's middle to the right and down, 1/16 texel.
+// Four texels lie around a place; `across` and `down` say how far it is from the first one's middle to the right and
+// down, 1/16 texel.
 struct FourTexels {
     const uint8_t *upper, *lower;
     uint32_t left, right;
@@ -38,8 +39,8 @@ LUMI_ALWAYS_INLINE FourTexels texels_around(uint32_t place, const Rows& rows)
             down};
 }
 
-// The texture's colour at a place: of the texel there, the sum of two, or blended between the middles of four by 1/16 of
-// a texel. Of two taps `place` is the upper left one's.
+// The texture's colour at a place: of the texel there, the sum of two, or blended between the middles of four by 1/16
+// of a texel. Of two taps `place` is the upper left one's.
 template <Filter kFilter>
 LUMI_ALWAYS_INLINE PackedColour texel(uint32_t place, const Rows& rows)
 {
@@ -98,7 +99,8 @@ struct PackedSample {
     static Colour stored(PackedColour c) { return c; }
 };
 
-// The sum of two colours whose channels have their guard bits clear, each at most white.
+// The sum of two colours whose channels have their guard bits clear, each at most white: min(a + b, white). A field
+// that reaches its guard bit, 2^k, is filled by 2^k - 2^(k - 10), of blue 2^k - 2^(k - 9): ones in all bits below it.
 LUMI_ALWAYS_INLINE PackedColour saturated_sum(PackedColour a, PackedColour b)
 {
     const PackedColour sum = a + b, over = sum & kGuardBits;
@@ -109,7 +111,8 @@ LUMI_ALWAYS_INLINE PackedColour saturated_sum(PackedColour a, PackedColour b)
 }
 
 // How clear a sample stays for the background, as coverage_of() reads it from the depth, behind what passes light by
-// these shares and shows this colour. What shines brighter than it covers counts as covering.
+// these shares and shows this colour: clear · (r + 2g + b)/4, where blue has nine bits and so counts twice. What shines
+// brighter than it covers counts as covering: at most 1 - the brightest channel.
 LUMI_ALWAYS_INLINE uint16_t depth_behind(uint32_t depth, PackedColour shares, PackedColour shown)
 {
     const uint32_t g = shares >> 21, r = (shares >> 10) & 0x3FF, b = shares & 0x1FF;
@@ -144,8 +147,9 @@ template <class Sample, Filter kFilter>
 LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
 {
     // The first sample's quantities are given.
-    const auto draw_row = [](uint16_t* depth_at, const uint16_t* end, typename Sample::Colour* colour_at, uint32_t depth,
-                             uint32_t place, PackedColour colour, const Rows& state) __attribute__((always_inline))
+    const auto draw_row =
+        [](uint16_t * depth_at, const uint16_t* end, typename Sample::Colour* colour_at, uint32_t depth, uint32_t place,
+           PackedColour colour, const Rows& state) __attribute__((always_inline))
     {
         const Rows at = state;  // none of it changes when a colour is stored
         Rows passing = at;

@@ -4,8 +4,8 @@
 
 #include "surface/row_loops.h"
 
-// Processors for which loops over 5-6-5 pixels exist in assembly (armv6m/rows.S, armv7m/rows.S), which reads struct Rows
-// as it is.
+// Processors for which loops over 5-6-5 pixels exist in assembly (armv6m/rows.S, armv7m/rows.S), which reads struct
+// Rows as it is.
 #if defined(__ARM_ARCH_6M__) || (defined(__thumb2__) && __ARM_ARCH_PROFILE == 'M')
 #define LUMI_ROW_LOOPS_IN_ASSEMBLY 1
 #endif

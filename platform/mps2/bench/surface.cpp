@@ -14,7 +14,6 @@ namespace
 using Pixel = LUMI_BENCH_PIXEL;
 constexpr SurfaceMode kFinest = SurfaceMode::LUMI_BENCH_FINEST;
 
-
 constexpr uint32_t kStrideBytes = kSidePx * Pixel::kBytes;
 
 // Draws the opaque triangles and their outlines.

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "lumi/detail/crc32.h"
+#include "lumi/surface/detail/marks.h"
 #include "lumi/surface/view.h"
 #include "see_through_bytes.h"
 #include "surface/projection.h"
-#include "lumi/surface/detail/marks.h"
 #include "surface_drawing.h"
 #include "truncation.h"
 

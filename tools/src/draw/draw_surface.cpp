@@ -75,8 +75,7 @@ Plane<uint16_t> depths_of(const SurfaceFrame& frame, const Stripe& stripe, void*
     Plane<uint16_t> depths(stripe.width_px, stripe.height_px);
     const Stripe covered = detail::covered_part(frame, stripe, PixelRgb888::kBytes);
     if (covered.width_px == 0) return depths;
-    const detail::Target target =
-        detail::target_of(frame, covered, stripe.x_px, frame.samples_are_pixels, samples);
+    const detail::Target target = detail::target_of(frame, covered, stripe.x_px, frame.samples_are_pixels, samples);
     for (int32_t y = 0; y < target.height; ++y)
         std::copy_n(target.depths(y), target.width,
                     depths.values.begin() + (target.y + y) * stripe.width_px + target.x);

@@ -33,8 +33,7 @@ inline bool is_looked_at_for_colour(const detail::Seen& s, const detail::Target&
 {
     detail::TriangleSize size;
     detail::Extent columns;
-    return detail::set_size(size, columns, s, target) &&
-           detail::may_lose_colour(size.longer_q6, *s.a, *s.b, *s.c);
+    return detail::set_size(size, columns, s, target) && detail::may_lose_colour(size.longer_q6, *s.a, *s.b, *s.c);
 }
 
 // Begins a triangle as a whole; false if none of it shows.

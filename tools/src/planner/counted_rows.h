@@ -126,8 +126,7 @@ void count_rows(detail::Rows& rows)
     add(kItems.loop);
     add(kItems.row, rows.count + rows.count_below);
     detail::Rows counted_rows = rows;
-    do
-        count_samples<kItems, kFilter, kIsSeeThrough>(counted_rows);
+    do count_samples<kItems, kFilter, kIsSeeThrough>(counted_rows);
     while (next_row(counted_rows));
     if constexpr (kIsSeeThrough)
         detail::draw_rows<typename Samples::Blended, kFilter>(rows);

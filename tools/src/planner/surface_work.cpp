@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lumi/surface/detail/marks.h"
 #include "planner/counted_pieces.h"
 #include "surface/lists.h"
-#include "lumi/surface/detail/marks.h"
 
 namespace lumi::planner
 {
@@ -118,8 +118,7 @@ void count_stripe(const SeeThroughFrame& frame, const Stripe& stripe, void* memo
     add(SurfaceItem::stripe);
     const Stripe covered = detail::covered_part(frame, stripe, 0);
     if (covered.width_px == 0) return;
-    const detail::Target target =
-        detail::target_of(frame, covered, stripe.x_px, frame.samples_are_pixels, memory);
+    const detail::Target target = detail::target_of(frame, covered, stripe.x_px, frame.samples_are_pixels, memory);
     const detail::StripeSamples samples = {frame, target, covered};
     add(SurfaceItem::part_px, (target.width >> frame.samples_log2) * (target.height >> frame.samples_log2));
     detail::clear_pixels(target, 0);

@@ -37,7 +37,7 @@ struct PlaceRange {
     int32_t least, most;
 };
 
-// Of vertices on the grid of samples.
+// How far vertices reach on the grid of samples.
 struct PlacedVertices {
     PlaceRange x_q6, y_q6;
     bool are_whole;  // none is missing
@@ -48,7 +48,7 @@ struct PlacedVertices {
 namespace lumi
 {
 
-// What both cores share while they prepare a frame; nothing of it is needed to draw.
+// Both cores share this while they prepare a frame; nothing of it is needed to draw.
 struct SurfaceHalves {
     uint16_t* bands;  // the caller's: surface_bands() of the frame, for the lists of the second half
     SurfaceFrame* frame;
@@ -98,8 +98,8 @@ void prepare_half(SurfaceHalves& halves, int32_t step, uint32_t half)
     }
 }
 
-// As prepare_surface() on one core, and as fast as that if `both` runs both halves here. Give `both` as a lambda: no
-// call then goes through a pointer, whose stack has no bound.
+// Prepares a frame as prepare_surface() does on one core, and as fast as that if `both` runs both halves here. Give
+// `both` as a lambda: no call then goes through a pointer, whose stack has no bound.
 template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool = true, class Both>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out, SurfaceHalves& halves, const Both& both)

@@ -50,7 +50,7 @@ constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t height_px, Sur
     return pixels > packed ? pixels : packed;
 }
 
-// The same for one format of pixels: those of 5, 6 and 5 bits take less.
+// Returns them for one format of pixels: those of 5, 6 and 5 bits take less.
 template <class Pixel>
 constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t height_px, SurfaceMode mode)
 {
@@ -101,8 +101,7 @@ void fill_around(const Background& background, const Stripe& stripe, const Strip
     const int32_t top = covered.y_px, bottom = top + covered.height_px, end = stripe.bottom_px();
     for (int32_t y = stripe.y_px; y < end; ++y) {
         const bool is_covered = y >= top && y < bottom;
-        fill_beside<Pixel>(background, stripe,
-                           is_covered ? Extent{left, right} : Extent{stripe.x_px, stripe.x_px}, y);
+        fill_beside<Pixel>(background, stripe, is_covered ? Extent{left, right} : Extent{stripe.x_px, stripe.x_px}, y);
     }
 }
 
@@ -127,9 +126,9 @@ namespace lumi
 {
 
 // Draws every pixel of the stripe: over a constant colour all of them are written, over the stripe's own content only
-// those that the surface covers. `memory`: surface_stripe_bytes() of the stripe for its samples, at an address divisible
-// by 4. The frame was prepared for these pixels, in a mode up to kFinest: what finer modes take is not linked, nor what
-// see-through triangles take unless it is a SeeThroughFrame.
+// those that the surface covers. `memory`: surface_stripe_bytes() of the stripe for its samples, at an address
+// divisible by 4. The frame was prepared for these pixels, in a mode up to kFinest: what finer modes take is not
+// linked, nor what see-through triangles take unless it is a SeeThroughFrame.
 template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Frame, class Background>
 void render_surface(const Frame& frame, const Background& background, const Stripe& stripe, void* memory)
 {
@@ -149,13 +148,15 @@ void render_surface(const Frame& frame, const Background& background, const Stri
             draw_triangles<TrianglePieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(frame, target);
             if constexpr (kMayHaveGlass<Frame>)
                 if (has_glass(frame))
-                    draw_triangles<SeeThroughPieces, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame, target);
+                    draw_triangles<SeeThroughPieces, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame,
+                                                                                                           target);
             if (frame.margin != 0) mark_all_outlines<Background>(frame, target);
         } else {
             draw_triangles<TrianglePieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(frame, target);
             if constexpr (kMayHaveGlass<Frame>)
                 if (has_glass(frame))
-                    draw_triangles<SeeThroughPieces, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame, target);
+                    draw_triangles<SeeThroughPieces, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame,
+                                                                                                          target);
         }
         const int32_t end = covered.y_px + covered.height_px;
         for (int32_t y = covered.y_px; y < end; ++y) {
@@ -177,8 +178,7 @@ void render_coverage(const Frame& frame, const Stripe& coverage, void* memory)
     const Stripe covered = detail::covered_part(frame, coverage, PixelA8::kBytes);
     detail::fill_around<PixelA8>(OverNothing{}, coverage, covered);
     if (covered.width_px == 0) return;
-    const detail::Target target =
-        detail::target_of(frame, covered, coverage.x_px, frame.samples_are_pixels, memory);
+    const detail::Target target = detail::target_of(frame, covered, coverage.x_px, frame.samples_are_pixels, memory);
     const detail::StripeSamples samples = {frame, target, covered};
     for (int32_t y = covered.y_px; y < covered.y_px + covered.height_px; ++y)
         if (detail::has_glass(frame))

@@ -15,7 +15,7 @@ struct SeeThroughField : SurfaceField {
     bool is_in_order = false;                      // patches are drawn as they stand in the file, not by depth
 };
 
-// As open_surface for a SurfaceField, and takes files with and without see-through parts.
+// Opens a file as open_surface for a SurfaceField does, with see-through parts or without.
 FieldError open_surface(const uint8_t* bytes, size_t size, SeeThroughField& out);
 
 // Numbers in SeeThroughMemory::order for a field with so many see-through patches.
@@ -43,7 +43,8 @@ namespace lumi::detail
 // Lists the triangles that face the eye, in the field's order, and lights them. After prepare().
 void put_see_through(const SeeThroughField& field, uint32_t* order, SeeThroughFrame& frame);
 
-// Of each channel the share in 1/1024, less one of them so that ten bits hold it; of blue in 1/512.
+// Returns share·c of each channel. Shares are in 1/1024, less one of them so that ten bits hold it; those of blue are
+// in 1/512.
 LUMI_ALWAYS_INLINE PackedColour share_of(PackedColour shares, PackedColour c)
 {
     const uint32_t g = ((shares >> 21) + 1) * (c >> 21) >> 10;
@@ -61,7 +62,7 @@ constexpr PackedColour packed_shares(const uint8_t* passed)
     return ten(passed[1]) << 21 | ten(passed[0]) << 10 | nine(passed[2]);
 }
 
-// What the frame's palette holds of an entry: what lies behind brings its share of the rounding that palette_colour()
+// Fills the frame's palette: what lies behind brings its share of the rounding that palette_colour()
 // adds, so what is added brings the rest.
 template <class Pixel>
 void put_see_through_palette(const SeeThroughField& field, SurfaceMode mode, SeeThroughFrame& frame)

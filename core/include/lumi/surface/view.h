@@ -24,7 +24,7 @@ ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint3
     return fits ? ViewError::none : ViewError::stripe_too_large;
 }
 
-// What a view holds of fields with up to so many see-through patches.
+// A view holds this of fields with up to so many see-through patches.
 template <uint32_t kSeeThrough>
 struct SurfaceParts {
     using Field = SeeThroughField;

@@ -29,7 +29,7 @@ inline bool is_marked(const Target& target, int32_t x, int32_t y)
     return ((word >> (column & 31)) & 1) != 0;
 }
 
-// What the mark of a pixel says: which one shows in it, and how much of that, 1/32.
+// The mark of a pixel says which other one shows in it, and how much of that, 1/32.
 struct Mark {
     const uint16_t *own, *other;
     uint32_t share;
@@ -43,11 +43,12 @@ struct Mark {
     }
     bool has_own() const { return *own >= kShownDepth; }
     bool has_other() const { return *other >= kShownDepth; }
-    // Of the pixel, 1/32.
+    // The share of the pixel that surfaces cover, 1/32.
     uint32_t covered() const { return (has_own() ? 32 - share : 0) + (has_other() ? share : 0); }
 };
 
-// A colour with so much of another, 1/32.
+// Mixes a colour with so much of another, 1/32: ((32 - share)·a + share·b)/32, rounded. Fields565 has room for that
+// above each channel, so one product of its word takes all three.
 inline Rgb8 mixed(const Rgb8& a, const Rgb8& b, uint32_t share)
 {
     const auto channel = [&](uint32_t p, uint32_t q) {

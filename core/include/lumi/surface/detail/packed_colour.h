@@ -31,7 +31,8 @@ inline PackedColour clamped(PackedColour sum)
     return lumi_clamped(sum);
 }
 
-// The mean of two colours, each channel rounded down.
+// The mean of two colours, each channel rounded down: the sum halved, without the bit that each field's lowest one
+// leaves in the guard bit below.
 constexpr PackedColour mean_of(PackedColour a, PackedColour b)
 {
     return ((a + b) >> 1) & ~kGuardBits;
@@ -40,7 +41,8 @@ constexpr PackedColour mean_of(PackedColour a, PackedColour b)
 // The colour of the mean light of four, which is about their levels' squares; `black` is the palette's colour of it.
 LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour black);
 
-// Whether some of four colours is more than 32 levels from the first one.
+// Whether some of four colours is more than 32 levels from the first one. In levels, each channel of a + 32 - b lies in
+// [0, 64) unless they are apart, so that a bit of 64 or more, or those of a negative number, tell it.
 constexpr bool are_apart(PackedColour a, PackedColour b, PackedColour c, PackedColour d)
 {
     constexpr PackedColour kApart = packed_colour(128, 128, 128), kBeyond = 0xE01C0380;  // 0 .. 255 leaves these bits 0
@@ -61,7 +63,7 @@ constexpr Rgb8 unpacked(PackedColour c)
     return {static_cast<uint8_t>(c >> 12), static_cast<uint8_t>(c >> 23), static_cast<uint8_t>(c >> 1)};
 }
 
-// What a palette's entry becomes for a format of pixels, so that its cut-off bits are a rounding.
+// Packs a palette's entry for a format of pixels, so that cutting off its lower bits is a rounding.
 template <class Pixel>
 constexpr PackedColour palette_colour(const Rgb8& c)
 {

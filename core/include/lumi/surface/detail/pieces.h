@@ -43,7 +43,7 @@ struct WideTriangle {
     int32_t edge_q16[2];         // of the row
 };
 
-// What of a triangle lies in a target.
+// The part of a triangle that lies in a target.
 struct TrianglePiece {
     explicit TrianglePiece(const Target& target)
     {

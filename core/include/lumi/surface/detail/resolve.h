@@ -15,8 +15,8 @@ namespace lumi::detail
 Stripe covered_part(const SurfaceFrame& frame, const Stripe& stripe, uint32_t pixel_bytes);
 
 // The samples of such a part in the caller's memory: with outlines one more on every side, as far as there are any.
-// Samples that are pixels have the place in a word that those of the whole stripe have, which begins at column `left_px`
-// of the image, if the stripe's first pixel lies at the start of one.
+// Samples that are pixels have the place in a word that those of the whole stripe have, which begins at column
+// `left_px` of the image, if the stripe's first pixel lies at the start of one.
 Target target_of(const SurfaceFrame& frame, const Stripe& covered, int32_t left_px, bool are_pixels, void* memory);
 
 // Sets the depths of all samples to kEmptyDepth and clears their marks.
@@ -243,7 +243,7 @@ __attribute__((noinline)) void store_mixed(uint8_t* pixel, const Background& bac
     Pixel::store(pixel, {static_cast<uint8_t>(r >> 2), static_cast<uint8_t>(g >> 2), static_cast<uint8_t>(b >> 2)});
 }
 
-// The same over nothing: the mean colour of the samples that are covered, and how many they are.
+// Stores a pixel over nothing: the mean colour of the samples that are covered, and how many they are.
 template <class Pixel>
 __attribute__((noinline)) void store_covered_part(uint8_t* pixel, const uint16_t* const (&depths)[2],
                                                   const PackedColour* const (&colours)[2])

@@ -11,7 +11,7 @@
 namespace lumi::detail
 {
 
-// Of two taps each lies so far from the middle; a little less than a quarter texel, so that no rounding leaves the
+// Each of two taps lies so far from the middle; a little less than a quarter texel, so that no rounding leaves the
 // rectangle.
 inline constexpr uint32_t kQuarter = 200 << 16 | 200;
 
@@ -22,7 +22,7 @@ struct EdgeWalk {
 
 // A triangle's rows: the next one and what it takes to go on. A row's samples are those from the left edge up to the
 // right one, both rounded down to a column. Quantities are affine, modulo 2^32, and given for the sample in column 0.
-// Of two taps `place` is the upper left one's. Assembly reads this by its offsets.
+// `place` is that of the upper left one of two taps. Assembly reads this by its offsets.
 struct Rows {
     int32_t edge_q16[2];  // left, right
     int32_t edge_step_q16[2];

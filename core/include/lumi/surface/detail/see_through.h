@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What frames with see-through triangles take beside the rest: their triangles, and samples whose depths tell how much
+// Frames with see-through triangles take this beside the rest: their triangles, and samples whose depths tell how much
 // of the background shows. Before the triangles are drawn the background's colour is put into the samples; over nothing
 // (OverNothing) it is black.
 //
@@ -129,7 +129,7 @@ void fill_colours(const StripeSamples& s, const Background& background)
 // Beside an outline a stripe's content behind glass may lie beside the stripe: such pixels keep their own colour.
 void unmark_glass(const Target& target);
 
-// What of a pixel is covered, where glass alone covers some of it.
+// Sums up what covers a pixel; false where no glass alone covers some of it.
 template <class Samples>
 bool covered_by_glass(const Samples& s, int32_t x, int32_t y, CoveredSum& sum)
 {
