@@ -93,7 +93,7 @@ def longest_way(calls, begin, ends):
         nonlocal best
         if way[-1] in ends and len(way) > len(best):
             best = way
-        for called in calls[way[-1]] - set(way):
+        for called in sorted(calls[way[-1]] - set(way)):
             go_on(way + [called])
     go_on([begin])
     return best
