@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip NAME] [--mask round] [--size WIDTHxHEIGHT]
 // Runs the Pico's program on this machine. The mouse turns the object, its wheel zooms, Escape ends.
-//   --frames FOLDER  writes what the display shows, FOLDER/frame-0.bmp and on; without --drag it opens no window
+//   --frames FOLDER  writes what the display shows, FOLDER/frame-0.png and on; without --drag it opens no window
 //   --drag X,Y       drags the mouse by so many pixels after the first frame, draws, and ends
 //   --rate FPS       waits as long between frames as a chip of that rate would draw
 //   --chip NAME      the same at the rate that `lumi inspect --screen` models for the field: rp2040, rp2350, stm32f4,

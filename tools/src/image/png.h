@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG files as the tools handle pictures (lumi/baker/picture_file.h).
+// PNG files as the tools handle pictures (lumi/host/png.h).
 #pragma once
 
 #include <string>

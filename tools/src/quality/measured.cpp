@@ -10,8 +10,8 @@
 #include "draw/draw_surface.h"
 #include "files/field_report.h"
 #include "files/output_file.h"
-#include "image/picture_bytes.h"
 #include "image/png.h"
+#include "lumi/host/png.h"
 #include "util/digest.h"
 
 namespace lumi::quality
@@ -85,13 +85,13 @@ std::optional<View> view_in(const std::string& stem, const tools::Picture& refer
     const std::optional<std::string> text = kept_bytes(stem + ".json"), png = kept_bytes(stem + ".png");
     if (!text || !png) return std::nullopt;
     try {
-        baker::DecodedPicture decoded = baker::decode_png(*png, false);
+        host::DecodedPicture decoded = host::decode_png(*png, false);
         if (decoded.width != reference.width_px || decoded.height != reference.height_px) return std::nullopt;
         tools::Picture picture(decoded.width, decoded.height);
         picture.rgb = std::move(decoded.rgb);
         return view_of(Json::parse(*text), std::move(picture));
     } catch (const Json::exception&) {
-    } catch (const baker::PictureError&) {
+    } catch (const host::PictureError&) {
     }
     return std::nullopt;
 }
