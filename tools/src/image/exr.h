@@ -15,7 +15,6 @@ bool is_exr_name(const std::string& path);
 // or a pipe.
 std::string wrong_reference_name(const std::string& path);
 
-// Writes by write_output: throws Failure and leaves earlier output where that fails.
-void write_exr(const std::string& path, const baker::RadianceImage& image);
+std::string exr_bytes(const baker::RadianceImage& image);
 
 }  // namespace lumi::tools

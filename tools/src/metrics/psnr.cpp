@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/psnr.h"
 
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -30,20 +29,21 @@ uint64_t squared_difference(const uint8_t* a, const uint8_t* b, size_t count)
 
 double psnr_db(const Picture& a, const Picture& b)
 {
-    assert(same_size(a, b) && !a.rgb.empty());
+    check_precondition(same_size(a, b) && !a.rgb.empty(), "pictures of two sizes cannot be compared");
     return db_of(squared_difference(a.rgb.data(), b.rgb.data(), a.rgb.size()), a.rgb.size());
 }
 
 double psnr_db(const Picture& a, const Picture& b, const Mask& mask)
 {
-    assert(same_size(a, b) && 3 * mask.values.size() == a.rgb.size());
+    check_precondition(same_size(a, b) && 3 * mask.values.size() == a.rgb.size(),
+                       "pictures of two sizes cannot be compared");
     uint64_t squares = 0, values = 0;
     for (size_t i = 0; i < mask.values.size(); ++i) {
         if (mask.values[i] == 0) continue;
         squares += squared_difference(&a.rgb[3 * i], &b.rgb[3 * i], 3);
         values += 3;
     }
-    assert(values != 0);
+    check_precondition(values != 0, "the mask is empty");
     return db_of(squares, values);
 }
 

@@ -2,7 +2,6 @@
 #include "metrics/worst_block.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "metrics/psnr.h"
 
@@ -25,7 +24,7 @@ Picture block_of(const Picture& picture, int x, int y)
 
 Block worst_block(const Picture& a, const Picture& b)
 {
-    assert(same_size(a, b) && !a.rgb.empty());
+    check_precondition(same_size(a, b) && !a.rgb.empty(), "pictures of two sizes cannot be compared");
     Block worst = {0, 0, psnr_db(block_of(a, 0, 0), block_of(b, 0, 0))};
     for (int y = 0; y < a.height_px; y += kBlockPx) {
         for (int x = 0; x < a.width_px; x += kBlockPx) {
