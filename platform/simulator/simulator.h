@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the simulator was asked for.
+// The simulator keeps here what it was asked for.
 #pragma once
 
 #include <string>

@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "files/symbol.h"
 
 namespace lumi::tools
 {

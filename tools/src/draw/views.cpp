@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "draw/over_photo.h"
 #include "files/output_file.h"
 #include "image/animation.h"
 #include "image/png.h"
@@ -201,6 +200,18 @@ std::vector<std::string> write_each_view(const ViewOptions& options, const std::
     }
     pictures.take_places();
     return written;
+}
+
+Picture over_photo(const Picture& over_black, const Picture& over_white, const Picture& photo)
+{
+    constexpr int kOpaque = 255;
+    Picture result = over_black;
+    for (size_t i = 0; i < result.rgb.size(); ++i) {
+        const int seen_through = std::max(0, over_white.rgb[i] - over_black.rgb[i]);
+        const int value = over_black.rgb[i] + (seen_through * photo.rgb[i] + kOpaque / 2) / kOpaque;
+        result.rgb[i] = static_cast<uint8_t>(std::min(value, kOpaque));
+    }
+    return result;
 }
 
 }  // namespace lumi::tools

@@ -15,7 +15,7 @@ namespace lumi::tools
 
 inline constexpr int kMaxTurntable = 1000;
 
-// What `lumi render` and `lumi reference` share, so that their views coincide.
+// `lumi render` and `lumi reference` share these options, so that their views coincide.
 struct ViewOptions {
     int width_px = 240, height_px = 240;
     host::Orbit orbit = {30, 20, 3};
@@ -48,5 +48,10 @@ std::vector<std::string> write_views(ViewOptions options, const std::string& out
 // Does the same with one eye a view, no background and no contact sheet: bytes_of(eye) draws a view and makes its file.
 std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,
                                          const std::function<std::string(const Eye&)>& bytes_of);
+
+// Draws over a photograph, as a see-through display does: the same view drawn over black and over white tells each
+// channel's coverage; the photograph shows through the rest. It is right to one level of 255. Precondition: all have one
+// size.
+Picture over_photo(const Picture& over_black, const Picture& over_white, const Picture& photo);
 
 }  // namespace lumi::tools

@@ -194,6 +194,7 @@ enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_se
 /* What draws this field: @SYMBOL@_view<lumi::Screen<240, 240, 16>>, see lumi/view.h. Without a view,
    lumi::@OPENER@(@SYMBOL@, @SYMBOL@_size(), field) opens it. */
 #include <@HEADER@>
+#include <string>
 template <class Screen = lumi::Screen<>, @PARAMETERS@>
 using @SYMBOL@_view = @VIEW@;
 
@@ -216,6 +217,29 @@ constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;
     result = replaced(result, "@SEE_THROUGH@", std::to_string(counted.see_through_count));
     result = replaced(replaced(result, "@VIEW@", renderer.view), "@BYTES@", std::to_string(field.size()));
     return replaced(replaced(result, "@SYMBOL@", symbol), "@PURPOSE@", purpose);
+}
+
+namespace
+{
+
+// C23 and C++23, in their order; and the types that the header itself needs. A space stands around each.
+constexpr std::string_view kTaken =
+    " alignas alignof and and_eq asm atomic_cancel atomic_commit atomic_noexcept auto bitand bitor"
+    " bool break case catch char char16_t char32_t char8_t class co_await co_return co_yield compl"
+    " concept const const_cast consteval constexpr constinit continue decltype default delete do"
+    " double dynamic_cast else enum explicit export extern false float for friend goto if inline int"
+    " long mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected"
+    " public register reinterpret_cast requires restrict return short signed sizeof static"
+    " static_assert static_cast struct switch template this thread_local throw true try typedef"
+    " typeid typename typeof typeof_unqual union unsigned using virtual void volatile wchar_t while"
+    " xor xor_eq main size_t uint8_t unix linux _Alignas _Alignof _Atomic _BitInt _Bool _Complex"
+    " _Decimal128 _Decimal32 _Decimal64 _Generic _Imaginary _Noreturn _Static_assert _Thread_local ";
+
+}  // namespace
+
+bool is_taken(std::string_view symbol)
+{
+    return !symbol.empty() && kTaken.find(" " + std::string(symbol) + " ") != std::string_view::npos;
 }
 
 }  // namespace lumi::tools

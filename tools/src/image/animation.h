@@ -22,11 +22,13 @@ public:
 // Whether the name ends in ".webp", ".gif" or ".mp4".
 bool is_animation_name(const std::string& path);
 
-// What is wrong with it as the name of views to write; nothing if it is an animation's or ends in ".png", or is a
+// Says what is wrong with it as the name of views to write; nothing if it is an animation's or ends in ".png", or is a
 // device or a pipe.
 std::string wrong_views_name(const std::string& path);
 
-// For a name that is_animation_name: see WebpAnimation and VideoAnimation, also for what they throw.
+// For a name that is_animation_name: a WebpAnimation (image/webp.h), or one that the program ffmpeg makes. Throws Failure
+// where ffmpeg is missing or fails, or its temporary files cannot be written; std::length_error for a size that no WebP
+// can hold.
 std::unique_ptr<Animation> animation_for(const std::string& path, int width_px, int height_px, int frame_ms);
 
 }  // namespace lumi::tools

@@ -147,7 +147,7 @@ Channels channels_of(const Picture& picture)
     return channels;
 }
 
-// What the eye makes of the colours, pixel by pixel.
+// Follows what the eye makes of the colours, pixel by pixel.
 std::vector<Colour> seen_colours(const Channels& channels, double pixels_per_degree)
 {
     std::array<Plane<double>, 3> blurred;

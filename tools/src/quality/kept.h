@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report has measured, kept in a folder: the next report, and one that was stopped, need not measure it again.
+// A folder keeps what a report has measured: the next report, and one that was stopped, need not measure it again.
 #pragma once
 
 #include <filesystem>

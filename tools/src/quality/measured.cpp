@@ -88,7 +88,7 @@ std::string_view bytes_of(const std::vector<uint8_t>& bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Of a struct of nothing but numbers of one size: no padding.
+// The struct holds nothing but numbers of one size, so that it has no padding.
 template <class T>
 std::string_view bytes_of(const T& numbers)
 {
@@ -96,7 +96,7 @@ std::string_view bytes_of(const T& numbers)
     return {reinterpret_cast<const char*>(&numbers), sizeof numbers};
 }
 
-// What was kept, whole and of this size; whatever else lies there is measured again.
+// Reads what was kept, whole and of this size; whatever else lies there is measured again.
 std::optional<View> view_in(const Kept& kept, const std::string& stem, const tools::Picture& reference)
 {
     const std::string png = kept_bytes(stem + ".png").value_or("");

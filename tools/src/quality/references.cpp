@@ -46,7 +46,7 @@ tools::Picture grey_picture(const tools::Mask& mask)
     return picture;
 }
 
-// What was kept, whole and of the view's size; whatever else lies there is traced anew.
+// Reads what was kept, whole and of the view's size; whatever else lies there is traced anew.
 std::optional<Reference> kept_reference(const std::string& picture, const std::string& mask, const Image& image)
 {
     const auto read = [&](const std::string& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What people type after options, and what they read: both ways between text and values.
+// People type words after options and read others: these go both ways between text and values.
 #pragma once
 
 #include <array>

@@ -76,7 +76,7 @@ std::vector<planner::PartRate> kept_rates(const quality::Kept& kept, const Field
     return rates;
 }
 
-// Of the view that `lumi embed` writes.
+// Names the policy of the view that `lumi embed` writes.
 const char* policy_of(SurfaceMode mode)
 {
     switch (mode) {

@@ -39,7 +39,7 @@ std::string colour_text(const Rgb8& c)
     return text;
 }
 
-// What the script reads besides module and field. Angles and lengths are core's numbers.
+// The script reads this besides module and field. Angles and lengths are core's numbers.
 Json data_of(const ViewPage& page)
 {
     Json data = {{"title", page.title},
