@@ -11,7 +11,8 @@ namespace lumi::firmware
 namespace
 {
 
-// These views join those of views.h, where clipping, depth and near edges are hardest. Rounding takes an eye no farther than this inside the sphere or beyond the end.
+// These views join those of views.h, where clipping, depth and near edges are hardest. Rounding takes an eye no farther
+// than this inside the sphere or beyond the end.
 constexpr int32_t kRounding = 64;
 constexpr View kHardViews[] = {
     {"on-vertex", 0, 0, kOneQ20 + kRounding, kMaxFovTurns32, 0, 0},
