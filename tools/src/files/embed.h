@@ -46,8 +46,8 @@ enum class EmbedKind {
 std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
                          std::optional<uint32_t> address, const std::string& purpose);
 
-// Whether C or C++ means something else by this word: keywords of any edition, what <stdint.h> defines for an embedded
-// field's header, and the words that compilers define themselves.
+// Whether C or C++ means something else by this word: keywords of any edition, what the headers of an embedded field
+// define, the namespaces std and lumi, and names that are reserved for compilers (two underscores, or one and a capital).
 bool is_taken(std::string_view symbol);
 
 }  // namespace lumi::tools

@@ -20,6 +20,7 @@
 #include "program/wrong_call.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -95,7 +96,7 @@ void finish_standard_output()
 
 int report(const char* message, ExitCode code)
 {
-    std::fprintf(stderr, "%s: %s\n", program_name, message);
+    std::fprintf(stderr, "%s: %s\n", program_name, visible(message).c_str());
     return code;
 }
 
