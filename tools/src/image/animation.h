@@ -26,9 +26,7 @@ bool is_animation_name(const std::string& path);
 // device or a pipe.
 std::string wrong_views_name(const std::string& path);
 
-// For a name that is_animation_name: a WebpAnimation (image/webp.h), or one that the program ffmpeg makes. Throws Failure
-// where ffmpeg is missing or fails, or its temporary files cannot be written; std::length_error for a size that no WebP
-// can hold.
+// For a name that is_animation_name: see WebpAnimation and VideoAnimation, also for what they throw.
 std::unique_ptr<Animation> animation_for(const std::string& path, int width_px, int height_px, int frame_ms);
 
 }  // namespace lumi::tools
