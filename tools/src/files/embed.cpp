@@ -195,7 +195,6 @@ enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_se
 /* What draws this field: @SYMBOL@_view<lumi::Screen<240, 240, 16>>, see lumi/view.h. Without a view,
    lumi::@OPENER@(@SYMBOL@, @SYMBOL@_size(), field) opens it. */
 #include <@HEADER@>
-#include <string>
 template <class Screen = lumi::Screen<>, @PARAMETERS@>
 using @SYMBOL@_view = @VIEW@;
 
