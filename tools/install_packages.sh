@@ -14,6 +14,7 @@ build_packages=(
   libtinygltf-dev                  # glTF and GLB
   libtinyobjloader-dev             # OBJ and MTL
   libpng-dev libturbojpeg0-dev     # PNG and JPEG
+  libstb-dev                       # writes PNG
   libwebp-dev                      # turning pictures
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # meshes of few triangles

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the examples ask of a board. Each has a board.cpp of its own: the part that another product replaces.
+// The examples ask this of a board. Each has a board.cpp of its own: the part that another product replaces.
 #pragma once
 
 #include <lumi/orbit.h>

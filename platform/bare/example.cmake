@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What the examples without an SDK share. An example is a project of its own:
+# The examples without an SDK share this. An example is a project of its own:
 #
 #   cmake -S platform/riscv -B build/riscv -G Ninja --toolchain "$PWD/toolchains/rv32imc.cmake" \
 #       -DLUMI_TOOL="$PWD/build/release/tools/lumi" -DLUMI_EXAMPLE_FIELD="$PWD/desk_clock.lumi"

@@ -31,7 +31,7 @@ typedef struct {
     bool is_turned;   /* since the view was last prepared */
     bool is_drawn;    /* some of the frame that was asked for last, or that failed */
     lumi_error error; /* what the last drawing returned */
-    /* What drawing this frame has taken so far, with what LVGL does with its pixels, in the unit of the clock. */
+    /* Counts what drawing this frame has taken so far, with LVGL's work on its pixels, in the unit of the clock. */
     uint32_t spent, began;
     uint32_t (*clock)(void);
 } lv_lumi_image_t;
@@ -48,7 +48,7 @@ lumi_error lv_lumi_image_open(lv_lumi_image_t* image, void* memory, size_t memor
 void lv_lumi_image_set_orbit(lv_lumi_image_t* image, lumi_orbit orbit);
 /* The next frame's mode, none finer than the screen's; a finer one is an error when LVGL draws. */
 void lv_lumi_image_set_mode(lv_lumi_image_t* image, uint8_t mode);
-/* What measures frames: a counter that runs upwards and wraps. At first lv_tick_get, in milliseconds. */
+/* A clock measures frames: a counter that runs upwards and wraps. At first lv_tick_get, in milliseconds. */
 void lv_lumi_image_set_clock(lv_lumi_image_t* image, uint32_t (*clock)(void));
 
 #ifdef __cplusplus

@@ -18,7 +18,7 @@ set(LUMI_MPS2_PSRAM_an500 0x60000000)
 set(LUMI_MPS2_PSRAM_an505 0x80000000)
 set(LUMI_MPS2_PSRAM_an547 0x71000000)
 
-# What QEMU calls the board: the images up to 505 are of the MPS2, later ones of the MPS3.
+# These are QEMU's names of boards: the images up to 505 are of the MPS2, later ones of the MPS3.
 foreach(board an385 an386 an500 an505)
   set(LUMI_MPS2_MACHINE_${board} mps2-${board})
 endforeach()

@@ -26,7 +26,7 @@ void signal()
     __asm volatile("sev" ::: "memory");
 }
 
-// What this core wrote before it sends a word is seen by the core that has read the word.
+// The core that has read a word sees all that this core wrote before it sent the word.
 void fence()
 {
     __asm volatile("dmb" ::: "memory");
@@ -70,7 +70,7 @@ void drain()
     signal();
 }
 
-// What the boot ROM of core 1 waits for, each word answered by the same one; another answer begins anew.
+// The boot ROM of core 1 waits for these words and answers each by the same one; another answer begins anew.
 void launch()
 {
     const uint32_t words[] = {0, 0, 1, at(kVectors), reinterpret_cast<uint32_t>(stack + kStackWords), address(serve)};

@@ -3,5 +3,5 @@
 
 #include "text_line.h"
 
-// What a program adds to the line that the board writes after a frame.
+// A program adds this to the line that the board writes after a frame.
 void add_report(lumi::firmware::TextLine& line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What GCC calls even in freestanding programs, for toolchains that come without a C library.
+// GCC calls these even in freestanding programs. They are for toolchains that come without a C library.
 #include <stddef.h>
 #include <stdint.h>
 

@@ -2,12 +2,14 @@
 // This machine as a board: the display is a window, files, or both.
 #include "board.h"
 
+#include <lumi/host/png.h>
 #include <lumi/pixel.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <vector>
 
 #include "simulator.h"
@@ -49,8 +51,10 @@ void write_frame()
     std::vector<uint8_t> rgb(display.size() / 2 * 3);
     for (size_t k = 0; k < display.size() / 2; ++k)
         lumi::PixelRgb888::store(rgb.data() + 3 * k, PixelRgb565Swapped::load(display.data() + 2 * k));
-    const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".bmp";
-    if (!simulator::write_bmp(path, rgb.data())) fail(path + " cannot be written");
+    const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".png";
+    std::ofstream file(path, std::ios::binary);
+    file << lumi::host::png_bytes({options.width_px, options.height_px, rgb.data()});
+    if (!file.flush()) fail(path + " cannot be written");
 }
 
 void show_frame()

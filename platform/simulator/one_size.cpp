@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of programs that draw for one display alone.
+// Programs that draw for one display alone link these.
 #include "sizes.h"
 
 int firmware_main();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lumi_simulator [--frames FOLDER] [--drag X,Y] [--rate FPS] [--chip NAME] [--mask round] [--size WIDTHxHEIGHT]
 // Runs the Pico's program on this machine. The mouse turns the object, its wheel zooms, Escape ends.
-//   --frames FOLDER  writes what the display shows, FOLDER/frame-0.bmp and on; without --drag it opens no window
+//   --frames FOLDER  writes what the display shows, FOLDER/frame-0.png and on; without --drag it opens no window
 //   --drag X,Y       drags the mouse by so many pixels after the first frame, draws, and ends
 //   --rate FPS       waits as long between frames as a chip of that rate would draw
 //   --chip NAME      the same at the rate that `lumi inspect --screen` models for the field: rp2040, rp2350, stm32f4,
@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "rates.h"
 #include "sizes.h"
 
 int firmware_main();  // main() of platform/pico_st7789
@@ -26,6 +25,29 @@ Options options;
 
 namespace
 {
+
+// Modelled rates of named chips, for the field that the simulator draws.
+struct Rate {
+    const char* chip;
+    double frames_per_second;
+};
+#include "rates.inc"
+
+// Frames a second; 0 for a chip that nobody knows.
+double rate_of(const char* chip)
+{
+    for (const Rate& rate : kRates)
+        if (std::strcmp(rate.chip, chip) == 0) return rate.frames_per_second;
+    return 0;
+}
+
+// "rp2040|rp2350|...".
+std::string chip_names()
+{
+    std::string names;
+    for (const Rate& rate : kRates) names += (names.empty() ? "" : "|") + std::string(rate.chip);
+    return names;
+}
 
 bool parse(const char* name, const char* value)
 {

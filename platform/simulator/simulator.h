@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the simulator was asked for.
+// The simulator keeps here what it was asked for.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace simulator
 {
 
 struct Options {
-    std::string folder;          // where frame-0.bmp, frame-1.bmp, ... go; empty: a window alone
+    std::string folder;          // where frame-0.png, frame-1.png, ... go; empty: a window alone
     bool window = true;          // false: the frames of view_of_frame, then the end
     int drag_x = 0, drag_y = 0;  // pixels that the mouse drags after the first frame; then the end. 0, 0: by hand
     int width_px = 240, height_px = 240;

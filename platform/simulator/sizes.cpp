@@ -44,7 +44,7 @@ struct Size {
 template <int32_t kWidth, int32_t kHeight>
 constexpr Size kSize = {kWidth, kHeight, main_of<kWidth, kHeight>};
 
-// Of small colour displays that are sold.
+// Small colour displays of these sizes are sold.
 constexpr Size kSizes[] = {
     kSize<96, 64>,   kSize<128, 128>, kSize<135, 240>, kSize<160, 128>, kSize<170, 320>, kSize<240, 135>,
     kSize<240, 240>, kSize<240, 320>, kSize<320, 240>, kSize<360, 360>, kSize<390, 390>, kSize<410, 502>,

@@ -58,15 +58,6 @@ void open_window()
     if (texture == nullptr) fail("no texture");
 }
 
-bool write_bmp(const std::string& path, uint8_t* rgb)
-{
-    SDL_Surface* picture = SDL_CreateRGBSurfaceWithFormatFrom(rgb, options.width_px, options.height_px, 24,
-                                                              3 * options.width_px, SDL_PIXELFORMAT_RGB24);
-    const bool is_written = picture != nullptr && SDL_SaveBMP(picture, path.c_str()) == 0;
-    SDL_FreeSurface(picture);
-    return is_written;
-}
-
 void show(const uint16_t* pixels)
 {
     SDL_UpdateTexture(texture, nullptr, pixels, options.width_px * static_cast<int>(sizeof(*pixels)));

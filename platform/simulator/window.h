@@ -5,15 +5,12 @@
 #include <lumi/orbit.h>
 
 #include <cstdint>
-#include <string>
 
 namespace simulator
 {
 
 // Opens a window for the display that options ask for; ends the program where it cannot.
 void open_window();
-// Red, green and blue of every pixel, which stay as they are. False: the file could not be written.
-bool write_bmp(const std::string& path, uint8_t* rgb);
 // RGB565 in the CPU's order.
 void show(const uint16_t* pixels);
 // Waits until somebody turns the object; false: the window was closed.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D LUMI=command -D FIELD=file -D OUT=header -P write_rates.cmake
-# What `lumi inspect --screen` says of the field, in the mode that the example draws, as a list for C++.
+# Writes what `lumi inspect --screen` says of the field, in the mode that the example draws, as a list for C++.
 cmake_minimum_required(VERSION 3.19)
 execute_process(COMMAND ${LUMI} inspect ${FIELD} --screen 240x240 --json OUTPUT_VARIABLE report COMMAND_ERROR_IS_FATAL ANY)
 string(JSON count LENGTH "${report}" frames_per_second antialiased)

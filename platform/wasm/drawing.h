@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What draws a field for the viewer: surface_drawing.cpp or chord_drawing.cpp. A module links one of them, as a
+// Either surface_drawing.cpp or chord_drawing.cpp draws a field for the viewer. A module links one of them, as a
 // firmware does, so a page carries only the code of its own field.
 #pragma once
 

@@ -3,7 +3,7 @@
 
 extern "C" uint8_t __heap_base;  // the linker's: where data and stack end
 
-// What compilers call where they see loops that copy or fill. Built without their knowledge of these loops
+// Compilers call these where they see loops that copy or fill. Built without their knowledge of these loops
 // (-fno-builtin), or each would call itself.
 extern "C" void* memset(void* to, int value, size_t bytes)
 {

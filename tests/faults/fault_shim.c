@@ -3,8 +3,8 @@
 // one is the first after main began. Environment:
 //
 //   LUMI_FAULT        KIND:N or KIND:N:kill (the process is killed before the call). KIND: alloc, read, write, sync,
-//                     rename, thread. From alloc:N on every allocation may be asked again: only the N-th fails. From
-//                     thread:N on the system gives none.
+//                     rename, link (of readlink), thread. From alloc:N on every allocation may be asked again: only the N-th fails. From
+//                     thread:N and link:N on the system gives none.
 //   LUMI_FAULT_COUNT  a file that gets how many calls of each kind there were, "KIND COUNT" a line, when the program
 //                     exits
 //
@@ -21,8 +21,8 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-enum Kind { kAlloc, kRead, kWrite, kSync, kRename, kThread, kKinds };
-static const char* const kNames[kKinds] = {"alloc", "read", "write", "sync", "rename", "thread"};
+enum Kind { kAlloc, kRead, kWrite, kSync, kRename, kLink, kThread, kKinds };
+static const char* const kNames[kKinds] = {"alloc", "read", "write", "sync", "rename", "link", "thread"};
 
 static atomic_ulong counts[kKinds];
 static unsigned long fail_at[kKinds];
@@ -33,7 +33,7 @@ static int fails(enum Kind kind)
 {
     if (!armed) return 0;
     const unsigned long n = 1 + atomic_fetch_add(&counts[kind], 1);
-    if (kind == kThread ? fail_at[kind] == 0 || n < fail_at[kind] : n != fail_at[kind]) return 0;
+    if (kind == kThread || kind == kLink ? fail_at[kind] == 0 || n < fail_at[kind] : n != fail_at[kind]) return 0;
     if (kills) kill(getpid(), SIGKILL);
     return 1;
 }
@@ -82,6 +82,7 @@ WRAPPED(ssize_t, pwrite64, kWrite, ENOSPC, (int file, const void* in, size_t siz
 WRAPPED(int, fsync, kSync, EIO, (int file), (file))
 WRAPPED(int, fdatasync, kSync, EIO, (int file), (file))
 WRAPPED(int, rename, kRename, EACCES, (const char* from, const char* to), (from, to))
+WRAPPED(ssize_t, readlink, kLink, ENOENT, (const char* path, char* out, size_t size), (path, out, size))
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*begin)(void*), void* argument)
 {

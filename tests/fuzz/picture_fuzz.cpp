@@ -5,6 +5,7 @@
 
 #include "image/picture_bytes.h"
 #include "image/radiance_picture.h"
+#include "lumi/host/png.h"
 
 namespace
 {
@@ -28,9 +29,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     const std::string bytes(reinterpret_cast<const char*>(data), size);
     try {
-        if (is_png(bytes)) {
-            check(decode_png(bytes, false), 0);
-            check(decode_png(bytes, true), 1);
+        if (lumi::host::is_png(bytes)) {
+            check(lumi::host::decode_png(bytes, false), 0);
+            check(lumi::host::decode_png(bytes, true), 1);
         } else if (is_jpeg(bytes)) {
             check(decode_jpeg(bytes), 0);
         } else if (is_exr(bytes)) {

@@ -89,7 +89,7 @@ foreach(cpu IN LISTS lumi_cpus)
     add_test(NAME ${cpu}.demo_${mode}
       COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
         -D PROGRAM=${lumi_firmware}/lumi_demo_firmware.elf -D MODE=${mode} -D STACK_LIMIT=${LUMI_STACK_LIMIT}
-        -D PICTURE=${CMAKE_CURRENT_BINARY_DIR}/${cpu}-${mode}
+        -D PICTURE=${CMAKE_CURRENT_BINARY_DIR}/${cpu}-${mode} -D TO_PNG=$<TARGET_FILE:lumi_ppm_to_png>
         -P ${CMAKE_CURRENT_SOURCE_DIR}/demo_frame.cmake)
     list(APPEND lumi_cpu_tests ${cpu}.demo_${mode})
   endforeach()

@@ -65,7 +65,7 @@ main() {
   [[ -z $(ls -A "$folder") ]] || wrong_call "$folder is not empty"
   run_step "A copy of the repository" copy_repository
   for page in "${pages[@]}"; do run_step "$page" run_page "$page"; done
-  for picture in frame-0.bmp panel.png; do
+  for picture in frame-0.png panel.png; do
     [[ -s $folder/$picture ]] || die "the pages promise $picture, and it is not there"
   done
   print_step_times

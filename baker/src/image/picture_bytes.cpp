@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "lumi/baker/file_guard.h"
-#include "util/fuzzed.h"
+#include "lumi/host/png.h"
 
 namespace lumi::baker
 {
@@ -20,8 +20,6 @@ struct KnownFormat {
     const char* first;      // bytes that such a file begins with, or null
     const char* extension;  // or the end of its name, or null
 };
-
-constexpr int64_t kMostPixels = kIsFuzzed ? 1 << 14 : kMaxPicturePixels;
 
 constexpr KnownFormat kRefused[] = {
     {"a BMP", "BM", nullptr},         {"a GIF", "GIF8", nullptr},  {"a Photoshop", "8BPS", nullptr},
@@ -58,19 +56,11 @@ std::string picture_bytes(const fs::path& file)
     return bytes;
 }
 
-void check_picture_size(int64_t width, int64_t height)
+DecodedPicture read_png(const fs::path& file)
 {
-    const std::string size = std::to_string(width) + " by " + std::to_string(height) + " pixels";
-    if (width < 1 || height < 1) throw PictureError("it has no pixels: " + size);
-    if (width > kMaxPictureSide || height > kMaxPictureSide || width * height > kMostPixels) {
-        throw PictureError("its size of " + size + " is too large; at most " + std::to_string(kMaxPictureSide) +
-                           " a side and " + std::to_string(kMostPixels) + " in all are read");
-    }
-}
-
-void check_picture_bytes(int64_t bytes, int64_t fewest)
-{
-    if (bytes < fewest) throw PictureError("it ends too early: its size needs more bytes");
+    const std::string bytes = picture_bytes(file);
+    if (!host::is_png(bytes)) throw PictureError("it is no PNG picture");
+    return host::decode_png(bytes, false);
 }
 
 void refuse_picture(const fs::path& file, const std::string& bytes)

@@ -6,6 +6,7 @@
 
 #include "image/picture_bytes.h"
 #include "image/srgb.h"
+#include "lumi/host/png.h"
 
 namespace lumi::baker
 {
@@ -116,8 +117,8 @@ Texture read_texture(const std::filesystem::path& file, PictureUse use)
 Texture decode_texture(const std::filesystem::path& name, const std::string& bytes, PictureUse use)
 {
     const bool with_alpha = use == PictureUse::alpha || use == PictureUse::opacity;
-    if (!is_png(bytes) && !is_jpeg(bytes)) refuse_picture(name, bytes);
-    DecodedPicture picture = is_png(bytes) ? decode_png(bytes, with_alpha) : decode_jpeg(bytes);
+    if (!host::is_png(bytes) && !is_jpeg(bytes)) refuse_picture(name, bytes);
+    DecodedPicture picture = host::is_png(bytes) ? host::decode_png(bytes, with_alpha) : decode_jpeg(bytes);
     if (use == PictureUse::opacity && picture.alpha.empty()) std::fill(picture.rgb.begin(), picture.rgb.end(), 255);
     spread(use == PictureUse::blue ? blue_of(picture.rgb) : picture.alpha, picture.rgb);
     return {picture.width, picture.height, std::move(picture.rgb), use == PictureUse::colour};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one file that sees zlib.
+// The one file of the baker that sees zlib.
 #include "util/gzip.h"
 
 #define ZLIB_CONST  // inputs are not written

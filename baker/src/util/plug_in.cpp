@@ -15,7 +15,11 @@ namespace fs = std::filesystem;
 fs::path folder_of_program()
 {
     std::error_code unknown;
-    return fs::read_symlink("/proc/self/exe", unknown).parent_path();
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    // A name without its folder would be sought in the working directory, and by LD_LIBRARY_PATH.
+    if (!program.is_absolute())
+        throw NoPlugIn("/proc/self/exe", "cannot be read, so nobody knows where the modules of lumi lie");
+    return program.parent_path();
 }
 
 fs::path path_of(const std::string& file, const std::string& part)

@@ -10,7 +10,7 @@ namespace lumi::bench
 // Draws a stripe of RGB565 pixels. `span_px` is 0 for what has no spans.
 RenderError draw(const Field& field, const Camera& camera, const Stripe& stripe, int32_t span_px);
 
-// The same drawing, but a pixel's hits are only placed: what remains is the cost of set-up. The pixels hold nothing
+// Draws as above, but a pixel's hits are only placed: what remains is the cost of set-up. The pixels hold nothing
 // useful afterwards.
 RenderError draw_setup_only(const Field& field, const Camera& camera, const Stripe& stripe, int32_t span_px);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every program that counts needs: the field that the emulator has loaded, and the views that the command line
+// Every program that counts needs these: the field that the emulator has loaded, and the views that the command line
 // names.
 #pragma once
 

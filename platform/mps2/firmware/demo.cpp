@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // lumi_demo_firmware: draws a turn around the object in its field and reports, frame by frame over semihosting, the
 // picture's CRC, what drawing cost, and the picture itself when asked. See kDemoUsage.
+#include <cstring>
+
 #include "demo_options.h"
 #include "field_source.h"
+#include "lumi/color.h"
 #include "lumi/mps2/instruction_counter.h"
 #include "lumi/mps2/semihosting.h"
 #include "measured_frame.h"
-#include "ppm_file.h"
 #include "text_line.h"
 
 namespace lumi::firmware
@@ -21,6 +23,52 @@ constexpr int32_t kElevationTurns32 = 298261617;     // 25 degrees
 constexpr int32_t kDistanceQ20 = 5 * kOneQ20 / 2;    // 2.5 radii
 constexpr uint32_t kFieldOfViewTurns32 = 536870912;  // 45 degrees: the sphere nearly fills the picture
 constexpr int kFrameDigits = 3;
+
+constexpr uint32_t kBlockPixels = 256;  // a call of semihosting costs far more than its bytes
+constexpr uint32_t kBytesPerRgb565 = 2;
+constexpr uint32_t kBytesPerRgb888 = 3;
+
+void unpack(const uint8_t* rgb565, uint8_t* rgb888)
+{
+    const Rgb8 colour = detail::unpack_rgb565(static_cast<uint16_t>(rgb565[0] | rgb565[1] << 8));
+    rgb888[0] = colour.r;
+    rgb888[1] = colour.g;
+    rgb888[2] = colour.b;
+}
+
+// A binary PPM picture (P6) on the host, written stripe by stripe from the panel's own RGB565 pixels.
+class PpmFile
+{
+public:
+    PpmFile(const char* path, uint32_t width_px, uint32_t height_px);
+
+    // Appends pixels (RGB565, two bytes each in the CPU's byte order); false after a failure.
+    bool append_rgb565(const uint8_t* pixels, uint32_t bytes);
+    bool ok() const { return file_.ok(); }
+
+private:
+    mps2::OutputFile file_;
+};
+
+PpmFile::PpmFile(const char* path, uint32_t width_px, uint32_t height_px) : file_(path)
+{
+    TextLine header;
+    header.text("P6\n").decimal(width_px).text(" ").decimal(height_px).text("\n255\n");
+    file_.write(header.c_str(), std::strlen(header.c_str()));
+}
+
+bool PpmFile::append_rgb565(const uint8_t* pixels, uint32_t bytes)
+{
+    uint8_t block[kBlockPixels * kBytesPerRgb888];
+    const uint8_t* end = pixels + bytes;
+    while (pixels < end) {
+        uint32_t filled = 0;
+        for (; filled < sizeof(block) && pixels < end; filled += kBytesPerRgb888, pixels += kBytesPerRgb565)
+            unpack(pixels, block + filled);
+        file_.write(block, filled);
+    }
+    return file_.ok();
+}
 
 int fail(const char* what, const char* why)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A fixed list of frames and their CRCs: every view × renderer × texel format as RGB565, and linear ones of every pixel
 // format. LUMI_EVERY_FRAME draws every combination of the four.
-// The same text is compiled for the host and for every board: equal lines prove equal pictures, bit by bit.
+// One text is compiled for the host and for every board: equal lines prove equal pictures, bit by bit.
 #pragma once
 
 #include <stddef.h>

@@ -13,7 +13,7 @@ namespace lumi::firmware
 inline constexpr int32_t kWidth = 48;
 inline constexpr int32_t kHeight = 36;
 
-// What one line of the list is about; passed down while the policies are chosen one after the other.
+// A line of the list is about this; it is passed down while the policies are chosen one after the other.
 struct Frame {
     const View& view;
     const Camera& camera;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What board.cpp asks of the chip, by the Pico SDK: its start-up has set the clocks before main().
+// The Pico SDK does what board.cpp asks of the chip: its start-up has set the clocks before main().
 #include <hardware/gpio.h>
 #include <hardware/timer.h>
 #include <hardware/uart.h>

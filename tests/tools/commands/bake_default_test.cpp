@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lumi bake` chooses where the user does not.
+// `lumi bake` chooses these where the user does not.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>

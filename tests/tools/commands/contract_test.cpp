@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the command line promises about exit codes, messages and earlier output.
+// These tests hold the command line to its promises about exit codes, messages and earlier output.
 #include <catch2/catch.hpp>
 #include <filesystem>
 

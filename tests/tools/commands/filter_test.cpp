@@ -57,6 +57,19 @@ Outcome lumi_without_module(const test::TemporaryFolder& folder, Arguments argum
 
 }  // namespace
 
+#ifdef LUMI_FAULT_SHIM
+TEST_CASE("where /proc is missing, no module is loaded from the working directory")
+{
+    const test::TemporaryFolder folder;
+    for (const char* module : {"lumi_openvdb.so", "lumi_filter.so"}) test::write_content(folder / module, "no module");
+    test::write_content(folder / "a.vdb", "no volume");
+    const Outcome outcome = test::run_program({"env", "--chdir=" + folder.path(), "LD_PRELOAD=" LUMI_FAULT_SHIM,
+                                               "LUMI_FAULT=link:1", LUMI_PROGRAM, "reference", "a.vdb", "-o", "o.png"});
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("/proc/self/exe") && !Catch::Contains("does not load"));
+}
+#endif
+
 TEST_CASE("without libtorch, training and filtering say what to install, and leave earlier output")
 {
     const std::string mend = "install libtorch (Debian: libtorch-dev), then configure and build lumi again";

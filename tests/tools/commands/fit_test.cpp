@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lumi bake --fit` promises.
+// These tests hold `lumi bake --fit` to its promises.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>

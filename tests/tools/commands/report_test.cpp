@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "image/png.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"
@@ -211,6 +212,51 @@ TEST_CASE("a report measures anew what is damaged in the cache")
             if (path.find("/measured/") != std::string::npos) std::ofstream(path) << damage;
         CHECK(figures() == whole);
     }
+}
+
+TEST_CASE("a report believes no number and no size that it finds in the cache")
+{
+    const Fields fields;
+    const std::filesystem::path cache = fields.folder / "cache";
+    const test::Arguments call = {"--json"};
+    const auto figures = [&] {
+        const test::Outcome outcome = fields.report(call);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        nlohmann::json fields_of_report = nlohmann::json::parse(outcome.out)["fields"];
+        for (nlohmann::json& field : fields_of_report) field.erase("draw_ms");
+        return fields_of_report;
+    };
+    const auto paths = [&](const char* ending, bool measured) {
+        std::vector<std::string> found;
+        for (const auto& [path, time] : times_of(cache))
+            if ((path.find("/measured/") != std::string::npos) == measured && path.find(ending) != std::string::npos)
+                found.push_back(path);
+        REQUIRE_FALSE(found.empty());
+        return found;
+    };
+    const auto whole = figures();
+
+    // Another number in place of the first one of each list, with the rest of the file as it was.
+    for (const char* number : {"[98.5,", "[1e308,", "[-1e9,", "[1000000000,"}) {
+        INFO(number);
+        for (const std::string& path : paths(".json", true)) {
+            std::string text = test::content_of(path);
+            for (size_t at = text.find(":["); at != std::string::npos; at = text.find(":[", at + 1))
+                text.replace(at + 1, text.find(',', at) - at, number);
+            test::write_content(path, text);
+        }
+        CHECK(figures() == whole);
+    }
+
+    // References of other sizes: larger, smaller, and smaller than the windows of the measures.
+    for (const int side : {61, 20, 4}) {
+        INFO(side);
+        for (const std::string& path : paths(".png", false)) tools::write_png(path, tools::Picture(side, side));
+        CHECK(figures() == whole);
+    }
+    for (const std::string& path : paths("-mask.png", false)) tools::write_png(path, tools::Picture(4, 4));
+    CHECK(figures() == whole);
 }
 
 TEST_CASE("a report measures another field under the same name anew")

@@ -108,6 +108,15 @@ TEST_CASE("a page takes a turntable to compare with, and refuses what is none")
     }
 }
 
+TEST_CASE("a title need not be UTF-8")
+{
+    if (!has_modules()) return;
+    const std::string page = folder() / "latin.html";
+    const test::Outcome outcome = view({"-o", page, "--title", "caf\xe9"});
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+}
+
 TEST_CASE("a title cannot break out of the page")
 {
     if (!has_modules()) return;

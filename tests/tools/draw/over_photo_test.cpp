@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "draw/over_photo.h"
+#include "draw/views.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

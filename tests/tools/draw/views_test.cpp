@@ -117,6 +117,23 @@ TEST_CASE("a turntable writes numbered pictures and a contact sheet")
     CHECK(read_png(folder / "a-sheet.png").pixel(0, 0)[0] == 1);
 }
 
+TEST_CASE("a turntable that stops leaves every earlier picture as it was")
+{
+    const test::TemporaryFolder folder;
+    for (const char* name : {"a-000.png", "a-003.png", "a-sheet.png"}) test::write_content(folder / name, "old");
+    ViewOptions options = small_views();
+    options.turntable = 4;
+    CountingDrawer drawer;
+    int views = 0;
+    const auto stopping = [&](const Eye& eye, const Rgb8& background) {
+        if (++views == 4) throw Interrupted();
+        return drawer(eye, background);
+    };
+    CHECK_THROWS_AS(write_views(options, folder / "a.png", stopping), Interrupted);
+    for (const char* name : {"a-000.png", "a-003.png", "a-sheet.png"}) CHECK(test::content_of(folder / name) == "old");
+    CHECK(folder.entries() == 3);
+}
+
 TEST_CASE("a turntable's eyes stand evenly around the vertical axis")
 {
     const test::TemporaryFolder folder;

@@ -25,6 +25,29 @@ TEST_CASE("an output replaces what stood there and leaves nothing beside it")
     CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("outputs that are made one after the other take their places together or not at all")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "a", "old");
+    {
+        OutputSet stopped;
+        stopped.add(folder / "a", "new");
+        stopped.add(folder / "b", "new");
+        CHECK(test::content_of(folder / "a") == "old");
+        CHECK_FALSE(fs::exists(folder / "b"));
+    }
+    CHECK(test::content_of(folder / "a") == "old");
+    CHECK(folder.entries() == 1);
+
+    OutputSet whole;
+    whole.add(folder / "a", "new");
+    whole.add(folder / "b", "new");
+    whole.take_places();
+    CHECK(test::content_of(folder / "a") == "new");
+    CHECK(test::content_of(folder / "b") == "new");
+    CHECK(folder.entries() == 2);
+}
+
 TEST_CASE("a new output has the permissions of any new file")
 {
     const test::TemporaryFolder folder;

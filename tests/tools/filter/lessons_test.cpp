@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What filters learn from: views, and what is drawn of them.
+// Filters learn from views, and from what is drawn of them.
 #include "filter/lessons.h"
 
 #include <catch2/catch.hpp>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "image/png.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <stdexcept>
 
+#include "lumi/host/png.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
 #include "terminal/failure.h"
@@ -20,6 +23,26 @@ TEST_CASE("a picture written as PNG reads back byte for byte, for any shape")
         CHECK(same_size(picture, read));
         CHECK((picture.rgb == read.rgb));
     }
+}
+
+TEST_CASE("a PNG of a smooth picture is much smaller than its pixels")
+{
+    Picture picture(256, 256);
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x) {
+            const auto grey = static_cast<uint8_t>((x + y) / 2);
+            std::fill_n(picture.rgb.begin() + 3 * (256 * y + x), 3, grey);
+        }
+    CHECK(png_bytes(picture).size() < picture.rgb.size() / 100);  // stb's own packer comes to 1/40
+}
+
+TEST_CASE("a picture that stb_image_write cannot count is refused by its size")
+{
+    const uint8_t pixel[3] = {};  // no other is read
+    const auto refusal = [&](int width, int height) { return host::png_bytes({width, height, pixel}); };
+    CHECK_THROWS_AS(refusal(5592406, 1), std::length_error);    // the sum of a row's magnitudes
+    CHECK_THROWS_AS(refusal(32768, 32768), std::length_error);  // 3 GB
+    CHECK_THROWS_WITH(refusal(26755, 26755), "a picture of 26755 by 26755 pixels is too large for a PNG file");  // 2 GB
 }
 
 TEST_CASE("what is not a whole PNG is refused by name")

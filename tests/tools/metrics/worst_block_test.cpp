@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "metrics/worst_block.h"
+#include "metrics/psnr.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

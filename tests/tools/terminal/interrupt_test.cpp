@@ -21,7 +21,7 @@ struct Ended {
     std::string err;
 };
 
-// What becomes of a process that does this.
+// Tells what becomes of a process that does this.
 Ended in_child(const std::function<void()>& work)
 {
     int ends[2] = {};

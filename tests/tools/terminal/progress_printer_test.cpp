@@ -21,7 +21,7 @@ baker::Progress at(uint64_t done, double elapsed_seconds)
     return progress;
 }
 
-// What a printer writes for these reports.
+// Returns what a printer writes for these reports.
 std::string printed(bool is_terminal, std::initializer_list<baker::Progress> reports, const char* step = "")
 {
     char* text = nullptr;

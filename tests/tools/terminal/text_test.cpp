@@ -88,4 +88,11 @@ TEST_CASE("a part of a count is two whole numbers, the first from 1 to the secon
     CHECK(parse_part("1/1"));
 }
 
+TEST_CASE("no control character of a name reaches a terminal, and all else does")
+{
+    CHECK(visible("a\x1b]0;b\x07\x7f\x9b\r\n") == "a?]0;b??\x9b?\n");
+    CHECK(visible("\xc2\x9bm \xc3\x9f \xc2\xb5") == "?m \xc3\x9f \xc2\xb5");
+    CHECK(visible("\xc2") == "\xc2");
+}
+
 }  // namespace lumi::tools

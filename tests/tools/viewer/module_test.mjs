@@ -28,7 +28,7 @@ async function pageFrom(orbit) {
   return page;
 }
 
-// What the tool draws from that orbit and from the other side.
+// The tool draws these from that orbit and from the other side.
 function rendered(size, orbit, mode, format, layout) {
   const output = path.join(folder, 'picture.png');
   const span = layout === 'chord' && mode !== 'paper' ? ['--span', '8'] : [];

@@ -3,7 +3,7 @@
 """picture.py FORMAT WIDTHxHEIGHT PIXELS [-o OUT.png] [--same-as EXPECTED [EXPECTED_FORMAT]]
 
 Turns the pixels of a display into a PNG and compares them with expected ones, bit by bit. FORMAT: rgb565, rgb565-swapped,
-grey4 (two pixels a byte, the left one in the high bits), rgb888, bmp, or png. Ends with 1 if a pixel differs.
+grey4 (two pixels a byte, the left one in the high bits), rgb888, or png. Ends with 1 if a pixel differs.
 """
 import argparse
 import struct
@@ -65,22 +65,6 @@ def read_png(path):
     return width, height, bytes(out)
 
 
-def read_bmp(path):
-    """Reads a BMP of 24 bits a pixel, bottom row first, to the same."""
-    data = open(path, "rb").read()
-    (begin,) = struct.unpack_from("<I", data, 10)
-    width, height, _, depth, packed = struct.unpack_from("<iiHHI", data, 18)
-    if depth != 24 or packed or height <= 0:
-        raise ValueError(path + ": only BMP pictures of 24 bits a pixel, bottom row first, are read")
-    stride = (3 * width + 3) // 4 * 4
-    out = bytearray()
-    for y in reversed(range(height)):
-        row = data[begin + y * stride :][: 3 * width]
-        for x in range(0, 3 * width, 3):
-            out += row[x : x + 3][::-1]
-    return width, height, bytes(out)
-
-
 def write_png(path, width, height, rgb):
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
@@ -93,8 +77,8 @@ def write_png(path, width, height, rgb):
 
 
 def read(name, path, size):
-    if name in ("bmp", "png"):
-        width, height, rgb = (read_bmp if name == "bmp" else read_png)(path)
+    if name == "png":
+        width, height, rgb = read_png(path)
     else:
         (width, height), rgb = size, unpack(name, open(path, "rb").read())
     if (width, height) != size or len(rgb) != width * height * 3:

@@ -195,7 +195,7 @@ size_t tell_choice(const SurfaceChoice& choice, const planner::SurfaceTask& task
     }
     std::fflush(stdout);
     const std::vector<std::string> warnings = takes_surface ? warnings_of(choice, task) : std::vector<std::string>{};
-    for (const std::string& warning : warnings) std::fprintf(stderr, "lumi: warning: %s\n", warning.c_str());
+    for (const std::string& warning : warnings) std::fprintf(stderr, "lumi: warning: %s\n", visible(warning).c_str());
     return warnings.size();
 }
 

@@ -11,7 +11,6 @@
 #include "files/output_file.h"
 #include "image/png.h"
 #include "metrics/cw_ssim.h"
-#include "metrics/error_picture.h"
 #include "metrics/flip.h"
 #include "metrics/psnr.h"
 #include "metrics/ssim.h"

@@ -12,7 +12,6 @@
 #include "files/embed_purpose.h"
 #include "files/field_file.h"
 #include "files/output_file.h"
-#include "files/symbol.h"
 #include "files/uf2.h"
 #include "program/choice.h"
 #include "terminal/failure.h"

@@ -12,6 +12,7 @@
 #include "program/option_checks.h"
 #include "program/option_group.h"
 #include "terminal/interrupt.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -134,8 +135,8 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     const LeaveAtOnce loading;
     if (!options.sky_picture.empty()) load.environment = baker::picture_environment(options.sky_picture, lines);
     baker::Scene scene = baker::load_scene(options.path, load, lines);
-    for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", line.c_str());
-    for (const std::string& note : scene.notes()) std::fprintf(stderr, "lumi: %s\n", note.c_str());
+    for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", visible(line).c_str());
+    for (const std::string& note : scene.notes()) std::fprintf(stderr, "lumi: %s\n", visible(note).c_str());
     warnings = lines.size();
     return scene;
 }

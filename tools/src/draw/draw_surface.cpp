@@ -33,7 +33,7 @@ SeeThroughField with_nothing_to_see_through(const SurfaceField& opaque)
     return field;
 }
 
-// What a frame borrows from its caller.
+// A frame borrows this from its caller.
 struct FrameMemory {
     std::vector<SurfaceVertex> vertices;
     std::vector<uint16_t> links, bands;
@@ -69,7 +69,7 @@ Picture draw_as(const SeeThroughField& field, const Eye& eye, const SurfaceDrawS
     return picture;
 }
 
-// Of the samples that render_surface left.
+// Reads the samples that render_surface left.
 Plane<uint16_t> depths_of(const SurfaceFrame& frame, const Stripe& stripe, void* samples)
 {
     Plane<uint16_t> depths(stripe.width_px, stripe.height_px);

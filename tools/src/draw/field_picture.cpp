@@ -128,7 +128,7 @@ Picture picture_of(const SeeThroughField& field)
     return picture;
 }
 
-// Of a map of the sphere on a cylinder around it, which keeps areas: the direction at the middle of each pixel, as a
+// A map of the sphere on a cylinder around it keeps areas. This is the direction at the middle of each pixel, as a
 // point of the lattice.
 struct Map {
     int width_px, height_px;

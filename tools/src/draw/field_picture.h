@@ -8,12 +8,12 @@
 namespace lumi::tools
 {
 
-// Of a surface field: the texels, which are mean colours, of one patch beside the other, the highest first, and behind
+// Surface field: shows the texels, which are mean colours, of one patch beside the other, the highest first, and behind
 // them those of see-through patches over a chequered ground. What a lone triangle does not use of its rectangle stays
 // empty. Texels of small fields are several pixels wide.
 //
-// Of a chord field: for at most kMostOrigins of its origins, evenly chosen from the north pole southwards, a map of all
-// directions, about one pixel each: longitude to the right, the north pole above. Rays that miss the scene are dark.
+// Chord field: shows, for at most kMostOrigins of its origins, evenly chosen from the north pole southwards, a map of
+// all directions, about one pixel each: longitude to the right, the north pole above. Rays that miss the scene are dark.
 inline constexpr uint32_t kMostOrigins = 256;
 Picture picture_of(const FieldFile& file);
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "draw/over_photo.h"
 #include "files/output_file.h"
 #include "image/animation.h"
 #include "image/png.h"
@@ -130,6 +129,16 @@ std::vector<std::string> files_among(std::vector<std::string> paths)
     return paths;
 }
 
+// The bytes of a file at `path`. Throws Failure where no PNG can hold the picture.
+std::string png_bytes_for(const std::string& path, const Picture& picture)
+{
+    try {
+        return png_bytes(picture);
+    } catch (const std::length_error& error) {
+        throw Failure(path, error.what(), "choose a smaller --size");
+    }
+}
+
 constexpr int kTurnMs = 4000;  // of a turning picture
 
 std::vector<std::string> write_turning(const ViewOptions& options, const std::string& output, const Drawer& draw)
@@ -162,31 +171,47 @@ std::vector<std::string> write_views(ViewOptions options, const std::string& out
     announce_outputs(paths_of(views, options.turntable > 0 ? sheet_path : ""));
     const int eyes = static_cast<int>(views.front().eyes.size());
     ContactSheet sheet(static_cast<int>(views.size()), eyes * options.width_px, options.height_px, options.background);
+    OutputSet pictures;
     std::vector<std::string> written;
     for (const View& view : views) {
         const Picture picture = shown(view, draw, options.background, photo);
-        write_png(view.path, picture);
+        pictures.add(view.path, png_bytes_for(view.path, picture));
         written.push_back(view.path);
         sheet.add(picture);
     }
     if (options.turntable > 0) {
-        write_png(sheet_path, sheet.picture());
+        pictures.add(sheet_path, png_bytes_for(sheet_path, sheet.picture()));
         written.push_back(sheet_path);
     }
+    pictures.take_places();
     return files_among(written);
 }
 
 std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,
-                                         const std::function<void(const Eye&, const std::string&)>& write)
+                                         const std::function<std::string(const Eye&)>& bytes_of)
 {
     const std::vector<View> views = all_views(options, output);
     announce_outputs(paths_of(views, ""));
+    OutputSet pictures;
     std::vector<std::string> written;
     for (const View& view : views) {
-        write(view.eyes.front(), view.path);
+        pictures.add(view.path, bytes_of(view.eyes.front()));
         written.push_back(view.path);
     }
+    pictures.take_places();
     return written;
+}
+
+Picture over_photo(const Picture& over_black, const Picture& over_white, const Picture& photo)
+{
+    constexpr int kOpaque = 255;
+    Picture result = over_black;
+    for (size_t i = 0; i < result.rgb.size(); ++i) {
+        const int seen_through = std::max(0, over_white.rgb[i] - over_black.rgb[i]);
+        const int value = over_black.rgb[i] + (seen_through * photo.rgb[i] + kOpaque / 2) / kOpaque;
+        result.rgb[i] = static_cast<uint8_t>(std::min(value, kOpaque));
+    }
+    return result;
 }
 
 }  // namespace lumi::tools

@@ -15,7 +15,7 @@ namespace lumi::tools
 
 inline constexpr int kMaxTurntable = 1000;
 
-// What `lumi render` and `lumi reference` share, so that their views coincide.
+// `lumi render` and `lumi reference` share these options, so that their views coincide.
 struct ViewOptions {
     int width_px = 240, height_px = 240;
     host::Orbit orbit = {30, 20, 3};
@@ -41,12 +41,17 @@ using Drawer = std::function<Picture(const Eye&, const Rgb8& background)>;
 // Draws and writes all views; returns the written files in order, without devices and pipes. One view goes to `output`;
 // a turntable OUT.png writes OUT-000.png, OUT-001.png, … from orbit.azimuth_deg on, counted eastwards, then
 // OUT-sheet.png with all of them. A turntable OUT.webp, OUT.gif or OUT.mp4 writes the same views as one picture that
-// turns once in four seconds. Throws UsageError for a camera that core refuses, before anything is drawn; Failure where
-// a file cannot be read or written.
+// turns once in four seconds. All files take their places together, after the last view. Throws UsageError for a
+// camera that core refuses, before anything is drawn; Failure where a file cannot be read or written.
 std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw);
 
-// The same, but one eye a view, each of which write(eye, path) draws and writes; no background and no contact sheet.
+// Does the same with one eye a view, no background and no contact sheet: bytes_of(eye) draws a view and makes its file.
 std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,
-                                         const std::function<void(const Eye&, const std::string&)>& write);
+                                         const std::function<std::string(const Eye&)>& bytes_of);
+
+// Draws over a photograph, as a see-through display does: the same view drawn over black and over white tells each
+// channel's coverage; the photograph shows through the rest. It is right to one level of 255. Precondition: all have one
+// size.
+Picture over_photo(const Picture& over_black, const Picture& over_white, const Picture& photo);
 
 }  // namespace lumi::tools

@@ -2,6 +2,7 @@
 #include "files/embed.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "files/renderer_name.h"
 #include "terminal/text.h"
@@ -216,6 +217,57 @@ constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;
     result = replaced(result, "@SEE_THROUGH@", std::to_string(counted.see_through_count));
     result = replaced(replaced(result, "@VIEW@", renderer.view), "@BYTES@", std::to_string(field.size()));
     return replaced(replaced(result, "@SYMBOL@", symbol), "@PURPOSE@", purpose);
+}
+
+namespace
+{
+
+// C23 and C++23, in their order; and what <cstddef> and core's headers need. A space stands around each.
+constexpr std::string_view kTaken =
+    " alignas alignof and and_eq asm atomic_cancel atomic_commit atomic_noexcept auto bitand bitor"
+    " bool break case catch char char16_t char32_t char8_t class co_await co_return co_yield compl"
+    " concept const const_cast consteval constexpr constinit continue decltype default delete do"
+    " double dynamic_cast else enum explicit export extern false float for friend goto if inline int"
+    " long mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected"
+    " public register reinterpret_cast requires restrict return short signed sizeof static"
+    " static_assert static_cast struct switch template this thread_local throw true try typedef"
+    " typeid typename typeof typeof_unqual union unsigned using virtual void volatile wchar_t while"
+    " xor xor_eq main size_t unix linux lumi std NULL offsetof ptrdiff_t nullptr_t max_align_t ";
+
+bool starts(std::string_view word, std::string_view with)
+{
+    return word.substr(0, with.size()) == with;
+}
+
+bool ends(std::string_view word, std::string_view with)
+{
+    return word.size() >= with.size() && word.substr(word.size() - with.size()) == with;
+}
+
+// C17, 7.1.3: two underscores, or one and a capital.
+bool is_for_compilers(std::string_view word)
+{
+    return word.find("__") != std::string_view::npos ||
+           (word.size() > 1 && word[0] == '_' && word[1] >= 'A' && word[1] <= 'Z');
+}
+
+// C17, 7.31.10: what <stdint.h> has or may have one day, such as uint8_t and UINT8_MAX.
+bool is_for_stdint(std::string_view word)
+{
+    if (starts(word, "int") || starts(word, "uint")) return ends(word, "_t");
+    constexpr std::string_view kOthers[] = {"PTRDIFF_", "SIG_ATOMIC_", "SIZE_", "WCHAR_", "WINT_", "INT", "UINT"};
+    const bool is_other = std::any_of(std::begin(kOthers), std::end(kOthers),
+                                      [&](std::string_view start) { return starts(word, start); });
+    return is_other && (ends(word, "_MAX") || ends(word, "_MIN") || ends(word, "_C") || ends(word, "_WIDTH"));
+}
+
+}  // namespace
+
+bool is_taken(std::string_view symbol)
+{
+    if (symbol.empty()) return false;
+    return is_for_compilers(symbol) || is_for_stdint(symbol) ||
+           kTaken.find(" " + std::string(symbol) + " ") != std::string_view::npos;
 }
 
 }  // namespace lumi::tools

@@ -16,7 +16,7 @@ namespace lumi::tools
 bool is_symbol(std::string_view text);
 // The nearest symbol to `text`: other characters become underscores.
 std::string symbol_from(std::string_view text);
-// What may name a section: letters, digits and ._$-, so that it means the same to every assembler and compiler.
+// A section may be named by letters, digits and ._$-, so that it means the same to every assembler and compiler.
 bool is_section(std::string_view text);
 
 struct EmbedName {
@@ -28,7 +28,7 @@ struct EmbedName {
 // into .incbin as it is.
 std::string embed_assembler(const EmbedName& name, const std::string& path);
 
-// The same for a C++ compiler, GCC or clang, in a build that has no assembler: a file-scope asm.
+// Writes the bytes for a C++ compiler, GCC or clang, in a build that has no assembler: a file-scope asm.
 std::string embed_cpp(const EmbedName& name, const std::string& path);
 
 // The bytes as an array in C, for compilers that have no .incbin: aligned to 8 bytes.
@@ -41,9 +41,13 @@ enum class EmbedKind {
     flashed,    // SYMBOL, a pointer, where the address is known; else nothing: the program says where the bytes lie
 };
 
-// What a build needs to know: the bytes, how many, and the view that draws them. `address`: where flashed bytes lie, if
+// Declares what a build needs: the bytes, how many, and the view that draws them. `address`: where flashed bytes lie, if
 // that is known. `purpose`: a comment, see embed_purpose.h.
 std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
                          std::optional<uint32_t> address, const std::string& purpose);
+
+// Whether C or C++ means something else by this word: keywords of any edition, what the headers of an embedded field
+// define, the namespaces std and lumi, and names that are reserved for compilers (two underscores, or one and a capital).
+bool is_taken(std::string_view symbol);
 
 }  // namespace lumi::tools

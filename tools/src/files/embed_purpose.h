@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a header of `lumi embed` is for. Outputs of one stem share it: product.c and product.bin both have product.h.
+// Outputs of one stem share a header of `lumi embed`: product.c and product.bin both have product.h.
 // The header says which field it describes and how; two outputs may share it only if they would write the same there.
 #pragma once
 

@@ -25,7 +25,7 @@ struct FieldSphere {
     float radius;
 };
 
-// What people call a section of this type: "view table"; an unknown type in quotes.
+// Returns what people call a section of this type: "view table"; an unknown type in quotes.
 std::string title_of(const std::string& type);
 
 class FieldFile

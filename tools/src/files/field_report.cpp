@@ -18,7 +18,7 @@ namespace
 
 constexpr double kRounding = 1e-6;  // of binary32, as a share of the sphere's radius
 
-// What fields of both layouts have.
+// Fields of both layouts have these.
 struct Common {
     const char *layout, *texel_format, *colour_space;
 };
@@ -144,7 +144,7 @@ std::string report_text(const FieldFile& file, bool verify)
     append_line(text, "  texels        %s%s, %s", count.c_str(), common.texel_format, common.colour_space);
     const FieldSphere sphere = file.sphere();
     const auto radius = static_cast<double>(sphere.radius);
-    // What is 0 but for rounding is 0 to people.
+    // A number that is 0 but for rounding is 0 to people.
     const auto centre = [&](size_t k) {
         const auto place = static_cast<double>(sphere.centre[k]);
         return std::abs(place) < kRounding * radius ? 0 : place;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lumi inspect` says about a field file.
+// This is all that `lumi inspect` says about a field file.
 #pragma once
 
 #include <string>

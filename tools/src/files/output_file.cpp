@@ -91,22 +91,24 @@ std::string create_beside(const fs::path& target, int& descriptor)
     return name;
 }
 
-// A file that waits beside its target, under a name of its own, until all others of a command are whole.
-class Pending
+}  // namespace
+
+// A file that waits beside its target.
+class PendingOutput
 {
 public:
-    explicit Pending(const Output& output) : path_(output.path), target_(resolved(output.path))
+    PendingOutput(const std::string& path, std::string_view bytes) : path_(path), target_(resolved(path))
     {
         int descriptor = -1;
         temporary_ = create_beside(target_, descriptor);
-        int error = write_all(descriptor, output.bytes);
+        int error = write_all(descriptor, bytes);
         if (close(descriptor) != 0 && error == 0) error = errno;
         if (error == 0) return;
         unlink(temporary_.c_str());
         fail(path_, error);
     }
-    Pending(Pending&& other) noexcept = default;
-    ~Pending()
+    PendingOutput(PendingOutput&& other) noexcept = default;
+    ~PendingOutput()
     {
         if (!temporary_.empty()) unlink(temporary_.c_str());
         if (!earlier_.empty()) unlink(earlier_.c_str());
@@ -135,23 +137,36 @@ private:
     std::string temporary_, earlier_;
 };
 
-}  // namespace
+OutputSet::OutputSet() = default;
+OutputSet::~OutputSet() = default;
+
+void OutputSet::add(const std::string& path, std::string_view bytes)
+{
+    baker::require_no_input(path);
+    if (holds_earlier_output(resolved(path)))
+        files_.emplace_back(path, bytes);
+    else
+        streams_.emplace_back(path, bytes);
+}
+
+void OutputSet::take_places()
+{
+    for (const auto& [path, bytes] : streams_) write_straight(path, bytes);
+    try {
+        for (PendingOutput& file : files_) file.take_place();
+    } catch (...) {
+        for (PendingOutput& file : files_) file.give_back();
+        throw;
+    }
+    streams_.clear();
+    files_.clear();
+}
 
 void write_outputs(const std::vector<Output>& outputs)
 {
-    std::vector<Pending> pending;
-    for (const Output& output : outputs) {
-        baker::require_no_input(output.path);
-        if (holds_earlier_output(resolved(output.path))) pending.emplace_back(output);
-    }
-    for (const Output& output : outputs)
-        if (!holds_earlier_output(resolved(output.path))) write_straight(output.path, output.bytes);
-    try {
-        for (Pending& file : pending) file.take_place();
-    } catch (...) {
-        for (Pending& file : pending) file.give_back();
-        throw;
-    }
+    OutputSet set;
+    for (const Output& output : outputs) set.add(output.path, output.bytes);
+    set.take_places();
 }
 
 void write_output(const std::string& path, std::string_view bytes)

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lumi::tools
@@ -15,7 +16,30 @@ struct Output {
     std::string_view bytes;
 };
 
-// All or none, as far as a file system can: each is whole on the disk before the first gets its name.
+class PendingOutput;
+
+// The outputs of a command that makes them one after the other. Each waits beside its target, under a name of its own,
+// until take_places() renames them all: a command that stops before leaves every target as it was.
+class OutputSet
+{
+public:
+    OutputSet();
+    ~OutputSet();  // removes what still waits
+    OutputSet(const OutputSet&) = delete;
+    OutputSet& operator=(const OutputSet&) = delete;
+
+    // Throws as write_output does.
+    void add(const std::string& path, std::string_view bytes);
+
+    // All or none, as far as a file system can. Throws Failure.
+    void take_places();
+
+private:
+    std::vector<PendingOutput> files_;
+    std::vector<std::pair<std::string, std::string>> streams_;  // devices and pipes, with their bytes
+};
+
+// Writes all or none, by an OutputSet.
 void write_outputs(const std::vector<Output>& outputs);
 
 // Replaces `path` by `bytes`, or throws and leaves what stood there: Failure, or FileClash where `path` is a file that

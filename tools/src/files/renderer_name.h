@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What draws a field, in the words of core's headers.
+// Names what draws a field, in the words of core's headers.
 #pragma once
 
 #include <string>

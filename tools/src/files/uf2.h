@@ -21,7 +21,7 @@ struct FlashRange {
 };
 FlashRange flash_of(Uf2Family family);
 
-// What a boot loader erases at once. Bytes of other programs in a file's last sector are lost.
+// A boot loader erases so much at once. Bytes of other programs in a file's last sector are lost.
 inline constexpr uint32_t kUf2SectorBytes = 4096;
 
 // `address` is divisible by kUf2SectorBytes, and address + size at most 2^32.

@@ -39,7 +39,7 @@ void put_colours(const Picture& picture, int first, Planes& planes)
     }
 }
 
-// What a white background adds is what nothing covers.
+// A white background adds what nothing covers.
 void put_coverage(const Picture& over_black, const Picture& over_white, Planes& planes)
 {
     uint8_t* const plane = planes.plane(kCoveragePlane);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a filter is given of a view, and what becomes of what it returns.
+// A filter is given drawings of a view, and returns another picture of it.
 #pragma once
 
 #include "draw/views.h"
@@ -17,7 +17,7 @@ uint32_t input_planes(const tools::FieldFile& field);
 // drawings of the picture, and of a surface field two cheap ones more. Leaves by Interrupted between stripes.
 Planes drawn_planes(const tools::FieldFile& field, const tools::Eye& eye);
 
-// The same of a path-traced reference over black.
+// Makes such planes of a path-traced reference over black.
 Planes reference_planes(const quality::Reference& reference);
 
 // The first kPicturePlanes over a background, black unless told otherwise.

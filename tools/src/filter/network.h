@@ -32,7 +32,7 @@ struct Planes {
     const uint8_t* plane(int k) const { return values.data() + static_cast<size_t>(k) * size(); }
 };
 
-// What comes out, and the first planes of what goes in: red, green and blue, encoded and premultiplied; coverage.
+// These planes come out, and are the first of what goes in: red, green and blue, encoded and premultiplied; coverage.
 inline constexpr int kPicturePlanes = 4;
 inline constexpr int kCoveragePlane = 3;
 // For surface fields the mean colour (3), depth (1) and how depth changes to the right and down (2) follow.
@@ -83,7 +83,7 @@ public:
     virtual Planes filtered(const Planes& inputs) = 0;
 };
 
-// What is drawn, and the path-traced reference of it (kPicturePlanes).
+// A pair holds what is drawn, and the path-traced reference of it (kPicturePlanes).
 struct Pair {
     Planes inputs, reference;
 };
@@ -97,7 +97,7 @@ public:
     virtual void set_numbers(const std::vector<float>& numbers) = 0;
 };
 
-// The same calls give the same bits: everything is computed by one thread.
+// Equal calls give equal bits: everything is computed by one thread.
 class Module
 {
 public:

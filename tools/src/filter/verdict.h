@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a filter does to views that it has not learned from, in every measure.
+// Measures what a filter does to views that it has not learned from.
 #pragma once
 
 #include <string>

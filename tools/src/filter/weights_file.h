@@ -23,7 +23,7 @@ inline constexpr uint32_t kNumbersSection = detail::format::four_cc('F', 'N', 'U
 inline constexpr uint32_t kSettingsBytes = 64;
 inline constexpr uint32_t kNetworkVersion = 1;
 
-// What a filter was trained for. It improves pictures of that alone.
+// A filter was trained for this subject. It improves pictures of that alone.
 struct Subject {
     std::array<uint64_t, 2> scene = {};   // its fingerprint
     std::array<uint64_t, 2> field = {};   // a digest of the file

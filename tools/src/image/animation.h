@@ -22,7 +22,7 @@ public:
 // Whether the name ends in ".webp", ".gif" or ".mp4".
 bool is_animation_name(const std::string& path);
 
-// What is wrong with it as the name of views to write; nothing if it is an animation's or ends in ".png", or is a
+// Says what is wrong with it as the name of views to write; nothing if it is an animation's or ends in ".png", or is a
 // device or a pipe.
 std::string wrong_views_name(const std::string& path);
 

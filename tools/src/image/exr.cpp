@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "image/exr.h"
 
-#include "files/output_file.h"
 #include "image/animation.h"
 #include "image/png.h"
 #include "lumi/baker/picture_file.h"
@@ -21,9 +20,9 @@ std::string wrong_reference_name(const std::string& path)
     return wrong.empty() ? "" : wrong + "; linear light is written to names that end in .exr";
 }
 
-void write_exr(const std::string& path, const baker::RadianceImage& image)
+std::string exr_bytes(const baker::RadianceImage& image)
 {
-    write_output(path, baker::exr_bytes({image.width, image.height, image.rgba.data()}));
+    return baker::exr_bytes({image.width, image.height, image.rgba.data()});
 }
 
 }  // namespace lumi::tools

@@ -11,11 +11,10 @@ namespace lumi::tools
 
 bool is_exr_name(const std::string& path);
 
-// What is wrong with it as the name of views to trace; nothing if it ends in ".png", ".webp" or ".exr", or is a device
-// or a pipe.
+// Says what is wrong with it as the name of views to trace; nothing if it ends in ".png", ".webp" or ".exr", or is a
+// device or a pipe.
 std::string wrong_reference_name(const std::string& path);
 
-// Writes by write_output: throws Failure and leaves earlier output where that fails.
-void write_exr(const std::string& path, const baker::RadianceImage& image);
+std::string exr_bytes(const baker::RadianceImage& image);
 
 }  // namespace lumi::tools

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What JPEG does to a picture.
+// Shows what JPEG does to a picture.
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "image/picture.h"
 
 #include <algorithm>
-#include <cassert>
+#include <stdexcept>
 
 namespace lumi::tools
 {
@@ -17,9 +17,16 @@ Picture::Picture(int width, int height, const Rgb8& colour)
     }
 }
 
+void check_precondition(bool holds, const char* what)
+{
+    if (!holds) throw std::invalid_argument(what);
+}
+
 void paste(const Picture& source, int x, int y, Picture& target)
 {
-    assert(x >= 0 && y >= 0 && x + source.width_px <= target.width_px && y + source.height_px <= target.height_px);
+    const bool fits =
+        x >= 0 && y >= 0 && x + source.width_px <= target.width_px && y + source.height_px <= target.height_px;
+    check_precondition(fits, "a picture does not fit into another one");
     for (int row = 0; row < source.height_px; ++row)
         std::copy_n(source.pixel(0, row), 3 * source.width_px, target.pixel(x, y + row));
 }

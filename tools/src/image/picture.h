@@ -28,6 +28,10 @@ private:
     }
 };
 
+// Throws std::invalid_argument unless it holds. Sizes of pictures come from files of strangers, so that builds without
+// assert() need this, too.
+void check_precondition(bool holds, const char* what);
+
 inline bool same_size(const Picture& a, const Picture& b)
 {
     return a.width_px == b.width_px && a.height_px == b.height_px;

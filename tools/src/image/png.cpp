@@ -8,6 +8,7 @@
 
 #include "files/output_file.h"
 #include "lumi/baker/picture_file.h"
+#include "lumi/host/png.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -45,7 +46,7 @@ Picture read_png(const std::string& path)
 
 std::string png_bytes(const Picture& picture)
 {
-    return baker::png_bytes({picture.width_px, picture.height_px, picture.rgb.data()});
+    return host::png_bytes({picture.width_px, picture.height_px, picture.rgb.data()});
 }
 
 void write_png(const std::string& path, const Picture& picture)

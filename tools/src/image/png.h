@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG files as the tools handle pictures (lumi/baker/picture_file.h).
+// PNG files as the tools handle pictures (lumi/host/png.h).
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 namespace lumi::tools
 {
 
-// Of "a/b.PNG": ".png".
+// Returns ".png" for "a/b.PNG".
 std::string small_ending(const std::string& path);
 
-// What is wrong with it as the name of a picture to write; nothing if it ends in ".png", or is a device or a pipe.
+// Says what is wrong with it as the name of a picture; nothing if it ends in ".png", or is a device or a pipe.
 std::string wrong_png_name(const std::string& path);
 
 // Reads 8 bits a channel; grey becomes RGB, 16 bits are rounded to 8, alpha is ignored. Throws Failure.

@@ -2,7 +2,6 @@
 #include "image/sheet.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace lumi::tools
@@ -42,7 +41,7 @@ uint8_t block_mean(const Picture& picture, int x, int y, int channel, int factor
 
 Picture side_by_side(const Picture& left, const Picture& right)
 {
-    assert(left.height_px == right.height_px);
+    check_precondition(left.height_px == right.height_px, "pictures of two heights cannot stand side by side");
     Picture both(left.width_px + right.width_px, left.height_px);
     paste(left, 0, 0, both);
     paste(right, left.width_px, 0, both);
@@ -51,7 +50,8 @@ Picture side_by_side(const Picture& left, const Picture& right)
 
 Picture shrunk(const Picture& picture, int factor)
 {
-    assert(factor >= 1 && factor <= picture.width_px && factor <= picture.height_px);
+    check_precondition(factor >= 1 && factor <= picture.width_px && factor <= picture.height_px,
+                       "a picture cannot become smaller than a pixel");
     Picture small(picture.width_px / factor, picture.height_px / factor);
     for (int y = 0; y < small.height_px; ++y)
         for (int x = 0; x < small.width_px; ++x)

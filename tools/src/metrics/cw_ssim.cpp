@@ -2,7 +2,6 @@
 #include "metrics/cw_ssim.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "metrics/steerable_pyramid.h"
 
@@ -42,8 +41,9 @@ double similarity_of_bands(const Plane<Complex>& a, const Plane<Complex>& b)
 
 double cw_ssim(const Picture& picture_a, const Picture& picture_b)
 {
-    assert(same_size(picture_a, picture_b));
-    assert(picture_a.width_px >= kCwSsimWindow && picture_a.height_px >= kCwSsimWindow);
+    check_precondition(same_size(picture_a, picture_b), "pictures of two sizes cannot be compared");
+    check_precondition(picture_a.width_px >= kCwSsimWindow && picture_a.height_px >= kCwSsimWindow,
+                       "the pictures are smaller than a window of CW-SSIM");
     const SteerablePyramid a(luma_plane(picture_a)), b(luma_plane(picture_b));
     const int levels = levels_with_room(picture_a.width_px, picture_a.height_px);
     double sum = 0;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -148,7 +147,7 @@ Channels channels_of(const Picture& picture)
     return channels;
 }
 
-// What the eye makes of the colours, pixel by pixel.
+// Follows what the eye makes of the colours, pixel by pixel.
 std::vector<Colour> seen_colours(const Channels& channels, double pixels_per_degree)
 {
     std::array<Plane<double>, 3> blurred;
@@ -214,7 +213,8 @@ Features features_of(const Channels& channels, double pixels_per_degree)
 
 Plane<double> flip_map(const Picture& reference, const Picture& test, double pixels_per_degree)
 {
-    assert(same_size(reference, test) && !reference.rgb.empty() && pixels_per_degree > 0);
+    check_precondition(same_size(reference, test) && !reference.rgb.empty() && pixels_per_degree > 0,
+                       "pictures of two sizes cannot be compared");
     const Channels a = channels_of(reference), b = channels_of(test);
     const std::vector<Colour> colour_a = seen_colours(a, pixels_per_degree),
                               colour_b = seen_colours(b, pixels_per_degree);

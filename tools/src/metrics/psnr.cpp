@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/psnr.h"
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace lumi::tools
@@ -30,21 +31,58 @@ uint64_t squared_difference(const uint8_t* a, const uint8_t* b, size_t count)
 
 double psnr_db(const Picture& a, const Picture& b)
 {
-    assert(same_size(a, b) && !a.rgb.empty());
+    check_precondition(same_size(a, b) && !a.rgb.empty(), "pictures of two sizes cannot be compared");
     return db_of(squared_difference(a.rgb.data(), b.rgb.data(), a.rgb.size()), a.rgb.size());
 }
 
 double psnr_db(const Picture& a, const Picture& b, const Mask& mask)
 {
-    assert(same_size(a, b) && 3 * mask.values.size() == a.rgb.size());
+    check_precondition(same_size(a, b) && 3 * mask.values.size() == a.rgb.size(),
+                       "pictures of two sizes cannot be compared");
     uint64_t squares = 0, values = 0;
     for (size_t i = 0; i < mask.values.size(); ++i) {
         if (mask.values[i] == 0) continue;
         squares += squared_difference(&a.rgb[3 * i], &b.rgb[3 * i], 3);
         values += 3;
     }
-    assert(values != 0);
+    check_precondition(values != 0, "the mask is empty");
     return db_of(squares, values);
+}
+
+Picture error_picture(const Picture& a, const Picture& b)
+{
+    check_precondition(same_size(a, b), "pictures of two sizes cannot be compared");
+    Picture errors = a;
+    for (size_t i = 0; i < errors.rgb.size(); ++i)
+        errors.rgb[i] = static_cast<uint8_t>(std::min(255, kErrorGain * std::abs(a.rgb[i] - b.rgb[i])));
+    return errors;
+}
+
+namespace
+{
+
+// A part of the picture; black where the block leaves it.
+Picture block_of(const Picture& picture, int x, int y)
+{
+    Picture block(kBlockPx, kBlockPx);
+    const int width = std::min(kBlockPx, picture.width_px - x), height = std::min(kBlockPx, picture.height_px - y);
+    for (int row = 0; row < height; ++row) std::copy_n(picture.pixel(x, y + row), 3 * width, block.pixel(0, row));
+    return block;
+}
+
+}  // namespace
+
+Block worst_block(const Picture& a, const Picture& b)
+{
+    check_precondition(same_size(a, b) && !a.rgb.empty(), "pictures of two sizes cannot be compared");
+    Block worst = {0, 0, psnr_db(block_of(a, 0, 0), block_of(b, 0, 0))};
+    for (int y = 0; y < a.height_px; y += kBlockPx) {
+        for (int x = 0; x < a.width_px; x += kBlockPx) {
+            const double db = psnr_db(block_of(a, x, y), block_of(b, x, y));
+            if (db < worst.psnr_db) worst = {x, y, db};
+        }
+    }
+    return worst;
 }
 
 }  // namespace lumi::tools

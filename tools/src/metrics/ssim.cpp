@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/ssim.h"
 
-#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -46,8 +45,9 @@ double ssim_of_window(double mean_a, double mean_b, double square_a, double squa
 // One value a window, at the window's corner.
 Plane<double> ssim_map(const Picture& picture_a, const Picture& picture_b)
 {
-    assert(same_size(picture_a, picture_b));
-    assert(picture_a.width_px >= kSsimWindow && picture_a.height_px >= kSsimWindow);
+    check_precondition(same_size(picture_a, picture_b), "pictures of two sizes cannot be compared");
+    check_precondition(picture_a.width_px >= kSsimWindow && picture_a.height_px >= kSsimWindow,
+                       "the pictures are smaller than a window of SSIM");
     const std::vector<double> weights = gaussian_weights();
     const Plane<double> a = luma_plane(picture_a), b = luma_plane(picture_b);
     const Plane<double> mean_a = filter_valid(a, weights), mean_b = filter_valid(b, weights);
@@ -70,7 +70,8 @@ double ssim(const Picture& a, const Picture& b)
 
 double ssim(const Picture& a, const Picture& b, const Mask& mask)
 {
-    assert(mask.width_px == a.width_px && mask.height_px == a.height_px);
+    check_precondition(mask.width_px == a.width_px && mask.height_px == a.height_px,
+                       "pictures of two sizes cannot be compared");
     const Plane<double> map = ssim_map(a, b);
     double sum = 0;
     int count = 0;

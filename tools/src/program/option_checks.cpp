@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "terminal/text.h"
+
 namespace lumi::tools
 {
 
@@ -37,15 +39,9 @@ bool is_control(char c)
     return byte < ' ' || byte == kDelete;
 }
 
-std::string visible(std::string word)
-{
-    std::replace_if(word.begin(), word.end(), is_control, '?');
-    return word;
-}
-
 std::string not_this(const std::string& word)
 {
-    return ", not \"" + visible(word) + "\"";
+    return ", not \"" + replaced(visible(word), "\n", "?") + "\"";
 }
 
 std::string plain_word(const std::string& word)
@@ -94,7 +90,7 @@ void require_plain_words(CLI::App& app)
 
 std::string parse_problem(const CLI::ParseError& error)
 {
-    const std::string text = visible(error.what()), colon = ": takes ";
+    const std::string text = replaced(visible(error.what()), "\n", "?"), colon = ": takes ";
     const size_t at = text.find(colon);
     return at == std::string::npos ? text : text.substr(0, at) + text.substr(at + 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What options take, and what is wrong with a call, in words that say what the option takes.
+// Checks of what options take; their words say what the option takes.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a plug-in adds to the program. It lies in a folder of its own, registers itself, and nothing else includes it.
+// A plug-in adds this to the program. It lies in a folder of its own, registers itself, and nothing else includes it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,7 @@
 namespace lumi::tools
 {
 
-// What `lumi render` was asked for.
+// `lumi render` was asked for this.
 struct RenderOptions {
     std::string field, output;
     ViewOptions views;

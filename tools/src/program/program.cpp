@@ -11,20 +11,66 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 #include "lumi/baker/file_guard.h"
-#include "program/help_formatter.h"
 #include "program/option_checks.h"
 #include "program/wrong_call.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
 
 namespace
 {
+
+// It makes help texts fit a terminal. tools/packaging/pages.py reads them.
+class HelpFormatter : public CLI::Formatter
+{
+public:
+    HelpFormatter();
+    std::string make_option_opts(const CLI::Option* option) const override;
+    std::string make_option_desc(const CLI::Option* option) const override;
+};
+
+constexpr size_t kOptionColumns = 36, kDescriptionColumns = 64;
+
+// Puts line breaks in place of spaces where a line would be longer than `columns`; longer words stay whole.
+std::string wrapped(const std::string& text, size_t columns)
+{
+    std::istringstream words(text);
+    std::string result, word;
+    size_t length = 0;
+    while (words >> word) {
+        const bool fits = length == 0 || length + 1 + word.size() <= columns;
+        if (length > 0) result += fits ? ' ' : '\n';
+        length = fits && length > 0 ? length + 1 + word.size() : word.size();
+        result += word;
+    }
+    return result;
+}
+
+HelpFormatter::HelpFormatter()
+{
+    column_width(kOptionColumns);
+    label("REQUIRED", "(required)");
+    label("TEXT", "");
+}
+
+// At least two spaces stand before a description.
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const
+{
+    return CLI::Formatter::make_option_opts(option) + " ";
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const
+{
+    return wrapped(CLI::Formatter::make_option_desc(option), kDescriptionColumns);
+}
 
 const char* program_name = "lumi";  // in messages
 
@@ -50,7 +96,7 @@ void finish_standard_output()
 
 int report(const char* message, ExitCode code)
 {
-    std::fprintf(stderr, "%s: %s\n", program_name, message);
+    std::fprintf(stderr, "%s: %s\n", program_name, visible(message).c_str());
     return code;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "program/wrong_call.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <vector>
 
-#include "program/nearest_word.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 
@@ -15,6 +15,38 @@ namespace lumi::tools
 namespace
 {
 
+// Wagner and Fischer's table; letters that changed places are one edit, as Damerau counts them.
+size_t edits_between(const std::string& a, const std::string& b)
+{
+    std::vector<std::vector<size_t>> edits(a.size() + 1, std::vector<size_t>(b.size() + 1));
+    for (size_t i = 0; i <= a.size(); ++i) {
+        for (size_t j = 0; j <= b.size(); ++j) {
+            size_t& least = edits[i][j] = std::max(i, j);
+            if (i == 0 || j == 0) continue;
+            const size_t exchanged = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            least = std::min({exchanged, edits[i][j - 1] + 1, edits[i - 1][j] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                least = std::min(least, edits[i - 2][j - 2] + 1);
+        }
+    }
+    return edits.back().back();
+}
+
+// Finds the word that fewest edits of a letter lead to (put in, left out, exchanged, or two that changed places): at most
+// one for three letters, though one is always allowed. Empty if none is that near; the first of several.
+std::string nearest_word(const std::string& typed, const std::vector<std::string>& words)
+{
+    constexpr size_t kLettersPerEdit = 3;
+    size_t least = std::max<size_t>(1, typed.size() / kLettersPerEdit) + 1;
+    std::string nearest;
+    for (const std::string& word : words)
+        if (const size_t edits = edits_between(typed, word); edits < least) {
+            least = edits;
+            nearest = word;
+        }
+    return nearest;
+}
+
 std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands)
 {
     std::vector<std::string> names;
@@ -22,7 +54,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands)
     return names;
 }
 
-// Of the command that was chosen last.
+// Names the options of the command that was chosen last.
 std::vector<std::string> options_of(const CLI::App& app)
 {
     const auto chosen = app.get_subcommands();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program says to a call that it does not understand, and its help.
+// These say what a program answers to a call that it does not understand, and print its help.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@
 namespace lumi::tools
 {
 
-// What is wrong, and for a mistyped command or option which one may be meant.
+// Says what is wrong, and for a mistyped command or option which one may be meant.
 std::string problem_of(const CLI::App& app, const CLI::ParseError& error);
 
 // Adds `program help` and `program help COMMAND`. Call after all other commands were added.

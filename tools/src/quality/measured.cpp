@@ -10,7 +10,6 @@
 #include "draw/draw_surface.h"
 #include "files/field_report.h"
 #include "files/output_file.h"
-#include "image/picture_bytes.h"
 #include "image/png.h"
 #include "util/digest.h"
 
@@ -56,14 +55,32 @@ Json json_of(const View& v)
             {"draw_ms", v.draw_ms}};
 }
 
-View view_of(const Json& json, tools::Picture picture)
+bool lies_in(double value, double least, double most)
+{
+    constexpr double kRounding = 1e-9;
+    return value >= least - kRounding && value <= most + kRounding;  // no NaN does
+}
+
+bool are_figures(const Figures& f)
+{
+    return lies_in(f.psnr_db, 0, kIdenticalDb) && lies_in(f.mask_psnr_db, 0, kIdenticalDb) && lies_in(f.ssim, -1, 1) &&
+           lies_in(f.mask_ssim, -1, 1) && lies_in(f.cw_ssim, -1, 1) && lies_in(f.flip, 0, 1);
+}
+
+// Nothing where a number cannot be measured on that picture.
+std::optional<View> view_of(const Json& json, tools::Picture picture)
 {
     const Json &f = json.at("figures"), &worst = json.at("worst");
     const double block_db = worst.at(2).is_null() ? std::numeric_limits<double>::infinity() : worst.at(2).get<double>();
-    return {std::move(picture),
-            {f.at(0), f.at(1), f.at(2), f.at(3), f.at(4), f.at(5)},
-            {worst.at(0), worst.at(1), block_db},
-            json.at("draw_ms")};
+    View view = {std::move(picture),
+                 {f.at(0), f.at(1), f.at(2), f.at(3), f.at(4), f.at(5)},
+                 {worst.at(0), worst.at(1), block_db},
+                 json.at("draw_ms")};
+    constexpr double kDayMs = 24 * 3600e3;
+    const bool is_block = lies_in(view.worst.x, 0, view.picture.width_px - 1) &&
+                          lies_in(view.worst.y, 0, view.picture.height_px - 1) && view.worst.psnr_db >= 0;
+    if (!is_block || !are_figures(view.figures) || !lies_in(view.draw_ms, 0, kDayMs)) return std::nullopt;
+    return view;
 }
 
 std::string_view bytes_of(const std::vector<uint8_t>& bytes)
@@ -71,7 +88,7 @@ std::string_view bytes_of(const std::vector<uint8_t>& bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Of a struct of nothing but numbers of one size: no padding.
+// The struct holds nothing but numbers of one size, so that it has no padding.
 template <class T>
 std::string_view bytes_of(const T& numbers)
 {
@@ -79,34 +96,33 @@ std::string_view bytes_of(const T& numbers)
     return {reinterpret_cast<const char*>(&numbers), sizeof numbers};
 }
 
-// What was kept, whole and of this size; whatever else lies there is measured again.
-std::optional<View> view_in(const std::string& stem, const tools::Picture& reference)
+// Reads what was kept, whole and of this size; whatever else lies there is measured again.
+std::optional<View> view_in(const Kept& kept, const std::string& stem, const tools::Picture& reference)
 {
-    const std::optional<std::string> text = kept_bytes(stem + ".json"), png = kept_bytes(stem + ".png");
-    if (!text || !png) return std::nullopt;
+    const std::string png = kept_bytes(stem + ".png").value_or("");
+    const std::optional<std::string> text = kept.read(stem + ".json", png);
+    if (!text) return std::nullopt;
+    std::optional<tools::Picture> picture = kept_picture(png, reference.width_px, reference.height_px);
+    if (!picture) return std::nullopt;
     try {
-        baker::DecodedPicture decoded = baker::decode_png(*png, false);
-        if (decoded.width != reference.width_px || decoded.height != reference.height_px) return std::nullopt;
-        tools::Picture picture(decoded.width, decoded.height);
-        picture.rgb = std::move(decoded.rgb);
-        return view_of(Json::parse(*text), std::move(picture));
+        return view_of(Json::parse(*text), std::move(*picture));
     } catch (const Json::exception&) {
-    } catch (const baker::PictureError&) {
+        return std::nullopt;
     }
-    return std::nullopt;
 }
 
-// The same, kept for `field`: the key of a file and a way to draw it.
+// Measures a view, or takes what was kept for `field`: the key of a file and a way to draw it.
 View kept_view(const Kept& kept, const std::string& field, const HeldOutView& view, const Reference& reference,
                const DrawView& draw)
 {
     if (!kept.keeps()) return measured_view(view, reference, draw);
     const std::string stem = kept.stem({"view", field, bytes_of(view.eye.pose), bytes_of(view.eye.image),
                                         bytes_of(reference.picture.rgb), bytes_of(reference.mask.values)});
-    if (std::optional<View> earlier = view_in(stem, reference.picture)) return std::move(*earlier);
+    if (std::optional<View> earlier = view_in(kept, stem, reference.picture)) return std::move(*earlier);
     View result = measured_view(view, reference, draw);
-    tools::write_png(stem + ".png", result.picture);
-    tools::write_output(stem + ".json", json_of(result).dump());  // last: it says that both are there
+    const std::string png = tools::png_bytes(result.picture);
+    tools::write_output(stem + ".png", png);
+    kept.write(stem + ".json", json_of(result).dump(), png);  // last: it says that both are there
     return result;
 }
 

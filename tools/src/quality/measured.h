@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report knows: the references of a scene's held-out views, and what fields and baselines show of them.
+// A report knows these: the references of a scene's held-out views, and what fields and baselines show of them.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
-#include "metrics/worst_block.h"
+#include "metrics/psnr.h"
 #include "quality/draw_modes.h"
 #include "quality/figures.h"
 #include "quality/kept.h"
@@ -45,7 +45,7 @@ struct Measured {
 size_t worst_view(const Measured& m);
 size_t worst_block_view(const Measured& m);
 
-// What fields are measured against, by which way of drawing, and where that is kept.
+// Fields are measured against these, by one way of drawing; `kept` says where that is kept.
 struct Yardstick {
     const std::vector<HeldOutView>& views;
     const std::vector<Reference>& references;  // one for each view

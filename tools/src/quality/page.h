@@ -10,7 +10,7 @@
 namespace lumi::quality
 {
 
-// What a page begins with before the means.
+// A page begins with this, before the means.
 struct PageLead {
     std::string title = "Quality", style, html;  // "… of model.obj"
     std::set<std::string> pictured;              // names of the fields whose pictures stand below; empty: all

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field shows, found in seconds: few views, small pictures, few light paths. `lumi report` measures properly.
+// Finds what a field shows in seconds: few views, small pictures, few light paths. `lumi report` measures properly.
 #pragma once
 
 #include "files/field_file.h"

@@ -3,9 +3,10 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <optional>
 
 #include "image/png.h"
-#include "terminal/failure.h"
+#include "quality/kept.h"
 
 namespace lumi::quality
 {
@@ -45,14 +46,17 @@ tools::Picture grey_picture(const tools::Mask& mask)
     return picture;
 }
 
-Reference read_reference(const std::string& picture, const std::string& mask)
+// Reads what was kept, whole and of the view's size; whatever else lies there is traced anew.
+std::optional<Reference> kept_reference(const std::string& picture, const std::string& mask, const Image& image)
 {
-    Reference reference = {tools::read_png(picture), {}};
-    reference.mask = tools::Mask(reference.picture.width_px, reference.picture.height_px);
-    const tools::Picture grey = tools::read_png(mask);
-    if (!tools::same_size(grey, reference.picture))
-        throw tools::Failure(mask, "has another size than its picture", "delete both");
-    for (size_t i = 0; i < reference.mask.values.size(); ++i) reference.mask.values[i] = grey.rgb[3 * i];
+    const auto read = [&](const std::string& path) {
+        return kept_picture(kept_bytes(path).value_or(""), image.width_px, image.height_px);
+    };
+    std::optional<tools::Picture> colours = read(picture);
+    const std::optional<tools::Picture> grey = read(mask);
+    if (!colours || !grey) return std::nullopt;
+    Reference reference = {std::move(*colours), {image.width_px, image.height_px}};
+    for (size_t i = 0; i < reference.mask.values.size(); ++i) reference.mask.values[i] = grey->rgb[3 * i];
     return reference;
 }
 
@@ -86,8 +90,10 @@ std::vector<Reference> references_of(const baker::Scene& scene, const std::vecto
     for (const HeldOutView& view : views) {
         const std::string stem = (folder / file_stem(view, settings)).string();
         const std::string picture = stem + ".png", mask = stem + "-mask.png";
-        if (!cache.empty() && std::filesystem::exists(picture) && std::filesystem::exists(mask)) {
-            references.push_back(read_reference(picture, mask));
+        std::optional<Reference> kept;
+        if (!cache.empty()) kept = kept_reference(picture, mask, view.eye.image);
+        if (kept) {
+            references.push_back(std::move(*kept));
             series.skip(rays_of({view}, settings));
             continue;
         }

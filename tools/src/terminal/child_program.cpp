@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 #include "terminal/failure.h"
@@ -31,7 +32,13 @@ void run_program(std::string name, std::vector<std::string> arguments, const std
 
 std::filesystem::path new_temporary_folder(const std::string& mend)
 {
-    std::string pattern = (std::filesystem::temp_directory_path() / "lumi-XXXXXX").string();
+    std::error_code missing;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(missing);
+    if (missing) {
+        const char* const named = std::getenv("TMPDIR");
+        throw Failure(named == nullptr ? "/tmp" : named, "is no folder for temporary files", mend);
+    }
+    std::string pattern = (parent / "lumi-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) throw Failure(pattern, std::strerror(errno), mend);
     return pattern;
 }

@@ -21,7 +21,7 @@ enum ExitCode : int {
 void work_is_done();
 bool is_work_done();
 
-// What went wrong with which file, and how to mend it: "FILE: PROBLEM; MEND".
+// Says what went wrong with which file, and how to mend it: "FILE: PROBLEM; MEND".
 class Failure : public std::runtime_error
 {
 public:

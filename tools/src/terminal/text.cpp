@@ -180,6 +180,20 @@ std::string shell_word(const std::string& word)
     return is_plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
 }
 
+std::string visible(std::string text)
+{
+    constexpr unsigned char kDelete = 0x7F, kLatin = 0xC2, kLastControl = 0x9F;  // U+009F is C2 9F in UTF-8
+    for (size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : '\0');
+        if ((byte < ' ' && byte != '\n') || byte == kDelete)
+            text[i] = '?';
+        else if (byte == kLatin && next > kDelete && next <= kLastControl)
+            text.replace(i, 2, "?");
+    }
+    return text;
+}
+
 std::string replaced(std::string text, const std::string& from, const std::string& to)
 {
     for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the report page begins with where parts are named: for each what to take, its front, and pictures of it; then a
+// The report page begins with this where parts are named: for each what to take, its front, and pictures of it; then a
 // table of all rows.
 #pragma once
 

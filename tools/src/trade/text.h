@@ -18,7 +18,7 @@ std::string figures_text(const Row& row, size_t part);
 // "RP2040 at 10 frames a second".
 std::string pace_text(const planner::Pace& pace);
 
-// What is recommended for each part.
+// Says what is recommended for each part.
 std::string text_of(const Trade& trade);
 
 // `report`, the JSON of the report, with "trade": parts and rows.

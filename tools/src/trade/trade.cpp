@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "draw/draw_surface.h"
-#include "files/output_file.h"
 #include "planner/chord_speed.h"
 #include "planner/ram.h"
 #include "planner/surface_speed.h"
@@ -47,7 +46,7 @@ std::string text_of(const std::vector<planner::PartRate>& rates)
     return json.dump();
 }
 
-// Empty where the text is not whole.
+// Empty where the text is not whole, or a number of it is no rate.
 std::vector<planner::PartRate> rates_in(const std::string& text)
 {
     std::vector<planner::PartRate> rates;
@@ -58,21 +57,26 @@ std::vector<planner::PartRate> rates_in(const std::string& text)
     } catch (const Json::exception&) {
         rates.clear();
     }
-    return rates.size() == planner::kChips ? rates : std::vector<planner::PartRate>();
+    const auto is_rate = [](const planner::PartRate& rate) {
+        constexpr double kMost = 1e15;
+        const auto is_sound = [](double v) { return v >= 0 && v <= kMost; };
+        return is_sound(rate.mean) && is_sound(rate.worst) && is_sound(rate.instructions);
+    };
+    return rates.size() == planner::kChips && std::all_of(rates.begin(), rates.end(), is_rate) ? rates : std::vector<planner::PartRate>();
 }
 
 std::vector<planner::PartRate> kept_rates(const quality::Kept& kept, const FieldFile& file, const quality::Way& way)
 {
     if (!kept.keeps()) return rates_of(file, way);
     const std::string path = kept.stem({"rates", quality::key_of(file, way)}) + ".json";
-    std::vector<planner::PartRate> rates = rates_in(quality::kept_bytes(path).value_or(""));
+    std::vector<planner::PartRate> rates = rates_in(kept.read(path).value_or(""));
     if (!rates.empty()) return rates;
     rates = rates_of(file, way);
-    tools::write_output(path, text_of(rates));
+    kept.write(path, text_of(rates));
     return rates;
 }
 
-// Of the view that `lumi embed` writes.
+// Names the policy of the view that `lumi embed` writes.
 const char* policy_of(SurfaceMode mode)
 {
     switch (mode) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each file costs on each part, and what it shows, drawn by the same mode.
+// Finds what each file costs on each part, and what it shows, drawn by the same mode.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 namespace lumi::trade
 {
 
-// Of frames of 240 × 240 pixels of RGB565 on one core.
+// The figures are of frames of 240 × 240 pixels of RGB565 on one core.
 struct PartFigures {
     double frames_per_second, worst, instructions;  // worst: of the dearest pose; instructions: a frame
     bool fits;                                      // RAM in the longest piece of the part, the file in its flash
@@ -51,7 +51,7 @@ using Files = std::vector<std::unique_ptr<tools::FieldFile>>;
 // By the path of a field, Row::bake.
 using Bakes = std::map<std::string, std::string>;
 
-// What need not be found out.
+// These need not be found out.
 struct Known {
     Bakes bakes;
     quality::Kept kept;  // of rates
@@ -64,7 +64,7 @@ Trade trade_of(const quality::ReportData& report, const Files& files, const std:
 // By which chord fields are drawn unless modes are named.
 std::vector<quality::DrawMode> usual_modes();
 
-// What to type for a row, each a line. Fields that are still to be baked have the scene's name.
+// Says what to type for a row, each a line. Fields that are still to be baked have the scene's name.
 std::vector<std::string> commands_of(const Trade& trade, const Row& row);
 
 }  // namespace lumi::trade

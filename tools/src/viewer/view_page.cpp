@@ -39,7 +39,7 @@ std::string colour_text(const Rgb8& c)
     return text;
 }
 
-// What the script reads besides module and field. Angles and lengths are core's numbers.
+// The script reads this besides module and field. Angles and lengths are core's numbers.
 Json data_of(const ViewPage& page)
 {
     Json data = {{"title", page.title},
@@ -61,7 +61,8 @@ Json data_of(const ViewPage& page)
 std::string script_text(const Json& data)
 {
     std::string text;
-    for (const char c : data.dump()) text += c == '<' ? "\\u003c" : std::string(1, c);
+    // Names need not be UTF-8; what is none becomes U+FFFD.
+    for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) text += c == '<' ? "\\u003c" : std::string(1, c);
     return text;
 }
 

@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The one reader and the one writer of PNG and of JPEG, with 8 bits a channel; for radiance the baker also reads
-// Radiance .hdr and OpenEXR, and writes OpenEXR. Strangers may have made the files: the size is checked before a pixel
-// is decoded.
+// PNG and JPEG with 8 bits a channel (lumi/host/picture.h); for radiance the baker also reads Radiance .hdr and OpenEXR,
+// and writes OpenEXR. Strangers may have made the files: the size is checked before a pixel is decoded.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "lumi/host/picture.h"
 
 namespace lumi::baker
 {
 
-// The one set of limits, of every format.
-inline constexpr int kMaxPictureSide = 32768;
-inline constexpr int64_t kMaxPicturePixels = int64_t{1} << 27;  // 0.4 GB of memory with 8 bits, 1.6 GB of radiance
+using host::DecodedPicture;
+using host::PictureError;
+using host::PictureView;
+using host::kMaxPictureSide;
+
 inline constexpr uintmax_t kMaxPictureFileBytes = uintmax_t{1} << 30;
-
-// Why a picture is not read, such as "it ends too early"; what() names neither the file nor the mend.
-struct PictureError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-struct DecodedPicture {
-    int width = 0, height = 0;   // > 0
-    std::vector<uint8_t> rgb;    // 3 bytes a pixel, top row first; grey is spread, 16 bits are rounded to 8
-    std::vector<uint8_t> alpha;  // a byte a pixel; empty where the picture has none or nobody asked
-};
 
 // A PNG file; alpha is ignored. Notes the file as an input (file_guard.h). Throws PictureError.
 DecodedPicture read_png(const std::filesystem::path& file);
@@ -36,15 +26,8 @@ DecodedPicture read_png(const std::filesystem::path& file);
 // refused. Throws PictureError.
 DecodedPicture decode_jpeg(const std::string& bytes);
 
-// Borrowed pixels: 3 bytes each, top row first, without gaps. At least one.
-struct PictureView {
-    int width, height;
-    const uint8_t* rgb;
-};
-
-// The bytes of files. Throw std::length_error for a picture that no such file can hold. JPEG: baseline, as decoders of
-// firmware read it, with chroma of half the resolution; quality 1 to 100.
-std::string png_bytes(const PictureView& picture);
+// The bytes of a JPEG file: baseline, as decoders of firmware read it, with chroma of half the resolution; quality 1 to
+// 100. Throws std::length_error for a picture that no such file can hold.
 std::string jpeg_bytes(const PictureView& picture, int quality);
 
 // Borrowed pixels of linear light: red, green and blue (Rec. 709 primaries), multiplied by the coverage that follows.

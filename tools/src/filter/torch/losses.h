@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the network learns by.
+// The network learns by these.
 #pragma once
 
 #include "filter/torch/unet.h"

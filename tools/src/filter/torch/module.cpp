@@ -11,7 +11,7 @@ namespace
 
 using namespace lumi::filter;
 
-// The same additions in the same order every time.
+// Every call makes the same additions in the same order.
 void use_one_thread()
 {
     at::set_num_threads(1);

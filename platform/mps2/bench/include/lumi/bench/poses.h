@@ -17,7 +17,7 @@ struct PosedView {
     Image image;
 };
 
-// Of any length; no sum of squares is 0.
+// Vectors may have any length, but no sum of squares is 0.
 inline Quaternion turn_of(uint32_t number)
 {
     constexpr uint32_t kRolls = 4;

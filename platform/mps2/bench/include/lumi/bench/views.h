@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the bench draws: three views of 240 × 240 pixels, shared by the firmware that is counted and the host that
+// The bench draws these: three views of 240 × 240 pixels, shared by the firmware that is counted and the host that
 // judges the pictures.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace lumi::bench
 {
 
 inline constexpr int32_t kSidePx = 240;
-// What most products show behind an object.
+// Most products show such a plain colour behind an object.
 inline constexpr OverBlack kBackground;
 inline constexpr Rgb8 kBackgroundColour = {0, 0, 0};
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The one file that sees libpng.
+// The one file that sees libpng, which only reads.
 
 #include <png.h>
 
 #include <csetjmp>
 #include <cstring>
 
-#include "image/picture_bytes.h"
+#include "lumi/host/png.h"
 
-namespace lumi::baker
+namespace lumi::host
 {
 namespace
 {
@@ -142,26 +142,4 @@ DecodedPicture decode_png(const std::string& bytes, bool with_alpha)
     return picture;
 }
 
-DecodedPicture read_png(const std::filesystem::path& file)
-{
-    const std::string bytes = picture_bytes(file);
-    if (!is_png(bytes)) throw PictureError("it is no PNG picture");
-    return decode_png(bytes, false);
-}
-
-std::string png_bytes(const PictureView& picture)
-{
-    png_image image = {};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(picture.width);
-    image.height = static_cast<png_uint_32>(picture.height);
-    image.format = PNG_FORMAT_RGB;
-    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
-    png_alloc_size_t size = bytes.size();
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgb, 0, nullptr) == 0)
-        throw std::length_error(std::string("the picture cannot be packed: ") + image.message);
-    bytes.resize(size);
-    return bytes;
-}
-
-}  // namespace lumi::baker
+}  // namespace lumi::host
