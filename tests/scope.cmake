@@ -62,7 +62,7 @@ set(LUMI_PLAIN_FILES
   baker/volume/opacity_surface_test.cpp
   baker/volume/vdb_file_test.cpp
   baker/surface/surface_bake_test.cpp
-  baker/surface/surface_draft_test.cpp
+  baker/surface/surface_plan_test.cpp
   baker/chord/field_rays_test.cpp
   lab/
   platform/

@@ -16,14 +16,16 @@ import tempfile
 # Which areas an area may include from, besides itself.
 ARROWS = {
     "core": [],
-    "platform": ["core"],
-    "baker": ["core"],
-    "tools": ["baker", "platform", "core"],
-    "lab": ["tools", "baker", "platform", "core"],
-    "tests": ["lab", "tools", "baker", "platform", "core"],
+    "host": ["core"],
+    "platform": ["host", "core"],
+    "baker": ["host", "core"],
+    "tools": ["baker", "platform", "host", "core"],
+    "lab": ["tools", "baker", "platform", "host", "core"],
+    "tests": ["lab", "tools", "baker", "platform", "host", "core"],
 }
-# Areas that lie in a folder of another one: what only we run is no part of what users run.
-WITHIN = {"tools/lab": "lab", "platform/mps2/bench": "lab"}
+# Areas that lie in a folder of another one: what a workstation adds to core, and what only we run is no part of what
+# users run.
+WITHIN = {"tools/lab": "lab", "platform/mps2/bench": "lab", "platform/host": "host"}
 # Folders that register themselves with the program: nothing else includes them, but for tests.
 PLUGINS = ["tools/src/filter"]
 

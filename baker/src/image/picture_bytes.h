@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all readers of pictures have in common: the bytes of a file, and limits before anything is decoded.
+// All readers of pictures share this: the bytes of a file, and limits before anything is decoded.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lumi bake` chooses where the user does not.
+// Choices of `lumi bake` where the user makes none.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>

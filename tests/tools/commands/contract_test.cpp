@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the command line promises about exit codes, messages and earlier output.
+// Promises of the command line about exit codes, messages and earlier output.
 #include <catch2/catch.hpp>
 #include <filesystem>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lumi bake --fit` promises.
+// Promises of `lumi bake --fit`.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -40,7 +40,7 @@ std::map<Colour, int> pixels_by_colour(const Picture& picture)
     return counts;
 }
 
-// Of surface_palette_section().
+// The size of surface_palette_section().
 Colour entry(int k)
 {
     return {k, 255 - k, 40 + k / 2 + 64 * (k & 1)};

@@ -84,7 +84,7 @@ private:
         {"hard.mtl", "s.mtl"}, {"hard.lumi", "f.lumi"}, {"hard-mtl.png", "s.mtl"}, {"hard-field.png", "f.lumi"}};
 };
 
-// What `lumi CALL` in a workshop does: it fails, names `file` and the mend, and leaves every file as it was.
+// Checks `lumi CALL` in a workshop: it fails, names `file` and the mend, and leaves every file as it was.
 void check_refused(const std::string& call, const std::string& file, const std::string& mend)
 {
     const Workshop shop;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame of a chord field takes.
+// Counts of a frame of a chord field.
 #include "planner/chord_work.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ namespace
 
 using tools::Mode;
 
-// Of the test field, which shows something everywhere, in stripes of 16 rows.
+// Counts the test field, which shows something everywhere, in stripes of 16 rows.
 ChordWork work_of(uint32_t origins, uint32_t directions, const bench::View& view, int32_t span_px)
 {
     tools::test::TestField layout;

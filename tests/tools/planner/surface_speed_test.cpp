@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame of a surface field takes, and what that costs.
+// The work of a frame of a surface field, and its cost.
 #include "planner/surface_speed.h"
 
 #include <catch2/catch.hpp>

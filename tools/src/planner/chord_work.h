@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame of a chord field takes, counted: the pieces that core cuts its stripes into, and the lattice points that
+// Counts the work of a frame of a chord field: the pieces that core cuts its stripes into, and the lattice points that
 // its pixels read.
 #pragma once
 
@@ -90,7 +90,7 @@ struct ChordFrame {
     std::vector<Read> reads;  // in the order of drawing; addresses count from the first texel
 };
 
-// Of a frame in stripes over black. span_px: 4, 8 or 16; 0, or a field that spans refuse: every pixel exact.
+// Counts a frame in stripes over black. span_px: 4, 8 or 16; 0, or a field that spans refuse: every pixel exact.
 ChordFrame frame_of(const Field& field, tools::Mode mode, int32_t span_px, const Camera& camera,
                     const host::ScreenSize& screen);
 
