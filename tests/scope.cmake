@@ -62,6 +62,7 @@ set(LUMI_PLAIN_FILES
   baker/volume/iso_surface_test.cpp
   baker/volume/vdb_file_test.cpp
   baker/surface/surface_bake_test.cpp
+  baker/surface/surface_plan_test.cpp
   baker/chord/field_rays_test.cpp
   lab/
   platform/

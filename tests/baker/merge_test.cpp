@@ -7,9 +7,9 @@
 #include "chord/row_file.h"
 #include "lumi/chord/texel.h"
 #include "lumi/detail/crc32.h"
-#include "store/shard_rows.h"
+#include "store/shard_set.h"
 #include "support/bake_scenes.h"
-#include "support/merge_problems.h"
+#include "support/scratch_folder.h"
 
 namespace lumi::baker
 {
@@ -18,6 +18,21 @@ using namespace testing;
 
 namespace
 {
+
+using Paths = std::vector<std::filesystem::path>;
+
+// The problems that merging names; the output must then be as before.
+std::vector<std::string> problems_of(const ScratchFolder& folder, const Paths& shards)
+{
+    folder.write("f.lumi", "earlier");
+    try {
+        merge_shards(shards, folder.at("f.lumi"));
+    } catch (const MergeError& error) {
+        CHECK(read_bytes(folder.at("f.lumi")) == "earlier");
+        return error.problems;
+    }
+    return {};
+}
 
 constexpr uint32_t kCount = 3;
 

@@ -12,7 +12,7 @@
 #include "support/gltf_bytes.h"
 #include "support/nifti_bytes.h"
 #include "support/picture_bytes.h"
-#include "surface/fit_basis.h"
+#include "surface/surface_file_store.h"
 
 namespace
 {

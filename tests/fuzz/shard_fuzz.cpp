@@ -11,7 +11,7 @@
 #include "lumi/baker/merge.h"
 #include "lumi/detail/crc32.h"
 #include "store/block_file.h"
-#include "surface/fit_basis.h"
+#include "surface/surface_file_store.h"
 
 namespace
 {

@@ -4,7 +4,6 @@
 #include "chord/row_file.h"
 #include "chord/texel_tracer.h"
 #include "store/checkpoint.h"
-#include "store/output_names.h"
 #include "trace/catcher.h"
 #include "util/job.h"
 

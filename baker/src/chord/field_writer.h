@@ -9,7 +9,7 @@
 
 #include "image/palette.h"
 #include "lumi/chord/format.h"
-#include "store/new_file.h"
+#include "store/posix_file.h"
 
 namespace lumi::baker
 {

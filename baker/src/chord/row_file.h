@@ -5,13 +5,25 @@
 //   slots     row of texels; one for each row of the shard, in order
 #pragma once
 
-#include "chord/bake_layout.h"
+#include "chord/field_writer.h"
 #include "image/palette.h"
+#include "store/bake_identity.h"
 #include "store/block_file.h"
-#include "store/shard_rows.h"
+#include "store/shard_set.h"
 
 namespace lumi::baker
 {
+
+// The layout that a chord bake's settings ask for, and the identity of the bake.
+
+// Without centre and radius. Throws BakeError for settings that no field can hold.
+FieldLayout checked_layout(const BakeSettings& settings);
+
+// The layout of a chord bake's field. Throws BakeError for settings or shards that cannot be.
+FieldLayout layout_of(const BakeIdentity& identity);
+
+// Throws BakeError for settings or shards that cannot be.
+BakeIdentity identity_of(const Scene& scene, const BakeSettings& settings, const Shard& shard);
 
 class RowFile
 {

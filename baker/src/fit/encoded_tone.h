@@ -35,7 +35,8 @@ public:
     LevelColour encoded(const Rgb& radiance) const;
     // The tangent at about these levels.
     ToneLine line_at(const LevelColour& levels) const;
-    // The same, but not so flat that a few levels may be any light: x % less light is x/4 % fewer levels at least.
+    // Returns the same line, but not so flat that a few levels may be any light: x % less light is x/4 % fewer levels
+    // at least.
     ToneLine invertible_line_at(const LevelColour& levels) const;
 
 private:

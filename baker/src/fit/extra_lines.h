@@ -15,7 +15,7 @@ namespace lumi::baker
 class ExtraLines
 {
 public:
-    // `chances`: by patch (fit/extra_chances.h); without any it is empty.
+    // `chances`: by patch (fit/path_plan.h); without any it is empty.
     ExtraLines(const FitShape& shape, const std::vector<float>& chances);
 
     bool empty() const { return ends_.empty(); }

@@ -35,7 +35,7 @@ struct SampleTaps {
 };
 SampleTaps taps_of(const FitShape& shape, const FitSample& sample);
 
-// What the model shows of a sample; `nodes` are those of its patch, kPatchNodes of them.
+// Returns the levels that the model shows for a sample; `nodes` are those of its patch, kPatchNodes of them.
 LevelColour predicted(const FitModel& model, const std::vector<LevelColour>& nodes, const FitSample& sample,
                       const SampleTaps& taps);
 // The nodes of a patch's corners, in order; those of a missing corner are 0.

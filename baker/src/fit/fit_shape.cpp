@@ -1,10 +1,94 @@
 // SPDX-License-Identifier: MIT
 #include "fit/fit_shape.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "lumi/baker/bake.h"
+#include "lumi/surface/format.h"
 
 namespace lumi::baker
 {
+
+namespace
+{
+
+constexpr float kInset = 1.0f / (1 << detail::format::kPatchInsetShift);
+
+uint32_t side_of(float length, float texels_per_radius)
+{
+    const float side = std::round(length * texels_per_radius);
+    return static_cast<uint32_t>(std::clamp(side, 1.0f, static_cast<float>(detail::format::kMaxPatchSide)));
+}
+
+PatchRectangle rectangle_of(const PatchMesh& mesh, const PatchMesh::Patch& p, float texels_per_radius)
+{
+    const Vec3 &a = mesh.positions[p.a], &b = mesh.positions[p.b], &c = mesh.positions[p.c];
+    float across = length(b - a), down = length(c - a);
+    if (p.d != PatchMesh::kNone) {
+        const Vec3& d = mesh.positions[p.d];
+        across = 0.5f * (across + length(d - c));
+        down = 0.5f * (down + length(d - b));
+    }
+    return {0, side_of(across, texels_per_radius), side_of(down, texels_per_radius)};
+}
+
+// The wide ones first, so that little is needed after the last.
+std::vector<uint32_t> widest_first(const std::vector<PatchRectangle>& rectangles)
+{
+    std::vector<uint32_t> order(rectangles.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](uint32_t a, uint32_t b) { return rectangles[a].n > rectangles[b].n; });
+    return order;
+}
+
+uint32_t place_in(float coordinate, uint32_t side)
+{
+    return std::min(static_cast<uint32_t>(std::max(coordinate, 0.0f)), side - 1);
+}
+
+}  // namespace
+
+TexelLayout layout_of(const PatchMesh& mesh, float texels_per_radius)
+{
+    return layout_of(mesh, std::vector<float>(mesh.patches.size(), texels_per_radius));
+}
+
+TexelLayout unlimited_layout(const PatchMesh& mesh, const std::vector<float>& densities)
+{
+    TexelLayout layout;
+    for (size_t p = 0; p < mesh.patches.size(); ++p)
+        layout.rectangles.push_back(rectangle_of(mesh, mesh.patches[p], densities[p]));
+    uint32_t begin = 0;
+    for (const uint32_t k : widest_first(layout.rectangles)) {
+        PatchRectangle& r = layout.rectangles[k];
+        r.begin = begin;
+        begin += r.size();
+        layout.texels = std::max(layout.texels, r.begin + detail::format::patch_reach(r.n));
+    }
+    layout.texels = std::max(layout.texels, begin);
+    return layout;
+}
+
+TexelLayout layout_of(const PatchMesh& mesh, const std::vector<float>& densities)
+{
+    TexelLayout layout = unlimited_layout(mesh, densities);
+    if (layout.texels > detail::format::kMaxSurfaceTexels) {
+        throw BakeError("the field would hold " + std::to_string(layout.texels) +
+                        " texels, and the format ends at 1048576; choose a smaller --texel-density");
+    }
+    return layout;
+}
+
+uint32_t texel_at(const PatchRectangle& r, bool second_triangle, float weight_of_second, float weight_of_third)
+{
+    const float n = static_cast<float>(r.n), m = static_cast<float>(r.m);
+    const float u = kInset + (n - 2 * kInset) * weight_of_second, v = kInset + (m - 2 * kInset) * weight_of_third;
+    const uint32_t x = place_in(second_triangle ? n - u : u, r.n), y = place_in(second_triangle ? m - v : v, r.m);
+    return r.begin + y * r.n + x;
+}
 
 ViewTurn view_turn(const Vec3& normal)
 {

@@ -2,11 +2,36 @@
 // The mesh of a surface field as its file holds it: what tracing, fitting and writing have in common.
 #pragma once
 
-#include "fit/texel_layout.h"
 #include "lumi/surface/detail/view_nodes.h"
+#include "mesh/patch_mesh.h"
 
 namespace lumi::baker
 {
+
+// Where the texels of each patch lie (lumi/surface/format.h).
+
+// n × m texels from `begin` on, row after row.
+struct PatchRectangle {
+    uint32_t begin, n, m;
+
+    uint32_t size() const { return n * m; }
+};
+
+struct TexelLayout {
+    std::vector<PatchRectangle> rectangles;  // by patch
+    uint32_t texels = 0;                     // length of the section, unused ones at its end included
+};
+
+// Sides follow the lengths of a patch's edges, times texels a radius, by patch; of any size.
+TexelLayout unlimited_layout(const PatchMesh& mesh, const std::vector<float>& densities);
+// Throws BakeError where the format cannot hold so many texels.
+TexelLayout layout_of(const PatchMesh& mesh, const std::vector<float>& densities);
+// Every patch has the same density.
+TexelLayout layout_of(const PatchMesh& mesh, float texels_per_radius);
+
+// The texel at a point of a patch's first or second triangle, by the barycentric weights of its second and third
+// corner.
+uint32_t texel_at(const PatchRectangle& rectangle, bool second_triangle, float weight_of_second, float weight_of_third);
 
 // Half a turn about h = (x, y, z)/127 takes +z to the vertex's direction.
 struct ViewTurn {

@@ -20,7 +20,7 @@ std::array<double, 3> dots(const std::vector<double>& a, const std::vector<doubl
     return sums;
 }
 
-// What the texel's samples see of the nodes in the mean, times their count.
+// The part of the nodes that the texel's samples see in the mean, times their count.
 std::array<double, 3> seen(const uint32_t* crossed, const std::vector<double>& nodes)
 {
     std::array<double, 3> sums{};

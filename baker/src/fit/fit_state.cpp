@@ -82,7 +82,7 @@ void put(ByteWriter& out, const PatchSums& sums)
     });
 }
 
-// What a shard holds may be anything: only its seal was checked.
+// A shard may hold anything: only its seal was checked.
 void add_to(int64_t& sum, int64_t more)
 {
     if (__builtin_add_overflow(sum, more, &sum))

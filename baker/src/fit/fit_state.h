@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a surface bake keeps of the light that it traced.
+// The light that a surface bake has traced, in sums.
 #pragma once
 
 #include "fit/fit_sums.h"
@@ -20,7 +20,7 @@ struct FitState {
     const FitShape& shape;
     const EncodedTone& tone;
     FitModel expected;                 // what the pilot found
-    std::vector<float> extra_chances;  // by patch, from the pilot, too (fit/extra_chances.h)
+    std::vector<float> extra_chances;  // by patch, from the pilot, too (fit/path_plan.h)
     FitSums sums;                      // equations that are linear around `expected`
     uint32_t batches = 0;              // batches that are in the sums
     uint32_t wanted = 0;               // batches in all, once they are known

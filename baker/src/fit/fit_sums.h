@@ -88,7 +88,7 @@ struct PatchSums {
 // Count and scatter of all texels together, without what was cut off.
 TexelSums scatter_of(const PatchSums& patch);
 
-// What is brighter than white shows as white: a fit may count it as that, once it is known well what is.
+// Light above white shows as white: a fit may count it as that, once it is known well what is.
 enum class White : uint8_t { goes_on, clips };
 
 // Throws BakeError where sums cannot hold so many.

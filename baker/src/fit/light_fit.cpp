@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "fit/light_fit.h"
 
-#include <numeric>
-
-#include "fit/extra_chances.h"
-
 namespace lumi::baker
 {
 namespace
 {
 
-constexpr uint64_t kPilotSeedOffset = 0x70696C6F, kShareSeedOffset = 0x73686172;
-constexpr uint32_t kShareBatches = 16;
-constexpr double kPilotPaths = 65;        // a texel; more gain nothing
-constexpr double kMaxPilotPaths = 1.6e7;  // for all texels together: they are kept in memory
-constexpr int kPilotRounds = 4;           // each linear around the one before
+constexpr uint64_t kPilotSeedOffset = 0x70696C6F;
+constexpr int kPilotRounds = 4;  // each linear around the one before
 constexpr int kPilotIterations = 12;
-// What a round of the pilot costs (sums of 65 paths, and iterations), in light paths a texel that take as long.
+// The cost of a round of the pilot (sums of 65 paths, and iterations), in light paths a texel that take as long.
 constexpr double kRoundWork = 25;
 constexpr uint32_t kRoundRuns = kPilotIterations + 4;
-constexpr double kExtraShare = 0.33;                 // extra paths: 1 line of 4 beside 3
 constexpr uint32_t kMostAtOnce = 512, kRounds = 16;  // batches between two calls of `keep`, and calls at least
 
 // The levels of each texel's mean light; of those with few paths nearly their patch's.
@@ -57,46 +49,11 @@ void fields(Io& io, PilotRound& round)
 }  // namespace
 
 LightFit::LightFit(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, const Shard& shard)
-    : shape_(shape), settings_(settings), shard_(shard), tracer_(scene, shape, ViewCap(settings.cap))
+    : shape_(shape),
+      settings_(settings),
+      tracer_(scene, shape, ViewCap(settings.cap)),
+      paths_(settings, shard, shape, tracer_)
 {
-    uint32_t lines = 0;
-    for (uint32_t k = 0; k < kShareBatches; ++k) lines += tracer_.meeting(settings.seed + kShareSeedOffset, k).scene;
-    paths_per_batch_ = std::max(1.0, lines / static_cast<double>(kShareBatches));
-}
-
-uint32_t LightFit::batches_for(double paths) const
-{
-    return static_cast<uint32_t>(std::ceil(paths / paths_per_batch_));
-}
-
-uint32_t LightFit::pilot_batches() const
-{
-    return batches_for(std::min(kPilotPaths * shape_.layout.texels, kMaxPilotPaths));
-}
-
-uint32_t LightFit::shard_batches() const
-{
-    const uint32_t all = batches_for(static_cast<double>(settings_.paths_per_texel) * shape_.layout.texels);
-    return (all + shard_.count - shard_.index) / shard_.count;
-}
-
-// Shards take turns.
-std::vector<uint32_t> LightFit::next_batches(uint32_t first, uint32_t count) const
-{
-    std::vector<uint32_t> result;
-    for (uint32_t k = first; k < first + count; ++k) result.push_back(k * shard_.count + shard_.index - 1);
-    return result;
-}
-
-SampleBatches LightFit::traced(uint64_t seed, const std::vector<uint32_t>& batches, const ExtraLines* extra,
-                               Job& job) const
-{
-    SampleBatches samples(batches.size());
-    job.run(static_cast<uint32_t>(batches.size()), [&](uint32_t k) {
-        samples[k] = tracer_.samples(seed, batches[k], extra);
-        job.add_rays(SampleTracer::kLines);
-    });
-    return samples;
 }
 
 SortedSamples LightFit::by_patch(const SampleBatches& batches) const
@@ -104,17 +61,23 @@ SortedSamples LightFit::by_patch(const SampleBatches& batches) const
     return sorted(batches, static_cast<uint32_t>(shape_.mesh.patches.size()));
 }
 
-// The same in all shards.
+// All shards trace the same pilot.
 SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
 {
     SampleBatches all;
-    const uint32_t count = pilot_batches();
+    const uint32_t count = paths_.pilot_batches();
     for (uint32_t first = 0; first < count; first += kMostAtOnce) {
-        std::vector<uint32_t> batches(std::min(kMostAtOnce, count - first));
-        std::iota(batches.begin(), batches.end(), first);
-        const uint64_t end = job.part_of_rest(0) + uint64_t{SampleTracer::kLines} * batches.size();
-        SampleBatches some = stages.once<SampleBatches>(
-            "pilot paths", [&] { return traced(settings_.seed + kPilotSeedOffset, batches, nullptr, job); }, first);
+        const uint32_t batches = std::min(kMostAtOnce, count - first);
+        const uint64_t end = job.part_of_rest(0) + uint64_t{SampleTracer::kLines} * batches;
+        const auto traced = [&] {
+            SampleBatches samples(batches);
+            job.run(batches, [&](uint32_t k) {
+                samples[k] = tracer_.samples(settings_.seed + kPilotSeedOffset, first + k);
+                job.add_rays(SampleTracer::kLines);
+            });
+            return samples;
+        };
+        SampleBatches some = stages.once<SampleBatches>("pilot paths", traced, first);
         job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
         stages.require_shape(are_of(some, shape_));
         std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -141,8 +104,7 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
             });
             is_first = false;
             if (round != 0) smoothness.learn(sums, state.expected);
-            PilotRound done = {state.expected,
-                               extra_chances(sums, double{SampleTracer::kLines} * pilot_batches(), kExtraShare)};
+            PilotRound done = {state.expected, paths_.extra_chances(sums)};
             FitSolver(sums, smoothness, viewable, job).solve(done.model, kPilotIterations);
             return done;
         };
@@ -162,18 +124,18 @@ uint64_t LightFit::pilot_work() const
 
 uint64_t LightFit::work() const
 {
-    return uint64_t{SampleTracer::kLines} * (uint64_t{pilot_batches()} + shard_batches()) + pilot_work();
+    return uint64_t{SampleTracer::kLines} * (uint64_t{paths_.pilot_batches()} + paths_.batches()) + pilot_work();
 }
 
 uint64_t LightFit::work_in(const FitState& state) const
 {
-    const uint64_t pilot = uint64_t{SampleTracer::kLines} * pilot_batches() + pilot_work();
+    const uint64_t pilot = uint64_t{SampleTracer::kLines} * paths_.pilot_batches() + pilot_work();
     return state.has_pilot ? pilot + uint64_t{SampleTracer::kLines} * state.batches : 0;
 }
 
 void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::function<void()>& keep)
 {
-    const uint32_t batches = shard_batches();
+    const uint32_t batches = paths_.batches();
     state.wanted = batches;
     const uint32_t at_once = std::clamp(batches / kRounds, 1u, kMostAtOnce);
     if (!state.has_pilot) {
@@ -182,9 +144,17 @@ void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::f
     }
     const ExtraLines extra(shape_, state.extra_chances);
     const ProgressCallback quiet;
+    const auto traced = [&](uint32_t count) {
+        SampleBatches samples(count);
+        job.run(count, [&](uint32_t k) {
+            samples[k] = tracer_.samples(settings_.seed, paths_.batch(state.batches + k), &extra);
+            job.add_rays(SampleTracer::kLines);
+        });
+        return samples;
+    };
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
-        const SortedSamples samples = by_patch(traced(settings_.seed, next_batches(state.batches, count), &extra, job));
+        const SortedSamples samples = by_patch(traced(count));
         Job whole(1, settings_.threads, quiet);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;

@@ -9,7 +9,7 @@
 
 #include "fit/fit_solver.h"
 #include "fit/fit_state.h"
-#include "lumi/baker/surface.h"
+#include "fit/path_plan.h"
 #include "store/bake_stages.h"
 
 namespace lumi::baker
@@ -31,21 +31,15 @@ public:
     void trace(FitState& state, BakeStages& stages, Job& job, const std::function<void()>& keep);
 
 private:
-    uint32_t batches_for(double paths) const;
-    uint32_t pilot_batches() const;
-    uint32_t shard_batches() const;
     uint64_t pilot_work() const;
     void pilot(FitState& state, BakeStages& stages, Job& job) const;
     SortedSamples pilot_samples(BakeStages& stages, Job& job) const;
-    SampleBatches traced(uint64_t seed, const std::vector<uint32_t>& batches, const ExtraLines* extra, Job& job) const;
     SortedSamples by_patch(const SampleBatches& batches) const;
-    std::vector<uint32_t> next_batches(uint32_t first, uint32_t count) const;
 
     const FitShape& shape_;
     const SurfaceSettings& settings_;
-    const Shard shard_;
     const SampleTracer tracer_;
-    double paths_per_batch_;
+    const PathPlan paths_;
 };
 
 }  // namespace lumi::baker

@@ -20,7 +20,7 @@ struct FitSample {
     bool diffuse;  // so all sides see this light
 };
 
-// What the light along a line says of a see-through texel on its way.
+// A sample of a see-through texel by the light along a line.
 struct PassingSample {
     uint32_t texel;
     float opacity;
@@ -57,7 +57,7 @@ public:
     struct Meeting {
         uint32_t mesh = 0, scene = 0;  // lines that meet the mesh, and those of them that count
     };
-    // The same without light.
+    // Counts those lines without tracing light.
     Meeting meeting(uint64_t seed, uint32_t batch) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What see-through texels let pass, and what lies behind them.
+// Traces how much light see-through texels let pass, and the light behind them.
 #pragma once
 
 #include "fit/sample_tracer.h"

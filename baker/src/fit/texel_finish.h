@@ -10,7 +10,14 @@
 namespace lumi::baker
 {
 
-// What is known of a texel.
+// Takes noise out of fitted texels.
+
+// Smooths a rectangle `width` wide. `variances` are those of the fitted texels, levels² a channel; negative where no
+// path met a texel. Each texel is drawn to its neighbours by as much as neighbours around there differ less than noise
+// alone makes them differ. So noise leaves where the picture is smooth, edges stay, and what no path met is filled.
+void smooth_noise(LevelColour* texels, const std::vector<double>& variances, uint32_t width);
+
+// The light of a texel, as far as it is known.
 struct TexelLight {
     ToneLine line;       // about which its paths were summed: around the mean of what was expected of them
     LevelColour target;  // the mean of the sums; without paths the texel itself

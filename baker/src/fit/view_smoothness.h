@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: MIT
-// What view tables are expected to be: small, and alike in neighbouring directions and at neighbouring vertices. How
-// much so is learnt from the light itself, vertex by vertex: a matt surface's tables are nearly flat, those of metal
-// are not. Directions that no path saw are filled by it.
+// The expectation of view tables: they are small, and alike in neighbouring directions and at neighbouring vertices.
+// How much so is learnt from the light itself, vertex by vertex: a matt surface's tables are nearly flat, those of
+// metal are not. Directions that no path saw are filled by it.
 #pragma once
 
 #include "fit/fit_sums.h"
 
 namespace lumi::baker
 {
+
+// Reads from the sums of a surface bake how much of all paths each view node carries, and which were seen together.
+
+// By kViewNodes * vertex + node.
+std::vector<double> node_weights(const FitSums& sums);
+
+// The sums of products of nodes' weights, node by node: what an error at one node adds to the gradient at others.
+class NodeProducts
+{
+public:
+    explicit NodeProducts(const FitSums& sums);
+
+    struct Entry {
+        uint32_t node;
+        float product;
+    };
+    const std::vector<Entry>& row(size_t node) const { return rows_[node]; }
+
+private:
+    std::vector<std::vector<Entry>> rows_;
+};
 
 // A sum of squares, of Σ weight · node each, times the light paths that it is worth: the noise of a path against how
 // different nodes are, squared.

@@ -19,7 +19,7 @@ public:
         }
     }
 
-    // The same number, below that of the mesh's vertices, for all of a component.
+    // All of a component has the same number, which is below that of the mesh's vertices.
     uint32_t of(uint32_t vertex) { return sets_.root(vertex); }
     uint32_t of(const Mesh::Corners& corners) { return of(corners[0]); }
 

@@ -28,8 +28,8 @@ struct OneSidedFaces {
 // pair of faces.
 std::vector<uint32_t> drawing_order(const OneSidedFaces& faces, Job& job);
 
-// Of the pairs of triangles that light passes one after the other on its way to an eye, the share that is drawn the
-// wrong way round.
+// Returns, of the pairs of triangles that light passes one after the other on its way to an eye, the share that is
+// drawn the wrong way round.
 struct OrderFaults {
     uint32_t pairs = 0;
     double in_order = 0;

@@ -47,7 +47,7 @@ inline bool is_degenerate(const Mesh::Corners& c)
     return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
-// The same number for an edge whichever way it runs: the lower vertex stands above the higher one.
+// An edge has the same number whichever way it runs: the lower vertex stands above the higher one.
 inline uint64_t edge_key(uint32_t a, uint32_t b)
 {
     return uint64_t{std::min(a, b)} << 32 | std::max(a, b);

@@ -86,7 +86,7 @@ bool is_convex(const std::vector<Flat>& flat)
     return changes <= 2;
 }
 
-// What cutting ears makes of a convex polygon.
+// The triangles that cutting ears makes of a convex polygon.
 std::vector<std::array<uint32_t, 3>> fan(uint32_t corners)
 {
     std::vector<std::array<uint32_t, 3>> triangles;

@@ -3,11 +3,93 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "image/k_means.h"
+#include <limits>
 
 namespace lumi::baker
 {
+
+namespace
+{
+
+constexpr int kIterations = 12;  // the error falls by less than 1 % an iteration from there on
+
+float distance2(const ColourPoint& a, const ColourPoint& b)
+{
+    float sum = 0;
+    for (size_t k = 0; k < 4; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+    return sum;
+}
+
+// Each further centre is drawn with probability proportional to the squared distance from those already there.
+void seed_centres(std::vector<ColourPoint>& centres, const std::vector<ColourPoint>& points, size_t count,
+                  uint64_t seed)
+{
+    std::vector<float> distances(points.size(), 1);
+    const auto note = [&](const ColourPoint& centre, bool first) {
+        for (size_t k = 0; k < points.size(); ++k) {
+            const float d = distance2(points[k], centre);
+            distances[k] = first ? d : std::min(distances[k], d);
+        }
+    };
+    for (size_t k = 0; k < centres.size(); ++k) note(centres[k], k == 0);
+    Sampler sampler(seed, 0, 0);
+    while (centres.size() < count) {
+        const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
+        if (!chosen) break;  // every colour has a centre of its own
+        centres.push_back(points[*chosen]);
+        note(centres.back(), centres.size() == 1);
+    }
+}
+
+// Moves each centre from the `fixed`-th on to the mean of the points nearest to it.
+void refine(std::vector<ColourPoint>& centres, size_t fixed, const std::vector<ColourPoint>& points)
+{
+    std::vector<std::array<double, 5>> sums(centres.size());
+    for (const ColourPoint& p : points) {
+        std::array<double, 5>& sum = sums[nearest_centre(centres, p).index];
+        for (size_t k = 0; k < 4; ++k) sum[k] += static_cast<double>(p[k]);
+        sum[4] += 1;
+    }
+    for (size_t c = fixed; c < centres.size(); ++c)
+        for (size_t k = 0; k < 4 && sums[c][4] > 0; ++k) centres[c][k] = static_cast<float>(sums[c][k] / sums[c][4]);
+}
+
+}  // namespace
+
+std::optional<size_t> drawn_by_distance(const std::vector<float>& distances2, Sampler& sampler)
+{
+    double total = 0;
+    for (const float d : distances2) total += static_cast<double>(d);
+    if (!(total > 0)) return std::nullopt;
+    double left = static_cast<double>(sampler.next_1d()) * total;
+    size_t chosen = 0;
+    for (size_t k = 0; k < distances2.size() && left >= 0; ++k) {
+        chosen = distances2[k] > 0 ? k : chosen;
+        left -= static_cast<double>(distances2[k]);
+    }
+    return chosen;
+}
+
+NearestCentre nearest_centre(const std::vector<ColourPoint>& centres, const ColourPoint& p)
+{
+    NearestCentre best = {0, std::numeric_limits<float>::infinity()};
+    for (size_t k = 0; k < centres.size(); ++k) {
+        const float d = distance2(centres[k], p);
+        best = d < best.distance2 ? NearestCentre{k, d} : best;
+    }
+    return best;
+}
+
+std::vector<ColourPoint> k_means(const std::vector<ColourPoint>& points, std::vector<ColourPoint> fixed, size_t count,
+                                 uint64_t seed)
+{
+    std::vector<ColourPoint> centres = std::move(fixed);
+    const size_t fixed_count = centres.size();
+    seed_centres(centres, points, count, seed);
+    for (int k = 0; k < kIterations; ++k) refine(centres, fixed_count, points);
+    return centres;
+}
+
 namespace
 {
 

@@ -14,7 +14,7 @@
 namespace lumi::baker
 {
 
-// What lies beyond a picture's border: the picture again, its outermost pixels, or its mirror image.
+// The colours beyond a picture's border: the picture again, its outermost pixels, or its mirror image.
 enum class Wrap : uint8_t { repeat, clamp, mirror };
 
 struct Texture {
@@ -39,7 +39,7 @@ enum class PictureUse : uint8_t { colour, data, alpha, opacity, blue };
 
 // Throws PictureError.
 Texture read_texture(const std::filesystem::path& file, PictureUse use);
-// The same of a file's bytes, which `name` names in messages only.
+// Does the same with a file's bytes, which `name` names in messages only.
 Texture decode_texture(const std::filesystem::path& name, const std::string& bytes, PictureUse use);
 
 }  // namespace lumi::baker

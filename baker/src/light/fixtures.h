@@ -57,7 +57,7 @@ public:
     explicit Fixtures(std::vector<Fixture> fixtures);
 
     size_t count() const { return fixtures_.size(); }
-    // Of those that have one: not of directional ones.
+    // Directional lights have none.
     std::vector<Vec3> positions() const;
     // About the flux into the unit sphere, the same measure as of other lights.
     float power() const { return static_cast<float>(choice_.total()); }

@@ -1,8 +1,118 @@
 // SPDX-License-Identifier: MIT
 #include "light/sky.h"
 
+#include "math/warp.h"
+
 namespace lumi::baker
 {
+
+namespace
+{
+
+// The mean of the bilinear function over a pixel weighs the pixel 6/8 and its neighbours 1/8 along either axis: no
+// pixel of positive radiance is ever left out.
+constexpr float kTent[3] = {0.125f, 0.75f, 0.125f};
+
+int wrapped(int x, int width)
+{
+    return x < 0 ? x + width : x >= width ? x - width : x;
+}
+
+double brightness_of(const RadiancePicture& picture, int x, int y)
+{
+    double sum = 0;
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const Rgb& p = picture.at(wrapped(x + dx, picture.width), std::clamp(y + dy, 0, picture.height - 1));
+            sum += static_cast<double>(max_component(p) * kTent[dx + 1] * kTent[dy + 1]);
+        }
+    }
+    return sum;
+}
+
+double solid_angle(int y, int width, int height)
+{
+    const double step = static_cast<double>(kPi) / height;
+    return (std::cos(step * y) - std::cos(step * (y + 1))) * 2 * static_cast<double>(kPi) / width;
+}
+
+}  // namespace
+
+SkyPicture::SkyPicture(std::shared_ptr<const RadiancePicture> picture, float turns, float scale)
+    : picture_(std::move(picture)), turns_(turns), scale_(scale)
+{
+    std::vector<double> rows;
+    for (int y = 0; y < picture_->height; ++y) {
+        std::vector<double> weights;
+        const double size = solid_angle(y, picture_->width, picture_->height) * static_cast<double>(scale);
+        for (int x = 0; x < picture_->width; ++x) weights.push_back(brightness_of(*picture_, x, y) * size);
+        columns_.emplace_back(weights);
+        rows.push_back(columns_.back().total());
+    }
+    rows_ = Distribution(rows);
+}
+
+Vec2 SkyPicture::place_of(const Vec3& d) const
+{
+    const float azimuth = std::atan2(d.y, d.x) / (2 * kPi) - turns_;
+    const float right = 0.5f - azimuth;
+    const float down = std::acos(std::clamp(d.z, -1.0f, 1.0f)) / kPi;
+    return {(right - std::floor(right)) * static_cast<float>(picture_->width),
+            down * static_cast<float>(picture_->height)};
+}
+
+Vec3 SkyPicture::direction_of(const Vec2& place) const
+{
+    const float right = place.x / static_cast<float>(picture_->width);
+    const float angle = place.y / static_cast<float>(picture_->height) * kPi;
+    const float azimuth = (0.5f - right + turns_) * 2 * kPi;
+    const float across = std::sin(angle);
+    return {across * std::cos(azimuth), across * std::sin(azimuth), std::cos(angle)};
+}
+
+Rgb SkyPicture::radiance(const Vec3& direction) const
+{
+    const Vec2 place = place_of(direction);
+    const float x = place.x - 0.5f, y = place.y - 0.5f;
+    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+    const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+    const auto row = [&](int k) {
+        const int line = std::clamp(k, 0, picture_->height - 1);
+        return picture_->at(wrapped(x0, picture_->width), line) * (1 - fx) +
+               picture_->at(wrapped(x0 + 1, picture_->width), line) * fx;
+    };
+    return (row(y0) * (1 - fy) + row(y0 + 1) * fy) * scale_;
+}
+
+float SkyPicture::pdf(const Vec3& direction) const
+{
+    const Vec2 place = place_of(direction);
+    const int x = std::min(static_cast<int>(place.x), picture_->width - 1);
+    const int y = std::min(static_cast<int>(place.y), picture_->height - 1);
+    const size_t row = static_cast<size_t>(y);
+    if (columns_[row].empty()) return 0;
+    // Uniform in angle within a pixel: the density over solid angle falls off with the sine.
+    const float sine = std::sqrt(std::max(direction.x * direction.x + direction.y * direction.y, 1e-12f));
+    const float cell = 2 * kPi * kPi * sine / static_cast<float>(picture_->width * picture_->height);
+    return rows_.probability(row) * columns_[row].probability(static_cast<size_t>(x)) / cell;
+}
+
+Vec3 SkyPicture::sample(const Vec2& u) const
+{
+    const Distribution::Draw row = rows_.draw(u.y);
+    const Distribution::Draw column = columns_[row.index].draw(u.x);
+    return direction_of({static_cast<float>(column.index) + column.rest, static_cast<float>(row.index) + row.rest});
+}
+
+void SkyPicture::add_to(Digest& digest) const
+{
+    digest.add(picture_->width);
+    digest.add(picture_->height);
+    digest.add(picture_->pixels);
+    digest.add(turns_);
+    digest.add(scale_);
+}
+
 namespace
 {
 

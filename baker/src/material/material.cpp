@@ -6,8 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "material/stretch.h"
-
 namespace lumi::baker
 {
 namespace
@@ -24,7 +22,7 @@ constexpr size_t bytes_of_parameters()
 }
 static_assert(bytes_of_parameters() == sizeof(MaterialNumbers), "a material's number has no row among the parameters");
 
-// What is no number becomes the low end.
+// A value that is no number becomes the low end.
 float clamped(float v, float low, float high)
 {
     return v >= low ? std::min(v, high) : low;

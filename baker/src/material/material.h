@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a triangle is made of, and how MTL's terms become it.
+// The material of a triangle, and how MTL's terms become it.
 //
 // MTL                      here
 // Pr or Pm                 metalness Pm, alpha = Pr²; a dielectric skin over Kd, whose body is as rough as the skin
@@ -26,7 +26,9 @@
 // norm, map_Bump           a normal map; a grey picture is a height map
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -39,6 +41,23 @@
 
 namespace lumi::baker
 {
+
+// Facets that spread wider along one direction than across it: by 1/aspect, and by aspect. Burley, "Physically Based
+// Shading at Disney", SIGGRAPH 2012 course, section 5.4.
+
+inline constexpr float kMostStretch = 0.9f;
+
+// `anisotropy` in [0, 1].
+inline float aspect_of(float anisotropy)
+{
+    return std::sqrt(1 - kMostStretch * anisotropy);
+}
+
+// The anisotropy of facets that are `ratio` times as wide along as across, which is 1 or more; 10 and more are 1.
+inline float anisotropy_of(float ratio)
+{
+    return std::min((1 - 1 / ratio) / kMostStretch, 1.0f);
+}
 
 inline constexpr int32_t kNoTexture = -1;
 inline constexpr float kMinAlpha = 0.01f;  // sharper facets than this no field resolves, and binary32 begins to suffer
@@ -81,7 +100,7 @@ struct PointValues {
     float sheen;
 };
 
-// What a user can set: a member here, its row in kMaterialParameters, and its use in one lobe.
+// A property that a user can set has a member here, its row in kMaterialParameters, and its use in one lobe.
 struct MaterialNumbers {
     Rgb base = grey(0.6f);  // reflectance of the diffuse body, or of the metal at normal incidence
     Rgb emission;
@@ -146,7 +165,7 @@ struct Material : MaterialNumbers {
     // Whether it looks different when turned in its plane.
     bool brushed() const { return !brushed_skins.empty() || !brushed_facets.empty(); }
     bool may_pass() const { return opacity < 1 || maps.opacity.used(); }
-    // What is left of light after a way through the glass.
+    // The share of light that is left after a way through the glass.
     Rgb absorbed(float distance) const;
     // A partly metallic surface is metal with probability metalness: u.
     Bsdf bsdf(const PointValues& at, float u) const;

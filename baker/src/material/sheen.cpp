@@ -34,7 +34,7 @@ float seen_area(float cosine, const Density& density)
     return static_cast<float>(sum / kMidpoints);
 }
 
-// What white fibres send back, by a Fibonacci lattice of uniform directions.
+// The share of light that white fibres send back, by a Fibonacci lattice of uniform directions.
 template <class Value>
 float albedo_at(float cosine, const Value& value)
 {

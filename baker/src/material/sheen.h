@@ -23,7 +23,7 @@ public:
     float roughness() const { return roughness_; }
     // f·cos θi of white fibres; both directions have z > 0.
     float value(const Vec3& wo, const Vec3& wi) const;
-    // What white fibres send back in all.
+    // The share of light that white fibres send back in all.
     float albedo(const Vec3& w) const { return albedo_.at(w); }
     float mean_albedo() const { return albedo_.mean(); }
 

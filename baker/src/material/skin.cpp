@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "material/skin.h"
 
-#include "material/fresnel.h"
+#include "material/lobes.h"
 #include "util/fuzzed.h"
 
 namespace lumi::baker
@@ -38,7 +38,7 @@ AnisotropicAlbedo table_of(const Anisotropic& spread, const Weight& weight)
     return AnisotropicAlbedo(spread, [&](const Vec3& wo) { return directional_albedo(wo, facets, weight); });
 }
 
-// What a sampled facet reflects or refracts, without the Fresnel factor.
+// The light that a sampled facet reflects or refracts, without the Fresnel factor.
 template <class Facets>
 float passed_on(const Vec3& wo, const Vec3& wi, const Facets& facets)
 {

@@ -9,7 +9,7 @@
 // Kulla & Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 course.
 #pragma once
 
-#include "material/anisotropic_albedo.h"
+#include "material/albedo_table.h"
 #include "material/microfacet.h"
 
 namespace lumi::baker
@@ -64,8 +64,8 @@ public:
 
     float eta() const { return eta_; }
     float alpha() const { return alpha_; }
-    // What one bounce loses of light from a side; of it, the share that later bounces transmit. Chosen so that the
-    // whole is reciprocal.
+    // The share that one bounce loses of light from a side; of it, the share that later bounces transmit. Chosen so
+    // that the whole is reciprocal.
     float lost(bool outside, float cosine) const { return 1 - (outside ? outer_ : inner_).at(cosine); }
     float mean_lost(bool outside) const { return 1 - (outside ? outer_ : inner_).mean(); }
     float transmitted_share(bool outside) const { return outside ? outer_share_ : inner_share_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a material's picture shows at a place on a triangle.
+// Reads a material's picture at a place on a triangle.
 #pragma once
 
 #include <optional>

@@ -110,7 +110,7 @@ constexpr bool is_black(const Rgb& c)
     return c.r <= 0 && c.g <= 0 && c.b <= 0;
 }
 
-// What files of a bake hold of them (byte_stream.h).
+// The members that files of a bake hold (byte_stream.h).
 template <class Io>
 void fields(Io& io, Vec3& v)
 {

@@ -18,7 +18,7 @@ constexpr uint32_t kCellSteps = 16;  // steps along a cell's side: pieces of nei
 // A place on a triangle: shares of its corners, in steps of a cell; they sum to cells × kCellSteps.
 using CellPlace = std::array<uint32_t, 3>;
 
-// What one triangle's picture shows at the corners of cells.
+// The opacity that one triangle's picture shows at the corners of cells.
 class OpacityGrid
 {
 public:
@@ -35,7 +35,7 @@ public:
 
     float at(uint32_t i, uint32_t j) const { return values_[rows_[j] + i]; }
     bool is_whole() const { return *std::min_element(values_.begin(), values_.end()) >= kHalf; }
-    // Of the cells, one of two: neighbours are cut together.
+    // Counts every second cell: neighbours are cut together.
     uint32_t cut_cells() const
     {
         uint32_t count = 0;
@@ -102,7 +102,7 @@ private:
         return between(inside, outside, std::clamp(steps, 1u, kCellSteps - 1));
     }
 
-    // The same bits from both triangles beside an edge.
+    // Both triangles beside an edge give the same bits.
     Vec3 position(const CellPlace& place) const
     {
         std::array<std::pair<uint32_t, uint32_t>, 3> terms;  // vertex, share

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pictures of opacity (map_d) leave of a scene's triangles.
+// Cuts a scene's triangles along their pictures of opacity (map_d).
 #pragma once
 
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "geometry/mesh.h"
 #include "mesh/mesh_tracer.h"
 
 namespace lumi::baker
@@ -20,5 +21,11 @@ PlaceMiddle onto(const MeshTracer& fronts);
 // Only positions and corners count. The longest edge is split first, in all its triangles at once, so no vertex ends
 // up on another triangle's edge. Edges of one triangle alone are split in the middle.
 Mesh with_short_edges(Mesh mesh, float longest, const PlaceMiddle& place);
+
+// A mesh as a surface field holds it: positions in fixed point.
+
+// Positions in steps of 2^-14, at most 1 from the centre; vertices that fall together are one, triangles without area
+// go, and vertices without a triangle, too. Only positions and corners count.
+Mesh rounded(const Mesh& mesh);
 
 }  // namespace lumi::baker

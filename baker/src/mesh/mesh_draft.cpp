@@ -3,7 +3,7 @@
 
 #include "lumi/surface/format.h"
 #include "mesh/edge_split.h"
-#include "mesh/seen_part.h"
+#include "mesh/mesh_tracer.h"
 #include "mesh/simplify/simplify.h"
 
 namespace lumi::baker

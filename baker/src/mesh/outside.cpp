@@ -131,7 +131,7 @@ std::vector<Openness> survey(const Mesh& mesh, const Accelerator& accelerator, c
     return all;
 }
 
-// Of triangles at one place that are seen, all but the first get equal corners. A wall between two bodies that touch is
+// All triangles but the first that are seen at one place get equal corners. A wall between two bodies that touch is
 // not seen; it stays double, so that both bodies stay closed.
 void drop_seen_copies(Mesh& mesh, const std::vector<Openness>& open)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a scene can be seen from outside: the part of it that a mesh has to follow.
+// The part of a scene that can be seen from outside: a mesh has to follow it.
 #pragma once
 
 #include "geometry/accelerator.h"

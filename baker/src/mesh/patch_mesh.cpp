@@ -7,10 +7,9 @@
 #include "mesh/mesh_draft.h"
 #include "mesh/mesh_fit.h"
 #include "mesh/mesh_loss.h"
+#include "mesh/mesh_tracer.h"
 #include "mesh/patch_pairs.h"
-#include "mesh/rounded_mesh.h"
-#include "mesh/seen_part.h"
-#include "mesh/silhouettes.h"
+#include "mesh/see_through.h"
 #include "store/bake_stages.h"
 
 namespace lumi::baker
@@ -47,7 +46,7 @@ Mesh shaped(const SceneData& scene, const MeshDraft& draft, Faces faces, const M
         with_short_edges(mesh, s.longest_edge, [](const Vec3& middle, const Vec3&, float) { return middle; }));
 }
 
-// What asks for a smaller mesh: fewer triangles, or longer edges where most triangles come from splitting.
+// Settings that ask for a smaller mesh: fewer triangles, or longer edges where most triangles come from splitting.
 MeshSettings smaller(MeshSettings s)
 {
     if (s.longest_edge > kNoLongerEdge)
@@ -71,7 +70,7 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& shape, const ViewCap&
     return loss;
 }
 
-// Of patches from `begin` to `end`.
+// Returns the triangles of patches from `begin` to `end`.
 Mesh triangles_of(const PatchMesh& mesh, uint32_t begin, uint32_t end, std::vector<uint32_t>& numbers)
 {
     Mesh result;
@@ -86,6 +85,47 @@ Mesh triangles_of(const PatchMesh& mesh, uint32_t begin, uint32_t end, std::vect
         }
     }
     return result;
+}
+
+// Takes all of the job's work, less what `stages` have of it.
+BuiltMesh opaque_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
+{
+    const MeshWork work = work_of(scene, settings);
+    const double later = work.simplify + work.shape + work.check;
+    const Outside outside = [&] {
+        const JobStage stage(job, Stage::mesh, job.part_of_rest(work.look / (work.look + later)), kLookRuns);
+        return stages.once<Outside>(
+            "outside", [&] { return outside_of(scene, job, settings.cap); }, settings.cap.lowest());
+    }();
+    BuiltMesh result;
+    MeshSettings s = settings;
+    s.triangles = std::min(s.triangles, 2 * detail::format::kMaxPatches);
+    for (;; s = smaller(s)) {
+        MeshDraft draft = [&] {
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(work.simplify / later), kSimplifyRuns);
+            return stages.once<MeshDraft>(
+                "draft", [&] { return drafted(outside, s, job); }, s.triangles, s.longest_edge, s.cap.lowest());
+        }();
+        if (!draft.fits) continue;
+        const Mesh shape = [&] {
+            const double share = work.shape / (work.shape + work.check);
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);
+            return stages.once<Mesh>(
+                "shape", [&] { return shaped(scene, draft, outside.faces(), s, job); }, s.triangles, s.longest_edge,
+                s.cap.lowest());
+        }();
+        result.mesh = assembled(shape, settings.crease_cosine);
+        if (fits(result.mesh)) {
+            const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
+            result.loss = stages.once<MeshLoss>(
+                "loss", [&] { return loss_of(scene, MeshTracer(shape, Faces::front), s.cap, draft.rough, job); },
+                s.triangles, s.longest_edge, s.cap.lowest());
+            const size_t asked = std::min<size_t>(s.triangles, outside.mesh.triangle_count());
+            result.warnings =
+                mesh_warnings(result.loss, {asked, shape.triangle_count(), draft.exact}, scene.mesh_is_shell);
+            return result;
+        }
+    }
 }
 
 }  // namespace
@@ -132,6 +172,13 @@ std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh)
     return viewable;
 }
 
+uint32_t triangle_count(const PatchMesh& mesh)
+{
+    uint32_t triangles = 0;
+    for (const PatchMesh::Patch& patch : mesh.patches) triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
+    return triangles;
+}
+
 bool fits(const PatchMesh& mesh)
 {
     return mesh.positions.size() <= detail::format::kMaxSurfaceVertices &&
@@ -140,41 +187,21 @@ bool fits(const PatchMesh& mesh)
 
 BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
 {
-    const MeshWork work = work_of(scene, settings);
-    const double later = work.simplify + work.shape + work.check;
-    const Outside outside = [&] {
-        const JobStage stage(job, Stage::mesh, job.part_of_rest(work.look / (work.look + later)), kLookRuns);
-        return stages.once<Outside>(
-            "outside", [&] { return outside_of(scene, job, settings.cap); }, settings.cap.lowest());
-    }();
-    BuiltMesh result;
-    MeshSettings s = settings;
-    s.triangles = std::min(s.triangles, 2 * detail::format::kMaxPatches);
-    for (;; s = smaller(s)) {
-        MeshDraft draft = [&] {
-            const JobStage stage(job, Stage::mesh, job.part_of_rest(work.simplify / later), kSimplifyRuns);
-            return stages.once<MeshDraft>(
-                "draft", [&] { return drafted(outside, s, job); }, s.triangles, s.longest_edge, s.cap.lowest());
-        }();
-        if (!draft.fits) continue;
-        const Mesh shape = [&] {
-            const double share = work.shape / (work.shape + work.check);
-            const JobStage stage(job, Stage::mesh, job.part_of_rest(share), kShapeRuns);
-            return stages.once<Mesh>(
-                "shape", [&] { return shaped(scene, draft, outside.faces(), s, job); }, s.triangles, s.longest_edge,
-                s.cap.lowest());
-        }();
-        result.mesh = assembled(shape, settings.crease_cosine);
-        if (fits(result.mesh)) {
-            const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
-            result.loss = stages.once<MeshLoss>(
-                "loss", [&] { return loss_of(scene, MeshTracer(shape, Faces::front), s.cap, draft.rough, job); },
-                s.triangles, s.longest_edge, s.cap.lowest());
-            const size_t asked = std::min<size_t>(s.triangles, outside.mesh.triangle_count());
-            result.warnings =
-                mesh_warnings(result.loss, {asked, shape.triangle_count(), draft.exact}, scene.mesh_is_shell);
-            return result;
-        }
+    constexpr uint32_t kSeeThroughParts = 4, kFewest = 64, kSides = 2;
+    const std::unique_ptr<SceneData> opaque = opaque_part(scene);
+    if (!opaque) return opaque_mesh(scene, settings, stages, job);
+    MeshSettings mesh = settings;
+    for (;; mesh.triangles = mesh.triangles / 4 * 3) {
+        BuiltMesh built = opaque->mesh.corners.empty() ? BuiltMesh() : opaque_mesh(*opaque, mesh, stages, job);
+        const uint32_t most = mesh.triangles + mesh.triangles / 2, opaque_ones = triangle_count(built.mesh);
+        const uint32_t left = mesh.triangles - std::min(mesh.triangles, opaque_ones);
+        const uint32_t few = std::max({kFewest, mesh.triangles / kSeeThroughParts, left / kSides});
+        const uint32_t cards = std::max(few, most - std::min(most, opaque_ones));  // which have no view tables
+        const size_t room =
+            detail::format::kMaxPatches - std::min<size_t>(detail::format::kMaxPatches, built.mesh.patches.size());
+        add_see_through(scene, *opaque, mesh, {few, cards, room}, built, job);
+        if (fits(built.mesh)) return built;
+        if (mesh.triangles < kFewest) throw BakeError("the scene's see-through parts are too many for a surface field");
     }
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/view_cap.h"
-#include "lumi/baker/mesh_loss.h"
+#include "lumi/baker/surface.h"
 #include "math/vec3.h"
 #include "scene/scene_data.h"
 #include "util/job.h"
@@ -57,6 +57,7 @@ Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers
 Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 // By vertex: whether it can have a view table. What see-through patches add does not depend on the view.
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh);
+uint32_t triangle_count(const PatchMesh& mesh);
 // Whether the format can hold it.
 bool fits(const PatchMesh& mesh);
 
@@ -64,7 +65,7 @@ bool fits(const PatchMesh& mesh);
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);
 
 // At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface/format.h); none where nothing can be seen.
-// Takes all of the job's work, less what `stages` have of it.
+// Opaque parts come first, then see-through ones. Throws BakeError for a scene that no mesh can hold.
 BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job);
 
 }  // namespace lumi::baker

@@ -13,7 +13,6 @@
 #include "mesh/edge_split.h"
 #include "mesh/mesh_loss.h"
 #include "mesh/outside.h"
-#include "mesh/rounded_mesh.h"
 #include "mesh/sheets.h"
 #include "mesh/simplify/simplify.h"
 #include "mesh/survey.h"

@@ -13,7 +13,7 @@ namespace lumi::baker
 // Two depths that differ by at most so much belong to the same surface; in radii.
 inline constexpr float kMaxDepthError = 0.05f;
 
-// What one ray meets; distances along it, infinite for a miss.
+// The hits of one ray; distances along it, infinite for a miss.
 struct SurveyRay {
     Ray ray;
     float scene;
@@ -29,7 +29,7 @@ public:
     const SceneData& scene() const { return scene_; }
     const ViewCap& cap() const { return cap_; }
     uint32_t origins() const { return origins_; }
-    // The same rays every time. Thread-safe.
+    // Sends the same rays every time. Thread-safe.
     std::vector<SurveyRay> look(uint32_t origin, const MeshTracer& tracer) const;
 
 private:

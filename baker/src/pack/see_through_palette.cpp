@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/k_means.h"
+#include "image/palette.h"
 
 namespace lumi::baker
 {
@@ -45,7 +45,7 @@ struct LineSums {
     }
 };
 
-// What a texel adds, 0 .. 255 a channel, and the share that it lets pass, 0 .. 255, for all of them.
+// The light that a texel adds, 0 .. 255 a channel, and the share that it lets pass, 0 .. 255, for all texels.
 ColourPoint added_and_passed(const SeeThroughTexel& texel, const EncodedTone& tone, const LevelColour& levels)
 {
     const float coverage = std::clamp(texel.coverage, 0.0f, 1.0f), clear = 1 - coverage;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What see-through texels add and let pass, in the format's bits.
+// Packs the light that see-through texels add and let pass into the format's bits.
 //
 // A path through glass adds light; a display blends encoded levels. So for each texel the line is chosen that shows the
 // right levels for about the light behind it, and over the background what a blend with its coverage shows.

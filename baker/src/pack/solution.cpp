@@ -11,7 +11,7 @@
 #include "fit/fit_solver.h"
 #include "fit/starved_patches.h"
 #include "fit/texel_finish.h"
-#include "image/k_means.h"
+#include "image/palette.h"
 #include "lumi/color.h"
 #include "lumi/field_format.h"
 #include "pack/see_through_palette.h"

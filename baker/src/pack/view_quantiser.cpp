@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/node_products.h"
-#include "image/k_means.h"
+#include "fit/view_smoothness.h"
+#include "image/palette.h"
 
 namespace lumi::baker
 {
@@ -200,7 +200,7 @@ private:
             for (size_t k = 0; k < kViewNodes; ++k) errors_[v * kViewNodes + k] = error_with(v, k, views_[v].codes[k]);
     }
 
-    // What the errors of other nodes ask of this one.
+    // The change that the errors of other nodes ask of this one.
     LevelColour pull_on(const NodeProducts& products, size_t node) const
     {
         LevelColour pull{};

@@ -23,7 +23,7 @@ uint32_t code_bits_for(uint64_t bytes, uint32_t viewed);
 
 // The quantised view tables of the viewed vertices.
 QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed, uint32_t bits);
-// What a reader makes of them, 0 where there is no table.
+// The levels that a reader makes of them, 0 where there is no table.
 std::vector<LevelColour> decoded(const QuantisedViews& views);
 
 }  // namespace lumi::baker

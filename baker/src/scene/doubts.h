@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene shows that its author can hardly mean.
+// Finds things in a scene that its author can hardly mean.
 #pragma once
 
 #include <filesystem>

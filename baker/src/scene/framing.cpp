@@ -77,7 +77,7 @@ CutCorner between(const CutCorner& a, const CutCorner& b, float f)
     return c;
 }
 
-// What of the polygon lies below the plane at height 1 (Sutherland and Hodgman).
+// Cuts the polygon off at the plane of height 1 (Sutherland and Hodgman).
 std::vector<CutCorner> below(const std::vector<CutCorner>& polygon, const Vec3& normal)
 {
     std::vector<CutCorner> kept;

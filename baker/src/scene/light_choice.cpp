@@ -4,13 +4,145 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+
+#include "math/frame.h"
+#include "math/sampler.h"
+#include "math/warp.h"
+#include "util/fuzzed.h"
 
 namespace lumi::baker
 {
+
 namespace
 {
 
-// Of white, after the tone curve: what clay shows in the studio.
+constexpr uint64_t kMeterSeed = 0x6c69676874;
+constexpr uint32_t kMeterRays = kIsFuzzed ? 16 : 1024;  // through the sphere; about half of them meet a compact object
+constexpr uint32_t kPathsAtSpot = kIsFuzzed ? 2 : 16;   // from each place that they meet
+constexpr int kClayBounces = 3;  // of light between surfaces of clay, which then carry a fifth of it
+constexpr float kClay = 0.6f;    // the share of light that clay sends back, as a material without numbers does
+constexpr float kAway = 1e-5f;   // radii; where rays leave a surface
+constexpr float kBeforeLight = 1 - 1e-4f;  // share of the way to a light
+constexpr int kMostPanes = 64;             // that a ray may pass
+
+struct ClaySpot {
+    Hit hit;
+    Vec3 position;
+    Frame frame;  // around the normal on the viewer's side
+};
+
+bool lets_pass(const LitShape& shape, const Hit& hit)
+{
+    const Material& material = shape.materials[shape.mesh.materials[hit.triangle]];
+    return material.glass || material.may_pass();
+}
+
+ClaySpot spot_of(const LitShape& shape, const Ray& ray, const Hit& hit)
+{
+    const Vec3 normal = normalized(shape.mesh.area_vector(hit.triangle));
+    const Vec3 facing = dot(normal, ray.direction) > 0 ? -normal : normal;
+    return {hit, ray.origin + ray.direction * hit.distance, Frame(facing)};
+}
+
+// The first surface that lets no light pass, before the ray's end.
+std::optional<ClaySpot> first_solid(const LitShape& shape, Ray ray)
+{
+    for (int k = 0; k < kMostPanes; ++k) {
+        const std::optional<Hit> hit = shape.accelerator.closest(ray);
+        if (!hit) return std::nullopt;
+        if (!lets_pass(shape, *hit)) return spot_of(shape, ray, *hit);
+        ray.origin = ray.origin + ray.direction * (hit->distance + kAway);
+        ray.end -= hit->distance + kAway;
+    }
+    return std::nullopt;
+}
+
+Ray leaving(const ClaySpot& spot, const Vec3& direction)
+{
+    return {spot.position + spot.frame.normal * kAway, direction};
+}
+
+// The light that clay at the spot sends back of what comes straight from lights.
+Rgb lit(const LitShape& shape, const LightSet& lights, const ClaySpot& spot, Sampler& sampler)
+{
+    const Vec2 choice = sampler.next_2d(), place = sampler.next_2d();
+    Rgb sum;
+    lights.sample(spot.position, {choice, place}, [&](const LightSample& light, float) {
+        const float cosine = dot(light.direction, spot.frame.normal);
+        if (!(light.pdf > 0) || !(cosine > 0)) return;
+        Ray ray = leaving(spot, light.direction);
+        ray.end = light.distance * kBeforeLight;
+        if (!first_solid(shape, ray)) sum = sum + light.radiance * (kClay / kPi * cosine / light.pdf);
+    });
+    return sum;
+}
+
+Rgb path_from(const LitShape& shape, const LightSet& lights, ClaySpot spot, Sampler& sampler)
+{
+    Rgb sum = lit(shape, lights, spot, sampler);
+    float share = 1;
+    for (int bounce = 0; bounce < kClayBounces; ++bounce) {
+        const Vec3 way = spot.frame.to_world(square_to_cosine_hemisphere(sampler.next_2d()));
+        const std::optional<ClaySpot> next = first_solid(shape, leaving(spot, normalized(way)));
+        if (!next) break;
+        spot = *next;
+        share *= kClay;
+        sum = sum + lit(shape, lights, spot, sampler) * share;
+    }
+    return sum;
+}
+
+float luminance_at(const LitShape& shape, const LightSet& lights, const ClaySpot& spot, uint32_t ray)
+{
+    const Material& material = shape.materials[shape.mesh.materials[spot.hit.triangle]];
+    Rgb sum;
+    Sampler sampler(kMeterSeed, 1, ray);
+    for (uint32_t k = 0; k < kPathsAtSpot; ++k) {
+        sampler.start(k);
+        sum = sum + path_from(shape, lights, spot, sampler);
+    }
+    const Rgb emitted = material.emits() ? emission_at(shape.mesh, material, shape.textures, spot.hit.triangle,
+                                                       {spot.hit.u, spot.hit.v})
+                                         : Rgb{};
+    return luminance(sum * (1.0f / kPathsAtSpot) + emitted);
+}
+
+// All lines through the sphere are equally likely.
+Ray ray_from_around(Sampler& sampler)
+{
+    const Vec3 origin = square_to_sphere(sampler.next_2d());
+    return {origin, normalized(Frame(-origin).to_world(square_to_cosine_hemisphere(sampler.next_2d())))};
+}
+
+}  // namespace
+
+std::vector<float> meter(const LitShape& shape, const LightSet& lights)
+{
+    std::vector<float> values;
+    Sampler sampler(kMeterSeed, 0, 0);
+    for (uint32_t k = 0; k < kMeterRays; ++k) {
+        sampler.start(k);
+        const std::optional<ClaySpot> spot = first_solid(shape, ray_from_around(sampler));
+        if (spot) values.push_back(lights.empty() ? 0 : luminance_at(shape, lights, *spot, k));
+    }
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+float middle_of_lit(const std::vector<float>& metered)
+{
+    constexpr float kDark = 1.0f / 8;
+    float sum = 0;
+    for (const float value : metered) sum += value;
+    const auto lit = std::upper_bound(metered.begin(), metered.end(), kDark * sum / static_cast<float>(metered.size()));
+    return lit == metered.end() ? 0 : lit[(metered.end() - lit) / 2];
+}
+
+namespace
+{
+
+// The share of white that clay shows in the studio, after the tone curve.
 constexpr float kMiddleTone = 0.44f;
 constexpr int kStepsPerStop = 3;
 

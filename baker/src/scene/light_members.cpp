@@ -4,7 +4,6 @@
 #include "image/radiance_picture.h"
 #include "math/frame.h"
 #include "model/materials.h"
-#include "scene/number_ranges.h"
 
 namespace lumi::baker
 {

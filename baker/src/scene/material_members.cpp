@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "scene/number_ranges.h"
-
 namespace lumi::baker
 {
 namespace

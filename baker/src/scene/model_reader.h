@@ -11,9 +11,18 @@
 namespace lumi::baker
 {
 
-// What a file holds counts before its name's end: glTF, PLY, STL, or else OBJ. Throws SceneError, which names other
+// The content of a file counts before its name's end: glTF, PLY, STL, or else OBJ. Throws SceneError, which names other
 // formats; appends to `warnings`.
 SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings,
                       ColourScale colours = ColourScale::unstated);
+
+// A volume's iso-surface as a scene.
+
+// In the file's units, z up, with smooth normals; one material, dull as bone, named "iso". Throws SceneError, also if
+// the surface is empty.
+SceneParts read_iso_surface(const std::filesystem::path& file, const IsoSurface& surface);
+
+// The smallest and the largest value of the file: "-1024 to 3071". Throws SceneError.
+std::string range_of_volume(const std::filesystem::path& file);
 
 }  // namespace lumi::baker

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/number_ranges.h"
+#include "scene/scene_members.h"
 
 namespace lumi::baker
 {

@@ -20,7 +20,7 @@ struct Placement {
 // Mirrored triangles turn their winding, so that outsides stay outsides.
 // Takes the parts' origin back to 0.
 void place(const Placement& placement, SceneParts& parts);
-// The same for points.
+// Does the same for points.
 Affine affine_of(const Placement& placement);
 
 // Adds the second to the first: its mesh, materials and textures.

@@ -4,7 +4,7 @@
 #include "geometry/bounding_sphere.h"
 #include "scene/scene_data.h"
 #include "scene/scene_fingerprint.h"
-#include "volume/opacity_surface.h"
+#include "volume/iso_surface.h"
 
 namespace lumi::baker
 {
@@ -32,7 +32,7 @@ void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
     }
 }
 
-// What the sphere has to hold besides triangles: the catcher's rim, the parts of a volume that are not empty.
+// Points that the sphere has to hold besides triangles: the catcher's rim, the parts of a volume that are not empty.
 std::vector<Vec3> other_points(const SceneParts& parts, UpAxis up)
 {
     std::vector<Vec3> points;

@@ -11,6 +11,14 @@
 namespace lumi::baker
 {
 
+// Ranges of numbers that several readers of scene files share.
+
+inline constexpr NumberRange kPlace = {-1e15, 1e15};  // scene units
+inline constexpr NumberRange kLength = {1e-9, 1e15};  // scene units
+inline constexpr NumberRange kAngle = {-360, 360};    // degrees
+inline constexpr NumberRange kShare = {0, 1};
+inline constexpr NumberRange kScalar = {-1e30, 1e30};  // values of a volume's grid
+
 // On top of what MTL says of a material: changes the members that `value` names and finishes it anew.
 void apply_material_members(const std::string& file, const JsonValue& value, Material& material);
 

@@ -2,7 +2,6 @@
 #include "scene/scene_members.h"
 
 #include "model/materials.h"
-#include "scene/number_ranges.h"
 #include "scene/placement.h"
 #include "volume/volume_file.h"
 

@@ -1,10 +1,126 @@
 // SPDX-License-Identifier: MIT
 #include "store/bake_stages.h"
 
-#include "store/settings_codec.h"
+#include "lumi/baker/bake.h"
+#include "lumi/baker/file_guard.h"
+#include "lumi/detail/crc32.h"
+#include "store/bake_identity.h"
+#include "util/byte_stream.h"
 
 namespace lumi::baker
 {
+
+namespace
+{
+
+constexpr uint64_t kKeyBytes = 16, kCrcAt = kKeyBytes + 8, kEntryHeadBytes = kCrcAt + 4;
+
+// The bytes of a record's head, up to its CRC.
+std::vector<uint8_t> head_of(const Digest::Value& key, uint64_t size)
+{
+    ByteWriter out;
+    for (const uint64_t word : {key[0], key[1], size}) out.put64(word);
+    return out.bytes();
+}
+
+uint32_t crc_of(const std::vector<uint8_t>& head, const std::vector<uint8_t>& bytes)
+{
+    return detail::crc32(detail::crc32(0, head.data(), head.size()), bytes.data(), bytes.size());
+}
+
+bool is_file(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    return !path.empty() && std::filesystem::is_regular_file(path, ignored);
+}
+
+}  // namespace
+
+StageFile::StageFile(std::filesystem::path path) : path_(std::move(path))
+{
+    if (!is_file(path_)) return;
+    try {
+        open(PosixFile::Mode::update);
+        read_places();
+    } catch (const BakeError&) {
+        path_.clear();
+    }
+}
+
+void StageFile::open(PosixFile::Mode mode)
+{
+    require_no_input(path_);
+    auto file = std::make_unique<PosixFile>(path_, mode);
+    if (!file->try_lock()) throw BakeError(path_.string() + ": another lumi is baking this");
+    file_ = std::move(file);
+}
+
+// As far as records are whole.
+void StageFile::read_places()
+{
+    const uint64_t all = file_->size();
+    uint8_t head[kEntryHeadBytes];
+    while (end_ + kEntryHeadBytes <= all && file_->read_at(end_, head, kEntryHeadBytes) == kEntryHeadBytes) {
+        ByteReader in(head, kEntryHeadBytes);
+        Digest::Value key;
+        for (uint64_t& word : key) word = in.get64();
+        const Place place = {end_ + kEntryHeadBytes, in.get64()};
+        if (place.size > all - place.offset) return;
+        places_[key] = place;
+        end_ = place.offset + place.size;
+    }
+}
+
+bool StageFile::find(const Digest::Value& key, std::vector<uint8_t>& bytes) const
+{
+    const auto place = places_.find(key);
+    if (place == places_.end()) return false;
+    try {
+        bytes.resize(place->second.size);
+        uint8_t crc[4];
+        const uint64_t at = place->second.offset;
+        return file_->read_at(at - sizeof crc, crc, sizeof crc) == sizeof crc &&
+               file_->read_at(at, bytes.data(), bytes.size()) == bytes.size() &&
+               ByteReader(crc, sizeof crc).get32() == crc_of(head_of(key, bytes.size()), bytes);
+    } catch (const BakeError&) {
+        return false;
+    }
+}
+
+void StageFile::add(const Digest::Value& key, const std::vector<uint8_t>& bytes)
+{
+    if (path_.empty()) return;
+    try {
+        write(key, bytes);
+    } catch (const BakeError&) {
+        give_up();
+    }
+}
+
+void StageFile::write(const Digest::Value& key, const std::vector<uint8_t>& bytes)
+{
+    if (!file_) open(PosixFile::Mode::create);
+    std::vector<uint8_t> record = head_of(key, bytes.size());
+    ByteWriter crc;
+    crc.put32(crc_of(record, bytes));
+    record.insert(record.end(), crc.bytes().begin(), crc.bytes().end());
+    record.insert(record.end(), bytes.begin(), bytes.end());
+    file_->write_at(end_, record.data(), record.size());
+    places_[key] = {end_ + kEntryHeadBytes, bytes.size()};
+    end_ += record.size();
+}
+
+// A full disk is needed for the field itself.
+void StageFile::give_up()
+{
+    if (file_) {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+    path_.clear();
+    file_.reset();
+    places_.clear();
+}
 
 BakeStages::BakeStages(const std::filesystem::path& file, const Digest::Value& scene) : file_(file)
 {

@@ -21,7 +21,7 @@ namespace lumi::baker
 inline constexpr size_t kSealBytes = 4;
 inline constexpr size_t kHeadBytes = 8 + 4 + kIdentityBytes + kSealBytes;
 
-// What a new file of blocks begins with.
+// The bytes that a new file of blocks begins with.
 std::vector<uint8_t> encode_head(const BakeIdentity& identity);
 
 struct Block {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace lumi::baker
 {
@@ -49,5 +50,33 @@ private:
 
 // Makes a renaming in this folder survive a loss of power, where the file system can.
 void sync_folder(const std::filesystem::path& folder);
+
+// A file that appears under its name only when it is complete.
+
+// Where a file lies until it is whole.
+std::filesystem::path unfinished(const std::filesystem::path& file);
+
+class NewFile
+{
+public:
+    // Creates `target` + ".new". Throws BakeError if that cannot be written, FileClash where either is an input.
+    explicit NewFile(const std::filesystem::path& target);
+    // Removes it unless it was committed.
+    ~NewFile();
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    // Each throws BakeError where the disk refuses.
+    void append(const std::vector<uint8_t>& bytes);
+    void overwrite(uint64_t offset, const std::vector<uint8_t>& bytes);
+    // Everything is on the disk before the name is, so that a loss of power leaves the old file or the whole new one.
+    void commit();
+
+private:
+    std::filesystem::path target_;
+    PosixFile file_;
+    uint64_t size_ = 0;
+    bool committed_ = false;
+};
 
 }  // namespace lumi::baker

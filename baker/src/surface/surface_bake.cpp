@@ -3,17 +3,16 @@
 
 #include <chrono>
 
-#include "chord/tracing_fingerprint.h"
 #include "fit/light_fit.h"
 #include "fit/see_through_light.h"
 #include "fit/texel_density.h"
+#include "store/bake_identity.h"
 #include "store/bake_stages.h"
 #include "store/checkpoint.h"
-#include "store/new_file.h"
-#include "store/output_names.h"
-#include "store/settings_codec.h"
+#include "store/posix_file.h"
 #include "surface/surface_file_store.h"
 #include "trace/catcher.h"
+#include "trace/tracing_fingerprint.h"
 
 namespace lumi::baker
 {
@@ -60,12 +59,9 @@ private:
     uint32_t kept_ = UINT32_MAX;  // batches
 };
 
-FitBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const SurfaceSettings& settings,
+FitBasis basis_of(const SceneData& scene, const BuiltMesh& built, const SurfaceSettings& settings,
                   const ProgressCallback& progress)
 {
-    const BuiltMesh& built = draft.built();
-    if (built.mesh.patches.empty())
-        throw BakeError("the scene has no surface that could be seen; choose --layout chord");
     FitBasis basis = {built.mesh,
                       texel_densities(scene, built.mesh, settings, progress),
                       built.loss,
@@ -76,34 +72,55 @@ FitBasis basis_of(const SceneData& scene, const SurfaceDraft& draft, const Surfa
     return basis;
 }
 
-class SurfaceBaker
+// Returns the mesh of the plan, or else makes that of its settings.
+std::shared_ptr<const BuiltMesh> mesh_of(const Scene& scene, const SurfacePlan& plan,
+                                         const std::filesystem::path& output, const ProgressCallback& progress)
+{
+    constexpr SurfaceLimits kByHand = {UINT32_MAX, std::nullopt, false, false, false};
+    if (plan.mesh) return plan.mesh;
+    const SurfacePlan made = plan_surface(scene, plan.settings, kByHand, progress, output);
+    if (!made.mesh) throw BakeError(made.against);
+    return made.mesh;
+}
+
+// A keeper that has the basis saves making it; null: nothing is kept.
+FitBasis basis_for(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output, Keeper* keeper,
+                   const ProgressCallback& progress)
+{
+    if (std::optional<FitBasis> kept = keeper != nullptr ? keeper->store().read_basis() : std::nullopt)
+        return std::move(*kept);
+    FitBasis basis = basis_of(scene.data(), *mesh_of(scene, plan, output, progress), plan.settings, progress);
+    if (keeper != nullptr) keeper->store().write_basis(basis);
+    return basis;
+}
+
+// From the mesh to the file. Borrows all but the basis.
+class SurfaceFit
 {
 public:
-    // `keeper` and `draft` may be null; without a keeper `output` is empty.
-    SurfaceBaker(const Scene& scene, const SurfaceSettings& settings, const Shard& shard,
-                 const std::filesystem::path& output, Keeper* keeper, const ProgressCallback& progress,
-                 const SurfaceDraft* draft)
+    // `keeper` may be null, and then `output` is empty.
+    SurfaceFit(const Scene& scene, const SurfaceSettings& settings, const Shard& shard, FitBasis basis,
+               const std::filesystem::path& output, Keeper* keeper, const ProgressCallback& progress)
         : settings_(settings),
-          progress_(progress),
           keeper_(keeper),
-          basis_(basis_for(scene, output, draft)),
           stages_(output.empty() ? output : stages_of(output), scene.fingerprint(), settings),
-          shape_(basis_.mesh, basis_.densities, basis_.see_through),
-          tone_(basis_.tone),
+          loss_(basis.loss),
+          sphere_(basis.sphere),
+          shape_(std::move(basis.mesh), basis.densities, std::move(basis.see_through)),
+          tone_(basis.tone),
           state_(shape_, tone_),
-          fit_(scene.data(), shape_, settings_, shard),
-          job_(fit_.work() + solution_work(shape_), settings_.threads, progress, earlier_work())
+          fit_(scene.data(), shape_, settings, shard),
+          job_(fit_.work() + solution_work(shape_), settings.threads, progress, earlier_work())
     {
     }
 
     void trace()
     {
         try {
-            fit_.trace(
-                state_, stages_, job_,
-                [this] {
-                    if (keeper_ != nullptr) keeper_->keep_now_and_then(state_);
-                });
+            fit_.trace(state_, stages_, job_, [this] {
+                if (keeper_ != nullptr) keeper_->keep_now_and_then(state_);
+            });
+            if (keeper_ != nullptr) keeper_->keep(state_);
         } catch (const Cancelled&) {
             if (keeper_ != nullptr) keeper_->keep(state_);
             throw;
@@ -112,20 +129,18 @@ public:
 
     SurfaceBake field()
     {
+        const FieldParts parts = solved(state_, settings_.view_tables, sphere_, stages_, job_);
+        job_.finish();
         SurfaceBake bake;
-        const FieldParts parts = solution();
         bake.file = surface_file(shape_, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
         for (const ViewCode& view : parts.views) bake.viewed_vertices += view.is_there() ? 1u : 0u;
-        for (const PatchMesh::Patch& patch : shape_.mesh.patches)
-            bake.triangles += patch.d == PatchMesh::kNone ? 1u : 2u;
+        bake.triangles = triangle_count(shape_.mesh);
         bake.texels = shape_.layout.texels;
-        bake.loss = basis_.loss;
+        bake.loss = loss_;
         bake.paths = state_.paths;
         return bake;
     }
-
-    const FitState& state() const { return state_; }
 
 private:
     // Reads what the checkpoint has.
@@ -137,30 +152,11 @@ private:
         return fit_.work_in(state_);
     }
 
-    FieldParts solution()
-    {
-        if (keeper_ != nullptr) keeper_->keep(state_);
-        FieldParts parts = solved(state_, settings_.view_tables, basis_.sphere, stages_, job_);
-        job_.finish();
-        return parts;
-    }
-
-    FitBasis basis_for(const Scene& scene, const std::filesystem::path& output, const SurfaceDraft* draft) const
-    {
-        if (std::optional<FitBasis> kept = keeper_ != nullptr ? keeper_->store().read_basis() : std::nullopt)
-            return std::move(*kept);
-        FitBasis basis = draft != nullptr ? basis_of(scene.data(), *draft, settings_, progress_)
-                                          : basis_of(scene.data(), SurfaceDraft(scene, settings_, progress_, output),
-                                                     settings_, progress_);
-        if (keeper_ != nullptr) keeper_->store().write_basis(basis);
-        return basis;
-    }
-
-    const SurfaceSettings settings_;
-    const ProgressCallback& progress_;
+    const SurfaceSettings& settings_;
     Keeper* const keeper_;
-    const FitBasis basis_;
-    BakeStages stages_;  // after the draft's, which has the same file
+    BakeStages stages_;
+    const MeshLoss loss_;
+    const FieldSphere sphere_;
     const FitShape shape_;
     const EncodedTone tone_;
     FitState state_;
@@ -188,24 +184,24 @@ bool has_all_sums(BlockFile& file)
 
 }  // namespace
 
-SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress,
-                          const SurfaceDraft* draft)
+SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const ProgressCallback& progress)
 {
-    require_possible(scene, settings);
-    SurfaceBaker baker(scene, settings, {}, {}, nullptr, progress, draft);
-    baker.trace();
-    return baker.field();
+    require_possible(scene, plan.settings);
+    SurfaceFit fit(scene, plan.settings, {}, basis_for(scene, plan, {}, nullptr, progress), {}, nullptr, progress);
+    fit.trace();
+    return fit.field();
 }
 
-SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
-                         const ProgressCallback& progress, Earlier earlier, const SurfaceDraft* draft)
+SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output,
+                         const ProgressCallback& progress, Earlier earlier)
 {
-    require_possible(scene, settings);
-    Keeper keeper(checkpoint_of(output), identity(scene, settings, {}), earlier);
+    require_possible(scene, plan.settings);
+    Keeper keeper(checkpoint_of(output), identity(scene, plan.settings, {}), earlier);
     if (earlier == Earlier::discard) discard_stages(output);
-    SurfaceBaker baker(scene, settings, {}, output, &keeper, progress, draft);
-    baker.trace();
-    SurfaceBake bake = baker.field();
+    FitBasis basis = basis_for(scene, plan, output, &keeper, progress);
+    SurfaceFit fit(scene, plan.settings, {}, std::move(basis), output, &keeper, progress);
+    fit.trace();
+    SurfaceBake bake = fit.field();
     NewFile file(output);
     file.append(bake.file);
     file.commit();
@@ -214,17 +210,16 @@ SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, co
     return bake;
 }
 
-void bake_surface_shard(const Scene& scene, const SurfaceSettings& settings, const Shard& shard,
+void bake_surface_shard(const Scene& scene, const SurfacePlan& plan, const Shard& shard,
                         const std::filesystem::path& output, const ProgressCallback& progress, Earlier earlier)
 {
-    require_possible(scene, settings);
-    const BakeIdentity id = identity(scene, settings, shard);
+    require_possible(scene, plan.settings);
+    const BakeIdentity id = identity(scene, plan.settings, shard);
     if (earlier == Earlier::resume && is_finished_shard(output, id, has_all_sums)) return;
     Keeper keeper(checkpoint_of(output), id, earlier);
     if (earlier == Earlier::discard) discard_stages(output);
-    SurfaceBaker baker(scene, settings, shard, output, &keeper, progress, nullptr);
-    baker.trace();
-    keeper.keep(baker.state());
+    FitBasis basis = basis_for(scene, plan, output, &keeper, progress);
+    SurfaceFit(scene, plan.settings, shard, std::move(basis), output, &keeper, progress).trace();
     keeper.checkpoint().rename_to(output);
     discard_stages(output);
 }

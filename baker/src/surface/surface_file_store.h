@@ -7,11 +7,29 @@
 //           that a bake that is killed meanwhile goes on from that one.
 #pragma once
 
+#include <optional>
+
+#include "pack/solution.h"
 #include "store/block_file.h"
-#include "surface/fit_basis.h"
 
 namespace lumi::baker
 {
+
+// The part of a bake that all its shards share, since a merge has no scene.
+
+struct FitBasis {
+    PatchMesh mesh;
+    std::vector<float> densities;  // texels a radius, by patch
+    MeshLoss loss;
+    ToneCurve tone;
+    FieldSphere sphere;
+    std::vector<SeeThroughTexel> see_through;  // FitShape
+};
+
+// As bytes for checkpoints and shards.
+std::vector<uint8_t> encode(const FitBasis& basis);
+// Nothing if the bytes are of no basis.
+std::optional<FitBasis> decode_basis(const std::vector<uint8_t>& bytes);
 
 class SurfaceFileStore
 {

@@ -31,7 +31,7 @@ std::optional<float> distance_to_catcher(const Disc& catcher, const Ray& ray);
 inline constexpr size_t kCatcherCandidates = 32;
 float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler);
 
-// What bakes ask for before they start. Throws BakeError if the scene has a catcher or a volume and the texels only
+// Bakes call this before they start. It throws BakeError if the scene has a catcher or a volume and the texels only
 // know "covered" and "not covered": a soft shadow would become a black blot, smoke a solid body.
 void require_partial_coverage(const SceneData& scene, bool texels_have_it);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a ray meets: position, normals and material, looked at from the ray's side.
+// A point that a ray meets: position, normals and material, looked at from the ray's side.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ HitPoint hit_point_at(const SceneData& scene, const Ray& ray, const Hit& hit);
 // The nearest hit that does not let the ray pass: each surface on the way is opaque with the probability of its
 // opacity.
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler);
-// The same; `passed` gets the surfaces that it passes, with distances along the ray.
+// Does the same, and `passed` gets the surfaces that it passes, with distances along the ray.
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler, std::vector<Hit>& passed);
 
 // The opacity of the surface at a hit.

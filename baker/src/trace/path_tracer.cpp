@@ -65,7 +65,7 @@ bool leaks(const HitPoint& point, const Vec3& direction, const Vec3& local)
     return (dot(direction, point.geometric_normal) > 0) != (local.z > 0);
 }
 
-// What of the light would arrive at the eye by the surface if nothing stood in its way.
+// The light that would arrive at the eye by the surface if nothing stood in its way.
 Rgb unshadowed(const Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, const LightSample& light)
 {
     const Vec3 wi = point.frame.to_local(light.direction);
@@ -192,7 +192,7 @@ PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
 {
     const std::optional<float> catcher = scene_.catcher ? distance_to_catcher(*scene_.catcher, ray) : std::nullopt;
     if (!catcher) return trace_scene(ray, sampler);
-    // What lies on the catcher hides it.
+    // Objects that lie on the catcher hide it.
     const PathResult before = trace_scene({ray.origin, ray.direction, *catcher + kOnCatcher}, sampler);
     if (before.covered) return before;
     const Vec3 position = ray.origin + ray.direction * *catcher;
@@ -231,7 +231,7 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         if (!scatter(walk, point, bsdf, wo, sampler)) break;
         if (bounce == 0) result.diffuse = walk.pdf <= kMattPdf;
         ++bounce;
-        // What shines through glass is only found by paths that go on: glass ends none.
+        // Light that shines through glass is only found by paths that go on: glass ends none.
         if (point.material->glass) continue;
         if (++walk.bounces > kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) break;
     }

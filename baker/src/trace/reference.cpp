@@ -5,7 +5,7 @@
 
 #include "lumi/baker/bake.h"
 #include "trace/camera_rays.h"
-#include "trace/estimate.h"
+#include "trace/error_gauge.h"
 #include "util/job.h"
 
 namespace lumi::baker

@@ -16,7 +16,7 @@ public:
     // Each number below `count` is a set of its own.
     explicit DisjointSets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
-    // The same number for all of a set.
+    // All members of a set have the same number.
     uint32_t root(uint32_t number)
     {
         while (parent_[number] != number) number = parent_[number] = parent_[parent_[number]];

@@ -43,7 +43,7 @@ private:
     friend class JobStage;
     using Clock = std::chrono::steady_clock;
 
-    // What reports of a run are made of that takes its place in a stage.
+    // A run that takes its place in a stage; reports are made from it.
     struct Run {
         uint64_t from = 0, rays = 0;
         uint32_t tasks = 0;

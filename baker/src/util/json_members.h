@@ -42,7 +42,7 @@ public:
     [[noreturn]] void fail(const JsonValue& where, const std::string& text) const;
     const JsonValue& object() const { return object_; }
 
-    // The same checks for values that are no members.
+    // These check values that are no members in the same way.
     double number_of(const JsonValue& value, const std::string& name, const NumberRange& range) const;
     Rgb colour_of(const JsonValue& value, const std::string& name, const NumberRange& range) const;
     Vec3 vector_of(const JsonValue& value, const std::string& name, const NumberRange& range) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every reader of a volume's file checks before it takes memory for a grid. All throw SceneError; `name` is the
-// file's.
+// Checks that every reader of a volume's file makes before it takes memory for a grid. All throw SceneError; `name` is
+// the file's.
 #pragma once
 
 #include <array>

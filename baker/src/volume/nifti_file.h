@@ -16,7 +16,7 @@ namespace lumi::baker
 // nifti_header.h allows.
 Grid read_nifti(const std::filesystem::path& file);
 
-// The same of a file's bytes; `name` stands in messages.
+// Does the same with a file's bytes; `name` stands in messages.
 Grid parse_nifti(const std::string& name, const std::string& bytes);
 
 }  // namespace lumi::baker

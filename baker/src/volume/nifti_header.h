@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the header of a NIfTI file says, checked. The one door to the NIfTI library.
+// Reads and checks the header of a NIfTI file. This is the one door to the NIfTI library.
 #pragma once
 
 #include <array>

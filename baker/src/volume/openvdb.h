@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What OpenVDB does for us: it reads its own files, and finds surfaces in grids. It is a module (openvdb_module), which
-// is loaded at the first call: both functions also throw SceneError where lumi was built without it.
+// OpenVDB does two things for us: it reads its own files, and finds surfaces in grids. It is a module (openvdb_module),
+// which is loaded at the first call: both functions also throw SceneError where lumi was built without it.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Polygons {
 };
 
 // Dual contouring. What is below `value` is inside, as is all that lies outside the grid; polygons face away from it.
-// The same for any number of threads. Memory: 8 bytes a voxel, and the polygons.
+// The result is the same for any number of threads. Memory: 8 bytes a voxel, and the polygons.
 Polygons dual_contour(const Grid& grid, float value);
 
 // Reads the grid of floats with the name "density", or else the only one: the box of its active voxels and, as

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scalar of a volume looks like: how much of light it stops along a unit of length, and the colour of what it
+// The look of a volume's scalars: how much of light it stops along a unit of length, and the colour of what it
 // scatters. Linear between its points; before the first and behind the last it stays as it is there.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "chord/field_rays.h"
+#include "chord/texel_tracer.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,7 +7,6 @@
 #include <numeric>
 #include <vector>
 
-#include "chord/texel_tracer.h"
 #include "support/bake_scenes.h"
 
 #include "math/sampler.h"

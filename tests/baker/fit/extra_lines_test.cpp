@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "fit/extra_chances.h"
+#include "fit/path_plan.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "fit/texel_layout.h"
+#include "fit/fit_shape.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/texel_layout.h"
+#include "fit/fit_shape.h"
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 #include "chord/texel_tracer.h"
 #include "image/texture.h"
 #include "lumi/chord/texel.h"
-#include "trace/estimate.h"
+#include "trace/error_gauge.h"
 
 namespace lumi::baker
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "light/sky_picture.h"
+#include "light/sky.h"
 
 #include <ImfArray.h>
 #include <ImfRgbaFile.h>

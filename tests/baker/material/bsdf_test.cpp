@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "material/fresnel.h"
+#include "material/lobes.h"
 #include "material/material.h"
 #include "math/warp.h"
 #include "support/bsdf_checks.h"
@@ -49,7 +49,7 @@ std::vector<Named> rough_bodies(float albedo, const std::vector<float>& roughnes
     return all;
 }
 
-// Of what reflects alike in all azimuths: the integral of eval over the directions of light, by the midpoint rule.
+// Integrates eval over the directions of light by the midpoint rule, for materials that reflect alike in all azimuths.
 double albedo_by_grid(const Bsdf& bsdf, const Vec3& wo)
 {
     constexpr int kHeights = 400, kTurns = 400;

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "material/bsdf.h"
-#include "material/fresnel.h"
+#include "material/lobes.h"
 #include "math/sampler.h"
 #include "math/warp.h"
 #include "support/direction_bins.h"

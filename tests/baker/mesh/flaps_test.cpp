@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/simplify/flaps.h"
+#include "mesh/simplify/steps.h"
 
 #include <catch2/catch.hpp>
 

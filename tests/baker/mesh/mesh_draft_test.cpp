@@ -6,7 +6,7 @@
 #include <random>
 
 #include "mesh/mesh_tracer.h"
-#include "mesh/simplify/closed_seams.h"
+#include "mesh/simplify/steps.h"
 #include "mesh/simplify/simplify.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/baker/scene.h"
-#include "material/fresnel.h"
+#include "material/lobes.h"
 #include "support/obj_files.h"
 
 namespace lumi::baker

@@ -54,7 +54,7 @@ struct Tables {
         return mesh;
     }
 
-    // Of every node alike.
+    // Every node has the same.
     double error(uint32_t bits) const
     {
         const std::vector<uint8_t> all(shape.mesh.positions.size(), 1);

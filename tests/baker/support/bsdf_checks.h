@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every reflecting BSDF has to show: densities that integrate to one and that samples follow, weights that are
+// Checks for every reflecting BSDF: densities that integrate to one and that samples follow, weights that are
 // those of their direction, reciprocity, and energy that neither appears nor vanishes.
 #pragma once
 

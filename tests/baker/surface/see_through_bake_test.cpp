@@ -65,7 +65,7 @@ void check_near(const Rgb8& shown, const Rgb8& wanted)
 
 bool opens_as_opaque(const Scene& scene)
 {
-    const SurfaceBake bake = surface_field(scene, tiny_surface());
+    const SurfaceBake bake = surface_field(scene, {tiny_surface()});
     SurfaceField field;
     return open_surface(bake.file.data(), bake.file.size(), field) == FieldError::none;
 }
@@ -75,7 +75,7 @@ bool opens_as_opaque(const Scene& scene)
 TEST_CASE("what stands behind a pane is seen through it in the light of both, and the background by its coverage",
           "[statistics]")
 {
-    const SurfaceBake bake = surface_field(pane_above_square(), tiny_surface());
+    const SurfaceBake bake = surface_field(pane_above_square(), {tiny_surface()});
     const auto through = [](float behind) { return kPane * 0.3f + (1 - kPane) * behind; };
     check_near(colour_from_above(bake, 0), srgb_encode({through(0.5f), through(0.2f), through(0.1f)}));
     const uint8_t own = srgb_encode(grey(0.3f)).g;
@@ -96,7 +96,7 @@ TEST_CASE("a scene of nothing but see-through parts has its far sides, too")
     SceneMaker maker;
     maker.ball(maker.add(see_through(lamp(grey(0.5f)), 0.4f)), {0, 0, 0}, 0.7f, 8);
     maker.span_unit_sphere();
-    const SurfaceBake bake = surface_field(maker.make(constant_environment(0)), tiny_surface());
+    const SurfaceBake bake = surface_field(maker.make(constant_environment(0)), {tiny_surface()});
     const float level = static_cast<float>(srgb_encode(grey(0.5f)).g), both = (0.4f + 0.6f * 0.4f) * level;
     const auto wanted = static_cast<uint8_t>(std::lround(both));
     check_near(colour_from_above(bake, 4), {wanted, wanted, wanted});
@@ -112,9 +112,9 @@ TEST_CASE("see-through parts get the triangles that opaque ones leave")
     settings.longest_edge = 2;
     const Scene scene = maker.make(constant_environment(0));
     const auto whole = static_cast<uint32_t>(2 * scene.data().mesh.triangle_count());  // from both sides
-    CHECK(SurfaceDraft(scene, settings).triangles() == whole);
+    CHECK(planned(scene, settings).triangles == whole);
     settings.triangles = whole / 2;
-    const uint32_t half = SurfaceDraft(scene, settings).triangles();
+    const uint32_t half = planned(scene, settings).triangles;
     CHECK(half <= whole / 2);
     CHECK(half > whole / 3);
 }

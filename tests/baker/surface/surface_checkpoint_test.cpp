@@ -4,6 +4,7 @@
 #include "fit/fit_model.h"
 #include "lumi/baker/merge.h"
 #include "store/bake_stages.h"
+#include "surface/surface_file_store.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing
@@ -13,7 +14,7 @@ namespace
 
 std::string file_of(const Scene& scene, const SurfaceSettings& settings, const ScratchFolder& folder)
 {
-    bake_surface(scene, settings, folder.at("f.lumi"));
+    bake_surface(scene, {settings}, folder.at("f.lumi"));
     return read_bytes(folder.at("f.lumi"));
 }
 
@@ -31,7 +32,7 @@ std::vector<std::filesystem::path> bake_shards(const Scene& scene, const Surface
     std::vector<std::filesystem::path> files;
     for (uint32_t k = 1; k <= count; ++k) {
         files.push_back(folder.at("f." + std::to_string(k)));
-        bake_surface_shard(scene, settings, {k, count}, files.back());
+        bake_surface_shard(scene, {settings}, {k, count}, files.back());
     }
     return files;
 }
@@ -44,7 +45,7 @@ TEST_CASE("a surface bake goes on where it was stopped, to the same bytes", "[re
     const std::string whole = baked(scene, tiny_surface());
     for (const double share : {0.1, 0.95}) {
         const ScratchFolder folder;
-        CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(share)), Cancelled);
+        CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(share)), Cancelled);
         CHECK(folder.file_count() == 2);  // checkpoint and stages
         CHECK(file_of(scene, tiny_surface(), folder) == whole);
         CHECK(folder.file_count() == 1);
@@ -55,10 +56,10 @@ TEST_CASE("what a stopped surface bake has traced is not traced again", "[repeat
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
-    CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(1)), Cancelled);
+    CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(1)), Cancelled);
     std::optional<uint64_t> first;
     bool traces = false;
-    bake_surface(scene, tiny_surface(), folder.at("f.lumi"), [&](const Progress& p) {
+    bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), [&](const Progress& p) {
         first = first ? first : p.rays_done;
         traces = traces || (p.stage == Stage::light && p.rays_done != *first && p.rays_done < p.rays_total);
         return true;
@@ -96,11 +97,11 @@ TEST_CASE("a file of stages that holds another mesh or another pilot is not used
     const Scene scene = tiny_scene(), other = tiny_scene(0.2f);
     const std::string whole = baked(scene, tiny_surface());
     const ScratchFolder folder;
-    CHECK_THROWS_AS(bake_surface(other, tiny_surface(), folder.at("f.lumi"), stop_at(0.1)), Cancelled);
+    CHECK_THROWS_AS(bake_surface(other, {tiny_surface()}, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
     std::filesystem::remove(folder.at("f.lumi.part"));
     SurfaceSettings seed = tiny_surface();
     seed.seed = 7;
-    CHECK_THROWS_AS(bake_surface(scene, seed, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
+    CHECK_THROWS_AS(bake_surface(scene, {seed}, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
     std::filesystem::remove(folder.at("f.lumi.part"));
     CHECK(file_of(scene, tiny_surface(), folder) == whole);
 }
@@ -110,7 +111,7 @@ TEST_CASE("a damaged surface checkpoint is traced again, to the same bytes", "[r
     const Scene scene = tiny_scene();
     const std::string whole = baked(scene, tiny_surface());
     const ScratchFolder folder;
-    CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(1)), Cancelled);
+    CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(1)), Cancelled);
     std::string part = read_bytes(folder.at("f.lumi.part"));
     for (const size_t at : {part.size() - 1, size_t{230}}) {
         std::string damaged = part;
@@ -124,10 +125,10 @@ TEST_CASE("a checkpoint of other surface settings is refused by name")
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
-    CHECK_THROWS_AS(bake_surface(scene, tiny_surface(), folder.at("f.lumi"), stop_at(0.1)), Cancelled);
+    CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
     SurfaceSettings other = tiny_surface();
     other.texels_per_radius = 7;
-    CHECK_THROWS_WITH(bake_surface(scene, other, folder.at("f.lumi")),
+    CHECK_THROWS_WITH(bake_surface(scene, {other}, folder.at("f.lumi")),
                       Catch::Contains("other texel density: 6 there, 7 here"));
 }
 
@@ -154,13 +155,29 @@ TEST_CASE("missing and damaged and foreign and unfinished surface shards are nam
     bytes.back() = static_cast<char>(bytes.back() ^ 1);
     folder.write("f.1", bytes);
     CHECK_THROWS_WITH(merge_shards(shards, folder.at("f.lumi")), Catch::Contains("f.1: is not finished or damaged"));
-    CHECK_THROWS_AS(bake_surface_shard(scene, settings, {1, 2}, folder.at("u"), stop_at(0.8)), Cancelled);
+    CHECK_THROWS_AS(bake_surface_shard(scene, {settings}, {1, 2}, folder.at("u"), stop_at(0.8)), Cancelled);
     CHECK_THROWS_WITH(merge_shards({folder.at("u.part"), shards[1]}, folder.at("f.lumi")),
                       Catch::Contains("u.part: is not finished or damaged"));
     SurfaceSettings other = settings;
     other.seed = 2;
-    bake_surface_shard(scene, other, {1, 2}, folder.at("f.1"), {}, Earlier::discard);
+    bake_surface_shard(scene, {other}, {1, 2}, folder.at("f.1"), {}, Earlier::discard);
     CHECK_THROWS_WITH(merge_shards(shards, folder.at("f.lumi")), Catch::Contains("other seed"));
 }
 
 }  // namespace lumi::baker::testing
+
+namespace lumi::baker
+{
+
+TEST_CASE("fit basis: shards keep every tone curve, and one that is none is refused")
+{
+    FitBasis basis = {};
+    for (int curve = 0; curve <= static_cast<int>(kLastToneCurve) + 1; ++curve) {
+        basis.tone = static_cast<ToneCurve>(curve);
+        const std::optional<FitBasis> read = decode_basis(encode(basis));
+        REQUIRE(read.has_value() == (basis.tone <= kLastToneCurve));
+        if (read) CHECK(read->tone == basis.tone);
+    }
+}
+
+}  // namespace lumi::baker

@@ -21,9 +21,15 @@ inline SurfaceSettings tiny_surface()
     return s;
 }
 
+// With nothing left to choose.
+inline SurfacePlan planned(const Scene& scene, const SurfaceSettings& settings)
+{
+    return plan_surface(scene, settings, {UINT32_MAX, std::nullopt, false, false, false});
+}
+
 inline std::string baked(const Scene& scene, const SurfaceSettings& settings)
 {
-    const SurfaceBake bake = surface_field(scene, settings);
+    const SurfaceBake bake = surface_field(scene, {settings});
     return {bake.file.begin(), bake.file.end()};
 }
 

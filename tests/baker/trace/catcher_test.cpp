@@ -76,7 +76,7 @@ Scene lit_room()
     return maker.make(studio_environment());
 }
 
-// What arrives along one ray, with and without what stands in the way.
+// The light that arrives along one ray, with and without what stands in the way.
 struct Arriving {
     double shadowed = 0, all = 0;
 };
@@ -97,7 +97,7 @@ Arriving arriving(const SceneData& scene, const Ray& ray, Sampler& sampler)
     return result;
 }
 
-// The same share by rays into all directions, which know nothing of lights.
+// Finds the same share by rays into all directions, which know nothing of lights.
 Mean brute_shadow(const SceneData& scene, const Vec3& at)
 {
     constexpr uint32_t kRays = 200000, kBatch = 2000;

@@ -49,7 +49,7 @@ BakeSettings adaptive_settings(uint32_t samples, float levels)
     return s;
 }
 
-// What a texel stores in green.
+// The green level that a texel stores.
 double stored(const TexelTracer& tracer, uint32_t i, uint32_t j)
 {
     return tracer.estimate(tracer.disc(i), i, j).colour().g;

@@ -7,7 +7,7 @@
 #include "support/scratch_folder.h"
 #include "support/shapes.h"
 #include "support/statistics.h"
-#include "trace/estimate.h"
+#include "trace/error_gauge.h"
 
 namespace lumi::baker
 {

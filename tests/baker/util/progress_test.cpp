@@ -59,8 +59,8 @@ TEST_CASE("rate meter: work that stands still for a while is expected to go on a
 namespace
 {
 
-// What a series reports of jobs of so many rays each, every one of which reports at its beginning, half-way and at its
-// end.
+// The reports of a series of jobs of so many rays each, every one of which reports at its beginning, half-way and at
+// its end.
 std::vector<Progress> reports_of(JobSeries& series, std::vector<Progress>& reports,
                                  std::initializer_list<uint64_t> jobs)
 {

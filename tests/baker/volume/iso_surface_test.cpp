@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "scene/iso_reader.h"
+#include "scene/model_reader.h"
 #include "scene/scene_data.h"
 #include "support/nifti_bytes.h"
 #include "support/scratch_folder.h"

@@ -62,7 +62,7 @@ void turn(std::string& bytes, size_t at, size_t size)
                  bytes.begin() + static_cast<std::ptrdiff_t>(at + size));
 }
 
-// The same file as a machine of the other byte order writes it.
+// That file as a machine of the other byte order writes it.
 std::string turned_cube()
 {
     std::string bytes = cube();

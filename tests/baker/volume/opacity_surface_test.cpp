@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where a volume looks solid, and what surface fields make of it.
-#include "volume/opacity_surface.h"
+#include "volume/iso_surface.h"
 
 #include <catch2/catch.hpp>
 
-#include "lumi/baker/surface.h"
 #include "scene/scene_data.h"
 #include "support/volumes.h"
+#include "surface/surface_scenes.h"
 #include "trace/path_tracer.h"
 
 namespace lumi::baker
@@ -89,8 +89,8 @@ TEST_CASE("opacity surface: of a dense ball few paths miss the mesh, where nothi
     SurfaceSettings settings;
     settings.triangles = 200;
     settings.threads = 1;
-    CHECK(SurfaceDraft(scene_of(300, true), settings, {}).loss().missed < 0.05);
-    CHECK_THROWS_WITH(SurfaceDraft(scene_of(1, true), settings, {}), Catch::Contains("half transparent"));
+    CHECK(testing::planned(scene_of(300, true), settings).loss.missed < 0.05);
+    CHECK_THAT(testing::planned(scene_of(1, true), settings).against, Catch::Contains("half transparent"));
 }
 
 }  // namespace lumi::baker

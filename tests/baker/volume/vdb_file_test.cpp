@@ -18,7 +18,7 @@
 #include <sstream>
 
 #include "lumi/baker/file_guard.h"
-#include "scene/iso_reader.h"
+#include "scene/model_reader.h"
 #include "scene/scene_file.h"
 #include "support/nifti_bytes.h"
 #include "support/scratch_folder.h"

@@ -69,16 +69,4 @@ TEST_CASE("a bake whose field no longer fits keeps its rows, and the same comman
     CHECK(content_of(kept / "small.lumi") == content_of(kept / "whole.lumi"));
 }
 
-TEST_CASE("a bake over the limit on the size of files says so and leaves an earlier field as it was")
-{
-    const test::TemporaryFolder folder;
-    test::write_content(folder / "f.lumi", "earlier");
-    const Outcome outcome = shell("trap '' XFSZ; ulimit -f 100; exec " + std::string(LUMI_PROGRAM) + kBake + "'" +
-                                  (folder / "f.lumi") + "'");
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("File too large") && Catch::Contains("raise the limit (ulimit -f)"));
-    CHECK(content_of(folder / "f.lumi") == "earlier");
-    CHECK(folder.entries() == 1);
-}
-
 }  // namespace lumi::tools

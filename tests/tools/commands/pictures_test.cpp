@@ -102,28 +102,6 @@ TEST_CASE("render and reference show the same view, from wherever the eye is and
     }
 }
 
-TEST_CASE("a field is the same for any number of threads and differs by the seed")
-{
-    const test::TemporaryFolder folder;
-    const auto bytes = [&](const std::string& threads, const std::string& seed) {
-        bake_picture_field(folder / "f.lumi", {"--origins", "30", "--directions", "40", "--spp", "2", "--threads",
-                                               threads, "--seed", seed});
-        return test::content_of(folder / "f.lumi");
-    };
-    const std::string one = bytes("1", "1");
-    CHECK((one == bytes("3", "1")));
-    CHECK((one != bytes("1", "2")));
-}
-
-TEST_CASE("a cap keeps as many rows as asked")
-{
-    const test::TemporaryFolder folder;
-    for (const auto& [cap, rows] : {std::make_pair("50%", 20), std::make_pair("0.25", 10), std::make_pair("7", 7)}) {
-        bake_picture_field(folder / "f.lumi", {"--origins", "40", "--directions", "40", "--spp", "1", "--cap", cap});
-        CHECK(nlohmann::json::parse(lumi({"inspect", folder / "f.lumi", "--json"}).out)["used_origins"] == rows);
-    }
-}
-
 TEST_CASE("render says where spans cannot draw a field, and draws it exactly")
 {
     const test::TemporaryFolder folder;

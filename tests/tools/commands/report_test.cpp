@@ -120,7 +120,7 @@ TEST_CASE("report --for recommends for every part a row of its front, and names 
         CHECK(best["parts"][key]["frames_per_second"].get<double>() >= part["wanted"].get<double>());
         for (const auto& row : rows) {
             INFO(row);
-            // What is more accurate is slower than is wanted, and what is on the front is beaten by nothing.
+            // A more accurate row is slower than is wanted, and nothing beats a row of the front.
             if (row["psnr_db"].get<double>() > best["psnr_db"].get<double>() + 0.01)
                 CHECK(row["parts"][key]["frames_per_second"].get<double>() < part["wanted"].get<double>());
             CHECK(row["parts"][key]["worst"] <= row["parts"][key]["frames_per_second"]);

@@ -154,22 +154,6 @@ TEST_CASE("shards baked by separate calls merge to the bytes of one bake, --rest
     CHECK(content_of(folder / "merged.lumi") == content_of(folder / "one.lumi"));
 }
 
-TEST_CASE("a checkpoint of other options is refused with the mend, and --restart discards it")
-{
-    const test::TemporaryFolder folder;
-    const Arguments quick = bake(folder / "f.lumi", {"--seed", "2"});
-    Arguments slow = quick;
-    slow[9] = "1000000";
-    REQUIRE(test::lumi_interrupted(slow).code == 130);
-    const Outcome refused = lumi(quick);
-    CHECK(refused.code == 1);
-    CHECK_THAT(refused.err, Catch::Contains("f.lumi.part: holds the finished rows of another bake (other samples: "
-                                            "1000000 there, 16 here)") &&
-                                Catch::Contains("--restart"));
-    CHECK(lumi(bake(folder / "f.lumi", {"--seed", "2", "--restart"})).code == 0);
-    CHECK(folder.entries() == 1);
-}
-
 TEST_CASE("json progress writes nothing but JSON to stdout, and ends with what was done")
 {
     const test::TemporaryFolder folder;

@@ -4,8 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "planner/no_plan.h"
-
 namespace lumi::planner
 {
 

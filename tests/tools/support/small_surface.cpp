@@ -56,7 +56,7 @@ const baker::Scene& cube_scene()
 
 const baker::SurfaceBake& small_surface()
 {
-    static const baker::SurfaceBake bake = baker::surface_field(cube_scene(), small_settings());
+    static const baker::SurfaceBake bake = baker::surface_field(cube_scene(), {small_settings()});
     return bake;
 }
 

@@ -4,16 +4,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <new>
-#include <nlohmann/json.hpp>
 
+#include "../planner/chord_plan.h"
 #include "../quality/quick_check.h"
 #include "commands/device_figures.h"
-#include "commands/surface_options.h"
 #include "files/field_file.h"
 #include "terminal/failure.h"
 #include "terminal/interrupt.h"
-#include "terminal/json_progress.h"
-#include "terminal/progress_printer.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -22,52 +19,58 @@ namespace lumi::tools
 namespace
 {
 
-double seconds_since(BakeSummary::Clock::time_point start)
-{
-    return std::chrono::duration<double>(BakeSummary::Clock::now() - start).count();
-}
-
 void print_json(const nlohmann::json& line)
 {
     std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     std::fflush(stdout);
 }
 
-double cap_of(const BakeJob& job)
+// Whether the field was planned by its mesh, and is judged by a few path-traced views.
+bool is_checked(const BakeSummary& summary)
 {
-    if (job.surface) return static_cast<double>(job.surface->cap);
-    const uint32_t all = job.settings.origins, used = job.settings.used_origins;
-    return used == 0 ? 1 : static_cast<double>(used) / all;
+    return summary.options.layout != Layout::chord && !summary.is_shard;
 }
 
-// What the field shows; nothing where it is not to be judged.
-std::optional<double> checked_db(const BakeSummary& summary, const baker::ProgressCallback& progress)
+// The PSNR of the field; nothing where it is not to be judged.
+std::optional<double> checked_db(const BakeSummary& summary)
 {
-    if (!summary.checks || summary.job.shard) return std::nullopt;
-    const unsigned threads = summary.job.surface ? summary.job.surface->threads : summary.job.settings.threads;
+    if (!is_checked(summary)) return std::nullopt;
     try {
-        const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-        return quality::quick_psnr_db(summary.scene, field, cap_of(summary.job), threads, progress);
+        return with_progress(
+            BakeStep::measuring, summary.options,
+            [&](const baker::ProgressCallback& progress) {
+                const FieldFile field(summary.file, FieldFile::Role::own_output);
+                return quality::quick_psnr_db(summary.scene, field, summary.cap, summary.options.scene.threads,
+                                              progress);
+            });
     } catch (const baker::Cancelled&) {
         return std::nullopt;  // the field is there, and that is what counts
     }
 }
 
-std::string file_line(const BakeSummary& summary, const BakeOutcome& outcome)
+std::string file_line(const BakeSummary& summary)
 {
-    const double saved = static_cast<double>(outcome.last.rays_saved);
+    const auto saved = static_cast<double>(summary.rays_saved);
     const std::string savings = saved > 0 ? " (" + count_text(saved) + " of them saved)" : "";
-    return summary.job.name + ": " + byte_text(std::filesystem::file_size(summary.job.target)) + ", " +
-           count_text(outcome.rays) + " rays" + savings + " in " + duration_text(seconds_since(summary.start)) + ", " +
-           std::to_string(summary.warnings) + (summary.warnings == 1 ? " warning\n" : " warnings\n");
+    return summary.name + ": " + byte_text(std::filesystem::file_size(summary.file)) + ", " + count_text(summary.rays) +
+           " rays" + savings + " in " + duration_text(summary.seconds) + ", " + std::to_string(summary.warnings) +
+           (summary.warnings == 1 ? " warning\n" : " warnings\n");
 }
 
-std::string check_line(double psnr_db)
+std::string surface_line(const baker::SurfaceBake& bake)
 {
-    char text[120];
-    std::snprintf(text, sizeof text, "shows about %.1f dB in %d path-traced views, 240 x 240 pixels\n", psnr_db,
-                  quality::kQuickViews);
-    return text;
+    return formatted(
+        "surface: %u triangles, %u texels, %u of %u vertices with view tables; of the rays that meet the scene it "
+        "misses %.1f %%, displaces %.1f %%, adds %.1f %%\n",
+        bake.triangles, bake.texels, bake.viewed_vertices, bake.vertices, 100 * bake.loss.missed,
+        100 * bake.loss.displaced, 100 * bake.loss.added);
+}
+
+nlohmann::json surface_json(const baker::SurfaceBake& bake)
+{
+    return {{"triangles", bake.triangles},     {"vertices", bake.vertices},  {"viewed_vertices", bake.viewed_vertices},
+            {"texels", bake.texels},           {"missed", bake.loss.missed}, {"added", bake.loss.added},
+            {"displaced", bake.loss.displaced}};
 }
 
 std::string next_line(const std::string& field)
@@ -76,77 +79,79 @@ std::string next_line(const std::string& field)
     return "next: lumi render " + shell_word(field) + " -o " + shell_word(picture) + " --turntable 12\n";
 }
 
-void warn_of_written(const BakeSummary& summary, const char* problem)
-{
-    std::fprintf(stderr,
-                 "lumi: warning: %s is written and whole, but what it shows cannot be said (%s); `lumi inspect` and "
-                 "`lumi report` say it\n",
-                 summary.job.name.c_str(), problem);
-}
-
-// What fails once the field is written costs its report, not the bake.
-template <class Tell>
-void tell_of_written(const BakeSummary& summary, Tell tell)
-{
-    try {
-        tell();
-    } catch (const std::bad_alloc&) {
-        warn_of_written(summary, "memory does not suffice");
-    } catch (const Failure& error) {
-        warn_of_written(summary, error.what());
-    }
-}
-
-std::optional<double> checked_db_for_people(const BakeSummary& summary)
-{
-    ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(BakeStep::measuring, summary.steps()));
-    return checked_db(summary, watch(printer));
-}
-
 // A chord field draws as fast as any of its size: it is told where it was asked.
-std::string device_lines(const BakeSummary& summary, const BakeOutcome& outcome)
+std::string device_lines(const BakeSummary& summary)
 {
-    const bool has_screen = summary.screen.has_value();
-    if (summary.job.shard || !(outcome.surface || has_screen || !summary.paces.empty())) return "";
-    const FieldFile field(summary.job.target, FieldFile::Role::own_output);
-    const host::ScreenSize screen = summary.screen.value_or(host::ScreenSize());
-    std::string text = outcome.surface || has_screen ? device_text(field, {screen, {}}) : "";
-    for (const planner::Pace& pace : summary.paces) text += pace_text(field, pace, screen);
+    const BakeOptions& options = summary.options;
+    const bool tells_device = summary.surface || options.has_screen;
+    if (summary.is_shard || (!tells_device && options.fit.paces.empty())) return "";
+    const FieldFile field(summary.file, FieldFile::Role::own_output);
+    std::string text = tells_device ? device_text(field, {options.screen, {}}) : "";
+    for (const planner::Pace& pace : options.fit.paces) text += pace_text(field, pace, options.screen);
     return text;
 }
 
-void tell_people(const BakeSummary& summary, const BakeOutcome& outcome)
+void tell_people(const BakeSummary& summary)
 {
-    std::string text = file_line(summary, outcome);
-    if (outcome.surface) text += surface_text(*outcome.surface);
-    if (const auto psnr_db = checked_db_for_people(summary)) text += check_line(*psnr_db);
-    text += device_lines(summary, outcome);
-    if (summary.checks && !summary.job.shard) text += next_line(summary.job.name);
+    std::string text = file_line(summary);
+    if (summary.surface) text += surface_line(*summary.surface);
+    if (const auto psnr_db = checked_db(summary))
+        text += formatted("shows about %.1f dB in %d path-traced views, 240 x 240 pixels\n", *psnr_db,
+                          quality::kQuickViews);
+    text += device_lines(summary);
+    if (is_checked(summary)) text += next_line(summary.name);
     std::fputs(text.c_str(), stdout);
 }
 
-void tell_machines(const BakeSummary& summary, const BakeOutcome& outcome)
+void tell_machines(const BakeSummary& summary)
 {
     nlohmann::json line = {{"state", "done"},
-                           {"output", summary.job.name},
-                           {"layout", outcome.surface ? "surface" : "chord"},
-                           {"bytes", std::filesystem::file_size(summary.job.target)},
-                           {"rays_total", outcome.rays},
-                           {"rays_saved", outcome.last.rays_saved},
-                           {"elapsed_seconds", seconds_since(summary.start)},
+                           {"output", summary.name},
+                           {"layout", summary.surface ? "surface" : "chord"},
+                           {"bytes", std::filesystem::file_size(summary.file)},
+                           {"rays_total", summary.rays},
+                           {"rays_saved", summary.rays_saved},
+                           {"elapsed_seconds", summary.seconds},
                            {"warnings", summary.warnings}};
-    if (outcome.surface) line["surface"] = surface_json(*outcome.surface);
-    JsonProgress printer(stdout, "measuring");
-    if (const auto psnr_db = checked_db(summary, watch(printer))) line["quick_psnr_db"] = *psnr_db;
+    if (summary.surface) line["surface"] = surface_json(*summary.surface);
+    if (const auto psnr_db = checked_db(summary)) line["quick_psnr_db"] = *psnr_db;
     print_json(line);
 }
 
-// How a bake of this task gets more triangles than the plan has.
-std::string more_triangles(const planner::SurfaceTask& task, uint32_t planned)
+// The options of `lumi bake` that set the same by hand.
+std::string options_of(const baker::SurfacePlan& plan)
 {
-    if (task.triangles_by_hand || planned >= planner::kMostPlannedTriangles)
+    const baker::SurfaceSettings& s = plan.settings;
+    std::string options =
+        formatted("--layout surface --triangles %u --longest-edge %.6g --texel-density %.6g", s.triangles,
+                  static_cast<double>(s.longest_edge), static_cast<double>(s.texels_per_radius));
+    if (s.cap < 1) options += formatted(" --cap %.6g%%", 100 * static_cast<double>(s.cap));
+    return s.view_tables ? options : options + " --no-view-tables";
+}
+
+// "39.8 kB of RAM, for which it has fewer triangles than 3684"; empty where the plan has no limit of RAM.
+std::string ram_text(const baker::SurfacePlan& plan)
+{
+    if (plan.ram_bytes == 0) return "";
+    const std::string given_up = plan.triangles_without_ram == 0 ? ", for which nothing is given up"
+                                                                 : ", for which it has fewer triangles than " +
+                                                                       std::to_string(plan.triangles_without_ram);
+    return byte_text(plan.ram_bytes) + " of RAM" + given_up;
+}
+
+// "5500 triangles, 93.4 texels a radius, at most 499 kB".
+std::string text_of(const baker::SurfacePlan& plan)
+{
+    return formatted("%u triangles, %.1f texels a radius, at most %s", plan.triangles,
+                     static_cast<double>(plan.settings.texels_per_radius), byte_text(plan.most_bytes).c_str());
+}
+
+// How a bake within these limits gets more triangles than the plan has.
+std::string more_triangles(const baker::SurfaceLimits& limits, uint32_t planned)
+{
+    if (!limits.chooses_triangles || planned >= baker::kMostPlannedTriangles)
         return "give more --triangles than " + std::to_string(planned);
-    return "give more bytes, which buy triangles: --fit " + std::to_string(2 * task.budget_bytes / 1000) + "kB";
+    return "give more bytes, which buy triangles: --fit " + std::to_string(2 * limits.bytes / 1000) + "kB";
 }
 
 std::string text_of(const baker::MeshWarning& warning, const std::string& more)
@@ -156,64 +161,108 @@ std::string text_of(const baker::MeshWarning& warning, const std::string& more)
     return warning.problem + (remedies.empty() ? "" : "; " + remedies);
 }
 
-std::vector<std::string> warnings_of(const SurfaceChoice& choice, const planner::SurfaceTask& task)
+std::vector<std::string> warnings_of(const baker::SurfacePlan& plan, const baker::SurfaceLimits& limits)
 {
-    const std::string more = more_triangles(task, choice.plan.settings.triangles);
+    const std::string more = more_triangles(limits, plan.settings.triangles);
     std::vector<std::string> warnings;
-    for (const baker::MeshWarning& warning : choice.plan.draft->warnings()) warnings.push_back(text_of(warning, more));
-    if (!choice.against.empty()) warnings.push_back(choice.against + "; --layout chord shows all of it");
+    for (const baker::MeshWarning& warning : plan.warnings) warnings.push_back(text_of(warning, more));
+    if (!plan.against.empty()) warnings.push_back(plan.against + "; --layout chord shows all of it");
     return warnings;
 }
 
 }  // namespace
 
-std::string step_text(BakeStep step, int steps)
+const char* name_of(BakeStep step)
 {
-    if (steps == 1) return "";
     constexpr const char* kNames[] = {"planning", "baking", "measuring"};
-    const auto k = static_cast<size_t>(step);
-    return std::to_string(k + 1) + " of " + std::to_string(steps) + " " + kNames[k] + ": ";
+    return kNames[static_cast<size_t>(step)];
 }
 
-size_t tell_choice(const SurfaceChoice& choice, const planner::SurfaceTask& task, bool takes_surface, bool json)
+std::string step_text(BakeStep step, const BakeOptions& options)
 {
-    if (json) {
+    if (options.fit.plan_only || options.layout == Layout::chord) return "";
+    return std::to_string(static_cast<size_t>(step) + 1) + " of " + (options.shard.empty() ? "3 " : "2 ") +
+           name_of(step) + ": ";
+}
+
+size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, bool takes_surface)
+{
+    if (options.progress == ProgressStyle::json) {
         nlohmann::json line = {{"state", "planned"}, {"layout", takes_surface ? "surface" : "chord"}};
-        if (!choice.against.empty()) line["reason"] = choice.against;
-        if (takes_surface) line["options"] = options_of(choice.plan);
-        if (takes_surface && choice.plan.ram_bytes != 0) {
-            line["ram_bytes"] = choice.plan.ram_bytes;
-            line["triangles_without_ram"] = choice.plan.triangles_without_ram;
+        if (!plan.against.empty()) line["reason"] = plan.against;
+        if (takes_surface) line["options"] = options_of(plan);
+        if (takes_surface && plan.ram_bytes != 0) {
+            line["ram_bytes"] = plan.ram_bytes;
+            line["triangles_without_ram"] = plan.triangles_without_ram;
         }
         print_json(line);
     } else if (takes_surface) {
-        const std::string ram = ram_text(choice.plan);
-        std::printf("layout surface: %s\n%s  by hand: %s\n", text_of(choice.plan).c_str(),
-                    ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(choice.plan).c_str());
+        const std::string ram = ram_text(plan);
+        std::printf("layout surface: %s\n%s  by hand: %s\n", text_of(plan).c_str(),
+                    ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(plan).c_str());
     } else {
-        std::printf("layout chord: %s\n", choice.against.c_str());
+        std::printf("layout chord: %s\n", plan.against.c_str());
     }
     std::fflush(stdout);
-    const std::vector<std::string> warnings = takes_surface ? warnings_of(choice, task) : std::vector<std::string>{};
+    const std::vector<std::string> warnings =
+        takes_surface ? warnings_of(plan, options.limits) : std::vector<std::string>{};
     for (const std::string& warning : warnings) std::fprintf(stderr, "lumi: warning: %s\n", visible(warning).c_str());
     return warnings.size();
 }
 
-void bake_for_people(const BakeSummary& summary)
+void tell_plan(const baker::BakeSettings& chord, const BakeOptions& options)
 {
-    BakeOutcome outcome;
-    {
-        ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(BakeStep::baking, summary.steps()));
-        outcome = run_job(summary.scene, summary.job, watch(printer));
-    }
-    tell_of_written(summary, [&] { tell_people(summary, outcome); });
+    const std::string by_hand = planner::options_of(chord);
+    if (options.progress == ProgressStyle::json)
+        print_json({{"layout", "chord"}, {"options", by_hand}, {"state", "planned"}});
+    else
+        std::printf("layout chord: %s\n  by hand: %s\n", planner::text_of(chord).c_str(), by_hand.c_str());
+    std::fflush(stdout);
 }
 
-void bake_for_machines(const BakeSummary& summary)
+nlohmann::json plan_json(const baker::SurfacePlan& plan, const baker::SurfaceLimits& limits)
 {
-    JsonProgress printer(stdout);
-    const BakeOutcome outcome = run_job(summary.scene, summary.job, watch(printer));
-    tell_of_written(summary, [&] { tell_machines(summary, outcome); });
+    nlohmann::json json = {{"budget_bytes", limits.bytes}, {"layout", "surface"},
+                           {"options", options_of(plan)},  {"most_bytes", plan.most_bytes},
+                           {"triangles", plan.triangles},  {"texels_per_radius", plan.settings.texels_per_radius},
+                           {"missed", plan.loss.missed}};
+    if (limits.ram) json.update({{"ram_bytes", plan.ram_bytes}, {"triangles_without_ram", plan.triangles_without_ram}});
+    return json;
+}
+
+nlohmann::json plan_json(const baker::BakeSettings& chord, uint64_t budget_bytes)
+{
+    return {{"layout", "chord"},
+            {"options", planner::options_of(chord)},
+            {"budget_bytes", budget_bytes},
+            {"bytes", baker::field_file_bytes(chord)}};
+}
+
+// A failure after the field is written costs its report, not the bake.
+void tell(const BakeSummary& summary)
+{
+    const auto warn = [&](const char* problem) {
+        std::fprintf(stderr,
+                     "lumi: warning: %s is written and whole, but what it shows cannot be said (%s); `lumi inspect` "
+                     "and `lumi report` say it\n",
+                     summary.name.c_str(), problem);
+    };
+    try {
+        summary.options.progress == ProgressStyle::json ? tell_machines(summary) : tell_people(summary);
+    } catch (const std::bad_alloc&) {
+        warn("memory does not suffice");
+    } catch (const Failure& error) {
+        warn(error.what());
+    }
+}
+
+void throw_interrupted(const std::string& output)
+{
+    const std::filesystem::path part = output + ".part", stages = baker::kept_stages(output);
+    for (const std::filesystem::path& kept : {part, stages})
+        if (!output.empty() && std::filesystem::exists(kept))
+            throw Interrupted(kept.string() + " keeps what is done; the same command goes on from there");
+    throw Interrupted();
 }
 
 }  // namespace lumi::tools

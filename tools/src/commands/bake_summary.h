@@ -1,45 +1,64 @@
 // SPDX-License-Identifier: MIT
-// What `lumi bake` says: what it chose, how far it is, what it wrote and what that is worth.
+// Messages of `lumi bake`: what it chose, how far it is, what it wrote and what that is worth.
 #pragma once
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <vector>
 
-#include "../planner/speed.h"
-#include "commands/bake_job.h"
-#include "commands/surface_choice.h"
-#include "lumi/host/view_memory.h"
+#include "commands/bake_options.h"
+#include "terminal/json_progress.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::tools
 {
 
 enum class BakeStep { planning, baking, measuring };
 
-// What progress begins with in a bake of so many steps: "2 of 3 baking: "; nothing where there is one.
-std::string step_text(BakeStep step, int steps);
+// The words that progress begins with in a bake of these options: "2 of 3 baking: "; nothing where there is one step.
+std::string step_text(BakeStep step, const BakeOptions& options);
+const char* name_of(BakeStep step);
 
+// Calls work(progress), whose progress is told as the options ask: for people on stderr, for machines on stdout.
+template <class Work>
+auto with_progress(BakeStep step, const BakeOptions& options, Work work)
+{
+    if (options.progress == ProgressStyle::json) {
+        JsonProgress printer(stdout, name_of(step));
+        return work(watch(printer));
+    }
+    ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(step, options));
+    return work(watch(printer));
+}
+
+// A bake that is done.
 struct BakeSummary {
     using Clock = std::chrono::steady_clock;
 
+    const BakeOptions& options;
     const baker::Scene& scene;
-    const BakeJob& job;
-    size_t warnings;
-    Clock::time_point start;
-    const std::vector<planner::Pace>& paces;  // that the field should be drawn at
-    std::optional<host::ScreenSize> screen;   // that was asked for
-    bool checks;  // whether it was planned by its mesh, and is judged by a few path-traced views
-
-    int steps() const { return !checks ? 1 : job.shard ? 2 : 3; }
+    std::string name, file;  // as the caller names it, and the file behind the name
+    bool is_shard = false;
+    double cap = 1;                                            // share of the sphere that eyes may look from
+    std::optional<baker::SurfaceBake> surface = std::nullopt;  // of a whole surface field
+    double rays = 0;                                           // light paths that the field was made of
+    uint64_t rays_saved = 0;
+    double seconds = 0;
+    size_t warnings = 0;
 };
 
 // The layout, its reason and its figures, before the bake; what a surface will not show goes to stderr. Returns how
 // many warnings that were.
-size_t tell_choice(const SurfaceChoice& choice, const planner::SurfaceTask& task, bool takes_surface, bool json);
+size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, bool takes_surface);
+void tell_plan(const baker::BakeSettings& chord, const BakeOptions& options);
+// The text that --plan writes.
+nlohmann::json plan_json(const baker::SurfacePlan& plan, const baker::SurfaceLimits& limits);
+nlohmann::json plan_json(const baker::BakeSettings& chord, uint64_t budget_bytes);
 
-// Both bake. For people: a bar or lines on stderr, a summary on stdout.
-void bake_for_people(const BakeSummary& summary);
-// For machines: nothing but JSON lines on stdout.
-void bake_for_machines(const BakeSummary& summary);
+// For people: a summary on stdout. For machines: a JSON line.
+void tell(const BakeSummary& summary);
+
+// Throws Interrupted, telling what is kept of a bake of `output`.
+[[noreturn]] void throw_interrupted(const std::string& output);
 
 }  // namespace lumi::tools

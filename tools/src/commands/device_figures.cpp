@@ -2,7 +2,6 @@
 #include "commands/device_figures.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "../planner/chord_speed.h"
 #include "draw/draw_surface.h"
@@ -12,14 +11,6 @@ namespace lumi::tools
 
 namespace
 {
-
-template <class... Values>
-std::string formatted(const char* pattern, Values... values)
-{
-    char text[200];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
 
 std::vector<planner::PartRate> of_device(std::vector<planner::PartRate> rates, const Device& device)
 {

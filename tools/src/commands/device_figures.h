@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a field takes on devices: RAM, stack, flash, and how fast named parts draw it by the planner's models.
+// The needs of a field on devices: RAM, stack, flash, and how fast named parts draw it by the planner's models.
 #pragma once
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,6 +14,15 @@
 
 namespace lumi::tools
 {
+
+// printf's text, at most 255 characters of it.
+template <class... Values>
+std::string formatted(const char* pattern, Values... values)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
 
 // A screen, and the parts that drive it.
 struct Device {

@@ -5,8 +5,7 @@
 
 #include "commands/commands.h"
 #include "commands/device_figures.h"
-#include "commands/pace_option.h"
-#include "commands/screen_options.h"
+#include "commands/device_options.h"
 #include "draw/field_picture.h"
 #include "files/field_mesh.h"
 #include "files/field_report.h"

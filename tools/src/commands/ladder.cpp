@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "../planner/chord_plan.h"
-#include "commands/bake_job.h"
-#include "commands/surface_choice.h"
-#include "terminal/progress_printer.h"
+#include "commands/bake_summary.h"
+#include "lumi/baker/surface.h"
 
 namespace lumi::tools
 {
@@ -58,24 +57,22 @@ public:
 private:
     bool bakes_surface(const Rung& rung, uint32_t paths, const std::string& file, const std::string& step)
     {
-        planner::SurfaceTask task;
-        task.budget_bytes = rung.bytes;
-        task.output = file;
-        task.settings.paths_per_texel = paths;
-        task.settings.threads = settings_.threads;
-        SurfaceChoice choice;
-        {
-            ProgressPrinter printer(stderr, stderr_is_terminal(), step + "planning: ");
-            choice = surface_choice(scene_, task, watch(printer));
-        }
-        if (!choice.plan.draft) {
-            std::fprintf(stderr, "no surface field of %s: %s\n", rung.size, choice.against.c_str());
+        baker::SurfaceSettings settings;
+        settings.paths_per_texel = paths;
+        settings.threads = settings_.threads;
+        baker::SurfaceLimits limits;
+        limits.bytes = rung.bytes;
+        baker::SurfacePlan plan;
+        in_step(file, step + "planning: ", [&](const baker::ProgressCallback& progress) {
+            plan = baker::plan_surface(scene_, settings, limits, progress, file);
+        });
+        if (!plan.mesh) {
+            std::fprintf(stderr, "no surface field of %s: %s\n", rung.size, plan.against.c_str());
             return false;
         }
-        BakeJob job = job_of(file);
-        job.surface = choice.plan.settings;
-        job.draft = choice.plan.draft;
-        run(job, step);
+        in_step(file, step + "baking: ", [&](const baker::ProgressCallback& progress) {
+            baker::bake_surface(scene_, plan, file, progress);
+        });
         return true;
     }
 
@@ -86,23 +83,22 @@ private:
         task.settings.texel = TexelFormat::palette8;
         task.settings.samples = paths;
         task.settings.threads = settings_.threads;
-        BakeJob job = job_of(file);
-        job.settings = planner::plan_chord(task);
-        run(job, step);
+        const baker::BakeSettings plan = planner::plan_chord(task);
+        in_step(file, step + "baking: ", [&](const baker::ProgressCallback& progress) {
+            baker::bake_field(scene_, plan, file, progress);
+        });
         return true;
     }
 
-    static BakeJob job_of(const std::string& file)
+    template <class Work>
+    static void in_step(const std::string& file, const std::string& step, Work work)
     {
-        BakeJob job;
-        job.name = job.target = file;
-        return job;
-    }
-
-    void run(const BakeJob& job, const std::string& step)
-    {
-        ProgressPrinter printer(stderr, stderr_is_terminal(), step + "baking: ");
-        run_job(scene_, job, watch(printer));
+        try {
+            ProgressPrinter printer(stderr, stderr_is_terminal(), step);
+            work(watch(printer));
+        } catch (const baker::Cancelled&) {
+            throw_interrupted(file);
+        }
     }
 
     const baker::Scene& scene_;

@@ -89,7 +89,7 @@ void run(const RenderOptions& options, const Stages& stages)
         std::printf("%s\n", path.c_str());
 }
 
-// What is wrong with the word; nothing if it is a mode.
+// Says what is wrong with the word; nothing if it is a mode.
 std::string known_mode(const std::string& word)
 {
     const auto has = [&](const auto& choices) {

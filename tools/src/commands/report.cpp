@@ -10,8 +10,8 @@
 #include "../trade/text.h"
 #include "commands/commands.h"
 #include "commands/device_figures.h"
+#include "commands/device_options.h"
 #include "commands/ladder.h"
-#include "commands/pace_option.h"
 #include "commands/scene_options.h"
 #include "files/output_file.h"
 #include "program/choice.h"
@@ -108,7 +108,7 @@ void tell_trade(const ReportOptions& options, const quality::ReportData& report,
     if (!options.output.empty()) write_output(options.output, page_of(report, lead_of(trade, report)));
 }
 
-// Of this scene, in the cache.
+// The pictures of this scene, in the cache.
 std::filesystem::path folder_of(const ReportOptions& options, const baker::Scene& scene)
 {
     return std::filesystem::path(options.cache) / quality::cache_key(scene);
@@ -140,7 +140,7 @@ void run(ReportOptions& options)
         tell_trade(options, report, trade::trade_of(report, fields, options.paces, {ladder.bakes, kept}));
 }
 
-// What --quick leaves to the caller where the caller says it.
+// Values that --quick leaves to the caller where the caller says them.
 void make_quick(const CLI::App& command, ReportOptions& options)
 {
     constexpr int kViews = 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lumi bake` and `lumi reference` share: the scene, and how it is read.
+// Options that `lumi bake` and `lumi reference` share: the scene, and how it is read.
 #pragma once
 
 #include <CLI/CLI.hpp>

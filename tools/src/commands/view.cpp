@@ -103,7 +103,7 @@ std::string page_of(const PageOptions& options, const FieldFile& file)
     return html_of(page);
 }
 
-// What the page's eye keeps to: platform/wasm/viewer.cpp.
+// The limits of the page's eye: platform/wasm/viewer.cpp.
 void require_in_reach(const host::Orbit& orbit)
 {
     constexpr double kNearest = 1.25, kFarthest = 8;

@@ -3,7 +3,6 @@
 
 #include "lumi/chord/texel.h"
 #include "lumi/detail/lattice.h"
-#include "planner/no_plan.h"
 #include "terminal/text.h"
 
 namespace lumi::planner
@@ -12,7 +11,7 @@ namespace lumi::planner
 namespace
 {
 
-// What is not set by hand has this many points.
+// A lattice that is not set by hand has this many points.
 baker::BakeSettings sized(const ChordTask& task, uint32_t points)
 {
     baker::BakeSettings s = task.settings;

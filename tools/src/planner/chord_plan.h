@@ -4,12 +4,18 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 #include "lumi/baker/chord.h"
 
 namespace lumi::planner
 {
+
+// No plan fits; what() says what would.
+struct NoPlan : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 struct ChordTask {
     uint64_t budget_bytes = 0;
@@ -18,7 +24,7 @@ struct ChordTask {
     std::function<uint32_t(uint32_t origins)> cap;  // how many of so many origins are kept; empty: all
 };
 
-// The largest that fits. Throws NoPlan (no_plan.h) where nothing does, BakeError for what cannot be baked in any size.
+// The largest that fits. Throws NoPlan where nothing does, BakeError for what cannot be baked in any size.
 baker::BakeSettings plan_chord(const ChordTask& task);
 
 // "700 origins (uppermost 630), 700 directions, palette8, 441 kB".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame of a chord field takes, counted: the pieces that core cuts its stripes into, and the lattice points that
+// Counts the work of a frame of a chord field: the pieces that core cuts its stripes into, and the lattice points that
 // its pixels read.
 #pragma once
 

@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    // Of the triangle's area, a power of two.
+    // The triangle's area as a power of two.
     double share_of(const detail::Corner (&c)[3]) const
     {
         const auto area = [](double au, double av, double bu, double bv) { return std::fabs(au * bv - bu * av); };

@@ -9,7 +9,7 @@
 namespace lumi::planner
 {
 
-// What the loops add to, which take nothing but rows.
+// Counts of the loops that take nothing but rows.
 inline thread_local SurfaceWork* counted = nullptr;
 
 inline void add(SurfaceItem item, double count = 1)
@@ -44,7 +44,7 @@ inline constexpr LoopItems kSeeMagnified = {SurfaceItem::see_loop,
                                             SurfaceItem::see_rim,
                                             SurfaceItem::see_blended};
 
-// Of a sample that is read bilinearly: whether its texels differ, and whether they lie at their rectangle's rim.
+// Says of a sample that is read bilinearly whether its texels differ, and whether they lie at their rectangle's rim.
 struct FourTexelsKind {
     bool differ, at_rim;
 

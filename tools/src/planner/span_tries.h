@@ -24,7 +24,7 @@ public:
     }
     void begin_tile(const detail::Piece& tile) { tile_x_ = tile.x; }
 
-    // Of a span or a checked piece.
+    // Counts of a span or a checked piece.
     bool is_shortened(const detail::Piece& span) const
     {
         const detail::Extent& covered = covered_[row_of(span)];

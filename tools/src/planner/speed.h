@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a rate is asked for: the modes of chord fields, parts and paces. What rates they have: chord_speed.h.
+// The modes of chord fields, parts and paces for which rates are asked. chord_speed.h tells the rates.
 #pragma once
 
 #include <optional>
@@ -21,12 +21,12 @@ struct ChordMode {
 // Dearest and best first.
 const std::vector<ChordMode>& chord_modes();
 
-// What --for asks for.
+// A part and a pace, as --for asks for them.
 struct Pace {
     const Chip* chip;
     double frames_per_second;
 };
-// Of a part without a rate: an object that people turn moves, and does not jump.
+// The pace of a part without a rate: an object that people turn moves, and does not jump.
 inline constexpr double kUsualPace = 10;
 
 // "rp2040@30fps", "rp2040"; nothing for other texts, unknown parts and rates that are not above 0.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame of a surface field takes, counted while it is drawn: its triangles go through core's own steps, stripe
+// Counts the work of a frame of a surface field while it is drawn: its triangles go through core's own steps, stripe
 // by stripe.
 #pragma once
 
@@ -98,7 +98,7 @@ struct SurfaceWork {
     double operator[](SurfaceItem item) const { return count[static_cast<size_t>(item)]; }
 };
 
-// Of a frame of RGB565 over black, in stripes of so many scanlines.
+// Counts a frame of RGB565 over black, in stripes of so many scanlines.
 SurfaceWork work_of(const SeeThroughField& field, const tools::Eye& eye, SurfaceMode mode, int32_t stripe_rows);
 
 }  // namespace lumi::planner

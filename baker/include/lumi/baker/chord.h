@@ -14,7 +14,7 @@
 namespace lumi::baker
 {
 
-// What a texel is the mean of. Its lattice cells are taken as discs of their points' share of the sphere's area.
+// The rays whose mean a texel is. Its lattice cells are taken as discs of their points' share of the sphere's area.
 enum class Footprint : uint8_t {
     point,   // the one ray from origin point to direction point: sharp and aliased
     origin,  // rays from all over the origin's cell: the paper's
@@ -57,8 +57,8 @@ uint32_t shard_rows(const BakeSettings& settings, const Shard& shard);
 void bake_field(const Scene& scene, const BakeSettings& settings, const std::filesystem::path& output,
                 const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
 
-// The same for one shard of the rows; `output` becomes a shard file, for merge_shards. A complete shard file of the
-// same bake is left as it is; of a damaged one only the damaged rows are traced again.
+// Does the same for one shard of the rows; `output` becomes a shard file, for merge_shards. A complete shard file of
+// the same bake is left as it is; of a damaged one only the damaged rows are traced again.
 void bake_shard(const Scene& scene, const BakeSettings& settings, const Shard& shard,
                 const std::filesystem::path& output, const ProgressCallback& progress = {},
                 Earlier earlier = Earlier::resume);

@@ -4,7 +4,7 @@
 // While a FileGuard lives, all that read a file of the user's note it here, and all that write one ask here; without a
 // guard the functions do nothing. Two names are one file if they lead to the same device and inode, through symbolic
 // links or hard ones. Devices, pipes and folders hold nothing that an output could destroy: they never clash.
-// What a bake leaves for itself (an earlier output, a shard, a checkpoint) is no input of it.
+// The files that a bake leaves for itself (an earlier output, a shard, a checkpoint) are no inputs of it.
 #pragma once
 
 #include <filesystem>

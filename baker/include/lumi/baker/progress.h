@@ -11,7 +11,7 @@
 namespace lumi::baker
 {
 
-// What a long computation does at the moment.
+// The work that a long computation does at the moment.
 enum class Stage : uint8_t {
     light,    // rays are traced
     mesh,     // a surface field's mesh is made; rays stand for work that takes as long
@@ -72,7 +72,7 @@ public:
     // left of a whole, and no ETA is told.
     explicit JobSeries(ProgressCallback progress, uint64_t rays_total = 0);
 
-    // What the next job reports to; it keeps a reference. rays: its share of rays_total.
+    // The next job reports to this; it keeps a reference. rays: its share of rays_total.
     ProgressCallback next(uint64_t rays = 0);
     // Counts a job that need not run.
     void skip(uint64_t rays);

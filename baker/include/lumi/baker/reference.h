@@ -19,7 +19,7 @@ struct RgbaImage {
     std::vector<uint8_t> rgba;
 };
 
-// The same in linear light: r, g, b as the scene's lights send it, without its exposure and its tone curve,
+// That picture in linear light: r, g, b as the scene's lights send it, without its exposure and its tone curve,
 // premultiplied by the coverage a, 0 to 1.
 struct RadianceImage {
     int width = 0, height = 0;

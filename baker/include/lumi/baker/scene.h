@@ -18,8 +18,8 @@
 namespace lumi::baker
 {
 
-// What a file says cannot be baked. what() reads "file:line: what is wrong; how to mend it"; the line is left out where
-// the fault has none.
+// A file asks for something that cannot be baked. what() reads "file:line: what is wrong; how to mend it"; the line is
+// left out where the fault has none.
 struct SceneError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -48,7 +48,7 @@ Environment studio_environment();
 // `warnings`.
 Environment picture_environment(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
-// What the colours of MTL files are: linear light, or encoded (sRGB) as a display shows them. Unstated: linear, and a
+// The scale of colours in MTL files: linear light, or encoded (sRGB) as a display shows them. Unstated: linear, and a
 // warning where they look encoded.
 enum class ColourScale : uint8_t { unstated, linear, display };
 
@@ -70,7 +70,7 @@ struct NamedView {
     double fov_y_degrees;
 };
 
-// What is left open here is as the scene file says, or else the default.
+// Options that are left open here are as the scene file says, or else the default.
 struct LoadOptions {
     std::optional<UpAxis> up = std::nullopt;  // y
     // The sphere's radius is the smallest one around all triangles times (1 + margin), so that nothing touches it. >=
@@ -108,7 +108,7 @@ public:
     size_t triangle_count() const;
     size_t material_count() const;
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
-    // What was chosen of the light, because files and options leave it open: a sentence each.
+    // Choices about the light that files and options leave open: a sentence each.
     const std::vector<std::string>& notes() const;
     // In the order of the file. Names may come twice or be empty.
     const std::vector<NamedView>& views() const;

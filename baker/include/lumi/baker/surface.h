@@ -9,13 +9,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lumi/baker/bake.h"
-#include "lumi/baker/mesh_loss.h"
 #include "lumi/baker/progress.h"
 #include "lumi/baker/scene.h"
+#include "lumi/host/view_memory.h"
 
 namespace lumi::baker
 {
@@ -33,6 +34,68 @@ struct SurfaceSettings {
     unsigned threads = 0;  // 0 = as many as the machine has
 };
 
+// The errors of the mesh, in shares of the rays that meet the scene.
+struct MeshLoss {
+    double missed = 0;              // the mesh is not there
+    double missed_see_through = 0;  // of that: where see-through parts are
+    double added = 0;               // the ray meets the mesh, but not the scene
+    double displaced = 0;           // the depths differ by more than a twentieth of the radius
+
+    // The share of the scene itself that is thinner than a pixel at 240 x 240; 0 where light may pass through surfaces.
+    double thin = 0;
+
+    // Known for the mesh of a surface field only:
+    bool rough = false;         // simplified without regard to the shape's topology, because nothing else got there
+    uint32_t holes = 0;         // regions of more than 2 pixels that its silhouettes lack, 24 of 240 × 240 pixels
+    uint32_t largest_hole = 0;  // pixels
+};
+
+// For the user, each the part of a sentence.
+struct MeshWarning {
+    std::string problem;
+    std::string remedy;  // in the scene, or by another layout; may be empty
+    bool more_triangles_help =
+        false;  // settings with more triangles are a remedy, too; not where the scene has no more
+};
+
+// A view that draws up to `antialiased`, and its stripe, take at most so much RAM.
+struct RamLimit {
+    uint64_t bytes;
+    host::ScreenSize screen;
+};
+
+// The limits that a field must keep to, and which settings a plan may choose for that.
+struct SurfaceLimits {
+    uint64_t bytes = 500'000;
+    std::optional<RamLimit> ram = std::nullopt;
+    bool chooses_triangles = true, chooses_edge = true, chooses_density = true;
+};
+
+inline constexpr uint32_t kMostPlannedTriangles = 6000;  // more are asked for by hand
+
+struct BuiltMesh;  // baker's own, see baker/src
+
+// All that is decided of a field before its light is traced.
+struct SurfacePlan {
+    SurfaceSettings settings;
+    // Null: a bake makes the mesh of the settings when it needs one.
+    std::shared_ptr<const BuiltMesh> mesh = nullptr;
+    uint32_t triangles = 0;  // of the mesh, as what follows
+    MeshLoss loss = {};
+    std::vector<MeshWarning> warnings = {};
+    uint64_t most_bytes = 0;             // of the file, if every vertex gets a view table
+    uint64_t ram_bytes = 0;              // 0 where there is no limit
+    uint32_t triangles_without_ram = 0;  // of the mesh that the limit of RAM made coarser; 0: it did not
+    std::string against = {};            // why a chord field does the scene more justice, with figures; may be empty
+};
+
+// From a scene to the mesh of its field. A mesh or two are made, which takes seconds to a minute, and a few more where
+// RAM is scarce. If the name of the field is given, the steps that are done are kept beside it, and found there. Where
+// no surface field can hold the scene or keep to the limits, the plan has no mesh, and `against` tells why. Throws
+// Cancelled.
+SurfacePlan plan_surface(const Scene& scene, const SurfaceSettings& settings, const SurfaceLimits& limits,
+                         const ProgressCallback& progress = {}, const std::filesystem::path& output = {});
+
 struct SurfaceBake {
     std::vector<uint8_t> file;
     uint32_t vertices = 0, viewed_vertices = 0, triangles = 0, texels = 0;
@@ -40,60 +103,26 @@ struct SurfaceBake {
     uint64_t paths = 0;  // that meet the mesh where the scene is
 };
 
-struct BuiltMesh;  // baker's own, see baker/src
-
-// The mesh of a surface field before any light is traced: what the file will take, and what the mesh gets wrong.
-class SurfaceDraft
-{
-public:
-    // Only the settings triangles, longest edge, cap and threads matter. If the name of the field is given, the steps
-    // of the mesh that are done are kept beside it, and found there. Throws BakeError for a scene that no surface field
-    // can hold, Cancelled.
-    SurfaceDraft(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {},
-                 const std::filesystem::path& output = {});
-    ~SurfaceDraft();
-    SurfaceDraft(SurfaceDraft&&) noexcept;
-    SurfaceDraft& operator=(SurfaceDraft&&) noexcept;
-
-    uint32_t triangles() const;  // 0: there is no surface
-    // What the field will have; patches are opaque ones, see-through ones besides.
-    uint32_t vertices() const;
-    uint32_t patches() const;
-    uint32_t see_through_patches() const;
-    const MeshLoss& loss() const;
-    const std::vector<MeshWarning>& warnings() const;
-    // The file's bytes if every vertex gets a view table. Throws BakeError for more texels than the format holds.
-    uint64_t most_bytes(float texels_per_radius) const;
-
-    const BuiltMesh& built() const { return *built_; }
-
-private:
-    std::unique_ptr<BuiltMesh> built_;
-};
-
 // The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel. Throws BakeError
-// for settings that no field can hold, Cancelled. A `draft` of the same scene and settings saves building its mesh
-// again.
-SurfaceBake surface_field(const Scene& scene, const SurfaceSettings& settings, const ProgressCallback& progress = {},
-                          const SurfaceDraft* draft = nullptr);
+// for scenes and settings that no field can hold, Cancelled.
+SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const ProgressCallback& progress = {});
 
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
 // checkpoint keeps the mesh and the sums of what is traced, written every few seconds and when a bake is cancelled.
 // A file of stages beside it keeps the parts of mesh, pilot and solution that are done.
 // Disk: about three times the sums, which take some hundred bytes a texel; of the pilot 2 kB a texel, at most 480 MB.
 // Throws BakeError, Cancelled; either way both stay.
-SurfaceBake bake_surface(const Scene& scene, const SurfaceSettings& settings, const std::filesystem::path& output,
-                         const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume,
-                         const SurfaceDraft* draft = nullptr);
+SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output,
+                         const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
+
+// Does the same for one shard of the light paths, as bake_shard does. Each shard traces the pilot for itself, about 65
+// paths a texel: that share of the work is not divided.
+void bake_surface_shard(const Scene& scene, const SurfacePlan& plan, const Shard& shard,
+                        const std::filesystem::path& output, const ProgressCallback& progress = {},
+                        Earlier earlier = Earlier::resume);
 
 // Where the stages of a bake of `output` are kept that was begun and is not done; empty if there are none.
 std::filesystem::path kept_stages(const std::filesystem::path& output);
 void discard_stages(const std::filesystem::path& output);
-
-// The same for one shard of the light paths, as bake_shard does. Each shard traces the pilot for itself, about 65 paths
-// a texel: that share of the work is not divided.
-void bake_surface_shard(const Scene& scene, const SurfaceSettings& settings, const Shard& shard,
-                        const std::filesystem::path& output, const ProgressCallback& progress = {},
-                        Earlier earlier = Earlier::resume);
 
 }  // namespace lumi::baker

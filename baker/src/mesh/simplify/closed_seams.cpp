@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/simplify/closed_seams.h"
+#include "mesh/simplify/steps.h"
 
 #include <algorithm>
 #include <array>

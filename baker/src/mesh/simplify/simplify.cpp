@@ -9,9 +9,7 @@
 #include <unordered_map>
 
 #include "geometry/components.h"
-#include "mesh/simplify/closed_seams.h"
-#include "mesh/simplify/flaps.h"
-#include "mesh/simplify/thin_parts.h"
+#include "mesh/simplify/steps.h"
 #include "util/disjoint_sets.h"
 
 namespace lumi::baker
@@ -148,7 +146,7 @@ Parted parted(const std::vector<Vec3>& positions, const Indices& indices)
     return result;
 }
 
-// What lies between two copies of a vertex has no area once they are one again.
+// A triangle between two copies of a vertex has no area once they are one again.
 Indices simplified_in_parts(size_t triangles, const std::vector<Vec3>& positions, const Indices& indices)
 {
     const Parted parts = parted(positions, indices);
@@ -179,7 +177,7 @@ Fewer fewer_of(const std::vector<Vec3>& positions, const Triangles& whole, size_
     return {triangles_of(indices), rough};
 }
 
-// Of a triangle, where the mesh has so many.
+// The mean area of a triangle, where the mesh has so many.
 double mean_area(const Mesh& mesh, size_t triangles)
 {
     double area = 0;
@@ -187,7 +185,7 @@ double mean_area(const Mesh& mesh, size_t triangles)
     return area / static_cast<double>(triangles);
 }
 
-// What gapes less is closed, since edges will be longer: a tenth of the mean one, and a pixel at 240 x 240 at most.
+// Narrower gaps are closed, since edges will be longer: a tenth of the mean one, and a pixel at 240 x 240 at most.
 float seam_of(const Mesh& mesh, size_t triangles)
 {
     constexpr double kShareOfEdge = 0.1, kMost = 1.0 / 120;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/simplify/thin_parts.h"
+#include "mesh/simplify/steps.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -101,7 +101,7 @@ public:
 
     size_t kept() const { return kept_; }
 
-    // Of those that are not kept.
+    // Only triangles that are not kept count.
     Triangles rest() const
     {
         Triangles rest;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "material/stretch.h"
+#include "material/material.h"
 #include "model/gltf/extensions.h"
 #include "model/gltf/textures.h"
 

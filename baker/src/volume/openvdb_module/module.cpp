@@ -135,7 +135,7 @@ private:
         return *last;
     }
 
-    // What can be known before the grid's tree takes memory.
+    // These checks come before the grid's tree takes memory.
     void check_head(const GridDescriptor& grid)
     {
         const FloatGrid::Ptr head = FloatGrid::create();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/extra_chances.h"
+#include "fit/path_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,12 @@ namespace lumi::baker
 {
 namespace
 {
+
+constexpr uint64_t kShareSeedOffset = 0x73686172;
+constexpr uint32_t kShareBatches = 16;
+constexpr double kPilotPaths = 65;        // a texel; more gain nothing
+constexpr double kMaxPilotPaths = 1.6e7;  // for all texels together: they are kept in memory
+constexpr double kExtraShare = 0.33;      // extra paths: 1 line of 4 beside 3
 
 constexpr double kPrior = 8;        // paths of the mean variance that a patch of few paths is given besides its own
 constexpr double kLeastOwn = 0.25;  // of a variance that was measured around means of the same paths
@@ -88,6 +94,35 @@ std::vector<float> extra_chances(const FitSums& pilot, double pilot_lines, doubl
     std::vector<float> result;
     for (const double l : lines) result.push_back(static_cast<float>(all > 0 ? l / all : 0));
     return all > 0 ? result : std::vector<float>();
+}
+
+PathPlan::PathPlan(const SurfaceSettings& settings, const Shard& shard, const FitShape& shape,
+                   const SampleTracer& tracer)
+    : shard_(shard), texels_(shape.layout.texels), paths_per_texel_(settings.paths_per_texel)
+{
+    uint32_t lines = 0;
+    for (uint32_t k = 0; k < kShareBatches; ++k) lines += tracer.meeting(settings.seed + kShareSeedOffset, k).scene;
+    paths_per_batch_ = std::max(1.0, lines / static_cast<double>(kShareBatches));
+}
+
+uint32_t PathPlan::batches_for(double paths) const
+{
+    return static_cast<uint32_t>(std::ceil(paths / paths_per_batch_));
+}
+
+uint32_t PathPlan::pilot_batches() const
+{
+    return batches_for(std::min(kPilotPaths * texels_, kMaxPilotPaths));
+}
+
+uint32_t PathPlan::batches() const
+{
+    return (batches_for(paths_per_texel_ * texels_) + shard_.count - shard_.index) / shard_.count;
+}
+
+std::vector<float> PathPlan::extra_chances(const FitSums& pilot) const
+{
+    return baker::extra_chances(pilot, double{SampleTracer::kLines} * pilot_batches(), kExtraShare);
 }
 
 }  // namespace lumi::baker

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "commands/screen_options.h"
+#include "commands/device_options.h"
 
 #include "lumi/camera.h"
 #include "program/option_checks.h"
@@ -7,6 +7,24 @@
 
 namespace lumi::tools
 {
+
+void add_pace_option(CLI::App& command, std::vector<planner::Pace>& paces, const std::string& description)
+{
+    const auto set = [&paces](const std::vector<std::string>& words) {
+        for (const std::string& word : words) {
+            const auto pace = planner::parse_pace(word);
+            if (!pace)
+                throw CLI::ValidationError("--for",
+                                           "takes parts with or without a frame rate, such as rp2040 or "
+                                           "rp2040@30fps, with " +
+                                               planner::chip_names() + ", not \"" + word + "\"");
+            paces.push_back(*pace);
+        }
+    };
+    command.add_option_function<std::vector<std::string>>("--for", set, description + ": " + planner::chip_names())
+        ->delimiter(',')
+        ->type_name("PART[@RATEfps],...");
+}
 
 void add_screen_options(CLI::App& command, host::ScreenSize& screen)
 {

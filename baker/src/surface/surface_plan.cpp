@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// From limits to the settings of a surface field and its mesh. Triangles come first, texels get the bytes that are
+// left.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fit/fit_shape.h"
+#include "lumi/baker/surface.h"
+#include "lumi/surface/format.h"
+#include "mesh/patch_mesh.h"
+#include "pack/view_quantiser.h"
+#include "store/bake_stages.h"
+#include "store/checkpoint.h"
+#include "store/section_writer.h"
+#include "trace/catcher.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr double kBytesATriangle = 90;  // bytes of the budget; with split edges and view tables the mesh takes about 35
+constexpr uint32_t kFewestTriangles = 100;
+constexpr double kMostForMesh = 0.5;  // share of the budget
+constexpr float kLongestEdge = 0.6f, kLongerEdge = 1.4f;
+
+// Texels along a line of one radius, in steps that options can name.
+constexpr int kStepsARadius = 10;
+constexpr int kCoarsest = kStepsARadius, kFinest = 250 * kStepsARadius;  // a 480-pixel display shows no more
+
+// Shares of the light paths that meet a scene. A chord field does it more justice if more miss the mesh. The edge of a
+// volume is soft, so many of its paths stop off the mesh and no hole is seen. Leaves that are left out of a cloud of
+// them may be as many.
+constexpr double kMostMissed = 0.05, kMostMissedOfVolume = 0.25;
+constexpr double kMostWrong = 0.3;  // share of paths where the mesh is added or displaced, other than in volumes
+
+template <class... Values>
+std::string formatted(const char* format, Values... values)
+{
+    char text[200];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+float density_of(int steps)
+{
+    return static_cast<float>(steps) / kStepsARadius;
+}
+
+// Bytes of the file if every vertex gets a view table. Throws BakeError for more texels than the format holds.
+uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius)
+{
+    constexpr size_t kSections = 7;  // of opaque fields
+    const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
+    const uint64_t texels = layout_of(mesh, texels_per_radius).texels;
+    const bool has_see_through = mesh.see_through_patches != 0;
+    const size_t sections = kSections + (has_see_through ? 1 : 0);
+    uint64_t bytes = aligned(detail::format::kHeaderBytes + sections * detail::format::kEntryBytes);
+    for (const uint64_t section :
+         {uint64_t{detail::format::kSurfaceBytes}, vertices * detail::format::kVertexBytes,
+          patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
+          patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh)})
+        bytes += aligned(section);
+    return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
+}
+
+bool fits(const PatchMesh& mesh, int steps, uint64_t budget)
+{
+    try {
+        return most_bytes(mesh, density_of(steps)) <= budget;
+    } catch (const BakeError&) {
+        return false;  // more texels than the format holds
+    }
+}
+
+// Precondition: the coarsest fits.
+int finest_that_fits(const PatchMesh& mesh, uint64_t budget)
+{
+    int low = kCoarsest, high = kFinest + 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        (fits(mesh, middle, budget) ? low : high) = middle;
+    }
+    return low;
+}
+
+uint32_t triangles_for(double bytes)
+{
+    return static_cast<uint32_t>(
+        std::clamp(bytes / kBytesATriangle, double{kFewestTriangles}, double{kMostPlannedTriangles}));
+}
+
+// Splitting edges takes some kilobytes, however few triangles there are.
+float edge_for(double bytes)
+{
+    constexpr double kShort = 0.2, kBytesForShort = 100'000;
+    return static_cast<float>(std::clamp(kShort * std::sqrt(kBytesForShort / bytes), kShort, double{kLongestEdge}));
+}
+
+// RAM of a view as `lumi embed` writes it unless a program says otherwise, and of its stripe.
+uint64_t ram_of(const PatchMesh& mesh, const host::ScreenSize& screen)
+{
+    const host::SurfaceCounts counts = {static_cast<uint32_t>(mesh.positions.size()), mesh.opaque_patches(),
+                                        SurfaceMode::antialiased, mesh.see_through_patches};
+    return uint64_t{host::surface_view_bytes<PixelRgb565>(counts, screen)} +
+           host::stripe_pixel_bytes<PixelRgb565>(screen);
+}
+
+bool has_bending_glass(const SceneData& scene)
+{
+    return std::any_of(
+        scene.mesh.materials.begin(), scene.mesh.materials.end(),
+        [&](uint32_t material) { return scene.materials[material].glass; });
+}
+
+class Planner
+{
+public:
+    Planner(const Scene& scene, const SurfaceLimits& limits, const ProgressCallback& progress,
+            const std::filesystem::path& output)
+        : scene_(scene), limits_(limits), trials_(progress), output_(output)
+    {
+    }
+
+    // Makes meshes until one keeps to the limits.
+    void plan(SurfacePlan& plan)
+    {
+        const auto budget = static_cast<double>(limits_.bytes);
+        if (limits_.chooses_triangles) plan.settings.triangles = triangles_for(budget);
+        if (limits_.chooses_edge) plan.settings.longest_edge = edge_for(budget);
+        do {
+            take_mesh(plan);
+            if (plan.triangles == 0) throw BakeError("no light path meets a surface");
+        } while (shrinks_to_bytes(plan) || shrinks_to_ram(plan));
+        if (limits_.chooses_density)
+            plan.settings.texels_per_radius = density_of(finest_that_fits(plan.mesh->mesh, limits_.bytes));
+        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius);
+    }
+
+private:
+    void take_mesh(SurfacePlan& plan)
+    {
+        MeshSettings settings;
+        settings.triangles = plan.settings.triangles;
+        settings.longest_edge = plan.settings.longest_edge;
+        settings.cap = ViewCap(plan.settings.cap);
+        Job job(mesh_work(scene_.data(), settings), plan.settings.threads, trials_.next());
+        BakeStages stages(output_.empty() ? output_ : stages_of(output_), scene_.fingerprint());
+        const auto built = std::make_shared<const BuiltMesh>(build_mesh(scene_.data(), settings, stages, job));
+        plan.mesh = built;
+        plan.triangles = triangle_count(built->mesh);
+        plan.loss = built->loss;
+        plan.warnings = built->warnings;
+        if (has_bending_glass(scene_.data()))
+            plan.warnings.push_back(
+                {"the scene has bodies of glass, of which a surface field shows a coarse colour that depends on the "
+                 "view",
+                 "give thin panes an opacity (d) instead"});
+    }
+
+    // Whether the mesh takes too many of the bytes, and the settings ask for a smaller one now.
+    bool shrinks_to_bytes(SurfacePlan& plan) const
+    {
+        const float density = limits_.chooses_density ? density_of(kCoarsest) : plan.settings.texels_per_radius;
+        const uint64_t least = most_bytes(plan.mesh->mesh, density);
+        const auto budget = static_cast<double>(limits_.bytes);
+        const double most = limits_.chooses_density && limits_.chooses_triangles ? kMostForMesh * budget : budget;
+        if (static_cast<double>(least) <= most) return false;
+        const double share = static_cast<double>(least) / budget;
+        SurfaceSettings& s = plan.settings;
+        if (shrink(s, kLongerEdge * s.longest_edge, s.triangles * std::min(0.8, 0.5 / share))) return true;
+        if (least > limits_.bytes)
+            throw BakeError("nothing fits into " + std::to_string(limits_.bytes) +
+                            " bytes; the smallest that works takes " + std::to_string(least) + " bytes");
+        return false;
+    }
+
+    // Does the same for RAM, but to the size.
+    bool shrinks_to_ram(SurfacePlan& plan) const
+    {
+        constexpr double kLeastStep = 0.95;  // so that there are few meshes
+        if (!limits_.ram) return false;
+        const host::ScreenSize& screen = limits_.ram->screen;
+        plan.ram_bytes = ram_of(plan.mesh->mesh, screen);
+        if (plan.ram_bytes <= limits_.ram->bytes) return false;
+        if (plan.triangles_without_ram == 0) plan.triangles_without_ram = plan.triangles;
+        const uint64_t least = ram_of({}, screen);  // does not depend on the mesh
+        const double room = static_cast<double>(limits_.ram->bytes) - static_cast<double>(least),
+                     needed = static_cast<double>(plan.ram_bytes) - static_cast<double>(least);
+        const double share = std::min(kLeastStep, room / needed);
+        SurfaceSettings& s = plan.settings;
+        if (room > 0 && shrink(s, s.longest_edge / static_cast<float>(std::sqrt(share)), s.triangles * share))
+            return true;
+        throw BakeError("view and stripe of " + std::to_string(screen.stripe_rows()) + " rows take " +
+                        std::to_string(plan.ram_bytes) + " bytes of RAM with a mesh of " +
+                        std::to_string(plan.triangles) + " triangles, " + std::to_string(least) +
+                        " without any; give more --ram, or fewer --rows");
+    }
+
+    // First by longer edges, since splitting them shows less than triangles do. False where it cannot be.
+    bool shrink(SurfaceSettings& s, float longer_edge, double fewer_triangles) const
+    {
+        if (limits_.chooses_edge && s.longest_edge < kLongestEdge) {
+            s.longest_edge = std::min(kLongestEdge, longer_edge);
+            return true;
+        }
+        if (!limits_.chooses_triangles || s.triangles <= kFewestTriangles) return false;
+        s.triangles = std::max(kFewestTriangles, static_cast<uint32_t>(fewer_triangles));
+        return true;
+    }
+
+    const Scene& scene_;
+    const SurfaceLimits& limits_;
+    JobSeries trials_;
+    const std::filesystem::path& output_;
+};
+
+std::string against(const SurfacePlan& plan, bool of_volume)
+{
+    const MeshLoss& loss = plan.loss;
+    const bool lacks_leaves = loss.missed_see_through > kMostMissedOfVolume;
+    const double limit = of_volume || lacks_leaves ? kMostMissedOfVolume : kMostMissed,
+                 wrong = loss.added + loss.displaced;
+    if (lacks_leaves || loss.missed - loss.missed_see_through > limit)
+        return formatted(
+            "of the light paths that meet the scene %.1f %% miss a mesh of %u triangles (limit %.0f %%), "
+            "%.1f %% meet it elsewhere",
+            100 * loss.missed, plan.triangles, 100 * limit, 100 * loss.displaced);
+    if (of_volume || wrong <= kMostWrong) return "";
+    return formatted(
+        "for 100 light paths that meet the scene %.1f meet a mesh of %u triangles where the scene is not (limit %.0f)",
+        100 * wrong, plan.triangles, 100 * kMostWrong);
+}
+
+}  // namespace
+
+SurfacePlan plan_surface(const Scene& scene, const SurfaceSettings& settings, const SurfaceLimits& limits,
+                         const ProgressCallback& progress, const std::filesystem::path& output)
+{
+    SurfacePlan plan = {settings};
+    try {
+        require_partial_coverage(scene.data(), false);
+        Planner(scene, limits, progress, output).plan(plan);
+        plan.against = against(plan, scene.mesh_is_shell());
+        return plan;
+    } catch (const BakeError& error) {
+        SurfacePlan none = {settings};
+        none.against = error.what();
+        return none;
+    }
+}
+
+}  // namespace lumi::baker

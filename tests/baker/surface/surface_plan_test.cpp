@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// From limits to the mesh and texels of a surface field.
+#include <catch2/catch.hpp>
+
+#include "lumi/surface/field.h"
+#include "lumi/surface/format.h"
+#include "surface/surface_scenes.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+constexpr SurfaceLimits kByHand = {UINT32_MAX, std::nullopt, false, false, false};
+
+Scene ball()
+{
+    SceneMaker maker;
+    maker.ball(maker.add(diffuse(grey(0.5f))), {0, 0, 0}, 0.9f, 16);
+    maker.span_unit_sphere();
+    return maker.make(constant_environment(1));
+}
+
+SurfacePlan plan_of(const SurfaceLimits& limits, SurfaceSettings settings = {})
+{
+    static const Scene scene = ball();
+    settings.threads = 1;
+    return plan_surface(scene, settings, limits);
+}
+
+SurfaceLimits within(uint64_t bytes)
+{
+    SurfaceLimits limits;
+    limits.bytes = bytes;
+    return limits;
+}
+
+uint64_t least_ram(const host::ScreenSize& screen)
+{
+    return uint64_t{host::surface_view_bytes<PixelRgb565>({0, 0, SurfaceMode::antialiased, 0}, screen)} +
+           host::stripe_pixel_bytes<PixelRgb565>(screen);
+}
+
+}  // namespace
+
+TEST_CASE("a surface plan fills its size, and a larger one has more of everything")
+{
+    uint32_t triangles = 0;
+    float density = 0;
+    for (const uint64_t bytes : {12'000u, 30'000u, 60'000u}) {
+        const SurfacePlan plan = plan_of(within(bytes));
+        INFO(bytes << " bytes: " << plan.settings.triangles << " triangles, " << plan.settings.texels_per_radius);
+        REQUIRE(plan.mesh);
+        CHECK(plan.most_bytes <= bytes);
+        CHECK(plan.most_bytes > bytes * 9 / 10);
+        CHECK(plan.triangles >= triangles);
+        CHECK(plan.settings.texels_per_radius > density);
+        triangles = plan.triangles;
+        density = plan.settings.texels_per_radius;
+    }
+}
+
+TEST_CASE("edges get longer where the mesh would take half of the bytes")
+{
+    for (const uint64_t bytes : {30'000u, 90'000u}) {
+        SurfaceSettings coarse = plan_of(within(bytes)).settings;
+        coarse.texels_per_radius = 1;
+        CHECK(plan_of(kByHand, coarse).most_bytes <= bytes / 2);
+    }
+}
+
+TEST_CASE("what is set by hand stays in a surface plan")
+{
+    SurfaceSettings settings;
+    settings.triangles = 60;
+    settings.longest_edge = 0.8f;
+    const SurfacePlan mesh = plan_of({30'000, std::nullopt, false, false, true}, settings);
+    CHECK(mesh.settings.triangles == 60);
+    CHECK(mesh.settings.longest_edge == 0.8f);
+    CHECK(mesh.most_bytes > 28'000);
+    settings.texels_per_radius = 8;
+    const SurfacePlan all = plan_of({30'000, std::nullopt, false, false, false}, settings);
+    CHECK(all.settings.texels_per_radius == 8);
+    CHECK(all.most_bytes < 15'000);
+}
+
+TEST_CASE("a limit of RAM makes the mesh coarser, and the plan tells its RAM and what is given up")
+{
+    SurfaceLimits limits = within(60'000);
+    limits.ram = RamLimit{1'000'000, {240, 240, 8}};
+    const SurfacePlan roomy = plan_of(limits);
+    CHECK(roomy.triangles_without_ram == 0);
+    const uint64_t least = least_ram(limits.ram->screen);
+    for (const uint64_t quarters : {3u, 2u}) {
+        limits.ram->bytes = least + (roomy.ram_bytes - least) * quarters / 4;
+        const SurfacePlan tight = plan_of(limits);
+        INFO(quarters << " quarters");
+        CHECK(tight.ram_bytes <= limits.ram->bytes);
+        CHECK(tight.triangles < roomy.triangles);
+        CHECK(tight.triangles_without_ram == roomy.triangles);
+        CHECK(tight.settings.texels_per_radius >= roomy.settings.texels_per_radius);
+        CHECK(tight.most_bytes <= limits.bytes);
+    }
+    limits.ram->bytes = least;
+    const SurfacePlan none = plan_of(limits);
+    CHECK_FALSE(none.mesh);
+    CHECK_THAT(none.against, Catch::Contains(std::to_string(least) + " without any") &&
+                                 Catch::Contains("give more --ram, or fewer --rows"));
+}
+
+TEST_CASE("a plan tells the RAM, the mesh and at most how many bytes of the field that it bakes")
+{
+    const Scene scene = tiny_scene();
+    SurfaceLimits limits = kByHand;
+    limits.ram = RamLimit{1'000'000, {}};
+    const SurfacePlan plan = plan_surface(scene, tiny_surface(), limits);
+    const SurfaceBake bake = surface_field(scene, plan);
+    SurfaceField field;
+    REQUIRE(open_surface(bake.file.data(), bake.file.size(), field) == FieldError::none);
+    const host::SurfaceCounts counts = {field.vertex_count, field.patch_count, SurfaceMode::antialiased, 0};
+    CHECK(plan.ram_bytes ==
+          uint64_t{host::surface_view_bytes<PixelRgb565>(counts, {})} + host::stripe_pixel_bytes<PixelRgb565>({}));
+    CHECK(plan.triangles == bake.triangles);
+    CHECK(plan.loss.missed == bake.loss.missed);
+    CHECK(bake.file.size() <= plan.most_bytes);
+    // Most that is left is less than what finer codes take, or planned for tables that pay nothing.
+    const uint64_t tables = detail::format::view_colours_bytes(3) + bake.vertices * detail::format::view_bytes(3);
+    CHECK(plan.most_bytes - bake.file.size() <=
+          tables + detail::format::kEntryBytes + 2 * detail::format::kSectionAlignment);
+}
+
+TEST_CASE("a bake that makes its own mesh is that of the plan", "[repeated]")
+{
+    const Scene scene = tiny_scene();
+    const SurfacePlan plan = plan_surface(scene, tiny_surface(), kByHand);
+    REQUIRE(plan.mesh);
+    CHECK((surface_field(scene, plan).file == surface_field(scene, {tiny_surface()}).file));
+}
+
+TEST_CASE("a size that no surface field fits into ends with the smallest that works")
+{
+    const SurfacePlan none = plan_of(within(3'000));
+    REQUIRE_FALSE(none.mesh);
+    const std::string text = none.against, before = "the smallest that works takes ";
+    const size_t at = text.find(before);
+    REQUIRE(at != std::string::npos);
+    const uint64_t least = std::stoul(text.substr(at + before.size()));
+    CHECK(least > 3'000);
+    CHECK(plan_of(within(least)).most_bytes <= least);
+}
+
+}  // namespace lumi::baker::testing
