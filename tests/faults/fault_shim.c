@@ -3,8 +3,8 @@
 // one is the first after main began. Environment:
 //
 //   LUMI_FAULT        KIND:N or KIND:N:kill (the process is killed before the call). KIND: alloc, read, write, sync,
-//                     rename, link (of readlink), thread. From alloc:N on every allocation may be asked again: only the N-th fails. From
-//                     thread:N and link:N on the system gives none.
+//                     rename, link (of readlink), thread. From alloc:N on every allocation may be asked again: only the
+//                     N-th fails. From thread:N and link:N on the system gives none.
 //   LUMI_FAULT_COUNT  a file that gets how many calls of each kind there were, "KIND COUNT" a line, when the program
 //                     exits
 //

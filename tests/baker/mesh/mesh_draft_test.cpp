@@ -6,8 +6,8 @@
 #include <random>
 
 #include "mesh/mesh_tracer.h"
-#include "mesh/simplify/steps.h"
 #include "mesh/simplify/simplify.h"
+#include "mesh/simplify/steps.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"

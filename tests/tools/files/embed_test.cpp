@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-
 namespace lumi::tools
 {
 
@@ -27,10 +26,11 @@ TEST_CASE("sections have names that every assembler takes")
 
 TEST_CASE("words of C and C++ are no symbols, names like them are")
 {
-    for (const char* word : {"int", "restrict", "_Bool", "class", "xor", "co_await", "uint8_t", "int8_t", "main", "lumi", "std",
-                             "NULL", "INT8_MAX", "uint_fast8_t", "__LINE__", "my__field", "_Field"})
+    for (const char* word : {"int", "restrict", "_Bool", "class", "xor", "co_await", "uint8_t", "int8_t", "main",
+                             "lumi", "std", "NULL", "INT8_MAX", "uint_fast8_t", "__LINE__", "my__field", "_Field"})
         CHECK(is_taken(word));
-    for (const char* word : {"int_", "Int", "field", "_", "_field", "interest", "INT_", "lumi_", ""}) CHECK_FALSE(is_taken(word));
+    for (const char* word : {"int_", "Int", "field", "_", "_field", "interest", "INT_", "lumi_", ""})
+        CHECK_FALSE(is_taken(word));
 }
 
 TEST_CASE("a path keeps its quotes and backslashes in the assembler file")

@@ -70,9 +70,11 @@ void check_linear(const CLI::App& command)
 std::vector<std::string> write_linear(const ReferenceOptions& options, const baker::ReferenceSettings& settings,
                                       const baker::Scene& scene, baker::JobSeries& series)
 {
-    return write_each_view(options.views, options.output, [&](const Eye& eye) {
-        return exr_bytes(baker::trace_radiance(scene, eye.camera, settings, series.next(rays_of_an_eye(options))));
-    });
+    return write_each_view(
+        options.views, options.output,
+        [&](const Eye& eye) {
+            return exr_bytes(baker::trace_radiance(scene, eye.camera, settings, series.next(rays_of_an_eye(options))));
+        });
 }
 
 std::vector<std::string> write_encoded(const ReferenceOptions& options, const baker::ReferenceSettings& settings,

@@ -13,7 +13,8 @@ namespace lumi::tools
 // empty. Texels of small fields are several pixels wide.
 //
 // Chord field: shows, for at most kMostOrigins of its origins, evenly chosen from the north pole southwards, a map of
-// all directions, about one pixel each: longitude to the right, the north pole above. Rays that miss the scene are dark.
+// all directions, about one pixel each: longitude to the right, the north pole above. Rays that miss the scene are
+// dark.
 inline constexpr uint32_t kMostOrigins = 256;
 Picture picture_of(const FieldFile& file);
 

@@ -50,8 +50,8 @@ std::vector<std::string> write_each_view(const ViewOptions& options, const std::
                                          const std::function<std::string(const Eye&)>& bytes_of);
 
 // Draws over a photograph, as a see-through display does: the same view drawn over black and over white tells each
-// channel's coverage; the photograph shows through the rest. It is right to one level of 255. Precondition: all have one
-// size.
+// channel's coverage; the photograph shows through the rest. It is right to one level of 255. Precondition: all have
+// one size.
 Picture over_photo(const Picture& over_black, const Picture& over_white, const Picture& photo);
 
 }  // namespace lumi::tools

@@ -41,13 +41,14 @@ enum class EmbedKind {
     flashed,    // SYMBOL, a pointer, where the address is known; else nothing: the program says where the bytes lie
 };
 
-// Declares what a build needs: the bytes, how many, and the view that draws them. `address`: where flashed bytes lie, if
-// that is known. `purpose`: a comment, see embed_purpose.h.
+// Declares what a build needs: the bytes, how many, and the view that draws them. `address`: where flashed bytes lie,
+// if that is known. `purpose`: a comment, see embed_purpose.h.
 std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
                          std::optional<uint32_t> address, const std::string& purpose);
 
 // Whether C or C++ means something else by this word: keywords of any edition, what the headers of an embedded field
-// define, the namespaces std and lumi, and names that are reserved for compilers (two underscores, or one and a capital).
+// define, the namespaces std and lumi, and names that are reserved for compilers (two underscores, or one and a
+// capital).
 bool is_taken(std::string_view symbol);
 
 }  // namespace lumi::tools

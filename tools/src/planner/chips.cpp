@@ -21,8 +21,8 @@ constexpr uint32_t kKiB = 1024;
 // word of the field waits; 3 wait states (PS, CPU: W_FLASHCACHE). STM32U585: ICACHE holds what the C bus reads, data
 // too, in lines of 128 bits (AN5212); 4 wait states and 4 words, as if nothing overlapped, are 8 clocks. ESP32-C3: one
 // cache for code and data (datasheet 3.1.5), a line by the same flash reads as the ESP32-S3. QEMU counted 0.97 to 1.21
-// RISC-V instructions for one of M4 code, of the desk clock of platform/README.md in three modes and two views: 1.3 × 1.2
-// clocks.
+// RISC-V instructions for one of M4 code, of the desk clock of platform/README.md in three modes and two views: 1.3
+// × 1.2 clocks.
 const std::array<Chip, kChips> kChipList = {{
     {"rp2040", "RP2040", "m0plus", 133, 1.35, {16384, 2, 8}, 400, "one core of two", 264 * kKiB, 2},
     {"rp2350",

@@ -32,8 +32,8 @@ size_t edits_between(const std::string& a, const std::string& b)
     return edits.back().back();
 }
 
-// Finds the word that fewest edits of a letter lead to (put in, left out, exchanged, or two that changed places): at most
-// one for three letters, though one is always allowed. Empty if none is that near; the first of several.
+// Finds the word that fewest edits of a letter lead to (put in, left out, exchanged, or two that changed places): at
+// most one for three letters, though one is always allowed. Empty if none is that near; the first of several.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& words)
 {
     constexpr size_t kLettersPerEdit = 3;

@@ -55,8 +55,8 @@ std::string duration_text(double seconds);
 // A word of a command that a POSIX shell takes as it is: in quotes where it holds what the shell reads otherwise.
 std::string shell_word(const std::string& word);
 
-// `text` as a terminal may get it: '?' stands for each control character but line breaks, since names that strangers chose
-// may hold commands for the terminal. The controls of Unicode are among them.
+// `text` as a terminal may get it: '?' stands for each control character but line breaks, since names that strangers
+// chose may hold commands for the terminal. The controls of Unicode are among them.
 std::string visible(std::string text);
 
 // `text` with every `from` replaced by `to`.

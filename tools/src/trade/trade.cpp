@@ -62,7 +62,9 @@ std::vector<planner::PartRate> rates_in(const std::string& text)
         const auto is_sound = [](double v) { return v >= 0 && v <= kMost; };
         return is_sound(rate.mean) && is_sound(rate.worst) && is_sound(rate.instructions);
     };
-    return rates.size() == planner::kChips && std::all_of(rates.begin(), rates.end(), is_rate) ? rates : std::vector<planner::PartRate>();
+    return rates.size() == planner::kChips && std::all_of(rates.begin(), rates.end(), is_rate)
+               ? rates
+               : std::vector<planner::PartRate>();
 }
 
 std::vector<planner::PartRate> kept_rates(const quality::Kept& kept, const FieldFile& file, const quality::Way& way)

@@ -62,7 +62,8 @@ std::string script_text(const Json& data)
 {
     std::string text;
     // Names need not be UTF-8; what is none becomes U+FFFD.
-    for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) text += c == '<' ? "\\u003c" : std::string(1, c);
+    for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace))
+        text += c == '<' ? "\\u003c" : std::string(1, c);
     return text;
 }
 

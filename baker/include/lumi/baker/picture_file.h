@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PNG and JPEG with 8 bits a channel (lumi/host/picture.h); for radiance the baker also reads Radiance .hdr and OpenEXR,
-// and writes OpenEXR. Strangers may have made the files: the size is checked before a pixel is decoded.
+// PNG and JPEG with 8 bits a channel (lumi/host/picture.h); for radiance the baker also reads Radiance .hdr and
+// OpenEXR, and writes OpenEXR. Strangers may have made the files: the size is checked before a pixel is decoded.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace lumi::baker
 {
 
 using host::DecodedPicture;
+using host::kMaxPictureSide;
 using host::PictureError;
 using host::PictureView;
-using host::kMaxPictureSide;
 
 inline constexpr uintmax_t kMaxPictureFileBytes = uintmax_t{1} << 30;
 

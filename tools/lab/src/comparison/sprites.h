@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Firmware without a field would have a sheet of path-traced sprites, RGB565 or JPEG, and turn and scale the one nearest
-// to the view onto the screen.
+// Firmware without a field would have a sheet of path-traced sprites, RGB565 or JPEG, and turn and scale the one
+// nearest to the view onto the screen.
 #pragma once
 
 #include <filesystem>

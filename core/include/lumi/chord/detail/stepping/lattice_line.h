@@ -56,7 +56,7 @@ struct CellLine {
     // does.
     int32_t flip, flip_mask;
     const Zone* zone;  // that of the steps, for models that count zones
-    bool uniform;  // no flipped cell lies under the line
+    bool uniform;      // no flipped cell lies under the line
 
     bool is_flipped(int32_t corner) const { return ((corner - flip) ^ flip_mask) < 0; }
     // The highest index that the corners under `length` pixels can have.
