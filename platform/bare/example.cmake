@@ -25,14 +25,14 @@ set(lumi_example_warnings -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion 
 # lumi_bare_example(NAME SOURCE...): a program with our own start-up and the linker script of the example's folder.
 function(lumi_bare_example name)
   set(bare ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  add_executable(${name} ${ARGN} ${bare}/start.cpp ${bare}/../mps2/firmware/text_line.cpp)
+  add_executable(${name} ${ARGN} ${bare}/start.cpp)
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${bare} ${bare}/../mps2/firmware)
   target_compile_options(${name} PRIVATE ${lumi_example_warnings} -ffunction-sections -fdata-sections
     $<$<COMPILE_LANGUAGE:CXX>:-fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-tree-loop-distribute-patterns>)
   target_link_libraries(${name} PRIVATE lumi::core)
   target_link_options(${name} PRIVATE -nostartfiles -Wl,--gc-sections -Wl,--no-warn-rwx-segments
     -L${CMAKE_CURRENT_SOURCE_DIR} -L${bare} -T${CMAKE_CURRENT_SOURCE_DIR}/link.ld)
-  set_target_properties(${name} PROPERTIES LINK_DEPENDS
-    "${CMAKE_CURRENT_SOURCE_DIR}/link.ld;${CMAKE_CURRENT_SOURCE_DIR}/hot.ld;${bare}/sections.ld")
+  file(GLOB scripts ${CMAKE_CURRENT_SOURCE_DIR}/*.ld ${bare}/*.ld)
+  set_target_properties(${name} PROPERTIES LINK_DEPENDS "${scripts}")
   lumi_add_field(${name} FIELD ${LUMI_EXAMPLE_FIELD} SYMBOL desk_clock)
 endfunction()

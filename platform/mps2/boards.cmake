@@ -11,12 +11,21 @@ set(LUMI_MPS2_BOARD_cortex-m7 an500)
 set(LUMI_MPS2_BOARD_cortex-m33 an505)
 set(LUMI_MPS2_BOARD_cortex-m55 an547)
 
-# Where -device loader puts a large field: loaded_field_memory() of the board.
-set(LUMI_MPS2_PSRAM_an385 0x21000000)
-set(LUMI_MPS2_PSRAM_an386 0x21000000)
-set(LUMI_MPS2_PSRAM_an500 0x60000000)
-set(LUMI_MPS2_PSRAM_an505 0x80000000)
-set(LUMI_MPS2_PSRAM_an547 0x71000000)
+# Where a board's memories lie: the vectors that its CPU reads first, code and how much there is of it, 4 MB for data,
+# and the PSRAM where -device loader puts a large field, which loaded_field() of the board reads. MPS2 boards have 4 MB of
+# SSRAM for code and as much for data, those of the Cortex-M33 at secure addresses. The MPS3 board has its vectors in
+# ITCM, and code and field in its DDR.
+function(lumi_mps2_memory board vectors code code_bytes data psram)
+  set(LUMI_MPS2_PSRAM_${board} ${psram} PARENT_SCOPE)
+  set(LUMI_MPS2_MEMORY_${board} -Wl,--defsym=lumi_vectors_at=${vectors},--defsym=lumi_code_at=${code}
+    -Wl,--defsym=lumi_code_bytes=${code_bytes},--defsym=lumi_data_at=${data},--defsym=lumi_psram_start=${psram}
+    PARENT_SCOPE)
+endfunction()
+lumi_mps2_memory(an385 0x00000000 0x00000100 0x003FFF00 0x20000000 0x21000000)
+lumi_mps2_memory(an386 0x00000000 0x00000100 0x003FFF00 0x20000000 0x21000000)
+lumi_mps2_memory(an500 0x00000000 0x00000100 0x003FFF00 0x20000000 0x60000000)
+lumi_mps2_memory(an505 0x10000000 0x10000100 0x003FFF00 0x38000000 0x80000000)
+lumi_mps2_memory(an547 0x10000000 0x70000000 0x01000000 0x31000000 0x71000000)
 
 # These are QEMU's names of boards: the images up to 505 are of the MPS2, later ones of the MPS3.
 foreach(board an385 an386 an500 an505)

@@ -1,22 +1,72 @@
 // SPDX-License-Identifier: MIT
-// Raspberry Pi Pico. After a frame a line goes to UART0.
+// Raspberry Pi Pico with an ST7789 of 240 × 240 pixels. After a frame a line goes to UART0.
 #include "board.h"
 
-#include "report.h"
+#include "bus.h"
+#include "core1.h"
 #include "rp2040.h"
-#include "st7789.h"
 #include "start.h"
-#include "text_line.h"
 
 namespace
 {
+
+void command(uint8_t code)
+{
+    bus::wait();
+    bus::take_command();
+    bus::put(code);
+    bus::wait();
+    bus::take_data();
+}
+
+enum Command : uint8_t {
+    kSoftwareReset = 0x01,
+    kSleepOut = 0x11,
+    kInvert = 0x21,  // these panels are made inverted
+    kDisplayOn = 0x29,
+    kColumns = 0x2A,
+    kRows = 0x2B,
+    kWritePixels = 0x2C,
+    kScanOrder = 0x36,
+    kPixelFormat = 0x3A,
+};
+
+void command(Command code, uint8_t value)
+{
+    command(code);
+    bus::put(value);
+}
+
+void set_range(Command code, uint8_t last)
+{
+    const uint8_t bytes[] = {0, 0, 0, last};
+    command(code);
+    for (const uint8_t byte : bytes) bus::put(byte);
+}
+
+void start_panel()
+{
+    constexpr uint32_t kAfterReset = 120000, kAfterSleep = 5000;  // microseconds, of the controller's datasheet
+    bus::start();
+    command(kSoftwareReset);
+    bus::wait();
+    rp2040::wait_microseconds(kAfterReset);
+    command(kSleepOut);
+    rp2040::wait_microseconds(kAfterSleep);
+    command(kPixelFormat, 0x55);  // 16 bits
+    command(kScanOrder, 0);
+    command(kInvert);
+    set_range(kColumns, 239);
+    set_range(kRows, 239);
+    command(kDisplayOn);
+}
 
 int frame = -1;
 uint32_t begin;
 
 void end_frame()
 {
-    st7789::wait();
+    bus::wait();
     const uint32_t spent = rp2040::microseconds() - begin;
     lumi::firmware::TextLine line;
     line.text("frame ").decimal(static_cast<uint32_t>(frame)).text(" microseconds ").decimal(spent);
@@ -33,20 +83,20 @@ bool board::next_view(lumi::Orbit& orbit)
 {
     if (frame < 0) {
         rp2040::start_clocks();
-        st7789::start();
+        start_panel();
     } else {
         end_frame();
     }
     if (++frame == kFrames) return false;
     orbit = view_of_frame(frame);
     begin = rp2040::microseconds();
-    st7789::begin_picture();
+    command(kWritePixels);
     return true;
 }
 
 void board::send(const uint8_t* pixels, uint32_t bytes)
 {
-    st7789::send(pixels, bytes);
+    bus::send(pixels, bytes);
 }
 
 extern "C" void board_stop(int code)

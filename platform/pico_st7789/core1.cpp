@@ -2,7 +2,6 @@
 // Core 1 of the RP2040, started through its boot ROM.
 #include "core1.h"
 
-#include "report.h"
 #include "rp2040.h"
 
 namespace core1

@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "text_line.h"
+
 namespace core1
 {
 
@@ -14,3 +16,7 @@ void run(void (*job)(int32_t), int32_t argument);
 void wait();
 
 }  // namespace core1
+
+// Adds how far core 1 used its stack to the line that the board writes after a frame. The board has one that adds
+// nothing.
+void add_report(lumi::firmware::TextLine& line);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "virt.h"
 
+#include <stddef.h>
+
 #include "start.h"
 
 using virt::call;
@@ -47,4 +49,20 @@ extern "C" __attribute__((naked, used, section(".lumi_vectors"))) void lumi_rese
         "la t0, board_fault\n"
         "csrw mtvec, t0\n"
         "call lumi_start\n");
+}
+
+// GCC calls these even in freestanding programs. They are for toolchains that come without a C library.
+extern "C" void* memcpy(void* to, const void* from, size_t count)
+{
+    uint8_t* out = static_cast<uint8_t*>(to);
+    const uint8_t* in = static_cast<const uint8_t*>(from);
+    while (count-- > 0) *out++ = *in++;
+    return to;
+}
+
+extern "C" void* memset(void* to, int value, size_t count)
+{
+    uint8_t* out = static_cast<uint8_t*>(to);
+    while (count-- > 0) *out++ = static_cast<uint8_t>(value);
+    return to;
 }

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "simulator.h"
-#include "window.h"
 
 namespace
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs that draw for one display alone link these.
-#include "sizes.h"
+#include "simulator.h"
 
 int firmware_main();
 

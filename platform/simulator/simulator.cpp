@@ -6,15 +6,13 @@
 //   --rate FPS       waits as long between frames as a chip of that rate would draw
 //   --chip NAME      the same at the rate that `lumi inspect --screen` models for the field: rp2040, rp2350, stm32f4,
 //   ...
-//   --size 466x466   draws for a display of another size, one of those in sizes.h
+//   --size 466x466   draws for a display of another size, one of those in sizes.cpp
 //   --mask round     shows a round panel: pixels outside of its disc are grey
 #include "simulator.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-
-#include "sizes.h"
 
 int firmware_main();  // main() of platform/pico_st7789
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The simulator keeps here what it was asked for.
+// The simulator: what it was asked for, its loops and its window.
 #pragma once
 
+#include <lumi/orbit.h>
+
+#include <cstdint>
 #include <string>
 
 namespace simulator
@@ -18,5 +21,26 @@ struct Options {
 };
 
 extern Options options;
+
+// The Pico's loop for displays of other sizes (sizes.cpp): a firmware names its size as a type, so each has a loop.
+//
+// The loop for "466x466" or the like, with options set to that size; null: there is none.
+int (*main_of_size(const char* name))();
+
+// "240x240|466x466|...".
+std::string size_names();
+
+// A window that shows a display and turns what it shows by the mouse (window.cpp).
+//
+// Opens a window for the display that options ask for; ends the program where it cannot.
+void open_window();
+// RGB565 in the CPU's order.
+void show(const uint16_t* pixels);
+// Waits until somebody turns the object; false: the window was closed.
+bool wait_for_turn(lumi::Orbit& orbit);
+// Drags the mouse, for tests.
+void drag(int x_px, int y_px);
+void wait_milliseconds(uint32_t count);
+uint32_t milliseconds();
 
 }  // namespace simulator

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "sizes.h"
+#include "simulator.h"
 
 #include <lumi/view.h>
 
 #include "board.h"
 #include "desk_clock.h"  // written by lumi_add_field
-#include "simulator.h"
 
 using namespace lumi;
 using namespace lumi::detail;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "window.h"
+#include "simulator.h"
 
 #include <SDL.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-
-#include "simulator.h"
 
 namespace simulator
 {

@@ -11,7 +11,7 @@
 #include "lumi/chord/view.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/lumi.h"
-#include "lumi/mps2/semihosting.h"
+#include "lumi/mps2/board.h"
 #include "lumi/surface/view.h"
 
 namespace

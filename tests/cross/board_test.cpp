@@ -4,9 +4,8 @@
 // ARMv6-M must not survive.
 #include <cstring>
 
-#include "lumi/mps2/instruction_counter.h"
-#include "lumi/mps2/semihosting.h"
-#include "lumi/mps2/stack_meter.h"
+#include "lumi/mps2/board.h"
+#include "lumi/mps2/meters.h"
 
 namespace
 {

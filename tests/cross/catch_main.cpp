@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lumi/mps2/startup.h"
+#include "lumi/mps2/board.h"
 
 extern "C" {
 

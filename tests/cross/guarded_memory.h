@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "lumi/mps2/loaded_field.h"
+#include "lumi/mps2/board.h"
 
 namespace lumi::test
 {

@@ -7,9 +7,8 @@
 #include <cstring>
 
 #include "lumi/chord/render_spans.h"
-#include "lumi/mps2/loaded_field.h"
-#include "lumi/mps2/semihosting.h"
-#include "lumi/mps2/stack_meter.h"
+#include "lumi/mps2/board.h"
+#include "lumi/mps2/meters.h"
 #include "lumi/orbit.h"
 #include "lumi/surface/halves.h"
 #include "lumi/surface/see_through.h"

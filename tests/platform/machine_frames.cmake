@@ -13,7 +13,7 @@ endif()
 execute_process(
   COMMAND ${COMPILER} ${options} -I${SOURCE}/core/include -I${SOURCE}/core/src -I${SOURCE}/platform/host/include
     -I${firmware} ${sources} ${SOURCE}/tests/platform/frame_crcs.cpp ${firmware}/frame_list.cpp
-    ${firmware}/surface_frame_list.cpp ${firmware}/text_line.cpp -o ${PROGRAM}
+    ${firmware}/surface_frame_list.cpp -o ${PROGRAM}
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${HOST} ${FIELDS} OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
 # A program without an operating system takes no long command line, so that it gets the names of the files alone.

@@ -3,7 +3,7 @@
 // that may use its registers uses them anywhere.
 #include <cstdint>
 
-#include "lumi/mps2/startup.h"
+#include "lumi/mps2/board.h"
 
 namespace lumi::mps2
 {

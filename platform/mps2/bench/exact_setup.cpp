@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "hits_only.h"
 #include "instance.h"
 
 namespace lumi::bench

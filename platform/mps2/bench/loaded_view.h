@@ -8,8 +8,7 @@
 #include "lumi/bench/views.h"
 #include "lumi/chord/detail/sphere.h"
 #include "lumi/field.h"
-#include "lumi/mps2/loaded_field.h"
-#include "lumi/mps2/semihosting.h"
+#include "lumi/mps2/board.h"
 
 namespace lumi::bench
 {

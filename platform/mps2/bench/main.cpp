@@ -9,8 +9,7 @@
 #include "instance.h"
 #include "loaded_view.h"
 #include "lumi/detail/crc32.h"
-#include "lumi/mps2/instruction_counter.h"
-#include "lumi/mps2/stack_meter.h"
+#include "lumi/mps2/meters.h"
 #include "text_line.h"
 
 namespace lumi::bench

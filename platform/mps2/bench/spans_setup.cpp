@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The span renderer with empty loops.
-#include "hits_only.h"
 #include "instance.h"
 #include "lumi/bench/views.h"
 #include "lumi/chord/render_spans.h"

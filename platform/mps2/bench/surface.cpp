@@ -3,7 +3,7 @@
 // LUMI_BENCH_FINEST, and LUMI_BENCH_VIEW_TABLES.
 #include <algorithm>
 
-#include "lumi/mps2/instruction_counter.h"
+#include "lumi/mps2/meters.h"
 #include "surface_instance.h"
 
 namespace lumi::bench

@@ -13,10 +13,9 @@
 // With `stripes`, a line for each height in kStripeHeights, view and mode:
 //     stripes 4 view generic mode antialiased covered 42272 instructions 2345678 crc 1234abcd
 #include "loaded_view.h"
-#include "lumi/bench/poses.h"
+#include "lumi/bench/views.h"
 #include "lumi/detail/crc32.h"
-#include "lumi/mps2/instruction_counter.h"
-#include "lumi/mps2/stack_meter.h"
+#include "lumi/mps2/meters.h"
 #include "surface_instance.h"
 #include "text_line.h"
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // lumi_demo_firmware: draws a turn around the object in its field and reports, frame by frame over semihosting, the
-// picture's CRC, what drawing cost, and the picture itself when asked. See kDemoUsage.
+// picture's CRC, what drawing cost, and the picture itself when asked. See kUsage.
 #include <cstring>
 
-#include "demo_options.h"
-#include "field_source.h"
 #include "lumi/color.h"
-#include "lumi/mps2/instruction_counter.h"
-#include "lumi/mps2/semihosting.h"
+#include "lumi/mps2/board.h"
+#include "lumi/mps2/meters.h"
 #include "measured_frame.h"
 #include "text_line.h"
+
+// embedded_field.S defines both.
+extern "C" const uint8_t lumi_field_start[];
+extern "C" const uint8_t lumi_field_end[];
 
 namespace lumi::firmware
 {
@@ -27,6 +29,68 @@ constexpr int kFrameDigits = 3;
 constexpr uint32_t kBlockPixels = 256;  // a call of semihosting costs far more than its bytes
 constexpr uint32_t kBytesPerRgb565 = 2;
 constexpr uint32_t kBytesPerRgb888 = 3;
+
+constexpr uint32_t kMaxFrames = 999;
+constexpr const char* kUsage =
+    "usage: [--frames 1..999] [--mode nearest|linear|paper] [--verify] [--write PREFIX]\n"
+    "The field is linked into the program, or loaded to the start of the board's PSRAM.\n";
+
+struct DemoOptions {
+    uint32_t frames = 1;  // frames in one turn around the object; 1 .. kMaxFrames
+    Mode mode = Mode::linear;
+    bool verify = false;                 // check the CRC of every section first
+    const char* write_prefix = nullptr;  // write frame k to "<prefix>-<k>.ppm" on the host
+};
+
+bool parse_count(const char* text, uint32_t& out)
+{
+    uint32_t value = 0;
+    for (const char* digit = text; *digit != '\0'; ++digit) {
+        if (*digit < '0' || *digit > '9' || value > kMaxFrames) return false;
+        value = value * 10 + static_cast<uint32_t>(*digit - '0');
+    }
+    out = value;
+    return value >= 1 && value <= kMaxFrames;
+}
+
+bool parse_mode(const char* text, Mode& out)
+{
+    constexpr const char* kNames[] = {"nearest", "linear", "paper"};
+    for (uint8_t i = 0; i < sizeof(kNames) / sizeof(kNames[0]); ++i) {
+        if (std::strcmp(text, kNames[i]) == 0) {
+            out = static_cast<Mode>(i);
+            return true;
+        }
+    }
+    return false;
+}
+
+// An option with a value; false if it is unknown or the value is wrong.
+bool parse_pair(const char* name, const char* value, DemoOptions& options)
+{
+    if (std::strcmp(name, "--frames") == 0) return parse_count(value, options.frames);
+    if (std::strcmp(name, "--mode") == 0) return parse_mode(value, options.mode);
+    if (std::strcmp(name, "--write") == 0) {
+        options.write_prefix = value;
+        return true;
+    }
+    return false;
+}
+
+// Fills `out`; on failure returns the argument that is wrong, else null. argv[0] is skipped.
+const char* parse(int argc, char** argv, DemoOptions& out)
+{
+    DemoOptions options;
+    for (int i = 1; i < argc; ++i)
+        if (std::strcmp(argv[i], "--verify") == 0)
+            options.verify = true;
+        else if (i + 1 < argc && parse_pair(argv[i], argv[i + 1], options))
+            ++i;
+        else
+            return argv[i];
+    out = options;
+    return nullptr;
+}
 
 void unpack(const uint8_t* rgb565, uint8_t* rgb888)
 {
@@ -123,9 +187,22 @@ int draw_one(const Field& field, const DemoOptions& options, uint32_t frame)
     return report.complete ? 0 : fail("frame", "not complete; can the picture's file be written?");
 }
 
+// The field: linked into the program from the file that LUMI_FIRMWARE_FIELD names, or put into PSRAM by the loader.
+#ifdef LUMI_FIRMWARE_FIELD
+mps2::LoadedField firmware_field()
+{
+    return {lumi_field_start, static_cast<size_t>(lumi_field_end - lumi_field_start)};
+}
+#else
+mps2::LoadedField firmware_field()
+{
+    return mps2::loaded_field(0);
+}
+#endif
+
 int run(const DemoOptions& options)
 {
-    const FieldBytes file = firmware_field();
+    const mps2::LoadedField file = firmware_field();
     Field field;
     FieldError error = open_field(file.bytes, file.size, field);
     if (error == FieldError::none && options.verify) error = verify_field(file.bytes, file.size);
@@ -146,7 +223,7 @@ int main(int argc, char** argv)
     const char* wrong = parse(argc, argv, options);
     if (wrong != nullptr) {
         fail("option", wrong);
-        lumi::mps2::write(kDemoUsage);
+        lumi::mps2::write(kUsage);
         return kUsageExitCode;
     }
     return run(options);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writes the frame list for fields that the loader put into PSRAM, kSlotBytes apart.
 #include "frame_list.h"
-#include "lumi/mps2/loaded_field.h"
-#include "lumi/mps2/semihosting.h"
+#include "lumi/mps2/board.h"
 
 namespace
 {

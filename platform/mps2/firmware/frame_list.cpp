@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "listed_frame.h"
-#include "views.h"
 
 namespace lumi::firmware
 {

@@ -2,8 +2,7 @@
 #include "measured_frame.h"
 
 #include "lumi/detail/crc32.h"
-#include "lumi/mps2/instruction_counter.h"
-#include "lumi/mps2/stack_meter.h"
+#include "lumi/mps2/meters.h"
 
 namespace lumi::firmware
 {

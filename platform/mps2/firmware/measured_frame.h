@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "demo_options.h"
 #include "lumi/chord/render.h"
 
 namespace lumi::firmware
@@ -14,6 +13,8 @@ inline constexpr int32_t kFrameWidth = 240;
 inline constexpr int32_t kFrameHeight = 240;
 inline constexpr int32_t kStripeHeight = 16;
 static_assert(kFrameHeight % kStripeHeight == 0, "every stripe is full");
+
+enum class Mode : uint8_t { nearest, linear, paper };
 
 // Draws a stripe as RGB565 with the policies that a field and a mode ask for.
 using DrawStripe = RenderError (*)(const Field&, const Camera&, const Stripe&);

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The surface part of the frame list.
-#include "frame_list.h"
+#include "listed_frame.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/surface/render.h"
-#include "text_line.h"
-#include "views.h"
 
 namespace lumi::firmware
 {
 namespace
 {
 
-// These views join those of views.h, where clipping, depth and near edges are hardest. Rounding takes an eye no farther
+// These views join kViews, where clipping, depth and near edges are hardest. Rounding takes an eye no farther
 // than this inside the sphere or beyond the end.
 constexpr int32_t kRounding = 64;
 constexpr View kHardViews[] = {

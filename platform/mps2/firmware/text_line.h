@@ -13,15 +13,43 @@ class TextLine
 public:
     static constexpr size_t kCapacity = 400;
 
-    TextLine& text(const char* words);
-    TextLine& decimal(uint64_t value);
-    TextLine& decimal(uint64_t value, int min_digits);  // with leading zeros
-    TextLine& hex32(uint32_t value);                    // always eight digits, lower case
+    TextLine& text(const char* words)
+    {
+        while (*words != '\0') put(*words++);
+        return *this;
+    }
+
+    // At least so many digits, with leading zeros.
+    TextLine& decimal(uint64_t value, int min_digits = 1)
+    {
+        constexpr int kMaxDigits = 20;  // 2^64 - 1
+        char digits[kMaxDigits];
+        int count = 0;
+        do {
+            digits[count++] = static_cast<char>('0' + value % 10);
+            value /= 10;
+        } while (value != 0);
+        for (int i = count; i < min_digits; ++i) put('0');
+        while (count > 0) put(digits[--count]);
+        return *this;
+    }
+
+    // Always eight digits, lower case.
+    TextLine& hex32(uint32_t value)
+    {
+        for (int shift = 28; shift >= 0; shift -= 4) put("0123456789abcdef"[(value >> shift) & 15u]);
+        return *this;
+    }
 
     const char* c_str() const { return characters_; }
 
 private:
-    void put(char c);
+    void put(char c)
+    {
+        if (length_ == kCapacity) return;
+        characters_[length_++] = c;
+        characters_[length_] = '\0';
+    }
 
     char characters_[kCapacity + 1] = {};
     size_t length_ = 0;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/mps2/startup.h"
-
 #include <cstddef>
 #include <cstdint>
 
-#include "lumi/mps2/semihosting.h"
+#include "lumi/mps2/board.h"
 
 int main(int argc, char** argv);
 

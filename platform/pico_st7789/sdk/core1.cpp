@@ -4,7 +4,6 @@
 
 #include <pico/multicore.h>
 
-#include "../report.h"
 #include "paint.h"
 
 extern "C" uint32_t __StackOneBottom[], __StackOneTop[];

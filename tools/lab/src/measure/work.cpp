@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "files/field_file.h"
-#include "lumi/bench/poses.h"
 #include "lumi/bench/surface_modes.h"
 #include "measure/commands.h"
 #include "planner/chord_speed.h"
