@@ -6,6 +6,7 @@
 #include "core1.h"
 #include "rp2040.h"
 #include "start.h"
+#include "text_line.h"
 
 namespace
 {

@@ -3,6 +3,7 @@
 #include "core1.h"
 
 #include "rp2040.h"
+#include "text_line.h"
 
 namespace core1
 {

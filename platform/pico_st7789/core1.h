@@ -4,7 +4,10 @@
 
 #include <stdint.h>
 
-#include "text_line.h"
+namespace lumi::firmware
+{
+class TextLine;
+}
 
 namespace core1
 {

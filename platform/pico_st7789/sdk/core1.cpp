@@ -5,6 +5,7 @@
 #include <pico/multicore.h>
 
 #include "paint.h"
+#include "text_line.h"
 
 extern "C" uint32_t __StackOneBottom[], __StackOneTop[];
 
