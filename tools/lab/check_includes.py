@@ -133,7 +133,7 @@ THIRD_PARTIES = {
     "nifti": "baker/src/volume/nifti_header.cpp",
     "openvdb/": "baker/src/volume/openvdb_module/module.cpp",
     "zlib.h": "baker/src/util/gzip.cpp platform/host/src/png_writer.cpp",
-    "kissfft": "tools/src/metrics/spectrum.cpp",
+    "kissfft": "tools/src/metrics/steerable_pyramid.cpp",
     "torch/": "tools/src/filter/torch/unet.h",
     "SDL": "platform/simulator/window.cpp",
 }

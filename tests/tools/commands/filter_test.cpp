@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "filter/weights_file.h"
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"

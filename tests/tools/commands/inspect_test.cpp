@@ -5,8 +5,8 @@
 #include <map>
 #include <sstream>
 
-#include "image/png.h"
-#include "image/sheet.h"
+#include "image/picture.h"
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"

@@ -3,7 +3,7 @@
 // `render` draws what it drew then. Spans draw other bits since tricks were weighed (docs/log/chord.md).
 #include <catch2/catch.hpp>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "lumi/detail/crc32.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"

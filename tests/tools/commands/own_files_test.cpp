@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"

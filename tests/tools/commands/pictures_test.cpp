@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "metrics/psnr.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "metrics/psnr.h"
 #include "support/program.h"
 #include "support/small_surface.h"

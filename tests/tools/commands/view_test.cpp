@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"

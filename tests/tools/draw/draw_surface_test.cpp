@@ -7,7 +7,6 @@
 
 #include "lumi/twin/surface_picture.h"
 #include "metrics/psnr.h"
-#include "quality/held_out.h"
 #include "quality/references.h"
 #include "support/small_surface.h"
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstdio>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "lumi/host/camera.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"

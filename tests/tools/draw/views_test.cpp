@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "support/temporary_folder.h"
 #include "terminal/failure.h"
 

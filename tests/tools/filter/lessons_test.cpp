@@ -6,7 +6,7 @@
 #include <set>
 
 #include "draw/draw_surface.h"
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "metrics/psnr.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"

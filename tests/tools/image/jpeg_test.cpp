@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/jpeg.h"
+#include "image/picture_file.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/png.h"
+#include "image/picture_file.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/sheet.h"
+#include "image/picture.h"
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "image/plane.h"
+#include "image/picture.h"
 #include "support/test_pictures.h"
 
 namespace lumi::tools

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "planner/cache_model.h"
+#include "planner/chips.h"
 
 using namespace lumi::planner;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How fast parts draw chord fields.
-#include "planner/chord_speed.h"
+#include "planner/speed.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "lumi/bench/views.h"
-#include "planner/speed.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // RAM and stack of fields.
-#include "planner/ram.h"
+#include "planner/speed.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // These tests count what a frame of a surface field takes, and what that costs.
-#include "planner/surface_speed.h"
+#include "planner/speed.h"
 
 #include <catch2/catch.hpp>
 

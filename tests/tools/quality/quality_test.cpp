@@ -5,11 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "lumi/baker/chord.h"
 #include "lumi/detail/lattice.h"
 #include "lumi/twin/geometry.h"
-#include "quality/html.h"
 #include "quality/page.h"
 #include "quality/report_data.h"
 #include "support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "terminal/interrupt.h"
+#include "terminal/failure.h"
 
 #include <signal.h>
 #include <sys/wait.h>
@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "support/temporary_folder.h"
-#include "terminal/failure.h"
 
 namespace lumi::tools
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "terminal/json_progress.h"
+#include "terminal/progress_printer.h"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

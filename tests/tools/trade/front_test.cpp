@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which rows no other one beats.
-#include "trade/front.h"
+#include "trade/trade.h"
 
 #include <catch2/catch.hpp>
 

@@ -10,7 +10,6 @@
 #include "files/output_file.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
-#include "terminal/json_progress.h"
 #include "terminal/progress_printer.h"
 #include "terminal/text.h"
 

@@ -3,14 +3,12 @@
 
 #include <array>
 
-#include "commands/device_options.h"
+#include "commands/camera_options.h"
 #include "files/output_file.h"
 #include "lumi/chord/texel.h"
 #include "lumi/detail/lattice.h"
 #include "lumi/surface/format.h"
-#include "program/choice.h"
 #include "program/option_checks.h"
-#include "program/option_group.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
 

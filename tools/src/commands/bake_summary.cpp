@@ -10,7 +10,6 @@
 #include "commands/device_figures.h"
 #include "files/field_file.h"
 #include "terminal/failure.h"
-#include "terminal/interrupt.h"
 #include "terminal/text.h"
 
 namespace lumi::tools

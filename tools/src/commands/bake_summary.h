@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "commands/bake_options.h"
-#include "terminal/json_progress.h"
 #include "terminal/progress_printer.h"
 
 namespace lumi::tools

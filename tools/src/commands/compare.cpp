@@ -9,7 +9,7 @@
 
 #include "commands/commands.h"
 #include "files/output_file.h"
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "metrics/cw_ssim.h"
 #include "metrics/flip.h"
 #include "metrics/psnr.h"

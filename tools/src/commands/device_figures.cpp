@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "../planner/chord_speed.h"
+#include "../planner/speed.h"
 #include "draw/draw_surface.h"
 
 namespace lumi::tools

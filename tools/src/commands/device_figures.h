@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "../planner/ram.h"
 #include "../planner/speed.h"
-#include "../planner/surface_speed.h"
 #include "files/field_file.h"
 
 namespace lumi::tools

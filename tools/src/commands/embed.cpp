@@ -12,8 +12,7 @@
 #include "files/embed_purpose.h"
 #include "files/field_file.h"
 #include "files/output_file.h"
-#include "files/uf2.h"
-#include "program/choice.h"
+#include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
 

@@ -8,7 +8,6 @@
 #include "commands/commands.h"
 #include "files/output_file.h"
 #include "terminal/failure.h"
-#include "terminal/interrupt.h"
 #include "terminal/text.h"
 
 namespace lumi::tools

@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "commands/scene_options.h"
 #include "files/output_file.h"
-#include "image/exr.h"
+#include "image/picture_file.h"
 #include "lumi/baker/reference.h"
 #include "metrics/pi.h"
 #include "program/option_checks.h"

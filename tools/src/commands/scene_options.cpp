@@ -7,11 +7,9 @@
 #include <cstdio>
 #include <sstream>
 
-#include "image/png.h"
-#include "program/choice.h"
+#include "image/picture_file.h"
 #include "program/option_checks.h"
-#include "program/option_group.h"
-#include "terminal/interrupt.h"
+#include "terminal/failure.h"
 #include "terminal/text.h"
 
 namespace lumi::tools

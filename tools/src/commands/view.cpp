@@ -13,7 +13,6 @@
 #include "lumi/chord/render_spans.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
-#include "viewer/browser.h"
 #include "viewer/modules.h"
 #include "viewer/turntable.h"
 #include "viewer/view_page.h"

@@ -7,7 +7,6 @@
 #include "draw/display.h"
 #include "lumi/surface/see_through.h"
 #include "terminal/failure.h"
-#include "terminal/interrupt.h"
 
 namespace lumi::tools
 {

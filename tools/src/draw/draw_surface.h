@@ -4,7 +4,7 @@
 
 #include "draw/draw.h"
 #include "draw/views.h"
-#include "image/plane.h"
+#include "image/picture.h"
 #include "lumi/surface/see_through_frame.h"
 
 namespace lumi::tools

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "image/sheet.h"
+#include "image/picture.h"
 #include "lumi/chord/texel.h"
 
 namespace lumi::tools

@@ -8,7 +8,6 @@
 
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
-#include "terminal/interrupt.h"
 
 namespace lumi::tools
 {

@@ -11,7 +11,7 @@
 
 #include "draw/display.h"
 #include "lumi/chord/render_spans.h"
-#include "terminal/interrupt.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {

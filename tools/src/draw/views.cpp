@@ -9,8 +9,8 @@
 
 #include "files/output_file.h"
 #include "image/animation.h"
-#include "image/png.h"
-#include "image/sheet.h"
+#include "image/picture.h"
+#include "image/picture_file.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools

@@ -2,6 +2,8 @@
 // A field as part of a program: its bytes as assembler, C or a file to be flashed, and a C and C++ header for them.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,5 +52,25 @@ std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldF
 // define, the namespaces std and lumi, and names that are reserved for compilers (two underscores, or one and a
 // capital).
 bool is_taken(std::string_view symbol);
+
+// UF2, the file format that boards with a USB boot loader flash when it is copied onto their drive
+// (https://github.com/microsoft/uf2).
+
+enum class Uf2Family : uint32_t {
+    rp2040 = 0xE48BFF56,
+    rp2350 = 0xE48BFF57,  // "absolute": data at any address
+};
+
+// Where the boot loader of a family flashes bytes, as the processor sees them.
+struct FlashRange {
+    uint32_t begin, end;
+};
+FlashRange flash_of(Uf2Family family);
+
+// A boot loader erases so much at once. Bytes of other programs in a file's last sector are lost.
+inline constexpr uint32_t kUf2SectorBytes = 4096;
+
+// `address` is divisible by kUf2SectorBytes, and address + size at most 2^32.
+std::string uf2_of(const uint8_t* bytes, size_t size, uint32_t address, Uf2Family family);
 
 }  // namespace lumi::tools

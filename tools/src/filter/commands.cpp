@@ -10,14 +10,12 @@
 #include "draw/draw_surface.h"
 #include "files/output_file.h"
 #include "filter/drawing.h"
-#include "filter/module.h"
+#include "filter/lessons.h"
 #include "filter/training.h"
-#include "filter/verdict.h"
 #include "filter/weights_file.h"
 #include "program/option_checks.h"
 #include "program/plugin.h"
 #include "terminal/failure.h"
-#include "terminal/interrupt.h"
 #include "terminal/progress_printer.h"
 
 namespace lumi::tools

@@ -5,7 +5,7 @@
 #include "draw/views.h"
 #include "files/field_file.h"
 #include "filter/network.h"
-#include "quality/figures.h"
+#include "quality/references.h"
 
 namespace lumi::filter
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The learned filter as the tools see it: planes of bytes in and out, and a list of numbers that it has learned. What
-// computes it is a module of its own (torch), made with libtorch and loaded when it is asked for (module.h), so that
+// computes it is a module of its own (torch), made with libtorch and loaded when it is asked for (training.h), so that
 // nothing else depends on libtorch, nor waits for it to start.
 //
 // A small U-Net: three times half the size on the way down, nearest upsampling on the way up, each level added to what

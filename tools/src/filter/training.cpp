@@ -6,8 +6,10 @@
 #include <random>
 
 #include "filter/drawing.h"
+#include "lumi/baker/plug_in.h"
 #include "lumi/baker/progress.h"
 #include "metrics/psnr.h"
+#include "terminal/failure.h"
 
 namespace lumi::filter
 {
@@ -142,6 +144,29 @@ TrainingResult train(Trainer& trainer, const std::vector<Pair>& training, const 
                      const TrainingSettings& settings, const TrainingWatch& watch)
 {
     return Training(trainer, training, validation, settings, watch).run();
+}
+
+namespace
+{
+
+Module& open_module()
+{
+    using Entry = Module* (*)();
+    try {
+        return *reinterpret_cast<Entry>(
+            baker::symbol_of_plug_in("lumi_filter.so", kModuleSymbol, "its learned filter"))();
+    } catch (const baker::NoPlugIn& none) {
+        throw tools::Failure(none.path, none.problem,
+                             "install libtorch (Debian: libtorch-dev), then configure and build lumi again");
+    }
+}
+
+}  // namespace
+
+Module& load_module()
+{
+    static Module& module = open_module();
+    return module;
 }
 
 }  // namespace lumi::filter

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "filter/network.h"
 
@@ -43,5 +44,14 @@ double mean_psnr_db(const std::vector<Pair>& pairs, Network* network);
 // Learns from `training`, keeps the numbers that are best on `validation`.
 TrainingResult train(Trainer& trainer, const std::vector<Pair>& training, const std::vector<Pair>& validation,
                      const TrainingSettings& settings, const TrainingWatch& watch);
+
+// Finds the module that computes filters, where this program was built with one.
+
+// The module's one symbol: a function of no arguments that returns a Module, which lives as long as the program.
+inline constexpr char kModuleSymbol[] = "lumi_filter_module";
+
+// Loads the module from beside the program, or from where `cmake --install` puts it. Throws Failure where it is not
+// there or does not load: it names libtorch's package. Cost: a second, the first time.
+Module& load_module();
 
 }  // namespace lumi::filter

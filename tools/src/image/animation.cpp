@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/animation.h"
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "image/video.h"
 #include "image/webp.h"
 

@@ -2,6 +2,7 @@
 #include "image/picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace lumi::tools
@@ -29,6 +30,85 @@ void paste(const Picture& source, int x, int y, Picture& target)
     check_precondition(fits, "a picture does not fit into another one");
     for (int row = 0; row < source.height_px; ++row)
         std::copy_n(source.pixel(0, row), 3 * source.width_px, target.pixel(x, y + row));
+}
+
+Plane<double> luma_plane(const Picture& picture)
+{
+    constexpr double kRed = 0.299, kGreen = 0.587, kBlue = 0.114;
+    Plane<double> plane(picture.width_px, picture.height_px);
+    for (size_t i = 0; i < plane.values.size(); ++i) {
+        const uint8_t* rgb = &picture.rgb[3 * i];
+        plane.values[i] = kRed * rgb[0] + kGreen * rgb[1] + kBlue * rgb[2];
+    }
+    return plane;
+}
+
+namespace
+{
+
+int columns_for(int count, int width_px, int height_px)
+{
+    const double ratio = static_cast<double>(height_px) / width_px;
+    return static_cast<int>(std::clamp(std::ceil(std::sqrt(count * ratio)), 1.0, static_cast<double>(count)));
+}
+
+int sheet_side(int tiles, int tile_px)
+{
+    return tiles * tile_px + (tiles - 1) * kSheetGap;
+}
+
+int factor_for(int columns, int width_px, int height_px)
+{
+    int factor = 1;
+    while (factor < std::min(width_px, height_px) && sheet_side(columns, width_px / factor) > kSheetMaxWidth) ++factor;
+    return factor;
+}
+
+uint8_t block_mean(const Picture& picture, int x, int y, int channel, int factor)
+{
+    int sum = 0;
+    for (int dy = 0; dy < factor; ++dy)
+        for (int dx = 0; dx < factor; ++dx) sum += picture.pixel(x + dx, y + dy)[channel];
+    const int area = factor * factor;
+    return static_cast<uint8_t>((sum + area / 2) / area);
+}
+
+}  // namespace
+
+Picture side_by_side(const Picture& left, const Picture& right)
+{
+    check_precondition(left.height_px == right.height_px, "pictures of two heights cannot stand side by side");
+    Picture both(left.width_px + right.width_px, left.height_px);
+    paste(left, 0, 0, both);
+    paste(right, left.width_px, 0, both);
+    return both;
+}
+
+Picture shrunk(const Picture& picture, int factor)
+{
+    check_precondition(factor >= 1 && factor <= picture.width_px && factor <= picture.height_px,
+                       "a picture cannot become smaller than a pixel");
+    Picture small(picture.width_px / factor, picture.height_px / factor);
+    for (int y = 0; y < small.height_px; ++y)
+        for (int x = 0; x < small.width_px; ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                small.pixel(x, y)[channel] = block_mean(picture, x * factor, y * factor, channel, factor);
+    return small;
+}
+
+ContactSheet::ContactSheet(int count, int width_px, int height_px, const Rgb8& background)
+    : columns_(columns_for(count, width_px, height_px)), factor_(factor_for(columns_, width_px, height_px))
+{
+    const int rows = (count + columns_ - 1) / columns_;
+    sheet_ = Picture(sheet_side(columns_, width_px / factor_), sheet_side(rows, height_px / factor_), background);
+}
+
+void ContactSheet::add(const Picture& picture)
+{
+    const Picture tile = shrunk(picture, factor_);
+    paste(tile, added_ % columns_ * (tile.width_px + kSheetGap), added_ / columns_ * (tile.height_px + kSheetGap),
+          sheet_);
+    ++added_;
 }
 
 }  // namespace lumi::tools

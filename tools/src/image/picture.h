@@ -48,4 +48,82 @@ constexpr uint8_t over(uint8_t premultiplied, uint8_t coverage, uint8_t backgrou
 // Copies `source` into `target` with its top left corner at (x, y). Precondition: it fits.
 void paste(const Picture& source, int x, int y, Picture& target);
 
+// Single-channel images of any value type, on which the structural metrics work.
+
+template <class Value>
+struct Plane {
+    int width_px = 0, height_px = 0;
+    std::vector<Value> values;  // width · height, top row first
+
+    Plane() = default;
+    Plane(int width, int height)
+        : width_px(width), height_px(height), values(static_cast<size_t>(width) * static_cast<size_t>(height))
+    {
+    }
+
+    Value& at(int x, int y) { return values[index(x, y)]; }
+    const Value& at(int x, int y) const { return values[index(x, y)]; }
+
+private:
+    size_t index(int x, int y) const
+    {
+        return static_cast<size_t>(y) * static_cast<size_t>(width_px) + static_cast<size_t>(x);
+    }
+};
+
+// Which pixels count: those that are not zero.
+using Mask = Plane<uint8_t>;
+
+// Luma by ITU-R BT.601 weights without rounding, 0 .. 255; not core's 8-bit BT.709 luma: the published SSIM and CW-SSIM
+// figures are computed so, and 8-bit rounding would add noise to both.
+Plane<double> luma_plane(const Picture& picture);
+
+// Filters with the separable window w(x)·w(y); only windows wholly inside count, so each side shrinks by
+// weights.size() - 1. Precondition: the plane is at least as large as the window.
+template <class Value>
+Plane<Value> filter_valid(const Plane<Value>& plane, const std::vector<double>& weights)
+{
+    const int side = static_cast<int>(weights.size());
+    Plane<Value> rows(plane.width_px - side + 1, plane.height_px);
+    for (int y = 0; y < rows.height_px; ++y)
+        for (int x = 0; x < rows.width_px; ++x)
+            for (int i = 0; i < side; ++i) rows.at(x, y) += weights[static_cast<size_t>(i)] * plane.at(x + i, y);
+    Plane<Value> result(rows.width_px, plane.height_px - side + 1);
+    for (int y = 0; y < result.height_px; ++y)
+        for (int i = 0; i < side; ++i)
+            for (int x = 0; x < result.width_px; ++x)
+                result.at(x, y) += weights[static_cast<size_t>(i)] * rows.at(x, y + i);
+    return result;
+}
+
+// Several pictures in one.
+
+// Left and right eye next to each other, without a gap. Precondition: equal heights.
+Picture side_by_side(const Picture& left, const Picture& right);
+
+// `factor` × `factor` pixels become one, by their rounded mean; what is left over at the right and bottom is dropped.
+// Precondition: 1 <= factor <= both sides.
+Picture shrunk(const Picture& picture, int factor);
+
+inline constexpr int kSheetGap = 4;
+inline constexpr int kSheetMaxWidth = 2400;
+
+// A grid of `count` equal pictures, row by row, about as wide as high, kSheetGap apart on the background; every picture
+// is shrunk by a whole factor while the sheet would be wider than kSheetMaxWidth. Holds the sheet alone, not the
+// pictures.
+class ContactSheet
+{
+public:
+    // Precondition: count, width and height are at least 1.
+    ContactSheet(int count, int width_px, int height_px, const Rgb8& background);
+
+    // Puts the next picture in place. Precondition: of the announced size, at most `count` of them.
+    void add(const Picture& picture);
+    const Picture& picture() const { return sheet_; }
+
+private:
+    int columns_, factor_, added_ = 0;
+    Picture sheet_;
+};
+
 }  // namespace lumi::tools

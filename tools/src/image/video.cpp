@@ -3,7 +3,7 @@
 
 #include <iterator>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 #include "terminal/child_program.h"
 #include "terminal/failure.h"
 

@@ -7,7 +7,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 
 namespace lumi::tools
 {

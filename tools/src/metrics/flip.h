@@ -5,7 +5,6 @@
 #pragma once
 
 #include "image/picture.h"
-#include "image/plane.h"
 
 namespace lumi::tools
 {

@@ -2,7 +2,7 @@
 // Peak signal-to-noise ratio, and where two pictures differ most: means hide a hole or a splinter.
 #pragma once
 
-#include "image/plane.h"
+#include "image/picture.h"
 
 namespace lumi::tools
 {

@@ -3,7 +3,7 @@
 // Structural Similarity", IEEE TIP 13(4), 2004.
 #pragma once
 
-#include "image/plane.h"
+#include "image/picture.h"
 
 namespace lumi::tools
 {

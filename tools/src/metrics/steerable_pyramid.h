@@ -8,10 +8,21 @@
 // Bands are decimated by 2^s by cropping the spectrum. The picture is taken to repeat periodically.
 #pragma once
 
-#include "metrics/spectrum.h"
+#include <complex>
+
+#include "image/picture.h"
 
 namespace lumi::tools
 {
+
+// Discrete Fourier transforms of planes. steerable_pyramid.cpp is the only file that sees kissfft.
+
+using Complex = std::complex<double>;
+
+// Coefficient (u, v) of a spectrum stands at column u mod width, row v mod height; forward has no factor,
+// inverse none either: inverse(forward(p)) = width·height·p.
+Plane<Complex> forward_transform(const Plane<double>& plane);
+Plane<Complex> inverse_transform(Plane<Complex> spectrum);
 
 inline constexpr int kOrientations = 16;
 

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 namespace lumi::planner
 {
@@ -55,5 +57,40 @@ double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misse
 // Where two cores draw alternate stripes. `preparing`: instructions until the frame is prepared, by one of them or by
 // both; `drawing`: those of all stripes. They share cache and flash, so they wait as long as one does.
 double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t drawing, uint64_t misses);
+
+// A set-associative cache with least-recently-used replacement, fed with the addresses that a renderer reads.
+
+// A read of `bytes` bytes at `address`.
+struct Read {
+    uint32_t address, bytes;
+};
+
+class CacheModel
+{
+public:
+    explicit CacheModel(const CacheShape& shape);
+
+    // A read that crosses into another line counts for both.
+    void read(const Read& read);
+
+    uint64_t misses() const { return misses_; }
+    // Different lines read so far.
+    size_t lines_touched() const { return touched_.size(); }
+
+private:
+    void touch(uint32_t line);
+
+    CacheShape shape_;
+    std::vector<uint32_t> lines_;  // per set, most recently used first
+    std::unordered_set<uint32_t> touched_;
+    uint64_t misses_ = 0;
+};
+
+struct Traffic {
+    uint64_t lines = 0, misses = 0;
+};
+// Through the caches of kChipList.
+using AllTraffic = std::array<Traffic, kChips>;
+AllTraffic traffic_of(const std::vector<Read>& reads);
 
 }  // namespace lumi::planner

@@ -10,7 +10,7 @@
 #include "draw/draw.h"
 #include "lumi/chord/render_spans.h"
 #include "lumi/host/view_memory.h"
-#include "planner/cache_model.h"
+#include "planner/chips.h"
 
 namespace lumi::planner
 {

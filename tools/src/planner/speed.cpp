@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "planner/speed.h"
 
+#include <algorithm>
 #include <charconv>
+#include <numeric>
+#include <stdexcept>
 #include <string_view>
+
+#include "lumi/chord/render_spans.h"
+#include "lumi/orbit.h"
+#include "planner/instruction_costs.h"
+#include "quality/references.h"
 
 namespace lumi::planner
 {
@@ -56,6 +64,123 @@ std::string chip_names()
     for (size_t k = 0; k < kChips; ++k)
         text += (k == 0 ? "" : k + 1 == kChips ? " or " : ", ") + std::string(kChipList[k].key);
     return text;
+}
+
+Ram ram_of(const host::SurfaceCounts& field, const host::ScreenSize& screen)
+{
+    return {host::surface_view_bytes<PixelRgb565>(field, screen), host::stripe_pixel_bytes<PixelRgb565>(screen)};
+}
+
+Ram ram_of(const tools::FieldFile& field, SurfaceMode finest, const host::ScreenSize& screen)
+{
+    if (!field.is_surface())
+        return {host::chord_view_bytes(fits_spans(field.field())), host::stripe_pixel_bytes<PixelRgb565>(screen)};
+    const SeeThroughField& surface = field.surface();
+    return ram_of({surface.vertex_count, surface.patch_count, finest, surface.see_through_count}, screen);
+}
+
+uint32_t stack_of(const tools::FieldFile& field)
+{
+    if (field.is_surface()) return kSurfaceStackBytes;
+    return fits_spans(field.field()) ? kSpanStackBytes : kExactStackBytes;
+}
+
+double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceWork& work)
+{
+    const auto& costs = kSurfaceCosts[cost_index(core)][static_cast<size_t>(mode)];
+    return std::inner_product(work.count.begin(), work.count.end(), std::begin(costs), 0.0);
+}
+
+// Vertices and tables are read once, a patch once to be listed and once or twice to be filled; of texels, neighbours in
+// a scanline share half of the lines.
+double surface_misses(const SeeThroughField& field, const SurfaceWork& work, double line_bytes)
+{
+    constexpr double kPatchReads = 2.5, kSeeThroughReads = 3.5, kTexelLines = 0.5;
+    const double mesh = detail::format::kVertexBytes * work[SurfaceItem::vertex] +
+                        detail::format::view_bytes(field.code_bits) * work[SurfaceItem::lit] +
+                        kPatchReads * detail::format::kPatchBytes * work[SurfaceItem::patch];
+    const double see_through = kSeeThroughReads * detail::format::kPatchBytes * work[SurfaceItem::see_patch];
+    const auto texels = [&](SurfaceItem plain, SurfaceItem magnified) {
+        return kTexelLines * std::min(work[plain] + work[magnified], work[SurfaceItem::image_px]);
+    };
+    return (mesh + see_through) / line_bytes + texels(SurfaceItem::sample, SurfaceItem::magnified_sample) +
+           texels(SurfaceItem::see_sample, SurfaceItem::see_magnified_sample);
+}
+
+int rated_poses(const host::ScreenSize& screen)
+{
+    constexpr double kMostPixels = 480.0 * 480 * kRatedPoses, kFewest = 4;
+    return static_cast<int>(std::clamp<double>(kMostPixels / screen.width_px / screen.height_px, kFewest, kRatedPoses));
+}
+
+std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode, const host::ScreenSize& screen)
+{
+    std::vector<SurfaceWork> works;
+    for (quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, rated_poses(screen))) {
+        const double fov_deg = host::framing_fov_deg(screen.width_px, screen.height_px, view.distance);
+        view.eye.image = host::make_image(screen.width_px, screen.height_px, fov_deg);
+        works.push_back(work_of(field, view.eye, mode, screen.stripe_rows()));
+    }
+    std::vector<PartRate> rates;
+    for (const Chip& chip : kChipList) {
+        PartRate rate = {&chip, 0, 1e9, 0};
+        for (const SurfaceWork& work : works) {
+            const auto instructions = static_cast<uint64_t>(surface_instructions(chip.core, mode, work));
+            const auto misses = static_cast<uint64_t>(surface_misses(field, work, 1.0 * chip.cache.line_bytes));
+            const double fps = frames_per_second(chip, instructions, misses, work[SurfaceItem::image_px]);
+            rate.mean += fps / static_cast<double>(works.size());
+            rate.worst = std::min(rate.worst, fps);
+            rate.instructions += static_cast<double>(instructions) / static_cast<double>(works.size());
+        }
+        rates.push_back(rate);
+    }
+    return rates;
+}
+
+namespace
+{
+
+using tools::Mode;
+
+const double (&costs_of(const std::string& core, Mode mode, const Field& field, int32_t span_px))[kChordItems]
+{
+    const size_t of_core = cost_index(core);
+    const size_t of_mode = static_cast<size_t>(mode);
+    if (!is_drawn_by_spans(field, mode, span_px)) return kExactCosts[of_core][of_mode];
+    return kSpanCosts[of_core][of_mode][static_cast<size_t>(field.texel_format)];
+}
+
+Camera camera_of_generic_view(const host::ScreenSize& screen)
+{
+    const Orbit orbit = {degrees(37), degrees(23), radii(3)};
+    Camera camera;
+    if (make_camera(pose_of(orbit), image_of(orbit, screen.width_px, screen.height_px), camera) != CameraError::none)
+        throw std::logic_error("the rated view has no camera");
+    return camera;
+}
+
+}  // namespace
+
+double chord_instructions(const std::string& core, Mode mode, const Field& field, int32_t span_px,
+                          const ChordWork& work)
+{
+    const auto& costs = costs_of(core, mode, field, span_px);
+    return std::inner_product(work.count.begin(), work.count.end(), std::begin(costs), 0.0);
+}
+
+std::vector<PartRate> chord_rates(const Field& field, Mode mode, int32_t span_px, const host::ScreenSize& screen)
+{
+    const ChordFrame frame = frame_of(field, mode, span_px, camera_of_generic_view(screen), screen);
+    const AllTraffic traffic = traffic_of(frame.reads);
+    std::vector<PartRate> rates;
+    for (size_t k = 0; k < kChips; ++k) {
+        const Chip& chip = kChipList[k];
+        const double instructions = chord_instructions(chip.core, mode, field, span_px, frame.work);
+        const double rate = frames_per_second(chip, static_cast<uint64_t>(instructions), traffic[k].misses,
+                                              frame.work[ChordItem::image_px]);
+        rates.push_back({&chip, rate, rate, instructions});
+    }
+    return rates;
 }
 
 }  // namespace lumi::planner

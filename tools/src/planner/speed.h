@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The modes of chord fields, parts and paces for which rates are asked. chord_speed.h tells the rates.
+// RAM, stack and frame rates of fields on named parts. Rates come from models of instructions, fitted to what boards
+// executed (docs/log/tradeoff.md); those of chord fields add what their rows of texels miss in the parts' caches.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,11 @@
 #include <vector>
 
 #include "draw/draw.h"
+#include "files/field_file.h"
+#include "lumi/host/view_memory.h"
 #include "planner/chips.h"
+#include "planner/chord_work.h"
+#include "planner/surface_work.h"
 
 namespace lumi::planner
 {
@@ -33,5 +38,53 @@ inline constexpr double kUsualPace = 10;
 std::optional<Pace> parse_pace(const std::string& text);
 // "rp2040, rp2350, … or esp32c3".
 std::string chip_names();
+
+// Bytes of what is there all the time: the view that `lumi embed` writes, and the pixels of a stripe in RGB565.
+struct Ram {
+    uint32_t view = 0, stripe = 0;
+
+    uint64_t all() const { return uint64_t{view} + stripe; }
+};
+
+// `finest`: what the view of a surface field can draw; it has no meaning for chord fields.
+Ram ram_of(const tools::FieldFile& field, SurfaceMode finest, const host::ScreenSize& screen);
+Ram ram_of(const host::SurfaceCounts& field, const host::ScreenSize& screen);
+
+// Bytes of stack that preparing and drawing stay below on every Cortex-M, as tests/platform/cross_tests.cmake proves.
+inline constexpr uint32_t kSurfaceStackBytes = 3072, kSpanStackBytes = 2624, kExactStackBytes = 1024;
+uint32_t stack_of(const tools::FieldFile& field);
+
+// Instructions of a frame in RGB565 with the code of `core` ("m0plus", "m4" or "m7").
+double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceWork& work);
+
+// Flash lines of so many bytes that a frame misses, about.
+double surface_misses(const SeeThroughField& field, const SurfaceWork& work, double line_bytes);
+
+// Frames a second by one core, over poses all around the sphere.
+struct PartRate {
+    const Chip* chip;
+    double mean, worst;
+    double instructions;  // a frame, in the mean
+};
+std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode,
+                                    const host::ScreenSize& screen = {});
+
+inline constexpr int kRatedPoses = 200;
+
+// From how many poses such a screen is rated: kRatedPoses up to 480 × 480 pixels; of larger ones fewer, since each pose
+// is drawn.
+int rated_poses(const host::ScreenSize& screen);
+
+// The span that rates are told for unless they say which.
+inline constexpr int32_t kRatedSpanPx = 8;
+
+// Instructions of a frame in RGB565 over black, whose work is frame_of()'s, with the code of `core` ("m0plus", "m4" or
+// "m7"). Paper is that of 5 points a side.
+double chord_instructions(const std::string& core, tools::Mode mode, const Field& field, int32_t span_px,
+                          const ChordWork& work);
+
+// Frames a second by one core, of a view that the sphere fills, in the order of kChipList; mean and worst are the same.
+std::vector<PartRate> chord_rates(const Field& field, tools::Mode mode, int32_t span_px = kRatedSpanPx,
+                                  const host::ScreenSize& screen = {});
 
 }  // namespace lumi::planner

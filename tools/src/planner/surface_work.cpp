@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lumi/surface/detail/marks.h"
-#include "planner/counted_pieces.h"
+#include "planner/counted_rows.h"
 #include "surface/lists.h"
 
 namespace lumi::planner

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Checks of what options take; their words say what the option takes.
+// Checks and choices of the words that options take, and headings in the help of a command.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace lumi::tools
 {
@@ -30,5 +32,60 @@ void require_plain_words(CLI::App& app);
 
 // CLI11's text, "NAME takes ..." where a check or a choice failed.
 std::string parse_problem(const CLI::ParseError& error);
+
+// The words of an option that takes one of a list.
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+// "a, b or c".
+template <class Value>
+std::string words_of(const Choices<Value>& choices)
+{
+    std::string text;
+    for (size_t i = 0; i < choices.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i].first;
+    return text;
+}
+
+// Adds an option that sets `value`, which must outlive the parse; another word is refused with the list.
+template <class Value>
+void add_choice(CLI::App& command, const std::string& name, Value& value, const Choices<Value>& choices,
+                const std::string& description)
+{
+    std::string listed;
+    for (const auto& choice : choices) listed += (listed.empty() ? "" : "|") + choice.first;
+    const auto set = [name, choices, &value](const std::string& word) {
+        for (const auto& [choice, meaning] : choices)
+            if (choice == word) {
+                value = meaning;
+                return;
+            }
+        throw CLI::ValidationError(name, "takes " + words_of(choices) + ", not \"" + word + "\"");
+    };
+    command.add_option_function<std::string>(name, set, description)->type_name(listed);
+}
+
+// The options that a command gets while this lives stand under one heading of its help.
+class OptionGroup
+{
+public:
+    OptionGroup(CLI::App& command, std::string heading)
+        : command_(command), heading_(std::move(heading)), begin_(command.get_options().size())
+    {
+    }
+    OptionGroup(const OptionGroup&) = delete;
+    OptionGroup& operator=(const OptionGroup&) = delete;
+    ~OptionGroup()
+    {
+        const std::vector<CLI::Option*> options = command_.get_options([](CLI::Option*) { return true; });
+        for (size_t k = begin_; k < options.size(); ++k)
+            if (!options[k]->get_positional()) options[k]->group(heading_);
+    }
+
+private:
+    CLI::App& command_;
+    const std::string heading_;
+    const size_t begin_;
+};
 
 }  // namespace lumi::tools

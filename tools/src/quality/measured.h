@@ -3,19 +3,34 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "draw/draw.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "metrics/psnr.h"
-#include "quality/draw_modes.h"
-#include "quality/figures.h"
 #include "quality/kept.h"
 #include "quality/references.h"
 
 namespace lumi::quality
 {
+
+// Ways to draw a chord field, as words name them.
+
+struct DrawMode {
+    std::string name;  // as it was given
+    tools::DrawSettings settings;
+};
+
+inline constexpr const char* kDrawModeWords =
+    "nearest, linear or paperK with K from 1 to 9; the first two also with /S for spans "
+    "of S = 2, 4, 8 or 16 pixels, for instance linear/8";
+
+// "linear", "paper9", "nearest/8"; nothing for other words.
+std::optional<DrawMode> parse_draw_mode(std::string_view text);
 
 // How a field is drawn: by the one that its layout takes.
 struct Way {

@@ -4,11 +4,24 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 
+#include "image/picture.h"
 #include "quality/report_data.h"
 
 namespace lumi::quality
 {
+
+// Text as HTML shows it.
+
+// With &, <, > and quotes escaped.
+std::string escaped(std::string text);
+
+// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
+// An <img> that holds the picture itself.
+std::string image_tag(const tools::Picture& picture, std::string_view alternative_text);
 
 // A page begins with this, before the means.
 struct PageLead {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quality/figures.h"
 #include "quality/measured.h"
+#include "quality/references.h"
 
 namespace lumi::quality
 {

@@ -2,6 +2,7 @@
 // Finds what each file costs on each part, and what it shows, drawn by the same mode.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +14,19 @@
 
 namespace lumi::trade
 {
+
+// Which ways to draw are worth a look: those that no other one beats in speed and in accuracy at once.
+
+struct Point {
+    double frames_per_second, psnr_db;
+    bool is_possible = true;  // impossible ones neither stand on the front nor beat others
+};
+
+// Accuracy that differs by less is the same.
+inline constexpr double kSameDb = 0.01;
+
+// The places of those that no other one beats, the fastest first. Of equals the first one stands for all.
+std::vector<size_t> front_of(const std::vector<Point>& points);
 
 // The figures are of frames of 240 × 240 pixels of RGB565 on one core.
 struct PartFigures {
@@ -29,7 +43,7 @@ struct Row {
     std::string mode;            // "antialiased", "linear, S = 8"
     std::string render_options;  // of `lumi render`, that draw so
     std::string firmware;        // how the view that `lumi embed` writes draws so
-    uint64_t ram_bytes;          // a view and a stripe of 16 rows (planner/ram.h)
+    uint64_t ram_bytes;          // a view and a stripe of 16 rows (planner/speed.h)
     std::vector<PartFigures> parts;  // in the order of Trade::parts; empty for modes that no model knows
 };
 

@@ -7,8 +7,10 @@
 #include <map>
 #include <regex>
 
-#include "image/png.h"
+#include "files/output_file.h"
+#include "image/picture_file.h"
 #include "lumi/baker/file_guard.h"
+#include "terminal/child_program.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -68,6 +70,15 @@ std::vector<std::string> read_turntable(const std::string& folder)
         pictures.push_back(bytes_of(path));
     }
     return pictures;
+}
+
+std::string show_in_browser(const std::string& name, const std::string& html)
+{
+    constexpr char kMend[] = "install a browser and xdg-utils, or write the page to a file with -o view.html";
+    const std::string path = (new_temporary_folder(kMend) / (name + ".html")).string();
+    write_output(path, html);
+    run_program("xdg-open", {path}, kMend);
+    return path;
 }
 
 }  // namespace lumi::tools

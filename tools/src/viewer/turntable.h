@@ -12,4 +12,10 @@ namespace lumi::tools
 // no turntable or more than one, one of its pictures is missing or no PNG, or their sizes differ.
 std::vector<std::string> read_turntable(const std::string& folder);
 
+// Shows a page in the user's browser.
+
+// Writes NAME.html in a new folder for temporary files, and opens it by xdg-open. Returns its path. Throws Failure
+// where that cannot be done.
+std::string show_in_browser(const std::string& name, const std::string& html);
+
 }  // namespace lumi::tools

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "quality/html.h"
+#include "quality/page.h"
 #include "viewer/page_sources.h"
 
 namespace lumi::tools

@@ -9,7 +9,7 @@
 #include "image/picture.h"
 #include "lumi/chord/camera.h"
 #include "lumi/chord/field.h"
-#include "planner/cache_model.h"
+#include "planner/chips.h"
 
 namespace lumi::bench
 {

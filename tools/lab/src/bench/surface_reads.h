@@ -8,7 +8,7 @@
 
 #include "files/field_file.h"
 #include "lumi/bench/surface_modes.h"
-#include "planner/cache_model.h"
+#include "planner/chips.h"
 
 namespace lumi::bench
 {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/jpeg.h"
+#include "image/picture_file.h"
 #include "lumi/baker/reference.h"
 #include "lumi/detail/lattice.h"
 #include "lumi/twin/geometry.h"

@@ -5,7 +5,7 @@
 #include "commands/scene_options.h"
 #include "comparison/baselines.h"
 #include "measure/commands.h"
-#include "program/choice.h"
+#include "program/option_checks.h"
 #include "quality/report_data.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"

@@ -13,7 +13,7 @@
 #include "lumi/twin/weights.h"
 #include "measure/commands.h"
 #include "measure/extreme_views.h"
-#include "terminal/interrupt.h"
+#include "terminal/failure.h"
 
 namespace lumi::lab
 {

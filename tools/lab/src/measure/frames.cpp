@@ -17,8 +17,8 @@
 #include "lumi/pixel.h"
 #include "lumi/twin/surface_picture.h"
 #include "measure/commands.h"
-#include "planner/cache_model.h"
-#include "terminal/interrupt.h"
+#include "planner/chips.h"
+#include "terminal/failure.h"
 
 namespace lumi::bench
 {

@@ -8,10 +8,10 @@
 #include "commands/scene_options.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
-#include "image/plane.h"
+#include "image/picture.h"
 #include "lumi/baker/reference.h"
 #include "measure/commands.h"
-#include "quality/held_out.h"
+#include "quality/references.h"
 
 namespace lumi::lab
 {

@@ -12,7 +12,7 @@
 #include "lumi/twin/surface_picture.h"
 #include "measure/commands.h"
 #include "measure/extreme_views.h"
-#include "terminal/interrupt.h"
+#include "terminal/failure.h"
 
 namespace lumi::lab
 {

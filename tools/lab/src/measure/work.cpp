@@ -6,12 +6,11 @@
 #include "files/field_file.h"
 #include "lumi/bench/surface_modes.h"
 #include "measure/commands.h"
-#include "planner/chord_speed.h"
 #include "planner/chord_work.h"
 #include "planner/instruction_costs.h"
-#include "planner/surface_speed.h"
+#include "planner/speed.h"
 #include "planner/surface_work.h"
-#include "terminal/interrupt.h"
+#include "terminal/failure.h"
 
 namespace lumi::lab
 {

@@ -5,6 +5,7 @@
 
 namespace lumi::twin
 {
+
 namespace
 {
 

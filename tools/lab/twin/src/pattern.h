@@ -3,14 +3,66 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <set>
 #include <vector>
 
-#include "cells.h"
+#include "lumi/twin/geometry.h"
 #include "lumi/twin/weights.h"
 
 namespace lumi::twin
 {
+
+// The lattice by longitude and height: zones and their coordinates, from the formulas of docs/chord-fields.md.
+
+inline double fibonacci(int m)
+{
+    return std::round(std::pow(kGolden, m) / std::sqrt(5.0));
+}
+
+// A direction in the north: longitude in turns, and height as a real-valued index.
+struct Place {
+    double turns, height;
+};
+
+inline Place place_of(const Vec3& north, uint32_t n)
+{
+    return {std::atan2(north.y, north.x) / (2 * kPi), n * (1 - north.z) / 2 - 0.5};
+}
+
+// q, or its mirror image under i -> n-1-i if that is the one in the north.
+inline Vec3 northern(const Vec3& q, uint32_t n)
+{
+    if (q.z >= 0) return q;
+    const double angle = 2 * kPi * ((n - 1) / kGolden) - std::atan2(q.y, q.x);
+    const double radius = std::sqrt(q.x * q.x + q.y * q.y);
+    return {radius * std::cos(angle), radius * std::sin(angle), -q.z};
+}
+
+// √5·π·n·(1 - z²) at a height.
+inline double steepness(double height, uint32_t n)
+{
+    const double z = 1 - (2 * height + 1) / n;
+    return std::sqrt(5.0) * kPi * n * (1 - z * z);
+}
+
+// The zone of a height, with the part of it that lies behind.
+inline double zone_of(double height, uint32_t n)
+{
+    return std::log(steepness(height, n)) / std::log(kGolden) / 2;
+}
+
+// Lattice coordinates in the basis (F_k, F_k+1).
+struct CellCoordinates {
+    double u, v;
+};
+
+inline CellCoordinates coordinates(const Place& p, int k)
+{
+    const double sign = k % 2 != 0 ? 1 : -1;
+    return {sign * fibonacci(k + 1) * p.turns + std::pow(kGolden, -k - 1) * p.height,
+            std::pow(kGolden, -k) * p.height - sign * fibonacci(k) * p.turns};
+}
 
 class Pattern
 {

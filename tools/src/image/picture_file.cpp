@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/png.h"
+#include "image/picture_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "files/output_file.h"
+#include "image/animation.h"
 #include "lumi/baker/picture_file.h"
 #include "lumi/host/png.h"
 #include "terminal/failure.h"
@@ -56,6 +57,40 @@ void write_png(const std::string& path, const Picture& picture)
     } catch (const std::length_error& error) {
         throw Failure(path, error.what(), "choose a smaller --size");
     }
+}
+
+std::string jpeg_bytes(const Picture& picture, int quality)
+{
+    return baker::jpeg_bytes({picture.width_px, picture.height_px, picture.rgb.data()}, quality);
+}
+
+Picture through_jpeg(const Picture& picture, size_t bytes)
+{
+    int low = 1, high = 101;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        (jpeg_bytes(picture, middle).size() <= bytes ? low : high) = middle;
+    }
+    Picture shown(picture.width_px, picture.height_px);
+    shown.rgb = baker::decode_jpeg(jpeg_bytes(picture, low)).rgb;
+    return shown;
+}
+
+bool is_exr_name(const std::string& path)
+{
+    return small_ending(path) == ".exr";
+}
+
+std::string wrong_reference_name(const std::string& path)
+{
+    if (is_exr_name(path)) return "";
+    const std::string wrong = wrong_views_name(path);
+    return wrong.empty() ? "" : wrong + "; linear light is written to names that end in .exr";
+}
+
+std::string exr_bytes(const baker::RadianceImage& image)
+{
+    return baker::exr_bytes({image.width, image.height, image.rgba.data()});
 }
 
 }  // namespace lumi::tools

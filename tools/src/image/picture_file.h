@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// PNG files as the tools handle pictures (lumi/host/png.h).
+// Files of pictures: PNG, JPEG and OpenEXR (lumi/host/png.h, lumi/baker/picture_file.h).
 #pragma once
 
 #include <string>
 
 #include "image/picture.h"
+#include "lumi/baker/reference.h"
 
 namespace lumi::tools
 {
@@ -23,5 +24,18 @@ std::string png_bytes(const Picture& picture);
 
 // Writes by write_output: throws Failure and leaves earlier output where that fails.
 void write_png(const std::string& path, const Picture& picture);
+
+std::string jpeg_bytes(const Picture& picture, int quality);
+
+// The picture as it looks after the best quality whose file takes at most `bytes`, or after quality 1.
+Picture through_jpeg(const Picture& picture, size_t bytes);
+
+bool is_exr_name(const std::string& path);
+
+// Says what is wrong with it as the name of views to trace; nothing if it ends in ".png", ".webp" or ".exr", or is a
+// device or a pipe.
+std::string wrong_reference_name(const std::string& path);
+
+std::string exr_bytes(const baker::RadianceImage& image);
 
 }  // namespace lumi::tools
