@@ -3,16 +3,12 @@
 set(LUMI_CORE_SOURCES
   src/chord/stepping/coarse_math.cpp
   src/math/math.cpp
-  src/math/reciprocal.cpp
-  src/lattice/hull_triangle.cpp
   src/lattice/lattice.cpp
   src/lattice/lattice_query.cpp
   src/lattice/local_distances.cpp
   src/lattice/neighbours.cpp
   src/lattice/polar.cpp
-  src/lattice/polar_triangle.cpp
   src/lattice/triangle.cpp
-  src/lattice/zone_tables.cpp
   src/field/crc32.cpp
   src/field/field.cpp
   src/field/sections.cpp
@@ -53,13 +49,10 @@ set(LUMI_CORE_SOURCES
   src/surface/field.cpp
   src/surface/view_nodes.cpp
   src/surface/without_views.cpp
-  src/view/check_stripe.cpp
   src/control/gesture.cpp
   src/pixel/pack.cpp
-  src/view/view_error.cpp
-  src/c/gesture.cpp
-  src/c/pack.cpp
-  src/c/pose.cpp)
+  src/view/view.cpp
+  src/c/calls.cpp)
 
 # The calls of lumi.h that hang on macros: programs in C compile them with their own.
 set(LUMI_C_SOURCES

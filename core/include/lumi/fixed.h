@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-#include "lumi/detail/cpp17.h"
+#include "lumi/detail/compiler.h"
 
 namespace lumi
 {

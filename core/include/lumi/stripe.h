@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "lumi/detail/cpp17.h"
+#include "lumi/detail/compiler.h"
 
 namespace lumi
 {

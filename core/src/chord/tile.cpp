@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/chord/detail/tile.h"
 
-#include "lumi/detail/register_hints.h"
+#include "lumi/detail/compiler.h"
 
 namespace lumi::detail
 {

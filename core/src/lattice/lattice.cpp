@@ -1,10 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/detail/lattice.h"
 
+#include "lattice/zone_tables.h"
 #include "lumi/detail/math.h"
+#include "math/generate.h"
 
 namespace lumi::detail
 {
+namespace
+{
+
+constexpr ZoneTables make_zone_tables()
+{
+    ZoneTables t{};
+    double power = 1;
+    double inverse = 1;
+    for (uint32_t& v : t.threshold_q10) {
+        v = static_cast<uint32_t>(1024 * power / (generate::root(5) * generate::kPi) + 0.5);
+        power *= generate::kGolden;
+    }
+    for (int32_t& v : t.inverse_power_q30) {
+        v = static_cast<int32_t>(kOneQ30 * inverse + 0.5);
+        inverse /= generate::kGolden;
+    }
+    return t;
+}
+
+}  // namespace
+
+constexpr ZoneTables kZoneTables = make_zone_tables();
 
 Lattice::Lattice(uint32_t size)
     : size_(size), reciprocal_q62_(((uint64_t{1} << 62) + size / 2) / size), spacing2_(0), unit_bits_(0)

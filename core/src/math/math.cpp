@@ -2,6 +2,7 @@
 #include "lumi/detail/math.h"
 
 #include "math/generate.h"
+#include "math/reciprocal.h"
 
 namespace lumi
 {
@@ -85,7 +86,20 @@ int32_t ratio(uint32_t small, uint32_t large)
     return rounded > static_cast<uint64_t>(kOneQ30) ? kOneQ30 : static_cast<int32_t>(rounded);
 }
 
+constexpr ReciprocalTable make_reciprocals()
+{
+    ReciprocalTable t{};
+    // 2^29 / (256 (k + 1/2)) = 2^22 / (2 k + 1), rounded.
+    for (uint32_t k = 128; k < 512; ++k) {
+        const uint32_t odd = 2 * k + 1;
+        t.q29[k - 128] = static_cast<uint16_t>(((uint32_t{1} << 22) + odd / 2) / odd);
+    }
+    return t;
+}
+
 }  // namespace
+
+constexpr ReciprocalTable detail::kReciprocals = make_reciprocals();
 
 ReciprocalRoot detail::reciprocal_root(uint64_t v)
 {

@@ -2,7 +2,7 @@
 // Vertices of a surface on the grid of samples, triangles as their vertices lie, and their light.
 #pragma once
 
-#include "lumi/detail/register_hints.h"
+#include "lumi/detail/compiler.h"
 #include "lumi/surface/detail/pieces.h"
 #include "math/reciprocal.h"
 

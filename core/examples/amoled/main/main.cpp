@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Turns a field on a round AMOLED panel of 466 × 466 pixels, whose controller takes windows with even sides alone. Of
 // each frame only what changes is sent: where the object is, and where it was.
-#include "panel.h"
+#include <esp_lcd_panel_ops.h>
+
 #include "product.h"  // written by lumi_add_field
+
+// You write this for your board, as the example of its panel's driver does it: a panel of 466 × 466 pixels of 16 bits
+// behind SPI or QSPI, switched on; nullptr if it does not answer.
+esp_lcd_panel_handle_t make_panel();
 
 using namespace lumi;
 

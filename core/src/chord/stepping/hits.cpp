@@ -2,7 +2,7 @@
 #include "lumi/chord/detail/stepping/hits.h"
 
 #include "chord/stepping/coarse_math.h"
-#include "lumi/detail/register_hints.h"
+#include "lumi/detail/compiler.h"
 
 namespace lumi::detail
 {

@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#include "lumi/detail/register_hints.h"
+#include "lumi/detail/compiler.h"
 
 namespace lumi::detail
 {

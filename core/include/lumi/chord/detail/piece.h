@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lumi/chord/detail/stepper.h"
-#include "lumi/detail/register_hints.h"
+#include "lumi/detail/compiler.h"
 
 namespace lumi::detail
 {

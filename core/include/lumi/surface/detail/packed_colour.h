@@ -5,10 +5,9 @@
 #pragma once
 
 #include "lumi/color.h"
+#include "lumi/detail/compiler.h"
 #include "lumi/detail/math.h"
-#include "lumi/detail/register_hints.h"
 #include "lumi/pixel.h"
-#include "lumi/surface/detail/hot.h"
 
 namespace lumi::detail
 {

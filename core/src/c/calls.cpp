@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/gesture.h"
-
+// The calls of lumi.h that hang on no macro: gestures, poses and packed greys.
 #include "c/types.h"
+#include "lumi/attitude.h"
+#include "lumi/gesture.h"
+#include "lumi/pack.h"
 
 using namespace lumi::detail;
 
@@ -30,4 +32,34 @@ bool lumi_drag_next(lumi_drag* drag, lumi_touch touch, uint32_t elapsed_ms, lumi
     orbit->azimuth_turns32 = next.azimuth_turns32;
     orbit->elevation_turns32 = next.elevation_turns32;
     return moves;
+}
+
+lumi_pose lumi_pose_of(lumi_orbit orbit)
+{
+    return in_c(lumi::pose_of(in_cpp(orbit)));
+}
+
+lumi_pose lumi_held_pose(lumi_quaternion turn, int32_t distance_q20)
+{
+    return in_c(lumi::held_pose({turn.w, turn.x, turn.y, turn.z}, distance_q20));
+}
+
+lumi_pose lumi_moved_right(lumi_pose pose, int32_t offset_q20)
+{
+    return in_c(lumi::moved_right(in_cpp(pose), offset_q20));
+}
+
+void lumi_pack_grey4(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes)
+{
+    lumi::pack_grey4(in_cpp(grey), out, out_stride_bytes);
+}
+
+void lumi_pack_mono1(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes)
+{
+    lumi::pack_mono1(in_cpp(grey), out, out_stride_bytes);
+}
+
+void lumi_pack_pages(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes)
+{
+    lumi::pack_pages(in_cpp(grey), out, out_stride_bytes);
 }
