@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What all ARM toolchain files share: GNU Arm Embedded, found through PATH. The file that includes this one has set
+# All ARM toolchain files share this: GNU Arm Embedded, found through PATH. The file that includes this one has set
 # LUMI_ARM_CPU to a name that -mcpu knows.
 #
 # Soft-float ABI on every core, also on those that may have an FPU: lumi::core computes in integers only, so the FPU

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What the RISC-V toolchain files share: GNU tools found through PATH. They come without a C library; core needs none. The
+# All RISC-V toolchain files share GNU tools found through PATH. They come without a C library; core needs none. The
 # file that includes this one has set LUMI_RISCV_ARCH and LUMI_RISCV_ABI to names that -march and -mabi know.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR riscv)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As main.cpp, on both cores: each prepares half of a frame. Of each pair of stripes core 0 draws the upper one, core 1
-// the lower one.
+// This is main.cpp on both cores: each prepares half of a frame. Core 0 draws the upper stripe of each pair, core 1 the
+// lower one.
 #include <lumi/view.h>
 
 #include "board.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mode is a SurfaceMode.
 #include "drawing.h"
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 
 namespace lumi::wasm
 {
@@ -11,15 +11,15 @@ namespace
 constexpr uint32_t kModes = 3;
 constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
 
-LUMI_CONSTANT SeeThroughField field = {};
-LUMI_CONSTANT SeeThroughFrame frame = {};
+LUMI_CONSTANT SurfaceField field = {};
+LUMI_CONSTANT SurfaceFrame frame = {};
 void* samples = nullptr;
 
 }  // namespace
 
 ViewError open_drawing(const uint8_t* bytes, size_t size)
 {
-    return detail::view_error(open_surface(bytes, size, field));
+    return detail::view_error(open_surface<SurfaceFeatures::all>(bytes, size, field));
 }
 
 uint32_t drawing_modes()
@@ -30,15 +30,15 @@ uint32_t drawing_modes()
 namespace
 {
 
-// Without padding: vertices and the order are words, links and bands half words, samples words again.
+// Without padding: vertices and see-through parts are words, links and bands half words, samples words again.
 struct Layout {
-    uint32_t order, links, bands, samples;
+    uint32_t see_through, links, bands, samples;
 
     explicit Layout(int32_t height_px)
     {
         constexpr uint32_t kHalf = sizeof(uint16_t), kWord = sizeof(uint32_t);
-        order = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
-        links = order + see_through_order(field.see_through_count) * kWord;
+        see_through = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
+        links = see_through + see_through_words(field.see_through_count) * kWord;
         bands = links + surface_links(field.patch_count) * kHalf;
         const uint32_t end = bands + surface_bands(height_px, kBandLog2) * kHalf;
         samples = (end + kWord - 1) / kWord * kWord;
@@ -65,21 +65,24 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
     if (const CameraError error = make_surface_camera(pose, image, camera); error != CameraError::none)
         return detail::view_error(error);
     const Layout layout(image.height_px);
-    const SeeThroughMemory borrowed = {
-        {reinterpret_cast<SurfaceVertex*>(memory), reinterpret_cast<uint16_t*>(memory + layout.links),
-         reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2},
-        reinterpret_cast<uint32_t*>(memory + layout.order)};
+    const SurfaceMemory borrowed = {reinterpret_cast<SurfaceVertex*>(memory),
+                                    reinterpret_cast<uint16_t*>(memory + layout.links),
+                                    reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2,
+                                    reinterpret_cast<uint32_t*>(memory + layout.see_through)};
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
-        prepare_surface<decltype(pixel)>(field, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);
+        prepare_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(
+            field, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);
     });
     return ViewError::none;
 }
 
 ViewError draw(const Style& style, const Stripe& stripe)
 {
-    with_pixel(style.format,
-               [&](auto pixel) { render_surface<decltype(pixel)>(frame, style.background, stripe, samples); });
+    with_pixel(style.format, [&](auto pixel) {
+        render_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, style.background, stripe,
+                                                                                       samples);
+    });
     return ViewError::none;
 }
 

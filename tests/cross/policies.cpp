@@ -209,45 +209,39 @@ ViewError draw_surface_view_over_nothing(PolicyView& view, const Stripe& stripe)
 }
 
 // Views of fields with see-through parts.
-struct SeeThroughView {
-    SeeThroughField field;
-    SurfaceCamera camera;
-    SeeThroughMemory memory;
-    SeeThroughFrame frame;
-    void* samples;
-};
-using PrepareSeeThrough = void (*)(SeeThroughView&, SurfaceMode);
-using DrawSeeThrough = void (*)(const SeeThroughView&, const void* background, const Stripe&);
+constexpr SurfaceMode kAnyMode = SurfaceMode::two_by_two;
+constexpr SurfaceFeatures kAllFeatures = SurfaceFeatures::all;
 
 template <class Pixel>
-void prepare_surface_see_through(SeeThroughView& view, SurfaceMode mode)
+void prepare_surface_see_through(SurfaceView& view, SurfaceMode mode)
 {
-    prepare_surface<Pixel>(view.field, view.camera, mode, view.memory, view.frame);
+    prepare_surface<Pixel, kAnyMode, kAllFeatures>(view.field, view.camera, mode, view.memory, view.frame);
 }
 
 template <class Pixel, class Background>
-void draw_surface_see_through(const SeeThroughView& view, const void* background, const Stripe& stripe)
+void draw_surface_see_through(const SurfaceView& view, const void* background, const Stripe& stripe)
 {
-    render_surface<Pixel>(view.frame, *static_cast<const Background*>(background), stripe, view.samples);
+    const Background& behind = *static_cast<const Background*>(background);
+    render_surface<Pixel, kAnyMode, kAllFeatures>(view.frame, behind, stripe, view.samples);
 }
 
-FieldError draw_surface_open_see_through(SeeThroughView& view, const uint8_t* bytes, size_t size)
+FieldError draw_surface_open_see_through(SurfaceView& view, const uint8_t* bytes, size_t size)
 {
-    return open_surface(bytes, size, view.field);
+    return open_surface<kAllFeatures>(bytes, size, view.field);
 }
 
-void draw_surface_see_through_coverage(const SeeThroughView& view, const Stripe& stripe)
+void draw_surface_see_through_coverage(const SurfaceView& view, const Stripe& stripe)
 {
-    render_coverage(view.frame, stripe, view.samples);
+    render_coverage<kAllFeatures>(view.frame, stripe, view.samples);
 }
 
 template <class Pixel>
 struct SeeThroughPixels {
-    PrepareSeeThrough prepare = prepare_surface_see_through<Pixel>;
-    DrawSeeThrough over_black = draw_surface_see_through<Pixel, OverBlack>;
-    DrawSeeThrough over_colour = draw_surface_see_through<Pixel, OverColour>;
-    DrawSeeThrough over_stripe = draw_surface_see_through<Pixel, OverStripe>;
-    DrawSeeThrough over_nothing = draw_surface_see_through<Pixel, OverNothing>;
+    PrepareSurface prepare = prepare_surface_see_through<Pixel>;
+    DrawSurface over_black = draw_surface_see_through<Pixel, OverBlack>;
+    DrawSurface over_colour = draw_surface_see_through<Pixel, OverColour>;
+    DrawSurface over_stripe = draw_surface_see_through<Pixel, OverStripe>;
+    DrawSurface over_nothing = draw_surface_see_through<Pixel, OverNothing>;
 };
 
 struct EverySeeThrough {

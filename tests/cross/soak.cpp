@@ -11,7 +11,7 @@
 #include "lumi/mps2/meters.h"
 #include "lumi/orbit.h"
 #include "lumi/surface/halves.h"
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 #include "text_line.h"
 
 namespace
@@ -92,32 +92,17 @@ Guarded<surface_stripe_bytes(kMostSide, kMostSide, SurfaceMode::two_by_two)> sam
 Guarded<kMostVertices * sizeof(SurfaceVertex)> vertex_memory;
 Guarded<2 * surface_links(kMostPatches)> link_memory;
 Guarded<2 * surface_bands(kMostSide, 0)> band_memory, second_band_memory;
-Guarded<4 * see_through_order(kMostPatches)> order_memory;
+Guarded<4 * see_through_words(kMostPatches)> see_through_memory;
 
-SeeThroughFrame frame;
+SurfaceFrame frame;
 SurfaceHalves halves;
 
 SurfaceMemory memory_of(const SurfaceField& field, int32_t height_px, uint32_t band_log2)
 {
     return {reinterpret_cast<SurfaceVertex*>(vertex_memory.of(field.vertex_count * uint32_t{sizeof(SurfaceVertex)})),
             reinterpret_cast<uint16_t*>(link_memory.of(2 * surface_links(field.patch_count))),
-            reinterpret_cast<uint16_t*>(band_memory.of(2 * surface_bands(height_px, band_log2))), band_log2};
-}
-
-SeeThroughMemory memory_of(const SeeThroughField& field, int32_t height_px, uint32_t band_log2)
-{
-    const SurfaceField& opaque = field;
-    return {memory_of(opaque, height_px, band_log2),
-            reinterpret_cast<uint32_t*>(order_memory.of(4 * see_through_order(field.see_through_count)))};
-}
-
-SurfaceFrame& frame_of(const SurfaceField&)
-{
-    return frame;
-}
-SeeThroughFrame& frame_of(const SeeThroughField&)
-{
-    return frame;
+            reinterpret_cast<uint16_t*>(band_memory.of(2 * surface_bands(height_px, band_log2))), band_log2,
+            reinterpret_cast<uint32_t*>(see_through_memory.of(4 * see_through_words(field.see_through_count)))};
 }
 
 struct Size {
@@ -178,8 +163,8 @@ void draw_twice(const Size& size, bool whole_rows, const Between& between, const
 }
 
 // The frame of one core is drawn whole; every other time, the frame prepared in halves is drawn in stripes.
-template <class Pixel, class AnySurfaceField, class Background>
-void draw_surface(const AnySurfaceField& field, const Background& background)
+template <class Pixel, SurfaceFeatures kFeatures = SurfaceFeatures::view_tables, class Background>
+void draw_surface(const SurfaceField& field, const Background& background)
 {
     const Size size = random_size();
     const Orbit orbit = random_orbit();
@@ -190,34 +175,28 @@ void draw_surface(const AnySurfaceField& field, const Background& background)
         ++refused;
         return;
     }
-    auto& prepared = frame_of(field);
-    const auto memory = memory_of(field, size.height, band_log2);
-    prepare_surface<Pixel>(field, camera, mode, memory, prepared);
+    const SurfaceMemory memory = memory_of(field, size.height, band_log2);
+    prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, camera, mode, memory, frame);
     const auto prepare_in_halves = [&] {
         if (random_of(2) == 0) return;
         halves.bands = reinterpret_cast<uint16_t*>(second_band_memory.of(2 * surface_bands(size.height, band_log2)));
-        prepare_surface<Pixel>(field, camera, mode, memory, prepared, halves, [](int32_t step) {
-            const uint32_t first = static_cast<uint32_t>(random_of(2));
-            prepare_half(halves, step, first);
-            prepare_half(halves, step, 1 - first);
-        });
+        prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(
+            field, camera, mode, memory, frame, halves, [](int32_t step) {
+                const uint32_t first = static_cast<uint32_t>(random_of(2));
+                prepare_half(halves, step, first);
+                prepare_half(halves, step, 1 - first);
+            });
         second_band_memory.check("written beside the second half's bands");
     };
     draw_twice<Pixel>(size, false, prepare_in_halves, [&](const Stripe& stripe) {
         const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, mode);
-        render_surface<Pixel>(prepared, background, stripe, sample_memory.of(bytes));
+        render_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(frame, background, stripe, sample_memory.of(bytes));
         sample_memory.check("written beside the samples");
     });
     vertex_memory.check("written beside the vertices");
     link_memory.check("written beside the links");
     band_memory.check("written beside the bands");
-}
-
-template <class Pixel, class Background>
-void draw_see_through(const SeeThroughField& field, const Background& background)
-{
-    draw_surface<Pixel>(field, background);
-    order_memory.check("written beside the order of see-through triangles");
+    see_through_memory.check("written beside the see-through triangles");
 }
 
 template <class Reconstruction, class Pixel, class Background>
@@ -243,7 +222,7 @@ void draw_chord(const Field& field, const Background& background)
 struct Fields {
     SurfaceField surface;
     Field chord;
-    SeeThroughField see_through;
+    SurfaceField see_through;
 };
 
 void draw_frame(const Fields& fields)
@@ -273,11 +252,11 @@ void draw_frame(const Fields& fields)
         case 9:
             return draw_chord<Nearest, PixelGrey8>(fields.chord, OverStripe{});
         case 10:
-            return draw_see_through<PixelRgb565>(fields.see_through, colour);
+            return draw_surface<PixelRgb565, SurfaceFeatures::all>(fields.see_through, colour);
         case 11:
-            return draw_see_through<PixelArgb8888>(fields.see_through, OverNothing{});
+            return draw_surface<PixelArgb8888, SurfaceFeatures::all>(fields.see_through, OverNothing{});
         default:
-            return draw_see_through<PixelRgb565Swapped>(fields.see_through, OverStripe{});
+            return draw_surface<PixelRgb565Swapped, SurfaceFeatures::all>(fields.see_through, OverStripe{});
     }
 }
 
@@ -293,7 +272,8 @@ void open_fields(Fields& fields)
     if (open_surface(surface.bytes, surface.size, fields.surface) != FieldError::none)
         fail("no surface field is loaded");
     if (open_field(chord.bytes, chord.size, fields.chord) != FieldError::none) fail("no chord field is loaded");
-    if (open_surface(see_through.bytes, see_through.size, fields.see_through) != FieldError::none ||
+    if (open_surface<SurfaceFeatures::all>(see_through.bytes, see_through.size, fields.see_through) !=
+            FieldError::none ||
         fields.see_through.see_through_count == 0)
         fail("no field with see-through parts is loaded");
 }

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "lumi/chord/render_spans.h"
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 
 namespace lumi::fuzz
 {
@@ -75,7 +75,7 @@ inline void draw_chord(const Field& field, const Scene& s)
     detail::with_texel(field.texel_format, [&](auto texel) { draw_chord<decltype(texel)>(field, camera, s); });
 }
 
-inline void draw_surface(const SeeThroughField& field, const Scene& s)
+inline void draw_surface(const SurfaceField& field, const Scene& s)
 {
     SurfaceCamera camera;
     if (make_surface_camera(s.pose, s.image, camera) != CameraError::none) return;
@@ -85,13 +85,14 @@ inline void draw_surface(const SeeThroughField& field, const Scene& s)
     const std::unique_ptr<SurfaceVertex[]> vertices(new SurfaceVertex[field.vertex_count]);
     const std::unique_ptr<uint16_t[]> links(new uint16_t[surface_links(field.patch_count)]);
     const std::unique_ptr<uint16_t[]> bands(new uint16_t[surface_bands(s.image.height_px, band_log2)]);
-    const std::unique_ptr<uint32_t[]> order(new uint32_t[see_through_order(field.see_through_count)]);
-    SeeThroughFrame frame;
-    const SeeThroughMemory memory = {{vertices.get(), links.get(), bands.get(), band_log2}, order.get()};
-    prepare_surface<PixelRgb565>(field, camera, mode, memory, frame);
+    const std::unique_ptr<uint32_t[]> see_through(new uint32_t[see_through_words(field.see_through_count)]);
+    SurfaceFrame frame;
+    const SurfaceMemory memory = {vertices.get(), links.get(), bands.get(), band_log2, see_through.get()};
+    prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, memory, frame);
     Canvas canvas(s, PixelRgb565::kBytes);
     const std::unique_ptr<uint32_t[]> samples(new uint32_t[(surface_stripe_bytes(s.width, s.height, mode) + 3) / 4]);
-    render_surface<PixelRgb565>(frame, OverColour{{1, 2, 3}}, canvas.stripe, samples.get());
+    render_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, OverColour{{1, 2, 3}},
+                                                                               canvas.stripe, samples.get());
 }
 
 // Draws the file's field, of either kind, if it is one.
@@ -99,8 +100,8 @@ inline void draw_field(const uint8_t* bytes, size_t size, const Scene& scene)
 {
     Field chord;
     if (open_field(bytes, size, chord) == FieldError::none) draw_chord(chord, scene);
-    SeeThroughField surface;
-    if (open_surface(bytes, size, surface) == FieldError::none) draw_surface(surface, scene);
+    SurfaceField surface;
+    if (open_surface<SurfaceFeatures::all>(bytes, size, surface) == FieldError::none) draw_surface(surface, scene);
 }
 
 }  // namespace lumi::fuzz

@@ -5,7 +5,7 @@
 # a pointer or recursively, and no chain exceeds LIMIT.
 cmake_minimum_required(VERSION 3.25)
 
-# What a function without a known frame is taken to need: those of libgcc and libc (64-bit division, memcpy), and core's
+# A function without a known frame is taken to need this: those of libgcc and libc (64-bit division, memcpy), and core's
 # assembly, whose files say what they push (80 bytes at most).
 set(library_bytes 96)
 

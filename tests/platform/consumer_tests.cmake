@@ -32,7 +32,7 @@ lumi_consumer_test(add_subdirectory -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR})
 lumi_consumer_test(add_subdirectory_of_core -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR}/core -DCONSUMER_LANGUAGES=CXX)
 lumi_consumer_test(add_subdirectory_without_cxx -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR}/core -DCONSUMER_LANGUAGES=C)
 
-# What README.md and core/README.md print compiles and draws, in C++ and in C (C99, -pedantic), the same frame.
+# The code that README.md and core/README.md print compiles and draws, in C++ and in C (C99, -pedantic), the same frame.
 add_test(NAME ${LUMI_TEST_PREFIX}platform.snippets
   COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/snippets ${lumi_consumer_build}/snippets
     --build-generator ${CMAKE_GENERATOR} --build-options ${lumi_consumer_options}

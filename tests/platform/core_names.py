@@ -293,7 +293,7 @@ def check_layouts(compiler):
     return problems
 
 
-# What a firmware that draws in a mode of surface fields, 5-6-5 pixels, must and must not link: parts of names.
+# A firmware that draws in a mode of surface fields, 5-6-5 pixels, must link the first and must not link the second.
 MODE_SYMBOLS = {
     "one_sample": (["565_swapped_nearest"], ["outlines", "two_taps", "bilinear", "packed"]),
     "antialiased": (["mark_outlines", "565_swapped_two_taps"], ["packed"]),

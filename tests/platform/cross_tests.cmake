@@ -17,13 +17,13 @@ include(${lumi_boards})
 set(LUMI_STACK_LIMIT 1024)
 set(LUMI_SPAN_STACK_LIMIT 2624)
 set(LUMI_SURFACE_STACK_LIMIT 3072)
-# What no program holds that draws chord fields alone.
+# No program that draws chord fields alone holds these.
 set(lumi_surface_symbols ".*([Ss]urface|view_taps|view_frame).*")
 set(lumi_see_through_symbols ".*([Ss]ee_?[Tt]hrough|blend_(565|packed)).*")
-# What no program holds whose fields have no view tables.
+# No program whose fields have no view tables holds these.
 set(lumi_view_table_symbols ".*(lit_colour|view_taps|view_frame).*")
-# What no program in C holds that opens, looks and draws surface fields over black: other calls of lumi.h, what they call
-# in turn, and what draws chord fields.
+# No program in C that opens, looks and draws surface fields over black holds these: other calls of lumi.h, what they
+# call in turn, and what draws chord fields.
 set(lumi_other_calls "lumi_(drag|pack|quality|held|moved|pose|fov|draw_over|draw_coverage|verify|error).*"
   ".*(OrbitDrag|QualityLadder|pack_rows|held_pose|OverColour|OverStripe|OverNothing|render_coverage).*")
 set(lumi_chord_symbols ".*(render_spans|ChordStepper|open_field|make_camera).*")
@@ -131,7 +131,7 @@ foreach(cpu IN LISTS lumi_cpus)
     TIMEOUT ${lumi_run_timeout_s})
 endforeach()
 
-# What an M0+ would not survive is not survived on the board that stands for it.
+# The board that stands for an M0+ faults where an M0+ would.
 add_test(NAME cortex-m0plus.unaligned_read_faults
   COMMAND ${CMAKE_COMMAND} -D CPU=cortex-m0plus -D ARGUMENTS=unaligned
     -D PROGRAM=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross/lumi_board_test.elf

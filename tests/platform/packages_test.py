@@ -24,7 +24,7 @@ CROSS = "arm-none-eabi-"
 M0 = ["-mcpu=cortex-m0plus", "-mthumb"]
 ESP32_C3 = ["-march=rv32imc", "-mabi=ilp32", "-ffreestanding"]  # by Debian's compiler, which has no C library
 COMMON = ["-ffunction-sections", "-fdata-sections", "-fno-exceptions", "-fno-rtti"]
-# What stands for the functions of an SDK, as a project that includes core's files and builds what they ask for.
+# This stands for the functions of an SDK, as a project that includes core's files and builds what they ask for.
 ESP_IDF = """
 set(ESP_PLATFORM ON)
 macro(idf_component_register)

@@ -9,7 +9,7 @@
 namespace lumi::test
 {
 
-// What the ray from `origin` to `target` on the unit sphere sees: premultiplied colour with coverage.
+// Returns what the ray from `origin` to `target` on the unit sphere sees: premultiplied colour with coverage.
 detail::Rgba8 synthetic_ray(const Vec3q30& origin, const Vec3q30& target);
 
 }  // namespace lumi::test

@@ -14,8 +14,8 @@ struct Quaternion {
     int32_t w, x, y, z;
 };
 
-// The eye at `distance` in the direction of the device's z, looking back at the centre. All zeros are no turn. Angles
-// are right to 1/100 degree for numbers of 14 bits or more. Cost: one root, 25 products of 64 bits.
+// Places the eye at `distance` in the direction of the device's z, looking back at the centre. All zeros are no turn.
+// Angles are right to 1/100 degree for numbers of 14 bits or more. Cost: one root, 25 products of 64 bits.
 Pose held_pose(const Quaternion& turn, int32_t distance_q20);
 
 }  // namespace lumi

@@ -12,7 +12,7 @@
 namespace lumi
 {
 
-// Black, the cheapest: OLED panels, dark dashboards.
+// Black is the cheapest background: it suits OLED panels and dark dashboards.
 struct OverBlack {
     static constexpr bool kFills = true;
     static constexpr bool kIsBlack = true;
@@ -47,8 +47,9 @@ struct OverStripe {
     }
 };
 
-// Nothing: coverage goes into the pixels, for what is laid over something else later (LVGL, sprites). Pixels without
-// coverage get the colour alone, black where there is none. Surface fields draw it; PixelArgb8888, PixelA8.
+// Nothing lies behind: coverage goes into the pixels, for what is laid over something else later (LVGL, sprites).
+// Pixels without coverage get the colour alone, black where there is none. Surface fields draw it; PixelArgb8888,
+// PixelA8.
 struct OverNothing {
     static constexpr bool kFills = true;
     static constexpr bool kIsBlack = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Perspective cameras around the unit sphere, in integers.
+// Perspective cameras look at the unit sphere, in integers.
 //
 // Frame: the sphere is centred at the origin with radius 1; z is up (the lattice's north pole). Lengths are in units of
 // the radius. Axes: right = forward × up. Pixels count to the right (x) and down (y); their centres lie at +1/2. The
@@ -37,8 +37,8 @@ struct Pose {
     Vec3q30 right, up, forward;
 };
 
-// An image of width × height pixels. The optical axis meets it at its centre, moved by `shift` pixels (Q8) to the right
-// and down: lens shift for tiled walls and off-axis stereo.
+// This is an image of width × height pixels. The optical axis meets it at its centre, moved by `shift` pixels (Q8) to
+// the right and down: lens shift for tiled walls and off-axis stereo.
 struct Image {
     int32_t width_px, height_px;
     uint32_t fov_turns32;
@@ -55,7 +55,7 @@ Pose moved_right(const Pose& pose, int32_t offset_q20);
 namespace lumi::detail
 {
 
-// An eye on a sphere of radius `distance` around the origin, looking at the origin, z up in the picture.
+// Places the eye on a sphere of radius `distance` around the origin, looking at the origin, z up in the picture.
 // azimuth 0 looks from +x, a quarter turn from +y; elevation from -1/4 to 1/4 turn (as a signed fraction).
 Pose orbit(uint32_t azimuth_turns32, int32_t elevation_turns32, int32_t distance_q20);
 

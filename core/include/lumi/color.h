@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours: 8 bits a channel, sRGB-encoded, and the packings that texels and displays share.
+// Colours have 8 bits a channel, sRGB-encoded. Texels and displays share their packings.
 #pragma once
 #pragma GCC system_header
 
@@ -24,8 +24,8 @@ struct Rgba8 {
     uint8_t r, g, b, a;
 };
 
-// A premultiplied colour c over a background u: c + (1 - a)·u. (257·x + 2^15)/2^16 is x/255 rounded to nearest, but for
-// 24 of all 65,536 products.
+// Lays a premultiplied colour c over a background u: c + (1 - a)·u. (257·x + 2^15)/2^16 is x/255 rounded to nearest,
+// but for 24 of all 65,536 products.
 constexpr Rgb8 over(const Rgba8& c, const Rgb8& under)
 {
     const uint32_t transparency = 255u - c.a;
@@ -42,13 +42,13 @@ constexpr uint8_t blended(uint32_t sum, uint32_t transparency, uint8_t under)
     return static_cast<uint8_t>((sum + transparency * under + (1u << (kBits - 1))) >> kBits);
 }
 
-// Luma of encoded values, ITU-R BT.709 weights in 1/256; the weights sum to 256, so grey stays grey.
+// Returns the luma of encoded values, ITU-R BT.709 weights in 1/256; the weights sum to 256, so grey stays grey.
 constexpr uint8_t luma(const Rgb8& c)
 {
     return static_cast<uint8_t>((54u * c.r + 183u * c.g + 19u * c.b + 128u) >> 8);
 }
 
-// 5-6-5 packing, red in the high bits: round(31·c/255) by 249/2048, round(63·c/255) by 253/1024, so that
+// Packs 5-6-5 with red in the high bits: round(31·c/255) by 249/2048, round(63·c/255) by 253/1024, so that
 // unpack(pack(unpack(v))) = unpack(v). Unpacked, v has its upper bits once more below: 255·v/31 or 255·v/63 within 1.
 constexpr uint16_t pack_rgb565(const Rgb8& c)
 {
@@ -67,7 +67,7 @@ constexpr Rgb8 unpack_rgb565(uint16_t v)
             static_cast<uint8_t>(b << 3 | b >> 2)};
 }
 
-// 5-5-5 packing, blue in the high bits, by the same products.
+// Packs 5-5-5 with blue in the high bits, by the same products.
 constexpr uint16_t pack_bgr555(const Rgb8& c)
 {
     const auto five = [](uint8_t v) { return (v * 249u + 1014u) >> 11; };
@@ -80,7 +80,8 @@ constexpr Rgb8 unpack_bgr555(uint16_t v)
     return {eight(v & 31u), eight((v >> 5) & 31u), eight((v >> 10) & 31u)};
 }
 
-// pack_rgb565 of every grey, where one look-up beats a dozen instructions a pixel. Linked only if used: 512 bytes.
+// Holds pack_rgb565 of every grey, where one look-up beats a dozen instructions a pixel. Linked only if used: 512
+// bytes.
 struct GreyTable {
     uint16_t rgb565[256];
 };

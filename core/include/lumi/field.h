@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be wrong with the file of a field, of either layout (chord/field.h, surface/field.h), and whether its bytes
-// are the ones that were written.
+// This header names what can be wrong with the file of a field, of either layout (chord/field.h, surface/field.h), and
+// tells whether its bytes are the ones that were written.
 #pragma once
 #pragma GCC system_header
 
@@ -45,11 +45,11 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_neighbours,   // the wrong size, or a triangle that does not exist
     bad_views,        // the view tables have the wrong size, or an older format
     section_crc,      // verify_field only: a section's bytes are damaged
-    see_through,      // open_surface of a SurfaceField only: see surface/see_through.h
+    see_through,      // open_surface only: see-through parts, which its SurfaceFeatures do not name
     bad_see_through,  // the wrong size, an order that is not known, or a first patch that does not exist
 };
 
-// One short English phrase per error, for logs. Linked only if called.
+// Returns one short English phrase per error, for logs. Linked only if called.
 const char* describe(FieldError error);
 
 // Checks the CRC of every section of a file that open_field or open_surface accepted: container and bytes of either

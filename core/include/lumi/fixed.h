@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fixed-point numbers of core.
+// Core computes with these fixed-point numbers.
 //
 // Formats are part of names: `x_q30` holds x·2^30 in an int32_t. Angles are fractions of a turn in a uint32_t
 // (`_turns32`, 2^32 = one turn), so that they wrap for free. Products narrow with rounding to nearest.
@@ -17,17 +17,17 @@ namespace lumi
 inline constexpr int32_t kOneQ30 = int32_t{1} << 30;
 inline constexpr int32_t kOneQ20 = int32_t{1} << 20;
 
-// A direction or a point in the frame of the unit sphere (z up), components in [-1, 1].
+// This is a direction or a point in the frame of the unit sphere (z up), components in [-1, 1].
 struct Vec3q30 {
     int32_t x, y, z;
 };
 
-// A point in units of the sphere's radius, components in [-2048, 2048).
+// This is a point in units of the sphere's radius, components in [-2048, 2048).
 struct Vec3q20 {
     int32_t x, y, z;
 };
 
-// sin and cos of an angle, Q30. Absolute error below 2^-28.
+// Holds sin and cos of an angle, Q30. The absolute error is below 2^-28.
 struct SinCos {
     int32_t sin_q30, cos_q30;
 };
@@ -53,7 +53,7 @@ constexpr int64_t wide_product(int32_t a, int32_t b)
     return static_cast<int64_t>(a) * b;
 }
 
-// The square of a vector's length, Q40, whatever its components.
+// Returns the square of a vector's length, Q40, whatever its components.
 constexpr uint64_t length2_q40(const Vec3q20& v)
 {
     return static_cast<uint64_t>(wide_product(v.x, v.x)) + static_cast<uint64_t>(wide_product(v.y, v.y)) +
@@ -71,7 +71,7 @@ constexpr int32_t mul_q30(int32_t a_q30, int32_t b_q30)
     return q60_to_q30(wide_product(a_q30, b_q30));
 }
 
-// Q60 dot product; three products of vectors up to length sqrt(2.6) fit.
+// Returns the Q60 dot product; three products of vectors up to length sqrt(2.6) fit.
 constexpr int64_t dot_q60(const Vec3q30& a, const Vec3q30& b)
 {
     return wide_product(a.x, b.x) + wide_product(a.y, b.y) + wide_product(a.z, b.z);

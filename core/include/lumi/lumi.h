@@ -32,31 +32,31 @@
 extern "C" {
 #endif
 
-/* A whole number of degrees as an angle; parts of one are quotients: LUMI_DEGREES(45) / 2. At most a million. */
+/* Makes an angle of a whole number of degrees; parts of one are quotients: LUMI_DEGREES(45) / 2. At most a million. */
 #define LUMI_DEGREES(whole) ((uint32_t)(((int64_t)(whole)*4294967296 + (int64_t)6333186975989760 + 180) / 360))
-/* A length in radii, up to 2047: LUMI_RADII(5) / 2 is two and a half. */
+/* Makes a length of radii, up to 2047: LUMI_RADII(5) / 2 is two and a half. */
 #define LUMI_RADII(whole) ((int32_t)(whole) * (int32_t)1048576)
-/* In place of a field of view: the sphere fills the image, as `lumi render` has it. */
+/* Stands in place of a field of view: the sphere fills the image, as `lumi render` has it. */
 #define LUMI_FIT_SPHERE ((uint32_t)0)
 
 #define LUMI_NO_ZOOM ((uint32_t)65536)
 
-/* 0, or a value of lumi::ViewError (view_error.h); lumi_error_text says what to do. */
+/* Is 0, or a value of lumi::ViewError (view_error.h); lumi_error_text says what to do. */
 typedef uint8_t lumi_error;
 
 /* Modes of surface fields, from the fastest to the finest. Chord fields: 2, 4, 8 or 16, see chord/render_spans.h; any
  * other is wrong_span. */
 enum { LUMI_ONE_SAMPLE = 0, LUMI_ANTIALIASED = 1, LUMI_TWO_BY_TWO = 2 };
 
-/* The image, the most rows of it in a stripe, and the mode of lumi_look, one of the field's layout: of surface fields
- * the finest that the view has memory for. */
+/* Names the image, the most rows of it in a stripe, and the mode of lumi_look, one of the field's layout: of surface
+ * fields the finest that the view has memory for. */
 typedef struct {
     int32_t width_px, height_px; /* 1 .. 8192 */
     int32_t rows_px;             /* 1 .. height_px */
     uint8_t mode;
 } lumi_screen;
 
-/* Where the eye is: it looks at the sphere's centre, z up in the picture. */
+/* Tells where the eye is: it looks at the sphere's centre, z up in the picture. */
 typedef struct {
     uint32_t azimuth_turns32, elevation_turns32;
     int32_t distance_q20;
@@ -64,8 +64,8 @@ typedef struct {
     uint32_t zoom_q16;    /* 2 * LUMI_NO_ZOOM shows everything twice as large; 0 counts as LUMI_NO_ZOOM */
 } lumi_orbit;
 
-/* Where the eye is and how it is turned. right, up and forward are orthonormal, right = forward x up; forward points
- * into the scene. */
+/* Tells where the eye is and how it is turned. right, up and forward are orthonormal, right = forward x up; forward
+ * points into the scene. */
 typedef struct {
     int32_t x, y, z;
 } lumi_vector;
@@ -73,13 +73,13 @@ typedef struct {
     lumi_vector eye_q20, right_q30, up_q30, forward_q30;
 } lumi_pose;
 
-/* How a device is held, from its sensors: a turn from its axes to those of the sphere, of any length. x is to the right
- * of the display, y up along it, z out of it towards its user. All zeros are no turn. */
+/* Tells how a device is held, from its sensors: a turn from its axes to those of the sphere, of any length. x is to the
+ * right of the display, y up along it, z out of it towards its user. All zeros are no turn. */
 typedef struct {
     int32_t w, x, y, z;
 } lumi_quaternion;
 
-/* A rectangle in the caller's memory, rows stride_bytes apart, top row first. */
+/* This is a rectangle in the caller's memory, rows stride_bytes apart, top row first. */
 typedef struct {
     uint8_t* pixels;
     int32_t x_px, y_px; /* where its first pixel is in the image */
@@ -89,14 +89,15 @@ typedef struct {
 
 typedef struct lumi_view lumi_view;
 
-/* Bytes that a view takes, before the field is opened: its vertices and patches (`lumi inspect`, `lumi embed`), 0 for
- * chord fields. The macro is a constant for an array, and no less. A uint64_t array has the alignment. */
+/* Counts the bytes that a view takes, before the field is opened: its vertices and patches (`lumi inspect`, `lumi
+ * embed`), 0 for chord fields. The macro is a constant for an array, and no less. A uint64_t array has the alignment.
+ */
 #define LUMI_MEMORY(vertices, patches, width, height, rows)                      \
     (2048 + 12 * (size_t)(vertices) + 5 * (size_t)(patches) + (size_t)(height) + \
      (6 * ((size_t)(width) + 3) + ((size_t)(width) + 33) / 32 * 4) * ((size_t)(rows) + 2))
 #define LUMI_MEMORY_TWO_BY_TWO(vertices, patches, width, height, rows) \
     (LUMI_MEMORY(vertices, patches, width, height, rows) + 18 * (size_t)(width) * (size_t)(rows))
-/* To be added to either where LUMI_C_SEE_THROUGH is defined; see-through patches are not among the patches. */
+/* To be added to either for a field with see-through patches, which are not among its patches. */
 #define LUMI_SEE_THROUGH_MEMORY(see_through_patches) (2048 + 8 * (size_t)(see_through_patches))
 
 /* Tells them to the byte for a field; 0 if it cannot be opened or the screen is out of range. */

@@ -71,7 +71,7 @@ struct PixelGrey8 {
     static Rgb8 load(const uint8_t* p) { return {p[0], p[0], p[0]}; }
 };
 
-// 4 bytes: blue, green, red, coverage. A 32-bit word, low byte first, has coverage on top. Colours are not
+// Stores 4 bytes: blue, green, red, coverage. A 32-bit word, low byte first, has coverage on top. Colours are not
 // premultiplied.
 struct PixelArgb8888 {
     static constexpr uint32_t kBytes = 4;
@@ -86,7 +86,7 @@ struct PixelArgb8888 {
     static Rgb8 load(const uint8_t* p) { return {p[2], p[1], p[0]}; }
 };
 
-// 1 byte of coverage alone, without colour.
+// Stores 1 byte of coverage alone, without colour.
 struct PixelA8 {
     static constexpr uint32_t kBytes = 1;
     static void store(uint8_t* p, const Rgb8&) { p[0] = 255; }
@@ -100,7 +100,7 @@ struct PixelA8 {
 namespace lumi::detail
 {
 
-// Formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits) and load_packed(pointer).
+// Tells formats that also have store_packed(pointer, red, green and blue in 5, 6 and 5 bits) and load_packed(pointer).
 template <class Pixel>
 inline constexpr bool kPacks565 = false;
 template <>
@@ -108,13 +108,13 @@ inline constexpr bool kPacks565<PixelRgb565> = true;
 template <>
 inline constexpr bool kPacks565<PixelRgb565Swapped> = true;
 
-// Formats that also have store_packed(pointer, blue, green and red in 5 bits each).
+// Tells formats that also have store_packed(pointer, blue, green and red in 5 bits each).
 template <class Pixel>
 inline constexpr bool kPacks555 = false;
 template <>
 inline constexpr bool kPacks555<PixelBgr555> = true;
 
-// Formats that have store_covered().
+// Tells formats that have store_covered().
 template <class Pixel>
 inline constexpr bool kHoldsCoverage = false;
 template <>

@@ -31,7 +31,7 @@ enum class QualityStep : uint8_t {
     exact,
 };
 
-// The span of render_spans() and of a view's look(); 1 stands for render().
+// Returns the span of render_spans() and of a view's look(); 1 stands for render().
 constexpr int32_t span_px_of(QualityStep step)
 {
     return step <= QualityStep::spans16 ? 16 : 64 >> static_cast<int32_t>(step);
@@ -108,7 +108,7 @@ struct QualityLimits {
     Mode finest_resting = static_cast<Mode>(detail::QualityModes<Mode>::kFinestResting);  // at least finest_moving
 };
 
-// How to draw a frame.
+// Says how to draw a frame.
 template <class Mode>
 struct FrameQuality {
     bool draws;  // false: the finest picture is on the display already
@@ -139,7 +139,7 @@ constexpr LadderLimits ladder_limits(const QualityLimits<Mode>& limits)
 namespace lumi
 {
 
-// Mode: SurfaceMode or QualityStep.
+// `Mode` is SurfaceMode or QualityStep.
 template <class Mode>
 class QualityControl
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a renderer writes pixels.
+// A stripe tells where a renderer writes pixels.
 #pragma once
 #pragma GCC system_header
 
@@ -11,15 +11,15 @@
 namespace lumi
 {
 
-// A rectangle in the caller's memory: rows of width_px pixels, stride_bytes apart, top row first. It may lie beside the
-// image, wholly or in part. With 16-bit pixels, address and stride are even.
+// This is a rectangle in the caller's memory: rows of width_px pixels, stride_bytes apart, top row first. It may lie
+// beside the image, wholly or in part. With 16-bit pixels, address and stride are even.
 struct Stripe {
     uint8_t* pixels;
     int32_t x_px, y_px;  // where its first pixel is in the image
     int32_t width_px, height_px;
     uint32_t stride_bytes;
 
-    // One beyond its last column and row; at most INT32_MAX, which lies beside every image.
+    // Return one beyond its last column and row; at most INT32_MAX, which lies beside every image.
     int32_t right_px() const { return end_of(x_px, width_px); }
     int32_t bottom_px() const { return end_of(y_px, height_px); }
 
@@ -27,12 +27,12 @@ private:
     static int32_t end_of(int32_t begin, int32_t size) { return begin > INT32_MAX - size ? INT32_MAX : begin + size; }
 };
 
-// A rectangle of the image; nothing where a side is 0.
+// This is a rectangle of the image; it is nothing where a side is 0.
 struct PixelRect {
     int32_t x_px, y_px, width_px, height_px;
 };
 
-// Where a pixel of the stripe lies in memory.
+// Returns where a pixel of the stripe lies in memory.
 template <class Pixel>
 uint8_t* pixel_of(const Stripe& stripe, int32_t x, int32_t y)
 {
@@ -45,7 +45,7 @@ uint8_t* pixel_of(const Stripe& stripe, int32_t x, int32_t y)
 namespace lumi::detail
 {
 
-// Columns of the image, or its scanlines: [begin, end).
+// Holds columns of the image, or its scanlines: [begin, end).
 struct Extent {
     int32_t begin, end;
 };

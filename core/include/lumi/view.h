@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A field on a display by three calls, all memory inside one object:
+// A view draws a field on a display by three calls, with all memory inside one object:
 //
 //     #include "product.h"                                     // `lumi embed` wrote it: product_view, product
 //     static product_view<Screen<240, 240, 16>> view;          // static: its size is the RAM of a frame
@@ -32,7 +32,8 @@ struct ImageSize {
 namespace lumi
 {
 
-// An image of width × height pixels, drawn at most kRows rows at once. The default pixels are those of SPI panels.
+// This is an image of width × height pixels, drawn at most kRows rows at once. The default pixels are those of SPI
+// panels.
 template <int32_t kWidth = 240, int32_t kHeight = 240, int32_t kRows = 16, class PixelFormat = PixelRgb565Swapped>
 struct Screen {
     static_assert(kWidth >= 1 && kWidth <= kMaxImageSide && kHeight >= 1 && kHeight <= kMaxImageSide,
@@ -52,7 +53,7 @@ struct Screen {
     }
 };
 
-// A screen for a view without memory for samples of its own: several views that draw in turn share one.
+// A view on this screen has no memory for samples of its own: several views that draw in turn share one.
 //
 //     using Panel = SharedSamples<Screen<240, 240, 16>>;
 //     static clock_view<Panel> clock;
@@ -71,7 +72,7 @@ struct SharedSamples : ScreenOf {
 namespace lumi::detail
 {
 
-// A view's own memory for samples, or none.
+// Holds a view's own memory for samples, or none.
 template <class Samples, bool kHas>
 struct OwnSamples {
     Samples samples{};
@@ -80,7 +81,7 @@ template <class Samples>
 struct OwnSamples<Samples, false> {
 };
 
-// Memory for so many bytes of samples.
+// Holds so many bytes of samples.
 template <uint32_t kBytesOf>
 struct SampleMemory {
     static constexpr uint32_t kBytes = kBytesOf;
@@ -118,16 +119,16 @@ ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pi
 namespace lumi
 {
 
-// Drawing: SurfaceDrawing (surface/view.h) or ChordDrawing (chord/view.h). `lumi embed` names the one of a field.
+// `Drawing` is SurfaceDrawing (surface/view.h) or ChordDrawing (chord/view.h). `lumi embed` names the one of a field.
 template <class Drawing, class ScreenOf = Screen<>>
 class View
 {
 public:
     using Pixel = typename ScreenOf::Pixel;
     using Mode = typename Drawing::Mode;
-    // Pixels of the highest stripe.
+    // Counts the bytes of the highest stripe.
     static constexpr uint32_t kStripeBytes = ScreenOf::kStripeBytes;
-    // Memory for samples that a stripe takes. The view has one; a second core brings its own, and so does each core
+    // A stripe takes this memory for samples. The view has one; a second core brings its own, and so does each core
     // where the screen is SharedSamples.
     using Samples = typename Drawing::template Samples<ScreenOf>;
     // Two cores share it while they prepare a frame. One core needs none.
@@ -157,7 +158,7 @@ public:
         return bytes_ == nullptr ? ViewError::no_field : detail::view_error(verify_field(bytes_, size_));
     }
 
-    // The next frame's eye. A failure leaves the frame as it was.
+    // Sets the next frame's eye. A failure leaves the frame as it was.
     ViewError look(const Orbit& orbit, Mode mode = Drawing::kDefaultMode)
     {
         return look(pose_of(orbit), fov_of(orbit), mode);
@@ -184,15 +185,15 @@ public:
         return looked(state_.look(pose, image_with(fov_turns32), mode, halves, both));
     }
 
-    // The field of view that look() takes for an orbit: fitted to the sphere, and zoomed.
+    // Returns the field of view that look() takes for an orbit: fitted to the sphere, and zoomed.
     uint32_t fov_of(const Orbit& orbit) const
     {
         const detail::ImageSize size = ScreenOf::size_of(state_);
         return image_of(orbit, size.width_px, size.height_px).fov_turns32;
     }
 
-    // Where the object is in this frame: beside it, every pixel is background. What a display must be sent is this
-    // rectangle and the last frame's. Empty before a look. Free for surface fields; for chord fields it finds the
+    // Tells where the object is in this frame: beside it, every pixel is background. What a display must be sent is
+    // this rectangle and the last frame's. Empty before a look. Free for surface fields; for chord fields it finds the
     // sphere's outline in every scanline.
     PixelRect bounds() const { return has_look_ ? state_.bounds() : PixelRect{0, 0, 0, 0}; }
 
@@ -216,7 +217,7 @@ public:
         return error == ViewError::none ? state_.draw(stripe, part, background, samples.data()) : error;
     }
 
-    // A surface field's coverage of the stripe that was drawn last over OverNothing, a byte a pixel: see
+    // Stores a surface field's coverage of the stripe that was drawn last over OverNothing, a byte a pixel: see
     // render_coverage.
     ViewError draw_coverage(const Stripe& coverage)
     {
@@ -254,7 +255,7 @@ protected:  // a lumi_view (src/c/view.h) opens its field by itself
     bool has_look_ = false;
 };
 
-// Samples for a stripe of each of these views, drawn in turn.
+// Holds samples for a stripe of each of these views, drawn in turn.
 template <class... Views>
 using SamplesFor = detail::SampleMemory<detail::most_of(Views::Samples::kBytes...)>;
 

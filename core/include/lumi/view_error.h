@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The errors of a view (view.h): one value for every cause, and its text.
+// A view (view.h) returns these errors: one value for every cause, and its text.
 #pragma once
 #pragma GCC system_header
 
@@ -29,7 +29,7 @@ enum class [[nodiscard]] ViewError : uint8_t{
     wrong_span,            // a chord field's mode that is not 2, 4, 8 or 16
 };
 
-// One short English phrase that says what to do. Linked only if called.
+// Returns one short English phrase that says what to do. Linked only if called.
 const char* error_text(ViewError error);
 
 }  // namespace lumi

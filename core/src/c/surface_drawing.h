@@ -9,36 +9,15 @@
 namespace lumi::detail
 {
 
-// Types of a view of opaque fields, and of one whose field may have see-through parts.
-struct OpaqueParts {
-    using Field = SurfaceField;
-    using Frame = SurfaceFrame;
-    using Memory = SurfaceMemory;
-
-    static uint32_t order_of(const Field&) { return 0; }
-    static Memory with_order(const SurfaceMemory& memory, void*) { return memory; }
-};
-struct SeeThroughParts {
-    using Field = SeeThroughField;
-    using Frame = SeeThroughFrame;
-    using Memory = SeeThroughMemory;
-
-    static uint32_t order_of(const Field& field) { return see_through_order(field.see_through_count); }
-    static Memory with_order(const SurfaceMemory& memory, void* order)
-    {
-        return {memory, static_cast<uint32_t*>(order)};
-    }
-};
-
-template <class Pixel, class Parts>
+template <class Pixel, SurfaceFeatures kFeatures>
 class SurfaceDrawingInC
 {
 public:
-    using Field = typename Parts::Field;
+    using Field = SurfaceField;
 
     static ViewError open(const uint8_t* bytes, size_t size, const lumi_screen& screen, Field& out)
     {
-        const ViewError error = view_error(open_surface(bytes, size, out));
+        const ViewError error = view_error(open_surface<kFeatures>(bytes, size, out));
         return error == ViewError::none && !is_mode(screen.mode) ? ViewError::bad_argument : error;
     }
 
@@ -49,10 +28,10 @@ public:
     {
         const Places p = places_of(field, screen);
         const auto at = [&](size_t place) { return static_cast<void*>(static_cast<uint8_t*>(memory) + place); };
-        const SurfaceMemory of_opaque = {static_cast<SurfaceVertex*>(at(0)), static_cast<uint16_t*>(at(p.links)),
-                                         static_cast<uint16_t*>(at(p.bands)), surface_band_log2(screen.rows_px)};
         field_ = field;
-        memory_ = Parts::with_order(of_opaque, at(p.order));
+        memory_ = {static_cast<SurfaceVertex*>(at(0)), static_cast<uint16_t*>(at(p.links)),
+                   static_cast<uint16_t*>(at(p.bands)), surface_band_log2(screen.rows_px),
+                   static_cast<uint32_t*>(at(p.see_through))};
         samples_ = static_cast<uint32_t*>(at(p.samples));
         samples_bytes_ = samples_bytes(screen);
         finest_ = static_cast<SurfaceMode>(screen.mode);
@@ -65,7 +44,7 @@ public:
         SurfaceCamera camera;
         const CameraError error = make_surface_camera(pose, image, camera);
         if (error != CameraError::none) return view_error(error);
-        prepare_surface<Pixel>(field_, camera, mode, memory_, frame_);
+        prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field_, camera, mode, memory_, frame_);
         return ViewError::none;
     }
 
@@ -75,21 +54,22 @@ public:
     ViewError draw(const Stripe& stripe, const StripePart& part, const Background& background, uint32_t*) const
     {
         const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
-        if (error == ViewError::none) render_surface<Pixel>(frame_, background, stripe, samples_);
+        if (error == ViewError::none)
+            render_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(frame_, background, stripe, samples_);
         return error;
     }
 
     ViewError draw_coverage(const Stripe& coverage, const StripePart& part, uint32_t*) const
     {
         const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
-        if (error == ViewError::none) render_coverage(frame_, coverage, samples_);
+        if (error == ViewError::none) render_coverage<kFeatures>(frame_, coverage, samples_);
         return error;
     }
 
 private:
     // In this order, vertices first.
     struct Places {
-        size_t samples, order, links, bands, end;
+        size_t samples, see_through, links, bands, end;
     };
 
     static constexpr bool is_mode(uint8_t number) { return number <= LUMI_TWO_BY_TWO; }
@@ -107,16 +87,16 @@ private:
     {
         Places p{};
         p.samples = field.vertex_count * sizeof(SurfaceVertex);
-        p.order = p.samples + samples_bytes(s);
-        p.links = p.order + Parts::order_of(field) * sizeof(uint32_t);
+        p.see_through = p.samples + samples_bytes(s);
+        p.links = p.see_through + see_through_words(field.see_through_count) * sizeof(uint32_t);
         p.bands = p.links + surface_links(field.patch_count) * sizeof(uint16_t);
         p.end = p.bands + surface_bands(s.height_px, surface_band_log2(s.rows_px)) * sizeof(uint16_t);
         return p;
     }
 
     Field field_{};
-    typename Parts::Frame frame_{};
-    typename Parts::Memory memory_{};
+    SurfaceFrame frame_{};
+    SurfaceMemory memory_{};
     uint32_t* samples_ = nullptr;
     uint32_t samples_bytes_ = 0;
     SurfaceMode finest_{};

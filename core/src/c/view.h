@@ -88,9 +88,9 @@ private:
 using Pixel = LUMI_C_PIXEL;
 
 #ifdef LUMI_C_SEE_THROUGH
-using Surfaces = SurfaceDrawingInC<Pixel, SeeThroughParts>;
+using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::all>;
 #elif defined(LUMI_C_DRAWS_SURFACES)
-using Surfaces = SurfaceDrawingInC<Pixel, OpaqueParts>;
+using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables>;
 #endif
 #ifdef LUMI_C_TEXEL
 using Chords = ChordDrawingInC<Pixel, LUMI_C_TEXEL>;

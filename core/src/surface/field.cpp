@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "lumi/surface/field.h"
 #include "field/sections.h"
-#include "lumi/surface/see_through_frame.h"
 
 namespace lumi
 {
@@ -21,7 +21,7 @@ constexpr KnownTypes kSeeThroughSections = {kSurfaceSections, 8};
 FieldError read_counts(const uint8_t* b, SurfaceField& out)
 {
     out.vertex_count = load_u16(b + surface::kVerticesAt);
-    out.viewed_count = load_u16(b + surface::kViewedAt);
+    out.viewed_count = static_cast<uint16_t>(load_u16(b + surface::kViewedAt));
     out.patch_count = load_u16(b + surface::kPatchesAt);
     out.texel_bytes = load_u32(b + surface::kTexelsAt);
     out.longest_edge_q6 = b[surface::kLongestEdgeAt];
@@ -137,30 +137,29 @@ FieldError open_mesh(const uint8_t* bytes, size_t size, KnownTypes known, Surfac
 }
 
 // Parts the see-through patches from the opaque ones.
-FieldError part_patches(const uint8_t* section, SeeThroughField& field)
+FieldError part_patches(const uint8_t* section, SurfaceField& field)
 {
     const uint32_t first = load_u16(section + see_through::kFirstAt);
     const uint32_t order = load_u16(section + see_through::kOrderAt);
     if (order >= kDrawingOrders || first >= field.patch_count) return FieldError::bad_see_through;
-    field.is_in_order = static_cast<DrawingOrder>(order) == DrawingOrder::of_the_file;
+    field.see_through = section;
     field.see_through_count = static_cast<uint16_t>(field.patch_count - first);
-    field.see_through_palette = section + see_through::kPaletteAt;
     field.patch_count = first;
     return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
 }
 
 }  // namespace
 
-FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
+FieldError detail::open_opaque(const uint8_t* bytes, size_t size, SurfaceField& out)
 {
     const FieldError error = open_mesh(bytes, size, kOpaqueSections, out);
     const bool is_see_through = error == FieldError::unknown_required && has_section(bytes, kSeeThroughSection);
     return is_see_through ? FieldError::see_through : error;
 }
 
-FieldError open_surface(const uint8_t* bytes, size_t size, SeeThroughField& out)
+FieldError detail::open_see_through(const uint8_t* bytes, size_t size, SurfaceField& out)
 {
-    SeeThroughField field;
+    SurfaceField field;
     if (const FieldError error = open_mesh(bytes, size, kSeeThroughSections, field); error != FieldError::none)
         return error;
     if (Section section{}; find_section(bytes, kSeeThroughSection, section)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Numbers of SeeThroughFrame::order. One has, from its upper bits down: the nearest depth of the triangle's corners,
-// the triangle, whether a side of it is an outline that is shown, and whether it is drawn in parts. So the larger one
-// of two is drawn later.
+// Numbers of the order of see-through triangles in SurfaceMemory. One has, from its upper bits down: the nearest depth
+// of the triangle's corners, the triangle, whether a side of it is an outline that is shown, and whether it is drawn in
+// parts. So the larger one of two is drawn later.
 #pragma once
 
 #include "surface/lists.h"
@@ -15,6 +15,12 @@ inline constexpr uint32_t kNotSeen = 0;  // no triangle's number: depths are abo
 // Triangles that reach nearer than the near plane are the last.
 inline constexpr uint32_t kNearestOfAll = UINT16_MAX;
 static_assert(kNearestOfAll > kNearDepth && kDepthShift + 16 <= 32, "a number holds all of it");
+
+// Whether see-through triangles are drawn as they stand in the file. Of a field that has some.
+inline bool is_in_order(const SurfaceField& field)
+{
+    return field.see_through[format::see_through::kOrderAt] == static_cast<uint8_t>(format::DrawingOrder::of_the_file);
+}
 
 constexpr uint32_t triangle_of(uint32_t number)
 {

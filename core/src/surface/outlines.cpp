@@ -170,10 +170,11 @@ LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target)
     }
 }
 
-LUMI_HOT void mark_see_through_outlines(const SeeThroughFrame& frame, const Target& target)
+LUMI_HOT void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target)
 {
-    for (uint32_t k = 0; k < frame.order_count; ++k)
-        if ((frame.order[k] & kHasOutline) != 0) mark_see_through_sides(frame, triangle_of(frame.order[k]), target);
+    const uint32_t* const order = frame.memory.see_through;
+    for (uint32_t k = 0; k < frame.see_through_triangles; ++k)
+        if ((order[k] & kHasOutline) != 0) mark_see_through_sides(frame, triangle_of(order[k]), target);
 }
 
 }  // namespace lumi::detail

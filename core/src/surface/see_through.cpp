@@ -58,17 +58,20 @@ uint32_t entry_of(const SurfaceFrame& frame, uint32_t triangle)
 
 }  // namespace
 
-void put_see_through(const SeeThroughField& field, uint32_t* order, SeeThroughFrame& frame)
+void put_see_through(SurfaceFrame& frame)
 {
-    frame.order_count = 0;
+    frame.see_through_triangles = 0;
     if (frame.columns.begin == frame.columns.end) return;  // nothing shows, and vertices may not be known
-    const uint32_t first = frame.field.patch_count;
-    for (uint32_t triangle = 2 * first; triangle < 2 * (first + field.see_through_count); ++triangle) {
+    const uint32_t first = 2 * frame.field.patch_count, end = first + 2 * frame.field.see_through_count;
+    uint32_t* const order = frame.memory.see_through;
+    uint32_t count = 0;
+    for (uint32_t triangle = first; triangle < end; ++triangle) {
         const bool is_lone = surface_patch(frame.field, triangle >> 1).corner[3] == format::kNoVertex;
         const uint32_t entry = is_lone && (triangle & 1) != 0 ? kNotSeen : entry_of(frame, triangle);
-        if (entry != kNotSeen) order[frame.order_count++] = entry;
+        if (entry != kNotSeen) order[count++] = entry;
     }
-    if (!field.is_in_order) sort(order, frame.order_count);
+    frame.see_through_triangles = static_cast<uint16_t>(count);
+    if (count != 0 && !is_in_order(frame.field)) sort(order, count);
 }
 
 LUMI_HOT bool SeeThroughPieces::next()
@@ -76,8 +79,8 @@ LUMI_HOT bool SeeThroughPieces::next()
     if (piece.is_wide && next_part_of_wide(piece)) return true;
     while (true) {
         if (parts_.count != 0 && begin_part(piece, frame_, parts_, target_)) return true;
-        if (at_ == frame_.order_count) return false;
-        const uint32_t entry = frame_.order[at_++], triangle = triangle_of(entry);
+        if (at_ == frame_.see_through_triangles) return false;
+        const uint32_t entry = frame_.memory.see_through[at_++], triangle = triangle_of(entry);
         if ((entry & kInParts) != 0)
             begin_parts(parts_, frame_, triangle);
         else if (begin_whole(piece, frame_, triangle, target_))

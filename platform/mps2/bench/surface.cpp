@@ -29,8 +29,8 @@ void fill(const SurfaceFrame& filled, const detail::Target& target)
     }
 }
 
-SurfaceParts::Frame frame;
-SurfaceParts parts;
+SurfaceFrame frame;
+detail::SampleMemory<4 * see_through_words(LUMI_BENCH_SEE_THROUGH)> see_through;
 SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];
 constexpr uint32_t kBands = surface_bands(kSidePx, surface_band_log2(kTallStripeHeight));
@@ -41,27 +41,28 @@ uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, kFinest) / siz
 
 const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
 
-void prepare_alone(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
+void prepare_alone(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height)
 {
-    const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
-    prepare_surface<Pixel, kFinest, LUMI_BENCH_VIEW_TABLES>(field, view.camera, view.mode, memory, frame);
+    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height), see_through.data()};
+    prepare_surface<Pixel, kFinest, kFeatures>(field, view.camera, view.mode, memory, frame);
 }
 
-uint64_t prepare_by_halves(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
+uint64_t prepare_by_halves(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height)
 {
-    const auto memory = parts.with({vertices, links, bands, surface_band_log2(stripe_height)});
+    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height), see_through.data()};
     SurfaceHalves halves = {};
     halves.bands = second_bands;
     uint64_t waited = 0;
     const uint64_t begin = mps2::instructions();
-    prepare_surface<Pixel>(field, view.camera, view.mode, memory, frame, halves, [&](int32_t step) {
-        const uint64_t first = mps2::instructions();
-        prepare_half(halves, step, 0);
-        const uint64_t second = mps2::instructions();
-        prepare_half(halves, step, 1);
-        const uint64_t end = mps2::instructions();
-        waited += std::min(second - first, end - second);
-    });
+    prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, view.camera, view.mode, memory, frame, halves,
+                                                               [&](int32_t step) {
+                                                                   const uint64_t first = mps2::instructions();
+                                                                   prepare_half(halves, step, 0);
+                                                                   const uint64_t second = mps2::instructions();
+                                                                   prepare_half(halves, step, 1);
+                                                                   const uint64_t end = mps2::instructions();
+                                                                   waited += std::min(second - first, end - second);
+                                                               });
     return mps2::instructions() - begin - waited;
 }
 
@@ -87,12 +88,13 @@ void fill_alone(int32_t width_px, bool with_outlines)
     }
 }
 
-void draw_surface(const BenchField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels)
+void draw_surface(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height, uint8_t* pixels)
 {
     prepare_alone(field, view, stripe_height);
     for (int32_t y = 0; y < kSidePx; y += stripe_height) {
         uint8_t* const at = pixels + static_cast<uint32_t>(y) * kStrideBytes;
-        render_surface<Pixel, kFinest>(frame, kBackground, {at, 0, y, kSidePx, stripe_height, kStrideBytes}, samples);
+        render_surface<Pixel, kFinest, kFeatures>(frame, kBackground, {at, 0, y, kSidePx, stripe_height, kStrideBytes},
+                                                  samples);
     }
 }
 

@@ -45,20 +45,20 @@ uint64_t less(uint64_t count, uint64_t other)
     return count > other ? count - other : 0;
 }
 
-uint64_t count_frame(const BenchField& field, const SurfaceView& view, int32_t stripe_height)
+uint64_t count_frame(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height)
 {
     return instructions_of([&] { draw_surface(field, view, stripe_height, pixels); });
 }
 
 // Fields that lack a part tell what the part costs. `whole`: of a frame of the field.
-Parts count_parts(const BenchField& field, const SurfaceView& view, uint64_t whole)
+Parts count_parts(const SurfaceField& field, const SurfaceView& view, uint64_t whole)
 {
-    const BenchField opaque = opaque_alone(field);
-    BenchField unlit = opaque, bare = opaque, empty = opaque;
+    const SurfaceField opaque = opaque_alone(field);
+    SurfaceField unlit = opaque, bare = opaque, empty = opaque;
     unlit.viewed_count = 0;
     bare.patch_count = 0;
     empty.patch_count = empty.vertex_count = 0;
-    const auto preparing = [&](const BenchField& f) {
+    const auto preparing = [&](const SurfaceField& f) {
         return instructions_of([&] { prepare_alone(f, view, kSurfaceStripeHeight); });
     };
     const uint64_t palette = preparing(empty), vertices = preparing(bare), lists = preparing(unlit);
@@ -90,7 +90,7 @@ void write_costs(TextLine& line, const Parts& parts, uint64_t whole, uint64_t ta
     line.text(" order ").decimal(parts.order).text(" blends ").decimal(parts.blends).text(" tall ").decimal(tall);
 }
 
-void report(const char* view_name, const char* mode_name, const BenchField& field, const SurfaceView& view,
+void report(const char* view_name, const char* mode_name, const SurfaceField& field, const SurfaceView& view,
             uint32_t covered)
 {
     const uint64_t tall = count_frame(field, view, kTallStripeHeight);
@@ -117,7 +117,7 @@ bool is_mode(const char* word)
     return false;
 }
 
-bool report_view(const View& view, const BenchField& field, const Words& modes)
+bool report_view(const View& view, const SurfaceField& field, const Words& modes)
 {
     SurfaceCamera camera;
     Camera rays;
@@ -128,7 +128,7 @@ bool report_view(const View& view, const BenchField& field, const Words& modes)
     return true;
 }
 
-bool report_pose(uint32_t number, const BenchField& field, const Words& modes)
+bool report_pose(uint32_t number, const SurfaceField& field, const Words& modes)
 {
     const PosedView view = posed_view(number);
     SurfaceCamera camera;
@@ -150,7 +150,7 @@ bool report_pose(uint32_t number, const BenchField& field, const Words& modes)
     return true;
 }
 
-bool report_poses(const BenchField& field, const Words& modes)
+bool report_poses(const SurfaceField& field, const Words& modes)
 {
     for (uint32_t k = 0; k < kPoses; ++k)
         if (!report_pose(k, field, modes)) return false;
@@ -159,7 +159,7 @@ bool report_poses(const BenchField& field, const Words& modes)
 
 constexpr int32_t kStripeHeights[] = {2, 4, 8, 12, 16, kTallStripeHeight};
 
-bool report_stripes(const View& view, const BenchField& field, const Words& modes)
+bool report_stripes(const View& view, const SurfaceField& field, const Words& modes)
 {
     SurfaceCamera camera;
     Camera rays;
@@ -178,14 +178,14 @@ bool report_stripes(const View& view, const BenchField& field, const Words& mode
     return true;
 }
 
-bool report_all_stripes(const BenchField& field, const Words& modes)
+bool report_all_stripes(const SurfaceField& field, const Words& modes)
 {
     for (const View& view : kViews)
         if (!report_stripes(view, field, modes)) return false;
     return true;
 }
 
-bool report_views(const BenchField& field, const Words& words)
+bool report_views(const SurfaceField& field, const Words& words)
 {
     Words views = {words.begin, words.begin};
     while (views.end != words.end && !is_mode(*views.end)) ++views.end;
@@ -200,8 +200,8 @@ bool report_views(const BenchField& field, const Words& words)
 int main(int argc, char** argv)
 {
     using namespace lumi;
-    bench::BenchField field;
-    if (!bench::open_loaded(open_surface, field)) return 1;
+    SurfaceField field;
+    if (!bench::open_loaded(open_surface<bench::kFeatures>, field)) return 1;
     mps2::start_instruction_counter();
     const bench::Words words = bench::words_of(argc, argv);
     const auto begins_with = [&](const char* word) {

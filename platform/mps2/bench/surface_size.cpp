@@ -5,7 +5,7 @@
 int main(int, char**)
 {
     using namespace lumi;
-    const bench::BenchField* volatile field = nullptr;
+    const SurfaceField* volatile field = nullptr;
     const SurfaceCamera* volatile camera = nullptr;
     volatile SurfaceMode mode = SurfaceMode::one_sample;
     uint8_t* volatile pixels = nullptr;

@@ -3,7 +3,7 @@
 
 #include "image/srgb.h"
 #include "lumi/orbit.h"
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing
@@ -35,8 +35,8 @@ Scene pane_above_square()
 // The colour in a picture over black from above, so many pixels to the right of its middle.
 Rgb8 colour_from_above(const SurfaceBake& bake, int32_t right_px)
 {
-    SeeThroughField field;
-    REQUIRE(open_surface(bake.file.data(), bake.file.size(), field) == FieldError::none);
+    SurfaceField field;
+    REQUIRE(open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) == FieldError::none);
     REQUIRE(field.see_through_count != 0);
     SurfaceCamera camera;
     const Orbit orbit = {0, uint32_t{1} << 30, radii(3)};
@@ -44,14 +44,15 @@ Rgb8 colour_from_above(const SurfaceBake& bake, int32_t right_px)
             CameraError::none);
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kPictureSide, 4));
-    std::vector<uint32_t> order(see_through_order(field.see_through_count));
-    const SeeThroughMemory memory = {{vertices.data(), links.data(), bands.data(), 4}, order.data()};
-    SeeThroughFrame frame;
-    prepare_surface<PixelRgb888>(field, camera, SurfaceMode::one_sample, memory, frame);
+    std::vector<uint32_t> see_through(see_through_words(field.see_through_count));
+    const SurfaceMemory memory = {vertices.data(), links.data(), bands.data(), 4, see_through.data()};
+    SurfaceFrame frame;
+    prepare_surface<PixelRgb888, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, SurfaceMode::one_sample,
+                                                                                memory, frame);
     std::vector<uint32_t> samples(surface_stripe_bytes(kPictureSide, kPictureSide, SurfaceMode::one_sample) / 4 + 1);
     std::vector<uint8_t> pixels(3 * kPictureSide * kPictureSide);
-    render_surface<PixelRgb888>(frame, OverBlack{}, {pixels.data(), 0, 0, kPictureSide, kPictureSide, 3 * kPictureSide},
-                                samples.data());
+    render_surface<PixelRgb888, SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        frame, OverBlack{}, {pixels.data(), 0, 0, kPictureSide, kPictureSide, 3 * kPictureSide}, samples.data());
     return PixelRgb888::load(
         &pixels[static_cast<size_t>(3 * (kPictureSide / 2 * kPictureSide + kPictureSide / 2 + right_px))]);
 }

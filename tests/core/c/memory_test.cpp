@@ -27,7 +27,7 @@ void for_screens(const Check& check)
                     check(lumi_screen{width, height, std::min(most_rows, height), mode});
 }
 
-size_t macro_of(const SeeThroughField& field, const lumi_screen& s)
+size_t macro_of(const SurfaceField& field, const lumi_screen& s)
 {
     const uint32_t vertices = field.vertex_count, patches = field.patch_count;
     const size_t opaque = s.mode == LUMI_TWO_BY_TWO
@@ -38,8 +38,8 @@ size_t macro_of(const SeeThroughField& field, const lumi_screen& s)
 
 void check_macros(const Bytes& bytes, size_t always_linked)
 {
-    SeeThroughField field;
-    REQUIRE(open_surface(bytes.data(), bytes.size(), field) == FieldError::none);
+    SurfaceField field;
+    REQUIRE(open_surface<SurfaceFeatures::all>(bytes.data(), bytes.size(), field) == FieldError::none);
     uint32_t screens = 0;
     for_screens([&](const lumi_screen& s) {
         const size_t told = lumi_memory_size(bytes.data(), bytes.size(), s);

@@ -32,32 +32,7 @@ TestSurface wild_mesh(uint32_t seed)
     return s;
 }
 
-struct OrderMemory {
-    SurfaceMemory opaque;
-    std::vector<uint32_t> order;
-
-    void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, SurfaceFrame& frame) const
-    {
-        prepare_surface<PixelRgb565>(field, camera, mode, opaque, frame);
-    }
-    void prepare(const SeeThroughField& field, const SurfaceCamera& camera, SurfaceMode mode, SeeThroughFrame& frame)
-    {
-        order.resize(see_through_order(field.see_through_count));
-        prepare_surface<PixelRgb565>(field, camera, mode, SeeThroughMemory{opaque, order.data()}, frame);
-    }
-};
-
-SurfaceFrame frame_for(const SurfaceField&)
-{
-    return {};
-}
-SeeThroughFrame frame_for(const SeeThroughField&)
-{
-    return {};
-}
-
-template <class Field>
-uint64_t draw_surface(const Field& field, const Extreme& e, bool twice)
+uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
 {
     SurfaceCamera camera;
     REQUIRE(make_surface_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
@@ -66,13 +41,15 @@ uint64_t draw_surface(const Field& field, const Extreme& e, bool twice)
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count));
     std::vector<uint16_t> bands(surface_bands(e.edge.image.height_px, band_log2));
-    auto frame = frame_for(field);
-    OrderMemory memory = {{vertices.data(), links.data(), bands.data(), band_log2}, {}};
-    memory.prepare(field, camera, mode, frame);
+    std::vector<uint32_t> see_through(see_through_words(field.see_through_count));
+    SurfaceFrame frame{};
+    prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        field, camera, mode, {vertices.data(), links.data(), bands.data(), band_log2, see_through.data()}, frame);
     return draw_frame(e.edge, PixelRgb565::kBytes, twice, [&](const Stripe& stripe, uint8_t held) {
         const uint32_t words = (surface_stripe_bytes(stripe.width_px, stripe.height_px, mode) + 3) / 4;
         std::vector<uint32_t> samples(words, held * 0x01010101u);
-        render_surface<PixelRgb565>(frame, OverBlack{}, stripe, samples.data());
+        render_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, OverBlack{}, stripe,
+                                                                                   samples.data());
     });
 }
 

@@ -15,65 +15,38 @@ namespace lumi::test
 {
 
 // A frame with memory of its very size. Vertices and links hold what an older frame may have left.
-template <class Field, class Frame, class Memory>
 struct PreparedFrame {
-    PreparedFrame(const Field& field, int32_t height_px, uint32_t band_log2)
+    PreparedFrame(const SurfaceField& field, int32_t height_px, uint32_t band_log2)
         : vertices(field.vertex_count),
           links(surface_links(field.patch_count), 0x5A5A),
-          bands(surface_bands(height_px, band_log2), 0x5A5A)
+          bands(surface_bands(height_px, band_log2), 0x5A5A),
+          see_through(see_through_words(field.see_through_count)),
+          memory{vertices.data(), links.data(), bands.data(), band_log2, see_through.data()}
     {
-        memory.vertices = vertices.data();
-        memory.links = links.data();
-        memory.bands = bands.data();
-        memory.band_log2 = band_log2;
     }
     PreparedFrame(const PreparedFrame&) = delete;
     PreparedFrame& operator=(const PreparedFrame&) = delete;
 
     std::vector<SurfaceVertex> vertices;
     std::vector<uint16_t> links, bands;
-    std::vector<uint32_t> order;
-    Memory memory{};
-    Frame frame{};
+    std::vector<uint32_t> see_through;
+    SurfaceMemory memory;
+    SurfaceFrame frame{};
 };
-
-struct Opaque : PreparedFrame<SurfaceField, SurfaceFrame, SurfaceMemory> {
-    using PreparedFrame::PreparedFrame;
-};
-struct Glass : PreparedFrame<SeeThroughField, SeeThroughFrame, SeeThroughMemory> {
-    Glass(const SeeThroughField& field, int32_t height_px, uint32_t band_log2)
-        : PreparedFrame(field, height_px, band_log2)
-    {
-        order.resize(see_through_order(field.see_through_count));
-        memory.order = order.data();
-    }
-};
-inline Opaque memory_for(const SurfaceField& field, int32_t height_px, uint32_t band_log2)
-{
-    return {field, height_px, band_log2};
-}
-inline Glass memory_for(const SeeThroughField& field, int32_t height_px, uint32_t band_log2)
-{
-    return {field, height_px, band_log2};
-}
 
 inline bool is_same(const detail::Extent& a, const detail::Extent& b)
 {
     return a.begin == b.begin && a.end == b.end;
 }
 
-inline bool have_same_order(const SurfaceFrame&, const SurfaceFrame&)
+inline bool have_same_order(const SurfaceFrame& a, const SurfaceFrame& b)
 {
-    return true;
-}
-inline bool have_same_order(const SeeThroughFrame& a, const SeeThroughFrame& b)
-{
-    return a.order_count == b.order_count && std::equal(a.order, a.order + a.order_count, b.order);
+    const uint32_t *const first = a.memory.see_through, count = a.see_through_triangles;
+    return count == b.see_through_triangles && std::equal(first, first + count, b.memory.see_through);
 }
 
 // All that drawing reads.
-template <class Prepared>
-bool are_same(const Prepared& a, const Prepared& b)
+inline bool are_same(const PreparedFrame& a, const PreparedFrame& b)
 {
     const auto is_same_vertex = [](const SurfaceVertex& v, const SurfaceVertex& w) {
         return v.x == w.x && v.y == w.y && v.colour == w.colour;
@@ -85,34 +58,34 @@ bool are_same(const Prepared& a, const Prepared& b)
            have_same_order(a.frame, b.frame) && std::equal(std::begin(f.palette), std::end(f.palette), g.palette);
 }
 
-template <class Frame>
-Bytes picture(const Frame& frame, const Edge& edge)
+inline Bytes picture(const SurfaceFrame& frame, const Edge& edge)
 {
     const uint32_t stride = static_cast<uint32_t>(edge.width) * PixelRgb565::kBytes;
     std::vector<uint32_t> pixels(stride * static_cast<uint32_t>(edge.height) / 4 + 1);
     std::vector<uint32_t> samples((surface_stripe_bytes(edge.width, edge.height, frame.mode) + 3) / 4);
     uint8_t* const bytes = reinterpret_cast<uint8_t*>(pixels.data());
-    render_surface<PixelRgb565>(frame, OverColour{kSurfaceBackground},
-                                {bytes, edge.x, edge.y, edge.width, edge.height, stride}, samples.data());
+    render_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        frame, OverColour{kSurfaceBackground}, {bytes, edge.x, edge.y, edge.width, edge.height, stride},
+        samples.data());
     return Bytes(bytes, bytes + stride * static_cast<uint32_t>(edge.height));
 }
 
 // `run` runs both halves of a step.
-template <class Field, class Run>
-void check_halves(const Field& field, const Extreme& e, const Run& run)
+template <class Run>
+void check_halves(const SurfaceField& field, const Extreme& e, const Run& run)
 {
     SurfaceCamera camera;
     REQUIRE(make_surface_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
     const SurfaceMode mode = kSurfaceModes[e.choice % 3];
     const uint32_t band_log2 = (e.choice >> 4) % 8;
-    auto by_one = memory_for(field, e.edge.image.height_px, band_log2);
-    auto by_two = memory_for(field, e.edge.image.height_px, band_log2);
+    PreparedFrame by_one(field, e.edge.image.height_px, band_log2), by_two(field, e.edge.image.height_px, band_log2);
     std::vector<uint16_t> bands(by_two.bands.size(), 0xA5A5);
     SurfaceHalves halves{};
     halves.bands = bands.data();
-    prepare_surface<PixelRgb565>(field, camera, mode, by_one.memory, by_one.frame);
-    prepare_surface<PixelRgb565>(field, camera, mode, by_two.memory, by_two.frame, halves,
-                                 [&](int32_t step) { run(halves, step); });
+    prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, by_one.memory,
+                                                                                by_one.frame);
+    prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        field, camera, mode, by_two.memory, by_two.frame, halves, [&](int32_t step) { run(halves, step); });
     // Where nothing shows, vertices and links stay as they were.
     REQUIRE(are_same(by_one, by_two));
     REQUIRE((picture(by_one.frame, e.edge) == picture(by_two.frame, e.edge)));

@@ -100,7 +100,7 @@ TEST_CASE("the first half places the first vertices, which its patches begin wit
             CameraError::none);
     const uint32_t count = sheet.field().vertex_count, middle = count / 2;
     for (uint32_t half = 0; half < 2; ++half) {
-        auto memory = memory_for(sheet.field(), kHeight, 4);
+        PreparedFrame memory(sheet.field(), kHeight, 4);
         constexpr uint32_t kOld = 0xA5A5A5A5;
         for (SurfaceVertex& v : memory.vertices) v.colour = kOld;
         std::vector<uint16_t> bands(memory.bands.size());

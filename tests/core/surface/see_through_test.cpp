@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lumi/surface/see_through.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -48,17 +46,17 @@ struct Drawn {
 
 // A frame in memory of its very size, over a stripe that holds a pattern.
 template <class Pixel, class Background>
-Drawn<Pixel> drawn(const SeeThroughField& field, const test::View& view, SurfaceMode mode, const Background& background,
+Drawn<Pixel> drawn(const SurfaceField& field, const test::View& view, SurfaceMode mode, const Background& background,
                    const Area& area = {kSide, kSide})
 {
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kSide, 3));
-    std::vector<uint32_t> order(see_through_order(field.see_through_count));
+    std::vector<uint32_t> see_through(see_through_words(field.see_through_count));
     SurfaceCamera camera;
     REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
-    SeeThroughFrame frame;
-    const SeeThroughMemory memory = {{vertices.data(), links.data(), bands.data(), 3}, order.data()};
-    prepare_surface<Pixel>(field, camera, mode, memory, frame);
+    SurfaceFrame frame;
+    const SurfaceMemory memory = {vertices.data(), links.data(), bands.data(), 3, see_through.data()};
+    prepare_surface<Pixel, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, memory, frame);
     Drawn<Pixel> result = {std::vector<uint32_t>(kSide * kSide * Pixel::kBytes / 4 + 2), Bytes(kSide * kSide),
                            area.is_odd};
     for (int32_t k = 0; k < kSide * kSide; ++k)
@@ -74,9 +72,10 @@ Drawn<Pixel> drawn(const SeeThroughField& field, const test::View& view, Surface
                                    kSide * Pixel::kBytes};
             std::vector<uint32_t> samples(
                 (surface_stripe_bytes<Pixel>(stripe.width_px, stripe.height_px, mode) + 3) / 4, 0x5A5A5A5A);
-            render_surface<Pixel>(frame, background, stripe, samples.data());
+            render_surface<Pixel, SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, background, stripe,
+                                                                                 samples.data());
             if constexpr (kKeepsCoverage<Background>)
-                render_coverage(
+                render_coverage<SurfaceFeatures::all>(
                     frame, {result.coverage.data() + y * kSide + x, x, y, stripe.width_px, stripe.height_px, kSide},
                     samples.data());
         }
@@ -299,7 +298,7 @@ TEST_CASE("surfaces with glass are the same in rectangles of any size, over ever
 
 TEST_CASE("an opaque edge behind glass marks no pixels that show glass alone")
 {
-    // What their depths tell is how much glass covers, which depends on what a stripe holds: they must not decide.
+    // Their depths tell how much glass covers, which depends on what a stripe holds: they must not decide.
     constexpr int32_t kWidth = 4, kHeight = 4;
     for (const bool has_inside : {false, true}) {
         std::vector<uint32_t> memory(sample_bytes(kWidth, kHeight, 2, true) / 4);
@@ -405,8 +404,8 @@ TEST_CASE("sections of see-through parts that are wrong are refused by name")
     CHECK(opened(patches - 1, [](Bytes&) {}) == FieldError::none);
     CHECK(opened(kFirstOfBall - 8, [](Bytes&) {}) == FieldError::bad_neighbours);
     check_other_sizes_are_refused(see_through_file(ball, kFirstOfBall), [](const Bytes& bytes) {
-        SeeThroughField field;
-        return open_surface(bytes.data(), bytes.size(), field);
+        SurfaceField field;
+        return open_surface<SurfaceFeatures::all>(bytes.data(), bytes.size(), field);
     });
 }
 
@@ -448,10 +447,10 @@ Bytes glass_octahedron(Change change)
     return file_of(sections);
 }
 
-SeeThroughField opened_see_through(const Bytes& bytes)
+SurfaceField opened_see_through(const Bytes& bytes)
 {
-    SeeThroughField field;
-    REQUIRE(open_surface(bytes.data(), bytes.size(), field) == FieldError::none);
+    SurfaceField field;
+    REQUIRE(open_surface<SurfaceFeatures::all>(bytes.data(), bytes.size(), field) == FieldError::none);
     return field;
 }
 
@@ -461,7 +460,7 @@ TEST_CASE("sides between two pieces of glass that face the eye are no outlines, 
 {
     const Bytes joined = glass_octahedron([](Bytes&) {});
     const Bytes apart = glass_octahedron([](Bytes& b) { std::fill(b.begin(), b.end(), uint8_t{0xFF}); });
-    const SeeThroughField field = opened_see_through(joined), pieces = opened_see_through(apart);
+    const SurfaceField field = opened_see_through(joined), pieces = opened_see_through(apart);
     const OverColour grey{{200, 190, 180}};
     uint32_t inner = 0, smoothed = 0, missed = 0;
     for (const double azimuth : {10.0, 33.0, 70.0, 200.0}) {
@@ -504,7 +503,7 @@ TEST_CASE("neighbours of see-through patches that contradict each other draw the
                 b[k + 1] = static_cast<uint8_t>(any == 10 ? 0xFF : 0);
             }
         });
-        const SeeThroughField field = opened_see_through(bytes);
+        const SurfaceField field = opened_see_through(bytes);
         test::View view = from_above();
         view.pose = pose_of({degrees(seed * 25.0), degrees(30.0 - seed), radii(2)});
         const auto once = drawn<PixelRgb565>(field, view, SurfaceMode::antialiased, OverBlack{});

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "field_bytes.h"
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 #include "views.h"
 
 namespace lumi::test
@@ -15,28 +15,28 @@ namespace lumi::test
 inline constexpr Rgb8 kSurfaceBackground = {1, 2, 3};
 
 // A field with the bytes that it is read from.
-template <class Field>
+template <SurfaceFeatures kFeatures>
 class Opened
 {
 public:
     explicit Opened(Bytes bytes) : bytes_(std::move(bytes))
     {
-        error_ = open_surface(bytes_.data(), bytes_.size(), field_);
+        error_ = open_surface<kFeatures>(bytes_.data(), bytes_.size(), field_);
     }
     Opened(const Opened&) = delete;
     Opened& operator=(const Opened&) = delete;
 
     FieldError error() const { return error_; }
-    const Field& field() const { return field_; }
+    const SurfaceField& field() const { return field_; }
     const Bytes& bytes() const { return bytes_; }
 
 private:
     Bytes bytes_;
-    Field field_;
+    SurfaceField field_;
     FieldError error_;
 };
-using OpenedSurface = Opened<SurfaceField>;
-using OpenedGlass = Opened<SeeThroughField>;
+using OpenedSurface = Opened<SurfaceFeatures::view_tables>;
+using OpenedGlass = Opened<SurfaceFeatures::all>;
 
 // A frame with its memory.
 class SurfaceScreen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// As much of ESP-IDF as core's example takes.
+// Declares as much of ESP-IDF as core's example takes.
 #pragma once
 
 typedef int esp_err_t;

@@ -11,7 +11,7 @@ namespace
 
 constexpr uint32_t kSlotBytes = 1024 * 1024;
 
-// What the file's header states: it is opened next.
+// Returns what the file's header states: it is opened next.
 uint32_t stated_bytes(const uint8_t* file)
 {
     const uint8_t* const at = file + lumi::detail::format::header::kFileBytesAt;

@@ -15,9 +15,9 @@ namespace
 
 constexpr SurfaceMode kModes[] = {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two};
 
-SeeThroughField opened()
+SurfaceField opened()
 {
-    SeeThroughField field;
+    SurfaceField field;
     const auto& file = tools::test::small_surface().file;
     REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
     return field;
@@ -39,7 +39,7 @@ double samples_of(const SurfaceWork& work)
 
 TEST_CASE("a frame of a cube takes what its faces show")
 {
-    const SeeThroughField field = opened();
+    const SurfaceField field = opened();
     const SurfaceWork front = work_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample, 16);
     // The sphere's radius is √3 of the half edge: the front face lies 3 - 1/√3 away and is 2/√3 wide.
     const double focal = 120 / std::tan(21 * 3.14159265 / 180), side = focal * 1.1547 / (3 - 0.57735);
@@ -69,7 +69,7 @@ TEST_CASE("nothing hides behind a convex body, and what is drawn has rows and sa
 
 TEST_CASE("modes of surface fields cost more from one sample to four, and nearer eyes more than far ones")
 {
-    const SeeThroughField field = opened();
+    const SurfaceField field = opened();
     for (const char* core : {"m4", "m0plus"}) {
         double before = 0;
         for (const SurfaceMode mode : kModes) {
@@ -83,7 +83,7 @@ TEST_CASE("modes of surface fields cost more from one sample to four, and nearer
 
 TEST_CASE("lower stripes set up more triangles, and more scanlines twice where outlines are blended")
 {
-    const SeeThroughField field = opened();
+    const SurfaceField field = opened();
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {
         const SurfaceWork low = work_of(field, eye, mode, 4), usual = work_of(field, eye, mode, 16),
@@ -116,12 +116,13 @@ TEST_CASE("rates of parts are means and worst cases, at most what the display ta
 
 TEST_CASE("see-through triangles cost more than the same ones opaque, and slow every part down")
 {
-    const SeeThroughField opaque = opened();
-    SeeThroughField half = opaque;
+    const SurfaceField opaque = opened();
+    SurfaceField half = opaque;
     half.patch_count = opaque.patch_count / 2;
-    const std::vector<uint8_t> palette(detail::format::kPaletteEntries * detail::format::see_through::kEntryBytes, 100);
-    SeeThroughField glass = half;
-    glass.see_through_palette = palette.data();
+    std::vector<uint8_t> section(detail::format::kSeeThroughBytes, 100);
+    section[detail::format::see_through::kOrderAt] = 0;  // by depth
+    SurfaceField glass = half;
+    glass.see_through = section.data();
     glass.see_through_count = static_cast<uint16_t>(opaque.patch_count - half.patch_count);
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {

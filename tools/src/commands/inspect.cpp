@@ -52,7 +52,7 @@ void append_face(uint32_t a, uint32_t b, uint32_t c, std::string& text)
     text += line;
 }
 
-void append_group(const SeeThroughField& field, const char* name, uint32_t begin, uint32_t end, std::string& text)
+void append_group(const SurfaceField& field, const char* name, uint32_t begin, uint32_t end, std::string& text)
 {
     if (begin == end) return;
     text += std::string("g ") + name + "\n";
@@ -71,7 +71,7 @@ std::string obj_of(const FieldFile& file, baker::UpAxis up)
     if (!file.is_surface())
         throw Failure(file.path(), "a chord field is a table of rays and has no mesh",
                       "write its picture (-o OUT.png), or bake a surface field (lumi bake --layout surface)");
-    const SeeThroughField& field = file.surface();
+    const SurfaceField& field = file.surface();
     std::string text = "# the mesh of a LumiPath field, in the units of its scene; written by lumi inspect\n";
     for (uint32_t k = 0; k < field.vertex_count; ++k)
         append_vertex(in_scene_axes(detail::surface_vertex(field, k), up), file.sphere(), text);

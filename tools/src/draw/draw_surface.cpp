@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "draw/display.h"
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -25,36 +25,30 @@ SurfaceCamera camera_of(const Eye& eye)
     return camera;
 }
 
-SeeThroughField with_nothing_to_see_through(const SurfaceField& opaque)
-{
-    SeeThroughField field;
-    static_cast<SurfaceField&>(field) = opaque;
-    return field;
-}
-
 // A frame borrows this from its caller.
 struct FrameMemory {
     std::vector<SurfaceVertex> vertices;
     std::vector<uint16_t> links, bands;
-    std::vector<uint32_t> order;
+    std::vector<uint32_t> see_through;
 
-    FrameMemory(const SeeThroughField& field, int32_t height_px)
+    FrameMemory(const SurfaceField& field, int32_t height_px)
         : vertices(field.vertex_count),
           links(surface_links(field.patch_count)),
           bands(surface_bands(height_px, kBandLog2)),
-          order(see_through_order(field.see_through_count))
+          see_through(see_through_words(field.see_through_count))
     {
     }
-    SeeThroughMemory borrowed() { return {{vertices.data(), links.data(), bands.data(), kBandLog2}, order.data()}; }
+    SurfaceMemory borrowed() { return {vertices.data(), links.data(), bands.data(), kBandLog2, see_through.data()}; }
 };
 
 template <class Pixel>
-Picture draw_as(const SeeThroughField& field, const Eye& eye, const SurfaceDrawSettings& settings)
+Picture draw_as(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
 {
     const int32_t width = eye.image.width_px, height = eye.image.height_px;
     FrameMemory memory(field, height);
-    SeeThroughFrame frame;
-    prepare_surface<Pixel>(field, camera_of(eye), settings.mode, memory.borrowed(), frame);
+    SurfaceFrame frame;
+    prepare_surface<Pixel, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera_of(eye), settings.mode,
+                                                                          memory.borrowed(), frame);
     Picture picture(width, height);
     const uint32_t stride = static_cast<uint32_t>(width) * Pixel::kBytes;
     std::vector<uint8_t> buffer(static_cast<size_t>(stride) * kStripeHeight);
@@ -62,7 +56,8 @@ Picture draw_as(const SeeThroughField& field, const Eye& eye, const SurfaceDrawS
     for (int y = 0; y < height; y += kStripeHeight) {
         leave_if_interrupted();
         const Stripe stripe = {buffer.data(), 0, y, width, std::min(kStripeHeight, height - y), stride};
-        render_surface<Pixel>(frame, OverColour{settings.background}, stripe, samples.data());
+        render_surface<Pixel, SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, OverColour{settings.background},
+                                                                             stripe, samples.data());
         copy_stripe<Pixel>(stripe, picture);
     }
     return picture;
@@ -96,24 +91,18 @@ const char* name_of(SurfaceMode mode)
     return "unknown";
 }
 
-Picture draw_surface(const SeeThroughField& field, const Eye& eye, const SurfaceDrawSettings& settings)
+Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
 {
     return with_pixel(
         settings.display, [&](auto pixel) { return draw_as<decltype(pixel)>(field, eye, settings); });
 }
 
-Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
-{
-    return draw_surface(with_nothing_to_see_through(field), eye, settings);
-}
-
 Plane<uint16_t> surface_depths(const SurfaceField& field, const Eye& eye)
 {
     const int32_t width = eye.image.width_px, height = eye.image.height_px;
-    FrameMemory memory(with_nothing_to_see_through(field), height);
+    FrameMemory memory(field, height);
     SurfaceFrame frame;
-    const SurfaceMemory borrowed = memory.borrowed();
-    prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, borrowed, frame);
+    prepare_surface<PixelRgb888>(field, camera_of(eye), SurfaceMode::one_sample, memory.borrowed(), frame);
     std::vector<uint32_t> samples(surface_stripe_bytes(width, height, SurfaceMode::one_sample) / sizeof(uint32_t) + 1);
     std::vector<uint8_t> pixels(static_cast<size_t>(width) * static_cast<size_t>(height) * PixelRgb888::kBytes);
     const Stripe stripe = {pixels.data(), 0, 0, width, height, static_cast<uint32_t>(width) * PixelRgb888::kBytes};

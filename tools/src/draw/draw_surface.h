@@ -5,7 +5,7 @@
 #include "draw/draw.h"
 #include "draw/views.h"
 #include "image/picture.h"
-#include "lumi/surface/see_through_frame.h"
+#include "lumi/surface/frame.h"
 
 namespace lumi::tools
 {
@@ -21,8 +21,6 @@ const char* name_of(SurfaceMode mode);
 
 // The whole image, as a display of that format would show it. Leaves by Interrupted between stripes. Throws UsageError
 // for an eye that core refuses.
-Picture draw_surface(const SeeThroughField& field, const Eye& eye, const SurfaceDrawSettings& settings = {});
-// Opaque parts alone.
 Picture draw_surface(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings = {});
 
 // The depths of opaque parts in the pixels' centres, as the renderer has them (surface/frame.h). Throws UsageError

@@ -33,7 +33,7 @@ struct Shelves {
 
 constexpr int kGap = 1;  // between patches, so that one sees each
 
-std::vector<Shelved> patches_of(const SeeThroughField& field)
+std::vector<Shelved> patches_of(const SurfaceField& field)
 {
     std::vector<Shelved> patches;
     const uint32_t count = field.patch_count + field.see_through_count;
@@ -57,7 +57,7 @@ int square_side(const std::vector<Shelved>& patches)
 }
 
 // Each shelf is as high as its first patch. See-through patches begin a shelf of their own.
-Shelves shelves_of(const SeeThroughField& field)
+Shelves shelves_of(const SurfaceField& field)
 {
     Shelves shelves = {patches_of(field)};
     shelves.width = square_side(shelves.patches);
@@ -95,11 +95,12 @@ Rgb8 see_through_colour(const uint8_t* entry, uint32_t i, uint32_t j)
     return {channel(0), channel(1), channel(2)};
 }
 
-Rgb8 colour_of(const SeeThroughField& field, const Shelved& shelved, uint32_t i, uint32_t j)
+Rgb8 colour_of(const SurfaceField& field, const Shelved& shelved, uint32_t i, uint32_t j)
 {
+    namespace at = detail::format::see_through;
     const uint32_t texel = field.texels[shelved.patch.texels + j * shelved.patch.columns + i];
     if (shelved.is_see_through)
-        return see_through_colour(field.see_through_palette + texel * detail::format::see_through::kEntryBytes, i, j);
+        return see_through_colour(field.see_through + at::kPaletteAt + texel * at::kEntryBytes, i, j);
     const uint8_t* entry = field.palette + 3 * texel;
     return {entry[0], entry[1], entry[2]};
 }
@@ -109,7 +110,7 @@ void put(const Rgb8& colour, int x, int y, int size, Picture& picture)
     paste(Picture(size, size, colour), x * size, y * size, picture);
 }
 
-void put(const SeeThroughField& field, const Shelved& shelved, int size, Picture& picture)
+void put(const SurfaceField& field, const Shelved& shelved, int size, Picture& picture)
 {
     for (uint32_t j = 0; j < shelved.patch.rows; ++j)
         for (uint32_t i = 0; i < shelved.patch.columns; ++i)
@@ -118,7 +119,7 @@ void put(const SeeThroughField& field, const Shelved& shelved, int size, Picture
                     size, picture);
 }
 
-Picture picture_of(const SeeThroughField& field)
+Picture picture_of(const SurfaceField& field)
 {
     constexpr int kWidth = 1200, kLargestTexel = 16;
     const Shelves shelves = shelves_of(field);

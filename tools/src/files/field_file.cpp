@@ -97,7 +97,7 @@ FieldFile::FieldFile(const std::string& path, Role role) : path_(path)
     bytes_ = read_whole(path);
     FieldError error = open_field(bytes(), size(), field_);
     is_surface_ = error == FieldError::surface_field;
-    if (is_surface_) error = open_surface(bytes(), size(), surface_);
+    if (is_surface_) error = open_surface<SurfaceFeatures::all>(bytes(), size(), surface_);
     if (error != FieldError::none) throw Failure(path, describe(error), mend_of(error));
 }
 

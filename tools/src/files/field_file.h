@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lumi/chord/field.h"
-#include "lumi/surface/see_through_frame.h"
+#include "lumi/surface/frame.h"
 
 namespace lumi::tools
 {
@@ -41,7 +41,7 @@ public:
     bool is_surface() const { return is_surface_; }
     // Precondition: the kind that the file holds.
     const Field& field() const { return field_; }
-    const SeeThroughField& surface() const { return surface_; }
+    const SurfaceField& surface() const { return surface_; }
     const uint8_t* bytes() const { return bytes_.data(); }
     size_t size() const { return bytes_.size(); }
 
@@ -59,7 +59,7 @@ private:
     std::vector<uint8_t> bytes_;  // those of the file may change meanwhile
     bool is_surface_ = false;
     Field field_;
-    SeeThroughField surface_;
+    SurfaceField surface_;
 };
 
 }  // namespace lumi::tools

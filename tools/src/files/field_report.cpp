@@ -80,7 +80,7 @@ double longest_edge_of(const SurfaceField& field)
     return field.longest_edge_q6 / kOneQ6;
 }
 
-void append_surface(std::string& text, const SeeThroughField& field)
+void append_surface(std::string& text, const SurfaceField& field)
 {
     append_line(text, "  mesh          %" PRIu32 " triangles in %" PRIu32 " patches, edges up to %.2f radii",
                 triangles_of(field), field.patch_count, longest_edge_of(field));
@@ -100,7 +100,7 @@ void append_chord(std::string& text, const Field& field)
                 field.row_stride_bytes);
 }
 
-nlohmann::ordered_json json_of(const SeeThroughField& field)
+nlohmann::ordered_json json_of(const SurfaceField& field)
 {
     return {{"triangles", triangles_of(field)},
             {"patches", field.patch_count},
@@ -205,9 +205,9 @@ RendererName named(const char* header, const char* opener, const char* parameter
             "lumi::View<" + drawing + last_of_example + ">, lumi::Screen<240, 240, 16>>"};
 }
 
-RendererName renderer_of(const SeeThroughField& field)
+RendererName renderer_of(const SurfaceField& field)
 {
-    const uint32_t patches = std::max(field.patch_count, 1u);  // memory for none is no array
+    const uint32_t patches = std::max<uint32_t>(field.patch_count, 1);  // memory for none is no array
     const std::string drawing =
         "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(patches);
     const std::string glass = field.see_through_count == 0 ? "" : ", " + std::to_string(field.see_through_count);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 #include "planner/surface_work.h"
 #include "surface/fill.h"
 #include "surface/lists.h"
@@ -304,10 +304,10 @@ private:
 class CountedSeeThrough
 {
 public:
-    CountedSeeThrough(const SeeThroughFrame& frame, const detail::Target& target)
+    CountedSeeThrough(const SurfaceFrame& frame, const detail::Target& target)
         : piece(target), frame_(frame), target_(target), parts_(frame, target)
     {
-        piece.rows.palette = frame.added_and_passed;
+        piece.rows.palette = detail::see_through_palette(frame);
     }
 
     bool next()
@@ -315,8 +315,8 @@ public:
         if (goes_on(piece)) return true;
         while (true) {
             if (parts_.next(piece)) return true;
-            if (at_ == frame_.order_count) return false;
-            const uint32_t entry = frame_.order[at_++], triangle = detail::triangle_of(entry);
+            if (at_ == frame_.see_through_triangles) return false;
+            const uint32_t entry = frame_.memory.see_through[at_++], triangle = detail::triangle_of(entry);
             add(SurfaceItem::see_visited);
             if ((entry & detail::kInParts) != 0)
                 parts_.begin(triangle);
@@ -329,7 +329,7 @@ public:
     detail::TrianglePiece piece;
 
 private:
-    const SeeThroughFrame& frame_;
+    const SurfaceFrame& frame_;
     const detail::Target& target_;
     uint32_t at_ = 0;
     CountedParts parts_;

@@ -75,7 +75,7 @@ Ram ram_of(const tools::FieldFile& field, SurfaceMode finest, const host::Screen
 {
     if (!field.is_surface())
         return {host::chord_view_bytes(fits_spans(field.field())), host::stripe_pixel_bytes<PixelRgb565>(screen)};
-    const SeeThroughField& surface = field.surface();
+    const SurfaceField& surface = field.surface();
     return ram_of({surface.vertex_count, surface.patch_count, finest, surface.see_through_count}, screen);
 }
 
@@ -93,7 +93,7 @@ double surface_instructions(const std::string& core, SurfaceMode mode, const Sur
 
 // Vertices and tables are read once, a patch once to be listed and once or twice to be filled; of texels, neighbours in
 // a scanline share half of the lines.
-double surface_misses(const SeeThroughField& field, const SurfaceWork& work, double line_bytes)
+double surface_misses(const SurfaceField& field, const SurfaceWork& work, double line_bytes)
 {
     constexpr double kPatchReads = 2.5, kSeeThroughReads = 3.5, kTexelLines = 0.5;
     const double mesh = detail::format::kVertexBytes * work[SurfaceItem::vertex] +
@@ -113,7 +113,7 @@ int rated_poses(const host::ScreenSize& screen)
     return static_cast<int>(std::clamp<double>(kMostPixels / screen.width_px / screen.height_px, kFewest, kRatedPoses));
 }
 
-std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode, const host::ScreenSize& screen)
+std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen)
 {
     std::vector<SurfaceWork> works;
     for (quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, rated_poses(screen))) {

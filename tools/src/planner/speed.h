@@ -58,7 +58,7 @@ uint32_t stack_of(const tools::FieldFile& field);
 double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceWork& work);
 
 // Flash lines of so many bytes that a frame misses, about.
-double surface_misses(const SeeThroughField& field, const SurfaceWork& work, double line_bytes);
+double surface_misses(const SurfaceField& field, const SurfaceWork& work, double line_bytes);
 
 // Frames a second by one core, over poses all around the sphere.
 struct PartRate {
@@ -66,7 +66,7 @@ struct PartRate {
     double mean, worst;
     double instructions;  // a frame, in the mean
 };
-std::vector<PartRate> surface_rates(const SeeThroughField& field, SurfaceMode mode,
+std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode,
                                     const host::ScreenSize& screen = {});
 
 inline constexpr int kRatedPoses = 200;

@@ -67,11 +67,12 @@ void count_outlines(const SurfaceFrame& frame, const detail::Target& target)
     }
 }
 
-void count_see_through_outlines(const SeeThroughFrame& frame, const detail::Target& target)
+void count_see_through_outlines(const SurfaceFrame& frame, const detail::Target& target)
 {
-    for (uint32_t k = 0; k < frame.order_count; ++k) {
-        if ((frame.order[k] & detail::kHasOutline) == 0) continue;
-        const uint32_t triangle = detail::triangle_of(frame.order[k]);
+    const uint32_t* const order = frame.memory.see_through;
+    for (uint32_t k = 0; k < frame.see_through_triangles; ++k) {
+        if ((order[k] & detail::kHasOutline) == 0) continue;
+        const uint32_t triangle = detail::triangle_of(order[k]);
         const detail::SurfacePatch patch = detail::surface_patch(frame.field, triangle >> 1);
         uint32_t sides = 0;
         for (uint32_t n = 0; n < 3; ++n) sides |= (detail::is_outline(frame, patch, triangle, n) ? 1u : 0u) << n;
@@ -80,11 +81,11 @@ void count_see_through_outlines(const SeeThroughFrame& frame, const detail::Targ
 }
 
 template <class Samples, Filter kPlainFilter, Filter kMagnifiedFilter>
-void count_triangles(const SeeThroughFrame& frame, const detail::Target& target)
+void count_triangles(const SurfaceFrame& frame, const detail::Target& target)
 {
     detail::draw_triangles<CountedPieces, count_rows<Samples, kPlain, kPlainFilter, false>,
                            count_rows<Samples, kMagnified, kMagnifiedFilter, false>>(frame, target);
-    if (frame.order_count == 0) return;
+    if (frame.see_through_triangles == 0) return;
     detail::draw_triangles<CountedSeeThrough, count_rows<Samples, kSeePlain, kPlainFilter, true>,
                            count_rows<Samples, kSeeMagnified, kMagnifiedFilter, true>>(frame, target);
 }
@@ -113,7 +114,7 @@ void count_fours(const detail::Target& target)
     }
 }
 
-void count_stripe(const SeeThroughFrame& frame, const Stripe& stripe, void* memory)
+void count_stripe(const SurfaceFrame& frame, const Stripe& stripe, void* memory)
 {
     add(SurfaceItem::stripe);
     const Stripe covered = detail::covered_part(frame, stripe, 0);
@@ -123,7 +124,7 @@ void count_stripe(const SeeThroughFrame& frame, const Stripe& stripe, void* memo
     add(SurfaceItem::part_px, (target.width >> frame.samples_log2) * (target.height >> frame.samples_log2));
     detail::clear_pixels(target, 0);
     if (frame.samples_log2 != 0) detail::clear_depths(target);
-    if (frame.samples_log2 != 0 && frame.order_count != 0) {
+    if (frame.samples_log2 != 0 && frame.see_through_triangles != 0) {
         add(SurfaceItem::see_sample_px, target.width * target.height);
         detail::fill_colours<PixelRgb565>(samples, OverBlack());
     }
@@ -137,13 +138,13 @@ void count_stripe(const SeeThroughFrame& frame, const Stripe& stripe, void* memo
         count_outlines(frame, target);
         count_see_through_outlines(frame, target);
         detail::mark_outlines(frame, target);
-        if (frame.order_count != 0) detail::mark_see_through_outlines(frame, target);
+        if (frame.see_through_triangles != 0) detail::mark_see_through_outlines(frame, target);
         count_marks(samples);
     }
     if (frame.mode == SurfaceMode::two_by_two) count_fours(target);
 }
 
-void count_preparing(const SeeThroughField& field, const SeeThroughFrame& frame)
+void count_preparing(const SurfaceField& field, const SurfaceFrame& frame)
 {
     add(SurfaceItem::frame);
     add(SurfaceItem::vertex, field.vertex_count);
@@ -159,14 +160,14 @@ void count_preparing(const SeeThroughField& field, const SeeThroughFrame& frame)
     }
     add(SurfaceItem::see_frame, field.see_through_count != 0 ? 1 : 0);
     add(SurfaceItem::see_patch, field.see_through_count);
-    add(SurfaceItem::ordered, frame.order_count);
-    if (frame.order_count > 1 && !field.is_in_order)
-        add(SurfaceItem::sorted, frame.order_count * std::log2(frame.order_count));
+    add(SurfaceItem::ordered, frame.see_through_triangles);
+    if (frame.see_through_triangles > 1 && !detail::is_in_order(field))
+        add(SurfaceItem::sorted, frame.see_through_triangles * std::log2(frame.see_through_triangles));
 }
 
 }  // namespace
 
-SurfaceWork work_of(const SeeThroughField& field, const tools::Eye& eye, SurfaceMode mode, int32_t stripe_rows)
+SurfaceWork work_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMode mode, int32_t stripe_rows)
 {
     SurfaceWork work;
     SurfaceCamera camera;
@@ -175,11 +176,11 @@ SurfaceWork work_of(const SeeThroughField& field, const tools::Eye& eye, Surface
     const uint32_t band_log2 = surface_band_log2(stripe_rows);
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(height, band_log2));
-    std::vector<uint32_t> order(see_through_order(field.see_through_count)),
+    std::vector<uint32_t> see_through(see_through_words(field.see_through_count)),
         samples(surface_stripe_bytes(width, stripe_rows, mode) / sizeof(uint32_t) + 1);
-    SeeThroughFrame frame;
-    prepare_surface<PixelRgb565>(field, camera, mode,
-                                 {{vertices.data(), links.data(), bands.data(), band_log2}, order.data()}, frame);
+    SurfaceFrame frame;
+    prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        field, camera, mode, {vertices.data(), links.data(), bands.data(), band_log2, see_through.data()}, frame);
     counted = &work;
     count_preparing(field, frame);
     for (int32_t y = 0; y < height; y += stripe_rows)

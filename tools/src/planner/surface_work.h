@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "draw/views.h"
-#include "lumi/surface/see_through_frame.h"
+#include "lumi/surface/frame.h"
 
 namespace lumi::planner
 {
@@ -99,6 +99,6 @@ struct SurfaceWork {
 };
 
 // Counts a frame of RGB565 over black, in stripes of so many scanlines.
-SurfaceWork work_of(const SeeThroughField& field, const tools::Eye& eye, SurfaceMode mode, int32_t stripe_rows);
+SurfaceWork work_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMode mode, int32_t stripe_rows);
 
 }  // namespace lumi::planner

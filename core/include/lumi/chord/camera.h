@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The camera of chord fields: where rays meet the sphere, in quantities that are affine in the pixel. Frame and units:
-// lumi/camera.h.
+// The camera of chord fields tells where rays meet the sphere, in quantities that are affine in the pixel.
+// lumi/camera.h states frame and units.
 #pragma once
 #pragma GCC system_header
 
@@ -13,7 +13,7 @@ namespace lumi::detail
 // the sphere's rim (the disc shrinks by 0.012 %), and what is left keeps sqrt(s²) well conditioned.
 inline constexpr int kTangentShift = 12;  // s² >= q / 2^12
 
-// A quantity that is affine in the pixel, Q40.
+// This quantity is affine in the pixel, Q40.
 struct AffineQ40 {
     int64_t at_first;  // at the centre of pixel (0, 0)
     int64_t step_x, step_y;
@@ -76,8 +76,9 @@ private:
 // Fills `out`, which stays untouched on failure.
 CameraError make_camera(const Pose& pose, const Image& image, Camera& out);
 
-// The camera whose scanlines are every other one of `camera`'s image: scanline y is that of 2·y + parity. Its stripes
-// go to every other scanline of the display. Where the image is one scanline high, parity 1 has none: nothing is drawn.
+// Returns the camera whose scanlines are every other one of `camera`'s image: scanline y is that of 2·y + parity. Its
+// stripes go to every other scanline of the display. Where the image is one scanline high, parity 1 has none: nothing
+// is drawn.
 Camera interlaced_half(const Camera& camera, int32_t parity);
 
 }  // namespace lumi

@@ -25,7 +25,7 @@ struct Field {
     uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
     uint32_t radius_bits = 0;
 
-    // Row i; null for an origin outside the cap.
+    // Returns row i, or null for an origin outside the cap.
     const uint8_t* row(uint32_t i) const
     {
         return i < used_origins ? texels + static_cast<size_t>(i) * row_stride_bytes : nullptr;

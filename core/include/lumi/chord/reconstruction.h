@@ -25,8 +25,8 @@ struct Taps {
 namespace lumi
 {
 
-// The nearest lattice point of each side: one texel a pixel. On spans lattice coordinates are rounded, the cheapest
-// cell.
+// Takes the nearest lattice point of each side: one texel a pixel. On spans lattice coordinates are rounded, the
+// cheapest cell.
 struct Nearest {
     static constexpr uint32_t kTaps = 1;
     static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
@@ -35,8 +35,8 @@ struct Nearest {
     }
 };
 
-// Barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel. Continuous for lattices of every size, see
-// triangle(); by spans but for what these leave out.
+// Weights are barycentric in the lattice triangles of both sides: 3 × 3 texels a pixel. They are continuous for
+// lattices of every size, see triangle(); by spans but for what these leave out.
 struct Linear {
     static constexpr uint32_t kTaps = 3;
     static detail::Taps<kTaps> taps(const detail::Lattice& lattice, const Vec3q30& direction)
@@ -46,8 +46,8 @@ struct Linear {
     }
 };
 
-// The paper's kernel over the K nearest points of each side: up to K × K texels a pixel; those beyond its radius weigh
-// nothing and are not read. Its radius is the paper's, the fall-off of its weights is ours.
+// Takes the paper's kernel over the K nearest points of each side: up to K × K texels a pixel; those beyond its radius
+// weigh nothing and are not read. Its radius is the paper's, the fall-off of its weights is ours.
 template <uint32_t K = 5>
 struct Paper {
     static_assert(K >= 1 && K <= detail::kMaxNeighbours, "the paper's kernel takes 1 to 9 neighbours a side");
@@ -80,7 +80,7 @@ struct Gathered {
         a += weight_q24 * texel.a;
     }
 
-    // Premultiplied over a background.
+    // Lays the premultiplied sums over a background.
     Rgb8 over(const Rgb8& background) const
     {
         constexpr uint32_t kOneQ24 = 1u << 24;
@@ -90,7 +90,8 @@ struct Gathered {
     }
 };
 
-// The seam for other ways of finding texels: a pixel's hits in, its sums out. Origins outside the cap count as misses.
+// Other ways of finding texels take this seam: a pixel's hits come in, its sums go out. Origins outside the cap count
+// as misses.
 template <class Reconstruction, class Texel>
 Gathered gather(const Field& field, const Vec3q30& front, const Vec3q30& back)
 {

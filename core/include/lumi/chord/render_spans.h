@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fast renderer: exact hits every few pixels, lattice coordinates linear in between.
+// The fast renderer computes exact hits every few pixels, and lattice coordinates are linear in between.
 //
 //     render_spans<Linear, TexelRgb565, PixelRgb565Swapped>(field, camera, OverBlack{}, stripe, 16);
 //
@@ -38,7 +38,7 @@ inline bool fits_spans(const Field& field)
 namespace lumi::detail
 {
 
-// The loops, each with a frame of its own: what they keep on the stack ends before the next piece is set up.
+// Each of the loops has a frame of its own: what they keep on the stack ends before the next piece is set up.
 template <class Reconstruction, class Texel, class Pixel, class Background>
 struct PieceLoops {
     __attribute__((noinline)) static void draw(CellPiece<Background> piece)

@@ -104,7 +104,7 @@ struct TexelList {
     static constexpr const char* kNames[] = {Texel::kName...};
 };
 
-// All formats in the order of their numbers. The build reads this line, too (core/cmake/texels.cmake).
+// Lists all formats in the order of their numbers. The build reads this line, too (core/cmake/texels.cmake).
 using AllTexels = TexelList<TexelRgb888, TexelRgb565, TexelPalette8, TexelLuma8>;
 
 // Calls use(policy) for a format, one that open_field lets pass. Links what `use` needs for every format.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A view of a chord field (view.h). Besides the stripe it needs no memory.
+// A view of a chord field (view.h) needs no memory besides the stripe.
 #pragma once
 #pragma GCC system_header
 
@@ -36,7 +36,7 @@ struct NoHalves {
     void prepare(int32_t, uint32_t) {}
 };
 
-// A view's field and camera, by spans, of fields with texels of one of these formats.
+// Holds a view's field and camera and draws by spans fields with texels of one of these formats.
 template <class Reconstruction, class Pixel, class... Texels>
 class SpansState
 {
@@ -80,7 +80,7 @@ private:
 namespace lumi
 {
 
-// By spans, render_spans(). The mode is how many pixels may lie between exact hits: 2, 4, 8 or 16; any other is
+// Draws by spans, render_spans(). The mode is how many pixels may lie between exact hits: 2, 4, 8 or 16; any other is
 // wrong_span.
 template <class Texel, class Reconstruction = Linear>
 struct ChordDrawing {
@@ -96,7 +96,7 @@ struct ChordDrawing {
     using State = detail::SpansState<Reconstruction, typename ScreenOf::Pixel, Texel>;
 };
 
-// Every pixel by itself, render(): for fields that spans do not draw, at any address.
+// Draws every pixel by itself, render(): for fields that spans do not draw, at any address.
 template <class Texel, class Reconstruction = Linear>
 struct ExactChordDrawing {
     struct Mode {

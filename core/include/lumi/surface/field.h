@@ -11,6 +11,15 @@
 namespace lumi
 {
 
+// Parts that a field may have besides opaque triangles, and that a firmware draws or not: a mask, the same in every
+// call. What draws the others is not linked.
+enum class SurfaceFeatures : uint8_t { none = 0, view_tables = 1, see_through = 2, all = 3 };
+
+constexpr bool has(SurfaceFeatures mask, SurfaceFeatures feature)
+{
+    return (static_cast<uint8_t>(mask) & static_cast<uint8_t>(feature)) != 0;
+}
+
 struct SurfaceField {
     const uint8_t* vertices = nullptr;      // vertex_count × kVertexBytes
     const uint8_t* patches = nullptr;       // patch_count × kPatchBytes
@@ -18,23 +27,24 @@ struct SurfaceField {
     const uint8_t* palette = nullptr;       // 256 × (r, g, b)
     const uint8_t* node_colours = nullptr;  // view_colours_bytes(code_bits), or null
     const uint8_t* views = nullptr;         // the view tables of vertices 0 .. viewed_count - 1
-    const uint8_t* neighbours = nullptr;    // patch_count × kNeighbourBytes, or null
-    uint32_t vertex_count = 0, viewed_count = 0, patch_count = 0, texel_bytes = 0;
-    uint32_t longest_edge_q6 = 0;  // radii
+    const uint8_t* neighbours = nullptr;    // as many × kNeighbourBytes, or null
+    const uint8_t* see_through = nullptr;   // the section of see-through parts, or null
+    uint32_t vertex_count = 0, patch_count = 0, texel_bytes = 0;
+    uint16_t viewed_count = 0, see_through_count = 0;  // see-through patches lie behind the patch_count opaque ones
     ColourSpace colour_space = ColourSpace::srgb;
     uint8_t code_bits = 0;         // of view tables
+    uint8_t longest_edge_q6 = 0;   // radii
     uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
     uint32_t radius_bits = 0;
 };
-
-// Checks `size` bytes and fills `out`, which stays untouched on failure. Cost: a CRC over header and table, one pass
-// over vertices and patches. verify_field() (field.h) checks the CRC of every section.
-FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out);
 
 }  // namespace lumi
 
 namespace lumi::detail
 {
+
+FieldError open_opaque(const uint8_t* bytes, size_t size, SurfaceField& out);
+FieldError open_see_through(const uint8_t* bytes, size_t size, SurfaceField& out);
 
 struct VertexQ14 {
     int32_t x, y, z;
@@ -54,7 +64,7 @@ struct SurfacePatch {
     uint32_t texels, columns, rows;
 };
 
-// The three words of a patch, where a field may lie at any address.
+// Reads the three words of a patch. A field may lie at any address.
 inline SurfacePatch surface_patch(const SurfaceField& field, uint32_t k)
 {
     const uint8_t* p = field.patches + k * format::kPatchBytes;
@@ -71,3 +81,20 @@ inline SurfacePatch surface_patch(const SurfaceField& field, uint32_t k)
 }
 
 }  // namespace lumi::detail
+
+namespace lumi
+{
+
+// Checks `size` bytes and fills `out`, which stays untouched on failure. Cost: a CRC over header and table, one pass
+// over vertices and patches. verify_field() (field.h) checks the CRC of every section. A field with see-through parts
+// is FieldError::see_through where kFeatures does not name them.
+template <SurfaceFeatures kFeatures = SurfaceFeatures::view_tables>
+FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
+{
+    if constexpr (has(kFeatures, SurfaceFeatures::see_through))
+        return detail::open_see_through(bytes, size, out);
+    else
+        return detail::open_opaque(bytes, size, out);
+}
+
+}  // namespace lumi

@@ -24,10 +24,10 @@ inline constexpr uint32_t kEmptyDepth = 0;
 inline constexpr uint32_t kFarDepth = 256;
 inline constexpr uint32_t kNearDepth = 65279;  // rounding on the way never wraps 16 bits
 
-// Lists of triangles that a band has, by depth.
+// A band has so many lists of triangles, by depth.
 inline constexpr uint32_t kBandLists = 4;
 
-// From a vertex's numbers to the grid of samples; shifts and scales are chosen so that all fits 32 bits.
+// Leads from a vertex's numbers to the grid of samples; shifts and scales are chosen so that all fits 32 bits.
 struct SurfaceProjection {
     int32_t axis[3][3];   // rows x, y, z: per unit of a vertex's number, kAxisBits
     int32_t shift[3];     // right, after the sum
@@ -70,14 +70,15 @@ struct SurfaceCamera {
 // Fills `out`, which stays untouched on failure. Takes what make_camera takes.
 CameraError make_surface_camera(const Pose& pose, const Image& image, SurfaceCamera& out);
 
-// A vertex on the grid of samples: 24 bits of x and y in 1/64 sample, and 16 bits of depth below them, 0 for a vertex
-// nearer than the near plane or beside the guard band. The view's share of its colour in 3 × 10 bits, see lit_colour.
+// Places a vertex on the grid of samples: 24 bits of x and y in 1/64 sample, and 16 bits of depth below them, 0 for a
+// vertex nearer than the near plane or beside the guard band. `colour` has the view's share in 3 × 10 bits, see
+// lit_colour.
 struct SurfaceVertex {
     int32_t x, y;
     uint32_t colour;
 };
 
-// The caller's memory for a frame. It belongs to the frame as long as it is used; so do the field's bytes.
+// The caller gives this memory for a frame. It belongs to the frame as long as it is used; so do the field's bytes.
 struct SurfaceMemory {
     SurfaceVertex* vertices;  // one for each vertex of the field
     uint16_t* links;          // surface_links(): of every triangle, then which of its sides are outlines
@@ -85,7 +86,14 @@ struct SurfaceMemory {
     // Scanlines a band, 2^0 .. 2^8: see surface_band_log2. Where several
     // triangles have one depth, the bands decide which one shows.
     uint32_t band_log2;
+    uint32_t* see_through = nullptr;  // see_through_words() of the field; for 0, and where no call names them, null
 };
+
+// Counts the numbers for so many see-through patches: the order of their triangles, and their palette.
+constexpr uint32_t see_through_words(uint32_t see_through_patches)
+{
+    return see_through_patches == 0 ? 0 : 2 * see_through_patches + 2 * detail::format::kPaletteEntries;
+}
 
 constexpr uint32_t surface_links(uint32_t patches)
 {
@@ -97,10 +105,10 @@ constexpr uint32_t surface_bands(int32_t height_px, uint32_t band_log2)
     return ((static_cast<uint32_t>(height_px) >> band_log2) + 1) * detail::kBandLists + 1;
 }
 
-// The band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher. Where stripes do not
-// begin with bands of 16 or more, half of it: so few triangles are offered to a stripe that they do not reach. Lower
-// stripes share bands of 16: of lower bands many triangles would reach more than a list can tell, and those are offered
-// to every stripe.
+// Returns the band of SurfaceMemory for stripes so many scanlines high: the largest that is no higher. Where stripes do
+// not begin with bands of 16 or more, half of it: so few triangles are offered to a stripe that they do not reach.
+// Lower stripes share bands of 16: of lower bands many triangles would reach more than a list can tell, and those are
+// offered to every stripe.
 constexpr uint32_t surface_band_log2(int32_t stripe_height_px)
 {
     constexpr uint32_t kLeast = 4;
@@ -111,7 +119,7 @@ constexpr uint32_t surface_band_log2(int32_t stripe_height_px)
     return begins_bands ? log2 : log2 - 1;
 }
 
-// Bytes that a frame needs besides sizeof(SurfaceFrame).
+// Counts the bytes that a frame needs besides sizeof(SurfaceFrame).
 constexpr uint32_t surface_frame_bytes(uint32_t vertices, uint32_t patches, int32_t height_px, uint32_t band_log2)
 {
     return vertices * static_cast<uint32_t>(sizeof(SurfaceVertex)) +
@@ -124,13 +132,14 @@ struct SurfaceFrame {
     detail::SurfaceProjection projection;
     int32_t width_px, height_px;
     SurfaceMode mode;
+    uint16_t see_through_triangles;     // of the order in `memory`: src/surface/order.h
     uint32_t samples_log2;              // a side of a pixel: 0 or 1
     int32_t margin;                     // samples around a stripe that it reads: 1 with outlines, else 0
     detail::Extent columns, scanlines;  // beside them all is background
     bool samples_are_pixels;            // in modes of one sample: detail/target.h
     bool is_whole;                      // no vertex is missing
     bool is_narrow;                     // areas of triangles fit 32 bits
-    int32_t reach;                      // bands that a triangle of theirs reaches beyond its first, at most
+    uint8_t reach;                      // bands that a triangle of theirs reaches beyond its first, at most
     uint32_t other_list;                // the last of the bands' lists: triangles that are cut, large or tall
     detail::PackedColour palette[256];
 };
@@ -145,8 +154,17 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
 // Does that for a field without view tables: nothing that reads them is linked.
 void prepare_without_views(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                            const SurfaceMemory& memory, SurfaceFrame& out);
-// After that: which triangles of these patches have a side on an outline.
+// After that it finds which triangles of these patches have a side on an outline.
 void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end);
+// After that it lists the see-through triangles that face the eye, in the field's order, and lights them.
+void put_see_through(SurfaceFrame& frame);
+
+// Returns the palette of see-through parts: 256 colours that are added, and 256 shares of what lies behind, which
+// passes. They are PackedColour, but shares have no fraction for rounding.
+inline PackedColour* see_through_palette(const SurfaceFrame& frame)
+{
+    return frame.memory.see_through + 2 * frame.field.see_through_count;
+}
 
 template <class Pixel>
 void put_palette(SurfaceFrame& frame)
@@ -160,6 +178,33 @@ void put_palette(SurfaceFrame& frame)
     }
 }
 
+// The colour behind brings its share of the rounding that palette_colour() adds, so what is added brings the rest.
+template <class Pixel>
+void put_see_through_palette(SurfaceFrame& frame)
+{
+    constexpr PackedColour kBlack = palette_colour<Pixel>({0, 0, 0});
+    const bool has_halves = frame.mode == SurfaceMode::antialiased;
+    const uint8_t* entry = frame.field.see_through + format::see_through::kPaletteAt;
+    PackedColour* const palette = see_through_palette(frame);
+    for (uint32_t k = 0; k < format::kPaletteEntries; ++k, entry += format::see_through::kEntryBytes) {
+        const PackedColour passed = packed_shares(entry + 3);
+        const PackedColour added = palette_colour<Pixel>({entry[0], entry[1], entry[2]}) - share_of(passed, kBlack);
+        palette[k] = has_halves ? mean_of(added, 0) : added;
+        palette[k + format::kPaletteEntries] = has_halves ? mean_of(passed, 0) : passed;
+    }
+}
+
+// Fills the palettes, and lists see-through parts if kFeatures names them. Opaque triangles have been prepared.
+template <class Pixel, SurfaceFeatures kFeatures>
+void end_frame(SurfaceFrame& frame)
+{
+    put_palette<Pixel>(frame);
+    if constexpr (has(kFeatures, SurfaceFeatures::see_through)) {
+        put_see_through(frame);
+        if (frame.field.see_through_count != 0) put_see_through_palette<Pixel>(frame);
+    }
+}
+
 }  // namespace lumi::detail
 
 namespace lumi
@@ -167,19 +212,20 @@ namespace lumi
 
 // Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
 // docs/log/speed.md.
-// The mode is at most kFinest: what finer modes take is not linked, nor what view tables take where kHasViews is false
-// and fields have none.
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool kHasViews = true>
+// The mode is at most kFinest: what finer modes take is not linked, nor what parts take that kFeatures does not name
+// and that fields do not have. See-through parts come with view tables.
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two,
+          SurfaceFeatures kFeatures = SurfaceFeatures::view_tables>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out)
 {
-    if constexpr (kHasViews)
+    if constexpr (kFeatures != SurfaceFeatures::none)
         detail::prepare(field, camera, mode, memory, out);
     else
         detail::prepare_without_views(field, camera, mode, memory, out);
     if constexpr (kFinest != SurfaceMode::one_sample)
         if (out.margin != 0) detail::put_outlines(out, 0, field.patch_count);
-    detail::put_palette<Pixel>(out);
+    detail::end_frame<Pixel, kFeatures>(out);
 }
 
 }  // namespace lumi

@@ -28,7 +28,7 @@
 #pragma once
 #pragma GCC system_header
 
-#include "lumi/surface/see_through_frame.h"
+#include "lumi/surface/frame.h"
 
 namespace lumi::detail
 {
@@ -37,7 +37,7 @@ struct PlaceRange {
     int32_t least, most;
 };
 
-// How far vertices reach on the grid of samples.
+// Tells how far vertices reach on the grid of samples.
 struct PlacedVertices {
     PlaceRange x_q6, y_q6;
     bool are_whole;  // none is missing
@@ -63,14 +63,14 @@ namespace lumi::detail
 
 enum PrepareStep : int32_t { kPlaceVertices, kListTriangles, kLightVertices };
 
-// False if nothing shows and no step is needed.
+// Returns false if nothing shows and no step is needed.
 bool begin_halves(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode, const SurfaceMemory& memory,
                   SurfaceFrame& out, SurfaceHalves& halves);
 void run_half(SurfaceHalves& halves, int32_t step, uint32_t half);
 void join_vertices(SurfaceHalves& halves);
 void join_lists(SurfaceHalves& halves);
 
-// The patches of a half.
+// Returns the patches of a half.
 struct PatchRange {
     uint32_t begin, end;
 };
@@ -85,7 +85,7 @@ inline PatchRange patches_of(const SurfaceFrame& frame, uint32_t half)
 namespace lumi
 {
 
-// Half 0 or 1 of a step, from the function that prepare_surface() calls; kFinest as there.
+// Runs half 0 or 1 of a step, from the function that prepare_surface() calls; kFinest as there.
 template <SurfaceMode kFinest = SurfaceMode::two_by_two>
 void prepare_half(SurfaceHalves& halves, int32_t step, uint32_t half)
 {
@@ -100,7 +100,8 @@ void prepare_half(SurfaceHalves& halves, int32_t step, uint32_t half)
 
 // Prepares a frame as prepare_surface() does on one core, and as fast as that if `both` runs both halves here. Give
 // `both` as a lambda: no call then goes through a pointer, whose stack has no bound.
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool = true, class Both>
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two,
+          SurfaceFeatures kFeatures = SurfaceFeatures::view_tables, class Both>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out, SurfaceHalves& halves, const Both& both)
 {
@@ -111,18 +112,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
         both(detail::kLightVertices);
         detail::join_lists(halves);
     }
-    detail::put_palette<Pixel>(out);
-}
-
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, bool = true, class Both>
-void prepare_surface(const SeeThroughField& field, const SurfaceCamera& camera, SurfaceMode mode,
-                     const SeeThroughMemory& memory, SeeThroughFrame& out, SurfaceHalves& halves, const Both& both)
-{
-    const SurfaceField& opaque = field;
-    const SurfaceMemory& of_opaque = memory;
-    SurfaceFrame& frame = out;
-    prepare_surface<Pixel, kFinest>(opaque, camera, mode, of_opaque, frame, halves, both);
-    detail::add_see_through<Pixel>(field, memory, out);
+    detail::end_frame<Pixel, kFeatures>(out);
 }
 
 }  // namespace lumi

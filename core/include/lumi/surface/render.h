@@ -7,6 +7,12 @@
 //
 // A stripe may be any rectangle of the image, or beside it. Stripes may be drawn in any order, and on several cores at
 // once with a buffer of samples each. Any rectangle shows the same pixels as any other.
+//
+// Opaque triangles are drawn first. Then those see-through triangles that face the eye, such as windows and bottles,
+// are blended over them, in the order of the file if it says so, else from far to near by the depth of their nearest
+// corner; ties keep the order of the file. They write no depth. Two see-through surfaces that cut each other are wrong
+// along the cut. Their outlines are antialiased over a colour, but not over nothing and not over a stripe's own
+// content.
 #pragma once
 #pragma GCC system_header
 
@@ -41,8 +47,8 @@ constexpr uint32_t stripe_bytes_up_to(int32_t width_px, int32_t height_px, Surfa
 namespace lumi
 {
 
-// Bytes of a stripe's samples, for any pixels: a colour and a depth each. Outlines are blended with the pixels around
-// the stripe.
+// Counts the bytes of a stripe's samples, for any pixels: a colour and a depth each. Outlines are blended with the
+// pixels around the stripe.
 constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t height_px, SurfaceMode mode)
 {
     const uint32_t pixels = detail::stripe_bytes(width_px, height_px, mode, true);
@@ -57,7 +63,7 @@ constexpr uint32_t surface_stripe_bytes(int32_t width_px, int32_t height_px, Sur
     return detail::stripe_bytes(width_px, height_px, mode, detail::kIsSample<Pixel>);
 }
 
-// And for every mode up to the finest: the smallest stripes, up to 1 × 5 pixels, take more for the margin of
+// Counts them for every mode up to the finest: the smallest stripes, up to 1 × 5 pixels, take more for the margin of
 // `antialiased` than for the samples of `two_by_two`.
 constexpr uint32_t surface_stripe_bytes_up_to(int32_t width_px, int32_t height_px, SurfaceMode finest)
 {
@@ -77,22 +83,6 @@ constexpr uint32_t surface_stripe_bytes_up_to(int32_t width_px, int32_t height_p
 namespace lumi::detail
 {
 
-// Whether a kind of frame may have see-through triangles.
-template <class Frame>
-inline constexpr bool kMayHaveGlass = false;
-template <>
-inline constexpr bool kMayHaveGlass<SeeThroughFrame> = true;
-
-// Whether this one has some.
-template <class Frame>
-LUMI_ALWAYS_INLINE bool has_glass(const Frame& frame)
-{
-    if constexpr (kMayHaveGlass<Frame>)
-        return frame.order_count != 0;
-    else
-        return false;
-}
-
 // Writes the background where nothing is drawn.
 template <class Pixel, class Background>
 void fill_around(const Background& background, const Stripe& stripe, const Stripe& covered)
@@ -107,12 +97,12 @@ void fill_around(const Background& background, const Stripe& stripe, const Strip
 
 // Marks outlines of opaque triangles, or of all. A mark would take most of what tells a sample's coverage, and a
 // stripe's content beside it is not known: over these, see-through triangles have none.
-template <class Background, class Frame>
-void mark_all_outlines(const Frame& frame, const Target& target)
+template <class Background, SurfaceFeatures kFeatures>
+void mark_all_outlines(const SurfaceFrame& frame, const Target& target)
 {
     mark_outlines(frame, target);
-    if constexpr (kMayHaveGlass<Frame>) {
-        if (!has_glass(frame)) return;
+    if constexpr (has(kFeatures, SurfaceFeatures::see_through)) {
+        if (frame.see_through_triangles == 0) return;
         if constexpr (!Background::kFills)
             unmark_glass(target);
         else if constexpr (!kKeepsCoverage<Background>)
@@ -127,12 +117,14 @@ namespace lumi
 
 // Draws every pixel of the stripe: over a constant colour all of them are written, over the stripe's own content only
 // those that the surface covers. `memory`: surface_stripe_bytes() of the stripe for its samples, at an address
-// divisible by 4. The frame was prepared for these pixels, in a mode up to kFinest: what finer modes take is not
-// linked, nor what see-through triangles take unless it is a SeeThroughFrame.
-template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two, class Frame, class Background>
-void render_surface(const Frame& frame, const Background& background, const Stripe& stripe, void* memory)
+// divisible by 4. The frame was prepared for these pixels, with these features, in a mode up to kFinest: what finer
+// modes and other features take is not linked.
+template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two,
+          SurfaceFeatures kFeatures = SurfaceFeatures::view_tables, class Background>
+void render_surface(const SurfaceFrame& frame, const Background& background, const Stripe& stripe, void* memory)
 {
     using namespace detail;
+    constexpr bool kMayHaveGlass = has(kFeatures, SurfaceFeatures::see_through);
     const Stripe covered = covered_part(frame, stripe, Pixel::kBytes);
     fill_around<Pixel>(background, stripe, covered);
     if (covered.width_px == 0) return;
@@ -142,27 +134,27 @@ void render_surface(const Frame& frame, const Background& background, const Stri
         const Target target = target_of(frame, covered, stripe.x_px, Samples::kArePixels, memory);
         const Samples samples = {{frame, target, covered}};
         samples.clear(background);
-        if constexpr (kMayHaveGlass<Frame> && !Samples::kArePixels)
-            if (has_glass(frame)) fill_colours<Pixel>(samples, background);
+        if constexpr (kMayHaveGlass && !Samples::kArePixels)
+            if (frame.see_through_triangles != 0) fill_colours<Pixel>(samples, background);
         if (kHasTaps && frame.mode == SurfaceMode::antialiased) {
             draw_triangles<TrianglePieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(frame, target);
-            if constexpr (kMayHaveGlass<Frame>)
-                if (has_glass(frame))
+            if constexpr (kMayHaveGlass)
+                if (frame.see_through_triangles != 0)
                     draw_triangles<SeeThroughPieces, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame,
                                                                                                            target);
-            if (frame.margin != 0) mark_all_outlines<Background>(frame, target);
+            if (frame.margin != 0) mark_all_outlines<Background, kFeatures>(frame, target);
         } else {
             draw_triangles<TrianglePieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(frame, target);
-            if constexpr (kMayHaveGlass<Frame>)
-                if (has_glass(frame))
+            if constexpr (kMayHaveGlass)
+                if (frame.see_through_triangles != 0)
                     draw_triangles<SeeThroughPieces, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame,
                                                                                                           target);
         }
         const int32_t end = covered.y_px + covered.height_px;
         for (int32_t y = covered.y_px; y < end; ++y) {
             samples.template resolve<kFinest>(background, y);
-            if constexpr (kMayHaveGlass<Frame> && kKeepsCoverage<Background>)
-                if (has_glass(frame)) store_glass<Pixel>(samples, y);
+            if constexpr (kMayHaveGlass && kKeepsCoverage<Background>)
+                if (frame.see_through_triangles != 0) store_glass<Pixel>(samples, y);
         }
     };
     if constexpr (kFinest == SurfaceMode::two_by_two)
@@ -172,19 +164,23 @@ void render_surface(const Frame& frame, const Background& background, const Stri
 
 // Stores the coverage of the stripe that render_surface drew last into these samples, a byte a pixel: `coverage` has
 // that stripe's place and size in the image. Colours over nothing and this are the planes of LVGL's RGB565A8.
-template <class Frame>
-void render_coverage(const Frame& frame, const Stripe& coverage, void* memory)
+template <SurfaceFeatures kFeatures = SurfaceFeatures::view_tables>
+void render_coverage(const SurfaceFrame& frame, const Stripe& coverage, void* memory)
 {
     const Stripe covered = detail::covered_part(frame, coverage, PixelA8::kBytes);
     detail::fill_around<PixelA8>(OverNothing{}, coverage, covered);
     if (covered.width_px == 0) return;
     const detail::Target target = detail::target_of(frame, covered, coverage.x_px, frame.samples_are_pixels, memory);
     const detail::StripeSamples samples = {frame, target, covered};
-    for (int32_t y = covered.y_px; y < covered.y_px + covered.height_px; ++y)
-        if (detail::has_glass(frame))
-            detail::store_see_through_coverage(samples, y);
-        else
-            detail::store_coverage(samples, y);
+    for (int32_t y = covered.y_px; y < covered.y_px + covered.height_px; ++y) {
+        if constexpr (has(kFeatures, SurfaceFeatures::see_through)) {
+            if (frame.see_through_triangles != 0) {
+                detail::store_see_through_coverage(samples, y);
+                continue;
+            }
+        }
+        detail::store_coverage(samples, y);
+    }
 }
 
 }  // namespace lumi

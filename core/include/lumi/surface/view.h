@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A view of a surface field (view.h): prepare_surface and render_surface with their memory.
+// A view of a surface field (view.h) calls prepare_surface and render_surface with memory of its own.
 #pragma once
 #pragma GCC system_header
 
 #include "lumi/surface/halves.h"
-#include "lumi/surface/see_through.h"
+#include "lumi/surface/render.h"
 #include "lumi/view.h"
 
 namespace lumi::detail
@@ -16,32 +16,13 @@ inline PixelRect bounds_of(const SurfaceFrame& frame)
     return {x.begin, y.begin, x.end - x.begin, y.end - y.begin};
 }
 
-// Whether a buffer holds the samples of a stripe.
+// Tells whether a buffer holds the samples of a stripe.
 template <class Pixel>
 ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint32_t bytes)
 {
     const bool fits = surface_stripe_bytes<Pixel>(part.width_px, part.rows_px, frame.mode) <= bytes;
     return fits ? ViewError::none : ViewError::stripe_too_large;
 }
-
-// A view holds this of fields with up to so many see-through patches.
-template <uint32_t kSeeThrough>
-struct SurfaceParts {
-    using Field = SeeThroughField;
-    using Frame = SeeThroughFrame;
-    uint32_t order[see_through_order(kSeeThrough)] = {};
-
-    static bool fits(const Field& field) { return field.see_through_count <= kSeeThrough; }
-    SeeThroughMemory with(const SurfaceMemory& memory) { return {memory, order}; }
-};
-template <>
-struct SurfaceParts<0> {
-    using Field = SurfaceField;
-    using Frame = SurfaceFrame;
-
-    static bool fits(const Field&) { return true; }
-    SurfaceMemory with(const SurfaceMemory& memory) { return memory; }
-};
 
 }  // namespace lumi::detail
 
@@ -86,24 +67,22 @@ struct SurfaceDrawing {
     };
 
     template <class ScreenOf>
-    class State : detail::SurfaceParts<kSeeThrough>  // a base: an empty one takes no memory
+    class State : detail::SampleMemory<4 * see_through_words(kSeeThrough)>  // a base: an empty one takes no memory
     {
-        using Parts = detail::SurfaceParts<kSeeThrough>;
-
     public:
         ViewError open(const uint8_t* bytes, size_t size)
         {
-            typename Parts::Field field;
-            if (const FieldError error = open_surface(bytes, size, field); error != FieldError::none)
+            SurfaceField field;
+            if (const FieldError error = open_surface<kFeatures>(bytes, size, field); error != FieldError::none)
                 return detail::view_error(error);
             if (field.vertex_count > kVertices || field.patch_count > kPatches || field.viewed_count > kViewed ||
-                !Parts::fits(field))
+                field.see_through_count > kSeeThrough)
                 return ViewError::field_too_large;
             field_ = field;
             return ViewError::none;
         }
 
-        // `both`: nothing, or Halves and what prepares both.
+        // `both` is nothing, or Halves and what prepares both.
         template <class... Both>
         ViewError look(const Pose& pose, const Image& image, Mode mode, Both&... both)
         {
@@ -111,8 +90,8 @@ struct SurfaceDrawing {
             SurfaceCamera camera;
             const CameraError error = make_surface_camera(pose, image, camera);
             if (error != CameraError::none) return detail::view_error(error);
-            prepare_surface<typename ScreenOf::Pixel, kFinest, kHasViews>(
-                field_, camera, mode, Parts::with({vertices_, links_, bands_, kBandLog2}), frame_, both...);
+            prepare_surface<typename ScreenOf::Pixel, kFinest, kFeatures>(
+                field_, camera, mode, {vertices_, links_, bands_, kBandLog2, this->data()}, frame_, both...);
             return ViewError::none;
         }
 
@@ -125,7 +104,7 @@ struct SurfaceDrawing {
             const ViewError error =
                 detail::check_samples<typename ScreenOf::Pixel>(frame_, part, kSampleBytes<ScreenOf>);
             if (error == ViewError::none)
-                render_surface<typename ScreenOf::Pixel, kFinest>(frame_, background, stripe, samples);
+                render_surface<typename ScreenOf::Pixel, kFinest, kFeatures>(frame_, background, stripe, samples);
             return error;
         }
 
@@ -133,17 +112,18 @@ struct SurfaceDrawing {
         {
             const ViewError error =
                 detail::check_samples<typename ScreenOf::Pixel>(frame_, part, kSampleBytes<ScreenOf>);
-            if (error == ViewError::none) render_coverage(frame_, coverage, samples);
+            if (error == ViewError::none) render_coverage<kFeatures>(frame_, coverage, samples);
             return error;
         }
 
     private:
-        // Whether fields may have view tables or see-through patches.
-        static constexpr bool kHasViews = kViewed != 0 || kSeeThrough != 0;
+        static constexpr SurfaceFeatures kFeatures = kSeeThrough != 0 ? SurfaceFeatures::all
+                                                     : kViewed != 0   ? SurfaceFeatures::view_tables
+                                                                      : SurfaceFeatures::none;
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
-        typename Parts::Field field_{};
-        typename Parts::Frame frame_{};
+        SurfaceField field_{};
+        SurfaceFrame frame_{};
         SurfaceVertex vertices_[kVertices] = {};
         uint16_t links_[surface_links(kPatches)] = {};
         uint16_t bands_[surface_bands(ScreenOf::kHeightPx, kBandLog2)] = {};

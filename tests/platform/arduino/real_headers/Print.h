@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What headers of display libraries ask of Arduino's core beyond Arduino.h: names alone, to check a sketch's calls.
+// Headers of display libraries ask this of Arduino's core beyond Arduino.h: names alone, to check a sketch's calls.
 #pragma once
 
 #include <Arduino.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// As much of Zephyr as core's sample takes: it is compiled against these declarations, not against Zephyr.
+// Declares as much of Zephyr as core's sample takes: it is compiled against these declarations, not against Zephyr.
 #pragma once
 
 #include <stdint.h>

@@ -133,8 +133,8 @@ private:
 Json judged(const tools::FieldFile& file, const Case& of)
 {
     const std::vector<uint8_t> bytes = recoloured(file, of.palette);
-    SeeThroughField field;
-    if (open_surface(bytes.data(), bytes.size(), field) != FieldError::none)
+    SurfaceField field;
+    if (open_surface<SurfaceFeatures::all>(bytes.data(), bytes.size(), field) != FieldError::none)
         throw std::logic_error("a field of the lab cannot be opened");
     Json row = {{"case", of.name}};
     for (const bench::NamedSurfaceMode& mode : bench::kSurfaceModes) {

@@ -124,4 +124,23 @@ inline void store_colour(uint8_t* pixel, PackedColour c)
         Pixel::store(pixel, unpacked(c));
 }
 
+// Returns share·c of each channel. Shares are in 1/1024, less one of them so that ten bits hold it; those of blue are
+// in 1/512.
+LUMI_ALWAYS_INLINE PackedColour share_of(PackedColour shares, PackedColour c)
+{
+    const uint32_t g = ((shares >> 21) + 1) * (c >> 21) >> 10;
+    const uint32_t r = (((shares >> 10) & 0x3FF) + 1) * ((c >> 10) & 0x3FF) >> 10;
+    const uint32_t b = ((shares & 0x1FF) + 1) * (c & 0x1FF) >> 9;
+    return g << 21 | r << 10 | b;
+}
+
+// How much of what lies behind passes, 0 .. 255 a channel, as share_of() takes it.
+constexpr PackedColour packed_shares(const uint8_t* passed)
+{
+    // v · 1023/255 and v · 511/255, rounded.
+    const auto ten = [](uint32_t v) { return 4 * v + quotient<255, 3 * 255 + 127>(3 * v + 127); };
+    const auto nine = [](uint32_t v) { return 2 * v + quotient<255, 255 + 127>(v + 127); };
+    return ten(passed[1]) << 21 | ten(passed[0]) << 10 | nine(passed[2]);
+}
+
 }  // namespace lumi::detail

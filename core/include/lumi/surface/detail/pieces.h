@@ -172,8 +172,8 @@ struct Loop {
 
 // Draws every triangle of a frame that reaches a target; textures whose texels are larger than samples take the second
 // loop. Pieces: TrianglePieces, over samples whose depths are kEmptyDepth, or SeeThroughPieces after these.
-template <class Pieces, DrawRows kPlain, DrawRows kMagnified, class Frame>
-__attribute__((noinline)) void draw_triangles(const Frame& frame, const Target& target)
+template <class Pieces, DrawRows kPlain, DrawRows kMagnified>
+__attribute__((noinline)) void draw_triangles(const SurfaceFrame& frame, const Target& target)
 {
     Pieces pieces(frame, target);
     TrianglePiece& piece = pieces.piece;

@@ -65,7 +65,7 @@ LUMI_HOT void rows_565_swapped_bilinear(Rows& rows);
 LUMI_HOT void rows_packed_nearest(Rows& rows);
 LUMI_HOT void rows_packed_two_taps(Rows& rows);
 LUMI_HOT void rows_packed_bilinear(Rows& rows);
-// These blend see-through triangles, whose palette is SeeThroughFrame::added_and_passed, over what samples hold.
+// These blend see-through triangles, whose palette is see_through_palette(), over what samples hold.
 LUMI_HOT void blend_565_nearest(Rows& rows);
 LUMI_HOT void blend_565_two_taps(Rows& rows);
 LUMI_HOT void blend_565_bilinear(Rows& rows);

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "lumi/surface/detail/resolve.h"
-#include "lumi/surface/see_through_frame.h"
 
 namespace lumi::detail
 {
@@ -17,9 +16,9 @@ namespace lumi::detail
 class SeeThroughPieces
 {
 public:
-    SeeThroughPieces(const SeeThroughFrame& frame, const Target& target) : piece(target), frame_(frame), target_(target)
+    SeeThroughPieces(const SurfaceFrame& frame, const Target& target) : piece(target), frame_(frame), target_(target)
     {
-        piece.rows.palette = frame.added_and_passed;
+        piece.rows.palette = see_through_palette(frame);
     }
 
     // Makes `piece` the next one; false after the last.
@@ -28,7 +27,7 @@ public:
     TrianglePiece piece;
 
 private:
-    const SeeThroughFrame& frame_;
+    const SurfaceFrame& frame_;
     const Target& target_;
     uint32_t at_ = 0;
     Parts parts_;
@@ -168,7 +167,7 @@ void store_glass(const Samples& s, int32_t y)
 }
 
 // Does what mark_outlines() does for see-through triangles, over a colour that is known beside the target.
-LUMI_HOT void mark_see_through_outlines(const SeeThroughFrame& frame, const Target& target);
+LUMI_HOT void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target);
 
 // Does what store_coverage() does where see-through triangles were drawn.
 void store_see_through_coverage(const StripeSamples& samples, int32_t y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cameras from degrees and radii: people's units on one side, core's fixed point on the other.
+// Cameras are made from degrees and radii: people's units on one side, core's fixed point on the other.
 #pragma once
 
 #include "lumi/chord/camera.h"
@@ -19,10 +19,11 @@ uint32_t turns32_from_degrees(double degrees);
 int32_t signed_turns32_from_degrees(double degrees);
 int32_t q20_from_radii(double radii);
 
-// The pose of an orbit. Precondition: elevation and distance are in range (make_camera checks the distance again).
+// Returns the pose of an orbit. Precondition: elevation and distance are in range (make_camera checks the distance
+// again).
 Pose make_pose(const Orbit& orbit);
 
-// A centred image whose longer side spans `fov_deg`. Precondition: 0 <= fov_deg < 360.
+// Returns a centred image whose longer side spans `fov_deg`. Precondition: 0 <= fov_deg < 360.
 Image make_image(int32_t width_px, int32_t height_px, double fov_deg);
 
 // The field of view, in degrees over the longer side, at which the sphere seen from `distance` radii fills the shorter

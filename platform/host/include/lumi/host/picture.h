@@ -25,7 +25,7 @@ struct DecodedPicture {
     std::vector<uint8_t> alpha;  // a byte a pixel; empty where the picture has none or nobody asked
 };
 
-// Borrowed pixels: 3 bytes each, top row first, without gaps. At least one.
+// These pixels are borrowed: 3 bytes each, top row first, without gaps. At least one.
 struct PictureView {
     int width, height;
     const uint8_t* rgb;

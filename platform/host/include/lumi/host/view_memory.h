@@ -5,26 +5,25 @@
 #pragma once
 
 #include "lumi/surface/render.h"
-#include "lumi/surface/see_through_frame.h"
 
 namespace lumi::host
 {
 
-// As lumi::Screen: an image, drawn at most so many rows at once.
+// This is an image, drawn at most so many rows at once, like lumi::Screen.
 struct ScreenSize {
     int32_t width_px = 240, height_px = 240, rows = 16;
 
     constexpr int32_t stripe_rows() const { return rows < height_px ? rows : height_px; }
 };
 
-// As the parameters of SurfaceDrawing.
+// These are the parameters of SurfaceDrawing.
 struct SurfaceCounts {
     uint32_t vertices, patches;
     SurfaceMode finest;
     uint32_t see_through;
 };
 
-// A stripe's pixels.
+// Counts the bytes of a stripe's pixels.
 template <class Pixel>
 constexpr uint32_t stripe_pixel_bytes(const ScreenSize& screen)
 {
@@ -35,16 +34,16 @@ constexpr uint32_t stripe_pixel_bytes(const ScreenSize& screen)
 template <class Pixel>
 constexpr uint32_t surface_view_bytes(const SurfaceCounts& field, const ScreenSize& screen)
 {
-    constexpr uint32_t kNumbers = 1356, kSeeThroughNumbers = 3420, kWord = 4, kHalf = 2, kVertex = 12;
+    constexpr uint32_t kNumbers = 1356, kWord = 4, kHalf = 2, kVertex = 12;
     const auto words = [](uint32_t bytes) { return (bytes + kWord - 1) / kWord * kWord; };
     const uint32_t patches = field.patches == 0 ? 1 : field.patches;  // memory for none is no array
     const uint32_t bands = surface_bands(screen.height_px, surface_band_log2(screen.stripe_rows()));
-    return (field.see_through == 0 ? kNumbers : kSeeThroughNumbers) + kWord * see_through_order(field.see_through) +
-           kVertex * field.vertices + words(kHalf * (surface_links(patches) + bands)) +
+    return kNumbers + kWord * see_through_words(field.see_through) + kVertex * field.vertices +
+           words(kHalf * (surface_links(patches) + bands)) +
            words(surface_stripe_bytes_up_to<Pixel>(screen.width_px, screen.stripe_rows(), field.finest));
 }
 
-// The view of a chord field, for every screen: by spans, or exact.
+// Counts the bytes of the view of a chord field, for every screen: by spans, or exact.
 constexpr uint32_t chord_view_bytes(bool by_spans)
 {
     return by_spans ? 288 : 280;

@@ -19,7 +19,7 @@ inline constexpr NamedSurfaceMode kSurfaceModes[] = {
     {"2x2", SurfaceMode::two_by_two},
 };
 
-// As firmware does that feeds a panel from a small buffer, and with half as much more memory.
+// Firmware that feeds a panel from a small buffer has the first height; the second takes half as much more memory.
 inline constexpr int32_t kSurfaceStripeHeight = 16, kTallStripeHeight = 24;
 inline constexpr uint32_t kSurfaceBandLog2 = surface_band_log2(kSurfaceStripeHeight);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// As much of the library TFT_eSPI as lumi's sketch calls, on a display of 240 × 240 pixels: its bytes go to standard
-// output in the order in which the wires would carry them. `tools/lab/devices.sh --tft-espi` compiles the sketch with
-// the real header.
+// Stands for as much of the library TFT_eSPI as lumi's sketch calls, on a display of 240 × 240 pixels: its bytes go to
+// standard output in the order in which the wires would carry them. `tools/lab/devices.sh --tft-espi` compiles the
+// sketch with the real header.
 #pragma once
 
 #include <stdint.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As much of Arduino's core as sketches of lumi call, for an emulated board: the serial port is standard error.
+// Stands for as much of Arduino's core as sketches of lumi call, on an emulated board: the serial port is standard
+// error.
 #pragma once
 
 #include <stdint.h>
