@@ -36,7 +36,6 @@ set(LUMI_CORE_SOURCES
   src/surface/frame.cpp
   src/surface/halves.cpp
   src/surface/wide.cpp
-  src/surface/packed_colour.cpp
   src/surface/outlines.cpp
   src/surface/pieces.cpp
   src/surface/projection.cpp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Vectors of Cortex-M examples: what is not the reset is a fault.
-#include "start.h"
+#include "board.h"
 
 extern "C" uint32_t lumi_stack_top[];
 

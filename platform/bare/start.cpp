@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "start.h"
+#include "board.h"
 
 int main();
 

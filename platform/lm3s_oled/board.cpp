@@ -3,7 +3,6 @@
 // a frame a line goes to UART0, and the board waits for a byte: who photographs the display sends it.
 #include "board.h"
 
-#include "start.h"
 #include "text_line.h"
 
 namespace

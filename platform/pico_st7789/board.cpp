@@ -5,7 +5,6 @@
 #include "bus.h"
 #include "core1.h"
 #include "rp2040.h"
-#include "start.h"
 #include "text_line.h"
 
 namespace

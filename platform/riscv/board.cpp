@@ -2,7 +2,6 @@
 // QEMU's `virt`. The display is a file on the host for each frame, written over semihosting.
 #include "board.h"
 
-#include "start.h"
 #include "text_line.h"
 #include "virt.h"
 

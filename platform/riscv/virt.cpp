@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#include "start.h"
+#include "board.h"
 
 using virt::call;
 using virt::Operation;

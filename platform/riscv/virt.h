@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // QEMU's `virt`: what a program asks of its host by semihosting ("RISC-V Semihosting": three instructions that tell
-// such a call from a breakpoint). virt.cpp also has the reset and board_stop of start.h.
+// such a call from a breakpoint). virt.cpp also has the reset and board_stop of board.h.
 #pragma once
 
 #include <stdint.h>

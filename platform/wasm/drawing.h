@@ -4,6 +4,7 @@
 #pragma once
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "lumi/background.h"
 #include "lumi/camera.h"
@@ -56,5 +57,15 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
 
 // A stripe of the frame, of full width and at most kStripeRows rows, in the style's format.
 ViewError draw(const Style& style, const Stripe& stripe);
+
+// The module's memory behind its own data (memory.cpp) is given out in one region after another.
+inline constexpr size_t kAlignment = 8;
+
+// A region of so many bytes at a multiple of kAlignment, or null where the browser has no more. Its bytes are not
+// cleared.
+uint8_t* reserve(size_t bytes);
+
+// Gives back `region` and all that was reserved after it; null: everything.
+void release_from(const uint8_t* region);
 
 }  // namespace lumi::wasm

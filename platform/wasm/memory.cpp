@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "memory.h"
+#include "drawing.h"
 
 extern "C" uint8_t __heap_base;  // the linker's: where data and stack end
 

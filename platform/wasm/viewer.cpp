@@ -13,7 +13,6 @@
 #include "drawing.h"
 #include "lumi/gesture.h"
 #include "lumi/orbit.h"
-#include "memory.h"
 
 #define LUMI_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 

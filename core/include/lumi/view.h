@@ -23,7 +23,8 @@
 namespace lumi::detail
 {
 
-struct ImageSize {
+// An image has this size, or the part of a stripe that lies in it.
+struct PixelSize {
     int32_t width_px, height_px;
 };
 
@@ -47,7 +48,7 @@ struct Screen {
     static constexpr bool kHasSamples = true;
 
     template <class State>
-    static constexpr detail::ImageSize size_of(const State&)
+    static constexpr detail::PixelSize size_of(const State&)
     {
         return {kWidthPx, kHeightPx};
     }
@@ -106,13 +107,9 @@ constexpr uint32_t most_of(uint32_t first, More... more)
     return first > most_of(more...) ? first : most_of(more...);
 }
 
-// The part of a stripe that lies in the image; nothing where a side is 0.
-struct StripePart {
-    int32_t width_px, rows_px;
-};
-
-// Finds every fault of a stripe but its size, and fills `out`.
-ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pixel_bytes, StripePart& out);
+// Finds every fault of a stripe but its size. Fills `out` with the part that lies in the image: nothing where a side is
+// 0.
+ViewError check_stripe(const Stripe& stripe, const PixelSize& image, uint32_t pixel_bytes, PixelSize& out);
 
 }  // namespace lumi::detail
 
@@ -188,7 +185,7 @@ public:
     // Returns the field of view that look() takes for an orbit: fitted to the sphere, and zoomed.
     uint32_t fov_of(const Orbit& orbit) const
     {
-        const detail::ImageSize size = ScreenOf::size_of(state_);
+        const detail::PixelSize size = ScreenOf::size_of(state_);
         return image_of(orbit, size.width_px, size.height_px).fov_turns32;
     }
 
@@ -212,7 +209,7 @@ public:
     {
         static_assert(SamplesOf::kBytes >= Samples::kBytes, "the samples are too few for this view: see SamplesFor");
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
-        detail::StripePart part = {};
+        detail::PixelSize part = {};
         const ViewError error = detail::check_stripe(stripe, ScreenOf::size_of(state_), Pixel::kBytes, part);
         return error == ViewError::none ? state_.draw(stripe, part, background, samples.data()) : error;
     }
@@ -229,7 +226,7 @@ public:
     {
         static_assert(SamplesOf::kBytes >= Samples::kBytes, "the samples are too few for this view: see SamplesFor");
         if (!has_look_) return bytes_ == nullptr ? ViewError::no_field : ViewError::no_look;
-        detail::StripePart part = {};
+        detail::PixelSize part = {};
         const ViewError error = detail::check_stripe(coverage, ScreenOf::size_of(state_), 1, part);
         return error == ViewError::none ? state_.draw_coverage(coverage, part, samples.data()) : error;
     }
@@ -237,7 +234,7 @@ public:
 private:
     Image image_with(uint32_t fov_turns32) const
     {
-        const detail::ImageSize size = ScreenOf::size_of(state_);
+        const detail::PixelSize size = ScreenOf::size_of(state_);
         return {size.width_px, size.height_px, fov_turns32};
     }
 

@@ -30,7 +30,7 @@ public:
     void begin(const Field& field, const lumi_screen&, void*) { this->field_ = field; }
 
     template <class Background>
-    ViewError draw(const Stripe& stripe, const StripePart& part, const Background& background, uint32_t* samples) const
+    ViewError draw(const Stripe& stripe, const PixelSize& part, const Background& background, uint32_t* samples) const
     {
         if constexpr (kKeepsCoverage<Background>)
             return ViewError::other_renderer;
@@ -38,7 +38,7 @@ public:
             return Spans::draw(stripe, part, background, samples);
     }
 
-    ViewError draw_coverage(const Stripe&, const StripePart&, uint32_t*) const { return ViewError::other_renderer; }
+    ViewError draw_coverage(const Stripe&, const PixelSize&, uint32_t*) const { return ViewError::other_renderer; }
 };
 
 }  // namespace lumi::detail

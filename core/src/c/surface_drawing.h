@@ -51,7 +51,7 @@ public:
     PixelRect bounds() const { return bounds_of(frame_); }
 
     template <class Background>
-    ViewError draw(const Stripe& stripe, const StripePart& part, const Background& background, uint32_t*) const
+    ViewError draw(const Stripe& stripe, const PixelSize& part, const Background& background, uint32_t*) const
     {
         const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
         if (error == ViewError::none)
@@ -59,7 +59,7 @@ public:
         return error;
     }
 
-    ViewError draw_coverage(const Stripe& coverage, const StripePart& part, uint32_t*) const
+    ViewError draw_coverage(const Stripe& coverage, const PixelSize& part, uint32_t*) const
     {
         const ViewError error = check_samples<Pixel>(frame_, part, samples_bytes_);
         if (error == ViewError::none) render_coverage<kFeatures>(frame_, coverage, samples_);

@@ -67,13 +67,13 @@ public:
     PixelRect bounds() const { return is_chord_ ? chord_.bounds() : surface_.bounds(); }
 
     template <class Background>
-    ViewError draw(const Stripe& stripe, const StripePart& part, const Background& background, uint32_t*) const
+    ViewError draw(const Stripe& stripe, const PixelSize& part, const Background& background, uint32_t*) const
     {
         return is_chord_ ? chord_.draw(stripe, part, background, nullptr)
                          : surface_.draw(stripe, part, background, nullptr);
     }
 
-    ViewError draw_coverage(const Stripe& coverage, const StripePart& part, uint32_t*) const
+    ViewError draw_coverage(const Stripe& coverage, const PixelSize& part, uint32_t*) const
     {
         return is_chord_ ? chord_.draw_coverage(coverage, part, nullptr)
                          : surface_.draw_coverage(coverage, part, nullptr);
@@ -124,7 +124,7 @@ struct ViewScreen {
     static constexpr uint32_t kStripeBytes = 0;
     static constexpr bool kHasSamples = true;
 
-    static ImageSize size_of(const ViewDrawing::State<ViewScreen>& state)
+    static PixelSize size_of(const ViewDrawing::State<ViewScreen>& state)
     {
         return {state.screen.width_px, state.screen.height_px};
     }

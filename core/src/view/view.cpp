@@ -88,7 +88,7 @@ uint32_t alignment_of(uint32_t pixel_bytes)
 
 }  // namespace
 
-ViewError check_stripe(const Stripe& stripe, const ImageSize& image, uint32_t pixel_bytes, StripePart& out)
+ViewError check_stripe(const Stripe& stripe, const PixelSize& image, uint32_t pixel_bytes, PixelSize& out)
 {
     if (stripe.pixels == nullptr || stripe.width_px <= 0 || stripe.height_px <= 0) return ViewError::no_pixels;
     const uintptr_t mask = alignment_of(pixel_bytes) - 1;

@@ -5,9 +5,9 @@
 #include <hardware/timer.h>
 #include <hardware/uart.h>
 
+#include "board.h"
 #include "paint.h"
 #include "rp2040.h"
-#include "start.h"
 
 extern "C" uint32_t __StackBottom[], __StackTop[];
 

@@ -55,7 +55,7 @@ public:
     PixelRect bounds() const { return covered_rectangle(camera_); }
 
     template <class Background>
-    ViewError draw(const Stripe& stripe, const StripePart&, const Background& background, uint32_t*) const
+    ViewError draw(const Stripe& stripe, const PixelSize&, const Background& background, uint32_t*) const
     {
         const RenderError error = with_texel(
             field_.texel_format,
@@ -125,7 +125,7 @@ struct ExactChordDrawing {
         PixelRect bounds() const { return detail::covered_rectangle(camera_); }
 
         template <class Background>
-        ViewError draw(const Stripe& stripe, const detail::StripePart&, const Background& background, uint32_t*) const
+        ViewError draw(const Stripe& stripe, const detail::PixelSize&, const Background& background, uint32_t*) const
         {
             const RenderError error =
                 render<Reconstruction, Texel, typename ScreenOf::Pixel>(field_, camera_, background, stripe);

@@ -18,9 +18,9 @@ inline PixelRect bounds_of(const SurfaceFrame& frame)
 
 // Tells whether a buffer holds the samples of a stripe.
 template <class Pixel>
-ViewError check_samples(const SurfaceFrame& frame, const StripePart& part, uint32_t bytes)
+ViewError check_samples(const SurfaceFrame& frame, const PixelSize& part, uint32_t bytes)
 {
-    const bool fits = surface_stripe_bytes<Pixel>(part.width_px, part.rows_px, frame.mode) <= bytes;
+    const bool fits = surface_stripe_bytes<Pixel>(part.width_px, part.height_px, frame.mode) <= bytes;
     return fits ? ViewError::none : ViewError::stripe_too_large;
 }
 
@@ -98,7 +98,7 @@ struct SurfaceDrawing {
         PixelRect bounds() const { return detail::bounds_of(frame_); }
 
         template <class Background>
-        ViewError draw(const Stripe& stripe, const detail::StripePart& part, const Background& background,
+        ViewError draw(const Stripe& stripe, const detail::PixelSize& part, const Background& background,
                        uint32_t* samples) const
         {
             const ViewError error =
@@ -108,7 +108,7 @@ struct SurfaceDrawing {
             return error;
         }
 
-        ViewError draw_coverage(const Stripe& coverage, const detail::StripePart& part, uint32_t* samples) const
+        ViewError draw_coverage(const Stripe& coverage, const detail::PixelSize& part, uint32_t* samples) const
         {
             const ViewError error =
                 detail::check_samples<typename ScreenOf::Pixel>(frame_, part, kSampleBytes<ScreenOf>);
