@@ -20,9 +20,10 @@ constexpr KnownTypes kSeeThroughSections = {kSurfaceSections, 8};
 
 FieldError read_counts(const uint8_t* b, SurfaceField& out)
 {
-    out.vertex_count = load_u16(b + surface::kVerticesAt);
-    out.viewed_count = static_cast<uint16_t>(load_u16(b + surface::kViewedAt));
-    out.patch_count = load_u16(b + surface::kPatchesAt);
+    const auto count_at = [&](uint32_t at) { return static_cast<uint16_t>(load_u16(b + at)); };
+    out.vertex_count = count_at(surface::kVerticesAt);
+    out.viewed_count = count_at(surface::kViewedAt);
+    out.patch_count = count_at(surface::kPatchesAt);
     out.texel_bytes = load_u32(b + surface::kTexelsAt);
     out.longest_edge_q6 = b[surface::kLongestEdgeAt];
     out.code_bits = b[surface::kCodeBitsAt];
@@ -144,7 +145,7 @@ FieldError part_patches(const uint8_t* section, SurfaceField& field)
     if (order >= kDrawingOrders || first >= field.patch_count) return FieldError::bad_see_through;
     field.see_through = section;
     field.see_through_count = static_cast<uint16_t>(field.patch_count - first);
-    field.patch_count = first;
+    field.patch_count = static_cast<uint16_t>(first);
     return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
 }
 

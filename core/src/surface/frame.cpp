@@ -64,7 +64,7 @@ void put_triangles(SurfaceFrame& frame)
 {
     Lister<light> lister(frame, frame.memory.bands);
     for (uint32_t k = 0; k < frame.field.patch_count; ++k) lister.add(k, surface_patch(frame.field, k).corner);
-    frame.reach = static_cast<uint8_t>(lister.reach());
+    frame.reach = lister.reach();
 }
 
 // Whether a patch's nth side is an outline: nothing that faces the eye lies across.

@@ -100,7 +100,7 @@ void join_vertices(SurfaceHalves& halves)
 void join_lists(SurfaceHalves& halves)
 {
     SurfaceFrame& frame = *halves.frame;
-    frame.reach = static_cast<uint8_t>(halves.reach[0] > halves.reach[1] ? halves.reach[0] : halves.reach[1]);
+    frame.reach = halves.reach[0] > halves.reach[1] ? halves.reach[0] : halves.reach[1];
     for (uint32_t k = 0; k <= frame.other_list; ++k) join_list(frame, frame.memory.bands[k], halves.bands[k]);
 }
 

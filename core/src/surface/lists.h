@@ -39,8 +39,7 @@ inline ListWalk walk_of(const SurfaceFrame& frame, const Target& target)
 {
     const uint32_t log2 = frame.memory.band_log2 + frame.samples_log2;
     const int32_t from = target.y + frame.margin, first = from >> log2, last = (from + target.height - 1) >> log2;
-    const int32_t begin = first - frame.reach;
-    return {begin < 0 ? 0 : begin, first, last, last, kBandLists, kEmptyBand};
+    return {first < frame.reach ? 0 : first - frame.reach, first, last, last, kBandLists, kEmptyBand};
 }
 
 // The triangle after one in its list, or kEmptyBand.

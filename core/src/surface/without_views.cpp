@@ -20,7 +20,7 @@ void prepare_without_views(const SurfaceField& field, const SurfaceCamera& camer
     set_extents(out, put_vertices(out, 0, field.vertex_count, kAsTexels));
     Lister<light_nothing> lister(out, memory.bands);
     for (uint32_t k = 0; k < field.patch_count; ++k) lister.add(k, surface_patch(field, k).corner);
-    out.reach = static_cast<uint8_t>(lister.reach());
+    out.reach = lister.reach();
 }
 
 }  // namespace lumi::detail

@@ -29,8 +29,9 @@ struct SurfaceField {
     const uint8_t* views = nullptr;         // the view tables of vertices 0 .. viewed_count - 1
     const uint8_t* neighbours = nullptr;    // as many × kNeighbourBytes, or null
     const uint8_t* see_through = nullptr;   // the section of see-through parts, or null
-    uint32_t vertex_count = 0, patch_count = 0, texel_bytes = 0;
-    uint16_t viewed_count = 0, see_through_count = 0;  // see-through patches lie behind the patch_count opaque ones
+    uint32_t texel_bytes = 0;
+    uint16_t vertex_count = 0, viewed_count = 0;
+    uint16_t patch_count = 0, see_through_count = 0;  // see-through patches lie behind the opaque ones
     ColourSpace colour_space = ColourSpace::srgb;
     uint8_t code_bits = 0;         // of view tables
     uint8_t longest_edge_q6 = 0;   // radii

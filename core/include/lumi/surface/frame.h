@@ -139,7 +139,7 @@ struct SurfaceFrame {
     bool samples_are_pixels;            // in modes of one sample: detail/target.h
     bool is_whole;                      // no vertex is missing
     bool is_narrow;                     // areas of triangles fit 32 bits
-    uint8_t reach;                      // bands that a triangle of theirs reaches beyond its first, at most
+    int32_t reach;                      // bands that a triangle of theirs reaches beyond its first, at most
     uint32_t other_list;                // the last of the bands' lists: triangles that are cut, large or tall
     detail::PackedColour palette[256];
 };
