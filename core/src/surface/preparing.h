@@ -47,9 +47,9 @@ LUMI_ALWAYS_INLINE bool begin_frame(const SurfaceField& field, const SurfaceCame
     out.margin = mode == SurfaceMode::antialiased && field.neighbours != nullptr ? 1 : 0;
     out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
     empty_bands(out, memory.bands);
-    if (set_projection(camera, out)) return true;
+    out.reach = 0;
     out.columns = out.scanlines = {0, 0};
-    return false;
+    return set_projection(camera, out);
 }
 
 // Places these vertices, without their light.
