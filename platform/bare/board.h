@@ -30,7 +30,7 @@ inline lumi::Orbit view_of_frame(int frame)
 // the free stack, calls constructors and main, and ends in board_stop.
 extern "C" [[noreturn]] void lumi_start();
 
-// The board's own: the end of a program, with main's result.
+// The board has its own end of a program, with main's result.
 extern "C" [[noreturn]] void board_stop(int code);
 
 // How far the stack has been used since the start, from painted memory.

@@ -3,7 +3,7 @@
 
 int main();
 
-// Defined by the linker script; only their addresses mean something.
+// The linker script defines these; only their addresses mean something.
 extern "C" {
 extern const uint32_t lumi_data_image[], lumi_hot_image[];
 extern uint32_t lumi_data_start[], lumi_data_end[], lumi_hot_start[], lumi_hot_end[];

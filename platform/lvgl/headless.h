@@ -7,7 +7,7 @@
 
 enum { HEADLESS_WIDTH = 320, HEADLESS_HEIGHT = 240, HEADLESS_BUFFER_ROWS = 24 };
 
-/* LVGL with that display, in partial buffers. */
+/* Starts LVGL with that display, in partial buffers. */
 void headless_start(void);
 /* Lets LVGL work for so long. */
 void headless_run(uint32_t milliseconds);
@@ -15,7 +15,7 @@ void headless_run(uint32_t milliseconds);
 void headless_drag(lv_point_t from, lv_point_t to);
 /* Turns the wheel of the pointer, which stays where it was let go. */
 void headless_wheel(int steps);
-/* RGB565, low byte first, row by row. */
+/* Writes RGB565, low byte first, row by row. */
 int headless_write(const char* path);
 /* Parts of the screen that LVGL sent since the start. */
 uint32_t headless_flushes(void);

@@ -22,7 +22,7 @@ struct Plane {
     Vec3q30 right, up, normal;
 };
 
-// On a plane, in radii of the sphere, Q20.
+// Lies on a plane, in radii of the sphere, Q20.
 struct Place {
     int32_t x_q20, y_q20;
 };
@@ -36,7 +36,7 @@ class Sheet
 public:
     Sheet(const Plane& plane, const SurfaceCamera& camera);
 
-    // Seen from its front, and all of it before the eye.
+    // Tells whether it is seen from its front, and all of it before the eye.
     bool is_seen() const { return is_seen_; }
     // Precondition: is_seen(), and a place within a radius of the sphere's centre.
     Pixel pixel_of(const Place& place) const;
@@ -47,7 +47,7 @@ private:
     bool is_seen_;
 };
 
-// Q20 × Q30 to Q20.
+// Multiplies Q20 by Q30 to Q20.
 int32_t scaled(int64_t length_q20, int32_t factor_q30)
 {
     return static_cast<int32_t>((length_q20 * factor_q30 + (1 << 29)) >> 30);
@@ -107,7 +107,7 @@ Pixel Sheet::pixel_of(const Place& place) const
             place_q8(-dot(point, camera_.up), camera_.centre_y_q8)};
 }
 
-// A stroke of about `width_px` pixels, 1 to 8, in PixelRgb565Swapped.
+// Draws a stroke of about `width_px` pixels, 1 to 8, in PixelRgb565Swapped.
 void draw_stroke(const Stripe& stripe, const Pixel& a, const Pixel& b, int32_t width_px, uint16_t rgb565)
 {
     const int32_t dx = b.x_q8 - a.x_q8, dy = b.y_q8 - a.y_q8;
@@ -119,7 +119,7 @@ void draw_stroke(const Stripe& stripe, const Pixel& a, const Pixel& b, int32_t w
     }
 }
 
-// Digits, ':' and '-' of strokes, `height` high and half as wide, from their lower left corner on.
+// Draws digits, ':' and '-' of strokes, `height` high and half as wide, from their lower left corner on.
 void draw_text(const Stripe& stripe, const Sheet& sheet, const char* text, const Place& at, int32_t height_q20,
                uint16_t rgb565)
 {
@@ -138,7 +138,7 @@ void draw_text(const Stripe& stripe, const Sheet& sheet, const char* text, const
     }
 }
 
-// A finger's breadth before the dial of baker/scenes/product.obj, above its hands.
+// This plane lies a finger's breadth before the dial of baker/scenes/product.obj, above its hands.
 constexpr Plane kFace = {{406156, 0, 280841}, {0, 1 << 30, 0}, {-186453311, 0, 1057429273}, {1057429273, 0, 186453311}};
 constexpr uint16_t kOrange = 0xFC00, kGreen = 0x07E0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wires between the RP2040 and the panel: SPI0 at 62.5 MHz (SCK 18, TX 19), CS 17, DC 20, RST 21, and a DMA
+// These wires lie between the RP2040 and the panel: SPI0 at 62.5 MHz (SCK 18, TX 19), CS 17, DC 20, RST 21, and a DMA
 // channel.
 #pragma once
 

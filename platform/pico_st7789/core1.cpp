@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Core 1 of the RP2040, started through its boot ROM.
+// Core 1 of the RP2040 is started through its boot ROM.
 #include "core1.h"
 
 #include "rp2040.h"

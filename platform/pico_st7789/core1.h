@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The second core, for one job at a time.
+// The second core does one job at a time.
 #pragma once
 
 #include <stdint.h>

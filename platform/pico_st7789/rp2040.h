@@ -27,7 +27,7 @@ inline void set_function(uint32_t pin, Function function)
     at(kIoBank0 + 8 * pin + 4) = function;
 }
 
-// 12 MHz crystal, 125 MHz for the CPU and the peripherals; a timer of microseconds.
+// Starts the crystal of 12 MHz, 125 MHz for the CPU and the peripherals; a timer of microseconds.
 void start_clocks();
 
 inline uint32_t microseconds()

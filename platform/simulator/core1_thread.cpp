@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thread as the second core.
+// A thread stands for the second core.
 #include <thread>
 
 #include "core1.h"

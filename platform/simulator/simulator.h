@@ -34,7 +34,7 @@ std::string size_names();
 //
 // Opens a window for the display that options ask for; ends the program where it cannot.
 void open_window();
-// RGB565 in the CPU's order.
+// Shows RGB565 in the CPU's order.
 void show(const uint16_t* pixels);
 // Waits until somebody turns the object; false: the window was closed.
 bool wait_for_turn(lumi::Orbit& orbit);

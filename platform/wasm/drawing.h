@@ -55,7 +55,7 @@ uint32_t device_bytes(const host::ScreenSize& screen, uint32_t mode, DisplayForm
 // style.mode < drawing_modes().
 ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t* memory);
 
-// A stripe of the frame, of full width and at most kStripeRows rows, in the style's format.
+// Draws a stripe of the frame, of full width and at most kStripeRows rows, in the style's format.
 ViewError draw(const Style& style, const Stripe& stripe);
 
 // The module's memory behind its own data (memory.cpp) is given out in one region after another.

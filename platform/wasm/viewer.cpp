@@ -169,7 +169,7 @@ LUMI_EXPORT(place_eye) void place_eye(uint32_t azimuth_turns32, uint32_t elevati
     eye.orbit = {azimuth_turns32, elevation_turns32, limited(distance_q20)};
 }
 
-// Around the vertical axis, while nobody touches the picture.
+// Turns around the vertical axis, while nobody touches the picture.
 LUMI_EXPORT(turn) void turn(uint32_t azimuth_turns32)
 {
     eye.orbit.azimuth_turns32 += azimuth_turns32;
@@ -203,7 +203,7 @@ LUMI_EXPORT(advance) bool advance(bool is_down, int32_t x, int32_t y, uint32_t e
     return approach(elapsed_ms) || turns;
 }
 
-// 0, or a ViewError. The background: red, green and blue, 8 bits each, red on top.
+// Returns 0, or a ViewError. The background: red, green and blue, 8 bits each, red on top.
 LUMI_EXPORT(draw_frame) uint32_t draw_frame(uint32_t mode, uint32_t format, uint32_t background)
 {
     if (image.width_px == 0 || !is_style(mode, format)) return static_cast<uint32_t>(ViewError::bad_argument);

@@ -57,12 +57,12 @@ constexpr uint32_t four_cc(char a, char b, char c, char d)
            static_cast<uint32_t>(static_cast<uint8_t>(c)) << 16 | static_cast<uint32_t>(static_cast<uint8_t>(d)) << 24;
 }
 
-// Chord fields: chord/format.h.
+// Chord fields have these: chord/format.h.
 inline constexpr uint32_t kLayoutSection = four_cc('L', 'A', 'Y', 'O');   // required, kLayoutBytes
 inline constexpr uint32_t kTexelSection = four_cc('T', 'E', 'X', 'L');    // required, used_origins × row_stride
 inline constexpr uint32_t kPaletteSection = four_cc('P', 'A', 'L', 'T');  // required with palette8, kPaletteBytes
 
-// Surface fields: surface/format.h.
+// Surface fields have these: surface/format.h.
 inline constexpr uint32_t kSurfaceSection = four_cc('S', 'U', 'R', 'F');    // required, kSurfaceBytes
 inline constexpr uint32_t kVertexSection = four_cc('S', 'V', 'T', 'X');     // required, vertices × kVertexBytes
 inline constexpr uint32_t kPatchSection = four_cc('S', 'P', 'A', 'T');      // required, patches × kPatchBytes

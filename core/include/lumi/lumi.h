@@ -121,11 +121,11 @@ lumi_error lumi_look_pose(lumi_view* view, lumi_pose pose, uint32_t fov_turns32,
 
 /* The field of view that lumi_look takes for an orbit: fitted to the sphere, and zoomed. 0 without a view. */
 uint32_t lumi_fov_of(const lumi_view* view, lumi_orbit orbit);
-/* The pose of an orbit. */
+/* Returns the pose of an orbit. */
 lumi_pose lumi_pose_of(lumi_orbit orbit);
 /* The eye goes round the sphere as a device is turned, as if its display were a window. */
 lumi_pose lumi_held_pose(lumi_quaternion turn, int32_t distance_q20);
-/* A pose beside another, to its right: stereo. */
+/* Returns a pose beside another, to its right: stereo. */
 lumi_pose lumi_moved_right(lumi_pose pose, int32_t offset_q20);
 
 /* A rectangle of the image; nothing where a side is 0. */
@@ -196,10 +196,10 @@ lumi_frame_quality lumi_quality_next(lumi_quality* quality, uint32_t last_frame,
 #define LUMI_MONO1_BYTES(width) (((uint32_t)(width) + 7) / 8)
 void lumi_pack_grey4(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes);
 void lumi_pack_mono1(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes);
-/* Pages of an OLED: eight rows a byte. */
+/* Packs pages of an OLED: eight rows a byte. */
 void lumi_pack_pages(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes);
 
-/* One short English phrase. */
+/* Returns one short English phrase. */
 const char* lumi_error_text(lumi_error error);
 
 #ifdef __cplusplus

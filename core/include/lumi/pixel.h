@@ -13,7 +13,7 @@
 namespace lumi
 {
 
-// 16 bits, low byte first: a Cortex-M's own order.
+// Stores 16 bits, low byte first: a Cortex-M's own order.
 struct PixelRgb565 {
     static constexpr uint32_t kBytes = 2;
     static void store(uint8_t* p, const Rgb8& c) { store_packed(p, detail::pack_rgb565(c)); }
@@ -42,7 +42,7 @@ struct PixelBgr555 {
     static Rgb8 load(const uint8_t* p) { return detail::unpack_bgr555(detail::load_aligned<uint16_t>(p)); }
 };
 
-// 3 bytes: red, green, blue.
+// Stores 3 bytes: red, green, blue.
 struct PixelRgb888 {
     static constexpr uint32_t kBytes = 3;
     static void store(uint8_t* p, const Rgb8& c)
@@ -63,7 +63,7 @@ struct PixelBgr888 {
     static Rgb8 load(const uint8_t* p) { return {p[2], p[1], p[0]}; }
 };
 
-// 1 byte of luma.
+// Stores 1 byte of luma.
 struct PixelGrey8 {
     static constexpr uint32_t kBytes = 1;
     static void store(uint8_t* p, const Rgb8& c) { p[0] = detail::luma(c); }

@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    // In this order, vertices first.
+    // Parts lie in this order, vertices first.
     struct Places {
         size_t samples, see_through, links, bands, end;
     };

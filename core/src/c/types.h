@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The structs of lumi.h as those of C++, and back.
+// Turns the structs of lumi.h into those of C++, and back.
 #pragma once
 
 #include "lumi/lumi.h"

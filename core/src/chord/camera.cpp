@@ -45,7 +45,7 @@ struct ViewVectors {
     Vec3q46 step_x, step_y;
 };
 
-// Distance from the optical axis to the farther edge of the image, in half pixels, Q8.
+// Returns the distance from the optical axis to the farther edge of the image, in half pixels, Q8.
 int64_t reach_q8(int32_t side_px, int32_t shift_q8)
 {
     return static_cast<int64_t>(side_px) * 256 + 2 * (shift_q8 < 0 ? -static_cast<int64_t>(shift_q8) : shift_q8);

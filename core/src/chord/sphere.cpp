@@ -135,7 +135,7 @@ SphereHits hits(const Camera& camera, const SphereRay& ray)
     const int32_t half_chord_q30 = static_cast<int32_t>(square_root(ray.half_chord2_q60));
     const uint64_t length2_q60 = ray.half_chord2_q60 + (static_cast<uint64_t>(ray.offset2_q30) << 30);
     const ReciprocalRoot root = reciprocal_root(length2_q60);
-    // 1/q in Q26: q >= 1/26, because the image's corners bound the scale of D.
+    // Returns 1/q in Q26: q >= 1/26, because the image's corners bound the scale of D.
     const int32_t inverse_q26 =
         static_cast<int32_t>((static_cast<uint64_t>(root.mantissa) * root.mantissa) >> (2 * root.exponent - 86));
     const int32_t lift_q30 = mul_q30(camera.inverse_distance_q30(), ray.offset2_q30);

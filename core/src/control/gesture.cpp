@@ -11,7 +11,7 @@ using namespace detail;
 constexpr int32_t kLongestMs = 1000;
 constexpr int64_t kSlowest = degrees(1) / 1000;  // turns32 a millisecond: a degree a second is rest
 
-// 2^-(elapsed / half life), Q16; a parabola between whole powers, right to 0.2 %.
+// Returns 2^-(elapsed / half life), Q16; a parabola between whole powers, right to 0.2 %.
 int64_t decay_q16(int32_t elapsed_ms, uint32_t half_life_ms)
 {
     const uint32_t elapsed = static_cast<uint32_t>(elapsed_ms);
@@ -42,7 +42,7 @@ void OrbitDrag::follow(int32_t x_px, int32_t y_px, int32_t elapsed_ms, Orbit& or
     const int64_t azimuth = -int64_t{x_px - x_px_} * settings_.turns32_per_px;
     const int64_t elevation = int64_t{y_px - y_px_} * settings_.turns32_per_px;
     turn(azimuth, elevation, orbit);
-    // The mean of the last frames: panels report a finger in jerks.
+    // Keeps the mean of the last frames: panels report a finger in jerks.
     azimuth_speed_ = (azimuth_speed_ + 3 * (azimuth / elapsed_ms)) / 4;
     elevation_speed_ = (elevation_speed_ + 3 * (elevation / elapsed_ms)) / 4;
 }

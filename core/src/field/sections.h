@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The container of field_format.h: header, section table, sections. Shared by the readers of chord and surface fields.
+// Readers of chord and surface fields share the container of field_format.h: header, section table, sections.
 #pragma once
 
 #include "lumi/field.h"
@@ -22,7 +22,7 @@ struct Section {
     uint32_t type, flags, offset, size, crc;
 };
 
-// The section types that a reader understands.
+// Lists the section types that a reader understands.
 struct KnownTypes {
     const uint32_t* types;
     uint32_t count;

@@ -14,7 +14,7 @@ int32_t clamp_q30(int32_t v)
     return v > kOneQ30 ? kOneQ30 : v < -kOneQ30 ? -kOneQ30 : v;
 }
 
-// n·(1 - z²) at the real-valued index t, Q10: (2t + 1)·(1 + z) with z >= 0.
+// Returns n·(1 - z²) at the real-valued index t, Q10: (2t + 1)·(1 + z) with z >= 0.
 uint32_t n_sine2_q10(int32_t height_q10, int32_t z_q30)
 {
     const uint64_t twice = static_cast<uint64_t>(2 * static_cast<int64_t>(height_q10) + 1024);

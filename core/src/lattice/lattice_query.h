@@ -24,7 +24,7 @@ Query make_query(const Lattice& lattice, const Vec3q30& direction);
 // many.
 uint32_t nearest_of_all(const Lattice& lattice, const Vec3q30& direction, uint32_t count, Neighbour* out);
 
-// The index of a query's hemisphere as an index of the lattice.
+// Returns the index of a query's hemisphere as an index of the lattice.
 inline uint32_t unmirrored(const Lattice& lattice, const Query& query, uint32_t i)
 {
     return query.mirrored ? lattice.size() - 1 - i : i;

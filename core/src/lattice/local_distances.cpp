@@ -19,7 +19,7 @@ struct Spreads {
 
     uint16_t q14[kSteps + 1];
 
-    // P(f) for f at such a way from kFirstQ16, below the table's end.
+    // Returns P(f) for f at such a way from kFirstQ16, below the table's end.
     int32_t at(uint32_t from_first_q16) const
     {
         const uint16_t* entry = &q14[from_first_q16 >> kStepBits];

@@ -47,7 +47,7 @@ void scan(const Lattice& lattice, const Query& query, const Vec3q30& direction, 
 constexpr int32_t kNearestMargin = 0;
 constexpr int32_t kKernelMarginQ12 = 1640;
 
-// Lattice lines from the query's cell on, along one coordinate.
+// Walks the lattice lines from the query's cell on, along one coordinate.
 struct Lines {
     int32_t first, last;
 };

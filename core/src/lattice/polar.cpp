@@ -3,7 +3,7 @@
 
 namespace lumi::detail::polar
 {
-// Delaunay triangles with a corner below kReach, by their lowest corner.
+// Lists the Delaunay triangles with a corner below kReach, by their lowest corner.
 constexpr uint8_t kCorners[kTriangles][3] = {
     {0, 2, 1},    {0, 1, 3},    {0, 5, 2},    {0, 3, 8},    {0, 8, 5},    {1, 2, 4},    {1, 6, 3},    {1, 4, 9},
     {1, 9, 6},    {2, 7, 4},    {2, 5, 10},   {2, 15, 7},   {2, 10, 15},  {3, 6, 11},   {3, 16, 8},   {3, 11, 16},
@@ -23,7 +23,7 @@ constexpr bool has(const uint8_t corner[3], uint8_t c)
     return corner[0] == c || corner[1] == c || corner[2] == c;
 }
 
-// The triangle across the edge opposite corner e of triangle k.
+// Returns the triangle across the edge opposite corner e of triangle k.
 constexpr uint8_t beyond_of(int k, int e)
 {
     for (int other = 0; other < kWalkTriangles; ++other) {
@@ -40,7 +40,7 @@ constexpr int16_t quotient_q14(int32_t part, int32_t whole)
     return static_cast<int16_t>(v + (v < 0 ? -0.5 : 0.5));
 }
 
-// The gradient of the weight opposite the edge from `a` on to `b`, in a triangle of twice the area `area_q24`.
+// Returns the gradient of the weight opposite the edge from `a` on to `b`, in a triangle of twice the area `area_q24`.
 constexpr Gradient gradient(PlanePoint a, PlanePoint b, int32_t area_q24)
 {
     return {quotient_q14(a.y_q12 - b.y_q12, area_q24), quotient_q14(b.x_q12 - a.x_q12, area_q24)};

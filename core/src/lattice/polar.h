@@ -55,7 +55,7 @@ constexpr Pattern make_pattern()
 
 inline constexpr Pattern kPattern = make_pattern();
 
-// Point i < kPoints of the pattern.
+// Returns point i < kPoints of the pattern.
 inline PlanePoint plane_point(uint32_t i)
 {
     return kPattern.point[i];
@@ -82,13 +82,13 @@ struct Walks {
 extern const uint8_t kCorners[kTriangles][3];
 extern const Walks kWalks;
 
-// The corners of triangle k < kTriangles.
+// Returns the corners of triangle k < kTriangles.
 inline const uint8_t* corners(int k)
 {
     return kCorners[k];
 }
 
-// The triangles beyond the edges of triangle k < kWalkTriangles.
+// Returns the triangles beyond the edges of triangle k < kWalkTriangles.
 inline const uint8_t* beyond(int k)
 {
     return kWalks.triangle[k].beyond;

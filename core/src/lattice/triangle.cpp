@@ -35,7 +35,7 @@ struct Outlook {
         }
     }
 
-    // Twice the area of the direction and points i and j, Q28.
+    // Returns twice the area of the direction and points i and j, Q28.
     int32_t area_q28(uint32_t i, uint32_t j) const
     {
         return static_cast<int32_t>((wide_product(x_q30[i], y_q30[j]) - wide_product(x_q30[j], y_q30[i])) >> 32);
@@ -139,7 +139,7 @@ PolarPosition mirrored(const Lattice& lattice, const PolarPosition& p)
             mul_q30(p.x_q12, mirror.sin_q30) - mul_q30(p.y_q12, mirror.cos_q30)};
 }
 
-// Twice the area of the triangle (a, b, p), Q24.
+// Returns twice the area of the triangle (a, b, p), Q24.
 int32_t area_q24(polar::PlanePoint a, polar::PlanePoint b, const PolarPosition& p)
 {
     return (b.x_q12 - a.x_q12) * (p.y_q12 - a.y_q12) - (b.y_q12 - a.y_q12) * (p.x_q12 - a.x_q12);
@@ -223,7 +223,7 @@ Triangle unmirrored(const Lattice& lattice, const Query& q, const PolarTriangle&
     return result;
 }
 
-// The triangle of a cell of the lattice.
+// Returns the triangle of a cell of the lattice.
 Triangle cell_triangle(const Lattice& lattice, const Query& q)
 {
     constexpr int32_t kOne = static_cast<int32_t>(kWeightOneQ12);

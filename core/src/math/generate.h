@@ -28,7 +28,7 @@ constexpr double sine(double x)
     return sum;
 }
 
-// atan(x) = 2·atan(x / (1 + sqrt(1 + x²))) until the series converges fast; 0 <= x <= 1.
+// Computes atan(x) = 2·atan(x / (1 + sqrt(1 + x²))) until the series converges fast; 0 <= x <= 1.
 constexpr double arc_tangent(double x)
 {
     double scale = 1;

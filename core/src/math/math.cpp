@@ -49,7 +49,7 @@ int leading_zeros(uint64_t v)
     return high != 0 ? __builtin_clz(high) : 32 + __builtin_clz(static_cast<uint32_t>(v));
 }
 
-// One Newton step for y = 1/sqrt(m): y·(3 - m·y²)/2, m in Q32, y in Q30.
+// Takes one Newton step for y = 1/sqrt(m): y·(3 - m·y²)/2, m in Q32, y in Q30.
 uint32_t newton_step(uint32_t m_q32, uint32_t y_q30)
 {
     const uint32_t y2_q29 = static_cast<uint32_t>((static_cast<uint64_t>(y_q30) * y_q30 + (1u << 30)) >> 31);
@@ -77,7 +77,7 @@ uint32_t octant_angle(int32_t ratio_q30)
     return kTables.arc_turns32[index] + static_cast<uint32_t>(mul_q30(u - mul_q30(cube, kThirdQ30), kTwoOverPiQ30));
 }
 
-// small/large in Q30 for 0 <= small <= large, large > 0.
+// Returns small/large in Q30 for 0 <= small <= large, large > 0.
 int32_t ratio(uint32_t small, uint32_t large)
 {
     const ReciprocalRoot root = reciprocal_root(static_cast<uint64_t>(large) * large);

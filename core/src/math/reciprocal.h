@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reciprocals: a table and one Newton step, 32-bit products. Table: 768 bytes.
+// Reciprocals take a table of 768 bytes and one Newton step, in 32-bit products.
 #pragma once
 
 #include <stdint.h>
@@ -12,7 +12,7 @@ struct ReciprocalTable {
 };
 extern const ReciprocalTable kReciprocals;
 
-// 2^29/v to 2^-7 for v in [2^15, 2^17).
+// Returns 2^29/v to 2^-7 for v in [2^15, 2^17).
 inline uint32_t coarse_q29(uint32_t v)
 {
     return kReciprocals.q29[(v >> 8) - 128];

@@ -7,7 +7,7 @@
 namespace lumi::detail
 {
 
-// A vertex's share of the colour: 3 signed fields of 10 bits, levels times 4.
+// Returns a vertex's share of the colour: 3 signed fields of 10 bits, levels times 4.
 LUMI_ALWAYS_INLINE int32_t red_q2(uint32_t colour)
 {
     return static_cast<int32_t>(colour) >> 22;

@@ -68,7 +68,7 @@ LUMI_ALWAYS_INLINE bool next_listed(ListWalk& walk, const SurfaceFrame& frame, u
     }
 }
 
-// From corner to corner, in the triangle's order.
+// Leads from corner to corner, in the triangle's order.
 struct Side {
     uint32_t from, to;
 };

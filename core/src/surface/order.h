@@ -53,7 +53,7 @@ inline bool is_turned_away(const SurfaceFrame& frame, uint32_t triangle)
     return s.are_there() && !faces_eye(s);
 }
 
-// The triangle across a triangle's nth side, numbered as in sides.h.
+// Returns the triangle across a triangle's nth side, numbered as in lists.h.
 inline uint32_t across(const SurfaceFrame& frame, const SurfacePatch& patch, uint32_t triangle, uint32_t n)
 {
     const uint32_t second = triangle & 1;

@@ -58,7 +58,7 @@ struct Shares {
 // The shares in a triangle that is less than about a sample thick: it is taken for its longest edge, which becomes a-b.
 Shares shares_of_sliver(Facing& f);
 
-// 64·length/area, Q16, for an area of at least 64.
+// Returns 64·length/area, Q16, for an area of at least 64.
 LUMI_ALWAYS_INLINE int32_t over_area(int32_t length_q6, const Reciprocal& r)
 {
     return (length_q6 * static_cast<int32_t>(r.mantissa)) >> (25 - r.leading);

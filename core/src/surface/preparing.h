@@ -67,7 +67,7 @@ LUMI_ALWAYS_INLINE PlacedVertices put_vertices(const SurfaceFrame& frame, uint32
     return placed;
 }
 
-// After all vertices.
+// Comes after all vertices.
 LUMI_ALWAYS_INLINE void set_extents(SurfaceFrame& frame, const PlacedVertices& placed)
 {
     constexpr int32_t kNarrowQ6 = 46340;  // twice a triangle's area, at most its width times its height, fits 32 bits
@@ -102,7 +102,7 @@ public:
     {
     }
 
-    // The triangles (a, b, c) and (d, c, b) of a patch.
+    // Takes the triangles (a, b, c) and (d, c, b) of a patch.
     LUMI_ALWAYS_INLINE void add(uint32_t patch, const uint32_t (&corner)[4])
     {
         const SurfaceVertex* v = frame_.memory.vertices;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A camera, and a frame's constants: from a vertex's numbers to the grid of samples and to depths.
+// Makes a camera, and a frame's constants: from a vertex's numbers to the grid of samples and to depths.
 #include "surface/projection.h"
 
 #include "lumi/detail/math.h"
@@ -20,7 +20,7 @@ int64_t shifted(int64_t v, int left)
     return left >= 0 ? v * (int64_t{1} << left) : v >> -left;
 }
 
-// How far to shift right until at most `bits` bits remain.
+// Returns how far to shift right until at most `bits` bits remain.
 int shift_to(uint64_t v, int bits)
 {
     int shift = 0;

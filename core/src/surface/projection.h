@@ -14,7 +14,7 @@ inline constexpr int32_t kGuardQ6 = ((1 << 15) - 64) * 64;
 // Surfaces nearer to the eye's plane than 1/256 R are cut away.
 inline constexpr int32_t kNearPlaneShift = 8;
 
-// A point on the grid of samples; depth 0: nearer than the near plane or beside the guard band.
+// This is a point on the grid of samples; depth 0: nearer than the near plane or beside the guard band.
 struct SamplePoint {
     int32_t x_q6, y_q6;
     uint32_t depth;
@@ -81,7 +81,7 @@ LUMI_ALWAYS_INLINE bool is_there(const SurfaceVertex& v)
 // 128 samples.
 inline constexpr int32_t kSmallQ6 = 1 << 13;
 
-// The first line of samples, at y = line + 1/2, at or below a height: ceil(y - 1/2), in 1/64.
+// Returns the first line of samples, at y = line + 1/2, at or below a height: ceil(y - 1/2), in 1/64.
 LUMI_ALWAYS_INLINE int32_t line_from(int32_t y_q6)
 {
     return (y_q6 + 31) >> 6;

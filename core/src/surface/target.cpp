@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples in memory, and the colours in them.
+// This lays out samples in memory and clears, copies and mixes the colours in them.
 #include "lumi/surface/detail/resolve.h"
 
 namespace lumi::detail
@@ -44,7 +44,7 @@ PackedColour clamped_field(PackedColour sum, uint32_t guard, uint32_t value_bits
     return (sum & (guard >> 1)) != 0 ? others : others | value_bits;
 }
 
-// To the nearest whole number; v <= 255².
+// Rounds to the nearest whole number; v <= 255².
 uint32_t root_of(uint32_t v)
 {
     uint32_t root = 0;

@@ -13,8 +13,8 @@ namespace
 using format::kViewNodes;
 
 constexpr int kTriangles = 65;
-// Delaunay triangles of the nodes under Lambert's projection, counter-clockwise from the lowest node, without the
-// longest three along the rim.
+// Lists the Delaunay triangles of the nodes under Lambert's projection, counter-clockwise from the lowest node, without
+// the longest three along the rim.
 constexpr uint8_t kCorners[kTriangles][3] = {
     {0, 1, 3},    {0, 2, 1},    {0, 3, 8},    {0, 5, 2},    {0, 8, 5},    {1, 2, 4},    {1, 4, 9},    {1, 6, 3},
     {1, 9, 6},    {2, 5, 10},   {2, 7, 4},    {2, 10, 15},  {2, 15, 7},   {3, 6, 11},   {3, 11, 16},  {3, 16, 8},
@@ -54,7 +54,7 @@ constexpr double absolute(double v)
     return v < 0 ? -v : v;
 }
 
-// In cells.
+// Places are in cells.
 constexpr Place place_of_node(uint32_t k)
 {
     const double z = 1 - (2.0 * k + 1) / format::kViewLattice, r = generate::root(1 - z * z);

@@ -133,7 +133,7 @@ private:
     float size_;
 };
 
-// The quantities of lumi::Camera in floating point.
+// Holds the quantities of lumi::Camera in floating point.
 struct FloatRay {
     FloatVec eye_direction, offset;
     float inverse_distance, facing;
@@ -148,7 +148,7 @@ struct FloatRay {
     {
     }
 
-    // False if the ray misses the sphere.
+    // Returns false if the ray misses the sphere.
     bool hits(FloatVec& front, FloatVec& back) const
     {
         const float p2 = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
@@ -172,7 +172,7 @@ private:
     }
 };
 
-// Over black.
+// Draws over black.
 template <class Texel>
 Rgb8 float_colour(const Field& field, const FloatLattice::Taps& origins, const FloatLattice::Taps& directions)
 {

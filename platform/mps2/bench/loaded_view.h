@@ -26,7 +26,7 @@ bool open_loaded(FieldError (*open)(const uint8_t*, size_t, AnyField&), AnyField
     return false;
 }
 
-// Words of the command line. None at all stand for every view.
+// Holds words of the command line. None at all stand for every view.
 struct Words {
     const char* const* begin;
     const char* const* end;

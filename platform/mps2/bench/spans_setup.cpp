@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The span renderer with empty loops.
+// This is the span renderer with empty loops.
 #include "instance.h"
 #include "lumi/bench/views.h"
 #include "lumi/chord/render_spans.h"

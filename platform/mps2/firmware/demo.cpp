@@ -100,7 +100,7 @@ void unpack(const uint8_t* rgb565, uint8_t* rgb888)
     rgb888[2] = colour.b;
 }
 
-// A binary PPM picture (P6) on the host, written stripe by stripe from the panel's own RGB565 pixels.
+// This is a binary PPM picture (P6) on the host, written stripe by stripe from the panel's own RGB565 pixels.
 class PpmFile
 {
 public:

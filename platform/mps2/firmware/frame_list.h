@@ -12,7 +12,7 @@
 namespace lumi::firmware
 {
 
-// A field file in memory.
+// This is a field file in memory.
 struct FieldBytes {
     const uint8_t* bytes;
     size_t size;
@@ -20,7 +20,7 @@ struct FieldBytes {
 
 using WriteText = void (*)(const char* zero_terminated);
 
-// Four fields in the order of TexelFormat, then two surface fields.
+// The list has four fields in the order of TexelFormat, then two surface fields.
 inline constexpr uint32_t kListedFields = detail::format::kTexelFormats + 2;
 
 // Draws the list, stripe by stripe. Writes one line a frame of a chord field, "view renderer texel pixel crc32"; the

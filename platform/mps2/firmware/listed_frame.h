@@ -61,7 +61,7 @@ inline bool refuse(WriteText write, const char* why)
     return false;
 }
 
-// All lines of one view and one texel format; instantiated for each format from texel_frames.cpp.in.
+// Writes all lines of one view and one texel format; instantiated for each format from texel_frames.cpp.in.
 template <class Texel>
 bool write_texel_frames(const Frame& frame);
 

@@ -28,7 +28,7 @@ Pose aside(const Pose& pose)
     return {pose.eye, {-pose.forward.x, -pose.forward.y, -pose.forward.z}, pose.up, pose.right};
 }
 
-// A view named "chance" by a number, from 1 to 4 radii.
+// Makes a view named "chance" from a number, from 1 to 4 radii.
 View chance_view(uint32_t number)
 {
     uint32_t state = number * 0x9E3779B9;

@@ -21,7 +21,7 @@ inline constexpr bool kEveryFrame = true;
 inline constexpr bool kEveryFrame = false;
 #endif
 
-// The two renderers, as policies: every pixel exact, or spans between exact hits.
+// These are the two renderers, as policies: every pixel exact, or spans between exact hits.
 template <class Reconstruction>
 struct Exact {
     template <class Texel, class Pixel, class Background>
@@ -61,7 +61,7 @@ inline constexpr Named<PixelGrey8> kPixelGrey8 = {"grey8"};
 
 inline uint8_t stripe_pixels[kWidth * kStripeHeight * kMaxPixelBytes];
 
-// Over black, on some cores.
+// Draws over black, on some cores.
 template <class Pixel>
 inline constexpr bool kHasLoopsOfItsOwn = false;
 template <>
@@ -130,7 +130,7 @@ bool for_one_pixel_format(const Frame& frame, Renderer renderer)
         return write_line<Texel>(frame, renderer, kPixelRgb565);
 }
 
-// All lines of one view and one texel format.
+// Writes all lines of one view and one texel format.
 template <class Texel>
 bool write_texel_frames(const Frame& frame)
 {

@@ -19,7 +19,7 @@ public:
         return *this;
     }
 
-    // At least so many digits, with leading zeros.
+    // Writes at least so many digits, with leading zeros.
     TextLine& decimal(uint64_t value, int min_digits = 1)
     {
         constexpr int kMaxDigits = 20;  // 2^64 - 1
@@ -34,7 +34,7 @@ public:
         return *this;
     }
 
-    // Always eight digits, lower case.
+    // Writes eight digits, lower case.
     TextLine& hex32(uint32_t value)
     {
         for (int shift = 28; shift >= 0; shift -= 4) put("0123456789abcdef"[(value >> shift) & 15u]);

@@ -24,7 +24,7 @@ enum class Operation : uint32_t {
 constexpr uint32_t kOpenBinaryWrite = 5;               // fopen's "wb"
 constexpr uint32_t kStoppedApplicationExit = 0x20026;  // ADP_Stopped_ApplicationExit
 
-// Operation in r0, address of its parameter block in r1, result in r0.
+// The operation is in r0, the address of its parameter block in r1, the result in r0.
 int32_t call(Operation operation, const void* parameters)
 {
     register uint32_t r0 __asm("r0") = static_cast<uint32_t>(operation);

@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv);
 
-// Defined by the linker script; only their addresses mean something.
+// The linker script defines these; only their addresses mean something.
 extern "C" {
 extern uint32_t lumi_stack_top;
 extern const uint32_t lumi_data_image;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bus.h by the Pico SDK.
+// The Pico SDK does what bus.h says.
 #include "bus.h"
 
 #include <hardware/dma.h>

@@ -27,13 +27,14 @@ public:
 
     uint32_t size() const { return size_; }
 
-    // z of point i, Q30.
+    // Returns z of point i, Q30.
     int32_t height_q30(uint32_t i) const;
-    // z at a real-valued index, Q10 to Q30; -1/2 <= index <= n - 1/2.
+    // Returns z at a real-valued index, Q10 to Q30; -1/2 <= index <= n - 1/2.
     int32_t height_at_q30(int32_t index_q10) const;
-    // The real-valued index t = n(1-z)/2 - 1/2 at height z, Q10; the inverse of height_q30. In [-1/2, n-1/2].
+    // Returns the real-valued index t = n(1-z)/2 - 1/2 at height z, Q10; the inverse of height_q30. In [-1/2, n-1/2].
     int32_t index_at_q10(int32_t z_q30) const;
-    // The square of the mean point spacing, 4π/n (the area of a point), in the units of Neighbour. In [2^26, 2^28).
+    // Returns the square of the mean point spacing, 4π/n (the area of a point), in the units of Neighbour. In [2^26,
+    // 2^28).
     uint32_t spacing2() const { return spacing2_; }
     // A unit of Neighbour is 2^-unit_bits of the radius.
     int unit_bits() const { return unit_bits_; }
@@ -53,7 +54,7 @@ private:
 // too.
 uint32_t longitude_turns32(uint32_t i);
 
-// Position of point i on the unit sphere.
+// Returns the position of point i on the unit sphere.
 Vec3q30 point(const Lattice& lattice, uint32_t i);
 
 // A lattice point near a query. `distance2` is the squared chord length in units of 2^-unit_bits, chosen so that the

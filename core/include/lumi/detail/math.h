@@ -13,14 +13,14 @@
 namespace lumi::detail
 {
 
-// 1/sqrt(v) for v > 0, as mantissa·2^-exponent with mantissa in [2^30, 2^31]. Relative error below 2^-28.
+// Returns 1/sqrt(v) for v > 0, as mantissa·2^-exponent with mantissa in [2^30, 2^31]. Relative error below 2^-28.
 struct ReciprocalRoot {
     uint32_t mantissa;
     int exponent;
 };
 ReciprocalRoot reciprocal_root(uint64_t v);
 
-// 1/sqrt(m) in Q15 for m in [1/4, 1), by one step in 32-bit products. Relative error below 2^-14.
+// Returns 1/sqrt(m) in Q15 for m in [1/4, 1), by one step in 32-bit products. Relative error below 2^-14.
 uint32_t coarse_inverse_root_q15(uint32_t m_q32);
 
 // sqrt(v), rounded down within one unit and 2^-28 of the result; 0 for 0.

@@ -11,10 +11,10 @@ namespace lumi::detail
 // The angle of (x, y) from +x towards +y, of 16-bit components; 0 for (0, 0). Error below 2^-16 turn.
 uint32_t coarse_angle_turns32(int32_t y_q15, int32_t x_q15);
 
-// sqrt of a Q30 value in [0, 2), Q15, within two units.
+// Returns sqrt of a Q30 value in [0, 2), Q15, within two units.
 int32_t coarse_root_q15(uint32_t v_q30);
 
-// 1/v = mantissa·2^-exponent for v > 0, mantissa in [2^14, 2^15]; relative error below 2^-14.
+// Holds 1/v = mantissa·2^-exponent for v > 0, mantissa in [2^14, 2^15]; relative error below 2^-14.
 struct CoarseReciprocal {
     int32_t mantissa;
     int exponent;

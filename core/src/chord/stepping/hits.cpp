@@ -16,7 +16,7 @@ int32_t add_steps(int32_t value, int32_t step, int32_t count)
                                 static_cast<uint32_t>(step) * static_cast<uint32_t>(count));
 }
 
-// A Q40 quantity as Q28 modulo 2^32, and the 12 bits below.
+// Splits a Q40 quantity into Q28 modulo 2^32, and the 12 bits below.
 struct Split {
     uint32_t high, low;
 
@@ -26,7 +26,7 @@ struct Split {
     }
 };
 
-// a.at(x, y) >> 12 modulo 2^32, x and y in the image, without a 64-bit product.
+// Returns a.at(x, y) >> 12 modulo 2^32, x and y in the image, without a 64-bit product.
 int32_t affine_q28(const AffineQ40& a, uint32_t x, uint32_t y)
 {
     const Split first(a.at_first);

@@ -52,7 +52,7 @@ Zone make_zone(const Lattice& lattice, int k)
     return z;
 }
 
-// The scale of the polar pattern's plane at height z: sqrt(n/(2·(1 + |z|))), Q7.
+// Returns the scale of the polar pattern's plane at height z: sqrt(n/(2·(1 + |z|))), Q7.
 int32_t plane_scale_q7(int32_t n, int32_t z_q30)
 {
     const uint32_t z_q15 = static_cast<uint32_t>(magnitude(z_q30)) >> 15;

@@ -76,7 +76,7 @@ inline uint32_t both_sides_step(int32_t origin_q16, int32_t direction_q16)
     return (rounded(origin_q16) << 16) + rounded(direction_q16);
 }
 
-// The scanlines of a tile, from its first pixel's cells on, or a single one.
+// Goes over the scanlines of a tile, from its first pixel's cells on, or a single one.
 class BothSidesScanlines
 {
 public:
@@ -155,7 +155,7 @@ private:
         if (tile.first > 0) move_down(static_cast<uint32_t>(tile.first));
     }
 
-    // By several scanlines as by one at a time, modulo 2^32.
+    // Moves by several scanlines as by one at a time, modulo 2^32.
     LUMI_ALWAYS_INLINE void move_down(uint32_t scanlines)
     {
         at_ = {at_.a + scanlines * down_.a, at_.b + scanlines * down_.b};
@@ -179,7 +179,7 @@ private:
     DoubleWord<uint32_t> step_q16_, down_, step_down_q16_;
 };
 
-// From one origin's texels to the next one's, and from texel to texel.
+// These lead from one origin's texels to the next one's, and from texel to texel.
 struct TexelStrides {
     int32_t row_bytes, texel_bytes;
 };
@@ -210,7 +210,7 @@ public:
         step_ = scanlines.step();
     }
 
-    // The next pixel's taps.
+    // Finds the next pixel's taps.
     template <class Sum>
     LUMI_ALWAYS_INLINE PixelTaps taps()
     {

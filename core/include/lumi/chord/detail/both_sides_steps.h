@@ -38,7 +38,7 @@ struct BothSidesTriangle {
     int32_t middle_origin, middle_direction;
 };
 
-// Fractions of both sides, of kRowBits of the origins and kTapBits of the directions.
+// Holds fractions of both sides, of kRowBits of the origins and kTapBits of the directions.
 template <int kRowBits, int kTapBits>
 struct BothSidesBits {
     static constexpr uint32_t kOneDirection = 1u << kTapBits;
@@ -52,7 +52,7 @@ struct BothSidesBits {
         return ((q12 >> (kFractionBits - kRowBits)) & (kMask & 0xFFFF0000u)) |
                ((q12 >> (kFractionBits - kTapBits)) & (kMask & 0xFFFFu));
     }
-    // Halves of one or zero as 1 or 0.
+    // Turns halves of one or zero into 1 or 0.
     static constexpr uint32_t whole(uint32_t ones)
     {
         if (kRowBits == kTapBits) return ones >> kRowBits;
@@ -70,7 +70,7 @@ public:
     {
     }
 
-    // In registers.
+    // These stay in registers.
     BothSidesSteps reloaded() const { return BothSidesSteps(reload(steps_)); }
 
     // Offsets of the cells that hold whole coordinates, in the upper halves of u and v, of one side.

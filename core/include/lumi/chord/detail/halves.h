@@ -13,7 +13,7 @@
 namespace lumi::detail
 {
 
-// The bytes 0 and 2 of a word, or 1 and 3, in halves.
+// Returns the bytes 0 and 2 of a word, or 1 and 3, in halves.
 LUMI_ALWAYS_INLINE uint32_t even_bytes(uint32_t v)
 {
     return v & 0x00FF00FFu;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 3×3 texels a pixel: the loops of Linear.
+// The loops of Linear read 3×3 texels a pixel.
 #pragma once
 
 #include "lumi/chord/detail/both_sides.h"
@@ -12,7 +12,7 @@
 namespace lumi::detail
 {
 
-// Through cells, both sides at once: all scanlines of a tile, or without one the span's.
+// Goes through cells, both sides at once: all scanlines of a tile, or without one the span's.
 template <bool kFlips, class Texel, class Pixel, class Background>
 void draw_both_sides(const CellPiece<Background>& span, const TileScanlines* tile)
 {
@@ -78,7 +78,7 @@ bool can_follow_tile(const CellPiece<Background>& span)
            BothSidesScanlines::can_follow(span.directions, span.tile->directions, span.length);
 }
 
-// Side by side, every texel checked.
+// Draws side by side, and checks every texel.
 template <class Texel, class Pixel, class Background>
 void draw_nine_checked(const CheckedPiece<Background>& span)
 {

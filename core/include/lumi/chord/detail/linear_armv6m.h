@@ -50,7 +50,7 @@ void lumi_linear_rgb565(uint32_t* sums, const uint32_t* end, LinearCells* cells)
 void lumi_linear_palette8(uint32_t* sums, const uint32_t* end, LinearCells* cells, const uint8_t* palette);
 }
 
-// The cells of a span's or a tile's scanlines.
+// Holds the cells of a span's or a tile's scanlines.
 class LinearScanlines
 {
 public:
@@ -70,7 +70,7 @@ public:
         direction_offset_ = cells_.directions.offset;
     }
 
-    // The cells before a scanline's first pixel.
+    // Returns the cells before a scanline's first pixel.
     LinearCells* before(const BothSidesScanlines& scanlines)
     {
         const DoubleWord<uint32_t>& step = scanlines.step();

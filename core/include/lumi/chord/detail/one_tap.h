@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One texel a pixel: the loops of Nearest.
+// The loops of Nearest read one texel a pixel.
 #pragma once
 
 #include "lumi/chord/detail/piece.h"

@@ -9,7 +9,7 @@
 namespace lumi::detail
 {
 
-// A pixel's ray that hits the sphere; the quantities of camera.h. All at most 1.
+// Describes a pixel's ray that hits the sphere, by the quantities of camera.h. All are at most 1.
 struct SphereRay {
     int32_t facing_q30;        // m > 0
     Vec3q30 offset;            // P
@@ -35,7 +35,7 @@ SphereHits hits(const Camera& camera, const SphereRay& ray);
 // both x_begin.
 Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t x_end);
 
-// The smallest rectangle with all of these pixels.
+// Returns the smallest rectangle with all of these pixels.
 PixelRect covered_rectangle(const Camera& camera);
 
 }  // namespace lumi::detail

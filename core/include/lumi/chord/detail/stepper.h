@@ -42,7 +42,7 @@ struct Piece {
 class ChordStepper
 {
 public:
-    // Spans and tiles of at most 2^span_log2 pixels, 1 .. kMaxSpanLog2.
+    // Spans and tiles have at most 2^span_log2 pixels, 1 .. kMaxSpanLog2.
     ChordStepper(const Field& field, const Camera& camera, const Stripe& stripe, int span_log2);
     ChordStepper(const ChordStepper&) = delete;
     ChordStepper& operator=(const ChordStepper&) = delete;

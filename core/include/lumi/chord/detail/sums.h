@@ -30,7 +30,7 @@ constexpr uint32_t row_weight(uint32_t weight)
 inline uint32_t packed_rgb565_q14(uint32_t r, uint32_t g, uint32_t b)
 {
     uint32_t packed;
-    // Upper words of products by 2^18: each channel from bit 11 on.
+    // These are upper words of products by 2^18: each channel from bit 11 on.
     asm("smmla %[r], %[r], %[five], %[half]\n\t"
         "smmla %[g], %[g], %[six], %[half]\n\t"
         "smmla %[b], %[b], %[five], %[half]\n\t"
@@ -58,7 +58,7 @@ struct SpanHalves {
     uint32_t rb, ga;
 };
 
-// A row's texels: (r, b) and (g, a) in Q7, below 2^15 in each half.
+// Holds a row's texels: (r, b) and (g, a) in Q7, below 2^15 in each half.
 template <class Load, bool kCoverage, bool kByWords>
 struct HalvesRow {
     uint32_t rb = 0, ga = 0;

@@ -16,7 +16,7 @@ using PackedColour = uint32_t;
 
 inline constexpr PackedColour kGuardBits = 0x80100200;
 
-// Levels times 4, each below 1024.
+// Takes levels times 4, each below 1024.
 constexpr PackedColour packed_colour(uint32_t r_q2, uint32_t g_q2, uint32_t b_q2)
 {
     return g_q2 << 21 | r_q2 << 10 | b_q2 >> 1;
@@ -78,7 +78,7 @@ constexpr PackedColour palette_colour(const Rgb8& c)
     }
 }
 
-// The channels of a pixel in 5, 6 and 5 bits with room above each: green in the upper half of a word.
+// Holds the channels of a pixel in 5, 6 and 5 bits with room above each: green in the upper half of a word.
 inline constexpr uint32_t kFields565 = 0x07E0F81F;
 struct Fields565 {
     uint32_t word;
@@ -101,13 +101,13 @@ constexpr Rgb8 levels_of(const Rgb8& c)
     return c;
 }
 
-// The 16 bits of a colour in 5, 6 and 5 bits.
+// Returns the 16 bits of a colour in 5, 6 and 5 bits.
 LUMI_ALWAYS_INLINE uint16_t packed_565(PackedColour c)
 {
     return together({(c >> 4) & kFields565});
 }
 
-// In 5 bits each, blue above.
+// Returns them in 5 bits each, blue above.
 LUMI_ALWAYS_INLINE uint16_t packed_555(PackedColour c)
 {
     return static_cast<uint16_t>((c >> 15 & 0x1F) | (c >> 21 & 0x03E0) | (c << 6 & 0x7C00));

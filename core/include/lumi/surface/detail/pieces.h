@@ -139,7 +139,7 @@ public:
         rows_.count = 1;
     }
 
-    // False after the last row.
+    // Returns false after the last row.
     LUMI_ALWAYS_INLINE bool end()
     {
         rows_.edge_q16[0] = left_q16_ + rows_.edge_step_q16[0];

@@ -34,7 +34,7 @@ struct StripeSamples {
     const Target& target;
     const Stripe& covered;
 
-    // Columns and rows of samples, for one a pixel.
+    // Return columns and rows of samples, for one a pixel.
     int32_t begin() const { return covered.x_px - target.x; }
     int32_t end() const { return begin() + covered.width_px; }
     int32_t row(int32_t y_px) const { return y_px - target.y; }
@@ -48,7 +48,7 @@ struct Blended {
     uint8_t coverage;
 };
 
-// A marked pixel over a background.
+// Lays a marked pixel over a background.
 template <class Samples, class Background>
 Blended<typename Samples::Colour> blended(const Samples& s, const Mark& mark, int32_t x, const Background& background,
                                           const uint8_t* pixel)
@@ -219,7 +219,7 @@ template <class Samples>
 struct KindOf {
     using Type = Samples;
 };
-// The samples of modes of one sample a pixel.
+// Names the samples of modes of one sample a pixel.
 template <class Pixel, bool kArePixels = kIsSample<Pixel>>
 struct OneSampleOf : KindOf<PackedSamples<Pixel>> {
 };
@@ -305,7 +305,7 @@ struct FourSamples : StripeSamples {
     Rgb8 colour_at(const uint16_t* depth) const { return packed_at(target, depth); }
 };
 
-// A scanline of coverage, a byte a pixel, from the samples of any of these.
+// Stores a scanline of coverage, a byte a pixel, from the samples of any of these.
 void store_coverage(const StripeSamples& samples, int32_t y);
 
 }  // namespace lumi::detail

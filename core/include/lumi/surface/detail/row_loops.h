@@ -53,7 +53,7 @@ struct Rows {
 using DrawRows = void (*)(Rows& rows);
 
 extern "C" {
-// 5-6-5 pixels, and the same with their bytes swapped.
+// These draw 5-6-5 pixels, and the same with their bytes swapped.
 void lumi_rows_565_nearest(Rows& rows);
 void lumi_rows_565_two_taps(Rows& rows);
 void lumi_rows_565_swapped_nearest(Rows& rows);

@@ -2,9 +2,9 @@
 // An emulated board: from reset to main, its host, and fields in its memory.
 //
 // The start-up code has the vector table's stack pointer and reset handler, .data, .bss, constructors, main and exit. A
-// fault prints a line and ends the program with kFaultExitCode, so that a broken test fails and does not hang. A program
-// talks to its host by semihosting ("Semihosting for AArch32 and AArch64", Arm IHI, T32 interface: BKPT 0xAB). A board
-// without a debugger stops at the first call.
+// fault prints a line and ends the program with kFaultExitCode, so that a broken test fails and does not hang. A
+// program talks to its host by semihosting ("Semihosting for AArch32 and AArch64", Arm IHI, T32 interface: BKPT 0xAB).
+// A board without a debugger stops at the first call.
 #pragma once
 
 #include <cstddef>
@@ -54,7 +54,7 @@ struct LoadedField {
     size_t size;  // as the file's own header tells, cut off at the end of the memory; open_field decides the rest
 };
 
-// The field `offset` bytes into the PSRAM; offset < kLoadedFieldMemoryBytes.
+// Finds the field `offset` bytes into the PSRAM; offset < kLoadedFieldMemoryBytes.
 LoadedField loaded_field(uint32_t offset);
 
 }  // namespace lumi::mps2

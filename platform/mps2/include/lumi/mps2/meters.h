@@ -2,8 +2,8 @@
 // Meters of a program on an emulated board: instructions, and depth of the stack.
 //
 // Instructions are counted under QEMU with `-icount shift=0`: there every instruction takes one virtual nanosecond, and
-// SysTick ticks once in 1000 / LUMI_MPS2_CLOCK_MHZ of them, 31 to 50 (boards.cmake). The interrupt carries the counter's
-// 24 bits on, so counts do not wrap. Without -icount the numbers mean nothing.
+// SysTick ticks once in 1000 / LUMI_MPS2_CLOCK_MHZ of them, 31 to 50 (boards.cmake). The interrupt carries the
+// counter's 24 bits on, so counts do not wrap. Without -icount the numbers mean nothing.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace lumi::mps2
 {
 
-// 31.25 at the 32 MHz of AN547.
+// This is 31.25 at the 32 MHz of AN547.
 inline constexpr uint32_t kInstructionsPer4Ticks = 4000 / LUMI_MPS2_CLOCK_MHZ;
 static_assert(kInstructionsPer4Ticks * LUMI_MPS2_CLOCK_MHZ == 4000, "a tick takes whole quarters of an instruction");
 

@@ -39,17 +39,17 @@ class HitEvaluator
 public:
     explicit HitEvaluator(const Camera& camera);
 
-    // The rays of scanline y from pixel x of the image on.
+    // Returns the rays of scanline y from pixel x of the image on.
     ScanlineRays rays_from(int32_t x, int32_t y) const;
 
-    // The rays from so many pixels to the right and below on: within 2^-19 of rays_from's, and cheaper.
+    // Returns the rays from so many pixels to the right and below on: within 2^-19 of rays_from's, and cheaper.
     ScanlineRays moved(const ScanlineRays& rays, int32_t right_px, int32_t down_px) const;
 
     // Sets `out` to the hits `ahead` pixels on; that pixel is covered.
     void evaluate(const ScanlineRays& rays, int32_t ahead, HitPair& out) const;
 
 private:
-    // The ray of a pixel, without what cancels.
+    // Returns the ray of a pixel, without what cancels.
     struct Ray {
         int32_t px_q15, py_q15, pz_q15, m_q15;
         int32_t offset2_q30;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One lattice (origins or directions) under a scanline's pixels: a line through its cells, or over a pole.
+// One lattice (origins or directions) lies under a scanline's pixels: a line through its cells, or over a pole.
 #pragma once
 
 #include "lumi/fixed.h"
@@ -34,7 +34,7 @@ struct PolarLine {
         if ((weight_q16[0] | weight_q16[1] | weight_q16[2]) < 0) find(at);
     }
 
-    // A corner as a point of the lattice.
+    // Returns a corner as a point of the lattice.
     int32_t index(int k) const { return base + corner[k] * step; }
 };
 

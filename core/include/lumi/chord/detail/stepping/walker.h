@@ -35,7 +35,7 @@ inline bool is_steppable(int32_t difference_q16)
 class SpanLengths
 {
 public:
-    // Spans of at most `longest_px` pixels, 2 .. 16.
+    // Spans have at most `longest_px` pixels, 2 .. 16.
     explicit SpanLengths(int32_t longest_px)
         : longest_(longest_px), first_(longest_px < 16 ? 2 : 3), second_(first_ + (longest_px < 13 ? longest_px : 13))
     {

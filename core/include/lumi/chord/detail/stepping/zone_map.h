@@ -31,7 +31,7 @@ struct Zone {
     int32_t origin_u_q16, origin_v_q16;
 };
 
-// Computed once per stripe. 244 bytes.
+// It is computed once a stripe and takes 244 bytes.
 struct LatticeZones {
     int32_t size;
     int32_t polar_z_q30;     // |z| at kPolarHeight
@@ -46,7 +46,7 @@ struct LatticeZones {
 // Spans and tiles that turn further are not drawn in one piece.
 inline constexpr int32_t kMaxTurnQ20 = 1 << 16;  // 1/16 turn
 
-// Coordinates in a map: below 2^10 cells.
+// Coordinates in a map are below 2^10 cells.
 struct LatticePoint {
     int32_t u_q16, v_q16;
 };

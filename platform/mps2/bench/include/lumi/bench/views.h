@@ -50,7 +50,7 @@ inline Image view_image(const View& view)
     return {kSidePx, kSidePx, view.fov_turns32};
 }
 
-// Cannot fail for kViews.
+// It cannot fail for kViews.
 inline CameraError make_view_camera(const View& view, Camera& out)
 {
     return make_camera(view_pose(view), view_image(view), out);
