@@ -12,6 +12,9 @@ endif()
 # both draw the frame list and pass the proof.
 set(LUMI_UNIT_TEST_CPUS cortex-m0plus cortex-m4)
 
+# Cores for which the RAM and stack of README's firmware are measured. The others' code is as M0+'s or M4's.
+set(LUMI_MEMORY_CPUS cortex-m0plus cortex-m4)
+
 # Boards that only `tools/test.sh --all` builds: code for M55 is compiled from the sources that M33's is.
 set(LUMI_BOARDS_OF_ALL cortex-m55)
 
@@ -55,7 +58,9 @@ set(LUMI_PLAIN_FILES
   baker/trace/error_gauge_test.cpp
   baker/trace/path_tracer_test.cpp
   baker/trace/volume_test.cpp
+  baker/mesh/copies_test.cpp
   baker/mesh/holes_test.cpp
+  baker/mesh/mesh_outline_test.cpp
   baker/mesh/patch_mesh_test.cpp
   baker/volume/flight_test.cpp
   baker/volume/opacity_surface_test.cpp

@@ -11,7 +11,7 @@ scene=$3
 export PATH=$PATH:/usr/sbin:/sbin
 readonly shards=4
 # Some seconds for each shard on one processor.
-readonly options=(--origins 96 --directions 200 --spp 768 --seed 3)
+readonly options=(--origins 96 --directions 200 --spp 384 --seed 3)
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/lumi-slurm.XXXXXX")
 chmod 755 "$work" # munge wants its socket where everybody may pass

@@ -18,5 +18,9 @@ endforeach()
 set_tests_properties(devices.overlay PROPERTIES DEPENDS "devices.riscv;devices.simulator")  # which build its programs
 
 # RAM and stack that docs/firmware.md states for README's firmware, measured.
-add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/lab/board_memory.sh --check ${lumi_cpus})
+set(lumi_memory_cpus ${LUMI_MEMORY_CPUS})
+if(LUMI_TEST_ALL)
+  set(lumi_memory_cpus ${lumi_cpus})
+endif()
+add_test(NAME devices.memory COMMAND ${PROJECT_SOURCE_DIR}/tools/lab/board_memory.sh --check ${lumi_memory_cpus})
 set_tests_properties(devices.memory PROPERTIES FIXTURES_REQUIRED lumi_device_field)

@@ -12,9 +12,25 @@ namespace lumi::baker::testing
 namespace
 {
 
-std::string file_of(const Scene& scene, const SurfaceSettings& settings, const ScratchFolder& folder)
+// A bake of the tiny scene that was never stopped.
+const std::string& whole()
 {
-    bake_surface(scene, {settings}, folder.at("f.lumi"));
+    static const std::string bytes = baked(tiny_scene(), tiny_surface());
+    return bytes;
+}
+
+// For bakes of the tiny scene that are not about its mesh, which is made once.
+SurfacePlan tiny_plan(const SurfaceSettings& settings = tiny_surface())
+{
+    static const SurfacePlan made = planned(tiny_scene(), tiny_surface());
+    SurfacePlan plan = made;
+    plan.settings = settings;
+    return plan;
+}
+
+std::string file_of(const Scene& scene, const SurfacePlan& plan, const ScratchFolder& folder)
+{
+    bake_surface(scene, plan, folder.at("f.lumi"));
     return read_bytes(folder.at("f.lumi"));
 }
 
@@ -32,7 +48,7 @@ std::vector<std::filesystem::path> bake_shards(const Scene& scene, const Surface
     std::vector<std::filesystem::path> files;
     for (uint32_t k = 1; k <= count; ++k) {
         files.push_back(folder.at("f." + std::to_string(k)));
-        bake_surface_shard(scene, {settings}, {k, count}, files.back());
+        bake_surface_shard(scene, tiny_plan(settings), {k, count}, files.back());
     }
     return files;
 }
@@ -42,12 +58,11 @@ std::vector<std::filesystem::path> bake_shards(const Scene& scene, const Surface
 TEST_CASE("a surface bake goes on where it was stopped, to the same bytes", "[repeated]")
 {
     const Scene scene = tiny_scene();
-    const std::string whole = baked(scene, tiny_surface());
     for (const double share : {0.1, 0.95}) {
         const ScratchFolder folder;
         CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(share)), Cancelled);
         CHECK(folder.file_count() == 2);  // checkpoint and stages
-        CHECK(file_of(scene, tiny_surface(), folder) == whole);
+        CHECK(file_of(scene, {tiny_surface()}, folder) == whole());
         CHECK(folder.file_count() == 1);
     }
 }
@@ -56,10 +71,10 @@ TEST_CASE("what a stopped surface bake has traced is not traced again", "[repeat
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
-    CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(1)), Cancelled);
+    CHECK_THROWS_AS(bake_surface(scene, tiny_plan(), folder.at("f.lumi"), stop_at(1)), Cancelled);
     std::optional<uint64_t> first;
     bool traces = false;
-    bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), [&](const Progress& p) {
+    bake_surface(scene, tiny_plan(), folder.at("f.lumi"), [&](const Progress& p) {
         first = first ? first : p.rays_done;
         traces = traces || (p.stage == Stage::light && p.rays_done != *first && p.rays_done < p.rays_total);
         return true;
@@ -95,7 +110,6 @@ TEST_CASE("a stage is done once for a scene, a name and settings, and what it ga
 TEST_CASE("a file of stages that holds another mesh or another pilot is not used", "[repeated]")
 {
     const Scene scene = tiny_scene(), other = tiny_scene(0.2f);
-    const std::string whole = baked(scene, tiny_surface());
     const ScratchFolder folder;
     CHECK_THROWS_AS(bake_surface(other, {tiny_surface()}, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
     std::filesystem::remove(folder.at("f.lumi.part"));
@@ -103,21 +117,20 @@ TEST_CASE("a file of stages that holds another mesh or another pilot is not used
     seed.seed = 7;
     CHECK_THROWS_AS(bake_surface(scene, {seed}, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
     std::filesystem::remove(folder.at("f.lumi.part"));
-    CHECK(file_of(scene, tiny_surface(), folder) == whole);
+    CHECK(file_of(scene, {tiny_surface()}, folder) == whole());
 }
 
 TEST_CASE("a damaged surface checkpoint is traced again, to the same bytes", "[repeated]")
 {
     const Scene scene = tiny_scene();
-    const std::string whole = baked(scene, tiny_surface());
     const ScratchFolder folder;
-    CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(1)), Cancelled);
-    std::string part = read_bytes(folder.at("f.lumi.part"));
+    CHECK_THROWS_AS(bake_surface(scene, tiny_plan(), folder.at("f.lumi"), stop_at(1)), Cancelled);
+    const std::string part = read_bytes(folder.at("f.lumi.part"));
     for (const size_t at : {part.size() - 1, size_t{230}}) {
         std::string damaged = part;
         damaged[at] = static_cast<char>(damaged[at] ^ 1);
         folder.write("f.lumi.part", damaged);
-        CHECK(file_of(scene, tiny_surface(), folder) == whole);
+        CHECK(file_of(scene, tiny_plan(), folder) == whole());
     }
 }
 
@@ -125,7 +138,7 @@ TEST_CASE("a checkpoint of other surface settings is refused by name")
 {
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
-    CHECK_THROWS_AS(bake_surface(scene, {tiny_surface()}, folder.at("f.lumi"), stop_at(0.1)), Cancelled);
+    CHECK_THROWS_AS(bake_surface(scene, tiny_plan(), folder.at("f.lumi"), stop_at(0.1)), Cancelled);
     SurfaceSettings other = tiny_surface();
     other.texels_per_radius = 7;
     CHECK_THROWS_WITH(bake_surface(scene, {other}, folder.at("f.lumi")),
@@ -140,7 +153,7 @@ TEST_CASE("shards of a surface bake merge to the bytes of the whole", "[repeated
     std::reverse(shards.begin(), shards.end());
     const MergedField merged = merge_shards(shards, folder.at("f.lumi"));
     CHECK(merged.shards == 3);
-    CHECK(read_bytes(folder.at("f.lumi")) == baked(scene, tiny_surface()));
+    CHECK(read_bytes(folder.at("f.lumi")) == whole());
 }
 
 TEST_CASE("missing and damaged and foreign and unfinished surface shards are named", "[repeated]")
@@ -155,12 +168,12 @@ TEST_CASE("missing and damaged and foreign and unfinished surface shards are nam
     bytes.back() = static_cast<char>(bytes.back() ^ 1);
     folder.write("f.1", bytes);
     CHECK_THROWS_WITH(merge_shards(shards, folder.at("f.lumi")), Catch::Contains("f.1: is not finished or damaged"));
-    CHECK_THROWS_AS(bake_surface_shard(scene, {settings}, {1, 2}, folder.at("u"), stop_at(0.8)), Cancelled);
+    CHECK_THROWS_AS(bake_surface_shard(scene, tiny_plan(settings), {1, 2}, folder.at("u"), stop_at(0.8)), Cancelled);
     CHECK_THROWS_WITH(merge_shards({folder.at("u.part"), shards[1]}, folder.at("f.lumi")),
                       Catch::Contains("u.part: is not finished or damaged"));
     SurfaceSettings other = settings;
     other.seed = 2;
-    bake_surface_shard(scene, {other}, {1, 2}, folder.at("f.1"), {}, Earlier::discard);
+    bake_surface_shard(scene, tiny_plan(other), {1, 2}, folder.at("f.1"), {}, Earlier::discard);
     CHECK_THROWS_WITH(merge_shards(shards, folder.at("f.lumi")), Catch::Contains("other seed"));
 }
 
