@@ -24,7 +24,7 @@ EARLIER = b"earlier output"
 CUBE = """v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"""
 ROWS = "--layout chord --origins 12 --directions 20 --spp 4 --texel rgb565 --threads 1".split()
-SURFACE = "--layout surface --triangles 12 --longest-edge 2 --texel-density 3 --paths 20 --threads 1".split()
+SURFACE = "--layout surface --triangles 12 --longest-edge 2 --texel-density 3 --paths 20 --screen 16x16 --threads 1".split()
 
 
 class Command:

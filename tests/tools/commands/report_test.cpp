@@ -13,6 +13,25 @@
 namespace lumi::tools
 {
 
+namespace
+{
+
+// A chord field of a cube, which spans draw; it is baked once.
+const std::string& small_chord_bytes()
+{
+    static const std::string bytes = [] {
+        const test::TemporaryFolder folder;
+        const std::string field = folder / "c.lumi";
+        REQUIRE(test::lumi({"bake", test::write_cube(folder.path()), "-o", field, "--origins", "70", "--directions",
+                            "70", "--spp", "1"})
+                    .code == 0);
+        return test::content_of(field);
+    }();
+    return bytes;
+}
+
+}  // namespace
+
 TEST_CASE("report measures a field and writes page and JSON")
 {
     const test::TemporaryFolder folder;
@@ -36,11 +55,10 @@ TEST_CASE("report measures a field and writes page and JSON")
 TEST_CASE("report --mode draws a chord field by every mode that is named, in views of --size")
 {
     const test::TemporaryFolder folder;
-    const std::string field = folder / "f.lumi";
-    REQUIRE(test::lumi({"bake", LUMI_TEST_SCENE, "-o", field, "--origins", "70", "--directions", "70", "--spp", "1"})
-                .code == 0);
+    const std::string field = folder / "f.lumi", scene = test::write_cube(folder.path());
+    test::write_content(field, small_chord_bytes());
     const auto report = [&](const std::string& modes) {
-        return test::lumi({"report", LUMI_TEST_SCENE, field, "--count", "1", "--spp", "1", "--size", "48", "--cache",
+        return test::lumi({"report", scene, field, "--count", "1", "--spp", "1", "--size", "48", "--cache",
                            folder / "cache", "--json", "--mode", modes});
     };
     const test::Outcome outcome = report("nearest,linear,paper5,linear/8");
@@ -62,20 +80,6 @@ TEST_CASE("report --mode draws a chord field by every mode that is named, in vie
 
 namespace
 {
-
-// The bytes of a chord field that spans draw, of a cube; baked once.
-const std::string& small_chord_bytes()
-{
-    static const std::string bytes = [] {
-        const test::TemporaryFolder folder;
-        const std::string field = folder / "c.lumi";
-        REQUIRE(test::lumi({"bake", test::write_cube(folder.path()), "-o", field, "--origins", "70", "--directions",
-                            "70", "--spp", "1"})
-                    .code == 0);
-        return test::content_of(field);
-    }();
-    return bytes;
-}
 
 // A chord field and a surface field of a cube, and a folder for what reports keep.
 struct Fields {
@@ -205,13 +209,17 @@ TEST_CASE("a report measures anew what is damaged in the cache")
         return nlohmann::json::parse(outcome.out)["trade"]["rows"];
     };
     const auto whole = figures();
-    for (const char* damage :
-         {"", "{", "null", "[]", R"({"figures": [1], "worst": [0, 0, null], "draw_ms": 1})", "junk"}) {
-        INFO(damage);
-        for (const auto& [path, time] : times_of(cache))
-            if (path.find("/measured/") != std::string::npos) std::ofstream(path) << damage;
-        CHECK(figures() == whole);
+    const std::vector<const char*> damages = {
+        "", "{", "null", "[]", R"({"figures": [1], "worst": [0, 0, null], "draw_ms": 1})", "junk"};
+    std::map<std::filesystem::path, size_t> damaged;  // files, by their ending
+    for (const auto& [path, time] : times_of(cache)) {
+        if (path.find("/measured/") == std::string::npos) continue;
+        size_t& of_kind = damaged[std::filesystem::path(path).extension()];
+        std::ofstream(path) << damages[of_kind++ % damages.size()];
     }
+    CHECK(damaged[".json"] >= damages.size());
+    CHECK(damaged[".png"] >= damages.size());
+    CHECK(figures() == whole);
 }
 
 TEST_CASE("a report believes no number and no size that it finds in the cache")
@@ -238,16 +246,16 @@ TEST_CASE("a report believes no number and no size that it finds in the cache")
     const auto whole = figures();
 
     // Another number in place of the first one of each list, with the rest of the file as it was.
-    for (const char* number : {"[98.5,", "[1e308,", "[-1e9,", "[1000000000,"}) {
-        INFO(number);
-        for (const std::string& path : paths(".json", true)) {
-            std::string text = test::content_of(path);
-            for (size_t at = text.find(":["); at != std::string::npos; at = text.find(":[", at + 1))
-                text.replace(at + 1, text.find(',', at) - at, number);
-            test::write_content(path, text);
-        }
-        CHECK(figures() == whole);
+    const std::vector<std::string> numbers = {"[98.5,", "[1e308,", "[-1e9,", "[1000000000,"};
+    const std::vector<std::string> changed = paths(".json", true);
+    REQUIRE(changed.size() >= numbers.size());
+    for (size_t k = 0; k < changed.size(); ++k) {
+        std::string text = test::content_of(changed[k]);
+        for (size_t at = text.find(":["); at != std::string::npos; at = text.find(":[", at + 1))
+            text.replace(at + 1, text.find(',', at) - at, numbers[k % numbers.size()]);
+        test::write_content(changed[k], text);
     }
+    CHECK(figures() == whole);
 
     // References of other sizes: larger, smaller, and smaller than the windows of the measures.
     for (const int side : {61, 20, 4}) {

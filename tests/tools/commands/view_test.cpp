@@ -108,20 +108,13 @@ TEST_CASE("a page takes a turntable to compare with, and refuses what is none")
     }
 }
 
-TEST_CASE("a title need not be UTF-8")
-{
-    if (!has_modules()) return;
-    const std::string page = folder() / "latin.html";
-    const test::Outcome outcome = view({"-o", page, "--title", "caf\xe9"});
-    INFO(outcome.err);
-    CHECK(outcome.code == 0);
-}
-
-TEST_CASE("a title cannot break out of the page")
+TEST_CASE("a title cannot break out of the page, and need not be UTF-8")
 {
     if (!has_modules()) return;
     const std::string page = folder() / "title.html";
-    REQUIRE(view({"-o", page, "--title", "</script><b>{{field}}"}).code == 0);
+    const test::Outcome outcome = view({"-o", page, "--title", "caf\xe9</script><b>{{field}}"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
     const std::string html = test::content_of(page);
     CHECK_THAT(html, !Catch::Contains("</script><b>"));
     CHECK_THAT(html, Catch::Contains("&lt;/script&gt;&lt;b&gt;{{field}}"));
@@ -142,8 +135,11 @@ TEST_CASE("a page's module draws what render draws, for fields of both layouts a
     REQUIRE(test::lumi(
                 {"bake", LUMI_TEST_SCENE, "-o", fields.back(), "--origins", "20", "--directions", "20", "--spp", "1"})
                 .code == 0);
-    for (const std::string& path : fields) {
-        const test::Outcome outcome = test::run_program({LUMI_NODE, LUMI_MODULE_TEST, LUMI_PROGRAM, path});
+    for (size_t k = 0; k < fields.size(); ++k) {
+        const std::string& path = fields[k];
+        test::Arguments call = {LUMI_NODE, LUMI_MODULE_TEST, LUMI_PROGRAM, path};
+        if (k >= 2) call.push_back("frames");  // each layout has had the other tests
+        const test::Outcome outcome = test::run_program(call);
         INFO(path << "\n" << outcome.out << outcome.err);
         CHECK(outcome.code == 0);
     }

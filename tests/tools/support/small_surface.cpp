@@ -44,8 +44,8 @@ std::string write_cube(const std::string& folder)
 
 std::vector<std::string> small_surface_options()
 {
-    return {"--layout", "surface",         "--triangles", "60",      "--longest-edge",
-            "0.8",      "--texel-density", "8",           "--paths", "20"};
+    return {"--layout",        "surface", "--triangles", "60", "--longest-edge", "0.8",
+            "--texel-density", "8",       "--paths",     "20", "--screen",       "16x16"};
 }
 
 const baker::Scene& cube_scene()

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// node module_test.mjs LUMI FIELD: the page that `lumi view` writes of a field. It needs no network; its module draws what
-// `lumi render` draws, bit by bit, in every mode and format; its eye follows a finger, runs on, and comes back.
+// node module_test.mjs LUMI FIELD [frames]: the page that `lumi view` writes of a field. It needs no network; its module draws what
+// `lumi render` draws, bit by bit, in every mode and format; its eye follows a finger, runs on, and comes back. With `frames`, its frames alone.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import {test} from 'node:test';
+import {test as run} from 'node:test';
 
 import {drawn, openPage} from './page.mjs';
 import {readPng} from './png.mjs';
 
-const [lumi, field] = process.argv.slice(2);
+const [lumi, field, only] = process.argv.slice(2);
+const test = (name, body) => { if (!only || name.startsWith(only)) run(name, body); };
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'lumi-view-test-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true}));
 
 const FORMATS = ['rgb888', 'rgb565', 'grey8'];  // by number: platform/wasm/drawing.h
-const BACKGROUND = '204060';
+const BACKGROUND = '204060', ORBIT = '211.5,-41,3';
 
-async function pageFrom(orbit) {
-  const output = path.join(folder, `page-${orbit}.html`);
+async function pageOfField() {
+  const output = path.join(folder, 'page.html');
   if (!fs.existsSync(output))
-    execFileSync(lumi, ['view', field, '-o', output, '--orbit', orbit, '--background', BACKGROUND]);
+    execFileSync(lumi, ['view', field, '-o', output, '--orbit', ORBIT, '--background', BACKGROUND]);
   const page = await openPage(output);
   assert.equal(page.error, 0);
   page.module.set_home(page.data.home.azimuth, page.data.home.elevation, page.data.home.distance);
@@ -29,16 +30,16 @@ async function pageFrom(orbit) {
 }
 
 // The tool draws these from that orbit and from the other side.
-function rendered(size, orbit, mode, format, layout) {
+function rendered(size, mode, format, layout) {
   const output = path.join(folder, 'picture.png');
   const span = layout === 'chord' && mode !== 'paper' ? ['--span', '8'] : [];
-  execFileSync(lumi, ['render', field, '-o', output, '--size', size, '--orbit', orbit, '--background', BACKGROUND,
+  execFileSync(lumi, ['render', field, '-o', output, '--size', size, '--orbit', ORBIT, '--background', BACKGROUND,
     '--mode', mode, '--pixel', format, '--turntable', '2', ...span]);
   return ['000', '001'].map(number => readPng(path.join(folder, `picture-${number}.png`)));
 }
 
 test('the page needs nothing but itself', async () => {
-  const {html} = await pageFrom('30,20,3');
+  const {html} = await pageOfField();
   assert.match(html, /^<!DOCTYPE html>/);
   assert.match(html, /Content-Security-Policy"\s+content="default-src 'none'/);
   assert.doesNotMatch(html, /https?:|<link|<iframe|@import|url\(|fetch\(|import\(|XMLHttpRequest/);
@@ -46,12 +47,12 @@ test('the page needs nothing but itself', async () => {
 });
 
 test('frames are those of lumi render, in every mode and format', async () => {
-  const orbit = '211.5,-41,2', width = 97, height = 80;
-  const {data, module} = await pageFrom(orbit);
+  const width = 97, height = 80;
+  const {data, module} = await pageOfField();
   for (const mode of data.modes) {
     for (const [number, format] of FORMATS.entries()) {
       module.go_home();
-      for (const truth of rendered(`${width}x${height}`, orbit, mode.name, format, data.layout)) {
+      for (const truth of rendered(`${width}x${height}`, mode.name, format, data.layout)) {
         const frame = drawn(module, width, height, mode.number, number, parseInt(BACKGROUND, 16));
         assert.ok(frame.equals(truth.pixels), `${mode.name} ${format}`);
         assert.ok(new Set(frame).size > 4, 'the picture shows something');
@@ -62,7 +63,7 @@ test('frames are those of lumi render, in every mode and format', async () => {
 });
 
 test('the eye follows a finger, runs on, and comes back', async () => {
-  const {module} = await pageFrom('30,20,3');
+  const {module} = await pageOfField();
   const first = module.azimuth();
   module.advance(true, 0, 0, 16);
   module.advance(true, 100, 0, 16);
@@ -77,7 +78,7 @@ test('the eye follows a finger, runs on, and comes back', async () => {
 });
 
 test('zooming stays within reach', async () => {
-  const {module} = await pageFrom('30,20,3');
+  const {module} = await pageOfField();
   const settle = () => { while (module.advance(false, 0, 0, 16)); };
   for (const [factor, radii] of [[0.5, 1.5], [0.5, 1.25], [100, 8]]) {
     module.scale_distance(factor * 65536);
@@ -87,7 +88,7 @@ test('zooming stays within reach', async () => {
 });
 
 test('the memory of a firmware grows with screen and mode, and the field stays open', async () => {
-  const {data, module} = await pageFrom('30,20,3');
+  const {data, module} = await pageOfField();
   const ram = data.modes.map(mode => {
     module.set_screen(240, 240);
     const small = module.device_ram(mode.number, 1);
@@ -107,7 +108,7 @@ test('the memory of a firmware grows with screen and mode, and the field stays o
 });
 
 test('a damaged field is refused', async () => {
-  const {module, field: bytes} = await pageFrom('30,20,3');
+  const {module, field: bytes} = await pageOfField();
   const address = module.field_memory(bytes.length);
   new Uint8Array(module.memory.buffer, address, bytes.length).set(bytes.map(b => b ^ 1));
   const error = module.open_field();
