@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/merge.h"
 
-#include "chord/row_file.h"
+#include "chord/field_writer.h"
 #include "lumi/baker/file_guard.h"
 #include "store/bake_identity.h"
 #include "store/bake_stages.h"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "chord/row_file.h"
+#include "chord/field_writer.h"
 #include "lumi/chord/texel.h"
 #include "lumi/detail/crc32.h"
 #include "store/shard_set.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "chord/row_file.h"
+#include "chord/field_writer.h"
 #include "fuzz_folder.h"
 #include "lumi/baker/bake.h"
 #include "lumi/baker/merge.h"

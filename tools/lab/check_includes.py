@@ -122,7 +122,7 @@ ALLOWED_BACK_UP = {}
 # writer of PNG. Tests may include all.
 THIRD_PARTIES = {
     "embree": "baker/src/geometry/accelerator.cpp",
-    "tiny_gltf.h": "baker/src/model/gltf/file.cpp",
+    "tiny_gltf.h": "baker/src/model/gltf/model.cpp",
     "tiny_obj_loader.h": "baker/src/model/tiny_obj.cpp",
     "png.h": "platform/host/src/png_reader.cpp",
     "stb_image_write.h": "platform/host/src/png_writer.cpp",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/baker/chord.h"
 
-#include "chord/row_file.h"
+#include "chord/field_writer.h"
 #include "chord/texel_tracer.h"
 #include "store/checkpoint.h"
 #include "trace/catcher.h"

@@ -2,7 +2,7 @@
 #include "chord/texel_tracer.h"
 
 #include "lumi/chord/texel.h"
-#include "math/unit_vector.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 
 namespace lumi::baker

@@ -10,7 +10,7 @@
 #include "lumi/baker/chord.h"
 #include "lumi/chord/format.h"
 #include "lumi/detail/lattice.h"
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "trace/error_gauge.h"
 #include "trace/path_tracer.h"
 

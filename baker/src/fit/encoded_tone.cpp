@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/agx.h"
-#include "image/srgb.h"
+#include "image/tone.h"
 
 namespace lumi::baker
 {

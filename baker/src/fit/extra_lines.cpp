@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 
 namespace lumi::baker

@@ -3,7 +3,7 @@
 
 #include <unordered_map>
 
-#include "util/disjoint_sets.h"
+#include "geometry/components.h"
 
 namespace lumi::baker
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "image/picture_bytes.h"
-#include "image/srgb.h"
+#include "image/tone.h"
 #include "lumi/host/png.h"
 
 namespace lumi::baker

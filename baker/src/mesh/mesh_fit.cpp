@@ -2,7 +2,7 @@
 #include "mesh/mesh_fit.h"
 
 #include "lumi/detail/lattice.h"
-#include "math/unit_vector.h"
+#include "math/vec3.h"
 #include "mesh/mesh_outline.h"
 
 namespace lumi::baker

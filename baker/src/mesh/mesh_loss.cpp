@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "trace/hit_point.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/mesh_tracer.h"
 
-#include "math/frame.h"
 #include "math/sampler.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 
 namespace lumi::baker

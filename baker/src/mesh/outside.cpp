@@ -5,8 +5,8 @@
 #include <unordered_map>
 
 #include "geometry/components.h"
-#include "math/frame.h"
 #include "math/sampler.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "mesh/copies.h"
 #include "mesh/cut_outs.h"

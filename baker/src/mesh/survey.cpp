@@ -2,8 +2,7 @@
 #include "mesh/survey.h"
 
 #include "lumi/detail/lattice.h"
-#include "math/frame.h"
-#include "math/unit_vector.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "trace/hit_point.h"
 

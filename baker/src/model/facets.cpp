@@ -8,7 +8,7 @@
 #include "geometry/polygon.h"
 #include "geometry/smooth_groups.h"
 #include "lumi/baker/scene.h"
-#include "model/vertex_colours.h"
+#include "model/vertices.h"
 
 namespace lumi::baker
 {

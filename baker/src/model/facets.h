@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "model/losses.h"
-#include "model/positions.h"
 #include "model/scene_parts.h"
+#include "model/vertices.h"
 
 namespace lumi::baker
 {

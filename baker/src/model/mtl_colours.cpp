@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "image/srgb.h"
+#include "image/tone.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker

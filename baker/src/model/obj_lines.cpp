@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "lumi/baker/scene.h"
-#include "model/positions.h"
 #include "model/tiny_obj.h"
+#include "model/vertices.h"
 
 namespace lumi::baker
 {

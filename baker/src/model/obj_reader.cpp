@@ -6,11 +6,11 @@
 #include <set>
 
 #include "geometry/polygon.h"
-#include "image/srgb.h"
+#include "image/tone.h"
 #include "lumi/baker/scene.h"
 #include "model/materials.h"
 #include "model/tiny_obj.h"
-#include "model/vertex_colours.h"
+#include "model/vertices.h"
 
 namespace lumi::baker
 {

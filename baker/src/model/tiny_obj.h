@@ -9,7 +9,7 @@
 #include "geometry/mesh.h"
 #include "model/mtl_reader.h"
 #include "model/obj_lines.h"
-#include "model/positions.h"
+#include "model/vertices.h"
 
 namespace lumi::baker
 {

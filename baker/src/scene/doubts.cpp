@@ -6,8 +6,8 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "math/frame.h"
 #include "math/sampler.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "util/fuzzed.h"
 #include "util/text_lines.h"

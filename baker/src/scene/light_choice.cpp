@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <optional>
 
-#include "math/frame.h"
 #include "math/sampler.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "util/fuzzed.h"
 

@@ -2,7 +2,7 @@
 #include "scene/scene_members.h"
 
 #include "image/radiance_picture.h"
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "model/materials.h"
 
 namespace lumi::baker

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/scene_parts.h"
-#include "util/json_members.h"
+#include "util/json_text.h"
 #include "volume/affine.h"
 
 namespace lumi::baker

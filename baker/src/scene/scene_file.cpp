@@ -13,7 +13,7 @@
 #include "scene/placement.h"
 #include "scene/scene_data.h"
 #include "scene/scene_members.h"
-#include "util/json_members.h"
+#include "util/json_text.h"
 #include "util/text_lines.h"
 #include "volume/volume_file.h"
 

@@ -5,7 +5,7 @@
 #include "light/fixtures.h"
 #include "lumi/baker/scene.h"
 #include "material/material.h"
-#include "util/json_members.h"
+#include "util/json_text.h"
 #include "volume/volume.h"
 
 namespace lumi::baker

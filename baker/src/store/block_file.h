@@ -2,7 +2,7 @@
 // The file format of checkpoints and shards: what was dear to trace, in blocks, each under a seal of its own.
 //
 //   head    "LUMIROWS", version, identity of the bake, CRC; kHeadBytes
-//   blocks  seal, bytes; row_file.h tells which ones a chord bake has
+//   blocks  seal, bytes; chord/field_writer.h tells which ones a chord bake has
 //
 // Blocks have fixed places and are written in any order, so that finishing one is one write and no log of what is done
 // is needed: a seal is the CRC-32 of the head, the block's number and its bytes. A block that was never written, that

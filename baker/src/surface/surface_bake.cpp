@@ -12,7 +12,7 @@
 #include "store/posix_file.h"
 #include "surface/surface_file_store.h"
 #include "trace/catcher.h"
-#include "trace/tracing_fingerprint.h"
+#include "trace/path_tracer.h"
 
 namespace lumi::baker
 {

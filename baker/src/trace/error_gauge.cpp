@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "trace/error_gauge.h"
 
-#include "image/srgb.h"
+#include "image/tone.h"
 
 namespace lumi::baker
 {

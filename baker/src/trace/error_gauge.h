@@ -7,7 +7,6 @@
 // the brightest so far. What is left of that bias is measured in docs/log/speed.md.
 #pragma once
 
-#include "image/srgb.h"
 #include "image/tone.h"
 #include "lumi/color.h"
 #include "trace/path_tracer.h"

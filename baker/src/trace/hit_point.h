@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "material/texture_slot.h"
-#include "math/frame.h"
 #include "math/sampler.h"
+#include "math/vec3.h"
 #include "scene/scene_data.h"
 
 namespace lumi::baker

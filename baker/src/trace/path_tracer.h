@@ -45,4 +45,8 @@ private:
     const SceneData& scene_;
 };
 
+// Tells whether two bakes would trace the same: a hash of what some thousand fixed light paths bring home, to the last
+// bit. Where it differs though the scenes are the same, the two builds or processors do not compute alike.
+uint64_t tracing_fingerprint(const SceneData& scene);
+
 }  // namespace lumi::baker

@@ -6,7 +6,7 @@
 
 #include "geometry/polygon.h"
 #include "volume/affine.h"
-#include "volume/openvdb.h"
+#include "volume/volume_file.h"
 
 namespace lumi::baker
 {

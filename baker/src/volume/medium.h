@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "geometry/accelerator.h"
-#include "math/frame.h"
 #include "math/sampler.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "util/digest.h"
 #include "volume/affine.h"

@@ -11,7 +11,7 @@
 
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
-#include "volume/grid_limits.h"
+#include "volume/grid.h"
 
 namespace lumi::baker
 {

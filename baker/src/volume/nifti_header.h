@@ -18,7 +18,7 @@ enum class VoxelType : uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 
 size_t bytes_of(VoxelType type);
 
 struct NiftiHeader {
-    std::array<uint32_t, 3> size = {};  // within grid_limits.h
+    std::array<uint32_t, 3> size = {};  // within the limits of grid.h
     VoxelType type = VoxelType::u8;
     bool swapped = false;                                   // the other byte order
     size_t data_offset = 0;                                 // bytes; at most kMaxNiftiDataOffset

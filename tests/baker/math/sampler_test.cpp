@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "support/statistics.h"
 

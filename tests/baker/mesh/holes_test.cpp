@@ -2,7 +2,7 @@
 // Silhouettes of surface meshes against those of their scenes, from all around.
 #include <catch2/catch.hpp>
 
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"

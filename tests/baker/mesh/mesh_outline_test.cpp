@@ -2,8 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "lumi/detail/lattice.h"
-#include "math/frame.h"
-#include "math/unit_vector.h"
+#include "math/vec3.h"
 #include "mesh/mesh_fit.h"
 #include "mesh/mesh_outline.h"
 #include "mesh/outside.h"

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <catch2/catch.hpp>
 
-#include "chord/row_file.h"
+#include "chord/field_writer.h"
 #include "image/radiance_picture.h"
 #include "lumi/chord/texel.h"
 #include "scene/scene_fingerprint.h"

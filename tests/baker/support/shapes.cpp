@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/shapes.h"
 
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "math/warp.h"
 
 namespace lumi::baker::testing

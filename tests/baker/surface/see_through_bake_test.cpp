@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "image/srgb.h"
+#include "image/tone.h"
 #include "lumi/orbit.h"
 #include "lumi/surface/render.h"
 #include "surface/surface_scenes.h"

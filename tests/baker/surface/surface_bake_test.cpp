@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "image/srgb.h"
+#include "image/tone.h"
 #include "lumi/baker/reference.h"
 #include "lumi/surface/field.h"
 #include "lumi/twin/surface_picture.h"
-#include "math/frame.h"
+#include "math/vec3.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing

@@ -23,7 +23,6 @@
 #include "support/nifti_bytes.h"
 #include "support/scratch_folder.h"
 #include "volume/affine.h"
-#include "volume/openvdb.h"
 #include "volume/volume_file.h"
 
 // OpenVDB's reader loses the node that it is making where a file ends too early.

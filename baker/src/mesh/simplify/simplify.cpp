@@ -10,7 +10,6 @@
 
 #include "geometry/components.h"
 #include "mesh/simplify/steps.h"
-#include "util/disjoint_sets.h"
 
 namespace lumi::baker
 {

@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "geometry/polygon.h"
-#include "model/positions.h"
-#include "model/vertex_colours.h"
+#include "model/vertices.h"
 
 namespace lumi::baker
 {

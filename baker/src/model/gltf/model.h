@@ -128,4 +128,10 @@ const T& element_of(const GltfModel& model, const std::vector<T>& list, int32_t 
     return list[static_cast<size_t>(index)];
 }
 
+// Reads glTF 2.0 files, .gltf or .glb, with their buffers and pictures: tinygltf behind a wall.
+
+// Files are found as those of an OBJ (find_beside). Throws SceneError, also for what a file requires and we cannot
+// read; appends to `warnings`.
+GltfModel read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
 }  // namespace lumi::baker

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "model/gltf/file.h"
 #include "model/gltf/mesh.h"
+#include "model/gltf/model.h"
 
 namespace lumi::baker
 {

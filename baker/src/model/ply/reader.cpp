@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "geometry/polygon.h"
-#include "image/srgb.h"
+#include "image/tone.h"
 #include "lumi/baker/scene.h"
 #include "model/facets.h"
 #include "model/ply/header.h"
-#include "model/ply/numbers.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one file that sees OpenVDB. It is a module of its own: OpenVDB brings libraries that start threads and take
 // time whenever a program that links them starts.
-#include "volume/openvdb_module.h"
+#include "volume/volume_file.h"
 
 // Its headers are not written for our warnings.
 #pragma GCC diagnostic push
@@ -23,7 +23,7 @@
 
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
-#include "volume/grid_limits.h"
+#include "volume/grid.h"
 
 namespace lumi::baker
 {

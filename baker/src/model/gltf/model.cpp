@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The one file that sees tinygltf.
-#include "model/gltf/file.h"
+#include "model/gltf/model.h"
 
 #include <tiny_gltf.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,9 @@
 
 namespace lumi::baker
 {
+
+// The one file that sees tinygltf.
+
 namespace
 {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "volume/grid_limits.h"
+#include "volume/grid.h"
 
 #include <cmath>
 

@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Colours at vertices as a picture: the path tracer reads colours from pictures only.
+// Vertices of models: places in double precision, and colours, which become a picture, since the path tracer reads
+// colours from pictures only.
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "geometry/mesh.h"
 #include "image/texture.h"
+#include "math/vec3.h"
 
 namespace lumi::baker
 {
+
+// Maps and scans lie millions of metres from their origin. Squares and differences stay exact enough in binary64 and
+// finite in binary32.
+inline constexpr double kMaxCoordinate = 1e15;
+
+using Point = std::array<double, 3>;
+
+// In binary32, and what to add to them.
+struct CentredPositions {
+    std::vector<Vec3> positions;
+    Point origin = {0, 0, 0};
+};
+
+// The origin stays that of the file unless the points lie so far from it that binary32 loses their shape.
+CentredPositions centred(const std::vector<Point>& points);
 
 // Colours, linear, at the corners of a triangle.
 using CornerColours = std::array<Rgb, 3>;
