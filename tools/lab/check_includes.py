@@ -127,7 +127,7 @@ THIRD_PARTIES = {
     "png.h": "platform/host/src/png_reader.cpp",
     "stb_image_write.h": "platform/host/src/png_writer.cpp",
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
-    "webp/": "tools/src/image/webp.cpp",
+    "webp/": "tools/src/image/animation.cpp",
     "Imf": "baker/src/image/exr_file.cpp",
     "meshoptimizer.h": "baker/src/mesh/simplify/simplify.cpp",
     "nifti": "baker/src/volume/nifti_header.cpp",

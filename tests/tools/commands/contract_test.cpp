@@ -64,7 +64,6 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {render("--background", "red"), "RRGGBB"},
         {render("--pixel", "rgb332"), "rgb888, rgb565 or grey8"},
         {render("--turntable", "0"), "--turntable"},
-        {render("--stereo", "-1"), "--stereo"},
         {bake("--texel", "rgb"), "palette8"},
         {bake("--shard", "3"), "K/COUNT"},
         {bake("--shard", "0/3"), "from 1 to COUNT"},

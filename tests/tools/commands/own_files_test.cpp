@@ -79,9 +79,12 @@ private:
                           {"link.lumi", "f.lumi"},    {"link-a.png", "a.png"}, {"two.h", "two.S"},
                           {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},     {"deep", "."},
                           {"obj.png", "s.obj"},       {"mtl.png", "s.mtl"},    {"sky.png", "sky.hdr"},
-                          {"field.png", "f.lumi"}};
-    const Links kHardLinks = {
-        {"hard.mtl", "s.mtl"}, {"hard.lumi", "f.lumi"}, {"hard-mtl.png", "s.mtl"}, {"hard-field.png", "f.lumi"}};
+                          {"field.png", "f.lumi"},    {"field.obj", "f.lumi"}};
+    const Links kHardLinks = {{"hard.mtl", "s.mtl"},
+                              {"hard.lumi", "f.lumi"},
+                              {"hard-mtl.png", "s.mtl"},
+                              {"hard-field.png", "f.lumi"},
+                              {"hard-field.obj", "f.lumi"}};
 };
 
 // Checks `lumi CALL` in a workshop: it fails, names `file` and the mend, and leaves every file as it was.
@@ -191,7 +194,7 @@ TEST_CASE("own files: render keeps its field, also from views and the sheet of a
 
 TEST_CASE("own files: inspect keeps its field")
 {
-    for (const char* name : {"field.png", "hard-field.png"})
+    for (const char* name : {"field.obj", "hard-field.obj"})
         check_input_kept("inspect f.lumi -o " + std::string(name), name);
 }
 

@@ -121,15 +121,13 @@ TEST_CASE("turntables of render and reference are named alike")
 {
     const test::TemporaryFolder folder;
     bake_picture_field(folder / "f.lumi", {"--origins", "30", "--directions", "40", "--spp", "1"});
-    draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--turntable", "3", "--size", "16x16", "--stereo",
-          "0.1"});
+    draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--turntable", "3", "--size", "16x16"});
     draw({"reference", kScene, "-o", folder / "b.png", "--turntable", "3", "--size", "16x16", "--spp", "1"});
     for (const std::string name : {"000", "001", "002", "sheet"}) {
         CHECK(std::filesystem::exists(folder / ("a-" + name + ".png")));
         CHECK(std::filesystem::exists(folder / ("b-" + name + ".png")));
     }
     CHECK(folder.entries() == 9);
-    CHECK(read_png(folder / "a-000.png").width_px == 32);
 }
 
 TEST_CASE("compare prints the promised JSON keys")

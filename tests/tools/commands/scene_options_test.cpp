@@ -181,7 +181,7 @@ TEST_CASE("reference: an .exr holds linear light, before exposure, and its cover
     CHECK(bytes({"--sky", "20"}) != light);
     // A sky of that picture is read: the reader of skies takes what the writer wrote.
     CHECK(reference(folder / "q.png", {"--sky", folder / "p.exr"}).code == 0);
-    for (const test::Arguments& more : {test::Arguments{"--background", "ff00ff"}, test::Arguments{"--stereo", "0.1"},
+    for (const test::Arguments& more : {test::Arguments{"--background", "ff00ff"},
                                         test::Arguments{"--over", folder / "q.png", "--pose", folder / "pose.txt"}}) {
         const Outcome outcome = lumi(joined({"reference", LUMI_TEST_SCENE, "-o", folder / "q.exr"}, more));
         CHECK(outcome.code == 2);

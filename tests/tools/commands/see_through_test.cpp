@@ -76,7 +76,7 @@ TEST_CASE("the view of an embedded field has room for its see-through patches, a
 {
     const test::TemporaryFolder folder;
     write_pane_above_square(folder / "f.lumi");
-    success({"embed", folder / "f.lumi", "-o", folder / "pane.cpp"});
+    success({"embed", folder / "f.lumi", "-o", folder / "pane.S"});
     CHECK_THAT(test::content_of(folder / "pane.h"),
                Catch::Contains("using pane_view = lumi::View<lumi::SurfaceDrawing<8, 1, Finest, 1>, Screen>;") &&
                    Catch::Contains("enum { pane_vertices = 8, pane_patches = 1, pane_see_through = 1 };"));

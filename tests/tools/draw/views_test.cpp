@@ -71,36 +71,6 @@ TEST_CASE("a turntable in one file holds a frame for each view, and turns in fou
         ++frames;
     }
     CHECK(frames == 4);
-    options.width_px = 8192;
-    options.eye_distance = 0.1;  // a pair beside each other: 16384 pixels
-    CHECK_THROWS_WITH(write_views(options, folder / "b.webp", drawer), Catch::Contains("smaller --size"));
-}
-
-TEST_CASE("a turntable is a GIF or an MP4 where ffmpeg is installed, and otherwise says what to install")
-{
-    const test::TemporaryFolder folder, empty;
-    CountingDrawer drawer;
-    ViewOptions options = small_views();
-    options.width_px = 17;  // H.264 needs an even one
-    options.turntable = 4;
-    const char* const kPath = std::getenv("PATH");
-    const std::string path = kPath == nullptr ? "" : kPath;
-    ::setenv("PATH", (empty / "").c_str(), 1);
-    CHECK_THROWS_WITH(write_views(options, folder / "a.gif", std::ref(drawer)),
-                      Catch::Contains("apt-get install ffmpeg"));
-    ::setenv("PATH", path.c_str(), 1);
-    CHECK(folder.entries() == 0);
-    try {
-        for (const char* name : {"a.gif", "a.mp4"}) {
-            const auto written =
-                write_views(options, folder / name, std::ref(drawer));  // CHECK() would catch a failure
-            CHECK(written == std::vector<std::string>{folder / name});
-        }
-        CHECK(test::content_of(folder / "a.gif").substr(0, 6) == "GIF89a");
-        CHECK(test::content_of(folder / "a.mp4").substr(4, 4) == "ftyp");
-    } catch (const Failure& failure) {
-        CHECK(std::string(failure.what()).find("not installed") != std::string::npos);
-    }
 }
 
 TEST_CASE("a turntable writes numbered pictures and a contact sheet")
@@ -146,24 +116,6 @@ TEST_CASE("a turntable's eyes stand evenly around the vertical axis")
     for (size_t i = 0; i < 4; ++i) {
         CHECK(drawer.cameras[i].eye_direction().x / double(kOneQ30) == Approx(expected[i][0]).margin(1e-6));
         CHECK(drawer.cameras[i].eye_direction().y / double(kOneQ30) == Approx(expected[i][1]).margin(1e-6));
-    }
-}
-
-TEST_CASE("a stereo pair shows the left eye left and both eyes as far apart as asked")
-{
-    const test::TemporaryFolder folder;
-    CountingDrawer drawer;
-    ViewOptions options = small_views();
-    options.orbit = {0, 0, 4};  // the eye on +x looks along -x: its right is +y
-    options.eye_distance = 0.5;
-    write_views(options, folder / "a.png", std::ref(drawer));
-    const Picture pair = read_png(folder / "a.png");
-    CHECK(pair.width_px == 24);
-    CHECK(pair.pixel(11, 0)[0] == 1);
-    CHECK(pair.pixel(12, 0)[0] == 2);
-    for (size_t i = 0; i < 2; ++i) {
-        const double side = i == 0 ? -0.25 : 0.25;
-        CHECK(drawer.cameras[i].eye_direction().y / double(kOneQ30) == Approx(side / std::hypot(4, 0.25)).margin(1e-6));
     }
 }
 

@@ -8,16 +8,6 @@
 namespace lumi::tools
 {
 
-TEST_CASE("a stereo pair is the left eye's picture left of the right eye's")
-{
-    const Picture left(3, 2, {1, 2, 3}), right(3, 2, {4, 5, 6});
-    const Picture both = side_by_side(left, right);
-    REQUIRE(both.width_px == 6);
-    REQUIRE(both.height_px == 2);
-    CHECK(both.pixel(2, 1)[0] == 1);
-    CHECK(both.pixel(3, 1)[0] == 4);
-}
-
 TEST_CASE("shrinking takes the rounded mean of each block")
 {
     Picture picture(4, 2);

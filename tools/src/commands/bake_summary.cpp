@@ -6,7 +6,7 @@
 #include <new>
 
 #include "../planner/chord_plan.h"
-#include "../quality/quick_check.h"
+#include "../quality/measured.h"
 #include "commands/device_figures.h"
 #include "files/field_file.h"
 #include "terminal/failure.h"

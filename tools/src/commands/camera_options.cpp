@@ -74,7 +74,7 @@ void add_start_options(CLI::App& command, ViewOptions& options)
 
 void add_camera_options(CLI::App& command, ViewOptions& options)
 {
-    constexpr double kMinFovDeg = 1, kMaxFovDeg = 120, kMaxEyeDistance = 2;
+    constexpr double kMinFovDeg = 1, kMaxFovDeg = 120;
     add(command, "--size", set_size, options, "WxH", "Size of a view in pixels [240x240]");
     add_orbit(command, options);
     command
@@ -84,15 +84,9 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
         ->type_name("DEG")
         ->check(number(kMinFovDeg, kMaxFovDeg));
     command
-        .add_option("--stereo", options.eye_distance,
-                    "Draw a stereo pair side by side, the eyes E radii apart with parallel axes; start with a "
-                    "thirtieth of DIST")
-        ->type_name("E")
-        ->check(number(0, kMaxEyeDistance));
-    command
         .add_option("--turntable", options.turntable,
                     "Draw COUNT views around the vertical axis: OUT-000.png, OUT-001.png, ... and OUT-sheet.png, or "
-                    "one turning picture, OUT.webp; OUT.gif or OUT.mp4 where ffmpeg is installed")
+                    "one turning picture, OUT.webp")
         ->type_name("COUNT")
         ->check(whole_number(1, kMaxTurntable));
     add_background(command, options);
@@ -106,7 +100,6 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
     command.add_option("--over", options.photo, "Draw over this photograph, in its size")
         ->type_name("PHOTO.png")
         ->excludes("--size")
-        ->excludes("--stereo")
         ->excludes("--turntable")
         ->excludes("--background");
 }

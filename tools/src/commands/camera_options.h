@@ -13,7 +13,7 @@
 namespace lumi::tools
 {
 
-// Adds --size, --orbit, --pose, --fov, --stereo, --turntable, --background and --over; parsed values go to `options`,
+// Adds --size, --orbit, --pose, --fov, --turntable, --background and --over; parsed values go to `options`,
 // which must outlive the parse.
 void add_camera_options(CLI::App& command, ViewOptions& options);
 

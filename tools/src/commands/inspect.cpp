@@ -10,7 +10,6 @@
 #include "commands/camera_options.h"
 #include "commands/commands.h"
 #include "commands/device_figures.h"
-#include "draw/field_picture.h"
 #include "files/field_file.h"
 #include "files/field_report.h"
 #include "files/output_file.h"
@@ -70,7 +69,7 @@ std::string obj_of(const FieldFile& file, baker::UpAxis up)
 {
     if (!file.is_surface())
         throw Failure(file.path(), "a chord field is a table of rays and has no mesh",
-                      "write its picture (-o OUT.png), or bake a surface field (lumi bake --layout surface)");
+                      "bake a surface field (lumi bake --layout surface)");
     const SurfaceField& field = file.surface();
     std::string text = "# the mesh of a LumiPath field, in the units of its scene; written by lumi inspect\n";
     for (uint32_t k = 0; k < field.vertex_count; ++k)
@@ -113,25 +112,15 @@ std::string json_of(const InspectOptions& options, const FieldFile& file)
     return json.dump(2) + "\n";
 }
 
-bool is_mesh_name(const std::string& path)
+std::string wrong_mesh_name(const std::string& path)
 {
-    return small_ending(path) == ".obj";
+    return small_ending(path) == ".obj" ? "" : "takes a mesh (.obj), not \"" + path + "\"";
 }
 
-std::string wrong_png_or_obj_name(const std::string& path)
-{
-    return is_mesh_name(path) || wrong_png_name(path).empty()
-               ? ""
-               : "takes a picture (.png) or a mesh (.obj), not \"" + path + "\"";
-}
-
-void write(const InspectOptions& options, const FieldFile& file)
+void write_mesh(const InspectOptions& options, const FieldFile& file)
 {
     file.require_intact();
-    if (is_mesh_name(options.output))
-        write_output(options.output, obj_of(file, options.up));
-    else
-        write_png(options.output, picture_of(file));
+    write_output(options.output, obj_of(file, options.up));
 }
 
 void run(const InspectOptions& options)
@@ -140,7 +129,7 @@ void run(const InspectOptions& options)
     const FieldFile file(options.field);
     std::fputs((options.json ? json_of(options, file) : text_of(options, file)).c_str(), stdout);
     if (options.verify) file.require_intact();
-    if (!options.output.empty()) write(options, file);
+    if (!options.output.empty()) write_mesh(options, file);
 }
 
 }  // namespace
@@ -150,28 +139,25 @@ void add_inspect(CLI::App& lumi)
     auto options = std::make_shared<InspectOptions>();
     CLI::App* command = lumi.add_subcommand("inspect", "Show what a field file holds and where its bytes go");
     command->add_option("FIELD", options->field, "A field file")->required();
-    command
-        ->add_option(
-            "-o,--output", options->output,
-            "Also write a picture: a surface field's texels, patch by patch, or what a chord field's origins see; "
-            "or a surface field's mesh, in the units of its scene")
-        ->type_name("OUT.png|OUT.obj")
-        ->check(wrong_png_or_obj_name);
+    CLI::Option* mesh =
+        command
+            ->add_option("-o,--output", options->output, "Also write a surface field's mesh, in the units of its scene")
+            ->type_name("OUT.obj")
+            ->check(wrong_mesh_name);
     add_choice<baker::UpAxis>(*command, "--up", options->up, {{"y", baker::UpAxis::y}, {"z", baker::UpAxis::z}},
-                              "The scene's vertical axis, for the mesh: the one that it was baked with [y]");
+                              "The scene's vertical axis, for the mesh: the one that it was baked with [y]")
+        ->needs(mesh);
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--verify", options->verify, "Check the CRC of every section; exit code 1 if one is damaged");
     add_screen_options(*command, options->screen);
     add_pace_option(*command, options->paces, "Of these parts: RAM, stack, and a model's frames a second");
     command->footer(
         "With --screen, --rows or --for it also tells what a device needs to draw the field.\n"
-        "Example:\n  lumi inspect product.lumi --verify\n  lumi inspect product.lumi -o texels.png\n  lumi inspect "
+        "Example:\n  lumi inspect product.lumi --verify\n  lumi inspect product.lumi -o mesh.obj\n  lumi inspect "
         "product.lumi --screen 466x466 --rows 8 --for "
         "esp32s3");
     command->callback([options, command] {
         for (const char* name : {"--screen", "--rows", "--for"}) options->has_device |= command->count(name) > 0;
-        if (command->count("--up") > 0 && !is_mesh_name(options->output))
-            throw UsageError("--up belongs to a mesh (-o OUT.obj)");
         run(*options);
     });
 }

@@ -44,11 +44,6 @@ Picture over_background(const baker::RgbaImage& image, const Rgb8& background)
     return picture;
 }
 
-uint64_t eyes_of(const ViewOptions& views)
-{
-    return static_cast<uint64_t>(std::max(1, views.turntable)) * (views.eye_distance > 0 ? 2 : 1);
-}
-
 // With --over the picture may have another size, and then this is off.
 uint64_t rays_of_an_eye(const ReferenceOptions& options)
 {
@@ -56,10 +51,10 @@ uint64_t rays_of_an_eye(const ReferenceOptions& options)
     return static_cast<uint64_t>(views.width_px) * static_cast<uint64_t>(views.height_px) * options.settings.samples;
 }
 
-// An .exr file holds one eye's linear light and its coverage.
+// An .exr file holds linear light and its coverage.
 void check_linear(const CLI::App& command)
 {
-    for (const char* option : {"--stereo", "--background", "--over"})
+    for (const char* option : {"--background", "--over"})
         if (command.count(option) > 0)
             throw UsageError(
                 std::string(option) +
@@ -97,7 +92,8 @@ std::vector<std::string> write_references(const ReferenceOptions& options, const
     baker::ReferenceSettings settings = options.settings;
     settings.threads = options.scene.threads;
     ProgressPrinter printer(stderr, stderr_is_terminal());
-    baker::JobSeries series(watch(printer), eyes_of(options.views) * rays_of_an_eye(options));
+    baker::JobSeries series(watch(printer),
+                            static_cast<uint64_t>(std::max(1, options.views.turntable)) * rays_of_an_eye(options));
     const auto write = is_exr_name(options.output) ? write_linear : write_encoded;
     try {
         return write(options, settings, scene, series);
@@ -174,7 +170,7 @@ void add_reference(CLI::App& lumi)
         lumi.add_subcommand("reference", "Path-trace views of a scene: the truth that fields approximate");
     add_scene_options(*command, options->scene);
     add_thread_option(*command, options->scene);
-    add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.gif|OUT.mp4|OUT.exr", wrong_reference_name);
+    add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.exr", wrong_reference_name);
     add_camera_options(*command, options->views);
     CLI::Option* view = command
                             ->add_option("--view", options->view,

@@ -133,7 +133,7 @@ void add_render(CLI::App& lumi)
     CLI::App* command =
         lumi.add_subcommand("render", "Draw views of a field, pixel for pixel as a microcontroller does");
     command->add_option("FIELD", options->field, "A field file")->required();
-    add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.gif|OUT.mp4", wrong_views_name);
+    add_picture_output(*command, options->output, "OUT.png|OUT.webp", wrong_views_name);
     add_camera_options(*command, options->views);
     add_drawing_options(*command, *options);
     Stages stages;

@@ -72,8 +72,7 @@ trade::Files open_all(const std::vector<std::string>& paths, FieldFile::Role rol
     return files;
 }
 
-quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields,
-                              const quality::Kept& kept)
+quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields)
 {
     quality::ReportData report;
     report.scene = options.scene.path;
@@ -81,7 +80,7 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     report.reference_samples = options.reference.samples;
     report.views = quality::held_out_views(options.set, options.views, options.size_px);
     report.references = traced(options, scene, report.views);
-    const quality::Yardstick by = {report.views, report.references, way_of(options), kept};
+    const quality::Yardstick by = {report.views, report.references, way_of(options)};
     for (const auto& field : fields) {
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
@@ -107,15 +106,10 @@ void tell_trade(const ReportOptions& options, const quality::ReportData& report,
     if (!options.output.empty()) write_output(options.output, page_of(report, lead_of(trade, report)));
 }
 
-// The pictures of this scene, in the cache.
-std::filesystem::path folder_of(const ReportOptions& options, const baker::Scene& scene)
-{
-    return std::filesystem::path(options.cache) / quality::cache_key(scene);
-}
-
 Ladder ladder_of(const ReportOptions& options, const baker::Scene& scene)
 {
-    return baked_ladder(scene, {folder_of(options, scene).string(), options.is_quick, options.scene.threads});
+    const std::filesystem::path folder = std::filesystem::path(options.cache) / quality::cache_key(scene);
+    return baked_ladder(scene, {folder.string(), options.is_quick, options.scene.threads});
 }
 
 void run(ReportOptions& options)
@@ -130,13 +124,11 @@ void run(ReportOptions& options)
         ladder = ladder_of(options, scene);
         fields = open_all(ladder.fields, FieldFile::Role::own_output);
     }
-    const quality::Kept kept =
-        options.cache.empty() ? quality::Kept() : quality::Kept(folder_of(options, scene) / "measured");
-    const quality::ReportData report = report_of(options, scene, fields, kept);
+    const quality::ReportData report = report_of(options, scene, fields);
     if (options.paces.empty())
         tell_quality(options, report, fields);
     else
-        tell_trade(options, report, trade::trade_of(report, fields, options.paces, {ladder.bakes, kept}));
+        tell_trade(options, report, trade::trade_of(report, fields, options.paces, ladder.bakes));
 }
 
 // Values that --quick leaves to the caller where the caller says them.
@@ -198,9 +190,7 @@ void add_report(CLI::App& lumi)
         ->check(whole_number(1, kMostPaths))
         ->type_name("S")
         ->capture_default_str();
-    command
-        ->add_option("--cache", options->cache,
-                     "Folder for references, baked fields and what was measured, kept for the next report")
+    command->add_option("--cache", options->cache, "Folder for references and baked fields, kept for the next report")
         ->type_name("DIR")
         ->capture_default_str();
     command->add_flag("--quick", options->is_quick,

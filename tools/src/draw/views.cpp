@@ -21,7 +21,7 @@ namespace
 
 struct View {
     std::string path;
-    std::vector<Eye> eyes;  // one, or left and right
+    Eye eye;
 };
 
 // "OUT.png" becomes "OUT-TAG.png".
@@ -44,15 +44,8 @@ Eye eye_at(const Pose& pose, const Image& image)
     Eye eye = {pose, image, {}};
     if (const CameraError error = make_camera(pose, image, eye.camera); error != CameraError::none)
         throw UsageError(std::string("the camera cannot be used: ") + describe(error) +
-                         "; change --orbit, --pose, --fov, --size or --stereo");
+                         "; change --orbit, --pose, --fov or --size");
     return eye;
-}
-
-std::vector<Eye> eyes_of(const Pose& pose, const Image& image, double eye_distance)
-{
-    if (eye_distance <= 0) return {eye_at(pose, image)};
-    const int32_t half_q20 = host::q20_from_radii(eye_distance / 2);
-    return {eye_at(moved_right(pose, -half_q20), image), eye_at(moved_right(pose, half_q20), image)};
 }
 
 Image image_of(const ViewOptions& options, double distance)
@@ -69,7 +62,7 @@ std::vector<View> posed_view(const ViewOptions& options, const std::string& outp
     const Pose pose = pose_of(matrix, options.pose);
     if (!(distance > 1))
         throw Failure(options.pose, "the eye lies in the sphere", "give its place in radii of the sphere, above 1");
-    return {{output, eyes_of(pose, image_of(options, distance), options.eye_distance)}};
+    return {{output, eye_at(pose, image_of(options, distance))}};
 }
 
 std::vector<View> all_views(const ViewOptions& options, const std::string& output)
@@ -82,8 +75,7 @@ std::vector<View> all_views(const ViewOptions& options, const std::string& outpu
     for (int i = 0; i < count; ++i) {
         host::Orbit orbit = options.orbit;
         orbit.azimuth_deg += 360.0 * i / count;
-        views.push_back({options.turntable > 0 ? numbered(output, i) : output,
-                         eyes_of(host::make_pose(orbit), image, options.eye_distance)});
+        views.push_back({options.turntable > 0 ? numbered(output, i) : output, eye_at(host::make_pose(orbit), image)});
     }
     return views;
 }
@@ -95,17 +87,11 @@ std::vector<std::string> paths_of(const std::vector<View>& views, const std::str
     return paths;
 }
 
-Picture drawn(const View& view, const Drawer& draw, const Rgb8& background)
-{
-    Picture first = draw(view.eyes.front(), background);
-    return view.eyes.size() == 1 ? first : side_by_side(first, draw(view.eyes.back(), background));
-}
-
 Picture shown(const View& view, const Drawer& draw, const Rgb8& background, const std::optional<Picture>& photo)
 {
-    if (!photo) return drawn(view, draw, background);
+    if (!photo) return draw(view.eye, background);
     constexpr Rgb8 kBlack = {0, 0, 0}, kWhite = {255, 255, 255};
-    return over_photo(drawn(view, draw, kBlack), drawn(view, draw, kWhite), *photo);
+    return over_photo(draw(view.eye, kBlack), draw(view.eye, kWhite), *photo);
 }
 
 // The photograph, whose size the views take.
@@ -148,15 +134,10 @@ std::vector<std::string> write_turning(const ViewOptions& options, const std::st
                          " is a turning picture: add --turntable 36, or name a picture in PNG");
     const std::vector<View> views = all_views(options, output);
     announce_outputs({output});
-    const int eyes = static_cast<int>(views.front().eyes.size()), count = static_cast<int>(views.size());
-    try {
-        const auto animation =
-            animation_for(output, eyes * options.width_px, options.height_px, std::max(1, kTurnMs / count));
-        for (const View& view : views) animation->add(drawn(view, draw, options.background));
-        write_output(output, animation->bytes());
-    } catch (const std::length_error& error) {
-        throw Failure(output, error.what(), "choose a smaller --size");
-    }
+    const int frame_ms = std::max(1, kTurnMs / static_cast<int>(views.size()));
+    Animation animation(options.width_px, options.height_px, frame_ms);
+    for (const View& view : views) animation.add(draw(view.eye, options.background));
+    write_output(output, animation.bytes());
     return files_among({output});
 }
 
@@ -169,8 +150,7 @@ std::vector<std::string> write_views(ViewOptions options, const std::string& out
     const std::vector<View> views = all_views(options, output);
     const std::string sheet_path = tagged(output, "sheet");
     announce_outputs(paths_of(views, options.turntable > 0 ? sheet_path : ""));
-    const int eyes = static_cast<int>(views.front().eyes.size());
-    ContactSheet sheet(static_cast<int>(views.size()), eyes * options.width_px, options.height_px, options.background);
+    ContactSheet sheet(static_cast<int>(views.size()), options.width_px, options.height_px, options.background);
     OutputSet pictures;
     std::vector<std::string> written;
     for (const View& view : views) {
@@ -195,7 +175,7 @@ std::vector<std::string> write_each_view(const ViewOptions& options, const std::
     OutputSet pictures;
     std::vector<std::string> written;
     for (const View& view : views) {
-        pictures.add(view.path, bytes_of(view.eyes.front()));
+        pictures.add(view.path, bytes_of(view.eye));
         written.push_back(view.path);
     }
     pictures.take_places();

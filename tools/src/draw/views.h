@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From camera options to pictures on disk: one view, a stereo pair, or a turntable of either.
+// From camera options to pictures on disk: one view, or a turntable.
 #pragma once
 
 #include <functional>
@@ -19,9 +19,8 @@ inline constexpr int kMaxTurntable = 1000;
 struct ViewOptions {
     int width_px = 240, height_px = 240;
     host::Orbit orbit = {30, 20, 3};
-    double fov_deg = 0;       // over the longer side; 0 = the sphere fills the frame
-    double eye_distance = 0;  // in radii; above 0 = a stereo pair, left eye left
-    int turntable = 0;        // views around the vertical axis; 0 = one view
+    double fov_deg = 0;  // over the longer side; 0 = the sphere fills the frame
+    int turntable = 0;   // views around the vertical axis; 0 = one view
     Rgb8 background = {0, 0, 0};
     std::string pose;               // a file with a 4×4 matrix, in place of the orbit; may be empty
     std::optional<Matrix4> matrix;  // the same, in place of the file, which then only names it in messages
@@ -40,12 +39,12 @@ using Drawer = std::function<Picture(const Eye&, const Rgb8& background)>;
 
 // Draws and writes all views; returns the written files in order, without devices and pipes. One view goes to `output`;
 // a turntable OUT.png writes OUT-000.png, OUT-001.png, … from orbit.azimuth_deg on, counted eastwards, then
-// OUT-sheet.png with all of them. A turntable OUT.webp, OUT.gif or OUT.mp4 writes the same views as one picture that
-// turns once in four seconds. All files take their places together, after the last view. Throws UsageError for a
+// OUT-sheet.png with all of them. A turntable OUT.webp writes the same views as one picture that turns
+// once in four seconds. All files take their places together, after the last view. Throws UsageError for a
 // camera that core refuses, before anything is drawn; Failure where a file cannot be read or written.
 std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw);
 
-// Does the same with one eye a view, no background and no contact sheet: bytes_of(eye) draws a view and makes its file.
+// Does the same with no background and no contact sheet: bytes_of(eye) draws a view and makes its file.
 std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,
                                          const std::function<std::string(const Eye&)>& bytes_of);
 

@@ -24,8 +24,7 @@ const char* endings_of(EmbedKind kind)
 {
     switch (kind) {
         case EmbedKind::assembler:
-        case EmbedKind::cpp:
-            return ".S .s .cpp";
+            return ".S .s";
         case EmbedKind::array:
             return ".c";
         case EmbedKind::flashed:

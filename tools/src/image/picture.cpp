@@ -75,15 +75,6 @@ uint8_t block_mean(const Picture& picture, int x, int y, int channel, int factor
 
 }  // namespace
 
-Picture side_by_side(const Picture& left, const Picture& right)
-{
-    check_precondition(left.height_px == right.height_px, "pictures of two heights cannot stand side by side");
-    Picture both(left.width_px + right.width_px, left.height_px);
-    paste(left, 0, 0, both);
-    paste(right, left.width_px, 0, both);
-    return both;
-}
-
 Picture shrunk(const Picture& picture, int factor)
 {
     check_precondition(factor >= 1 && factor <= picture.width_px && factor <= picture.height_px,

@@ -98,9 +98,6 @@ Plane<Value> filter_valid(const Plane<Value>& plane, const std::vector<double>& 
 
 // Several pictures in one.
 
-// Left and right eye next to each other, without a gap. Precondition: equal heights.
-Picture side_by_side(const Picture& left, const Picture& right);
-
 // `factor` × `factor` pixels become one, by their rounded mean; what is left over at the right and bottom is dropped.
 // Precondition: 1 <= factor <= both sides.
 Picture shrunk(const Picture& picture, int factor);

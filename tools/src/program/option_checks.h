@@ -49,8 +49,8 @@ std::string words_of(const Choices<Value>& choices)
 
 // Adds an option that sets `value`, which must outlive the parse; another word is refused with the list.
 template <class Value>
-void add_choice(CLI::App& command, const std::string& name, Value& value, const Choices<Value>& choices,
-                const std::string& description)
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value, const Choices<Value>& choices,
+                        const std::string& description)
 {
     std::string listed;
     for (const auto& choice : choices) listed += (listed.empty() ? "" : "|") + choice.first;
@@ -62,7 +62,7 @@ void add_choice(CLI::App& command, const std::string& name, Value& value, const 
             }
         throw CLI::ValidationError(name, "takes " + words_of(choices) + ", not \"" + word + "\"");
     };
-    command.add_option_function<std::string>(name, set, description)->type_name(listed);
+    return command.add_option_function<std::string>(name, set, description)->type_name(listed);
 }
 
 // The options that a command gets while this lives stand under one heading of its help.

@@ -11,8 +11,8 @@
 #include "draw/draw.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
+#include "lumi/baker/reference.h"
 #include "metrics/psnr.h"
-#include "quality/kept.h"
 #include "quality/references.h"
 
 namespace lumi::quality
@@ -60,12 +60,11 @@ struct Measured {
 size_t worst_view(const Measured& m);
 size_t worst_block_view(const Measured& m);
 
-// Fields are measured against these, by one way of drawing; `kept` says where that is kept.
+// Fields are measured against these, by one way of drawing.
 struct Yardstick {
     const std::vector<HeldOutView>& views;
     const std::vector<Reference>& references;  // one for each view
     Way way = finest();
-    Kept kept = {};
 };
 
 using DrawView = std::function<tools::Picture(const HeldOutView&)>;
@@ -84,7 +83,13 @@ Measured measured_field(const tools::FieldFile& file, const Yardstick& by);
 std::vector<Measured> measured_variants(const tools::FieldFile& file, const std::vector<DrawMode>& modes,
                                         const Yardstick& by);
 
-// A digest of all that decides how the field is drawn.
-std::string key_of(const tools::FieldFile& file, const Way& way);
+inline constexpr int kQuickViews = 4;
+
+// Finds what a field shows in seconds, from few views, small pictures and few light paths; `lumi report` measures
+// properly. It is the mean PSNR in dB over kQuickViews views, in the uppermost share `cap` of the sphere, by the best
+// mode of the field. The noise of the references is taken out: two of them, independent, give the squared error as the
+// mean of (x - a)(x - b). Throws Cancelled.
+double quick_psnr_db(const baker::Scene& scene, const tools::FieldFile& field, double cap, unsigned threads,
+                     const baker::ProgressCallback& progress = {});
 
 }  // namespace lumi::quality

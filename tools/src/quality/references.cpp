@@ -5,14 +5,17 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <optional>
 
 #include "image/picture_file.h"
+#include "lumi/baker/picture_file.h"
+#include "lumi/host/png.h"
 #include "metrics/cw_ssim.h"
 #include "metrics/flip.h"
 #include "metrics/psnr.h"
 #include "metrics/ssim.h"
-#include "quality/kept.h"
 #include "terminal/failure.h"
 
 namespace lumi::quality
@@ -160,14 +163,38 @@ tools::Picture grey_picture(const tools::Mask& mask)
     return picture;
 }
 
+// The bytes of a file; nothing where there is none, or where it is larger than any that a report keeps. What a report
+// leaves for itself is no input of it (file_guard.h).
+std::optional<std::string> kept_bytes(const std::string& path)
+{
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path, unknown)) return std::nullopt;
+    const uintmax_t size = std::filesystem::file_size(path, unknown);
+    if (unknown || size > baker::kMaxPictureFileBytes) return std::nullopt;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+// A PNG of that size; nothing where the file holds something else.
+std::optional<tools::Picture> kept_picture(const std::string& path, int width_px, int height_px)
+{
+    try {
+        host::DecodedPicture decoded = host::decode_png(kept_bytes(path).value_or(""), false);
+        if (decoded.width != width_px || decoded.height != height_px) return std::nullopt;
+        tools::Picture picture(width_px, height_px);
+        picture.rgb = std::move(decoded.rgb);
+        return picture;
+    } catch (const host::PictureError&) {
+        return std::nullopt;
+    }
+}
+
 // Reads what was kept, whole and of the view's size; whatever else lies there is traced anew.
 std::optional<Reference> kept_reference(const std::string& picture, const std::string& mask, const Image& image)
 {
-    const auto read = [&](const std::string& path) {
-        return kept_picture(kept_bytes(path).value_or(""), image.width_px, image.height_px);
-    };
-    std::optional<tools::Picture> colours = read(picture);
-    const std::optional<tools::Picture> grey = read(mask);
+    std::optional<tools::Picture> colours = kept_picture(picture, image.width_px, image.height_px);
+    const std::optional<tools::Picture> grey = kept_picture(mask, image.width_px, image.height_px);
     if (!colours || !grey) return std::nullopt;
     Reference reference = {std::move(*colours), {image.width_px, image.height_px}};
     for (size_t i = 0; i < reference.mask.values.size(); ++i) reference.mask.values[i] = grey->rgb[3 * i];

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "draw/draw_surface.h"
 #include "planner/speed.h"
@@ -49,48 +48,6 @@ std::vector<planner::PartRate> rates_of(const FieldFile& file, const quality::Wa
     return planner::chord_rates(file.field(), way.chord.mode, way.chord.span_px);
 }
 
-using Json = nlohmann::ordered_json;
-
-std::string text_of(const std::vector<planner::PartRate>& rates)
-{
-    Json json = Json::array();
-    for (const planner::PartRate& rate : rates)
-        json.push_back({rate.chip->key, rate.mean, rate.worst, rate.instructions});
-    return json.dump();
-}
-
-// Empty where the text is not whole, or a number of it is no rate.
-std::vector<planner::PartRate> rates_in(const std::string& text)
-{
-    std::vector<planner::PartRate> rates;
-    try {
-        for (const Json& rate : Json::parse(text))
-            for (const planner::Chip& chip : planner::kChipList)
-                if (rate.at(0) == chip.key) rates.push_back({&chip, rate.at(1), rate.at(2), rate.at(3)});
-    } catch (const Json::exception&) {
-        rates.clear();
-    }
-    const auto is_rate = [](const planner::PartRate& rate) {
-        constexpr double kMost = 1e15;
-        const auto is_sound = [](double v) { return v >= 0 && v <= kMost; };
-        return is_sound(rate.mean) && is_sound(rate.worst) && is_sound(rate.instructions);
-    };
-    return rates.size() == planner::kChips && std::all_of(rates.begin(), rates.end(), is_rate)
-               ? rates
-               : std::vector<planner::PartRate>();
-}
-
-std::vector<planner::PartRate> kept_rates(const quality::Kept& kept, const FieldFile& file, const quality::Way& way)
-{
-    if (!kept.keeps()) return rates_of(file, way);
-    const std::string path = kept.stem({"rates", quality::key_of(file, way)}) + ".json";
-    std::vector<planner::PartRate> rates = rates_in(kept.read(path).value_or(""));
-    if (!rates.empty()) return rates;
-    rates = rates_of(file, way);
-    kept.write(path, text_of(rates));
-    return rates;
-}
-
 // Names the policy of the view that `lumi embed` writes.
 const char* policy_of(SurfaceMode mode)
 {
@@ -134,13 +91,12 @@ bool fits(const planner::Chip& chip, const Row& row)
     return row.ram_bytes <= chip.ram_bytes && (chip.flash_bytes == 0 || row.measured->flash_bytes <= chip.flash_bytes);
 }
 
-Row row_of(const Measured& measured, const FieldFile& file, const std::vector<planner::Pace>& paces,
-           const quality::Kept& kept)
+Row row_of(const Measured& measured, const FieldFile& file, const std::vector<planner::Pace>& paces)
 {
     Row row = {&measured, file.is_surface(), file.path(), "", "", "", "", 0, {}};
     row.ram_bytes = planner::ram_of(file, measured.way.surface.mode, {}).all();
     set_words(row, measured.way);
-    const std::vector<planner::PartRate> rates = kept_rates(kept, file, measured.way);
+    const std::vector<planner::PartRate> rates = rates_of(file, measured.way);
     for (const planner::Pace& pace : paces)
         for (const planner::PartRate& rate : rates)
             if (rate.chip == pace.chip)
@@ -183,7 +139,7 @@ std::vector<quality::DrawMode> usual_modes()
 }
 
 Trade trade_of(const quality::ReportData& report, const Files& files, const std::vector<planner::Pace>& paces,
-               const Known& known)
+               const Bakes& bakes)
 {
     Trade trade;
     trade.scene = report.scene;
@@ -192,9 +148,8 @@ Trade trade_of(const quality::ReportData& report, const Files& files, const std:
             const auto of_name = [&](const auto& file) { return file->path() == measured.name; };
             const FieldFile& file = **std::find_if(files.begin(), files.end(), of_name);
             if (is_repeated(measured, file)) continue;
-            trade.rows.push_back(row_of(measured, file, paces, known.kept));
-            if (const auto bake = known.bakes.find(file.path()); bake != known.bakes.end())
-                trade.rows.back().bake = bake->second;
+            trade.rows.push_back(row_of(measured, file, paces));
+            if (const auto bake = bakes.find(file.path()); bake != bakes.end()) trade.rows.back().bake = bake->second;
         }
     for (size_t k = 0; k < paces.size(); ++k) trade.parts.push_back(part_of(paces[k], k, trade.rows));
     return trade;

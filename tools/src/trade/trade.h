@@ -65,15 +65,9 @@ using Files = std::vector<std::unique_ptr<tools::FieldFile>>;
 // By the path of a field, Row::bake.
 using Bakes = std::map<std::string, std::string>;
 
-// These need not be found out.
-struct Known {
-    Bakes bakes;
-    quality::Kept kept;  // of rates
-};
-
 // All rows of the report, whose fields are `files`. The report must outlive what is returned.
 Trade trade_of(const quality::ReportData& report, const Files& files, const std::vector<planner::Pace>& paces,
-               const Known& known = {});
+               const Bakes& bakes = {});
 
 // By which chord fields are drawn unless modes are named.
 std::vector<quality::DrawMode> usual_modes();

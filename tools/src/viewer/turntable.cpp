@@ -1,23 +1,62 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/turntable.h"
 
+#include <spawn.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <regex>
+#include <string>
+#include <vector>
 
 #include "files/output_file.h"
 #include "image/picture_file.h"
 #include "lumi/baker/file_guard.h"
-#include "terminal/child_program.h"
 #include "terminal/failure.h"
+
+extern "C" char** environ;
 
 namespace lumi::tools
 {
 
 namespace
 {
+
+// Runs a program of PATH with these arguments and waits for its end. Throws Failure where it is not installed or does
+// not end with 0; `mend` then says what to do instead.
+void run_program(std::string name, std::vector<std::string> arguments, const std::string& mend)
+{
+    std::vector<char*> words = {name.data()};
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    pid_t child = 0;
+    if (::posix_spawnp(&child, name.c_str(), nullptr, nullptr, words.data(), environ) != 0)
+        throw Failure(name, "this program is not installed", mend);
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) throw Failure(name, std::strerror(errno), mend);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Failure(name, "this program failed", mend);
+}
+
+// A new folder for temporary files; others can neither read it nor put a link in its place. Throws Failure.
+std::filesystem::path new_temporary_folder(const std::string& mend)
+{
+    std::error_code missing;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(missing);
+    if (missing) {
+        const char* const named = std::getenv("TMPDIR");
+        throw Failure(named == nullptr ? "/tmp" : named, "is no folder for temporary files", mend);
+    }
+    std::string pattern = (parent / "lumi-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(pattern, std::strerror(errno), mend);
+    return pattern;
+}
 
 constexpr char kTurntableMend[] = "write it with lumi reference SCENE -o DIR/view.png --turntable 36";
 
