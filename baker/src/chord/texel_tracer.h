@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The estimate of one texel: a pure function of scene, settings and the texel's place.
+// Estimates one texel: a pure function of scene, settings and the texel's place.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@
 namespace lumi::baker
 {
 
-// The rays of a field in the frame of the unit sphere: from a tangent disc at an origin point to a direction point.
+// Makes the rays of a field in the frame of the unit sphere: they go from a tangent disc at an origin point to a
+// direction point.
 
 // The disc that touches the sphere at a lattice point (an origin, unless said otherwise) and has that point's share of
 // the sphere's area, 4π/M.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray queries against a mesh.
+// Answers ray queries against a mesh.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles in the frame of the unit sphere, as indices into shared arrays.
+// Keeps triangles in the frame of the unit sphere, as indices into shared arrays.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Mesh {
     std::vector<Vec3> normals;  // unit length
     std::vector<Vec2> uvs;
     std::vector<Vec2> second_uvs;  // another place for each of the first so many of `uvs`
-    // One entry a triangle each:
+    // These have one entry a triangle:
     std::vector<Corners> corners;          // into positions
     std::vector<OptionalCorners> shading;  // into normals: all three or none
     std::vector<OptionalCorners> mapping;  // into uvs: all three or none

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices of their own for each side of a crease.
+// Gives each side of a crease vertices of its own.
 #pragma once
 
 #include "geometry/mesh.h"

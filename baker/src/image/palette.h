@@ -15,7 +15,7 @@
 namespace lumi::baker
 {
 
-// Clusters of colours.
+// Finds clusters of colours.
 
 using ColourPoint = std::array<float, 4>;
 

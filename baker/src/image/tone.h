@@ -72,7 +72,7 @@ inline float inverse_curve(float y)
     return std::pow(kHalf * y / (1 - y), 1 / kPower);
 }
 
-// Its derivative, for x above 0.
+// The derivative of curve(), which exists for x above 0.
 inline float slope(float x)
 {
     const float power = std::pow(x, kPower), sum = power + kHalf;

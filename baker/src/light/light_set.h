@@ -53,7 +53,7 @@ private:
 Rgb emission_at(const Mesh& mesh, const Material& material, const std::vector<Texture>& textures, uint32_t triangle,
                 const Vec2& barycentric);
 
-// The random numbers of one point.
+// One point takes these random numbers.
 struct LightNumbers {
     Vec2 choice, place;
 };
@@ -82,7 +82,7 @@ public:
         if (u >= 1 - lamp_samples_)
             take(counted(lamp(from, numbers.choice.y, numbers.place), lamp_samples_), (1 - u) / lamp_samples_);
     }
-    // One sample of the light from outside, without the emissive triangles of the objects themselves.
+    // Takes one sample of the light from outside, without the emissive triangles of the objects themselves.
     bool none_outside() const { return outside_.empty(); }
     LightSample sample_outside(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
     float outside_sky_pdf(const Vec3& direction) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The environment as a light: radiance linear in the height of the direction, or a picture; sampled by its brightness.
+// The environment is a light: radiance is linear in the height of the direction, or a picture; it is sampled by its
+// brightness.
 #pragma once
 
 #include <memory>
@@ -29,7 +30,7 @@ public:
     Rgb radiance(const Vec3& direction) const;
     float pdf(const Vec3& direction) const;  // solid angle
     Vec3 sample(const Vec2& u) const;        // proportional to the brightness of pixels
-    // The brightness, summed over all directions.
+    // Returns the brightness, summed over all directions.
     float brightness_sum() const { return static_cast<float>(rows_.total()); }
     void add_to(Digest& digest) const;  // all that decides its light
 
@@ -60,7 +61,7 @@ private:
     float brightness(float height) const;
 
     std::optional<SkyPicture> picture_;
-    // Without a picture:
+    // These serve skies without a picture:
     Rgb zenith_, horizon_, nadir_;
     float top_, middle_, bottom_;    // brightness at heights 1, 0, -1
     float upper_mass_, lower_mass_;  // integrals of the brightness over height

@@ -43,7 +43,7 @@ public:
 private:
     static constexpr size_t kSteps = kIsFuzzed ? 4 : 64;
 
-    // The exact integral of 2·cosine·albedo over each step of the interpolated table.
+    // Returns the exact integral of 2·cosine·albedo over each step of the interpolated table.
     void integrate()
     {
         constexpr float kStep = 1.0f / kSteps;

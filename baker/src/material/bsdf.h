@@ -29,10 +29,10 @@ class DiffuseShape
 {
 public:
     DiffuseShape() = default;  // Lambert's
-    // roughness in [0, 1].
+    // `roughness` lies in [0, 1].
     explicit DiffuseShape(float roughness) : roughness_(roughness), rough_(true) {}
 
-    // `facing`: the cosine between a direction and the one halfway to the other.
+    // `facing` is the cosine between a direction and the one halfway to the other.
     float at(const Vec3& wo, const Vec3& wi, float facing) const
     {
         if (!rough_) return 1;
@@ -162,11 +162,11 @@ private:
     float strength_;  // the colour's largest component
 };
 
-// A polished boundary between two clear media.
+// This is a polished boundary between two clear media.
 class SmoothGlass
 {
 public:
-    // eta: index of the far side relative to the viewer's.
+    // `eta` is the index of the far side relative to the viewer's.
     explicit SmoothGlass(float eta) : eta_(eta) {}
     Rgb eval(const Vec3&, const Vec3&) const { return {}; }
     float pdf(const Vec3&, const Vec3&) const { return 0; }

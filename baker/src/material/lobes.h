@@ -11,7 +11,7 @@
 namespace lumi::baker
 {
 
-// Fresnel reflectance of unpolarized light.
+// Returns the Fresnel reflectance of unpolarized light.
 
 // Exact, of a dielectric whose far side has the index eta relative to the near side; 1 where eta < 1 reflects totally.
 // cosine in [0, 1].
@@ -37,7 +37,7 @@ inline Vec3 refracted(const Vec3& wo, const Vec3& half, float eta)
     return half * (cosine / eta - std::sqrt(std::max(0.0f, 1 - sine2))) - wo / eta;
 }
 
-// Schlick's approximation for conductors, from the colour at normal incidence.
+// Evaluates Schlick's approximation for conductors, from the colour at normal incidence.
 inline Rgb schlick_reflectance(float cosine, const Rgb& f0)
 {
     const float m = std::clamp(1 - cosine, 0.0f, 1.0f);
@@ -64,7 +64,7 @@ float reflection_pdf(const GgxOf<Spread>& facets, const Vec3& wo, const Vec3& wi
     return facets.pdf_half(wo, half) / (4 * std::max(dot(wo, half), 1e-7f));
 }
 
-// Torrance-Sparrow reflection times cos θi, without the Fresnel factor.
+// Returns the Torrance-Sparrow reflection times cos θi, without the Fresnel factor.
 template <class Spread>
 float reflection_value(const GgxOf<Spread>& facets, const Vec3& wo, const Vec3& wi, const Vec3& half)
 {

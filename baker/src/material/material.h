@@ -47,7 +47,7 @@ namespace lumi::baker
 
 inline constexpr float kMostStretch = 0.9f;
 
-// `anisotropy` in [0, 1].
+// `anisotropy` lies in [0, 1].
 inline float aspect_of(float anisotropy)
 {
     return std::sqrt(1 - kMostStretch * anisotropy);
@@ -86,13 +86,13 @@ struct TextureSlot {
 struct TextureSlots {
     TextureSlot base, emission, roughness, metalness, opacity, normal, sheen;
 };
-// All of them.
+// Lists all of them.
 inline constexpr std::array kTextureSlots = {
     &TextureSlots::base,    &TextureSlots::emission, &TextureSlots::roughness, &TextureSlots::metalness,
     &TextureSlots::opacity, &TextureSlots::normal,   &TextureSlots::sheen};
 static_assert(sizeof(TextureSlots) == kTextureSlots.size() * sizeof(TextureSlot), "a slot is missing");
 
-// A material's numbers at one point, with its textures.
+// Holds a material's numbers at one point, with its textures.
 struct PointValues {
     Rgb base;
     float metalness, roughness;

@@ -54,7 +54,7 @@ public:
     float masking(const Vec3& w) const { return 1 / (1 + lambda(w)); }
     float masking_shadowing(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
 
-    // Solid-angle density of sample_half.
+    // Returns the solid-angle density of sample_half.
     float pdf_half(const Vec3& wo, const Vec3& half) const
     {
         return masking(wo) * std::max(0.0f, dot(wo, half)) * density(half) / wo.z;

@@ -22,7 +22,7 @@ template <class Spread>
 class SkinOf
 {
 public:
-    // eta > 1; widths > 0.
+    // Precondition: eta > 1 and widths > 0.
     SkinOf(float eta, const Spread& spread);
 
     float eta() const { return eta_; }
@@ -59,7 +59,7 @@ using FacetTable = FacetTableOf<Isotropic>;
 class GlassTable
 {
 public:
-    // eta > 1: inside against outside.
+    // `eta` > 1 is the index inside against that outside.
     GlassTable(float eta, float alpha);
 
     float eta() const { return eta_; }

@@ -36,7 +36,7 @@ inline std::optional<Vec2> uv_at(const Mesh& mesh, const TextureSlot& slot, uint
                 w * p.y + barycentric.x * q.y + barycentric.y * r.y};
 }
 
-// White without a picture or texture coordinates.
+// Returns white without a picture or texture coordinates.
 inline Rgb slot_colour(const Mesh& mesh, const std::vector<Texture>& textures, const TextureSlot& slot,
                        uint32_t triangle, const Vec2& barycentric)
 {

@@ -63,7 +63,7 @@ inline Vec3 normalized(const Vec3& a)
     return a / length(a);
 }
 
-// Linear radiance or reflectance, Rec. 709 primaries.
+// Holds linear radiance or reflectance by Rec. 709 primaries.
 struct Rgb {
     float r = 0, g = 0, b = 0;
 };
@@ -124,7 +124,7 @@ void fields(Io& io, Rgb& c)
     io(c.r, c.g, c.b);
 }
 
-// A point of core's lattices as a vector of the baker's.
+// Makes a point of core's lattices a vector of the baker's.
 inline Vec3 unit_vector(const Vec3q30& p)
 {
     constexpr double kUnit = 1.0 / kOneQ30;
@@ -132,7 +132,7 @@ inline Vec3 unit_vector(const Vec3q30& p)
         {static_cast<float>(p.x * kUnit), static_cast<float>(p.y * kUnit), static_cast<float>(p.z * kUnit)});
 }
 
-// An orthonormal frame around a unit vector, continuous but for one seam and exact at the poles.
+// Makes an orthonormal frame around a unit vector, continuous but for one seam and exact at the poles.
 // Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 struct Frame {
     Vec3 tangent, bitangent, normal;

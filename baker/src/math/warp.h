@@ -49,7 +49,7 @@ inline Vec2 square_to_disc(const Vec2& u)
     return wide ? Vec2{radius * s.cosine, radius * s.sine} : Vec2{radius * s.sine, radius * s.cosine};
 }
 
-// Density cosθ/π over the upper hemisphere (Malley's method).
+// Samples have the density cosθ/π over the upper hemisphere (Malley's method).
 inline Vec3 square_to_cosine_hemisphere(const Vec2& u)
 {
     const Vec2 d = square_to_disc(u);
@@ -69,7 +69,7 @@ inline Vec3 square_to_sphere(const Vec2& u)
     return direction_at(1 - 2 * u.x, u.y);
 }
 
-// Barycentric weights (of the second and third corner) of a uniform point in a triangle.
+// Returns barycentric weights (of the second and third corner) of a uniform point in a triangle.
 inline Vec2 square_to_triangle(const Vec2& u)
 {
     const float root = std::sqrt(u.x);

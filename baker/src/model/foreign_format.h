@@ -12,7 +12,7 @@ namespace lumi::baker
 // How many of a file's first bytes tell its format.
 inline constexpr size_t kHeadBytesOfModel = size_t{1} << 16;
 
-// In small letters, with the dot.
+// The ending has small letters and the dot.
 std::string extension_of(const std::filesystem::path& file);
 
 // `head` are the first kHeadBytesOfModel bytes of `file`, or all of it. Throws SceneError if that is a format which we

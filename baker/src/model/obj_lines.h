@@ -40,7 +40,7 @@ public:
     uint32_t smoothing() const { return smoothing_; }             // group, 0 = none
     const std::optional<Rgb>& colour() const { return colour_; }  // of a position, as the file has it
 
-    // The material libraries so far.
+    // Returns the material libraries so far.
     std::vector<ObjName> libraries;
 
 protected:

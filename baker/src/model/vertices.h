@@ -28,7 +28,7 @@ struct CentredPositions {
 // The origin stays that of the file unless the points lie so far from it that binary32 loses their shape.
 CentredPositions centred(const std::vector<Point>& points);
 
-// Colours, linear, at the corners of a triangle.
+// These are linear colours at the corners of a triangle.
 using CornerColours = std::array<Rgb, 3>;
 
 // A picture with a block of pixels for each triangle from `first` on, and texture coordinates of these triangles into

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file of a surface field (lumi/surface/format.h).
+// Writes the file of a surface field (lumi/surface/format.h).
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace lumi::baker
 {
 
-// A vertex's view table.
+// Holds a vertex's view table.
 struct ViewCode {
     std::array<uint8_t, 3> gains{};  // 0: there is no table
     std::array<uint8_t, detail::format::kViewNodes> codes{};

@@ -34,7 +34,7 @@ std::vector<float> meter(const LitShape& shape, const LightSet& lights);
 // The median of what is lit: of the values above an eighth of their mean. 0 where nothing is.
 float middle_of_lit(const std::vector<float>& metered);
 
-// In the frame of the unit sphere.
+// Places are in the frame of the unit sphere.
 struct StatedLight {
     std::optional<Environment> environment;
     std::vector<Fixture> fixtures;

@@ -16,10 +16,8 @@ namespace lumi::baker
 SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings,
                       ColourScale colours = ColourScale::unstated);
 
-// A volume's iso-surface as a scene.
-
-// In the file's units, z up, with smooth normals; one material, dull as bone, named "iso". Throws SceneError, also if
-// the surface is empty.
+// Makes a volume's iso-surface a scene, in the file's units, z up, with smooth normals; one material, dull as bone,
+// named "iso". Throws SceneError, also if the surface is empty.
 SceneParts read_iso_surface(const std::filesystem::path& file, const IsoSurface& surface);
 
 // The smallest and the largest value of the file: "-1024 to 3071". Throws SceneError.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The container of field files (lumi/field_format.h): bytes of sections, and the header and table before them.
+// Writes the container of field files (lumi/field_format.h): bytes of sections, and the header and table before them.
 #pragma once
 
 #include <cstdint>

@@ -49,7 +49,7 @@ public:
     bool is_surface() const { return !shards_.empty() && shards_.begin()->second->identity().is_surface(); }
     uint32_t count() const { return shards_.begin()->second->identity().shard.count; }
 
-    // Problems of the contents.
+    // These note problems of the contents.
     void say(const std::filesystem::path& file, const std::string& text);
     void say_missing(const std::filesystem::path& file, size_t missing, uint32_t all, uint32_t first_origin);
     // Throws MergeError if there is any problem, a missing shard among them.

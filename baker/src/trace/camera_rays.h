@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The viewing rays of core's camera, in floating point.
+// Makes the viewing rays of core's camera in floating point.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ private:
         double x, y, z;
     };
 
-    // A linear function of the pixel, at the centre of pixel (0,0) and per step.
+    // Is a linear function of the pixel, given at the centre of pixel (0,0) and per step.
     struct Affine {
         double at_first, step_x, step_y;
         double at(double sx, double sy) const { return at_first + sx * step_x + sy * step_y; }

@@ -21,7 +21,7 @@ struct HitPoint {
     PointValues values;  // the material's values at this point
     Rgb emission;
 
-    // A ray from just above (or, for directions through the surface, below) this point.
+    // Makes a ray from just above (or, for directions through the surface, below) this point.
     Ray ray_towards(const Vec3& direction) const;
     Ray ray_to_light(const Vec3& direction, float distance) const;
 };

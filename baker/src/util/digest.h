@@ -20,7 +20,7 @@ public:
     void add_bytes(const void* bytes, size_t size);  // adds the bytes and their count
     void add(const std::string& text) { add_bytes(text.data(), text.size()); }
 
-    // Numbers, and structs of nothing but numbers of one size: no padding.
+    // Takes numbers, and structs of nothing but numbers of one size, which have no padding.
     template <class T>
     void add(const T& value)
     {

@@ -49,10 +49,10 @@ public:
     void number(const std::string& name, const NumberRange& range, double& value);
     void number(const std::string& name, const NumberRange& range, float& value);
     void vector(const std::string& name, const NumberRange& range, Vec3& value);
-    // Three numbers, or one for grey.
+    // Takes three numbers, or one for grey.
     void colour(const std::string& name, const NumberRange& range, Rgb& value);
     std::string text(const std::string& name);  // required
-    // The place of the text in `words`; `fallback` if absent.
+    // Returns the place of the text in `words`, and `fallback` if it is absent.
     size_t choice(const std::string& name, const std::vector<std::string>& words, size_t fallback);
 
     // Refuses members that no call has named.

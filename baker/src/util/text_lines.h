@@ -12,13 +12,13 @@
 namespace lumi::baker
 {
 
-// A place in a text file, for messages; line 0 = the file as a whole.
+// Names a place in a text file, for messages; line 0 is the file as a whole.
 struct Place {
     std::string file;
     uint32_t line = 0;
 };
 
-// "file:line: text".
+// Returns "file:line: text".
 std::string at(const Place& place, const std::string& text);
 
 // Opens a file to read its bytes, and notes it as an input (file_guard.h). Throws SceneError if it is no file, larger
@@ -54,16 +54,16 @@ private:
 
 // Takes the first word off the front, and blanks with it. Empty where there is none.
 std::string_view take_word(std::string_view& text);
-// The words of a line's argument.
+// Returns the words of a line's argument.
 std::vector<std::string_view> words(std::string_view argument);
 
 // Changes ASCII letters only.
 std::string in_small_letters(std::string text);
 
-// All parts with the separator between them.
+// Returns all parts with the separator between them.
 std::string joined(const std::vector<std::string>& parts, const char* separator);
 
-// For messages: six digits at most, "0.25".
+// Writes a number for messages with six digits at most, "0.25".
 std::string number_text(double value);
 
 // Reads a finite number; false for anything else, such as nan, inf, 1e999 or "1,5".

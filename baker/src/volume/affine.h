@@ -18,7 +18,7 @@ inline std::array<double, 3> point_of(const Affine& m, double x, double y, doubl
     return result;
 }
 
-// First b, then a.
+// Applies first b, then a.
 inline Affine combined(const Affine& a, const Affine& b)
 {
     Affine result;

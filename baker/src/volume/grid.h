@@ -25,10 +25,10 @@ struct Grid {
 inline constexpr int64_t kMaxVoxels = int64_t{1} << 28;  // 1 GB of memory; 512 x 512 x 1024
 inline constexpr int64_t kMaxVoxelsASide = 32767;        // NIfTI-1 cannot say more
 
-// 2 to kMaxVoxelsASide voxels a side, at most kMaxVoxels in all.
+// There must be 2 to kMaxVoxelsASide voxels a side, at most kMaxVoxels in all.
 void require_size(const std::string& name, const std::array<int64_t, 3>& sides);
 
-// Finite, not too far away, and invertible. `method` is what the file's format calls the matrix.
+// The matrix must be finite, not too far away, and invertible. `method` is what the file's format calls the matrix.
 void require_place(const std::string& name, const Affine& voxel_to_world, const std::string& method);
 
 }  // namespace lumi::baker

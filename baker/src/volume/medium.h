@@ -35,7 +35,7 @@ public:
     // g: the mean cosine, between -1 and 1 and neither of them; 0 scatters alike into all directions.
     explicit Phase(float g = 0) : g_(g) {}
 
-    // Per solid angle; both the value and the density of sample().
+    // Returns per solid angle both the value and the density of sample().
     float density(float cosine) const
     {
         const float d = 1 + g_ * g_ - 2 * g_ * cosine;
@@ -144,7 +144,7 @@ private:
         VoxelRay ray;
         float start, end;
     };
-    // The part of the ray between the outermost voxels' centres.
+    // Returns the part of the ray between the outermost voxels' centres.
     std::optional<Part> inside(const Ray& ray) const;
     VoxelRay to_voxels(const Ray& ray) const;
     float scalar(const Vec3& voxel) const;

@@ -20,12 +20,12 @@ struct TransferPoint {
 class TransferFunction
 {
 public:
-    // At least one point, with strictly increasing values.
+    // Takes at least one point; values strictly increase.
     explicit TransferFunction(std::vector<TransferPoint> points);
 
     float density(float value) const;
     Rgb colour(float value) const;
-    // The largest density of all scalars from `low` to `high`.
+    // Returns the largest density of all scalars from `low` to `high`.
     float most_density(float low, float high) const;
 
     const std::vector<TransferPoint>& points() const { return points_; }

@@ -14,7 +14,7 @@
 namespace lumi::baker
 {
 
-// .nii, .nii.gz or .vdb.
+// Whether its name ends in .nii, .nii.gz or .vdb.
 bool is_volume_file(const std::filesystem::path& file);
 
 // Throws SceneError with the mend if the name is that of a volume in a format that is not read: NRRD, DICOM, MetaImage.
@@ -23,7 +23,7 @@ void refuse_foreign_volume(const std::filesystem::path& file);
 // By read_vdb() if the name ends so, else by read_nifti(). Throws SceneError.
 Grid read_grid(const std::filesystem::path& file);
 
-// "-1024 to 3071": the least and the greatest value, for messages.
+// Returns "-1024 to 3071": the least and the greatest value, for messages.
 std::string range_of(const Grid& grid);
 
 // OpenVDB does two things for us: it reads its own files, and finds surfaces in grids. It is a module (openvdb_module),

@@ -54,7 +54,7 @@ void tell_plan(const baker::BakeSettings& chord, const BakeOptions& options);
 nlohmann::json plan_json(const baker::SurfacePlan& plan, const baker::SurfaceLimits& limits);
 nlohmann::json plan_json(const baker::BakeSettings& chord, uint64_t budget_bytes);
 
-// For people: a summary on stdout. For machines: a JSON line.
+// Prints a summary on stdout: a text for people, a JSON line for machines.
 void tell(const BakeSummary& summary);
 
 // Throws Interrupted, telling what is kept of a bake of `output`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera options of `lumi render`, `lumi reference` and `lumi view`, defined once.
+// Defines once the options that several commands share: cameras, and the devices that draw a field.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,8 +23,6 @@ void add_start_options(CLI::App& command, ViewOptions& options);
 // Adds -o, which takes names that `wrong_name` has nothing to say about.
 void add_picture_output(CLI::App& command, std::string& output, const std::string& type,
                         std::string (*wrong_name)(const std::string&));
-
-// The options that say on which devices a field is drawn.
 
 // Adds "--for LIST", a list of PART or PART@RATEfps: which parts draw, and how many frames a second they should reach.
 // `paces` must outlive the parse. Another word is refused.

@@ -13,7 +13,7 @@
 namespace lumi::tools
 {
 
-// printf's text, at most 255 characters of it.
+// Returns printf's text, at most 255 characters of it.
 template <class... Values>
 std::string formatted(const char* pattern, Values... values)
 {
@@ -34,7 +34,7 @@ struct ModeFigures {
     std::vector<planner::PartRate> parts;  // chord fields: the mean alone, of a view that the sphere fills
 };
 
-// Surface fields: from the fastest mode to the finest; chord fields: from the best to the fastest.
+// Modes of surface fields go from the fastest to the finest, those of chord fields from the best to the fastest.
 std::vector<ModeFigures> device_figures(const FieldFile& file, const Device& device = {});
 
 // For people; ends with a line break.

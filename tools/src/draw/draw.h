@@ -10,7 +10,7 @@ namespace lumi::tools
 {
 
 enum class Mode : uint8_t { nearest, linear, paper };
-// "nearest", "linear" or "paper".
+// Returns "nearest", "linear" or "paper".
 const char* name_of(Mode mode);
 
 enum class DisplayFormat : uint8_t { rgb888, rgb565, grey8 };

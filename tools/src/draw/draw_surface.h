@@ -16,7 +16,7 @@ struct SurfaceDrawSettings {
     Rgb8 background = {0, 0, 0};
 };
 
-// "one-sample", "antialiased" or "2x2".
+// Returns "one-sample", "antialiased" or "2x2".
 const char* name_of(SurfaceMode mode);
 
 // The whole image, as a display of that format would show it. Leaves by Interrupted between stripes. Throws UsageError

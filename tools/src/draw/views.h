@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From camera options to pictures on disk: one view, or a turntable.
+// Makes pictures on disk from camera options: one view, or a turntable.
 #pragma once
 
 #include <functional>

@@ -14,9 +14,9 @@
 namespace lumi::tools
 {
 
-// Letters, digits and underscores, not beginning with a digit.
+// A symbol has letters, digits and underscores, and does not begin with a digit.
 bool is_symbol(std::string_view text);
-// The nearest symbol to `text`: other characters become underscores.
+// Returns the nearest symbol to `text`: other characters become underscores.
 std::string symbol_from(std::string_view text);
 // A section may be named by letters, digits and ._$-, so that it means the same to every assembler and compiler.
 bool is_section(std::string_view text);

@@ -12,14 +12,14 @@
 namespace lumi::tools
 {
 
-// One entry of the file's section table.
+// Holds one entry of the file's section table.
 struct Section {
     std::string type;  // four characters
     bool required;
     uint32_t offset, bytes, crc32;
 };
 
-// The sphere around the scene: in the scene's units and axes.
+// Describes the sphere around the scene in the scene's units and axes.
 struct FieldSphere {
     std::array<float, 3> centre;
     float radius;

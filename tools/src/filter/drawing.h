@@ -20,7 +20,7 @@ Planes drawn_planes(const tools::FieldFile& field, const tools::Eye& eye);
 // Makes such planes of a path-traced reference over black.
 Planes reference_planes(const quality::Reference& reference);
 
-// The first kPicturePlanes over a background, black unless told otherwise.
+// Returns the first kPicturePlanes over a background, black unless told otherwise.
 tools::Picture over(const Planes& planes, const Rgb8& background = {0, 0, 0});
 
 }  // namespace lumi::filter

@@ -17,7 +17,7 @@
 namespace lumi::filter
 {
 
-// Planes of bytes, one after the other, top row first.
+// Holds planes of bytes, one after the other, top row first.
 struct Planes {
     int count = 0, width_px = 0, height_px = 0;
     std::vector<uint8_t> values;
@@ -79,7 +79,7 @@ class Network
 {
 public:
     virtual ~Network() = default;
-    // kPicturePlanes of the size of `inputs`.
+    // Returns kPicturePlanes of the size of `inputs`.
     virtual Planes filtered(const Planes& inputs) = 0;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Weights of a learned filter as a file: the container of field files (lumi/field_format.h) with sections of its own.
+// Keeps the weights of a learned filter in a file: the container of field files (lumi/field_format.h) with sections of
+// its own.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 namespace lumi::filter
 {
 
-// Sections, both required. FILT, kSettingsBytes: u32 version of the network, u32 input planes, u32 whether it gains,
+// Both sections are required. FILT, kSettingsBytes: u32 version of the network, u32 input planes, u32 whether it gains,
 // u32 0, u64 × 2 the scene's fingerprint, u64 × 2 the field's digest, 4 × binary32 the sphere's bits.
 // FNUM: the network's numbers, binary32; empty where it gains nothing.
 inline constexpr uint32_t kSettingsSection = detail::format::four_cc('F', 'I', 'L', 'T');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as the tools handle them: 8 bits a channel, sRGB-encoded, three bytes a pixel, no padding, top row first.
+// The tools handle pictures so: 8 bits a channel, sRGB-encoded, three bytes a pixel, no padding, top row first.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ inline bool same_size(const Picture& a, const Picture& b)
     return a.width_px == b.width_px && a.height_px == b.height_px;
 }
 
-// c + (255 - a)·b/255, rounded, of one channel: in encoded values.
+// Computes c + (255 - a)·b/255, rounded, of one channel, in encoded values.
 constexpr uint8_t over(uint8_t premultiplied, uint8_t coverage, uint8_t background)
 {
     constexpr int kOpaque = 255;
@@ -95,8 +95,6 @@ Plane<Value> filter_valid(const Plane<Value>& plane, const std::vector<double>& 
                 result.at(x, y) += weights[static_cast<size_t>(i)] * rows.at(x, y + i);
     return result;
 }
-
-// Several pictures in one.
 
 // `factor` × `factor` pixels become one, by their rounded mean; what is left over at the right and bottom is dropped.
 // Precondition: 1 <= factor <= both sides.

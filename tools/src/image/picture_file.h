@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of pictures: PNG, JPEG and OpenEXR (lumi/host/png.h, lumi/baker/picture_file.h).
+// Reads and writes files of pictures: PNG, JPEG and OpenEXR (lumi/host/png.h, lumi/baker/picture_file.h).
 #pragma once
 
 #include <string>

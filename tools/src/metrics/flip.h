@@ -9,7 +9,7 @@
 namespace lumi::tools
 {
 
-// Pixels a degree of the observer's view. The paper's: a screen 0.7 m wide with 3840 pixels, seen from 0.7 m.
+// The paper has so many pixels a degree of the observer's view: a screen 0.7 m wide with 3840 pixels, seen from 0.7 m.
 inline constexpr double kFlipPixelsPerDegree = 67.0206;
 
 // The error of every pixel, 0 (alike) to 1. Pixels beyond a border are those at it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structural similarity: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error Visibility to
+// Computes structural similarity: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error Visibility to
 // Structural Similarity", IEEE TIP 13(4), 2004.
 #pragma once
 

@@ -89,7 +89,7 @@ private:
 struct Traffic {
     uint64_t lines = 0, misses = 0;
 };
-// Through the caches of kChipList.
+// The reads go through the caches of kChipList.
 using AllTraffic = std::array<Traffic, kChips>;
 AllTraffic traffic_of(const std::vector<Read>& reads);
 

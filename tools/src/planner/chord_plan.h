@@ -27,7 +27,7 @@ struct ChordTask {
 // The largest that fits. Throws NoPlan where nothing does, BakeError for what cannot be baked in any size.
 baker::BakeSettings plan_chord(const ChordTask& task);
 
-// "700 origins (uppermost 630), 700 directions, palette8, 441 kB".
+// Returns "700 origins (uppermost 630), 700 directions, palette8, 441 kB".
 std::string text_of(const baker::BakeSettings& plan);
 
 // The options of `lumi bake` that set the same by hand.

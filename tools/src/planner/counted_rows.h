@@ -215,7 +215,7 @@ public:
     }
 
 private:
-    // The triangle's area as a power of two.
+    // Returns the triangle's area as a power of two.
     double share_of(const detail::Corner (&c)[3]) const
     {
         const auto area = [](double au, double av, double bu, double bv) { return std::fabs(au * bv - bu * av); };
@@ -254,7 +254,7 @@ inline bool goes_on(detail::TrianglePiece& piece)
     return piece.is_wide && detail::next_part_of_wide(piece);
 }
 
-// As detail::TrianglePieces, counted.
+// Draws as detail::TrianglePieces does, and counts.
 class CountedPieces
 {
 public:
@@ -300,7 +300,7 @@ private:
     CountedParts parts_;
 };
 
-// As detail::SeeThroughPieces.
+// Draws as detail::SeeThroughPieces does.
 class CountedSeeThrough
 {
 public:

@@ -13,7 +13,7 @@ namespace lumi::planner
 
 inline constexpr const char* kCountedCores[] = {"m0plus", "m4", "m7"};
 
-// The row of a core in those tables.
+// Returns the row of a core in those tables.
 inline size_t cost_index(const std::string& core)
 {
     size_t k = 0;

@@ -23,7 +23,7 @@ struct ChordMode {
     tools::Mode mode;
 };
 
-// Dearest and best first.
+// The dearest and best mode comes first.
 const std::vector<ChordMode>& chord_modes();
 
 // A part and a pace, as --for asks for them.
@@ -36,7 +36,7 @@ inline constexpr double kUsualPace = 10;
 
 // "rp2040@30fps", "rp2040"; nothing for other texts, unknown parts and rates that are not above 0.
 std::optional<Pace> parse_pace(const std::string& text);
-// "rp2040, rp2350, … or esp32c3".
+// Returns "rp2040, rp2350, … or esp32c3".
 std::string chip_names();
 
 // Bytes of what is there all the time: the view that `lumi embed` writes, and the pixels of a stripe in RGB565.
@@ -54,7 +54,7 @@ Ram ram_of(const host::SurfaceCounts& field, const host::ScreenSize& screen);
 inline constexpr uint32_t kSurfaceStackBytes = 3072, kSpanStackBytes = 2624, kExactStackBytes = 1024;
 uint32_t stack_of(const tools::FieldFile& field);
 
-// Instructions of a frame in RGB565 with the code of `core` ("m0plus", "m4" or "m7").
+// Returns the instructions of a frame in RGB565 with the code of `core` ("m0plus", "m4" or "m7").
 double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceWork& work);
 
 // Flash lines of so many bytes that a frame misses, about.
@@ -66,8 +66,7 @@ struct PartRate {
     double mean, worst;
     double instructions;  // a frame, in the mean
 };
-std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode,
-                                    const host::ScreenSize& screen = {});
+std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen = {});
 
 inline constexpr int kRatedPoses = 200;
 

@@ -17,7 +17,7 @@ namespace lumi::tools
 using WordCheck = std::function<std::string(const std::string&)>;
 
 WordCheck whole_number(uint64_t least, uint64_t most);
-// A finite number.
+// The word is a finite number.
 WordCheck number(double least, double most);
 WordCheck any_number();
 
@@ -37,7 +37,7 @@ std::string parse_problem(const CLI::ParseError& error);
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-// "a, b or c".
+// Returns "a, b or c".
 template <class Value>
 std::string words_of(const Choices<Value>& choices)
 {

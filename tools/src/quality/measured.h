@@ -29,7 +29,7 @@ inline constexpr const char* kDrawModeWords =
     "nearest, linear or paperK with K from 1 to 9; the first two also with /S for spans "
     "of S = 2, 4, 8 or 16 pixels, for instance linear/8";
 
-// "linear", "paper9", "nearest/8"; nothing for other words.
+// Reads "linear", "paper9" or "nearest/8", and returns nothing for other words.
 std::optional<DrawMode> parse_draw_mode(std::string_view text);
 
 // How a field is drawn: by the one that its layout takes.
@@ -38,10 +38,10 @@ struct Way {
     tools::DrawSettings chord;
 };
 
-// The finest of a surface field, exact `linear` of a chord field.
+// Returns the finest way of a surface field, and exact `linear` of a chord field.
 Way finest(tools::DisplayFormat display = tools::DisplayFormat::rgb888);
 
-// A kind of picture, drawn for every view.
+// Describes a kind of picture, drawn for every view.
 struct Measured {
     std::string name;    // the file's name
     std::string layout;  // "chord", "surface", "mean alone", "antialiased", ...

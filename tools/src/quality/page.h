@@ -12,12 +12,10 @@
 namespace lumi::quality
 {
 
-// Text as HTML shows it.
-
-// With &, <, > and quotes escaped.
+// Returns text as HTML shows it, with &, <, > and quotes escaped.
 std::string escaped(std::string text);
 
-// RFC 4648, with padding.
+// Encodes by RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
 // An <img> that holds the picture itself.

@@ -35,7 +35,7 @@ std::vector<HeldOutView> held_out_views(ViewSet set, int count = kHeldOutViews, 
 // The view of one orbit, the sphere filling the frame. Throws UsageError where it cannot be drawn.
 HeldOutView view_at(double azimuth_deg, double elevation_deg, double distance, int side_px);
 
-// "azimuth 123, elevation -45, distance 3.1".
+// Returns "azimuth 123, elevation -45, distance 3.1".
 std::string text_of(const HeldOutView& view);
 
 // The path-traced reference of a view, and where the scene covers it at all.

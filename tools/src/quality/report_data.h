@@ -20,9 +20,9 @@ struct ReportData {
     std::vector<Measured> variants;  // cheaper modes of these
 };
 
-// "31.2 (7)": of the view of least PSNR, and which it is, from 1 on.
+// Returns "31.2 (7)": the PSNR of the view of least PSNR, and which it is, from 1 on.
 std::string worst_view_text(const Measured& m);
-// "14.3 (7: 112, 64)": of the worst block, its view and the place of its top left pixel.
+// Returns "14.3 (7: 112, 64)": the PSNR of the worst block, its view and the place of its top left pixel.
 std::string worst_block_text(const Measured& m);
 
 std::string text_of(const ReportData& report);

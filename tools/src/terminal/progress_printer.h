@@ -57,11 +57,11 @@ std::string progress_json(const baker::Progress& progress, const char* state = "
 class JsonProgress
 {
 public:
-    // state: a static text.
+    // `state` is a static text.
     explicit JsonProgress(std::FILE* stream, const char* state = "baking") : stream_(stream), state_(state) {}
 
     void print(const baker::Progress& progress);
-    // The last report, for a closing line of the caller's.
+    // Returns the last report, for a closing line of the caller's.
     const baker::Progress& last() const { return last_; }
 
 private:

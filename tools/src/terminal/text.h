@@ -15,16 +15,16 @@ namespace lumi::tools
 
 // Parsers take the whole text or give nothing: no spaces, no trailing characters.
 
-// "240x320": both sides at least 1.
+// Reads "240x320": both sides at least 1.
 struct PixelSize {
     int width_px, height_px;
 };
 std::optional<PixelSize> parse_size(std::string_view text);
 
-// "30,20,3": three finite numbers.
+// Reads "30,20,3": three finite numbers.
 std::optional<std::array<double, 3>> parse_triple(std::string_view text);
 
-// "ff8000" or "#ff8000".
+// Reads "ff8000" or "#ff8000".
 std::optional<Rgb8> parse_colour(std::string_view text);
 
 // How many of `origins` rows a cap keeps: "512" is a number of origins; "50%" and "0.5" are shares of them, rounded up.
@@ -43,13 +43,13 @@ std::optional<PartOf> parse_part(std::string_view text);
 // "2MB", "512KiB", "1.5MB", "300000": B, kB, MB, GB are powers of 1000; KiB, MiB, GiB of 1024. KB is kB.
 std::optional<uint64_t> parse_bytes(std::string_view text);
 
-// "4.20 MB": units of 1000, three digits.
+// Writes "4.20 MB": units of 1000, three digits.
 std::string byte_text(uint64_t bytes);
-// "0x10100000": eight digits.
+// Writes "0x10100000": eight digits.
 std::string address_text(uint32_t address);
-// "33.6 M": three digits.
+// Writes "33.6 M": three digits.
 std::string count_text(double count);
-// "1:42" or "2:03:09".
+// Writes "1:42" or "2:03:09".
 std::string duration_text(double seconds);
 
 // A word of a command that a POSIX shell takes as it is: in quotes where it holds what the shell reads otherwise.
@@ -59,7 +59,7 @@ std::string shell_word(const std::string& word);
 // chose may hold commands for the terminal. The controls of Unicode are among them.
 std::string visible(std::string text);
 
-// `text` with every `from` replaced by `to`.
+// Returns `text` with every `from` replaced by `to`.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 
 }  // namespace lumi::tools

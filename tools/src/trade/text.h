@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A trade in words, for people and for machines.
+// Tells a trade in words, for people and for machines.
 #pragma once
 
 #include "trade/trade.h"
@@ -11,7 +11,7 @@ std::string number(double value, int places);
 // "10.4", "0.28": rates of exact pixels are far below one.
 std::string rate_text(double frames_per_second);
 
-// "product-250kB.lumi, antialiased".
+// Returns "product-250kB.lumi, antialiased".
 std::string name_of(const Row& row);
 // "30.8 dB at 11.2 frames a second (dearest pose 7.1), 235 kB of flash, 63.0 kB of RAM".
 std::string figures_text(const Row& row, size_t part);
@@ -21,7 +21,7 @@ std::string pace_text(const planner::Pace& pace);
 // Says what is recommended for each part.
 std::string text_of(const Trade& trade);
 
-// `report`, the JSON of the report, with "trade": parts and rows.
+// Returns `report`, the JSON of the report, with "trade": parts and rows.
 std::string with_trade(const std::string& report, const Trade& trade);
 
 }  // namespace lumi::trade

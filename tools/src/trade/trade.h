@@ -34,7 +34,7 @@ struct PartFigures {
     bool fits;                                      // RAM in the longest piece of the part, the file in its flash
 };
 
-// A file, drawn by a mode.
+// Describes a file that is drawn by a mode.
 struct Row {
     const quality::Measured* measured;
     bool is_surface;

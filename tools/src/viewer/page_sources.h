@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of page/, as texts: page_sources.cpp.in.
+// Holds the files of page/ as texts: page_sources.cpp.in.
 #pragma once
 
 namespace lumi::tools

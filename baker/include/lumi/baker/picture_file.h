@@ -37,7 +37,7 @@ struct RadianceView {
     const float* rgba;
 };
 
-// The bytes of an OpenEXR file: one part, scanlines, channels A, B, G and R of 32 bits, packed without loss.
+// Returns the bytes of an OpenEXR file: one part, scanlines, channels A, B, G and R of 32 bits, packed without loss.
 std::string exr_bytes(const RadianceView& picture);
 
 }  // namespace lumi::baker

@@ -41,7 +41,7 @@ struct Environment {
 
 Environment constant_environment(float radiance);
 Environment constant_environment(const std::array<float, 3>& radiance);
-// A bright, slightly cool sky over a dimmer, warm floor.
+// This is a bright, slightly cool sky over a dimmer, warm floor.
 Environment studio_environment();
 
 // A latitude-longitude map in a Radiance .hdr or an OpenEXR file, as docs/scenes.md says. Throws SceneError; appends to
@@ -62,7 +62,7 @@ struct IsoSurface {
     double pieces = 0.05;
 };
 
-// A camera of the scene's file.
+// The scene's file has this camera.
 struct NamedView {
     std::string name;
     // Row by row, rigid: from the camera's axes (it looks along -z, y up) to those of the sphere, whose radius is 1.
@@ -100,7 +100,7 @@ public:
     Scene& operator=(Scene&&) noexcept;
     ~Scene();
 
-    // The bounding sphere in scene units and scene axes, margin included.
+    // Returns the bounding sphere in scene units and scene axes, margin included.
     std::array<float, 3> centre() const;
     float radius() const;
     UpAxis up() const;

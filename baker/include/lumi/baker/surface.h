@@ -44,13 +44,13 @@ struct MeshLoss {
     // The share of the scene itself that is thinner than a pixel at 240 x 240; 0 where light may pass through surfaces.
     double thin = 0;
 
-    // Known for the mesh of a surface field only:
+    // These are known for the mesh of a surface field only:
     bool rough = false;         // simplified without regard to the shape's topology, because nothing else got there
     uint32_t holes = 0;         // regions of more than 2 pixels that its silhouettes lack, 24 of 240 × 240 pixels
     uint32_t largest_hole = 0;  // pixels
 };
 
-// For the user, each the part of a sentence.
+// These are for the user, each as the part of a sentence.
 struct MeshWarning {
     std::string problem;
     std::string remedy;  // in the scene, or by another layout; may be empty

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a glTF file's accessors: of any component type, quantised, with gaps, or sparse.
+// Reads the numbers of a glTF file's accessors: of any component type, quantised, with gaps, or sparse.
 #pragma once
 
 #include "model/gltf/model.h"

@@ -50,7 +50,7 @@ struct GltfNode {
     Affine matrix{};
 };
 
-// KHR_lights_punctual.
+// This is a light of KHR_lights_punctual.
 struct GltfLight {
     enum class Type { directional, point, spot };
     Type type = Type::point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a glTF primitive.
+// Reads the triangles of a glTF primitive.
 #pragma once
 
 #include "model/gltf/model.h"

@@ -21,7 +21,7 @@ public:
 
     // The picture's place among the textures, or kNoTexture where it is missing or no picture; a warning says so once.
     int32_t find(const GltfTextureUse& use, PictureUse part);
-    // Normals that lean `strength` times as far.
+    // Returns normals that lean `strength` times as far.
     int32_t find_normals(const GltfTextureUse& use);
     // Opacity that crosses one half where the picture's alpha times `alpha` crosses `cutoff`. kNoTexture also where the
     // picture is opaque all over.

@@ -9,13 +9,13 @@ namespace lumi::baker::bench
 
 using Json = nlohmann::ordered_json;
 
-// Error against the number of light paths.
+// Measures the error against the number of light paths.
 Json convergence(const char* scene_file, unsigned rows);
 // Measures what adaptive sampling leaves out and its error, on so many texels.
 Json adaptive(const char* scene_file, unsigned texels);
-// Paths a second against the number of threads.
+// Measures paths a second against the number of threads.
 Json thread_rates(const char* scene_file, unsigned rows);
-// Memory of a scene of that many triangles.
+// Measures the memory of a scene of that many triangles.
 Json memory(unsigned triangles);
 
 }  // namespace lumi::baker::bench

@@ -14,7 +14,7 @@
 namespace lumi::bench
 {
 
-// The taps of every covered pixel of a view in double precision, for one pair of lattices.
+// Holds the taps of every covered pixel of a view in double precision, for one pair of lattices.
 struct ViewTaps {
     struct Pixel {
         int x, y;

@@ -25,7 +25,7 @@ bench::View bench_view(const HeldOutView& view);
 // takes at most `bytes`; 0 where none fits.
 uint32_t chord_side(uint64_t bytes);
 
-// Baked into, or found in, `cache`.
+// The fields are baked into `cache`, or found there.
 Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const BaselineSettings& settings,
                         const std::filesystem::path& cache, const std::vector<HeldOutView>& views,
                         const std::vector<Reference>& references, const baker::ProgressCallback& progress = {});

@@ -26,7 +26,7 @@ inline constexpr double kRingElevationDeg = 20;
 // Which sprite, seen from kFarQ20, lies nearest to the view.
 uint32_t nearest_sprite(const SpriteSheet& sheet, const View& view);
 
-// That sprite as the view's picture.
+// Returns that sprite as the view's picture.
 tools::Picture sprite_picture(const baker::Scene& scene, const SpriteSheet& sheet, const View& view);
 
 }  // namespace lumi::bench

@@ -17,11 +17,11 @@ struct View {
 inline constexpr uint32_t kDegree = 11930465;  // of 2^32 a turn
 inline constexpr Image kUsual = {96, 96, 40 * kDegree};
 
-// Towards the middle of the sphere, from so many radii.
+// Looks towards the middle of the sphere, from so many radii.
 Pose from(double azimuth_deg, double elevation_deg, double distance);
-// Turned about its axis.
+// Turns a view about its axis.
 Pose rolled(const Pose& pose, double degrees);
-// From all around at a distance.
+// Looks from all around at a distance.
 std::vector<View> around(double distance, const Image& image = kUsual);
 // A pair of eyes, and an image whose axis lies beside its middle.
 std::vector<View> stereo();

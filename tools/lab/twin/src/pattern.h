@@ -13,7 +13,8 @@
 namespace lumi::twin
 {
 
-// The lattice by longitude and height: zones and their coordinates, from the formulas of docs/chord-fields.md.
+// Describes the lattice by longitude and height: zones and their coordinates, from the formulas of
+// docs/chord-fields.md.
 
 inline double fibonacci(int m)
 {
@@ -39,7 +40,7 @@ inline Vec3 northern(const Vec3& q, uint32_t n)
     return {radius * std::cos(angle), radius * std::sin(angle), -q.z};
 }
 
-// √5·π·n·(1 - z²) at a height.
+// Computes √5·π·n·(1 - z²) at a height.
 inline double steepness(double height, uint32_t n)
 {
     const double z = 1 - (2 * height + 1) / n;
@@ -52,7 +53,7 @@ inline double zone_of(double height, uint32_t n)
     return std::log(steepness(height, n)) / std::log(kGolden) / 2;
 }
 
-// Lattice coordinates in the basis (F_k, F_k+1).
+// Computes lattice coordinates in the basis (F_k, F_k+1).
 struct CellCoordinates {
     double u, v;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contents of a surface file, decoded without core's reader.
+// Decodes the contents of a surface file without core's reader.
 #pragma once
 
 #include <vector>

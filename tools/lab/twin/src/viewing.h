@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pinhole camera of camera.h in double precision.
+// Computes the pinhole camera of camera.h in double precision.
 #pragma once
 
 #include <algorithm>

@@ -16,7 +16,7 @@ namespace lumi::filter
 using torch::Tensor;
 
 constexpr float kLevels = 255;
-// Sides that three halvings divide.
+// Pads to sides that three halvings divide.
 constexpr int64_t kGrain = 8;
 
 inline Tensor tensor_of(const Planes& planes)
@@ -87,7 +87,7 @@ private:
         return torch::conv2d(x, weights_[k], biases_[k], static_cast<int64_t>(strides_[k]), 1);
     }
     Tensor layer(size_t k, const Tensor& x) const { return torch::relu(convolved(k, x)); }
-    // Up to the level of `beside`.
+    // Goes up to the level of `beside`.
     Tensor up(size_t k, const Tensor& x, const Tensor& beside) const
     {
         const Tensor wide = torch::upsample_nearest2d(layer(k, x), {beside.size(2), beside.size(3)});

@@ -67,7 +67,7 @@ inline Vec3q30 encoded(const Vec3& v)
     return {to_q30(v.x), to_q30(v.y), to_q30(v.z)};
 }
 
-// Point i of n, from the definition in lattice.h.
+// Computes point i of n, from the definition in lattice.h.
 inline Vec3 point(uint32_t n, uint32_t i)
 {
     const double z = 1 - (2.0 * i + 1) / n;

@@ -9,7 +9,7 @@
 namespace lumi::twin
 {
 
-// Encoded values, 0 .. 255.
+// Values are encoded, 0 .. 255.
 struct Colour {
     double r = 0, g = 0, b = 0;
 };
