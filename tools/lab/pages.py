@@ -20,7 +20,7 @@ import json
 import re
 import sys
 
-from figures import bench, boards, paper, plots, scenes, trade
+from figures import bench, boards, paper, plots, trade
 from figures.table import ROOT, Table, commits, put, save, shown
 
 TABLES = {
@@ -35,7 +35,7 @@ TABLES = {
     **{f"paper {name}": (lambda name=name: getattr(paper, name)()) for name in (
         "bakes", "likeness", "background", "times", "eyes", "m4")},
     "licences": boards.licences,
-    "scene pictures": scenes.pictures,
+    "scene pictures": boards.pictures,
     "devices": boards.devices,
     "board memory": boards.memory,
 }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 
+#include "geometry/components.h"
 #include "math/sampler.h"
 #include "math/vec3.h"
 #include "math/warp.h"
@@ -77,20 +77,15 @@ struct Farthest {
 
 std::vector<Part> parts_of(const Mesh& mesh, const std::vector<Mesh::Corners>& places)
 {
-    std::vector<uint32_t> parent(mesh.positions.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](uint32_t p) {
-        while (parent[p] != p) p = parent[p] = parent[parent[p]];
-        return p;
-    };
+    DisjointSets sets(mesh.positions.size());
     for (const Mesh::Corners& c : places) {
-        parent[root(c[1])] = root(c[0]);
-        parent[root(c[2])] = root(c[0]);
+        sets.join(c[1], c[0]);
+        sets.join(c[2], c[0]);
     }
-    std::vector<uint32_t> numbers(parent.size(), 0);  // of parts, from 1, by root
+    std::vector<uint32_t> numbers(mesh.positions.size(), 0);  // of parts, from 1, by root
     std::vector<Part> parts;
     for (size_t t = 0; t < places.size(); ++t) {
-        uint32_t& number = numbers[root(places[t][0])];
+        uint32_t& number = numbers[sets.root(places[t][0])];
         if (number == 0) {
             parts.push_back({reach_of(mesh.position(t, 0)), 0, mesh.materials[t]});
             number = static_cast<uint32_t>(parts.size());

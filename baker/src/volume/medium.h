@@ -20,7 +20,6 @@
 #include "util/digest.h"
 #include "volume/affine.h"
 #include "volume/grid.h"
-#include "volume/transfer_function.h"
 #include "volume/volume.h"
 
 namespace lumi::baker

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "volume/transfer_function.h"
+#include "volume/volume.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Examples on emulated devices, memory of README's firmware, and what the `lumi` command loads."""
-from .table import NONE, Table, load, or_none
+"""Examples on emulated devices, memory of README's firmware, what the `lumi` command loads, and pictures of the project's
+scenes (tools/lab/pictures.sh)."""
+from .table import NONE, Table, decimal, load, or_none
 
 
 def devices():
@@ -23,3 +24,12 @@ def memory():
 def licences():
     return Table.of(["package", "loaded", "licence of most files", "loaded by"], load("licences")["rows"], lambda row: [
         row["package"], ", ".join(row["objects"]), row["licence"], ", ".join(f"`{name}`" for name in row["by"])])
+
+
+def pictures():
+    def cells(row):
+        return [f"`{row['scene']}`, {row['orbit']}", f"![traced](img/{row['picture']}.png)",
+                f"![drawn](img/{row['picture']}-drawn.png)", f"{row['layout']}, {row['bytes'] / 1000:.0f} kB",
+                f"{decimal(row['psnr_db'])} dB"]
+    columns = ["scene, `--orbit`", "path-traced", "drawn from flash", "field", "likeness"]
+    return Table.of(columns, load("scenes")["pictures"], cells)

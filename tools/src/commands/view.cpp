@@ -3,19 +3,25 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "commands/camera_options.h"
 #include "commands/commands.h"
 #include "commands/device_figures.h"
 #include "draw/draw_surface.h"
+#include "draw/views.h"
 #include "files/field_file.h"
 #include "files/output_file.h"
 #include "lumi/chord/render_spans.h"
+#include "quality/page.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
 #include "viewer/modules.h"
+#include "viewer/page_sources.h"
 #include "viewer/turntable.h"
-#include "viewer/view_page.h"
 
 namespace lumi::tools
 {
@@ -28,48 +34,131 @@ struct PageOptions {
     ViewOptions views;  // orbit and background
 };
 
-// The modules' numbers: platform/wasm/surface_drawing.cpp and chord_drawing.cpp.
-std::vector<ShownMode> surface_modes()
+using Json = nlohmann::ordered_json;
+
+// A mode as pages show it. `number` is the module's: platform/wasm/surface_drawing.cpp and chord_drawing.cpp.
+Json mode_of(int number, const char* name, const char* title, const char* remark)
 {
-    return {{0, name_of(SurfaceMode::one_sample), "One sample", "One sample a pixel, the fastest", {}},
-            {1, name_of(SurfaceMode::antialiased), "Antialiased", "One sample a pixel, smooth outlines", {}},
-            {2, name_of(SurfaceMode::two_by_two), "2×2 samples", "Four samples a pixel, the finest", {}}};
+    return {{"number", number}, {"name", name}, {"title", title}, {"remark", remark}, {"rates", Json::object()}};
 }
 
-std::vector<ShownMode> chord_modes(const Field& field)
+Json surface_modes()
+{
+    return {mode_of(0, name_of(SurfaceMode::one_sample), "One sample", "One sample a pixel, the fastest"),
+            mode_of(1, name_of(SurfaceMode::antialiased), "Antialiased", "One sample a pixel, smooth outlines"),
+            mode_of(2, name_of(SurfaceMode::two_by_two), "2×2 samples", "Four samples a pixel, the finest")};
+}
+
+Json chord_modes(const Field& field)
 {
     if (!fits_spans(field))
-        return {{1, "linear", "Linear", "3×3 texels a pixel; the field is too small for spans", {}}};
-    return {{2, "nearest", "Nearest", "1 texel a pixel, the fastest", {}},
-            {1, "linear", "Linear", "3×3 texels a pixel", {}},
-            {0, "paper", "Paper", "5×5 texels a pixel, the kernel of the paper; every pixel exact", {}}};
+        return Json::array({mode_of(1, "linear", "Linear", "3×3 texels a pixel; the field is too small for spans")});
+    return {mode_of(2, "nearest", "Nearest", "1 texel a pixel, the fastest"),
+            mode_of(1, "linear", "Linear", "3×3 texels a pixel"),
+            mode_of(0, "paper", "Paper", "5×5 texels a pixel, the kernel of the paper; every pixel exact")};
 }
 
-std::vector<ShownMode> modes_of(const FieldFile& file)
+// From the coarsest to the finest, each with its rates on 240 × 240 pixels, where it is modelled.
+Json modes_of(const FieldFile& file)
 {
-    std::vector<ShownMode> modes = file.is_surface() ? surface_modes() : chord_modes(file.field());
-    const std::vector<ModeFigures> all_figures = device_figures(file);
-    for (ShownMode& mode : modes)
-        for (const ModeFigures& figures : all_figures)
-            if (figures.mode == mode.name)
+    Json modes = file.is_surface() ? surface_modes() : chord_modes(file.field());
+    for (const ModeFigures& figures : device_figures(file))
+        for (Json& mode : modes)
+            if (mode["name"] == figures.mode)
                 for (const planner::PartRate& part : figures.parts)
-                    mode.rates.push_back({part.chip->key, part.mean, part.worst});
+                    mode["rates"][part.chip->key] = {{"mean", part.mean}, {"worst", part.worst}};
     return modes;
 }
 
-std::vector<ShownChip> shown_chips()
+Json shown_chips()
 {
-    std::vector<ShownChip> chips;
+    Json chips = Json::array();
     for (const planner::Chip& chip : planner::kChipList)
-        chips.push_back({chip.key, marked_title(chip), chip.remark, chip.clock_mhz, chip.ram_bytes});
+        chips.push_back({{"key", chip.key},
+                         {"title", marked_title(chip)},
+                         {"remark", chip.remark},
+                         {"mhz", chip.clock_mhz},
+                         {"ram", chip.ram_bytes}});
     return chips;
 }
 
-int first_mode_of(const std::vector<ShownMode>& modes)
+int first_mode_of(const Json& modes)
 {
     for (size_t k = 0; k < modes.size(); ++k)
-        if (modes[k].name == "antialiased" || modes[k].name == "linear") return static_cast<int>(k);
+        if (modes[k]["name"] == "antialiased" || modes[k]["name"] == "linear") return static_cast<int>(k);
     return 0;
+}
+
+std::string colour_text(const Rgb8& c)
+{
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", c.r, c.g, c.b);
+    return text;
+}
+
+std::string stem_of(const PageOptions& options)
+{
+    return std::filesystem::path(options.field).stem().string();
+}
+
+std::string title_of(const PageOptions& options)
+{
+    return options.title.empty() ? stem_of(options) : options.title;
+}
+
+// The script reads this besides module and field. Angles and lengths are core's numbers; pictures are PNG files of a
+// turntable that begins at home.
+Json data_of(const PageOptions& options, const FieldFile& file)
+{
+    const host::Orbit& home = options.views.orbit;
+    const Json modes = modes_of(file);
+    Json data = {{"title", title_of(options)},
+                 {"layout", file.is_surface() ? "surface" : "chord"},
+                 {"firstMode", first_mode_of(modes)},
+                 {"background", colour_text(options.views.background)},
+                 {"home",
+                  {{"azimuth", host::turns32_from_degrees(home.azimuth_deg)},
+                   {"elevation", host::signed_turns32_from_degrees(home.elevation_deg)},
+                   {"distance", host::q20_from_radii(home.distance)}}},
+                 {"modes", modes},
+                 {"chips", shown_chips()},
+                 {"references", Json::array()}};
+    if (!options.reference.empty())
+        for (const std::string& png : read_turntable(options.reference))
+            data["references"].push_back(quality::base64(png));
+    return data;
+}
+
+// As the text of a <script>, which "</script" would end.
+std::string script_text(const Json& data)
+{
+    std::string text;
+    // Names need not be UTF-8; what is none becomes U+FFFD.
+    for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace))
+        text += c == '<' ? "\\u003c" : std::string(1, c);
+    return text;
+}
+
+struct Part {
+    std::string mark, text;
+};
+
+// Every mark of the template in one pass, so that a part's own text is never searched.
+std::string filled(const std::string& html, const std::vector<Part>& parts)
+{
+    std::string text;
+    for (size_t at = 0; at < html.size();) {
+        const Part* found = nullptr;
+        for (const Part& part : parts)
+            if (html.compare(at, part.mark.size(), part.mark) == 0) found = &part;
+        if (found != nullptr) {
+            text += found->text;
+            at += found->mark.size();
+        } else {
+            text += html[at++];
+        }
+    }
+    return text;
 }
 
 std::string_view module_for(const FieldFile& file)
@@ -81,25 +170,15 @@ std::string_view module_for(const FieldFile& file)
     return module;
 }
 
-std::string stem_of(const PageOptions& options)
-{
-    return std::filesystem::path(options.field).stem().string();
-}
-
 std::string page_of(const PageOptions& options, const FieldFile& file)
 {
-    ViewPage page;
-    page.title = options.title.empty() ? stem_of(options) : options.title;
-    page.layout = file.is_surface() ? "surface" : "chord";
-    page.module = module_for(file);
-    page.field = {reinterpret_cast<const char*>(file.bytes()), file.size()};
-    page.modes = modes_of(file);
-    page.first_mode = first_mode_of(page.modes);
-    page.chips = shown_chips();
-    page.home = options.views.orbit;
-    page.background = options.views.background;
-    if (!options.reference.empty()) page.references = read_turntable(options.reference);
-    return html_of(page);
+    const std::string_view bytes(reinterpret_cast<const char*>(file.bytes()), file.size());
+    return filled(kPageHtml, {{"{{title}}", quality::escaped(title_of(options))},
+                              {"{{style}}", kPageCss},
+                              {"{{data}}", script_text(data_of(options, file))},
+                              {"{{module}}", quality::base64(module_for(file))},
+                              {"{{field}}", quality::base64(bytes)},
+                              {"{{script}}", kPageScript}});
 }
 
 // The limits of the page's eye: platform/wasm/viewer.cpp.

@@ -39,6 +39,10 @@ struct Plugin {
 
 // Those that the program was linked with. A plug-in adds itself before main begins:
 //     const bool kRegistered = (plugins().push_back({add_this, make_that}), true);
-std::vector<Plugin>& plugins();
+inline std::vector<Plugin>& plugins()
+{
+    static std::vector<Plugin> all;
+    return all;
+}
 
 }  // namespace lumi::tools
