@@ -18,8 +18,8 @@ namespace lumi::planner
 namespace
 {
 
-// Tells which spans core had to shorten: a longer one came too near a pole, left its zone's map or turned too far, which
-// took as many instructions as a span that is drawn. It is told of all pieces of a stripe, in their order.
+// Tells which spans core had to shorten: a longer one came too near a pole, left its zone's map or turned too far,
+// which took as many instructions as a span that is drawn. It is told of all pieces of a stripe, in their order.
 class SpanTries
 {
 public:

@@ -22,6 +22,18 @@ std::string escaped(std::string text)
     return text;
 }
 
+std::string number(double value, int places)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*f", places, value);
+    return text;
+}
+
+std::string cell(const std::string& html)
+{
+    return "<td>" + html + "</td>";
+}
+
 std::string base64(std::string_view bytes)
 {
     constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -77,18 +89,6 @@ figcaption { padding: 0.3rem 0.5rem 0.45rem; font-size: 0.8rem; overflow-wrap: a
 .key { display: flex; flex-wrap: wrap; gap: 0.2rem 0.9rem; font-size: 0.82rem; margin-top: 0.25rem; }
 .key i { display: inline-block; width: 0.75em; height: 0.75em; border-radius: 2px; margin-right: 0.35em; }
 )";
-
-std::string number(double value, int places)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", places, value);
-    return text;
-}
-
-std::string cell(const std::string& text)
-{
-    return "<td>" + text + "</td>";
-}
 
 std::string file_name(const std::string& path)
 {

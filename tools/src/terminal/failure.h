@@ -49,8 +49,8 @@ public:
     }
 };
 
-// Ctrl-C is a request that long work asks for, so that it can leave cleanly. From now on the first SIGINT or SIGTERM only sets interrupt_flag(); a second one ends the process at once.
-// What waits to open a pipe fails then.
+// Ctrl-C is a request that long work asks for, so that it can leave cleanly. From now on the first SIGINT or SIGTERM
+// only sets interrupt_flag(); a second one ends the process at once. What waits to open a pipe fails then.
 void catch_interrupts();
 
 const std::atomic<bool>& interrupt_flag();

@@ -15,6 +15,10 @@ namespace lumi::trade
 namespace
 {
 
+using quality::cell;
+using quality::escaped;
+using quality::number;
+
 constexpr double kWidth = 640, kHeight = 380;
 constexpr double kLeft = 44, kRight = 20, kTop = 26, kBottom = 48;
 
@@ -32,8 +36,7 @@ std::string tick_text(double rate)
 
 std::string text_at(double x, double y, const char* style, const std::string& words)
 {
-    return "<text x=\"" + place(x) + "\" y=\"" + place(y) + "\" class=\"" + style + "\">" + quality::escaped(words) +
-           "</text>";
+    return "<text x=\"" + place(x) + "\" y=\"" + place(y) + "\" class=\"" + style + "\">" + escaped(words) + "</text>";
 }
 
 std::string line(double x, double y, double x2, double y2, const char* style)
@@ -138,8 +141,7 @@ private:
         const bool is_recommended = !part_.front.empty() && k == part_.recommended;
         return "<circle cx=\"" + place(x(k)) + "\" cy=\"" + place(y(k)) + "\" r=\"" + place(radius(k)) + "\" class=\"" +
                style + (is_recommended ? " best" : "") + "\"><title>" +
-               quality::escaped(name_of(trade_.rows[k]) + ": " + figures_text(trade_.rows[k], index_)) +
-               "</title></circle>";
+               escaped(name_of(trade_.rows[k]) + ": " + figures_text(trade_.rows[k], index_)) + "</title></circle>";
     }
 
     std::string label(size_t k) const
@@ -174,7 +176,7 @@ private:
 std::string chart_of(const Trade& trade, size_t part)
 {
     return "<svg viewBox=\"0 0 640 380\" role=\"img\" aria-label=\"Frames a second and accuracy on " +
-           quality::escaped(trade.parts[part].pace.chip->title) + "\">" + Chart(trade, part).drawn() + "</svg>\n";
+           escaped(trade.parts[part].pace.chip->title) + "\">" + Chart(trade, part).drawn() + "</svg>\n";
 }
 
 namespace
@@ -214,13 +216,6 @@ tr.beaten td { color: GrayText; }
   .thumbs { grid-template-columns: repeat(3, 1fr); }
 }
 )";
-
-using quality::escaped;
-
-std::string cell(const std::string& text)
-{
-    return "<td>" + text + "</td>";
-}
 
 std::string answer(const Trade& trade, size_t k)
 {

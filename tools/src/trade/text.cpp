@@ -7,10 +7,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "quality/page.h"
 #include "terminal/text.h"
 
 namespace lumi::trade
 {
+
+using quality::number;
 
 namespace
 {
@@ -78,13 +81,6 @@ Json part_json(const Trade& trade, const PartTrade& part)
 }
 
 }  // namespace
-
-std::string number(double value, int places)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*f", places, value);
-    return text;
-}
 
 std::string rate_text(double frames_per_second)
 {

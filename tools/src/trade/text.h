@@ -7,7 +7,6 @@
 namespace lumi::trade
 {
 
-std::string number(double value, int places);
 // "10.4", "0.28": rates of exact pixels are far below one.
 std::string rate_text(double frames_per_second);
 
