@@ -3,9 +3,7 @@
 #include "comparison/baselines.h"
 
 #include <catch2/catch.hpp>
-#include <cmath>
 
-#include "comparison/sprites.h"
 #include "lumi/baker/chord.h"
 
 namespace lumi::quality
@@ -54,17 +52,6 @@ TEST_CASE("sprites need room for one")
     CHECK(sheets[0].pictures.size() == 1);
     CHECK(sheets[1].layout == "JPEG sprites");
     CHECK(sheets[1].flash_bytes == 5 * 5700);
-}
-
-TEST_CASE("sprites of a ring lie nearer to views of that ring than those of a sphere")
-{
-    const bench::SpriteSheet ring = {48, 1, bench::kSidePx, true, 0}, sphere = {48, 1, bench::kSidePx, false, 0};
-    for (const HeldOutView& view : held_out_views(ViewSet::ring)) {
-        const double turns = view.azimuth_deg / 360 - std::floor(view.azimuth_deg / 360);
-        const double away = std::fabs(std::remainder(nearest_sprite(ring, bench_view(view)) / 48.0 - turns, 1));
-        CHECK(away <= 0.5 / 48 + 1e-6);
-        CHECK(nearest_sprite(sphere, bench_view(view)) < 48);
-    }
 }
 
 }  // namespace lumi::quality

@@ -177,10 +177,9 @@ void add_report(CLI::App& lumi)
     command->add_flag("--json", options->json, "Print all figures as JSON");
     add_pace_option(*command, options->paces,
                     "Weigh accuracy against speed and memory on these parts, and recommend what to take");
-    add_choice<quality::ViewSet>(
-        *command, "--views", options->set,
-        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}},
-        "Where views lie: all around, upper half, or ring [all]");
+    add_choice<quality::ViewSet>(*command, "--views", options->set,
+                                 {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}},
+                                 "Where views lie: all around, or in the upper half [all]");
     constexpr int kMaxViews = 100;
     command->add_option("--count", options->views, "Number of views")
         ->check(whole_number(1, kMaxViews))

@@ -79,7 +79,6 @@ Measured measured(const std::string& name, const std::string& layout, uint64_t f
         const tools::Picture picture = draw(views[v]);
         result.draw_ms += (processor_ms() - begin) / static_cast<double>(views.size());
         result.figures.push_back(figures_of(picture, references[v]));
-        result.worst.push_back(tools::worst_block(picture, references[v].picture));
         result.pictures.push_back(picture);
     }
     result.mean = mean_of(result.figures);
@@ -90,12 +89,6 @@ size_t worst_view(const Measured& m)
 {
     const auto less = [](const Figures& a, const Figures& b) { return a.psnr_db < b.psnr_db; };
     return static_cast<size_t>(std::min_element(m.figures.begin(), m.figures.end(), less) - m.figures.begin());
-}
-
-size_t worst_block_view(const Measured& m)
-{
-    const auto less = [](const tools::Block& a, const tools::Block& b) { return a.psnr_db < b.psnr_db; };
-    return static_cast<size_t>(std::min_element(m.worst.begin(), m.worst.end(), less) - m.worst.begin());
 }
 
 Way finest(tools::DisplayFormat display)

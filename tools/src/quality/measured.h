@@ -51,14 +51,12 @@ struct Measured {
     std::vector<tools::Picture> pictures;
     std::vector<Figures> figures;  // one for each view
     Figures mean;
-    uint32_t triangles = 0;           // in a surface field
-    std::vector<tools::Block> worst;  // block of each view
-    double draw_ms = 0;               // processor time of one view on this machine, the mean
+    uint32_t triangles = 0;  // in a surface field
+    double draw_ms = 0;      // processor time of one view on this machine, the mean
 };
 
-// The view of least PSNR, and the one that holds the worst block. Precondition: at least one view.
+// Returns the view of least PSNR. Precondition: at least one view.
 size_t worst_view(const Measured& m);
-size_t worst_block_view(const Measured& m);
 
 // Fields are measured against these, by one way of drawing.
 struct Yardstick {

@@ -105,15 +105,14 @@ std::string mean_row(const Measured& m)
     const Figures& f = m.mean;
     return "<tr>" + cell(escaped(file_name(m.name))) + cell(m.layout) + cell(flash_text(m)) +
            cell(number(f.psnr_db, 2)) + cell(number(f.ssim, 4)) + cell(number(f.cw_ssim, 4)) + cell(number(f.flip, 4)) +
-           cell(number(f.mask_psnr_db, 2)) + cell(number(f.mask_ssim, 4)) + cell(worst_view_text(m)) +
-           cell(worst_block_text(m)) + "</tr>\n";
+           cell(number(f.mask_psnr_db, 2)) + cell(number(f.mask_ssim, 4)) + cell(worst_view_text(m)) + "</tr>\n";
 }
 
 std::string mean_table(const ReportData& report)
 {
     std::string html =
         "<div class=\"wide\"><table><tr><th>what<th>layout<th>flash<th>PSNR dB<th>SSIM<th>CW-SSIM<th>FLIP"
-        "<th>mask PSNR<th>mask SSIM<th>worst view<th>worst block</tr>\n";
+        "<th>mask PSNR<th>mask SSIM<th>worst view</tr>\n";
     for (const Measured& m : report.fields) html += mean_row(m);
     for (const Measured& m : report.variants) html += mean_row(m);
     return html + "</table></div>\n";
@@ -172,8 +171,8 @@ std::string introduction(const ReportData& report)
            "), 2.5 to 4 radii away, the sphere filling the frame, on black; references with " +
            std::to_string(report.reference_samples) +
            " light paths a pixel. Means over the views. Fields are drawn as a microcontroller draws them. FLIP is an "
-           "error, 0 is best; the mask is where the reference is covered. Beside the worst view stands its number, "
-           "beside the worst block of 16 × 16 pixels view, x and y.</p>\n";
+           "error, 0 is best; the mask is where the reference is covered. Beside the worst view stands its "
+           "number.</p>\n";
 }
 
 }  // namespace

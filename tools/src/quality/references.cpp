@@ -41,9 +41,7 @@ double degrees(double radians)
 
 double elevation_deg(ViewSet set, int k, int count, double cap)
 {
-    constexpr double kRingLow = 15, kRingHeight = 10;
     const double share = (k + 0.5) / count;
-    if (set == ViewSet::ring) return kRingLow + kRingHeight * fraction(5 * share);
     return degrees(std::asin(set == ViewSet::upper ? 1 - share : 1 - 2 * cap * share));
 }
 
@@ -51,15 +49,7 @@ double elevation_deg(ViewSet set, int k, int count, double cap)
 
 const char* name_of(ViewSet set)
 {
-    switch (set) {
-        case ViewSet::all:
-            return "all";
-        case ViewSet::upper:
-            return "upper";
-        case ViewSet::ring:
-            return "ring";
-    }
-    return "unknown";
+    return set == ViewSet::all ? "all" : "upper";
 }
 
 HeldOutView view_at(double azimuth_deg, double elevation_deg, double distance, int side_px)
@@ -76,7 +66,7 @@ std::vector<HeldOutView> held_out_views(ViewSet set, int count, int side_px, dou
 {
     std::vector<HeldOutView> views;
     for (int k = 0; k < count; ++k) {
-        const double azimuth = set == ViewSet::ring ? kDegrees * k / count : kDegrees * fraction(k / kGolden);
+        const double azimuth = kDegrees * fraction(k / kGolden);
         const double distance = kNearest + (kFarthest - kNearest) * fraction((k + 0.5) * 5 / 12);
         views.push_back(view_at(azimuth + kTurnDeg, elevation_deg(set, k, count, cap), distance, side_px));
     }

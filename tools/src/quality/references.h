@@ -14,7 +14,7 @@ namespace lumi::quality
 {
 
 // No bake has aimed at any of these views.
-enum class ViewSet : uint8_t { all, upper, ring };
+enum class ViewSet : uint8_t { all, upper };
 const char* name_of(ViewSet set);
 
 inline constexpr int kHeldOutViews = 12;
@@ -27,8 +27,7 @@ struct HeldOutView {
 
 // `count` views of side_px × side_px pixels from 2.5 to 4 radii, the sphere filling the frame:
 // all: a Spherical Fibonacci set over the whole sphere, turned by kTurnDeg so that it is no field's set of origins;
-// upper: the same over the upper half; ring: around the clock, 15 to 25 degrees high. `cap`: of all, that uppermost
-// share of the sphere.
+// upper: the same over the upper half. `cap`: of all, that uppermost share of the sphere.
 std::vector<HeldOutView> held_out_views(ViewSet set, int count = kHeldOutViews, int side_px = kViewSidePx,
                                         double cap = 1);
 

@@ -19,9 +19,9 @@ std::string row_text(const Measured& m)
     char text[320];
     const std::string flash = m.flash_bytes != 0 ? tools::byte_text(m.flash_bytes) : "-";
     const Figures& f = m.mean;
-    std::snprintf(text, sizeof text, "%-28s %-12s %9s %7.2f %7.4f %8.4f %7.4f %10.2f %10.4f %11s %s\n", m.name.c_str(),
+    std::snprintf(text, sizeof text, "%-28s %-12s %9s %7.2f %7.4f %8.4f %7.4f %10.2f %10.4f %11s\n", m.name.c_str(),
                   m.layout.c_str(), flash.c_str(), f.psnr_db, f.ssim, f.cw_ssim, f.flip, f.mask_psnr_db, f.mask_ssim,
-                  worst_view_text(m).c_str(), worst_block_text(m).c_str());
+                  worst_view_text(m).c_str());
     return text;
 }
 
@@ -54,10 +54,8 @@ Json json_of(const Measured& m)
     json["draw_ms"] = rounded(m.draw_ms);
     if (m.triangles != 0) json["triangles"] = m.triangles;
     if (!m.figures.empty()) {
-        const size_t v = worst_view(m), b = worst_block_view(m);
+        const size_t v = worst_view(m);
         json["worst_view"] = {{"view", v}, {"psnr_db", rounded(m.figures[v].psnr_db)}};
-        json["worst_block"] = {
-            {"view", b}, {"x", m.worst[b].x}, {"y", m.worst[b].y}, {"psnr_db", rounded(m.worst[b].psnr_db)}};
     }
     json["views"] = Json::array();
     for (const Figures& figures : m.figures) json["views"].push_back(json_of(figures));
@@ -82,15 +80,6 @@ std::string worst_view_text(const Measured& m)
     return text;
 }
 
-std::string worst_block_text(const Measured& m)
-{
-    if (m.worst.empty()) return "";
-    const size_t v = worst_block_view(m);
-    char text[60];
-    std::snprintf(text, sizeof text, "%.1f (%zu: %d, %d)", m.worst[v].psnr_db, v + 1, m.worst[v].x, m.worst[v].y);
-    return text;
-}
-
 std::string text_of(const ReportData& report)
 {
     std::string text =
@@ -98,7 +87,7 @@ std::string text_of(const ReportData& report)
         ") against " + std::to_string(report.reference_samples) +
         " samples a pixel\n"
         "field                        layout           flash  PSNR dB   SSIM  CW-SSIM    FLIP  mask PSNR  "
-        "mask SSIM  worst view worst block\n";
+        "mask SSIM  worst view\n";
     for (const Measured& field : report.fields) text += row_text(field);
     for (const Measured& variant : report.variants) text += row_text(variant);
     return text;

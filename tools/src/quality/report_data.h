@@ -22,8 +22,6 @@ struct ReportData {
 
 // Returns "31.2 (7)": the PSNR of the view of least PSNR, and which it is, from 1 on.
 std::string worst_view_text(const Measured& m);
-// Returns "14.3 (7: 112, 64)": the PSNR of the worst block, its view and the place of its top left pixel.
-std::string worst_block_text(const Measured& m);
 
 std::string text_of(const ReportData& report);
 std::string json_of(const ReportData& report);

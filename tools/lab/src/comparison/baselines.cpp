@@ -22,13 +22,6 @@ baker::BakeSettings chord_settings(uint32_t side, const BaselineSettings& settin
 
 }  // namespace
 
-bench::View bench_view(const HeldOutView& view)
-{
-    return {"held-out", host::turns32_from_degrees(view.azimuth_deg),
-            host::signed_turns32_from_degrees(view.elevation_deg), host::q20_from_radii(view.distance),
-            view.eye.image.fov_turns32};
-}
-
 uint32_t chord_side(uint64_t bytes)
 {
     const auto fits = [&](uint32_t side) { return baker::field_file_bytes(chord_settings(side, {})) <= bytes; };
@@ -57,10 +50,18 @@ Measured measured_chord(const baker::Scene& scene, uint64_t bytes, const Baselin
 namespace
 {
 
+// As the bench names views.
+bench::View bench_view(const HeldOutView& view)
+{
+    return {"held-out", host::turns32_from_degrees(view.azimuth_deg),
+            host::signed_turns32_from_degrees(view.elevation_deg), host::q20_from_radii(view.distance),
+            view.eye.image.fov_turns32};
+}
+
 std::string title_of(const bench::SpriteSheet& sheet)
 {
     return std::to_string(sheet.count) + (sheet.jpeg_bytes != 0 ? " JPEG sprites, " : " sprites, ") +
-           std::to_string(sheet.side_px) + " px" + (sheet.is_ring ? ", in a ring" : "");
+           std::to_string(sheet.side_px) + " px";
 }
 
 uint64_t bytes_of(const bench::SpriteSheet& sheet)
@@ -88,7 +89,6 @@ std::vector<Measured> measured_sprites(const baker::Scene& scene, uint64_t bytes
     constexpr uint32_t kJpegBytes = 5700;
     bench::SpriteSheet sheet;
     sheet.samples = settings.sprite_samples;
-    sheet.is_ring = settings.views == ViewSet::ring;
     std::optional<Measured> best;
     for (const int side : {bench::kSidePx, bench::kSidePx / 2, bench::kSidePx / 3}) {
         sheet.side_px = side;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lumi/baker/scene.h"
-#include "lumi/bench/views.h"
 #include "quality/measured.h"
 
 namespace lumi::quality
@@ -14,12 +13,8 @@ namespace lumi::quality
 struct BaselineSettings {
     uint32_t chord_samples = 16;   // light paths a texel
     uint32_t sprite_samples = 16;  // light paths a pixel: their noise is far below the error of a wrong view
-    ViewSet views = ViewSet::all;  // ring: sprites stand in a ring too
     unsigned threads = 0;
 };
-
-// As the bench names views.
-bench::View bench_view(const HeldOutView& view);
 
 // M and N of the largest palette8 chord field with as many origins as directions (what shows most per byte) whose file
 // takes at most `bytes`; 0 where none fits.

@@ -28,10 +28,6 @@ int32_t signed_turns32(double radians)
 
 Pose sprite_pose(const SpriteSheet& sheet, uint32_t index)
 {
-    if (sheet.is_ring) {
-        const auto azimuth = static_cast<uint32_t>((uint64_t{index} << 32) / sheet.count);
-        return detail::orbit(azimuth, signed_turns32(kRingElevationDeg * kPi / 180), kFarQ20);
-    }
     const double z = twin::from_q30(detail::Lattice(sheet.count).height_q30(index));
     return detail::orbit(detail::longitude_turns32(index), signed_turns32(std::asin(z)), kFarQ20);
 }
@@ -84,8 +80,7 @@ tools::Picture traced_view(const baker::Scene& scene, const Pose& pose, const Im
     return picture;
 }
 
-}  // namespace
-
+// Which sprite, seen from kFarQ20, lies nearest to the view.
 uint32_t nearest_sprite(const SpriteSheet& sheet, const View& view)
 {
     const Vec3q20 eye = view_pose(view).eye;
@@ -99,6 +94,8 @@ uint32_t nearest_sprite(const SpriteSheet& sheet, const View& view)
     }
     return best;
 }
+
+}  // namespace
 
 tools::Picture sprite_picture(const baker::Scene& scene, const SpriteSheet& sheet, const View& view)
 {

@@ -15,18 +15,13 @@ namespace lumi::bench
 {
 
 struct SpriteSheet {
-    uint32_t count = 1;
+    uint32_t count = 1;         // a Spherical Fibonacci set all around
     uint32_t samples = 16;      // light paths a pixel; what remains of noise is far below the error of a wrong view
     int32_t side_px = kSidePx;  // a sprite's side
-    bool is_ring = false;       // around the clock, kRingElevationDeg high; else a Spherical Fibonacci set all around
     uint32_t jpeg_bytes = 0;    // a sprite's size at most, in the best quality that fits; 0: RGB565
 };
-inline constexpr double kRingElevationDeg = 20;
 
-// Which sprite, seen from kFarQ20, lies nearest to the view.
-uint32_t nearest_sprite(const SpriteSheet& sheet, const View& view);
-
-// Returns that sprite as the view's picture.
+// Returns the nearest sprite as the view's picture.
 tools::Picture sprite_picture(const baker::Scene& scene, const SpriteSheet& sheet, const View& view);
 
 }  // namespace lumi::bench

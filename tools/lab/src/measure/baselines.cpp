@@ -5,7 +5,6 @@
 #include "commands/scene_options.h"
 #include "comparison/baselines.h"
 #include "measure/commands.h"
-#include "program/option_checks.h"
 #include "quality/report_data.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
@@ -20,32 +19,28 @@ struct Options {
     tools::SceneOptions scene;
     std::string cache = "lumi-report";
     uint64_t bytes = 0;
-    quality::ViewSet set = quality::ViewSet::all;
     int views = quality::kHeldOutViews;
     uint32_t samples = 256;
 };
 
 void measure(const Options& options, const baker::Scene& scene, const baker::ProgressCallback& progress)
 {
-    quality::ReportData report = {options.scene.path, options.set, options.samples, {}, {}, {}, {}};
-    report.views = quality::held_out_views(options.set, options.views);
+    quality::ReportData report = {options.scene.path, quality::ViewSet::all, options.samples, {}, {}, {}, {}};
+    report.views = quality::held_out_views(quality::ViewSet::all, options.views);
     const baker::ReferenceSettings tracing = {options.samples, 1, options.scene.threads, false};
     report.references = quality::references_of(scene, report.views, tracing, options.cache, progress);
     quality::BaselineSettings settings;
     settings.threads = options.scene.threads;
-    settings.views = options.set;
     if (quality::chord_side(options.bytes) > 0)
         report.fields.push_back(quality::measured_chord(scene, options.bytes, settings, options.cache, report.views,
                                                         report.references, progress));
     for (auto& sheet : quality::measured_sprites(scene, options.bytes, settings, report.views, report.references))
         report.fields.push_back(std::move(sheet));
-    if (options.set != quality::ViewSet::ring) {  // there it is as all around
-        const auto one_ray = quality::one_ray_pictures(scene, report.views, tracing, options.cache, progress);
-        size_t next = 0;
-        report.fields.push_back(quality::measured(
-            "one exact ray a pixel", "one ray", 0, [&](const auto&) { return one_ray[next++].picture; }, report.views,
-            report.references));
-    }
+    const auto one_ray = quality::one_ray_pictures(scene, report.views, tracing, options.cache, progress);
+    size_t next = 0;
+    report.fields.push_back(quality::measured(
+        "one exact ray a pixel", "one ray", 0, [&](const auto&) { return one_ray[next++].picture; }, report.views,
+        report.references));
     std::printf("%s", json_of(report).c_str());
 }
 
@@ -70,10 +65,6 @@ void add_baselines(CLI::App& lab)
         "baselines", "Measure what else so many bytes show: a chord field, sprites; and one exact ray a pixel");
     add_scene_options(*command, options->scene);
     command->add_option("--bytes", options->bytes, "Flash for each of them")->required();
-    tools::add_choice<quality::ViewSet>(
-        *command, "--views", options->set,
-        {{"all", quality::ViewSet::all}, {"upper", quality::ViewSet::upper}, {"ring", quality::ViewSet::ring}},
-        "Where views lie [all]");
     command->add_option("--count", options->views, "Number of views")->capture_default_str();
     command->add_option("--spp", options->samples, "Light paths per pixel of the references")->capture_default_str();
     command->add_option("--cache", options->cache, "Folder of references, that of lumi report")->capture_default_str();
