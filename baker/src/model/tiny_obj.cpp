@@ -174,7 +174,7 @@ struct ColourField {
     const char* keyword;
     double (Read::*colour)[3];
 };
-constexpr ColourField kColours[] = {
+constexpr ColourField kColourFields[] = {
     {"Kd", &Read::diffuse}, {"Ks", &Read::specular}, {"Ke", &Read::emission}, {"Tf", &Read::transmittance}};
 
 struct NumberField {
@@ -199,7 +199,7 @@ struct MapField {
     std::string Read::*name;
     tinyobj::texture_option_t Read::*options;
 };
-constexpr MapField kMaps[] = {
+constexpr MapField kMapFields[] = {
     {"map_Kd", &Read::diffuse_texname, &Read::diffuse_texopt},
     {"map_Ks", &Read::specular_texname, &Read::specular_texopt},
     {"map_Ke", &Read::emissive_texname, &Read::emissive_texopt},
@@ -241,13 +241,13 @@ void read_mtl_text(const std::string& text, MtlMaterial& material)
     const Read& read = all.back();
     material.opacity = single(read.dissolve);
     material.illum = read.illum;
-    for (const ColourField& f : kColours) {
+    for (const ColourField& f : kColourFields) {
         const auto& c = read.*f.colour;
         if (material.has(f.keyword)) material.numbers[f.keyword] = {single(c[0]), single(c[1]), single(c[2])};
     }
     for (const NumberField& f : kNumbers)
         if (material.has(f.keyword)) material.numbers[f.keyword] = grey(single(read.*f.number));
-    for (const MapField& f : kMaps)
+    for (const MapField& f : kMapFields)
         if (material.map(f.keyword)) take(read.*f.name, read.*f.options, material.maps[f.keyword]);
 }
 
