@@ -46,7 +46,7 @@ MODELS = {
 SIDES = ["30,20,3", "200,-10,3"]  # orbits
 PEOPLE_SIDES = ["30,20,3", "90,5,3", "150,40,3", "210,-10,3", "270,20,3", "330,-40,3"]
 SIZE = "200x200"
-SPP = "64"  # of references
+SPP = "64"  # references take so many
 FAR_DB, FAR_SPP = 34, "512"  # a view that is farther off is measured again: its reference may be the noisy one
 
 

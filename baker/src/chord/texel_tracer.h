@@ -36,7 +36,7 @@ public:
 
     OriginDisc disc(uint32_t i) const;
     Vec3 direction_point(uint32_t j) const;
-    OriginDisc direction_disc(uint32_t j) const;  // the same at a direction point
+    OriginDisc direction_disc(uint32_t j) const;  // the disc at a direction point
 
     // The ray from `start` to `target`, where it ends: a start beside the sphere may see the target on the sphere's
     // near side, and what lies behind the target then belongs to another ray. Nothing if they coincide.

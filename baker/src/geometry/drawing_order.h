@@ -33,7 +33,7 @@ std::vector<uint32_t> drawing_order(const OneSidedFaces& faces, Job& job);
 struct OrderFaults {
     uint32_t pairs = 0;
     double in_order = 0;
-    double by_depth = 0;  // of the nearest corners, as renderers do it that know no order
+    double by_depth = 0;  // renderers that know no order go by the nearest corners
 };
 OrderFaults order_faults(const OneSidedFaces& faces, const std::vector<uint32_t>& order, Job& job);
 

@@ -47,7 +47,7 @@ namespace agx
 {
 
 inline constexpr float kPower = 1.23f, kHalf = 0.553f;  // p and k
-inline constexpr float kShare = 0.2f;                   // of the mean, in each mixed channel
+inline constexpr float kShare = 0.2f;                   // each mixed channel has so much of the mean
 
 inline Rgb mixed(const Rgb& c)
 {

@@ -36,7 +36,7 @@ public:
     float at(const Vec3& wo, const Vec3& wi, float facing) const
     {
         if (!rough_) return 1;
-        const float grazing = 2 * roughness_ * facing * facing - 0.5f;  // what the horizon gains
+        const float grazing = 2 * roughness_ * facing * facing - 0.5f;  // the horizon gains this
         return (1 + grazing * fifth_power(1 - wo.z)) * (1 + grazing * fifth_power(1 - wi.z));
     }
 
@@ -108,7 +108,7 @@ private:
 
     const SkinOf<Spread>* skin_;
     Rgb albedo_;
-    float straight_;  // what a facet lets in from straight above
+    float straight_;  // a facet lets this in from straight above
     DiffuseShape shape_;
 };
 

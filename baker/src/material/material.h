@@ -64,7 +64,7 @@ inline constexpr float kMinAlpha = 0.01f;  // sharper facets than this no field 
 inline constexpr float kDefaultIndex = 1.5f;
 // Diamond's index is 2.4, germanium's is 4. Closer to 1, facets and directions of glass can no longer be told apart.
 inline constexpr double kMinIndex = 1.01, kMaxIndex = 4;
-inline constexpr double kLeastLength = 1e-9;           // of a way through glass
+inline constexpr double kLeastLength = 1e-9;           // a way through glass is so long
 inline constexpr float kDefaultSheenRoughness = 0.3f;  // cloth
 
 // A picture on a surface: read where its coordinates lie once they are scaled, turned and moved, in this order.
@@ -105,7 +105,7 @@ struct MaterialNumbers {
     Rgb base = grey(0.6f);  // reflectance of the diffuse body, or of the metal at normal incidence
     Rgb emission;
     Rgb sheen_colour = grey(1);
-    Rgb transmittance = grey(1);  // what glass lets through along `transmittance_length`
+    Rgb transmittance = grey(1);  // glass lets this through along `transmittance_length`
     float metalness = 0;
     float alpha = 1;  // GGX width
     float index = kDefaultIndex;
@@ -126,7 +126,7 @@ enum class Stated : uint8_t {
 struct MaterialParameter {
     const char* json;  // a material's member in scene files; null: not there, or within "glass"
     const char* mtl;   // keyword of MTL, or null
-    double low, high;  // what lies outside is refused in scene files, and clamped with a warning in MTL
+    double low, high;  // other values are refused in scene files, and clamped with a warning in MTL
     std::variant<Rgb MaterialNumbers::*, float MaterialNumbers::*> member;
     Stated stated = Stated::plainly;
     bool shines = false;  // who sets it in a scene file asks for a specular skin and a body as rough as that
@@ -179,7 +179,7 @@ struct Material : MaterialNumbers {
     std::shared_ptr<const GlassTable> frost;  // only for rough glass
     std::shared_ptr<const Skin> coat_skin;
     std::shared_ptr<const SheenTable> fibres;
-    Rgb absorption;  // what glass takes out, per length
+    Rgb absorption;  // glass takes this out, per length
 };
 
 float alpha_from_phong_exponent(float exponent);

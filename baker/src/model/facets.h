@@ -12,8 +12,8 @@ namespace lumi::baker
 {
 
 struct Facets {
-    std::vector<Point> positions;          // of at most kMaxCoordinate
-    std::vector<Vec3> normals;             // of any length; empty, or one a position, as the next one
+    std::vector<Point> positions;          // none exceeds kMaxCoordinate
+    std::vector<Vec3> normals;             // they have any length; empty, or one a position, as the next one
     std::vector<Rgb> colours;              // linear, 0 to 1
     std::vector<Mesh::Corners> triangles;  // in range
 };

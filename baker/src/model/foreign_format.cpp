@@ -21,7 +21,7 @@ struct ForeignFormat {
     std::string_view name;
     std::string_view extensions;             // with a blank behind each
     std::array<std::string_view, 2> begins;  // one of them, unless both are empty
-    std::string_view within;                 // what the head must hold, too
+    std::string_view within;                 // the head must hold this, too
     Way way;
 };
 

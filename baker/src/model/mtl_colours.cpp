@@ -18,7 +18,7 @@ constexpr std::string_view kPrograms[] = {"3ds Max", "SketchUp", "Java3D", "Swee
 
 bool is_whole(float value, float steps)
 {
-    constexpr float kRounding = 1e-4f;  // of files with four digits
+    constexpr float kRounding = 1e-4f;  // files with four digits round so
     return std::abs(value - std::round(value * steps) / steps) < kRounding;
 }
 

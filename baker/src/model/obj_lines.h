@@ -38,7 +38,7 @@ public:
     const Line& line() const { return line_; }
     Place place() const { return {file_, line_.number}; }
     uint32_t smoothing() const { return smoothing_; }             // group, 0 = none
-    const std::optional<Rgb>& colour() const { return colour_; }  // of a position, as the file has it
+    const std::optional<Rgb>& colour() const { return colour_; }  // a position may have one in the file
 
     // Returns the material libraries so far.
     std::vector<ObjName> libraries;
@@ -63,7 +63,7 @@ private:
     Losses& losses_;
     Lines lines_;
     Line line_ = {};
-    std::string out_;        // what the package gets for it
+    std::string out_;        // the package gets this for it
     size_t counts_[3] = {};  // positions, texture coordinates and normals so far
     std::optional<Rgb> colour_;
     uint32_t smoothing_ = 0;

@@ -182,7 +182,7 @@ private:
 Mesh build_mesh(const std::string& file, std::vector<Vec3> positions, const ObjContent& content,
                 std::vector<NamedPart>& named, Losses& losses)
 {
-    std::vector<size_t> ends = {0};  // of triangles, by face
+    std::vector<size_t> ends = {0};  // where the triangles of each face end
     ObjMeshBuilder builder(std::move(positions), content, static_cast<uint32_t>(content.materials.size()));
     for (const ObjFace& face : content.faces) {
         if (!builder.add(face))

@@ -44,7 +44,7 @@ struct SceneView {
 // indices and materials are in range.
 struct SceneParts {
     Mesh mesh;
-    std::array<double, 3> origin = {0, 0, 0};  // what to add to the mesh's positions, and to nothing else
+    std::array<double, 3> origin = {0, 0, 0};  // to be added to the mesh's positions, and to nothing else
     std::vector<Material> materials;           // finished
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;

@@ -138,7 +138,7 @@ private:
 
     const ObjLines& lines_;
     ObjContent out_;
-    std::map<std::string, int32_t> places_;  // of materials
+    std::map<std::string, int32_t> places_;  // where materials stand
     int32_t material_ = kNoIndex;
     std::optional<size_t> object_, group_;  // parts that the next face belongs to
 };

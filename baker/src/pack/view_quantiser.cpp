@@ -98,7 +98,7 @@ private:
     // The root mean square of a table, by channel.
     void first_gains()
     {
-        constexpr float kTypical = 32;  // what gets the gain 1
+        constexpr float kTypical = 32;  // this gets the gain 1
         for (const uint32_t v : vertices_) {
             LevelColour sums{};
             float weights = 0;

@@ -82,7 +82,7 @@ std::vector<Part> parts_of(const Mesh& mesh, const std::vector<Mesh::Corners>& p
         sets.join(c[1], c[0]);
         sets.join(c[2], c[0]);
     }
-    std::vector<uint32_t> numbers(mesh.positions.size(), 0);  // of parts, from 1, by root
+    std::vector<uint32_t> numbers(mesh.positions.size(), 0);  // parts have them, from 1 on, by root
     std::vector<Part> parts;
     for (size_t t = 0; t < places.size(); ++t) {
         uint32_t& number = numbers[sets.root(places[t][0])];

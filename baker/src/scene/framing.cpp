@@ -12,8 +12,8 @@ namespace lumi::baker
 namespace
 {
 
-constexpr double kMargin = 0.02;  // of the sphere around the part: the body's corners stick out by less
-constexpr int kSides = 512;       // of the body that is cut along; its corners lie within 0.02 of its inscribed sphere
+constexpr double kMargin = 0.02;  // the sphere around the part grows by so much: the body's corners stick out by less
+constexpr int kSides = 512;  // the body that is cut along has them; its corners lie within 0.02 of its inscribed sphere
 
 std::vector<bool> triangles_of(const std::string& name, const SceneParts& parts)
 {

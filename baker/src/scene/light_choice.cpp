@@ -20,7 +20,7 @@ namespace
 constexpr uint64_t kMeterSeed = 0x6c69676874;
 constexpr uint32_t kMeterRays = kIsFuzzed ? 16 : 1024;  // through the sphere; about half of them meet a compact object
 constexpr uint32_t kPathsAtSpot = kIsFuzzed ? 2 : 16;   // from each place that they meet
-constexpr int kClayBounces = 3;  // of light between surfaces of clay, which then carry a fifth of it
+constexpr int kClayBounces = 3;  // light goes between surfaces of clay, which then carry a fifth of it
 constexpr float kClay = 0.6f;    // the share of light that clay sends back, as a material without numbers does
 constexpr float kAway = 1e-5f;   // radii; where rays leave a surface
 constexpr float kBeforeLight = 1 - 1e-4f;  // share of the way to a light

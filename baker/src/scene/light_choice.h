@@ -45,7 +45,7 @@ struct StatedLight {
 struct LightChoice {
     Environment environment;
     float exposure = 1;
-    std::vector<std::string> notes;  // what was chosen, and the option that decides otherwise; a sentence each
+    std::vector<std::string> notes;  // each says what was chosen, and the option that decides otherwise
     std::vector<std::string> warnings;
 };
 

@@ -99,7 +99,7 @@ BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
         sphere.radius *= 1 + margin;
         return sphere;
     }
-    constexpr double kRounding = 1e-6;  // of positions, also of a scene that was moved into its sphere before
+    constexpr double kRounding = 1e-6;  // positions have it, also where a scene was moved into its sphere before
     const double farthest = reach_of(parts, *parts.sphere, up);
     if (farthest > parts.sphere->radius * (1 + kRounding)) {
         throw SceneError("the scene reaches " + std::to_string(farthest) +

@@ -14,7 +14,7 @@ void add(Digest& digest, const Mesh& mesh)
     digest.add(positions);
     digest.add(normals);
     digest.add(uvs);
-    if (!second_uvs.empty()) digest.add(second_uvs);  // what older scenes have keeps its fingerprint
+    if (!second_uvs.empty()) digest.add(second_uvs);  // older scenes keep their fingerprints
     digest.add(corners);
     digest.add(shading);
     digest.add(mapping);

@@ -18,7 +18,7 @@ constexpr Vec3 kZAxis = {0, 0, 1};
 // Steps of an additive recurrence in two dimensions, powers of 1/g with g^3 = g + 1: they keep points far apart, after
 // M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
 constexpr float kStep1 = 0.7548777f, kStep2 = 0.5698403f;
-constexpr float kGoldenFraction = 0.6180340f;  // the same in one dimension
+constexpr float kGoldenFraction = 0.6180340f;  // its one-dimensional kin
 
 constexpr size_t kAimed = kCatcherCandidates / 2;        // drawn by the lights
 constexpr size_t kSpread = kCatcherCandidates - kAimed;  // drawn over the hemisphere, of the sky alone

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr int kRouletteAfter = 2;       // bounces on other things than glass that every path makes
-constexpr float kWorthTwoRays = 0.03f;  // of the light of white: what may add less is looked for by chance
+constexpr float kWorthTwoRays = 0.03f;  // as a share of the light of white: less is looked for by chance
 constexpr float kOnCatcher = 1e-5f;     // radii; far above the rounding error of a hit
 constexpr float kMattPdf = 1 / kPi;     // the highest of a matt surface
 constexpr float kMaxSurvival = 0.95f;   // even a white path ends some time; out of a medium it finds by itself
@@ -34,7 +34,7 @@ struct Walk {
     Rgb throughput = grey(1);
     float pdf = 0;  // solid angle, of the last scattering; unused at the eye
     bool at_eye = true;
-    const Material* glass = nullptr;  // what the ray runs through
+    const Material* glass = nullptr;  // the ray runs through it
     float index2 = 1;                 // the square of its refractive index: radiance in it is larger by as much
     int bounces = 0;                  // on other things than glass
     int scatterings = 0;              // in the medium

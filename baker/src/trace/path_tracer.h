@@ -21,7 +21,7 @@ inline constexpr int kMaxScatterings = 1 << 16;  // far above the mean of any cl
 
 struct PathResult {
     bool covered = false;  // the ray meets the scene, its volume by chance, or a shadow on its catcher
-    Rgb radiance;          // what comes along the ray; 0 if not covered
+    Rgb radiance;          // it comes along the ray; 0 if not covered
     bool diffuse = false;  // the first surface scattered no more into one direction than a matt one may
 };
 

@@ -4,7 +4,7 @@ import math
 
 from .table import ROOT, load
 
-WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 400, 330, 44, 34, 44  # of a panel and its margins, in px
+WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 400, 330, 44, 34, 44  # a panel and its margins, in px
 TICKS = [0.2, 0.5, 1, 2, 5, 10, 20, 50, 100]
 WANTED = 10  # frames a second, marked by a line
 COLOURS = {"surface": "#1668b8", "chord": "#c8541a"}

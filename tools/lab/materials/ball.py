@@ -8,7 +8,7 @@ centre, so that each ring has the same area.
 import math
 
 SIZE_PX = 96
-DISTANCE = 20  # of the eye from the centre
+DISTANCE = 20  # the eye is so far from the centre
 HALF_WIDTH = 1.05  # that the picture shows of the plane through the centre
 FOV_RADIANS = 2 * math.asin(HALF_WIDTH / DISTANCE)
 SEGMENTS, HEIGHTS = 128, 64  # around the axis and from pole to pole

@@ -22,13 +22,13 @@ from picture import read_png  # noqa: E402
 SIZE_PX, SAMPLES = 40, 64
 LIMIT = 0.03  # how far from Cycles, as a share of the mean
 WHITE_GAIN = 0.01  # how much more than arrives a white material may send back
-MULTI = " multi"  # the same material, whose facets Cycles lets light leave after more than one bounce
+MULTI = " multi"  # here Cycles lets light leave a material's facets after more than one bounce
 # Materials with another limit, and why.
 LIMITS = {
     "coat metal": 0.05,  # Cycles loses 4 % of what is under a coat, in the sky only
     "metal 0.9 1 multi": 0.06,  # we estimate what bounces twice (Kulla & Conty)
 }
-STOPS = -1  # of exposure: a picture holds radiance up to 2
+STOPS = -1  # exposure, so that a picture holds radiance up to 2
 
 
 def sphere_points():

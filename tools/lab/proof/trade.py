@@ -21,7 +21,7 @@ from figures.table import save  # noqa: E402
 PARTS = ["rp2040", "rp2350", "esp32s3", "stm32f4", "stm32h7", "nrf52840", "stm32u5", "esp32c3"]
 TITLES = {"clock": "the desk clock", "bottle": "a bottle of tinted glass", "volume": "a block in fog"}
 CLOCK = bench.ROOT / "baker/scenes/product.obj"
-BASELINE_BYTES = 250_000  # what other ways get
+BASELINE_BYTES = 250_000  # other ways get so many
 QUALITY = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "flip", "mask_psnr_db", "worst_view"]
 
 

@@ -39,7 +39,7 @@ struct BakeSummary {
     std::string name, file;  // as the caller names it, and the file behind the name
     bool is_shard = false;
     double cap = 1;                                            // share of the sphere that eyes may look from
-    std::optional<baker::SurfaceBake> surface = std::nullopt;  // of a whole surface field
+    std::optional<baker::SurfaceBake> surface = std::nullopt;  // a whole surface field has it
     double rays = 0;                                           // light paths that the field was made of
     uint64_t rays_saved = 0;
     double seconds = 0;

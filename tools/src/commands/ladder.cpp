@@ -113,7 +113,7 @@ Ladder baked_ladder(const baker::Scene& scene, const LadderSettings& settings)
     const std::vector<Rung> rungs = settings.is_quick
                                         ? std::vector<Rung>(std::begin(kQuickRungs), std::end(kQuickRungs))
                                         : std::vector<Rung>(std::begin(kRungs), std::end(kRungs));
-    std::error_code ignored;  // what cannot be made is told by the bake
+    std::error_code ignored;  // the bake tells it where that fails
     std::filesystem::create_directories(settings.folder, ignored);
     LadderBake bake(scene, settings);
     for (size_t k = 0; k < rungs.size(); ++k)

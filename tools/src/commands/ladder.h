@@ -19,7 +19,7 @@ struct LadderSettings {
 
 struct Ladder {
     std::vector<std::string> fields;           // files, surface fields first
-    std::map<std::string, std::string> bakes;  // of each file, the options by which `lumi bake` makes one of its size
+    std::map<std::string, std::string> bakes;  // by file: the options by which `lumi bake` makes one of its size
 };
 
 // Surface fields of 60, 120, 250 and 500 kB, without those that the scene cannot have, and chord fields of 0.25, 1 and

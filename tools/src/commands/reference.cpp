@@ -76,7 +76,7 @@ std::vector<std::string> write_encoded(const ReferenceOptions& options, const ba
                                        const baker::Scene& scene, baker::JobSeries& series)
 {
     baker::RgbaImage image;
-    const Eye* traced = nullptr;  // what `image` shows: over another colour it need not be traced again
+    const Eye* traced = nullptr;  // `image` shows it: over another colour it need not be traced again
     const auto draw = [&](const Eye& eye, const Rgb8& background) {
         if (traced != &eye)
             image = baker::render_reference(scene, eye.camera, settings, series.next(rays_of_an_eye(options)));

@@ -19,7 +19,7 @@ void copy_stripe(const Stripe& stripe, Picture& picture)
         for (int x = 0; x < stripe.width_px; ++x) {
             const uint8_t* bytes =
                 stripe.pixels + static_cast<size_t>(y) * stripe.stride_bytes + static_cast<size_t>(x) * Pixel::kBytes;
-            const Rgb8 colour = Pixel::load(bytes);  // what a display shows
+            const Rgb8 colour = Pixel::load(bytes);  // a display shows this
             uint8_t* target = picture.pixel(x, stripe.y_px + y);
             target[0] = colour.r;
             target[1] = colour.g;

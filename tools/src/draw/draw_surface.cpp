@@ -14,7 +14,7 @@ namespace lumi::tools
 namespace
 {
 
-constexpr int kStripeHeight = 16;  // what firmware with some kilobytes to spare draws at once
+constexpr int kStripeHeight = 16;  // firmware with some kilobytes to spare draws so many at once
 constexpr uint32_t kBandLog2 = surface_band_log2(kStripeHeight);
 
 SurfaceCamera camera_of(const Eye& eye)

@@ -16,7 +16,7 @@
 namespace lumi::tools
 {
 
-inline constexpr int kSpanStripeHeight = 16;  // what firmware with a few kilobytes to spare draws at once
+inline constexpr int kSpanStripeHeight = 16;  // firmware with a few kilobytes to spare draws so many at once
 
 // The paper's kernel is drawn exactly, whatever the settings say.
 template <class Reconstruction>

@@ -125,7 +125,7 @@ std::string png_bytes_for(const std::string& path, const Picture& picture)
     }
 }
 
-constexpr int kTurnMs = 4000;  // of a turning picture
+constexpr int kTurnMs = 4000;  // a turning picture takes so long
 
 std::vector<std::string> write_turning(const ViewOptions& options, const std::string& output, const Drawer& draw)
 {

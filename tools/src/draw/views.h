@@ -23,7 +23,7 @@ struct ViewOptions {
     int turntable = 0;   // views around the vertical axis; 0 = one view
     Rgb8 background = {0, 0, 0};
     std::string pose;               // a file with a 4×4 matrix, in place of the orbit; may be empty
-    std::optional<Matrix4> matrix;  // the same, in place of the file, which then only names it in messages
+    std::optional<Matrix4> matrix;  // given in place of the file, which then only names it in messages
     std::string photo;              // a PNG to draw over, which decides the size; may be empty
 };
 

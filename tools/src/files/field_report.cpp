@@ -18,7 +18,7 @@ namespace lumi::tools
 namespace
 {
 
-constexpr double kRounding = 1e-6;  // of binary32, as a share of the sphere's radius
+constexpr double kRounding = 1e-6;  // binary32 rounds so, as a share of the sphere's radius
 
 // Fields of both layouts have these.
 struct Common {

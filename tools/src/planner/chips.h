@@ -22,7 +22,7 @@ struct CacheShape {
 
 struct Chip {
     const char* key;    // in JSON keys: lines_<key>, misses_<key>
-    const char* title;  // what people call it
+    const char* title;  // people call it so
     const char* core;   // whose code is counted for it
     double clock_mhz;
     double clocks_per_instruction;

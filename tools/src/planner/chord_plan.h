@@ -19,7 +19,7 @@ struct NoPlan : std::runtime_error {
 
 struct ChordTask {
     uint64_t budget_bytes = 0;
-    baker::BakeSettings settings;  // what is set by hand, and what a plan leaves alone
+    baker::BakeSettings settings;  // some are set by hand, and a plan leaves others alone
     bool origins_by_hand = false, directions_by_hand = false;
     std::function<uint32_t(uint32_t origins)> cap;  // how many of so many origins are kept; empty: all
 };

@@ -51,7 +51,7 @@ private:
     }
 
     detail::SpanLengths lengths_;
-    detail::Extent covered_[detail::kTileHeight] = {};  // of the band's scanlines
+    detail::Extent covered_[detail::kTileHeight] = {};  // how far the band's scanlines are covered
     int32_t tile_x_ = INT32_MIN;                        // the band's last tile so far
 };
 

@@ -14,14 +14,14 @@ namespace lumi::planner
 
 enum class SurfaceItem : size_t {
     frame,           // 1
-    vertex,          // of the field
-    patch,           // of the field, opaque ones
+    vertex,          // all in the field
+    patch,           // opaque ones in the field
     listed,          // triangles that face the eye and reach samples
     cornered,        // vertices of these
     lit,             // those that have view tables
     bordered,        // patches whose outlines are looked for
     image_px,        // pixels of the image
-    part_px,         // of stripes with what they draw beside them, where the surface may be
+    part_px,         // stripes have them, with what they draw beside them, where the surface may be
     stripe,          // stripes
     visited,         // triangles that lists offer to stripes
     boxed,           // those whose boxes have samples
@@ -29,7 +29,7 @@ enum class SurfaceItem : size_t {
     begun,           // triangles, and parts of large ones, whose rows are set up
     large,           // large triangles, in every stripe
     parts,           // parts of these that are begun
-    halved,          // what is looked at to make these, nearly
+    halved,          // so many are looked at to make these, nearly
     loop,            // calls of loops over rows
     wide,            // parts of wide triangles, whose colour is set anew
     wide_looked_at,  // triangles that are long enough to have such parts
@@ -37,7 +37,7 @@ enum class SurfaceItem : size_t {
     filled,          // rows that have samples
     sample,          // samples
     shown,           // those that are nearer than what was there
-    magnified_loop,  // the same where textures are read bilinearly
+    magnified_loop,  // as above, where textures are read bilinearly
     magnified_row,
     magnified_filled,
     magnified_sample,

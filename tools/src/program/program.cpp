@@ -264,7 +264,7 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
         if (error.code() != std::errc::resource_unavailable_try_again) return report(error.what(), kExitFailed);
         return report(kNoThread, kExitFailed);
     } catch (const std::exception& error) {
-        if (interrupt_flag()) return report(Interrupted().what(), kExitInterrupted);  // what it waited for failed
+        if (interrupt_flag()) return report(Interrupted().what(), kExitInterrupted);  // the wait failed
         return report(error.what(), kExitFailed);
     }
     return kExitOk;

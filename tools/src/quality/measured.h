@@ -45,7 +45,7 @@ Way finest(tools::DisplayFormat display = tools::DisplayFormat::rgb888);
 struct Measured {
     std::string name;    // the file's name
     std::string layout;  // "chord", "surface", "mean alone", "antialiased", ...
-    Way way;             // of fields
+    Way way;             // fields are drawn so
     uint64_t flash_bytes = 0;
     std::vector<tools::Section> sections;
     std::vector<tools::Picture> pictures;

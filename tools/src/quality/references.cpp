@@ -214,7 +214,7 @@ std::vector<Reference> references_of(const baker::Scene& scene, const std::vecto
                                      const baker::ProgressCallback& progress)
 {
     const std::filesystem::path folder = cache.empty() ? cache : cache / cache_key(scene);
-    std::error_code ignored;  // what cannot be made is told by the write
+    std::error_code ignored;  // the write tells it where that fails
     if (!cache.empty()) std::filesystem::create_directories(folder, ignored);
     std::vector<Reference> references;
     baker::JobSeries series(progress, rays_of(views, settings));

@@ -41,7 +41,7 @@ struct Row {
     std::string field;           // as the command was told it
     std::string bake;            // options of `lumi bake` for a field of that size; empty: the field is the caller's
     std::string mode;            // "antialiased", "linear, S = 8"
-    std::string render_options;  // of `lumi render`, that draw so
+    std::string render_options;  // `lumi render` draws so by these
     std::string firmware;        // how the view that `lumi embed` writes draws so
     uint64_t ram_bytes;          // a view and a stripe of 16 rows (planner/speed.h)
     std::vector<PartFigures> parts;  // in the order of Trade::parts; empty for modes that no model knows
@@ -50,7 +50,7 @@ struct Row {
 struct PartTrade {
     planner::Pace pace;
     std::vector<size_t> front;  // rows, the fastest first
-    size_t recommended = 0;     // of the front: the most accurate that keeps the pace, else the fastest
+    size_t recommended = 0;     // on the front: the most accurate that keeps the pace, else the fastest
     bool keeps_pace = false;
 };
 

@@ -18,7 +18,7 @@ namespace lumi::baker
 enum class Footprint : uint8_t {
     point,   // the one ray from origin point to direction point: sharp and aliased
     origin,  // rays from all over the origin's cell: the paper's
-    both,    // the same, and their directions spread over the direction's cell
+    both,    // as origin, and their directions spread over the direction's cell
 };
 
 // How the rays of a texel lie to each other. Without a meaning for Footprint::point, which is one ray.

@@ -52,11 +52,11 @@ Environment picture_environment(const std::filesystem::path& file, std::vector<s
 // warning where they look encoded.
 enum class ColourScale : uint8_t { unstated, linear, display };
 
-inline constexpr double kMostStops = 20;  // of exposure, to either side
+inline constexpr double kMostStops = 20;  // exposure goes so far to either side
 
 // The surface in a volume where its values cross a number.
 struct IsoSurface {
-    float value = 0;  // what is above is inside
+    float value = 0;  // larger values are inside
     // Pieces with less than this share of the largest one's area are left out, 0 to 1. In CT smaller ones are marrow
     // and noise; what the patient lay on may be larger.
     double pieces = 0.05;

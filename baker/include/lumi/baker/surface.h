@@ -37,7 +37,7 @@ struct SurfaceSettings {
 // The errors of the mesh, in shares of the rays that meet the scene.
 struct MeshLoss {
     double missed = 0;              // the mesh is not there
-    double missed_see_through = 0;  // of that: where see-through parts are
+    double missed_see_through = 0;  // a part of that lies where see-through parts are
     double added = 0;               // the ray meets the mesh, but not the scene
     double displaced = 0;           // the depths differ by more than a twentieth of the radius
 
@@ -80,12 +80,12 @@ struct SurfacePlan {
     SurfaceSettings settings;
     // Null: a bake makes the mesh of the settings when it needs one.
     std::shared_ptr<const BuiltMesh> mesh = nullptr;
-    uint32_t triangles = 0;  // of the mesh, as what follows
+    uint32_t triangles = 0;  // the mesh has these, and what follows
     MeshLoss loss = {};
     std::vector<MeshWarning> warnings = {};
-    uint64_t most_bytes = 0;             // of the file, if every vertex gets a view table
+    uint64_t most_bytes = 0;             // the file has these if every vertex gets a view table
     uint64_t ram_bytes = 0;              // 0 where there is no limit
-    uint32_t triangles_without_ram = 0;  // of the mesh that the limit of RAM made coarser; 0: it did not
+    uint32_t triangles_without_ram = 0;  // before the limit of RAM made the mesh coarser; 0: it did not
     std::string against = {};            // why a chord field does the scene more justice, with figures; may be empty
 };
 

@@ -141,7 +141,7 @@ private:
             if (has_one_of(*e, {"specularColorTexture"}))
                 losses_.add("picture(s) of specular colours are left out; give the strength by a number");
         }
-        constexpr float kMostReflectance = 0.36f;  // of the largest index that materials have
+        constexpr float kMostReflectance = 0.36f;  // the largest index that materials have reflects so much
         f0_ = std::clamp(f0_, 0.0f, kMostReflectance);
         m_.specular = f0_ > 0;
         m_.index = index_from_reflectance(f0_);

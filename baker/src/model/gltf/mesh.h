@@ -33,7 +33,7 @@ private:
     };
     struct Known {
         size_t surface;
-        GltfShape shape;                // of at least one triangle
+        GltfShape shape;                // it has at least one triangle
         std::map<Drawing, Look> looks;  // where it has colours at vertices
     };
 
@@ -52,7 +52,7 @@ private:
     const std::vector<GltfSurface>& surfaces_;
     SceneParts& parts_;
     Losses& losses_;
-    std::vector<int64_t> places_;                  // of surfaces among the scene's materials, or -1
+    std::vector<int64_t> places_;                  // where surfaces stand among the scene's materials, or -1
     std::vector<size_t> made_of_;                  // surfaces, of the scene's materials
     std::map<int32_t, std::vector<Known>> known_;  // by mesh
     size_t triangles_ = 0, replacements_ = 0;      // as many as were placed, and read

@@ -309,7 +309,7 @@ GltfModel read_gltf_file(const std::filesystem::path& file, std::vector<std::str
                                : loader.LoadASCIIFromString(&gltf, &error, &ignored, bytes.data(), size, "");
     } catch (const SceneError&) {
         throw;
-    } catch (const std::exception& e) {  // of a type that is not what tinygltf expects
+    } catch (const std::exception& e) {  // a value has another type than tinygltf expects
         error = e.what();
     }
     check_gltf_version(model, gltf.asset.version);

@@ -32,7 +32,7 @@ struct GltfAccessor {
     GltfRun run;  // without a view all numbers are 0
     uint32_t width = 1;
     bool normalized = false;
-    std::optional<GltfRun> sparse_indices;  // of elements that `sparse_values` replace
+    std::optional<GltfRun> sparse_indices;  // which elements `sparse_values` replace
     GltfRun sparse_values;
 };
 
@@ -65,7 +65,7 @@ struct GltfCamera {
 
 struct GltfImage {
     std::string name;   // for messages
-    std::string bytes;  // of its file; empty where that is missing
+    std::string bytes;  // its file holds them; empty where that is missing
 };
 
 // A texture where a material uses it.
@@ -75,7 +75,7 @@ struct GltfTextureUse {
     Vec2 scale = {1, 1}, offset;
     double rotation = 0;
     bool far_off = false;  // the file's scale or offset is beyond any pixel, and not here
-    double strength = 1;   // of normals
+    double strength = 1;   // normals have it
     std::array<Wrap, 2> wrap = {Wrap::repeat, Wrap::repeat};
 
     bool used() const { return image != kNoIndex; }

@@ -166,7 +166,7 @@ private:
     {
         const Vec3 size = box.high - box.low;
         const float longest = std::max({size.x, size.y, size.z});
-        constexpr float kThinnest = 1e-3f;  // of the longest side: a pane may be flat
+        constexpr float kThinnest = 1e-3f;  // as a share of the longest side: a pane may be flat
         return longest > 0 ? std::max(std::min({size.x, size.y, size.z}), kThinnest * longest) : 1.0f;
     }
 
@@ -175,7 +175,7 @@ private:
     const std::vector<GltfSurface> surfaces_;
     GltfMeshBuilder meshes_;
     Losses& losses_;
-    std::vector<int32_t> parents_;  // of named parts
+    std::vector<int32_t> parents_;  // named parts have them
 };
 
 }  // namespace

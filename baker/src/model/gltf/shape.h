@@ -12,7 +12,7 @@ using GltfTriangle = std::array<uint32_t, 3>;
 
 struct GltfShape {
     std::vector<Vec3> positions;        // that triangles use, in the file's order
-    std::vector<Vec3> normals;          // of any length; empty, or one a position, as the next two
+    std::vector<Vec3> normals;          // they have any length; empty, or one a position, as the next two
     std::vector<Vec2> uvs, second_uvs;  // as in the file, v downwards
     std::vector<Rgb> colours;
     std::vector<GltfTriangle> triangles;  // in range

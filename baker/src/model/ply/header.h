@@ -19,7 +19,7 @@ struct PlyProperty {
     std::string name;
     PlyType type;
     bool is_list = false;
-    PlyType count_type = PlyType::uint8;  // of the list's length, which stands before the list
+    PlyType count_type = PlyType::uint8;  // the list's length has it, which stands before the list
 };
 
 struct PlyElement {

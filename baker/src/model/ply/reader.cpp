@@ -189,7 +189,7 @@ private:
     uint64_t next_count(const PlyProperty& list)
     {
         const double count = numbers_.next(list.count_type);
-        constexpr double kMost = 4294967295;  // of PLY's widest type of a count; a text may state more
+        constexpr double kMost = 4294967295;  // PLY's widest type of a count holds it; a text may state more
         if (!(count >= 0 && count <= kMost))
             numbers_.fail("a list has " + number_text(count) + " numbers, which cannot be; export it again");
         numbers_.require(static_cast<uint64_t>(count), list.type);

@@ -146,7 +146,7 @@ private:
 
     std::string file_;
     Facets facets_;
-    uint32_t corners_ = 0;  // of the facet that is open
+    uint32_t corners_ = 0;  // the facet that is open has so many
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ class Cores {
     this.current = 0;
     this.nanos = [0, 0];
     this.inbox = [[], []];  // words on their way to a core
-    this.heard = [];        // what came so far of the six words that start core 1
+    this.heard = [];        // these came so far of the six words that start core 1
     this.isLaunched = false;
     this.hookFifo(chip.sio);
     this.hookPower(chip.peripherals[0x40010]);

@@ -14,7 +14,7 @@ struct View {
     Image image;
 };
 
-inline constexpr uint32_t kDegree = 11930465;  // of 2^32 a turn
+inline constexpr uint32_t kDegree = 11930465;  // a turn has 2^32
 inline constexpr Image kUsual = {96, 96, 40 * kDegree};
 
 // Looks towards the middle of the sphere, from so many radii.

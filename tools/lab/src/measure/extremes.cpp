@@ -30,8 +30,8 @@ constexpr int32_t kRowsAView = 24, kPixelsARow = 10, kPixelsOfMany = 24;
 constexpr uint32_t kMany = 20000;  // points of which each look takes long
 constexpr double kTurn = 4294967296.0;
 constexpr double kRim = 1.0 / 4096;  // the square of half a chord below which a ray counts as missing: chord/camera.h
-constexpr double kRimTolerance = 0.0001;  // of that square: so near to the rim either is right
-constexpr double kInside = 0.19;          // of that square: nine tenths of the disc's radius
+constexpr double kRimTolerance = 0.0001;  // as a share of that square: so near to the rim either is right
+constexpr double kInside = 0.19;          // as a share of that square: nine tenths of the disc's radius
 constexpr Rgb8 kNothing = {16, 16, 16};   // no point has this number
 
 uint32_t number_of(const Rgb8& c)

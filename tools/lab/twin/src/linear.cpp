@@ -24,7 +24,7 @@ bool is_obtuse(uint32_t n, int k, double corner)
 {
     const double to_middle = (fibonacci(k) + fibonacci(k + 1)) / 2;
     const double middle = std::min(corner + to_middle, n - 1 - corner - to_middle);
-    const double lowest = middle - to_middle;  // of this cell, or of its mirror image
+    const double lowest = middle - to_middle;  // this cell has it, or its mirror image
     if (k != kPolarZone) return steepness(middle, n) >= std::pow(kGolden, 2 * k + 1);
     const auto first = static_cast<int32_t>(lowest);
     return first >= 0 &&
