@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <string>
 #include <utility>
@@ -75,8 +76,10 @@ public:
     }
     OptionGroup(const OptionGroup&) = delete;
     OptionGroup& operator=(const OptionGroup&) = delete;
-    ~OptionGroup()
+    // Does nothing while an exception passes: CLI11 then holds a null pointer for the option that it could not make.
+    ~OptionGroup() noexcept(false)
     {
+        if (std::uncaught_exceptions() > exceptions_) return;
         const std::vector<CLI::Option*> options = command_.get_options([](CLI::Option*) { return true; });
         for (size_t k = begin_; k < options.size(); ++k)
             if (!options[k]->get_positional()) options[k]->group(heading_);
@@ -86,6 +89,7 @@ private:
     CLI::App& command_;
     const std::string heading_;
     const size_t begin_;
+    const int exceptions_ = std::uncaught_exceptions();
 };
 
 }  // namespace lumi::tools
