@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "fit/fit_state.h"
+
 namespace lumi::baker
 {
 namespace
@@ -10,7 +12,6 @@ namespace
 
 using detail::format::kViewNodes;
 
-constexpr uint32_t kPatchesATask = 16;
 constexpr double kGoodEnough = 1e-4;  // the residual, as a share of the first one, at which the solution is taken
 
 std::array<double, 3> dots(const std::vector<double>& a, const std::vector<double>& b)
@@ -57,18 +58,21 @@ FitSolver::Numbers FitSolver::local(uint32_t patch, const Numbers& nodes) const
     return result;
 }
 
+void FitSolver::make_matrices()
+{
+    if (!matrices_.empty()) return;
+    matrices_.resize(sums_.patches().size());
+    for_patches(sums_.shape(), job_, [&](uint32_t p) { matrices_[p] = PatchMatrix(sums_.patches()[p]); });
+}
+
 template <class Function>
 void FitSolver::gather(Numbers& result, Function f)
 {
-    const uint32_t patches = static_cast<uint32_t>(parts_.size());
-    job_.run((patches + kPatchesATask - 1) / kPatchesATask, [&](uint32_t task) {
-        const uint32_t end = std::min(patches, (task + 1) * kPatchesATask);
-        for (uint32_t p = task * kPatchesATask; p < end; ++p) {
-            parts_[p].assign(3 * kPatchNodes, 0);
-            f(p, parts_[p]);
-        }
+    for_patches(sums_.shape(), job_, [&](uint32_t p) {
+        parts_[p].assign(3 * kPatchNodes, 0);
+        f(p, parts_[p]);
     });
-    for (uint32_t p = 0; p < patches; ++p) {
+    for (uint32_t p = 0; p < parts_.size(); ++p) {
         for (uint32_t corner = 0; corner < 4; ++corner) {
             const uint32_t v = sums_.shape().vertex(p, corner);
             for (uint32_t k = 0; v != PatchMesh::kNone && k < 3 * kViewNodes; ++k)
@@ -108,21 +112,7 @@ FitSolver::Numbers FitSolver::right_side()
 FitSolver::Numbers FitSolver::diagonal()
 {
     Numbers result(3 * kViewNodes * sums_.shape().mesh.positions.size());
-    gather(result, [&](uint32_t p, Numbers& part) {
-        const PatchSums& sums = sums_.patches()[p];
-        const auto add = [&](uint32_t node, double value) {
-            for (size_t c = 0; c < 3; ++c) part[3 * node + c] += value;
-        };
-        sums.pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
-            if (a == b) add(a, kWeightUnit * kWeightUnit * static_cast<double>(sum));
-        });
-        for (size_t t = 0; t < sums.texels.size(); ++t) {
-            for (uint32_t j = 0; j < kPatchNodes; ++j) {
-                const double weight = kWeightUnit * sums.crossed[t * kPatchNodes + j];
-                add(j, -weight * weight / std::max(sums.texels[t].count, 1u));
-            }
-        }
-    });
+    gather(result, [&](uint32_t p, Numbers& part) { matrices_[p].add_diagonal(part); });
     smoothness_.add_diagonal(result);
     return result;
 }
@@ -130,25 +120,7 @@ FitSolver::Numbers FitSolver::diagonal()
 void FitSolver::apply(const Numbers& nodes, Numbers& result)
 {
     std::fill(result.begin(), result.end(), 0.0);
-    gather(result, [&](uint32_t p, Numbers& part) {
-        const PatchSums& sums = sums_.patches()[p];
-        const Numbers own = local(p, nodes);
-        sums.pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
-            const double weight = kWeightUnit * kWeightUnit * static_cast<double>(sum);
-            for (size_t c = 0; c < 3; ++c) {
-                part[3 * a + c] += weight * own[3 * b + c];
-                part[3 * b + c] += a == b ? 0 : weight * own[3 * a + c];
-            }
-        });
-        for (size_t t = 0; t < sums.texels.size(); ++t) {
-            if (sums.texels[t].count != 0) {
-                const uint32_t* crossed = &sums.crossed[t * kPatchNodes];
-                std::array<double, 3> mean = seen(crossed, own);
-                for (double& channel : mean) channel /= sums.texels[t].count;
-                subtract(crossed, mean, part);
-            }
-        }
-    });
+    gather(result, [&](uint32_t p, Numbers& part) { matrices_[p].add_product(local(p, nodes), part); });
     smoothness_.add_gradient(nodes, result);
     mask(result);
 }
@@ -157,12 +129,13 @@ FitSolver::Numbers FitSolver::preconditioned(const Numbers& residual)
 {
     if (scale_.empty()) scale_ = diagonal();
     Numbers z(residual.size());
-    for (size_t k = 0; k < z.size(); ++k) z[k] = residual[k] / scale_[k];
+    for (size_t k = 0; k < z.size(); ++k) z[k] = scale_[k] > 0 ? residual[k] / scale_[k] : 0;
     return z;
 }
 
 ConjugateGradients FitSolver::begun(const FitModel& model)
 {
+    make_matrices();
     ConjugateGradients d;
     for (const LevelColour& node : model.nodes)
         for (const float channel : node) d.x.push_back(static_cast<double>(channel));
@@ -178,6 +151,7 @@ ConjugateGradients FitSolver::begun(const FitModel& model)
 
 void FitSolver::advance(ConjugateGradients& d, int iterations)
 {
+    make_matrices();
     Numbers product(d.x.size());
     for (int k = 0; k < iterations && !d.done; ++k) {
         apply(d.direction, product);

@@ -5,7 +5,7 @@
 // is solved by conjugate gradients, preconditioned by the diagonal. The result does not depend on threads.
 #pragma once
 
-#include "fit/fit_sums.h"
+#include "fit/patch_matrix.h"
 #include "fit/view_smoothness.h"
 #include "util/job.h"
 
@@ -44,6 +44,7 @@ public:
 private:
     using Numbers = std::vector<double>;  // 3 a node
 
+    void make_matrices();
     Numbers right_side();
     Numbers diagonal();
     Numbers preconditioned(const Numbers& residual);
@@ -59,8 +60,9 @@ private:
     const ViewSmoothness& smoothness_;
     const std::vector<uint8_t> viewed_;
     Job& job_;
-    std::vector<Numbers> parts_;  // by patch
-    Numbers scale_;               // the diagonal, once it is needed
+    std::vector<PatchMatrix> matrices_;  // by patch, once they are needed
+    std::vector<Numbers> parts_;         // by patch
+    Numbers scale_;                      // the diagonal, once it is needed
 };
 
 }  // namespace lumi::baker
