@@ -11,7 +11,7 @@ namespace
 {
 
 // A square of four texels.
-FitShape square()
+FitShape four_texels()
 {
     PatchMesh mesh;
     mesh.positions = {{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {-0.5f, 0.5f, 0}, {0.5f, 0.5f, 0}};
@@ -21,7 +21,7 @@ FitShape square()
 }
 
 // Light paths from all sides to all of it.
-std::vector<FitSample> paths(const FitShape& shape)
+std::vector<FitSample> paths_from_all_sides(const FitShape& shape)
 {
     const auto q12 = [](float v) { return static_cast<int16_t>(v * kEyeScale); };
     std::vector<FitSample> samples;
@@ -64,9 +64,9 @@ double squares(const FitShape& shape, const std::vector<FitSample>& samples, con
 
 TEST_CASE("a patch's matrix gives the squares that are left once texels have taken their means", "[fit]")
 {
-    const FitShape shape = square();
+    const FitShape shape = four_texels();
     REQUIRE(shape.layout.rectangles[0].size() == 4);
-    const std::vector<FitSample> samples = paths(shape);
+    const std::vector<FitSample> samples = paths_from_all_sides(shape);
     const EncodedTone tone(ToneCurve::srgb);
     const FitModel expected = empty_model(shape);
     FitSums sums(shape, tone, expected, White::goes_on);
