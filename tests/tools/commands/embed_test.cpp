@@ -47,17 +47,22 @@ TEST_CASE("a host program finds the field's very bytes, aligned to 8, through th
 {
     const Embedded embedded;
     const std::string program = embedded.folder / "main";
+    REQUIRE(lumi({"embed", embedded.folder / "a field.lumi", "-o", embedded.folder / "my-field.cpp", "--symbol",
+                  "demo_field"})
+                .code == 0);
     for (const std::string suffix : {".c", ".cpp"}) {
         test::write_content(program + suffix,
                             "#include <stdio.h>\n#include \"my-field.h\"\n"
                             "int main(void) { if ((uintptr_t)demo_field % 8 != 0) return 1;\n"
                             "return fwrite(demo_field, 1, demo_field_size(), stdout) != demo_field_size(); }\n");
         const std::string compiler = suffix == ".c" ? LUMI_C_COMPILER : LUMI_CXX_COMPILER;
-        require_success({compiler, "-Wall", "-Wextra", "-pedantic", "-Werror", "-I", LUMI_CORE_INCLUDE, "-I",
-                         embedded.folder.path(), program + suffix, embedded.folder / "my-field.S", "-o", program});
-        const Outcome outcome = run_program({program});
-        CHECK(outcome.code == 0);
-        CHECK((outcome.out == embedded.bytes));
+        for (const char* bytes : {"my-field.S", "my-field.cpp"}) {
+            require_success({compiler, "-Wall", "-Wextra", "-pedantic", "-Werror", "-I", LUMI_CORE_INCLUDE, "-I",
+                             embedded.folder.path(), program + suffix, embedded.folder / bytes, "-o", program});
+            const Outcome outcome = run_program({program});
+            CHECK(outcome.code == 0);
+            CHECK((outcome.out == embedded.bytes));
+        }
     }
 }
 
@@ -218,7 +223,7 @@ TEST_CASE("outputs that share a header agree, or the second is refused and nothi
     std::filesystem::remove(folder / "a.c");
     CHECK(embed("a.lumi", "a.bin", {"--address", "0x10100000"}).code == 0);
     CHECK(embed("a.lumi", "a.uf2", {"--address", "0x10100000"}).code == 0);
-    refused(embed("a.lumi", "a.S"), "a.bin", "a.S");
+    refused(embed("a.lumi", "a.cpp"), "a.bin", "a.cpp");
     for (const auto& [field, more] : std::vector<std::pair<std::string, test::Arguments>>{
              {"a.lumi", {"--address", "0x10200000"}},
              {"b.lumi", {"--address", "0x10100000"}},

@@ -36,9 +36,10 @@ EmbedKind kind_of(const EmbedOptions& options)
 {
     const std::filesystem::path extension = std::filesystem::path(options.output).extension();
     if (extension == ".S" || extension == ".s") return EmbedKind::assembler;
+    if (extension == ".cpp") return EmbedKind::cpp;
     if (extension == ".c") return EmbedKind::array;
     if (extension == ".bin" || extension == ".uf2") return EmbedKind::flashed;
-    throw UsageError("--output takes a name that ends in .S, .c, .bin or .uf2, such as field.S");
+    throw UsageError("--output takes a name that ends in .S, .cpp, .c, .bin or .uf2, such as field.S");
 }
 
 std::string symbol_of(const EmbedOptions& options)
@@ -84,7 +85,8 @@ void check_options(const EmbedOptions& options, EmbedKind kind)
     if (!options.address.empty()) parsed_address(options.address, alignment_of(options), 0);
     if (options.address.empty() && is_uf2(options))
         throw UsageError("a .uf2 needs --address, where its bytes are flashed, such as 0x10100000");
-    if (!options.incbin.empty() && kind != EmbedKind::assembler) throw UsageError("--incbin is for a .S alone");
+    if (!options.incbin.empty() && kind != EmbedKind::assembler && kind != EmbedKind::cpp)
+        throw UsageError("--incbin is for a .S or .cpp alone");
 }
 
 // The boot loader writes to the family's flash alone, in whole sectors, and a program begins in the first of them.
@@ -130,6 +132,7 @@ std::string source_of(const EmbedOptions& options, EmbedKind kind, const EmbedNa
                       std::optional<uint32_t> address)
 {
     if (kind == EmbedKind::assembler) return embed_assembler(name, incbin_of(options));
+    if (kind == EmbedKind::cpp) return embed_cpp(name, incbin_of(options));
     if (kind == EmbedKind::array) return embed_array(name, field.bytes(), field.size());
     if (is_uf2(options)) return uf2_of(field.bytes(), field.size(), *address, options.family);
     return {reinterpret_cast<const char*>(field.bytes()), field.size()};
@@ -165,7 +168,7 @@ void add_embed(CLI::App& lumi)
     command->add_option("FIELD", options->field, "A field file")->required();
     command
         ->add_option("-o,--output", options->output,
-                     "File to write: .S for an assembler, .c for other compilers "
+                     "File to write: .S for an assembler, .cpp for GCC or clang without one, .c for other compilers "
                      "and Arduino, .bin or .uf2 to be flashed on its own; the header goes beside it as .h")
         ->type_name("FIELD.S")
         ->required();

@@ -85,6 +85,16 @@ std::string embed_assembler(const EmbedName& name, const std::string& path)
            "    .section .note.GNU-stack, \"\", %progbits\n";
 }
 
+// quoted() leaves no quotation mark without a backslash before it, so a path cannot end the raw string.
+std::string embed_cpp(const EmbedName& name, const std::string& path)
+{
+    return R"(/* Written by `lumi embed`. Change the field, not this file. A relative path below is looked up in the compiler's
+   folder and in those of -I: give it this file's. Compile it without -flto, which loses the symbols of assembler. */
+__asm__(R"lumi(
+)" + bytes_in_assembler(name, path) +
+           ")lumi\");\n";
+}
+
 std::string embed_array(const EmbedName& name, const uint8_t* bytes, size_t size)
 {
     std::string text = R"(/* Written by `lumi embed`. Change the field, not this file. */
@@ -128,6 +138,7 @@ static inline size_t @SYMBOL@_size(void)
 )";
     switch (kind) {
         case EmbedKind::assembler:
+        case EmbedKind::cpp:
             return R"(/* The bytes of the field, aligned to 8. */
 extern const uint8_t @SYMBOL@[];
 extern const uint8_t @SYMBOL@_end[];

@@ -30,11 +30,15 @@ struct EmbedName {
 // into .incbin as it is.
 std::string embed_assembler(const EmbedName& name, const std::string& path);
 
+// Writes the bytes for a C++ compiler, GCC or clang, in a build that has no assembler: a file-scope asm.
+std::string embed_cpp(const EmbedName& name, const std::string& path);
+
 // The bytes as an array in C, for compilers that have no .incbin: aligned to 8 bytes.
 std::string embed_array(const EmbedName& name, const uint8_t* bytes, size_t size);
 
 enum class EmbedKind {
     assembler,  // bytes from SYMBOL to SYMBOL_end
+    cpp,        // the same
     array,      // SYMBOL, an array
     flashed,    // SYMBOL, a pointer, where the address is known; else nothing: the program says where the bytes lie
 };

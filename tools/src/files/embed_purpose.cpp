@@ -24,7 +24,8 @@ const char* endings_of(EmbedKind kind)
 {
     switch (kind) {
         case EmbedKind::assembler:
-            return ".S .s";
+        case EmbedKind::cpp:
+            return ".S .s .cpp";
         case EmbedKind::array:
             return ".c";
         case EmbedKind::flashed:
