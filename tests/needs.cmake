@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What a tree with tests needs besides what builds `lumi`, as far as .ci/run demands it (tools/install_packages.sh tests).
+# A tree with tests needs this besides what builds `lumi`, as far as .ci/run demands it (tools/install_packages.sh tests).
 
 # Programs of the tests on emulated boards.
 set(LUMI_CROSS_PROGRAMS arm-none-eabi-gcc arm-none-eabi-g++ arm-none-eabi-nm qemu-system-arm)

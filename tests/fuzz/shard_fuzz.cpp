@@ -18,7 +18,7 @@ namespace
 
 using namespace lumi::baker;
 
-// What lumi of today begins a file with, and the sum of the head.
+// Today's lumi begins a file with these, and with the sum of the head.
 void reseal(std::string& file)
 {
     if (file.size() < kHeadBytes) return;

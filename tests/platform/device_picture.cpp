@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lumi_device_picture FIELD FORMAT WIDTH HEIGHT ROWS AZIMUTH ELEVATION OUT [ZOOM]
-// What a device of platform/ shows, drawn on the host by the free functions in one piece: the pixels of its display, in
+// Draws what a device of platform/ shows on the host by the free functions in one piece: the pixels of its display, in
 // FORMAT grey4 (two pixels a byte), rgb565, rgb565-swapped, or coverage (a byte a pixel). ROWS of the device's
 // stripes decide the bands: where triangles touch, their order shows. Angles in 2^-32 turns, 3 radii away; ZOOM
 // in 2^-16.

@@ -136,6 +136,7 @@ FitSolver::Numbers FitSolver::preconditioned(const Numbers& residual)
 ConjugateGradients FitSolver::begun(const FitModel& model)
 {
     make_matrices();
+    scale_.clear();  // the expectation may have changed
     ConjugateGradients d;
     for (const LevelColour& node : model.nodes)
         for (const float channel : node) d.x.push_back(static_cast<double>(channel));

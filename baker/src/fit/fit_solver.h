@@ -29,7 +29,8 @@ bool is_of(const ConjugateGradients& gradients, const FitShape& shape);
 class FitSolver
 {
 public:
-    // Borrows the others. Nodes of vertices that are not `viewed` stay 0; empty: all are.
+    // Borrows the others. Targets of the sums may change between two solutions, and what is expected; paths may not.
+    // Nodes of vertices that are not `viewed` stay 0; empty: all are.
     FitSolver(const FitSums& sums, const ViewSmoothness& smoothness, std::vector<uint8_t> viewed, Job& job);
 
     // From the nodes of `model`, so many iterations, to nodes and texels. In parts, for who keeps what is done: begun,

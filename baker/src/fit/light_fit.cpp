@@ -89,9 +89,9 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
 {
     const SortedSamples samples = pilot_samples(stages, job);
     ViewSmoothness smoothness(shape_);
-    const std::vector<uint8_t> viewable = viewable_vertices(shape_.mesh);
     start_from_means(shape_, samples, state.tone, state.expected);
     FitSums sums(shape_, state.tone, state.expected, White::goes_on);
+    FitSolver solver(sums, smoothness, viewable_vertices(shape_.mesh), job);
     bool is_first = true;  // not of all rounds: others may have been kept
     for (int round = 0; round < kPilotRounds; ++round) {
         const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
@@ -105,7 +105,7 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
             is_first = false;
             if (round != 0) smoothness.learn(sums, state.expected);
             PilotRound done = {state.expected, paths_.extra_chances(sums)};
-            FitSolver(sums, smoothness, viewable, job).solve(done.model, kPilotIterations);
+            solver.solve(done.model, kPilotIterations);
             return done;
         };
         PilotRound done = stages.once<PilotRound>("pilot fit", next, round);

@@ -21,7 +21,8 @@ namespace
 constexpr double kWrong = 1e-3;
 // Distances are rounded to a unit between 2^-14 and 2^-13 of the spacing, as their terms are before.
 constexpr double kDistanceTolerance = 1e-3;
-// Of the weights of a query in all: those of nine taps are rounded down to 2^-12, and distances before by their part.
+// Bounds the error of all weights of a query: those of nine taps are rounded down to 2^-12, and distances before by
+// their part.
 constexpr double kWeightTolerance = 1.0 / 400;
 
 struct Found {
@@ -50,7 +51,7 @@ std::vector<double> nearest_squares(const std::vector<Vec3>& all, const Vec3& q)
     return squares;
 }
 
-// Of the kernel's weights from the true ones, nearest first, the sum; points that only one of both has count in full.
+// Sums how far the kernel's weights are from the true ones, nearest first; points that only one has count in full.
 double weight_error(const Found& found, const std::vector<double>& squares, uint32_t n)
 {
     std::vector<double> truth;

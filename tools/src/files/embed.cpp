@@ -186,19 +186,19 @@ extern "C" {
 #endif
 
 @DECLARATION@
-/* What lumi.h sizes its memory by. */
+/* lumi.h sizes its memory by these. */
 enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_see_through = @SEE_THROUGH@ };
 
 #ifdef __cplusplus
 }
 
-/* What draws this field: @SYMBOL@_view<lumi::Screen<240, 240, 16>>, see lumi/view.h. Without a view,
+/* This draws the field: @SYMBOL@_view<lumi::Screen<240, 240, 16>>, see lumi/view.h. Without a view,
    lumi::@OPENER@(@SYMBOL@, @SYMBOL@_size(), field) opens it. */
 #include <@HEADER@>
 template <class Screen = lumi::Screen<>, @PARAMETERS@>
 using @SYMBOL@_view = @VIEW@;
 
-/* What it takes: flash, and RAM for a view and a stripe of its pixels. The stack is not counted. */
+/* It takes so much: flash, and RAM for a view and a stripe of its pixels. The stack is not counted. */
 constexpr uint32_t @SYMBOL@_flash_bytes = @BYTES@u;
 template <class View = @SYMBOL@_view<>>
 constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;

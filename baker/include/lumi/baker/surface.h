@@ -103,8 +103,8 @@ struct SurfaceBake {
     uint64_t paths = 0;  // that meet the mesh where the scene is
 };
 
-// The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel. Throws BakeError
-// for scenes and settings that no field can hold, Cancelled.
+// The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel, and up to 100 kB
+// a patch. Throws BakeError for scenes and settings that no field can hold, Cancelled.
 SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const ProgressCallback& progress = {});
 
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
