@@ -167,11 +167,29 @@ public:
     std::vector<MtlMaterial> finish(std::vector<std::string>& warnings)
     {
         end_material();
+        mend_transparency();
         losses_.report(file_, warnings);
         return std::move(materials_);
     }
 
 private:
+    // MeshLab writes 'Tr 1' for what is opaque. Nobody exports a file of which nothing is seen.
+    void mend_transparency()
+    {
+        const bool all =
+            doubts_.size() >= materials_.size() &&
+            std::all_of(materials_.begin(), materials_.end(), [](const MtlMaterial& m) { return m.opacity <= 0; });
+        if (!all) {
+            for (const auto& [line, text] : doubts_) losses_.add_at(line, text);
+            return;
+        }
+        for (MtlMaterial& m : materials_) m.opacity = 1;
+        for (const auto& [line, text] : doubts_)
+            losses_.add_at(line,
+                           "material(s), all of the file, would be invisible by 'Tr 1' and are drawn opaque; "
+                           "write 'd 1', or 'd 0' where that is not meant");
+    }
+
     void take_known(Line& line)
     {
         if (line.keyword == "newmtl") {
@@ -283,8 +301,8 @@ private:
         if (line.keyword == "Tr" && current().has("d"))
             losses_.add_at(line.number, "material(s) have both 'd' and 'Tr', of which 'd' counts; remove one");
         else if (line.keyword == "Tr" && value >= 1)
-            losses_.add_at(line.number,
-                           "material(s) are invisible by 'Tr 1'; some programs mean opaque, then write 'd 1'");
+            doubts_.emplace_back(line.number,
+                                 "material(s) are invisible by 'Tr 1'; some programs mean opaque, then write 'd 1'");
         else if (line.keyword == "d" && value <= 0)
             losses_.add_at(line.number, "material(s) are invisible by 'd 0'; write 'd 1' if that is not meant");
     }
@@ -293,7 +311,8 @@ private:
     std::vector<MtlMaterial> materials_;
     std::set<std::string> names_;
     Losses losses_;
-    std::string text_;  // the sound lines of the material
+    std::vector<std::pair<uint32_t, std::string>> doubts_;  // lines of 'Tr 1', and what they cost
+    std::string text_;                                      // the sound lines of the material
     MtlMaterial ignored_;
     bool skipped_ = true;
     ptrdiff_t bump_rank_ = 0;

@@ -144,15 +144,16 @@ bool ObjLines::take_face()
         return false;
     }
     out_ = "f";
-    for (const std::string_view corner : corners) {
+    for (std::string_view corner : corners) {
         check_corner(corner);
+        while (corner.back() == '/') corner.remove_suffix(1);
         out_ += ' ';
         out_ += corner;
     }
     return has_faces_ = true;
 }
 
-// "v", "v/t", "v//n" or "v/t/n".
+// "v", "v/t", "v//n" or "v/t/n"; numbers at the end may be missing behind their slashes.
 void ObjLines::check_corner(std::string_view corner) const
 {
     std::string_view rest = corner;
@@ -160,7 +161,7 @@ void ObjLines::check_corner(std::string_view corner) const
         const size_t end = std::min(rest.find('/'), rest.size());
         const std::string_view number = rest.substr(0, end);
         const bool last = end == rest.size();
-        if (!number.empty() || last || k == 0) check_index(number, k);
+        if (!number.empty() || k == 0) check_index(number, k);
         if (last) return;
         rest.remove_prefix(end + 1);
     }

@@ -17,8 +17,9 @@ SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>&
                     ColourScale colours = ColourScale::unstated);
 
 // Reads glTF 2.0: .gltf with its buffers and pictures, or .glb. Units are metres, up is y. Lamps of
-// KHR_lights_punctual become fixtures.
-SceneParts read_gltf(const std::filesystem::path& file, std::vector<std::string>& warnings);
+// KHR_lights_punctual become fixtures. Skins, morphs and nodes are posed as the file's nodes are, or at a time.
+SceneParts read_gltf(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                     const std::optional<AnimationTime>& time = std::nullopt);
 
 // Whether a file that begins like this is PLY.
 bool is_ply(std::string_view head);

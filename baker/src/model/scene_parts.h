@@ -50,7 +50,8 @@ struct SceneParts {
     std::vector<Fixture> fixtures;
     std::vector<NamedPart> named;  // names may come twice
     std::vector<SceneView> views;
-    std::optional<Disc> catcher;  // catches shadows, see catcher.h
+    std::vector<std::string> notes;  // choices that the file leaves open, a sentence each
+    std::optional<Disc> catcher;     // catches shadows, see catcher.h
     std::optional<Volume> volume;
     bool mesh_is_shell = false;  // see SceneData
     ToneCurve tone = ToneCurve::srgb;

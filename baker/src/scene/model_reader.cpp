@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/model_reader.h"
 
+#include <cmath>
+
 #include "model/foreign_format.h"
 #include "model/gltf/container.h"
 #include "model/readers.h"
@@ -25,17 +27,32 @@ std::string head_of(const std::filesystem::path& file)
 
 }  // namespace
 
-SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings, ColourScale colours)
+std::optional<AnimationTime> animation_time(const std::string& text)
+{
+    const size_t mark = text.rfind('@');
+    AnimationTime time{text.substr(0, mark)};
+    constexpr double kMostSeconds = 1e6;
+    const bool sound =
+        mark == std::string::npos ||
+        (parse_finite(std::string_view(text).substr(mark + 1), time.seconds) && std::abs(time.seconds) <= kMostSeconds);
+    return sound ? std::optional(time) : std::nullopt;
+}
+
+SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                      const ModelOptions& options)
 {
     const std::string head = head_of(file), end = extension_of(file);
-    if (is_glb(head)) return read_gltf(file, warnings);
+    const bool is_gltf = is_glb(head) || end == ".gltf" || end == ".glb";
+    if (options.animation && !is_gltf)
+        throw SceneError(at({file.string()}, "only glTF files have animations; leave out --animation"));
+    if (is_glb(head)) return read_gltf(file, warnings, options.animation);
     if (is_ply(head)) return read_ply(file, warnings);
     if (is_stl(head, std::filesystem::file_size(file))) return read_stl(file, warnings);
     refuse_foreign_model(file, head);
-    if (end == ".glb" || end == ".gltf") return read_gltf(file, warnings);
+    if (is_gltf) return read_gltf(file, warnings, options.animation);
     if (end == ".ply") return read_ply(file, warnings);
     if (end == ".stl") return read_stl(file, warnings);
-    return read_obj(file, warnings, colours);
+    return read_obj(file, warnings, options.colours);
 }
 
 namespace

@@ -11,10 +11,16 @@
 namespace lumi::baker
 {
 
+// How a model is read where its file leaves that open.
+struct ModelOptions {
+    ColourScale colours = ColourScale::unstated;            // of MTL
+    std::optional<AnimationTime> animation = std::nullopt;  // of glTF
+};
+
 // The content of a file counts before its name's end: glTF, PLY, STL, or else OBJ. Throws SceneError, which names other
 // formats; appends to `warnings`.
 SceneParts read_model(const std::filesystem::path& file, std::vector<std::string>& warnings,
-                      ColourScale colours = ColourScale::unstated);
+                      const ModelOptions& options = {});
 
 // Makes a volume's iso-surface a scene, in the file's units, z up, with smooth normals; one material, dull as bone,
 // named "iso". Throws SceneError, also if the surface is empty.

@@ -122,6 +122,7 @@ void append(SceneParts& parts, SceneParts&& other)
     }
     extend(parts.named, other.named);
     extend(parts.views, other.views);
+    extend(parts.notes, other.notes);
     for (Material& m : other.materials) shift_textures(m, parts.textures.size());
     extend(parts.mesh.positions, mesh.positions);
     extend(parts.mesh.normals, mesh.normals);

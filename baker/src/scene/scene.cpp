@@ -264,6 +264,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
              medium ? kSamplesInMedium : kSamplesOnSurfaces),
       views(moved_into_sphere(parts.views, centre, radius, up))
 {
+    choice.notes.insert(choice.notes.begin(), parts.notes.begin(), parts.notes.end());
 }
 
 Scene build_scene(SceneParts parts, const LoadOptions& options)

@@ -91,7 +91,12 @@ private:
         const std::filesystem::path path = find_beside(file_, members.text_of(obj, "obj"));
         if (path.empty())
             members.fail(obj, "the object '" + obj.text + "' is missing; put it beside " + file_.filename().string());
-        SceneParts parts = read_model(path, warnings_, colours_);
+        ModelOptions options{colours_};
+        if (const JsonValue* animation = members.find("animation")) {
+            options.animation = animation_time(members.text_of(*animation, "animation"));
+            if (!options.animation) members.fail(*animation, "'animation' must be like \"NAME@1.5\", in seconds");
+        }
+        SceneParts parts = read_model(path, warnings_, options);
         if (!parts.fixtures.empty()) {
             warnings_.push_back(at({name_, obj.line}, "the lamps of '" + obj.text + "' (" +
                                                           std::to_string(parts.fixtures.size()) +
@@ -244,8 +249,13 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
                             "this is no volume, and only volumes have iso-surfaces; leave out --iso, or "
                             "name a .nii, .nii.gz or .vdb file"));
     }
-    return file.extension() == ".json" ? read_scene_file(file, options.up, warnings, options.colours)
-                                       : read_model(file, warnings, options.colours);
+    if (file.extension() != ".json") return read_model(file, warnings, {options.colours, options.animation});
+    if (options.animation) {
+        throw SceneError(at({file.string()},
+                            "the objects of a scene file have animations each; leave out --animation, and "
+                            "write \"animation\": \"NAME@SECONDS\" beside \"obj\""));
+    }
+    return read_scene_file(file, options.up, warnings, options.colours);
 }
 
 }  // namespace

@@ -11,6 +11,8 @@ namespace lumi::baker
 
 using Affine = std::array<std::array<double, 4>, 3>;
 
+inline constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
 inline std::array<double, 3> point_of(const Affine& m, double x, double y, double z)
 {
     std::array<double, 3> result;

@@ -216,8 +216,10 @@ TEST_CASE("mtl: doubtful opacity and doubled names are named")
     std::string warnings;
     CHECK(only_material("d 1\nTr 1\n", &warnings).opacity == 1);
     CHECK_THAT(warnings, Catch::Contains("m.mtl:3: 1 material(s) have both 'd' and 'Tr'"));
-    only_material("Tr 1\n", &warnings);
+    CHECK(only_material("Tr 1\nnewmtl other\nd 1\n", &warnings).opacity == 0);
     CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 1 material(s) are invisible by 'Tr 1'"));
+    CHECK(only_material("Tr 1\n", &warnings).opacity == 1);
+    CHECK_THAT(warnings, Catch::Contains("m.mtl:2: 1 material(s), all of the file, would be invisible by 'Tr 1'"));
     CHECK(static_cast<double>(only_material("Kd 0.1 0.1 0.1\nnewmtl x\nKd 0.9 0.9 0.9\n", &warnings).base.r) ==
           Approx(0.1));
     CHECK_THAT(warnings, Catch::Contains("m.mtl:3: 1 material(s) have the name of an earlier one"));

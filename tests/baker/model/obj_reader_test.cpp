@@ -125,6 +125,15 @@ TEST_CASE("obj: files that hold nothing to draw")
     CHECK_THROWS_WITH(load_obj_file("no such.obj"), Catch::Contains("no such.obj: the file cannot be opened"));
 }
 
+TEST_CASE("obj: corners may end in slashes without a number behind them")
+{
+    for (const std::string face : {"f 1/ 2/ 3/", "f 1// 2// 3//", "f 1//1 2// 3/"}) {
+        INFO(face);
+        CHECK(load_obj(kCorners + std::string("vn 0 0 1\n") + face + "\n").parts.mesh.triangle_count() == 1);
+    }
+    check_refused(kCorners + std::string("f /1 2 3\n"), ":5", "is no vertex number");
+}
+
 TEST_CASE("obj: faces that point nowhere")
 {
     check_refused(std::string(kCorners) + "f 1 2 5\n", ":5", "uses vertex 5, but there are 4");

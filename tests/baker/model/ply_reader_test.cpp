@@ -102,6 +102,27 @@ TEST_CASE("PLY: normals of the file shade, and vertices far from the origin keep
     CHECK(parts.origin[0] + static_cast<double>(parts.mesh.positions[0].x) == 4500000.125);
 }
 
+TEST_CASE("PLY: numbers of a text beyond those of its heading are left out, with their lines' count")
+{
+    std::string said, text = testing::text_ply();
+    size_t line = text.find('\n', text.find("end_header"));
+    while ((line = text.find('\n', line + 1)) != std::string::npos) text.insert(line, " 7 8"), line += 4;
+    CHECK(load_ply(text, &said).mesh.triangle_count() == 6);
+    CHECK_THAT(said, Catch::Contains("line(s) have more numbers than the heading says"));
+}
+
+TEST_CASE("PLY: a picture that a comment names costs a warning, and z is up in what Blender wrote")
+{
+    std::string said;
+    const auto commented = [](const std::string& words) {
+        return with(testing::text_ply(), "element", "comment " + words + "\nelement");
+    };
+    CHECK_FALSE(load_ply(commented("TextureFile wood.png"), &said).up);
+    CHECK_THAT(said, Catch::Contains("'wood.png'"));
+    CHECK(load_ply(commented("Created by Blender 3.4.1 - www.blender.org")).up == UpAxis::z);
+    CHECK(load_ply(commented("Created in Blender version 4.2.0")).up == UpAxis::z);
+}
+
 TEST_CASE("PLY: points without faces are refused by their name")
 {
     check_ply_refused(with(testing::ply_heading("ascii"), "element face 5", "element face 0"), "a cloud of 5 points");

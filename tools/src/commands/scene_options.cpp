@@ -110,6 +110,16 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
         .add_option("--frame", options.frame,
                     "Fit the sphere to the object, group, node or material of this name, and cut off what lies outside")
         ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--animation",
+            [&options](const std::string& word) {
+                options.animation = baker::animation_time(word);
+                if (!options.animation)
+                    throw CLI::ValidationError("--animation", "takes NAME@SECONDS, not \"" + word + "\"");
+            },
+            "Pose a glTF model as its animation of this name does at its begin, or at NAME@SECONDS [at rest]")
+        ->type_name("NAME");
 }
 
 void add_thread_option(CLI::App& command, SceneOptions& options)
@@ -128,6 +138,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     load.environment = options.sky;
     load.colours = options.colours;
     load.frame = options.frame;
+    load.animation = options.animation;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;

@@ -17,6 +17,7 @@ struct SceneOptions {
     std::string sky_picture;  // in place of `sky`; may be empty
     std::optional<double> exposure_stops;
     baker::ColourScale colours = baker::ColourScale::unstated;
+    std::optional<baker::AnimationTime> animation;
     std::string frame;  // may be empty, see baker::LoadOptions
     std::optional<float> iso;
     double pieces = baker::IsoSurface{}.pieces;
@@ -24,8 +25,8 @@ struct SceneOptions {
     unsigned threads = 0;
 };
 
-// Adds SCENE, --up, --sky, --exposure, --colours, --frame, --iso and --pieces; parsed values go to `options`, which
-// must outlive the parse.
+// Adds SCENE, --up, --sky, --exposure, --colours, --frame, --animation, --iso and --pieces; parsed values go to
+// `options`, which must outlive the parse.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 // Adds --threads.
 void add_thread_option(CLI::App& command, SceneOptions& options);

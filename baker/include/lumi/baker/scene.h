@@ -70,6 +70,14 @@ struct NamedView {
     double fov_y_degrees;
 };
 
+// A time of an animation of a glTF file, which is then posed so.
+struct AnimationTime {
+    std::string name;
+    double seconds = 0;
+};
+// Reads "NAME@SECONDS", or "NAME" for its begin. Nothing where the seconds are no number.
+std::optional<AnimationTime> animation_time(const std::string& text);
+
 // Options that are left open here are as the scene file says, or else the default.
 struct LoadOptions {
     std::optional<UpAxis> up = std::nullopt;  // y
@@ -85,7 +93,8 @@ struct LoadOptions {
     // An object, group, node or material: the sphere is fitted to it, and what lies outside of the sphere is cut off.
     // Empty: the sphere holds all of the scene.
     std::string frame;
-    std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
+    std::optional<AnimationTime> animation = std::nullopt;  // only for glTF; at rest
+    std::optional<IsoSurface> iso = std::nullopt;           // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
 };
@@ -108,7 +117,7 @@ public:
     size_t triangle_count() const;
     size_t material_count() const;
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
-    // Choices about the light that files and options leave open: a sentence each.
+    // Choices about pose and light that files and options leave open: a sentence each.
     const std::vector<std::string>& notes() const;
     // In the order of the file. Names may come twice or be empty.
     const std::vector<NamedView>& views() const;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/polygon.h"
+#include "model/gltf/pose.h"
 #include "model/vertices.h"
 
 namespace lumi::baker
@@ -26,28 +27,6 @@ Vec3 placed(const GltfModel& model, const Affine& place, const Vec3& p)
         if (!(std::abs(c) <= kMaxCoordinate))
             fail_gltf(model, "a node places its mesh beyond what can be drawn; check its scale and translation");
     return {static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2])};
-}
-
-// Normals turn by the matrix of cofactors, which is the inverse transposed but for a factor; also where there is none.
-Affine cofactors(const Affine& m)
-{
-    Affine result{};
-    for (size_t r = 0; r < 3; ++r) {
-        for (size_t c = 0; c < 3; ++c) {
-            const size_t a = (r + 1) % 3, b = (r + 2) % 3, d = (c + 1) % 3, e = (c + 2) % 3;
-            result[r][c] = m[a][d] * m[b][e] - m[a][e] * m[b][d];
-        }
-    }
-    return result;
-}
-
-Vec3 turned(const Affine& turn, const Vec3& n)
-{
-    const std::array<double, 3> v =
-        point_of(turn, static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z));
-    const double size = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    if (!(size > 0) || !std::isfinite(size)) return {};
-    return {static_cast<float>(v[0] / size), static_cast<float>(v[1] / size), static_cast<float>(v[2] / size)};
 }
 
 Vec2 with_v_upwards(const Vec2& uv)
@@ -76,20 +55,28 @@ GltfMeshBuilder::GltfMeshBuilder(const GltfModel& model, const std::vector<GltfS
 {
 }
 
-void GltfMeshBuilder::add(int32_t mesh, const Affine& place)
+void GltfMeshBuilder::add(const GltfNode& node, const Affine& place)
 {
-    const auto [found, fresh] = known_.try_emplace(mesh);
-    if (fresh) found->second = known_of(mesh);
-    for (Known& known : found->second) add_primitive(known, place);
+    const auto [found, fresh] = known_.try_emplace({node.mesh, node.skin, node.weights});
+    if (fresh) found->second = known_of(node);
+    for (Known& known : found->second) add_primitive(known, known.shape.is_bent ? kIdentity : place);
 }
 
-std::vector<GltfMeshBuilder::Known> GltfMeshBuilder::known_of(int32_t mesh)
+const std::vector<Affine>& GltfMeshBuilder::joints_of(int32_t skin)
+{
+    if (places_of_nodes_.empty()) places_of_nodes_ = places_of_nodes(model_);
+    const auto [found, fresh] = joints_.try_emplace(skin);
+    if (fresh) found->second = joint_matrices(model_, skin, places_of_nodes_);
+    return found->second;
+}
+
+std::vector<GltfMeshBuilder::Known> GltfMeshBuilder::known_of(const GltfNode& node)
 {
     std::vector<Known> list;
     size_t triangles = 0;
-    for (const GltfPrimitive& primitive : element_of(model_, model_.meshes, mesh, "mesh")) {
+    for (const GltfPrimitive& primitive : element_of(model_, model_.meshes, node.mesh, "mesh")) {
         const size_t surface = surface_of(primitive);
-        GltfShape shape = read(primitive, surface);
+        GltfShape shape = read(primitive, surface, node);
         triangles += shape.triangles.size();
         check_triangles(triangles);
         if (!shape.triangles.empty()) list.push_back({surface, std::move(shape), {}});
@@ -97,9 +84,17 @@ std::vector<GltfMeshBuilder::Known> GltfMeshBuilder::known_of(int32_t mesh)
     return list;
 }
 
-GltfShape GltfMeshBuilder::read(const GltfPrimitive& primitive, size_t surface)
+GltfShape GltfMeshBuilder::read(const GltfPrimitive& primitive, size_t surface, const GltfNode& node)
 {
-    GltfShape shape = shape_of(model_, primitive, surfaces_[surface].uv_sets, losses_);
+    std::vector<uint32_t> used;
+    GltfShape shape = shape_of(model_, primitive, surfaces_[surface].uv_sets, losses_, used);
+    morphed_ += morphed_vertices(primitive, node.weights, used.size());
+    constexpr size_t kMostMorphed = 100'000'000;
+    if (morphed_ > kMostMorphed)
+        fail_gltf(model_, "its morph targets move more than " + std::to_string(kMostMorphed) +
+                              " vertices; apply them before the export");
+    morph(model_, primitive, node.weights, used, shape);
+    if (node.skin != kNoIndex) shape.is_bent = bend(model_, primitive, joints_of(node.skin), used, shape);
     replacements_ += replacements_of(model_, primitive);
     if (replacements_ > kMostReplacements)
         fail_gltf(model_, "its primitives share long sparse accessors; export it without sparse accessors");

@@ -15,8 +15,8 @@ public:
     GltfMeshBuilder(const GltfModel& model, const std::vector<GltfSurface>& surfaces, SceneParts& parts,
                     Losses& losses);
 
-    // Throws SceneError.
-    void add(int32_t mesh, const Affine& place);
+    // The mesh of a node at its place, morphed by its weights and bent by its skin. Throws SceneError.
+    void add(const GltfNode& node, const Affine& place);
 
     // The surface that a material of `parts` is made of.
     const GltfSurface& surface(uint32_t material) const { return surfaces_[made_of_[material]]; }
@@ -37,8 +37,9 @@ private:
         std::map<Drawing, Look> looks;  // where it has colours at vertices
     };
 
-    std::vector<Known> known_of(int32_t mesh);
-    GltfShape read(const GltfPrimitive& primitive, size_t surface);
+    std::vector<Known> known_of(const GltfNode& node);
+    const std::vector<Affine>& joints_of(int32_t skin);
+    GltfShape read(const GltfPrimitive& primitive, size_t surface, const GltfNode& node);
     void check_triangles(size_t more) const;
     void add_primitive(Known& known, const Affine& place);
     size_t surface_of(const GltfPrimitive& primitive) const;
@@ -52,10 +53,13 @@ private:
     const std::vector<GltfSurface>& surfaces_;
     SceneParts& parts_;
     Losses& losses_;
-    std::vector<int64_t> places_;                  // where surfaces stand among the scene's materials, or -1
-    std::vector<size_t> made_of_;                  // surfaces, of the scene's materials
-    std::map<int32_t, std::vector<Known>> known_;  // by mesh
-    size_t triangles_ = 0, replacements_ = 0;      // as many as were placed, and read
+    std::vector<int64_t> places_;  // where surfaces stand among the scene's materials, or -1
+    std::vector<size_t> made_of_;  // surfaces, of the scene's materials
+    // By mesh, skin and weights.
+    std::map<std::tuple<int32_t, int32_t, std::vector<float>>, std::vector<Known>> known_;
+    std::vector<Affine> places_of_nodes_;                    // once a skin needs them
+    std::map<int32_t, std::vector<Affine>> joints_;          // by skin
+    size_t triangles_ = 0, replacements_ = 0, morphed_ = 0;  // as many as were placed, read, and moved
 };
 
 }  // namespace lumi::baker

@@ -22,23 +22,32 @@ namespace
 
 constexpr const char* kLights = "KHR_lights_punctual";
 
+struct FilesBeside {
+    std::filesystem::path model;
+    std::string missing;  // the last name that was not found
+
+    static FilesBeside& at(void* data) { return *static_cast<FilesBeside*>(data); }
+};
+
 // Answers what tinygltf asks of the disk: it sees only names that find_beside finds.
-tinygltf::FsCallbacks files_beside(std::filesystem::path& file)
+tinygltf::FsCallbacks callbacks_of(FilesBeside& beside)
 {
     tinygltf::FsCallbacks files{};
-    files.FileExists = [](const std::string& name, void* model) {
-        return !find_beside(*static_cast<std::filesystem::path*>(model), name).empty();
+    files.FileExists = [](const std::string& name, void* data) {
+        const bool is_there = !find_beside(FilesBeside::at(data).model, name).empty();
+        if (!is_there) FilesBeside::at(data).missing = name;
+        return is_there;
     };
     files.ExpandFilePath = [](const std::string& name, void*) { return name; };
-    files.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name, void* model) {
-        const std::string bytes = read_file(find_beside(*static_cast<std::filesystem::path*>(model), name));
+    files.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name, void* data) {
+        const std::string bytes = read_file(find_beside(FilesBeside::at(data).model, name));
         out->assign(bytes.begin(), bytes.end());
         return true;
     };
     files.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
         return false;
     };
-    files.user_data = &file;
+    files.user_data = &beside;
     return files;
 }
 
@@ -105,7 +114,8 @@ GltfAccessor accessor_of(const tinygltf::Accessor& a)
 
 GltfPrimitive primitive_of(const tinygltf::Primitive& p)
 {
-    return {p.attributes, p.indices, p.material, p.mode, p.extensions.count("KHR_draco_mesh_compression") != 0};
+    return {p.attributes, p.targets, p.indices,
+            p.material,   p.mode,    p.extensions.count("KHR_draco_mesh_compression") != 0};
 }
 
 // Columns of 4 rows each.
@@ -116,6 +126,8 @@ Affine affine_of_columns(const std::vector<double>& m)
         for (size_t c = 0; c < 4; ++c) result[r][c] = m[4 * c + r];
     return result;
 }
+
+}  // namespace
 
 Affine affine_of(const std::vector<double>& translation, const std::vector<double>& rotation,
                  const std::vector<double>& scale)
@@ -134,19 +146,43 @@ Affine affine_of(const std::vector<double>& translation, const std::vector<doubl
     return result;
 }
 
-GltfNode node_of(const tinygltf::Node& n)
+namespace
+{
+
+GltfNode node_of(const tinygltf::Model& gltf, const tinygltf::Node& n)
 {
     GltfNode result;
     result.name = n.name;
     result.children = n.children;
     result.mesh = n.mesh;
     result.camera = n.camera;
+    result.skin = n.skin;
+    result.translation = n.translation;
+    result.rotation = n.rotation;
+    result.scale = n.scale;
     const auto light = n.extensions.find(kLights);
     if (light != n.extensions.end() && light->second.Get("light").IsNumber())
         result.light = static_cast<int32_t>(std::clamp(light->second.Get("light").GetNumberAsDouble(), -1.0, 1e9));
     constexpr size_t kMatrixNumbers = 16;
     result.matrix =
         n.matrix.size() == kMatrixNumbers ? affine_of_columns(n.matrix) : affine_of(n.translation, n.rotation, n.scale);
+    if (n.mesh < 0 || static_cast<size_t>(n.mesh) >= gltf.meshes.size()) return result;
+    const tinygltf::Mesh& mesh = gltf.meshes[static_cast<size_t>(n.mesh)];
+    for (const double weight : n.weights.empty() ? mesh.weights : n.weights) result.weights.push_back(float_of(weight));
+    size_t targets = 0;
+    for (const tinygltf::Primitive& p : mesh.primitives) targets = std::max(targets, p.targets.size());
+    result.weights.resize(targets, 0);
+    return result;
+}
+
+GltfAnimation animation_of(const tinygltf::Animation& a)
+{
+    GltfAnimation result{a.name, {}};
+    for (const tinygltf::AnimationChannel& c : a.channels) {
+        if (c.sampler < 0 || static_cast<size_t>(c.sampler) >= a.samplers.size()) continue;
+        const tinygltf::AnimationSampler& s = a.samplers[static_cast<size_t>(c.sampler)];
+        result.channels.push_back({c.target_node, s.input, s.output, c.target_path, s.interpolation});
+    }
     return result;
 }
 
@@ -243,16 +279,6 @@ std::vector<int32_t> roots_of(const GltfModel& model, const tinygltf::Model& glt
     return roots;
 }
 
-bool moves(const tinygltf::Model& gltf)
-{
-    const auto morphs = [](const tinygltf::Mesh& mesh) {
-        return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
-                           [](const tinygltf::Primitive& p) { return !p.targets.empty(); });
-    };
-    return !gltf.animations.empty() || !gltf.skins.empty() ||
-           std::any_of(gltf.meshes.begin(), gltf.meshes.end(), morphs);
-}
-
 void take_geometry(const tinygltf::Model& gltf, GltfModel& model)
 {
     for (const tinygltf::Buffer& buffer : gltf.buffers)
@@ -264,7 +290,9 @@ void take_geometry(const tinygltf::Model& gltf, GltfModel& model)
         std::vector<GltfPrimitive>& primitives = model.meshes.emplace_back();
         for (const tinygltf::Primitive& p : mesh.primitives) primitives.push_back(primitive_of(p));
     }
-    for (const tinygltf::Node& node : gltf.nodes) model.nodes.push_back(node_of(node));
+    for (const tinygltf::Node& node : gltf.nodes) model.nodes.push_back(node_of(gltf, node));
+    for (const tinygltf::Skin& s : gltf.skins) model.skins.push_back({s.name, s.joints, s.inverseBindMatrices});
+    for (const tinygltf::Animation& a : gltf.animations) model.animations.push_back(animation_of(a));
     model.roots = roots_of(model, gltf);
 }
 
@@ -289,14 +317,15 @@ std::string reason(const std::string& error)
 
 }  // namespace
 
-GltfModel read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings)
+GltfModel read_gltf_file(const std::filesystem::path& file)
 {
     GltfModel model;
     model.file = file;
     const std::string bytes = read_text(file);
     check_gltf_container(file, bytes);
     tinygltf::TinyGLTF loader;
-    loader.SetFsCallbacks(files_beside(model.file));
+    FilesBeside beside{file, ""};
+    loader.SetFsCallbacks(callbacks_of(beside));
     loader.SetImageLoader(keep_image, nullptr);
     tinygltf::Model gltf;
     std::string error, ignored;
@@ -318,15 +347,16 @@ GltfModel read_gltf_file(const std::filesystem::path& file, std::vector<std::str
         fail_gltf(model,
                   "it names no version, as files of glTF 1.0 may; open it in a program such as Blender and export "
                   "glTF 2.0");
+    if (!parsed && !beside.missing.empty() && error.find("File not found") != std::string::npos) {
+        const bool is_dotted = beside.missing.rfind("./", 0) == 0;
+        const std::string name = beside.missing.substr(is_dotted ? 2 : 0, 120);
+        fail_gltf(model, "its file '" + name + "' is missing; put " + name +
+                             " beside it, or export it as .glb, which "
+                             "holds all in one file");
+    }
     if (!parsed) fail_gltf(model, "it cannot be read (" + reason(error) + "); export it again");
     take_geometry(gltf, model);
     take_looks(gltf, model);
-    model.moves = moves(gltf);
-    if (model.moves) {
-        warnings.push_back(at({file.string()},
-                              "animations, skins and morphs are not drawn, the model is drawn as it rests; apply the "
-                              "pose before the export if another one is meant"));
-    }
     return model;
 }
 

@@ -38,6 +38,7 @@ struct GltfAccessor {
 
 struct GltfPrimitive {
     std::map<std::string, int32_t> attributes;
+    std::vector<std::map<std::string, int32_t>> targets;  // of a morph: what a weight of 1 adds to attributes
     int32_t indices = kNoIndex, material = kNoIndex;
     int32_t mode = 4;
     bool compressed = false;  // by Draco
@@ -46,8 +47,27 @@ struct GltfPrimitive {
 struct GltfNode {
     std::string name;
     std::vector<int32_t> children;
-    int32_t mesh = kNoIndex, camera = kNoIndex, light = kNoIndex;
-    Affine matrix{};
+    int32_t mesh = kNoIndex, camera = kNoIndex, light = kNoIndex, skin = kNoIndex;
+    std::vector<double> translation, rotation, scale;  // may be empty
+    Affine matrix{};                                   // by these, or the file's own
+    std::vector<float> weights;                        // of its mesh's targets: the node's, or else the mesh's
+};
+
+struct GltfSkin {
+    std::string name;
+    std::vector<int32_t> joints;  // nodes
+    int32_t inverse_bind = kNoIndex;
+};
+
+// Which property of a node takes which values at which times.
+struct GltfChannel {
+    int32_t node = kNoIndex, input = kNoIndex, output = kNoIndex;
+    std::string path, interpolation;
+};
+
+struct GltfAnimation {
+    std::string name;
+    std::vector<GltfChannel> channels;
 };
 
 // This is a light of KHR_lights_punctual.
@@ -111,8 +131,13 @@ struct GltfModel {
     std::vector<GltfImage> images;
     std::vector<GltfLight> lights;
     std::vector<GltfCamera> cameras;
-    bool moves = false;  // animated, skinned or morphed
+    std::vector<GltfSkin> skins;
+    std::vector<GltfAnimation> animations;
 };
+
+// Numbers that are not there do nothing: {x, y, z}, a quaternion {x, y, z, w}, and {x, y, z}.
+Affine affine_of(const std::vector<double>& translation, const std::vector<double>& rotation,
+                 const std::vector<double>& scale);
 
 // Throws SceneError that names the file.
 [[noreturn]] void fail_gltf(const GltfModel& model, const std::string& text);
@@ -131,7 +156,7 @@ const T& element_of(const GltfModel& model, const std::vector<T>& list, int32_t 
 // Reads glTF 2.0 files, .gltf or .glb, with their buffers and pictures: tinygltf behind a wall.
 
 // Files are found as those of an OBJ (find_beside). Throws SceneError, also for what a file requires and we cannot
-// read; appends to `warnings`.
-GltfModel read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
+// read.
+GltfModel read_gltf_file(const std::filesystem::path& file);
 
 }  // namespace lumi::baker

@@ -5,6 +5,7 @@
 
 #include "model/gltf/mesh.h"
 #include "model/gltf/model.h"
+#include "model/gltf/pose.h"
 
 namespace lumi::baker
 {
@@ -46,7 +47,6 @@ private:
     // Nodes are a forest: who comes twice would come for ever, or too often.
     void walk()
     {
-        constexpr Affine kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
         std::vector<bool> seen(model_.nodes.size(), false);
         std::vector<Placed> open;
         for (auto root = model_.roots.rbegin(); root != model_.roots.rend(); ++root)
@@ -62,7 +62,7 @@ private:
             seen[static_cast<size_t>(next.node)] = true;
             const Affine place = combined(next.parent, node.matrix);
             const int32_t part = begin_part(node, next.part);
-            if (node.mesh != kNoIndex) meshes_.add(node.mesh, place);
+            if (node.mesh != kNoIndex) meshes_.add(node, place);
             parts_.named.back().end = parts_.mesh.triangle_count();
             if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
@@ -178,13 +178,27 @@ private:
     std::vector<int32_t> parents_;  // named parts have them
 };
 
+// The first animations by name, and how to draw one.
+std::string about_animations(const GltfModel& model)
+{
+    constexpr size_t kNamed = 3;
+    std::string names;
+    for (size_t k = 0; k < std::min(kNamed, model.animations.size()); ++k)
+        names += (k == 0 ? "" : ", ") + ("'" + model.animations[k].name.substr(0, 60) + "'");
+    return "it is drawn at rest, and none of its " + std::to_string(model.animations.size()) + " animation(s) (" +
+           names + (model.animations.size() > kNamed ? ", ..." : "") + ") is played; --animation NAME@SECONDS poses it";
+}
+
 }  // namespace
 
-SceneParts read_gltf(const std::filesystem::path& file, std::vector<std::string>& warnings)
+SceneParts read_gltf(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                     const std::optional<AnimationTime>& time)
 {
-    const GltfModel model = read_gltf_file(file, warnings);
+    GltfModel model = read_gltf_file(file);
+    if (time) play(model, *time);
     Losses losses;
     SceneParts parts = GltfSceneReader(model, losses, warnings).read();
+    if (!time && !model.animations.empty()) parts.notes.push_back(about_animations(model));
     losses.report(file, warnings);
     return parts;
 }

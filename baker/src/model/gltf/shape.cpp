@@ -151,7 +151,7 @@ void renumber(std::vector<GltfTriangle>& triangles, const std::vector<uint32_t>&
 }  // namespace
 
 GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, const std::vector<int32_t>& uv_sets,
-                   Losses& losses)
+                   Losses& losses, std::vector<uint32_t>& used)
 {
     GltfShape shape;
     if (primitive.compressed && primitive.attributes.empty())
@@ -167,7 +167,7 @@ GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, const
         return shape;
     }
     shape.triangles = triangles_of(model, primitive, vertices, losses);
-    const std::vector<uint32_t> used = used_by(shape.triangles, vertices);
+    used = used_by(shape.triangles, vertices);
     if (used.size() < vertices) renumber(shape.triangles, used);
     const Attributes attributes(model, primitive, vertices, used, losses);
     shape.positions = attributes.read<Vec3>("POSITION");
@@ -183,6 +183,8 @@ size_t replacements_of(const GltfModel& model, const GltfPrimitive& primitive)
 {
     std::vector<int32_t> read = {primitive.indices};
     for (const auto& [name, accessor] : primitive.attributes) read.push_back(accessor);
+    for (const auto& target : primitive.targets)
+        for (const auto& [name, accessor] : target) read.push_back(accessor);
     size_t sum = 0;
     for (const int32_t accessor : read) {
         if (accessor < 0 || static_cast<size_t>(accessor) >= model.accessors.size()) continue;

@@ -16,12 +16,13 @@ struct GltfShape {
     std::vector<Vec2> uvs, second_uvs;  // as in the file, v downwards
     std::vector<Rgb> colours;
     std::vector<GltfTriangle> triangles;  // in range
+    bool is_bent = false;                 // by a skin: positions are those of the scene, whatever the node's place
 };
 
 // Takes up to two sets of texture coordinates, or set 0. Without triangles where the primitive is points or lines.
-// Throws SceneError where its numbers are damaged.
+// `used` gets the rows of accessors that the vertices come from. Throws SceneError where numbers are damaged.
 GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, const std::vector<int32_t>& uv_sets,
-                   Losses& losses);
+                   Losses& losses, std::vector<uint32_t>& used);
 
 // The most replacements of sparse accessors that all primitives of a file may read, each of them anew.
 inline constexpr size_t kMostReplacements = 100'000'000;

@@ -101,6 +101,16 @@ double PlyNumbers::next(PlyType type)
     return value_of(type, bytes);
 }
 
+bool PlyNumbers::skip_line()
+{
+    if (!text_) return false;
+    const size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    const std::string_view surplus = rest_.substr(0, end);
+    if (surplus.find_first_not_of(kBlanks) == std::string_view::npos) return false;
+    rest_.remove_prefix(end);
+    return true;
+}
+
 void PlyNumbers::require_bytes(double bytes, const std::string& what) const
 {
     if (bytes <= static_cast<double>(rest_.size())) return;
@@ -170,12 +180,20 @@ private:
 
     void take(const std::vector<std::string_view>& line)
     {
-        if (line.empty() || line[0] == "comment" || line[0] == "obj_info") return;
+        if (line.empty() || line[0] == "obj_info") return;
+        if (line[0] == "comment") return take_comment(line);
         if (line[0] == "format" && line.size() == 3) return take_format(line);
         if (line[0] == "element" && line.size() == 3) return take_element(line);
         if (line[0] == "property" && (line.size() == 3 || (line.size() == 5 && line[1] == "list")))
             return take_property(line);
         ++header_.strange_lines;
+    }
+
+    void take_comment(const std::vector<std::string_view>& line)
+    {
+        if (line.size() >= 3 && line[1] == "TextureFile") header_.picture = std::string(line[2].substr(0, 60));
+        // "Created by Blender 3.4.1 - ..." and "Created in Blender version 4.0.0"
+        if (line.size() >= 4 && line[1] == "Created" && line[3] == "Blender") header_.by_blender = true;
     }
 
     void take_format(const std::vector<std::string_view>& line)

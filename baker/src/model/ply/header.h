@@ -37,6 +37,8 @@ struct PlyHeader {
     size_t end = 0;            // where the first element begins
     uint32_t lines = 0;        // before it
     size_t strange_lines = 0;  // which say nothing that we know
+    std::string picture;       // that a comment names, as MeshLab writes it
+    bool by_blender = false;   // whose axis upwards is z
 };
 
 // Throws SceneError.
@@ -51,6 +53,8 @@ public:
 
     // Throws SceneError where the file ends, or holds what is no number of that type. Floats may be infinite or none.
     double next(PlyType type);
+    // In a text: passes over what stands on the line behind an element's last number. Returns whether there was any.
+    bool skip_line();
     // Throws SceneError where the file is too short for so many elements, or for so many numbers.
     void require(const PlyElement& element) const;
     void require(uint64_t numbers, PlyType type) const;

@@ -74,6 +74,9 @@ public:
     {
         refuse_points();
         losses.add("line(s) of the heading are not understood and left out; check the picture", header_.strange_lines);
+        if (!header_.picture.empty())
+            losses.add("picture(s) ('" + header_.picture +
+                       "') are left out; export glTF or OBJ, in MeshLab for example");
         for (const PlyElement& element : header_.elements) {
             if (element.properties.empty()) continue;  // takes no bytes, however many there are
             numbers_.require(element);
@@ -86,9 +89,12 @@ public:
         }
         if (numbers_.ends_in_a_number())
             losses.add("line(s) at the end have no line end; if something is missing, copy or export the file again");
+        losses.add("line(s) have more numbers than the heading says, which are left out; export it again", surplus_);
         check_faces();
         return std::move(facets_);
     }
+
+    bool z_is_up() const { return header_.by_blender; }
 
 private:
     [[noreturn]] void fail(const std::string& text) const { throw SceneError(at({file_}, text)); }
@@ -121,6 +127,7 @@ private:
         if (!has[kX] || !has[kY] || !has[kZ]) fail("its vertices have no x, y and z; export it again");
         for (uint64_t k = 0; k < element.count; ++k) {
             const std::array<double, kRoles> v = next_vertex(element, roles);
+            surplus_ += numbers_.skip_line() ? 1u : 0u;
             check_position(v);
             facets_.positions.push_back({v[kX], v[kY], v[kZ]});
             if (has[kNormalX] && has[kNormalY] && has[kNormalZ])
@@ -168,6 +175,7 @@ private:
                     take_face(next_list(p), losses);
                 else
                     skip(p);
+            surplus_ += numbers_.skip_line() ? 1u : 0u;
         }
     }
 
@@ -255,6 +263,7 @@ private:
     PlyNumbers numbers_;
     Facets facets_;
     std::vector<std::vector<uint32_t>> polygons_;
+    size_t surplus_ = 0;  // lines
 };
 
 }  // namespace
@@ -268,7 +277,12 @@ SceneParts read_ply(const std::filesystem::path& file, std::vector<std::string>&
 {
     const std::string bytes = read_file(file);
     Losses losses;
-    SceneParts parts = parts_of_facets(file, PlyReader(file, bytes).read(losses), losses);
+    PlyReader reader(file, bytes);
+    SceneParts parts = parts_of_facets(file, reader.read(losses), losses);
+    if (reader.z_is_up()) {
+        parts.up = UpAxis::z;
+        parts.notes.emplace_back("z points up, as Blender writes PLY; --up y turns it");
+    }
     losses.report(file, warnings);
     return parts;
 }

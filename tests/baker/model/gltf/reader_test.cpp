@@ -487,7 +487,7 @@ TEST_CASE("glTF: buffers and pictures lie beside the file, in it as data, or und
     CHECK(read_gltf(folder.write("b.gltf", maker.json("C:/models/b.bin")), warnings).mesh.triangle_count() == 2);
     CHECK(warnings.empty());
     CHECK_THROWS_WITH(read_gltf(folder.write("c.gltf", maker.json("c.bin")), warnings),
-                      Catch::Contains("c.gltf: ") && Catch::Contains("c.bin") && Catch::Contains("; "));
+                      Catch::Contains("c.gltf: ") && Catch::Contains("; put c.bin beside it"));
     GltfMaker pictures = square("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}");
     pictures.add("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"p.png\"}]");
     CHECK_FALSE(read_gltf(folder.write("d.glb", pictures.glb()), warnings).materials[0].maps.base.used());
@@ -496,16 +496,6 @@ TEST_CASE("glTF: buffers and pictures lie beside the file, in it as data, or und
     folder.write("p.png", four_colours());
     CHECK(read_gltf(folder.at("d.glb"), warnings).materials[0].maps.base.used());
     CHECK(warnings.size() == 1);
-}
-
-TEST_CASE("glTF: what moves is drawn at rest, with one warning")
-{
-    GltfMaker maker = square();
-    maker.add("\"skins\":[{\"joints\":[0]},{\"joints\":[0]}]");
-    const LoadedGltf l = load_glb(maker);
-    CHECK(l.parts.mesh.triangle_count() == 2);
-    CHECK_THAT(l.warnings, Catch::Contains("as it rests"));
-    CHECK(std::count(l.warnings.begin(), l.warnings.end(), '\n') == 1);
 }
 
 }  // namespace lumi::baker
