@@ -204,6 +204,11 @@ public:
     {
     }
 
+    // Whether light may enter by it.
+    bool is_glass() const
+    {
+        return std::holds_alternative<SmoothGlass>(kind_) || std::holds_alternative<RoughGlass>(kind_);
+    }
     // Whether sample() looks at u_lobe.
     bool has_lobes() const { return !std::holds_alternative<Diffuse>(kind_); }
     Rgb eval(const Vec3& wo, const Vec3& wi) const

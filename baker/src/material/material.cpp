@@ -82,10 +82,16 @@ std::vector<std::shared_ptr<const Table>> tables(bool textured, float alpha, con
 }
 
 template <class Table>
-const Table& nearest(const std::vector<std::shared_ptr<const Table>>& list, float roughness)
+const Table* nearest_or_none(const std::vector<std::shared_ptr<const Table>>& list, float roughness)
 {
     const float last = static_cast<float>(list.size() - 1);
-    return *list[static_cast<size_t>(std::clamp(roughness, 0.0f, 1.0f) * last + 0.5f)];
+    return list[static_cast<size_t>(std::clamp(roughness, 0.0f, 1.0f) * last + 0.5f)].get();
+}
+
+template <class Table>
+const Table& nearest(const std::vector<std::shared_ptr<const Table>>& list, float roughness)
+{
+    return *nearest_or_none(list, roughness);
 }
 
 float absorption_of(float transmittance, float distance)
@@ -114,6 +120,16 @@ void add_tables(const Material& m, const SpreadOf& spread_of, Skins& skins, Face
         facets = tables<FacetTableOf<Spread>>(
             textured, m.alpha, [&](float a) { return shared_table<FacetTableOf<Spread>>(spread_of(a)); });
     }
+}
+
+// As tables() makes them.
+std::vector<std::shared_ptr<const GlassTable>> glass_tables(const Material& m)
+{
+    return tables<GlassTable>(
+        m.maps.roughness.used(), m.alpha,
+        [&](float a) {
+            return a > kMinAlpha || m.alpha == kMinAlpha ? shared_table<GlassTable>(m.index, a) : nullptr;
+        });
 }
 
 template <class Body>
@@ -148,6 +164,8 @@ void Material::finish()
         };
         std::visit(clamp, p.member);
     }
+    transmission = clamped(transmission, 0.0f, 1.0f);
+    tint = clamped(tint, 0.0f, 1.0f);
     alpha = glass && alpha < kMinAlpha ? 0 : clamped_alpha(alpha);
     coat_alpha = clamped_alpha(coat_alpha);
     index = glass ? std::max(given_index, static_cast<float>(kMinIndex)) : given_index;
@@ -155,17 +173,17 @@ void Material::finish()
     facets.clear();
     brushed_skins.clear();
     brushed_facets.clear();
-    frost = nullptr;
+    frosts.clear();
     coat_skin = nullptr;
     fibres = nullptr;
     if (glass) {
         absorption = {absorption_of(transmittance.r, transmittance_length),
                       absorption_of(transmittance.g, transmittance_length),
                       absorption_of(transmittance.b, transmittance_length)};
-        frost = alpha > 0 ? shared_table<GlassTable>(index, alpha) : nullptr;
-        return;
+        frosts = glass_tables(*this);
+        if (!is_mixed_glass()) return;
     }
-    if (anisotropy > 0) {
+    if (anisotropy > 0 && !glass) {
         add_tables(
             *this, [this](float a) { return stretched(a, anisotropy); }, brushed_skins, brushed_facets);
     } else {
@@ -176,6 +194,12 @@ void Material::finish()
     fibres = sheen > 0 ? shared_table<SheenTable>(sheen_roughness) : nullptr;
 }
 
+Rgb Material::through_pane(const PointValues& at, const Rgb& picture, float cosine) const
+{
+    const float enters = specular ? 1 - dielectric_reflectance(std::clamp(cosine, 0.0f, 1.0f), index) : 1.0f;
+    return tint * picture * (enters * at.transmission * (1 - at.metalness));
+}
+
 Rgb Material::absorbed(float distance) const
 {
     return {std::exp(-absorption.r * distance), std::exp(-absorption.g * distance), std::exp(-absorption.b * distance)};
@@ -183,7 +207,16 @@ Rgb Material::absorbed(float distance) const
 
 Bsdf Material::bsdf(const PointValues& at, float u) const
 {
-    if (glass) return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
+    if (glass && u >= at.metalness && u - at.metalness < (1 - at.metalness) * at.transmission) {
+        const GlassTable* frost = nearest_or_none(frosts, at.roughness);
+        return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
+    }
+    if (thin && u >= at.metalness) {
+        PointValues body = at;
+        body.base = at.base * (1 - at.transmission);
+        return brushed() ? opaque(*this, body, u, brushed_skins, brushed_facets)
+                         : opaque(*this, body, u, skins, facets);
+    }
     return brushed() ? opaque(*this, at, u, brushed_skins, brushed_facets) : opaque(*this, at, u, skins, facets);
 }
 

@@ -84,12 +84,12 @@ struct TextureSlot {
 };
 
 struct TextureSlots {
-    TextureSlot base, emission, roughness, metalness, opacity, normal, sheen;
+    TextureSlot base, emission, roughness, metalness, opacity, normal, sheen, transmission;
 };
 // Lists all of them.
 inline constexpr std::array kTextureSlots = {
     &TextureSlots::base,    &TextureSlots::emission, &TextureSlots::roughness, &TextureSlots::metalness,
-    &TextureSlots::opacity, &TextureSlots::normal,   &TextureSlots::sheen};
+    &TextureSlots::opacity, &TextureSlots::normal,   &TextureSlots::sheen,     &TextureSlots::transmission};
 static_assert(sizeof(TextureSlots) == kTextureSlots.size() * sizeof(TextureSlot), "a slot is missing");
 
 // Holds a material's numbers at one point, with its textures.
@@ -98,6 +98,8 @@ struct PointValues {
     float metalness, roughness;
     bool outside;  // the viewer is on the side that the triangle's winding faces
     float sheen;
+    float transmission = 1;  // of glass and panes
+    Rgb tint = grey(1);      // light gets this colour where it crosses the boundary of glass
 };
 
 // A property that a user can set has a member here, its row in kMaterialParameters, and its use in one lobe.
@@ -156,6 +158,11 @@ struct Material : MaterialNumbers {
     bool specular = false;    // a dielectric skin where the surface is not metal
     bool rough_body = false;  // the diffuse body is as rough as its skin (DiffuseShape); otherwise Lambert's
     bool glass = false;       // clear inside; the triangles' winding faces outwards
+    bool thin = false;        // a pane: what lies behind shows through in place, coloured once by tint and base picture
+    bool blends = false;      // soft edges of the picture of opacity stay soft in fields
+    float transmission =
+        1;               // of glass and panes: the share of light that is not metal's and enters; the rest is plastic
+    Rgb tint = grey(1);  // of glass and panes: of light that passes, in at one side and out at the other
     TextureSlots maps;
 
     // Clamps what must be in range and derives what is derived. Call after filling in or changing.
@@ -164,10 +171,16 @@ struct Material : MaterialNumbers {
     bool emits() const { return !is_black(emission); }
     // Whether it looks different when turned in its plane.
     bool brushed() const { return !brushed_skins.empty() || !brushed_facets.empty(); }
-    bool may_pass() const { return opacity < 1 || maps.opacity.used(); }
+    bool may_pass() const { return opacity < 1 || maps.opacity.used() || thin; }
+    // Whether glass is something else, too, at some points.
+    bool is_mixed_glass() const { return glass && (transmission < 1 || maps.transmission.used() || metalness > 0); }
+    // The share and colour of light that a pane lets straight through, at this cosine to its normal. `picture` is the
+    // colour of its base picture there.
+    Rgb through_pane(const PointValues& at, const Rgb& picture, float cosine) const;
     // The share of light that is left after a way through the glass.
     Rgb absorbed(float distance) const;
-    // A partly metallic surface is metal with probability metalness: u.
+    // A partly metallic surface is metal with probability metalness, and what is left of glass with probability
+    // transmission: u.
     Bsdf bsdf(const PointValues& at, float u) const;
 
     // Made by finish(), one for each step of roughness; just one where no texture changes it. Empty if not needed.
@@ -176,7 +189,7 @@ struct Material : MaterialNumbers {
     std::vector<std::shared_ptr<const FacetTable>> facets;
     std::vector<std::shared_ptr<const SkinOf<Anisotropic>>> brushed_skins;  // in place of the other two
     std::vector<std::shared_ptr<const FacetTableOf<Anisotropic>>> brushed_facets;
-    std::shared_ptr<const GlassTable> frost;  // only for rough glass
+    std::vector<std::shared_ptr<const GlassTable>> frosts;  // of glass; null where it is smooth
     std::shared_ptr<const Skin> coat_skin;
     std::shared_ptr<const SheenTable> fibres;
     Rgb absorption;  // glass takes this out, per length

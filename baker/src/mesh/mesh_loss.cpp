@@ -96,7 +96,7 @@ Mask missing_of(const Mask& scene, const Mask& mesh)
 
 bool covers(const SceneData& scene, const Ray& ray)
 {
-    return scene.has_transparency ? transmittance(scene, ray) < 0.5f : scene.accelerator.blocked(ray);
+    return scene.has_transparency ? max_component(transmittance(scene, ray)) < 0.5f : scene.accelerator.blocked(ray);
 }
 
 MissingPixels missing_from(uint32_t direction, const SceneData& scene, const MeshTracer& mesh)

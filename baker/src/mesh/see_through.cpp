@@ -24,6 +24,7 @@ namespace
 
 constexpr float kInvisible = 1.0f / 255;  // an opacity that no display shows
 constexpr float kSoftShare = 0.25f;       // the share of a picture between transparent and opaque that makes it soft
+constexpr float kFeather = 2.5f;          // pixels across an edge: more than antialiasing makes
 constexpr uint8_t kSoftLow = 26, kSoftHigh = 229;
 constexpr float kLongestCut = 16;    // radii; a mesh cannot follow a longer line, with a triangle for each few pixels
 constexpr uint32_t kOpenRays = 256;  // a side that none of so many reaches past opaque triangles is hidden
@@ -32,15 +33,20 @@ constexpr uint32_t kMeetingRays = 4096;  // an origin
 constexpr float kSamePlace = 1e-3f;      // radii
 constexpr uint64_t kSidesSeed = 0x73696465, kMeetingSeed = 0x6D656574;
 
-bool is_soft(const Texture& picture)
+// `feathers`: also where it is soft along its edges only, wider than a filter makes them.
+bool is_soft(const Texture& picture, bool feathers)
 {
-    size_t between = 0;
-    const size_t pixels = picture.rgb.size() / 3;
+    size_t between = 0, crossings = 0;
+    const size_t pixels = picture.rgb.size() / 3, width = static_cast<size_t>(picture.width);
+    const auto is_open = [&](size_t k) { return picture.rgb[3 * k + 1] < 128; };
     for (size_t k = 0; k < pixels; ++k) {
         const uint8_t v = picture.rgb[3 * k + 1];
         between += v > kSoftLow && v < kSoftHigh ? 1u : 0u;
+        crossings += (k + 1) % width != 0 && is_open(k) != is_open(k + 1) ? 1u : 0u;
+        crossings += k + width < pixels && is_open(k) != is_open(k + width) ? 1u : 0u;
     }
-    return static_cast<float>(between) > kSoftShare * static_cast<float>(pixels);
+    return static_cast<float>(between) > kSoftShare * static_cast<float>(pixels) ||
+           (feathers && static_cast<float>(between) > kFeather * static_cast<float>(crossings));
 }
 
 // `cut`: how long the lines are along which the material's picture would cut.
@@ -48,8 +54,8 @@ bool is_see_through(const SceneData& scene, const Material& m, float cut)
 {
     if (m.glass || !m.may_pass()) return false;
     const TextureSlot& picture = m.maps.opacity;
-    return m.opacity < 1 - kInvisible || cut > kLongestCut ||
-           (picture.used() && is_soft(scene.textures[static_cast<size_t>(picture.texture)]));
+    return m.thin || m.opacity < 1 - kInvisible || cut > kLongestCut ||
+           (picture.used() && is_soft(scene.textures[static_cast<size_t>(picture.texture)], m.blends));
 }
 
 bool is_invisible(const Material& m)

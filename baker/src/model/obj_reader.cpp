@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "model/panes.h"
 #include "model/readers.h"
 
 #include <algorithm>
@@ -261,6 +262,11 @@ SceneParts read_obj(const std::filesystem::path& file, std::vector<std::string>&
     if (std::find(used.begin(), used.end(), undefined) != used.end())
         parts.materials.emplace_back().finish();  // the material of faces before the first usemtl
     parts.textures = std::move(set.textures);
+    std::vector<bool> glass;
+    for (const Material& m : parts.materials) glass.push_back(m.glass);
+    losses.add(
+        "glass material(s) are open sheets and drawn as thin panes; close their bodies where they should bend light",
+        make_panes(parts, glass));
     if (!content.colours.empty()) paint(content.colours, undefined, parts, losses);
     count_unmapped(parts, losses);
     losses.report(file, warnings);

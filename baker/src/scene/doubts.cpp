@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "geometry/components.h"
+#include "geometry/open_edges.h"
 #include "math/sampler.h"
 #include "math/vec3.h"
 #include "math/warp.h"
@@ -16,30 +16,6 @@ namespace lumi::baker
 {
 namespace
 {
-
-struct PlaceHash {
-    size_t operator()(const Vec3& p) const
-    {
-        size_t hash = 0;
-        for (const float c : {p.x, p.y, p.z}) hash = hash * 0x9E3779B97F4A7C15 + std::hash<float>()(c);
-        return hash;
-    }
-};
-struct SamePlace {
-    bool operator()(const Vec3& a, const Vec3& b) const { return a.x == b.x && a.y == b.y && a.z == b.z; }
-};
-
-// Corners of each triangle as numbers of places: vertices at one place count as one.
-std::vector<Mesh::Corners> places_of(const Mesh& mesh)
-{
-    std::unordered_map<Vec3, uint32_t, PlaceHash, SamePlace> numbers;
-    std::vector<uint32_t> place;
-    for (const Vec3& p : mesh.positions)
-        place.push_back(numbers.try_emplace(p, static_cast<uint32_t>(numbers.size())).first->second);
-    std::vector<Mesh::Corners> result;
-    for (const Mesh::Corners& c : mesh.corners) result.push_back({place[c[0]], place[c[1]], place[c[2]]});
-    return result;
-}
 
 // How far parts reach on each side: +x, +y, +z, -x, -y, -z.
 using Reach = std::array<float, 6>;
@@ -181,20 +157,9 @@ public:
     {
         const auto& materials = scene_.materials;
         if (std::none_of(materials.begin(), materials.end(), [](const Material& m) { return m.glass; })) return;
-        std::vector<std::pair<std::pair<uint32_t, uint32_t>, bool>> sides;  // edges of triangles, and which are glass
-        for (size_t t = 0; t < places_.size(); ++t) {
-            for (size_t k = 0; k < 3; ++k) {
-                const uint32_t a = places_[t][k], b = places_[t][(k + 1) % 3];
-                sides.emplace_back(std::minmax(a, b), materials[scene_.mesh.materials[t]].glass);
-            }
-        }
-        std::sort(sides.begin(), sides.end());
+        const std::vector<size_t> edges = open_edges(scene_.mesh, places_, materials.size());
         size_t open = 0;
-        for (size_t k = 0; k < sides.size(); ++k) {
-            const bool as_before = k > 0 && sides[k - 1].first == sides[k].first;
-            const bool as_after = k + 1 < sides.size() && sides[k + 1].first == sides[k].first;
-            open += sides[k].second && !as_before && !as_after ? 1u : 0u;
-        }
+        for (size_t k = 0; k < materials.size(); ++k) open += materials[k].glass ? edges[k] : 0;
         if (open != 0) {
             warn("glass is open at " + std::to_string(open) +
                  " edge(s), and light is lost there; close its body: give panes a thickness (in Blender: Solidify)");

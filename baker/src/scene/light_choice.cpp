@@ -117,14 +117,17 @@ Ray ray_from_around(Sampler& sampler)
 
 }  // namespace
 
-std::vector<float> meter(const LitShape& shape, const LightSet& lights)
+std::vector<float> meter(const LitShape& shape, const LightSet& lights, Metered what)
 {
     std::vector<float> values;
     Sampler sampler(kMeterSeed, 0, 0);
     for (uint32_t k = 0; k < kMeterRays; ++k) {
         sampler.start(k);
         const std::optional<ClaySpot> spot = first_solid(shape, ray_from_around(sampler));
-        if (spot) values.push_back(lights.empty() ? 0 : luminance_at(shape, lights, *spot, k));
+        if (!spot) continue;
+        const bool shines = shape.materials[shape.mesh.materials[spot->hit.triangle]].emits();
+        if (what == Metered::all || !shines)
+            values.push_back(lights.empty() ? 0 : luminance_at(shape, lights, *spot, k));
     }
     std::sort(values.begin(), values.end());
     return values;
@@ -173,23 +176,35 @@ public:
 private:
     static bool is_dark(const Environment& environment) { return !(Sky(environment).power() > 0); }
 
-    std::vector<float> metered(const Environment& environment) const
+    std::vector<float> metered(const Environment& environment, Metered what = Metered::all) const
     {
-        return meter(shape_,
-                     LightSet(shape_.mesh, shape_.materials, shape_.textures, environment, stated_.fixtures, 1));
+        return meter(shape_, LightSet(shape_.mesh, shape_.materials, shape_.textures, environment, stated_.fixtures, 1),
+                     what);
     }
 
-    // By the median of all that is seen: a display lights nothing but itself, a lamp most of what is around it.
+    // By the median of all that is seen: a display lights nothing but itself, a lamp most of what is around it. A
+    // glowing floor is bright, but what stands on it may be nearly black, three stops below the middle tone, once the
+    // exposure suits the floor.
     bool shines_enough() const
     {
-        constexpr float kEnough = kMiddleTone / 16;
-        const std::vector<float> own = metered(constant_environment(0));
-        return !own.empty() && own[own.size() / 2] >= kEnough;
+        constexpr float kEnough = kMiddleTone / 16, kNearlyBlack = kMiddleTone / 8;
+        const Environment black = constant_environment(0);
+        const std::vector<float> own = metered(black), others = metered(black, Metered::lit_only);
+        if (own.empty() || own[own.size() / 2] < kEnough) return false;
+        const float exposure = stated_.exposure.value_or(
+            std::exp2(static_cast<float>(steps_to_middle(middle_of_lit(own))) / kStepsPerStop));
+        return others.empty() || exposure * middle_of_lit(others) >= kNearlyBlack;
     }
 
     Environment open_environment()
     {
-        if (!stated_.fixtures.empty() || (shines_ && shines_enough())) return constant_environment(0);
+        if (!stated_.fixtures.empty() || (shines_ && shines_enough())) {
+            choice_.notes.emplace_back(
+                stated_.fixtures.empty() ? "what shines in the scene lights it, without the studio; --sky studio adds "
+                                           "that"
+                                         : "its lamps light the scene, without the studio; --sky studio adds that");
+            return constant_environment(0);
+        }
         choice_.notes.emplace_back(shines_ ? "the studio lights the scene, too, because what shines in it lights less "
                                              "than half of it; --sky black leaves the studio out"
                                            : "the studio lights the scene, which has no light of its own; --sky "

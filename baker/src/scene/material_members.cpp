@@ -39,7 +39,7 @@ void make_metal(Material& m)
     m.maps.base = {};
     m.metalness = 1;
     m.specular = true;
-    m.glass = false;
+    m.glass = m.thin = false;
 }
 
 // "glass": { "transmittance": [r, g, b], "at": distance }
@@ -50,6 +50,10 @@ void take_glass(const std::string& file, JsonMembers& members, Material& m)
     JsonMembers glass(file, *value, "glass");
     const bool was_glass = m.glass;
     m.glass = true;
+    m.thin = false;
+    m.transmission = 1;
+    m.tint = grey(1);
+    m.metalness = 0;
     m.opacity = 1;
     m.alpha = was_glass ? m.alpha : 0;
     glass.colour("transmittance", kShare, m.transmittance);

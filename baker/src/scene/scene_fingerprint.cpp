@@ -23,8 +23,10 @@ void add(Digest& digest, const Mesh& mesh)
 
 void add(Digest& digest, const TextureSlots& slots)
 {
-    const auto& [base, emission, roughness, metalness, opacity, normal, sheen] = slots;
-    for (const TextureSlot* slot : {&base, &emission, &roughness, &metalness, &opacity, &normal, &sheen}) {
+    const auto& [base, emission, roughness, metalness, opacity, normal, sheen, transmission] = slots;
+    for (const TextureSlot* slot :
+         {&base, &emission, &roughness, &metalness, &opacity, &normal, &sheen, &transmission}) {
+        if (slot == &transmission && !slot->used()) continue;
         const auto& [texture, scale, offset, turn, wrap, takes_second_uvs] = *slot;
         digest.add(texture);
         digest.add(scale);
@@ -46,6 +48,13 @@ void add(Digest& digest, const Material& material)
     digest.add(material.rough_body);
     digest.add(material.glass);
     add(digest, material.maps);
+    const bool is_plain = !material.thin && !material.blends && material.transmission == 1 && material.tint.r == 1 &&
+                          material.tint.g == 1 && material.tint.b == 1;
+    if (is_plain) return;  // older scenes keep their fingerprint
+    digest.add(material.thin);
+    digest.add(material.blends);
+    digest.add(material.transmission);
+    digest.add(material.tint);
 }
 
 void add(Digest& digest, const Texture& texture)

@@ -23,7 +23,7 @@ std::vector<uint8_t> head_of(const Digest::Value& key, uint64_t size)
     return out.bytes();
 }
 
-uint32_t crc_of(const std::vector<uint8_t>& head, const std::vector<uint8_t>& bytes)
+uint32_t crc_of_both(const std::vector<uint8_t>& head, const std::vector<uint8_t>& bytes)
 {
     return detail::crc32(detail::crc32(0, head.data(), head.size()), bytes.data(), bytes.size());
 }
@@ -81,7 +81,7 @@ bool StageFile::find(const Digest::Value& key, std::vector<uint8_t>& bytes) cons
         const uint64_t at = place->second.offset;
         return file_->read_at(at - sizeof crc, crc, sizeof crc) == sizeof crc &&
                file_->read_at(at, bytes.data(), bytes.size()) == bytes.size() &&
-               ByteReader(crc, sizeof crc).get32() == crc_of(head_of(key, bytes.size()), bytes);
+               ByteReader(crc, sizeof crc).get32() == crc_of_both(head_of(key, bytes.size()), bytes);
     } catch (const BakeError&) {
         return false;
     }
@@ -102,7 +102,7 @@ void StageFile::write(const Digest::Value& key, const std::vector<uint8_t>& byte
     if (!file_) open(PosixFile::Mode::create);
     std::vector<uint8_t> record = head_of(key, bytes.size());
     ByteWriter crc;
-    crc.put32(crc_of(record, bytes));
+    crc.put32(crc_of_both(record, bytes));
     record.insert(record.end(), crc.bytes().begin(), crc.bytes().end());
     record.insert(record.end(), bytes.begin(), bytes.end());
     file_->write_at(end_, record.data(), record.size());

@@ -105,7 +105,7 @@ float shadow_at(const SceneData& scene, const Vec3& position, Sampler& sampler)
     if (candidates.dark()) return 0;
     const LightSample& light = candidates.draw(u);
     const HitPoint floor = {{}, position, kZAxis, Frame(kZAxis), nullptr, {}, {}};
-    return 1 - transmittance(scene, floor.ray_to_light(light.direction, light.distance), sampler);
+    return 1 - max_component(transmittance(scene, floor.ray_to_light(light.direction, light.distance), sampler));
 }
 
 void require_partial_coverage(const SceneData& scene, bool texels_have_it)

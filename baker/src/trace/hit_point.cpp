@@ -57,13 +57,34 @@ Rgb slot_at(const SceneData& scene, const TextureSlot& slot, const Hit& hit)
 PointValues values_at(const SceneData& scene, const Material& material, const Hit& hit, bool outside)
 {
     const TextureSlots& maps = material.maps;
-    return {material.base * slot_at(scene, maps.base, hit), material.metalness * slot_at(scene, maps.metalness, hit).g,
-            slot_at(scene, maps.roughness, hit).g, outside, material.sheen * slot_at(scene, maps.sheen, hit).g};
+    const Rgb picture = slot_at(scene, maps.base, hit);
+    PointValues values = {material.base * picture, material.metalness * slot_at(scene, maps.metalness, hit).g,
+                          slot_at(scene, maps.roughness, hit).g, outside,
+                          material.sheen * slot_at(scene, maps.sheen, hit).g};
+    if (!material.glass && !material.thin) return values;
+    values.transmission = material.transmission * slot_at(scene, maps.transmission, hit).r;
+    const Rgb twice = material.tint * picture;
+    values.tint = {std::sqrt(twice.r), std::sqrt(twice.g), std::sqrt(twice.b)};
+    return values;
 }
 
-// `normal` bent as the material's normal map says; itself where that would face away from the viewer.
-Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hit, const Vec3& normal, const Vec3& view,
-                 bool outside)
+constexpr float kGrazing = 0.01f;  // the least cosine of a mirrored ray to the surface
+
+// `bent`, turned so far towards the surface's own normal that it mirrors the view to above the surface, as in Cycles.
+// There, too, a pixel of a normal map cannot say how the surface hides itself.
+Vec3 mirroring_upwards(const Vec3& bent, const Vec3& geometric, const Vec3& view)
+{
+    const float facing = dot(bent, view);
+    const Vec3 towards = facing > 0 ? bent : normalized(bent - view * facing);
+    const Vec3 mirrored = towards * (2 * std::max(facing, 0.0f)) - view;
+    const float height = dot(mirrored, geometric), least = std::min(kGrazing, 0.9f * dot(view, geometric));
+    if (facing > 0 && height >= least) return bent;
+    return normalized(normalized(mirrored + geometric * (least - height)) + view);
+}
+
+// `normal` bent as the material's normal map says. Glass keeps it where that would face away from the viewer.
+Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hit, const Vec3& normal,
+                 const Vec3& geometric, const Vec3& view, bool outside)
 {
     if (!material.maps.normal.used()) return normal;
     const std::optional<Tangents> tangents = tangents_of(scene.mesh, material.maps.normal, hit.triangle);
@@ -77,7 +98,9 @@ Vec3 bent_normal(const SceneData& scene, const Material& material, const Hit& hi
     if (!(size > 0)) return normal;
     const Vec3 bent = (across * (2 * c.r - 1) + upright * (2 * c.g - 1)) / size + front * (2 * c.b - 1);
     const float bent_size = length(bent);
-    return bent_size > 0 && dot(bent, view) * side > 0 ? bent * (side / bent_size) : normal;
+    if (!(bent_size > 0)) return normal;
+    if (!material.glass) return mirroring_upwards(bent * (side / bent_size), geometric, view);
+    return dot(bent, view) * side > 0 ? bent * (side / bent_size) : normal;
 }
 
 // Where a brushed material's facets spread widest, as seen from the triangle's front: along u, or without texture
@@ -129,10 +152,12 @@ HitPoint hit_point_at(const SceneData& scene, const Ray& ray, const Hit& hit)
     return {hit,
             position_at(scene.mesh, hit),
             geometric,
-            shading_frame(scene, material, hit, bent_normal(scene, material, hit, smooth, view, outside), outside),
+            shading_frame(scene, material, hit, bent_normal(scene, material, hit, smooth, geometric, view, outside),
+                          outside),
             &material,
             values_at(scene, material, hit, outside),
-            material.emits() ? emission_at(scene.mesh, material, scene.textures, hit.triangle, {hit.u, hit.v}) : Rgb{}};
+            material.emits() ? emission_at(scene.mesh, material, scene.textures, hit.triangle, {hit.u, hit.v}) : Rgb{},
+            material.maps.normal.used() && !material.glass};
 }
 
 Ray HitPoint::ray_towards(const Vec3& direction) const
@@ -152,10 +177,54 @@ Ray HitPoint::ray_to_light(const Vec3& direction, float distance) const
     return ray;
 }
 
+namespace
+{
+
+const Material& material_of(const SceneData& scene, const Hit& hit)
+{
+    return scene.materials[scene.mesh.materials[hit.triangle]];
+}
+
+// By the file's alpha alone.
+float stated_opacity(const SceneData& scene, const Hit& hit)
+{
+    const Material& material = material_of(scene, hit);
+    return material.opacity * slot_at(scene, material.maps.opacity, hit).g;
+}
+
+// The light that passes straight on.
+Rgb passing_light(const SceneData& scene, const Hit& hit, float cosine)
+{
+    const Material& material = material_of(scene, hit);
+    const float opacity = stated_opacity(scene, hit);
+    if (!material.thin) return grey(1 - opacity);
+    const Rgb picture = slot_at(scene, material.maps.base, hit);
+    return grey(1 - opacity) + material.through_pane(values_at(scene, material, hit, true), picture, cosine) * opacity;
+}
+
+float mean_of(const Rgb& c)
+{
+    return (c.r + c.g + c.b) / 3;
+}
+
+float cosine_at(const SceneData& scene, const Hit& hit, const Vec3& direction)
+{
+    return std::abs(dot(normalized(scene.mesh.area_vector(hit.triangle)), direction));
+}
+
+}  // namespace
+
 float opacity_of(const SceneData& scene, const Hit& hit)
 {
-    const Material& material = scene.materials[scene.mesh.materials[hit.triangle]];
-    return material.opacity * slot_at(scene, material.maps.opacity, hit).g;
+    if (!material_of(scene, hit).thin) return stated_opacity(scene, hit);
+    return std::clamp(1 - mean_of(passing_light(scene, hit, 1)), 0.0f, 1.0f);
+}
+
+float weight_of_stop(const SceneData& scene, const Hit& hit)
+{
+    if (!material_of(scene, hit).thin) return 1;
+    const float stops = opacity_of(scene, hit);
+    return stops > 0 ? stated_opacity(scene, hit) / stops : 1.0f;
 }
 
 namespace
@@ -172,7 +241,7 @@ std::optional<Hit> closest_stopping(const SceneData& scene, const Ray& ray, Samp
         const float opacity = opacity_of(scene, *hit);
         if (opacity >= 1 || sampler.next_1d() < opacity) break;
         travelled += hit->distance;
-        passed(*hit, travelled);
+        passed(*hit, travelled, opacity);
         rest = beyond(scene, rest, *hit);
         hit = scene.accelerator.closest(rest);
     }
@@ -185,14 +254,25 @@ std::optional<Hit> closest_stopping(const SceneData& scene, const Ray& ray, Samp
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler)
 {
     return closest_stopping(
-        scene, ray, sampler, [](const Hit&, float) {});
+        scene, ray, sampler, [](const Hit&, float, float) {});
+}
+
+std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler, Rgb& through)
+{
+    return closest_stopping(
+        scene, ray, sampler,
+        [&](const Hit& hit, float, float opacity) {
+            if (material_of(scene, hit).thin)
+                through =
+                    through * passing_light(scene, hit, cosine_at(scene, hit, ray.direction)) * (1 / (1 - opacity));
+        });
 }
 
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler, std::vector<Hit>& passed)
 {
     return closest_stopping(
         scene, ray, sampler,
-        [&](Hit hit, float distance) {
+        [&](Hit hit, float distance, float) {
             hit.distance = distance;
             passed.push_back(hit);
         });
@@ -208,25 +288,25 @@ float first_meeting(const SceneData& scene, const Ray& ray, Sampler& sampler)
     return stop ? *stop : hit ? hit->distance : kNothing;
 }
 
-float transmittance(const SceneData& scene, const Ray& ray)
+Rgb transmittance(const SceneData& scene, const Ray& ray)
 {
-    if (scene.mesh_is_shell) return 1;
-    if (!scene.has_transparency) return scene.accelerator.blocked(ray) ? 0.0f : 1.0f;
+    if (scene.mesh_is_shell) return grey(1);
+    if (!scene.has_transparency) return scene.accelerator.blocked(ray) ? Rgb{} : grey(1);
     Ray rest = ray;
-    float share = 1;
-    for (int k = 0; k < kMaxPasses && share > 0; ++k) {
+    Rgb share = grey(1);
+    for (int k = 0; k < kMaxPasses && !is_black(share); ++k) {
         const std::optional<Hit> hit = scene.accelerator.closest(rest);
         if (!hit) return share;
-        share *= 1 - opacity_of(scene, *hit);
+        share = share * passing_light(scene, *hit, cosine_at(scene, *hit, ray.direction));
         rest = beyond(scene, rest, *hit);
     }
-    return 0;
+    return {};
 }
 
-float transmittance(const SceneData& scene, const Ray& ray, Sampler& sampler)
+Rgb transmittance(const SceneData& scene, const Ray& ray, Sampler& sampler)
 {
-    const float share = transmittance(scene, ray);
-    return scene.medium && share > 0 ? share * scene.medium->transmittance(ray, sampler) : share;
+    const Rgb share = transmittance(scene, ray);
+    return scene.medium && !is_black(share) ? share * scene.medium->transmittance(ray, sampler) : share;
 }
 
 Ray ray_to_light(const Vec3& position, const Vec3& direction, float distance)

@@ -71,14 +71,32 @@ bool leaks(const HitPoint& point, const Vec3& direction, const Vec3& local)
     return (dot(direction, point.geometric_normal) > 0) != (local.z > 0);
 }
 
+// The surface's value and density of a direction. Where it folds, that of the mirror direction below is added, so that
+// no light is lost.
+struct Scattering {
+    Rgb value;
+    float pdf;
+};
+
+Scattering scattering(const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, const Vec3& direction, const Vec3& wi)
+{
+    Scattering result = {bsdf.eval(wo, wi), bsdf.pdf(wo, wi)};
+    if (!point.folds) return result;
+    const Vec3 below = point.frame.to_local(point.mirrored_up(direction));
+    return {result.value + bsdf.eval(wo, below), result.pdf + bsdf.pdf(wo, below)};
+}
+
 // The light that would arrive at the eye by the surface if nothing stood in its way.
 Rgb unshadowed(const Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, const LightSample& light)
 {
     const Vec3 wi = point.frame.to_local(light.direction);
-    if (!(light.pdf > 0) || leaks(point, light.direction, wi)) return {};
-    const Rgb scattered = walk.throughput * bsdf.eval(wo, wi) * light.radiance;
+    const bool is_lost =
+        point.folds ? dot(light.direction, point.geometric_normal) <= 0 : leaks(point, light.direction, wi);
+    if (!(light.pdf > 0) || is_lost) return {};
+    const Scattering s = scattering(point, bsdf, wo, light.direction, wi);
+    const Rgb scattered = walk.throughput * s.value * light.radiance;
     if (is_black(scattered)) return {};
-    const float weight = light.dirac ? 1 : power_weight(light.pdf, bsdf.pdf(wo, wi));
+    const float weight = light.dirac ? 1 : power_weight(light.pdf, s.pdf);
     return scattered * (weight / light.pdf);
 }
 
@@ -102,7 +120,8 @@ Rgb direct_light(const SceneData& scene, const Walk& walk, const HitPoint& point
         const float chance = brightness < worth ? brightness / worth : 1;
         if (u > chance) return;
         const Ray ray = point.ray_to_light(light.direction, light.distance);
-        sum = sum + most * (transmittance(scene, ray, sampler) / chance);
+        const Rgb through = transmittance(scene, ray, sampler);
+        sum = sum + most * Rgb{through.r / chance, through.g / chance, through.b / chance};
     });
     return sum;
 }
@@ -111,6 +130,7 @@ Rgb direct_light(const SceneData& scene, const Walk& walk, const HitPoint& point
 void cross(Walk& walk, const HitPoint& point)
 {
     const bool enters = point.values.outside;
+    walk.throughput = walk.throughput * point.values.tint;
     walk.glass = enters ? point.material : nullptr;
     walk.index2 = enters ? point.material->index * point.material->index : 1;
 }
@@ -126,7 +146,7 @@ float needed_1d(bool needed, Sampler& sampler)
 Bsdf bsdf_at(const HitPoint& point, Sampler& sampler)
 {
     const float metalness = point.values.metalness;
-    const bool undecided = metalness > 0 && metalness < 1;
+    const bool undecided = (metalness > 0 || (point.material->glass && point.values.transmission < 1)) && metalness < 1;
     return point.material->bsdf(point.values, needed_1d(undecided, sampler));
 }
 
@@ -136,12 +156,20 @@ bool scatter(Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo
     const float u_lobe = needed_1d(bsdf.has_lobes(), sampler);
     const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, sampler.next_2d());
     if (!sample) return false;
-    const Vec3 direction = normalized(point.frame.to_world(sample->wi));
-    if (leaks(point, direction, sample->wi)) return false;
-    if (sample->wi.z < 0) cross(walk, point);
-    walk.throughput = walk.throughput * sample->weight;
-    walk.ray = point.ray_towards(direction);
+    Vec3 direction = normalized(point.frame.to_world(sample->wi));
+    Rgb weight = sample->weight;
     walk.pdf = sample->pdf;
+    if (point.folds) {
+        if (dot(direction, point.geometric_normal) < 0) direction = point.mirrored_up(direction);
+        const Scattering s = scattering(point, bsdf, wo, direction, point.frame.to_local(direction));
+        weight = s.value * (1 / s.pdf);
+        walk.pdf = s.pdf;
+    } else if (leaks(point, direction, sample->wi)) {
+        return false;
+    }
+    if (sample->wi.z < 0) cross(walk, point);
+    walk.throughput = walk.throughput * weight;
+    walk.ray = point.ray_towards(direction);
     walk.at_eye = false;
     return !is_black(walk.throughput);
 }
@@ -163,9 +191,10 @@ Rgb light_in_medium(const SceneData& scene, const Vec3& position, const Vec3& wa
     scene.lights.sample(position, light_numbers(sampler), [&](const LightSample& light, float) {
         if (!(light.pdf > 0) || is_black(light.radiance)) return;
         const float scattered = scene.medium->phase().density(dot(way, light.direction));
-        const float through = transmittance(scene, ray_to_light(position, light.direction, light.distance), sampler);
+        const Rgb through = transmittance(scene, ray_to_light(position, light.direction, light.distance), sampler);
         const float weight = light.dirac ? 1 : power_weight(light.pdf, scattered);
-        sum = sum + light.radiance * (scattered * through * weight / light.pdf);
+        const auto share = [&](float passes) { return scattered * passes * weight / light.pdf; };
+        sum = sum + light.radiance * Rgb{share(through.r), share(through.g), share(through.b)};
     });
     return sum;
 }
@@ -212,10 +241,12 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
     PathResult result;
     Walk walk{ray};
     for (int bounce = 0; bounce < kMaxBounces;) {
-        const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler);
+        Rgb through = grey(1);
+        const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler, through);
         const float end = hit ? hit->distance : walk.ray.end;
         const float way = scene_.medium ? free_way(*scene_.medium, walk.ray, end, sampler) : end;
         if (!walk.at_eye) result.radiance = result.radiance + from_fixtures(scene_, walk, way);
+        walk.throughput = walk.throughput * through;
         if (way < end) {
             result.covered = true;
             if (!scatter_in_medium(scene_, walk, way, result.radiance, sampler)) break;
@@ -228,6 +259,7 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         result.covered = true;
         if (walk.glass) walk.throughput = walk.throughput * walk.glass->absorbed(way);
         const HitPoint point = hit_point_at(scene_, walk.ray, *hit);
+        if (point.material->thin) walk.throughput = walk.throughput * weight_of_stop(scene_, *hit);
         result.radiance = result.radiance + emitted(scene_, walk, point);
 
         const Vec3 wo = point.frame.to_local(-walk.ray.direction);
@@ -238,7 +270,7 @@ PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
         if (bounce == 0) result.diffuse = walk.pdf <= kMattPdf;
         ++bounce;
         // Light that shines through glass is only found by paths that go on: glass ends none.
-        if (point.material->glass) continue;
+        if (bsdf.is_glass()) continue;
         if (++walk.bounces > kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) break;
     }
     return result;

@@ -229,8 +229,8 @@ TEST_CASE("material: those of the same widths and index share their tables")
     CHECK(brushed.brushed_facets == made(0.4f, 0.5f, false).brushed_facets);
     CHECK(brushed.brushed_skins[0] != more_brushed.brushed_skins[0]);
     const Material frosted = made(0.4f, 0, true);
-    CHECK(frosted.frost == made(0.4f, 0, true).frost);
-    CHECK(frosted.frost != made(0.5f, 0, true).frost);
+    CHECK(frosted.frosts == made(0.4f, 0, true).frosts);
+    CHECK(frosted.frosts != made(0.5f, 0, true).frosts);
     // A shared table is that of its own width.
     CHECK(c.skins[0]->albedo(0.5f) == Skin(kSkinIndex, 0.5f).albedo(0.5f));
     CHECK(b.facets[0]->lost(0.5f) == FacetTable(0.4f).lost(0.5f));

@@ -92,8 +92,8 @@ TEST_CASE("maps: map_d cuts out, for the eye and for light")
     const Scene scene = square("Kd 1 1 1\nmap_d t.png\n", {255, 255, 255, 0, 0, 0}, constant_environment(1));
     CHECK(coverage(scene, -0.5f) > 0.99);
     CHECK(coverage(scene, 0.5f) < 0.01);
-    CHECK(transmittance(scene.data(), down_at(scene, -0.5f)) < 1e-3f);
-    CHECK(transmittance(scene.data(), down_at(scene, 0.5f)) > 0.999f);
+    CHECK(transmittance(scene.data(), down_at(scene, -0.5f)).g < 1e-3f);
+    CHECK(transmittance(scene.data(), down_at(scene, 0.5f)).g > 0.999f);
 }
 
 TEST_CASE("maps: map_Pr and map_Pm multiply their numbers, read as plain bytes")
@@ -171,7 +171,9 @@ TEST_CASE("maps: what MTL calls glass is glass, and thin paint is not")
         const testing::ScratchFolder folder;
         folder.write("m.mtl", "newmtl x\nKd 0.5 0.5 0.5\n" + mtl);
         std::vector<std::string> warnings;
-        return load_scene(folder.write("s.obj", kSquare), {}, warnings).data().materials[0];
+        const std::string body =
+            "mtllib m.mtl\nusemtl x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+        return load_scene(folder.write("s.obj", body), {}, warnings).data().materials[0];
     };
     for (const char* mtl :
          {"illum 7\nNi 1.5\n", "illum 6\nNi 1.5\nd 0.5\n", "illum 4\nNi 1.5\n", "illum 9\nNi 1.5\nd 0.5\nTf 1 1 1\n"}) {
@@ -186,16 +188,29 @@ TEST_CASE("maps: what MTL calls glass is glass, and thin paint is not")
     }
     // As Blender writes transmission; without Pr, many exporters write Tf 1 1 1 for what is opaque.
     CHECK(material("Ni 1.45\nillum 2\nPr 0\nTf 1 1 1\n").glass);
-    CHECK(material("Ni 1.45\nillum 2\nPr 0.4\nTf 1 1 1\n").frost);
+    CHECK(material("Ni 1.45\nillum 2\nPr 0.4\nTf 1 1 1\n").frosts.at(0));
     CHECK_FALSE(material("Ni 1.45\nillum 2\nTf 1 1 1\n").glass);
     CHECK_FALSE(material("Ni 1.45\nillum 2\nPr 0\nTf 0.1 0.1 0.1\n").glass);
     const Material frosted = material("illum 7\nNi 1.33\nPr 0.5\nTf 0.5 1 1\n");
-    REQUIRE(frosted.frost);
-    CHECK(static_cast<double>(frosted.frost->alpha()) == Approx(0.25));
+    REQUIRE(frosted.frosts.at(0));
+    CHECK(static_cast<double>(frosted.frosts.at(0)->alpha()) == Approx(0.25));
     const Material coated = material("Pc 0.5\nPcr 0.3\n");
     CHECK(coated.coat == 0.125f);
     CHECK(static_cast<double>(coated.coat_alpha) == Approx(0.09));
     CHECK_FALSE(material("Pr 0.2\n").coat_skin);
+}
+
+TEST_CASE("maps: a sheet of MTL's glass is a pane that colours once, with a warning")
+{
+    const testing::ScratchFolder folder;
+    folder.write("m.mtl", "newmtl x\nillum 7\nNi 1.5\nTf 0.5 1 0.25\n");
+    std::vector<std::string> warnings;
+    const Material pane = read_obj(folder.write("s.obj", kSquare), warnings).materials[0];
+    CHECK(pane.thin);
+    CHECK_FALSE(pane.glass);
+    CHECK(pane.tint.b == 0.25f);
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Catch::Contains("thin panes"));
 }
 
 TEST_CASE("maps: Pr 0 is smooth, also without Ns")

@@ -109,6 +109,7 @@ TEST_CASE("scene file: each of two objects keeps its own pictures, whatever they
     REQUIRE(parts.materials.size() == 2);
     const auto pictures = static_cast<int32_t>(parts.textures.size()) / 2;
     for (const auto slot : kTextureSlots) {
+        if (slot == &TextureSlots::transmission) continue;  // MTL has no picture for it
         CHECK((parts.materials[0].maps.*slot).used());
         CHECK((parts.materials[1].maps.*slot).texture == (parts.materials[0].maps.*slot).texture + pictures);
     }
@@ -168,7 +169,7 @@ TEST_CASE("scene file: materials override what MTL says")
     CHECK(gold.coat_skin);
     const Material& pane = parts.materials[1];
     CHECK(pane.glass);
-    CHECK_FALSE(pane.frost);
+    CHECK_FALSE(pane.frosts.at(0));
     CHECK(static_cast<double>(pane.index) == Approx(1.33));
     CHECK(static_cast<double>(pane.absorbed(4).r) == Approx(0.25));
 }

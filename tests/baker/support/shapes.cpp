@@ -133,6 +133,15 @@ void SceneMaker::box(uint32_t material, const Vec3& l, const Vec3& h)
     quad(material, {h.x, l.y, l.z}, {h.x, h.y, l.z}, {h.x, h.y, h.z}, {h.x, l.y, h.z});
 }
 
+void SceneMaker::tilt_normals(uint32_t material, float sine)
+{
+    const auto byte = [](float v) { return static_cast<uint8_t>(std::lround((v * 0.5f + 0.5f) * 255)); };
+    parts_.textures.push_back({1, 1, {byte(sine), byte(0), byte(std::sqrt(1 - sine * sine))}, false});
+    parts_.materials[material].maps.normal.texture = static_cast<int32_t>(parts_.textures.size() - 1);
+    parts_.mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    parts_.mesh.mapping = {{0, 1, 2}, {0, 2, 3}};
+}
+
 void SceneMaker::span_unit_sphere()
 {
     constexpr float kSpeck = 1e-4f;

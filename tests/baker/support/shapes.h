@@ -32,6 +32,9 @@ public:
     // An axis-parallel box, seen from both sides.
     void box(uint32_t material, const Vec3& low, const Vec3& high);
 
+    // Gives a material a normal map that leans everywhere by this sine along x, where it is drawn as the only quad.
+    void tilt_normals(uint32_t material, float sine);
+
     // Fixes the bounding sphere to the unit sphere: adds six specks at its axis points, which nothing else may exceed.
     void span_unit_sphere();
 

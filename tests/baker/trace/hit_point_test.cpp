@@ -114,11 +114,11 @@ TEST_CASE("surface: light passes thin panes by what they leave, and nothing opaq
     maker.span_unit_sphere();
     const Scene scene = maker.make(constant_environment(1));
     const Vec3 down = {0, 0, -1};
-    CHECK(static_cast<double>(transmittance(scene.data(), {{0.1f, 0, 0.9f}, down, 1.2f})) ==
+    CHECK(static_cast<double>(transmittance(scene.data(), {{0.1f, 0, 0.9f}, down, 1.2f}).g) ==
           Approx(0.75 * 0.75 * 0.75));
-    CHECK(static_cast<double>(transmittance(scene.data(), {{0.1f, 0, 0.9f}, down, 0.6f})) == Approx(0.75));
-    CHECK(transmittance(scene.data(), {{0.1f, 0, 0.9f}, down, 1.8f}) == 0);
-    CHECK(transmittance(scene.data(), {{0.1f, 0, 0.9f}, {1, 0, 0}, 5}) == 1);
+    CHECK(static_cast<double>(transmittance(scene.data(), {{0.1f, 0, 0.9f}, down, 0.6f}).g) == Approx(0.75));
+    CHECK(transmittance(scene.data(), {{0.1f, 0, 0.9f}, down, 1.8f}).g == 0);
+    CHECK(transmittance(scene.data(), {{0.1f, 0, 0.9f}, {1, 0, 0}, 5}).g == 1);
 }
 
 }  // namespace lumi::baker

@@ -152,6 +152,50 @@ TEST_CASE("path tracer: the sky is not seen, a pane covers by its opacity")
     CHECK(covered.value() == Approx(0.3).margin(kSigmas * covered.error()));
 }
 
+TEST_CASE("path tracer: a pane colours what lies behind once, in place, and mirrors what it does not let in")
+{
+    SceneMaker maker;
+    Material pane = testing::glossy(grey(0.5f), 0.01f);
+    pane.thin = true;
+    pane.tint = {0.2f, 0.7f, 0.3f};
+    const float f0 = 0.04f;  // of the index 1.5
+    pane.finish();
+    const uint32_t glass = maker.add(pane), lamp = maker.add(testing::lamp(grey(1)));
+    maker.quad(glass, {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
+    maker.quad(lamp, {-0.1f, -0.1f, -0.5f}, {0.1f, -0.1f, -0.5f}, {0.1f, 0.1f, -0.5f}, {-0.1f, 0.1f, -0.5f});
+    const Scene scene = maker.make(constant_environment(0));
+    for (const float side : {1.0f, -1.0f}) {  // from behind, the lamp is mirrored
+        const Ray ray = {{0.02f, 0.01f, side * (side > 0 ? 0.9f : 0.2f)}, {0, 0, -side}};
+        const Mean seen = along(scene, ray, 20000);
+        CHECK(seen.value() == Approx(side > 0 ? 0.7 * (1 - static_cast<double>(f0)) : static_cast<double>(f0))
+                                  .margin(kSigmas * seen.error() + 0.003));
+    }
+    const Scene in_light = square_of(pane);
+    Mean mirrored = along(in_light, {{0, 0, 0.9f}, {0, 0, -1}}, 20000);
+    // The light behind is not seen by the eye: only what is mirrored, and all of it.
+    CHECK(mirrored.value() == Approx(static_cast<double>(f0)).margin(kSigmas * mirrored.error() + 0.002));
+}
+
+TEST_CASE("path tracer: normal maps neither lose light of a white metal nor make any")
+{
+    for (const float alpha : {0.01f, 0.25f, 1.0f}) {
+        for (const float tilt : {0.3f, 0.8f, 0.99f}) {
+            SceneMaker maker;
+            const uint32_t white = maker.add(testing::metal(grey(1), alpha));
+            maker.quad(white, {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
+            maker.tilt_normals(white, tilt);
+            const Scene scene = maker.make(constant_environment(1));
+            for (const float slope : {-0.9f, -0.3f, 0.5f}) {
+                INFO("alpha " << alpha << ", tilt " << tilt << ", slope " << slope);
+                const Vec3 way = normalized(Vec3{slope, 0, -0.4f});
+                const Mean seen = along(scene, {Vec3{0, 0, 0} - way * 0.9f, way}, 4000);
+                CHECK(seen.value() <= 1.02 + kSigmas * seen.error());
+                CHECK(seen.value() >= 0.98 - kSigmas * seen.error());
+            }
+        }
+    }
+}
+
 TEST_CASE("path tracer: light from a matt surface is diffuse, from a mirror it is not, and from plastic by chance")
 {
     const auto share = [](const Material& material) {

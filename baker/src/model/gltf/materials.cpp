@@ -6,6 +6,7 @@
 
 #include "material/material.h"
 #include "model/gltf/extensions.h"
+#include "model/gltf/specular_glossiness.h"
 #include "model/gltf/textures.h"
 
 namespace lumi::baker
@@ -95,13 +96,42 @@ private:
         base = texture_member(model_, *e, "diffuseTexture");
         const JsonValue* factor = find_member(*e, "diffuseFactor");
         alpha_ = factor && factor->items.size() == 4 ? float_of(factor->items[3].number) : 1;
-        m_.metalness = 0;
+        const Rgb specular = colour_member(*e, "specularFactor", grey(1));
+        const float gloss = std::clamp(float_member(*e, "glossinessFactor", 1), 0.0f, 1.0f);
+        const GltfTextureUse both = texture_member(model_, *e, "specularGlossinessTexture");
         m_.maps.metalness = m_.maps.roughness = {};
-        m_.alpha = alpha_from_roughness(1 - std::clamp(float_member(*e, "glossinessFactor", 1), 0.0f, 1.0f));
-        f0_ = max_component(colour_member(*e, "specularFactor", grey(1)));
-        if (find_member(*e, "specularGlossinessTexture"))
-            losses_.add(
-                "picture(s) of specular and glossiness are left out; convert the model to metallic and roughness");
+        m_.alpha = 1;
+        const int32_t glossiness = textures_.find(both, PictureUse::opacity);
+        if (glossiness == kNoTexture)
+            m_.alpha = alpha_from_roughness(1 - gloss);
+        else
+            m_.maps.roughness = slot(both, textures_.add(roughness_picture(textures_.picture(glossiness), gloss)));
+        take_specular_colour(colour, base, specular, both);
+    }
+
+    // The diffuse picture becomes one of base colours, if the specular one is that of a metal somewhere.
+    void take_specular_colour(Rgb& colour, const GltfTextureUse& base, const Rgb& specular, const GltfTextureUse& both)
+    {
+        const int32_t diffuse_picture = textures_.find(base, PictureUse::colour);
+        const int32_t specular_picture = textures_.find(both, PictureUse::colour);
+        const auto picture = [&](int32_t index) { return index == kNoTexture ? nullptr : &textures_.picture(index); };
+        const bool alike = diffuse_picture == kNoTexture || specular_picture == kNoTexture || base.lies_as(both);
+        const MetallicPictures metal = metallic_pictures(
+            {picture(diffuse_picture), colour},
+            {alike ? picture(specular_picture) : nullptr, alike || specular_picture == kNoTexture
+                                                              ? specular
+                                                              : specular * textures_.mean_colour_of(specular_picture)});
+        f0_ = metal.f0;
+        m_.metalness = metal.is_metal_somewhere ? 1.0f : 0.0f;
+        if (!metal.is_metal_somewhere) return;
+        const GltfTextureUse& place = diffuse_picture == kNoTexture ? both : base;
+        colour = metal.base.rgb.empty() ? metal.plain.base : grey(1);
+        if (metal.base.rgb.empty()) {
+            m_.metalness = metal.plain.metalness;
+            return;
+        }
+        base_slot_ = slot(place, textures_.add(metal.base));
+        m_.maps.metalness = slot(place, textures_.add(metal.metalness));
     }
 
     // glTF widens the facets along the tangent towards 1 by the strength's square, and leaves them across.
@@ -154,7 +184,7 @@ private:
                                 ? m_.metalness * static_cast<float>(textures_.mean_of(m_.maps.metalness.texture))
                                 : m_.metalness;
         m_.base = colour * (1 - f0_ * (1 - metal));
-        m_.maps.base = slot(use, textures_.find(use, PictureUse::colour));
+        m_.maps.base = base_slot_.used() ? base_slot_ : slot(use, textures_.find(use, PictureUse::colour));
     }
 
     void take_emission()
@@ -217,6 +247,7 @@ private:
         const float alpha = std::clamp(alpha_ < 0 ? gltf_.alpha : alpha_, 0.0f, 1.0f);
         if (gltf_.alpha_mode == GltfAlpha::blend) {
             m_.opacity = alpha;
+            m_.blends = true;
             m_.maps.opacity = slot(base, textures_.find_opacity(base));
         } else if (gltf_.alpha_mode == GltfAlpha::mask) {
             m_.maps.opacity = slot(base, textures_.find_mask(base, alpha, gltf_.cutoff));
@@ -227,29 +258,34 @@ private:
     void take_transmission(const Rgb& colour)
     {
         const JsonValue* e = extension("KHR_materials_transmission");
-        float share = e ? std::clamp(float_member(*e, "transmissionFactor", 0), 0.0f, 1.0f) : 0;
-        if (!(share > 0) || m_.metalness >= 1) return;
-        share *= mean_of(*e, "transmissionTexture", 0);
-        if (has_one_of(*e, {"transmissionTexture"}))
-            losses_.add("picture(s) of transmission count by their mean; give parts that are clear their own material");
-        constexpr float kMostlyClear = 0.5f;
-        if (share < kMostlyClear) {
-            m_.opacity *= 1 - share;
+        m_.transmission = e ? std::clamp(float_member(*e, "transmissionFactor", 0), 0.0f, 1.0f) : 0;
+        if (m_.maps.metalness.used() && !(textures_.mean_of(m_.maps.metalness.texture) > 0)) {
+            m_.maps.metalness = {};
+            m_.metalness = 0;
+        }
+        const bool passes = m_.transmission > 0 && (m_.metalness < 1 || m_.maps.metalness.used());
+        const GltfTextureUse picture = e ? texture_member(model_, *e, "transmissionTexture") : GltfTextureUse();
+        const int32_t shares = passes ? textures_.find(picture, PictureUse::data) : kNoTexture;
+        if (!passes || (shares != kNoTexture && !(textures_.mean_of(shares) > 0))) {
+            m_.transmission = 1;  // says nothing of what is no glass
             return;
         }
+        m_.maps.transmission = slot(picture, shares);
         m_.glass = true;
         m_.index = index_;
-        m_.metalness = 0;
         m_.coat = m_.sheen = 0;
-        m_.transmittance = colour;
-        result_.tinted = true;
         const JsonValue* volume = extension("KHR_materials_volume");
         const float distance = volume ? float_member(*volume, "attenuationDistance", 0) : 0;
         if (distance > static_cast<float>(kLeastLength)) {
             m_.transmittance = colour_member(*volume, "attenuationColor", grey(1));
             m_.transmittance_length = distance;
-            result_.tinted = false;
+            m_.tint = colour;
+        } else {
+            m_.transmittance = colour;
+            result_.tinted = true;
         }
+        const bool is_body = volume && (result_.tinted ? float_member(*volume, "thicknessFactor", 0) > 0 : true);
+        result_.is_wall = !is_body;
     }
 
     void normal_slot() { m_.maps.normal = slot(gltf_.normal_texture, textures_.find_normals(gltf_.normal_texture)); }
@@ -270,6 +306,7 @@ private:
     Material& m_ = result_.material;
     float f0_ = -1, index_ = kDefaultIndex;  // below 0: by the index
     float alpha_ = -1;                       // below 0: of the core material
+    TextureSlot base_slot_;                  // in place of the base picture's
 };
 
 }  // namespace

@@ -7,8 +7,9 @@
 // metallic, roughness                   metalness, alpha = roughness²; pictures: blue and green
 // KHR_materials_ior, _specular          the skin's index, so that it reflects F0 from straight above; the largest
 //                                       component of its colour counts
-// KHR_materials_transmission            from one half on: glass of the index, coloured by base colour or _volume;
-//                                       below: thin
+// KHR_materials_transmission            that share of what is not metal is glass of the index, coloured by base colour
+//                                       and _volume; without a volume, a pane where it is a sheet
+// KHR_materials_pbrSpecularGlossiness   the metal and the body that have both its colours
 // emissive, _emissive_strength          radiance from both sides
 // KHR_materials_unlit                   radiance of the base colour
 // alpha mode MASK, BLEND                opacity, cut at the cutoff; the share of light that does not pass
@@ -29,6 +30,7 @@ struct GltfSurface {
     Material material;             // finished
     std::vector<int32_t> uv_sets;  // the file's numbers of the first and the second one; as many as pictures use
     bool tinted = false;           // glass whose base colour colours what passes once through it
+    bool is_wall = false;          // glass without a volume: a pane where it is a sheet
 };
 
 // One for each material of the model, and a last one for primitives without a material. Pictures are appended to

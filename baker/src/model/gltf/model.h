@@ -99,6 +99,12 @@ struct GltfTextureUse {
     std::array<Wrap, 2> wrap = {Wrap::repeat, Wrap::repeat};
 
     bool used() const { return image != kNoIndex; }
+    bool lies_as(const GltfTextureUse& other) const
+    {
+        return uv_set == other.uv_set && scale.x == other.scale.x && scale.y == other.scale.y &&
+               offset.x == other.offset.x && offset.y == other.offset.y && rotation == other.rotation &&
+               wrap == other.wrap;
+    }
 };
 
 enum class GltfAlpha { opaque, mask, blend };

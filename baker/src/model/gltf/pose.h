@@ -2,6 +2,7 @@
 // Poses a glTF model: its nodes at a time of an animation, and vertices by morph targets and by the joints of a skin.
 #pragma once
 
+#include "lumi/baker/scene.h"
 #include "model/gltf/model.h"
 #include "model/gltf/shape.h"
 

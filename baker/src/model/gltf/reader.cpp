@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include "geometry/open_edges.h"
+
 #include "model/gltf/mesh.h"
 #include "model/gltf/model.h"
 #include "model/gltf/pose.h"
+#include "model/panes.h"
 
 namespace lumi::baker
 {
@@ -129,45 +132,24 @@ private:
         return {sound(c.r), sound(c.g), sound(c.b)};
     }
 
-    // glTF's colour of glass without a volume is that of a thin pane. A body gets it on its shortest way.
+    // Without a volume, sheets of glass are panes. A body of it gets the base colour on its way through.
     void colour_glass()
     {
-        if (std::none_of(surfaces_.begin(), surfaces_.end(), [](const GltfSurface& s) { return s.tinted; })) return;
-        const std::vector<Box> boxes = material_boxes();
+        std::vector<bool> walls(parts_.materials.size());
+        for (uint32_t k = 0; k < walls.size(); ++k) walls[k] = meshes_.surface(k).is_wall;
+        make_panes(parts_, walls);
+        const auto is_tinted = [&](uint32_t k) { return meshes_.surface(k).tinted && parts_.materials[k].glass; };
+        std::vector<float> thick;
         for (uint32_t k = 0; k < parts_.materials.size(); ++k) {
-            if (!meshes_.surface(k).tinted) continue;
-            parts_.materials[k].transmittance_length = thickness_of(boxes[k]);
-            parts_.materials[k].finish();
+            if (!is_tinted(k)) continue;
+            if (thick.empty()) thick = thicknesses(parts_.mesh, parts_.materials.size());
+            Material& m = parts_.materials[k];
+            if (thick[k] > 0)
+                m.transmittance_length = thick[k];
+            else
+                m.tint = m.tint * m.transmittance, m.transmittance = grey(1);
+            m.finish();
         }
-    }
-
-    struct Box {
-        static constexpr float kFar = std::numeric_limits<float>::infinity();
-        Vec3 low = {kFar, kFar, kFar}, high = {-kFar, -kFar, -kFar};
-    };
-
-    // One for each material.
-    std::vector<Box> material_boxes() const
-    {
-        std::vector<Box> boxes(parts_.materials.size());
-        const Mesh& mesh = parts_.mesh;
-        for (size_t t = 0; t < mesh.triangle_count(); ++t) {
-            auto& [low, high] = boxes[mesh.materials[t]];
-            for (size_t c = 0; c < 3; ++c) {
-                const Vec3& p = mesh.position(t, c);
-                low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-                high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-            }
-        }
-        return boxes;
-    }
-
-    static float thickness_of(const Box& box)
-    {
-        const Vec3 size = box.high - box.low;
-        const float longest = std::max({size.x, size.y, size.z});
-        constexpr float kThinnest = 1e-3f;  // as a share of the longest side: a pane may be flat
-        return longest > 0 ? std::max(std::min({size.x, size.y, size.z}), kThinnest * longest) : 1.0f;
     }
 
     const GltfModel& model_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/tone.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -111,6 +112,16 @@ double GltfTextures::mean_of(int32_t texture, size_t channel) const
     uint64_t sum = 0;
     for (size_t k = channel; k < bytes.size(); k += 3) sum += bytes[k];
     return static_cast<double>(sum) / (255.0 * static_cast<double>(bytes.size() / 3));
+}
+
+Rgb GltfTextures::mean_colour_of(int32_t texture) const
+{
+    const std::vector<uint8_t>& bytes = picture(texture).rgb;
+    std::array<double, 3> sum{};
+    for (size_t k = 0; k < bytes.size(); ++k) sum[k % 3] += static_cast<double>(srgb_decode(bytes[k]));
+    const double pixels = static_cast<double>(bytes.size() / 3);
+    return {static_cast<float>(sum[0] / pixels), static_cast<float>(sum[1] / pixels),
+            static_cast<float>(sum[2] / pixels)};
 }
 
 TextureSlot slot_of(const GltfTextureUse& use, int32_t texture)

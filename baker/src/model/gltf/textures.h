@@ -28,6 +28,16 @@ public:
     int32_t find_opacity(const GltfTextureUse& use);
     int32_t find_mask(const GltfTextureUse& use, float alpha, float cutoff);
 
+    // A picture that is found, and one that is made.
+    const Texture& picture(int32_t texture) const { return textures_[static_cast<size_t>(texture)]; }
+    int32_t add(Texture texture)
+    {
+        textures_.push_back(std::move(texture));
+        return static_cast<int32_t>(textures_.size() - 1);
+    }
+
+    // In linear light, of a picture of colours.
+    Rgb mean_colour_of(int32_t texture) const;
     // Returns the mean of the bytes of red (0), green (1) or blue (2), from 0 to 1.
     double mean_of(int32_t texture, size_t channel = 0) const;
 

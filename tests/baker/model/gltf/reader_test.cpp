@@ -221,7 +221,9 @@ TEST_CASE("glTF: extensions of materials: index, specular, coat, sheen, emission
     CHECK(glass.glass);
     CHECK(glass.transmittance_length == 2);
     CHECK(glass.absorbed(2).r == Approx(0.5));
-    CHECK(with("transmission\":{\"transmissionFactor\":0.25}").opacity == Approx(0.75));
+    const Material pane = with("transmission\":{\"transmissionFactor\":0.25}");
+    CHECK(pane.thin);
+    CHECK(pane.transmission == 0.25f);
     const Material old = with(
         "pbrSpecularGlossiness\":{\"diffuseFactor\":[0.5,0.5,0.5,1],\"specularFactor\":[0.04,0.04,0.04],"
         "\"glossinessFactor\":0.5}");
@@ -244,7 +246,60 @@ TEST_CASE("glTF: glass keeps the distance of its volume beside glass of the same
     REQUIRE(parts.materials.size() == 2);
     CHECK(parts.materials[0].transmittance_length == 0.1f);
     CHECK(parts.materials[0].absorbed(0.1f).r == Approx(0.5));
-    CHECK(parts.materials[1].transmittance_length == 2);
+    CHECK(parts.materials[1].thin);
+}
+
+// Glass whose picture has so much metalness, and a picture of transmission.
+SceneParts glass_with_pictures(uint8_t metal, uint8_t transmission)
+{
+    GltfMaker maker = square(
+        "\"pbrMetallicRoughness\":{\"metallicRoughnessTexture\":{\"index\":0}},\"extensions\":{"
+        "\"KHR_materials_transmission\":{\"transmissionFactor\":0.5,\"transmissionTexture\":{\"index\":1}},"
+        "\"KHR_materials_volume\":{\"thicknessFactor\":1}}");
+    std::string images;
+    for (const uint8_t byte : {metal, transmission}) {
+        const bool is_metal = images.empty();
+        const std::string png =
+            testing::rgb_png(1, {is_metal ? uint8_t{0} : byte, uint8_t{0}, is_metal ? byte : uint8_t{0}});
+        images += (is_metal ? "" : ",") + ("{\"bufferView\":" + std::to_string(maker.view(png))) +
+                  ",\"mimeType\":\"image/png\"}";
+    }
+    maker.add("\"images\":[" + images + "],\"textures\":[{\"source\":0},{\"source\":1}]");
+    return load_glb(maker).parts;
+}
+
+TEST_CASE("glTF: pictures of glass count, of metalness, roughness and transmission")
+{
+    const SceneParts clear = glass_with_pictures(0, 51);
+    const Material& glass = clear.materials.at(0);
+    CHECK(glass.glass);
+    CHECK(glass.metalness == 0);
+    CHECK(glass.transmission * shown_on_square(clear, &TextureSlots::transmission, 0.5f, 0.25f).r == Approx(0.1));
+    REQUIRE(glass.frosts.size() > 1);
+    CHECK_FALSE(glass.frosts[0]);
+    CHECK(glass.frosts.back());
+    CHECK(glass_with_pictures(51, 255).materials.at(0).is_mixed_glass());
+    CHECK_FALSE(glass_with_pictures(0, 0).materials.at(0).glass);
+}
+
+TEST_CASE("glTF: specular and glossiness become metal and roughness where the specular colour is a metal's")
+{
+    const auto old = [](const std::string& members) {
+        return gltf_material("\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{" + members + "}}");
+    };
+    const Material gold = old("\"diffuseFactor\":[0,0,0,1],\"specularFactor\":[1,0.8,0.3],\"glossinessFactor\":0.5");
+    CHECK(gold.metalness == Approx(1).margin(0.02));
+    check_gltf(gold.base, {1, 0.8f, 0.3f}, 0.02f);
+    const std::string png = testing::png({PNG_COLOR_TYPE_RGB_ALPHA}, 2, 1, {255, 231, 149, 255, 10, 10, 10, 51});
+    const LoadedGltf both =
+        load_with_picture(png,
+                          "\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{\"diffuseFactor\":[0.5,0,0,1],"
+                          "\"specularGlossinessTexture\":{\"index\":0}}}");
+    CHECK(both.warnings.empty());
+    CHECK(shown_on_square(both.parts, &TextureSlots::metalness, 0.2f, 0.1f).g > 0.7f);
+    CHECK(shown_on_square(both.parts, &TextureSlots::metalness, 0.75f, 0.25f).g < 0.05f);
+    CHECK(shown_on_square(both.parts, &TextureSlots::roughness, 0.25f, 0.1f).g == Approx(0).margin(0.01));
+    CHECK(shown_on_square(both.parts, &TextureSlots::roughness, 0.75f, 0.25f).g == Approx(0.8));
 }
 
 TEST_CASE("glTF: pictures lie upright, roughness is green, metalness blue")
@@ -410,6 +465,8 @@ TEST_CASE("glTF: alpha cuts at the cutoff, blends, or does nothing")
     };
     CHECK(opacity("", 0.75f) == 1);
     CHECK(opacity(",\"alphaMode\":\"BLEND\"", 0.75f) == Approx(80 / 255.0));
+    CHECK(gltf_material("\"alphaMode\":\"BLEND\"").blends);
+    CHECK_FALSE(gltf_material("\"alphaMode\":\"MASK\"").blends);
     CHECK(opacity(",\"alphaMode\":\"MASK\"", 0.25f) == 1);
     CHECK(opacity(",\"alphaMode\":\"MASK\"", 0.75f) == 0);
     CHECK(opacity(",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.2", 0.75f) == 1);
