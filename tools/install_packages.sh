@@ -11,11 +11,11 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 build_packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtbb-dev         # ray queries
-  libtinygltf-dev                  # glTF and GLB
+  libtinygltf-dev libdraco-dev     # glTF and GLB
   libtinyobjloader-dev             # OBJ and MTL
   libpng-dev libturbojpeg0-dev     # PNG and JPEG
   libstb-dev                       # writes PNG
-  libwebp-dev                      # turning pictures
+  libwebp-dev                      # turning pictures, glTF's WebP
   libopenexr-dev                   # EXR
   libmeshoptimizer-dev             # meshes of few triangles
   libnifti2-dev zlib1g-dev         # volumes

@@ -11,6 +11,7 @@
 #include "support/facet_bytes.h"
 #include "support/gltf_bytes.h"
 #include "support/nifti_bytes.h"
+#include "support/packed_gltf.h"
 #include "support/picture_bytes.h"
 #include "surface/surface_file_store.h"
 
@@ -155,6 +156,12 @@ void write_gltf(Seeds seeds)
     const std::string view = std::to_string(maker.view(testing::rgb_png(1, {1, 2, 3})));
     maker.add(R"("textures":[{"source":0}],"images":[{"bufferView":)" + view + "}]");
     seeds.add(maker.glb());
+    seeds.add(testing::draco_gltf(testing::draco_square()).glb());
+    seeds.add(testing::meshopt_square());
+    testing::GltfMaker posed = testing::square("", R"("skin":0,"weights":[0.5])");
+    posed.add(
+        R"("skins":[{"joints":[0]}],"animations":[{"name":"a","samplers":[{"input":0,"output":0}],"channels":[]}])");
+    seeds.add(posed.glb());
     seeds.add(testing::square().json("data:application/octet-stream;base64,AAAA"));
 }
 

@@ -4,15 +4,18 @@
 
 cases.py FOLDER [--lumi PROGRAM]
 
-FOLDER holds a folder for each case, with a.obj or a.json and RIGHT.txt, which says in words what a user calls right. RIGHT
-below says it in pictures: the picture of another text, or of another case, that surely means the same. A case that is right
-has a picture of at least LEAST_PSNR dB, where a picture is stated, and says what is stated."""
+FOLDER holds a folder for each case, with a.obj or a.json, or the cases themselves as models, and RIGHT.txt, which says
+in words what a user calls right. RIGHT and RIGHT_MODELS below say it in pictures: the picture of another text, or of
+another case, that surely means the same, or colours at places of the picture. A case that is right has a picture of at least
+LEAST_PSNR dB, where a picture is stated, and says what is stated."""
 import argparse
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -47,6 +50,50 @@ class Like:
 
 def mtl(*lines, name="t"):
     return "\n".join([f"newmtl {name}", *lines]) + "\n"
+
+
+class Shows:
+    """Colours at places of the case's own picture: (x, y) in shares of its size, then the least and most of them."""
+
+    def __init__(self, **places):
+        self.places = list(places.values())
+
+    def fault(self, picture):
+        pixel = picture_of(picture)
+        for (x, y), low, high in self.places:
+            seen = pixel(x, y)
+            if not all(a <= b <= c for a, b, c in zip(low, seen, high)):
+                return f"shows {seen} at {x}, {y}"
+        return ""
+
+
+def picture_of(path):
+    """Colour over black at a place, of a PNG of 8-bit RGB or RGBA that is not interlaced."""
+    data, at, packed = path.read_bytes(), 8, b""
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        if kind == b"IHDR":
+            width, height, _, colours = struct.unpack(">IIBB", data[at + 8:at + 18])
+        if kind == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += 12 + size
+    count = {2: 3, 6: 4}[colours]
+    stride, raw, rows = width * count, zlib.decompress(packed), [bytes(width * count)]
+    for y in range(height):
+        filtered, row = raw[y * (stride + 1):(y + 1) * (stride + 1)], bytearray()
+        for x in range(stride):
+            left, above = row[x - count] if x >= count else 0, rows[-1][x]
+            corner = rows[-1][x - count] if x >= count else 0
+            guess = left + above - corner
+            nearest = min((left, above, corner), key=lambda v, g=guess: abs(g - v))
+            row.append(filtered[x + 1] + (0, left, above, (left + above) // 2, nearest)[filtered[0]] & 255)
+        rows.append(bytes(row))
+
+    def pixel(x, y):
+        first = int(x * width) * count
+        colour = rows[1 + int(y * height)][first:first + count]
+        return tuple(c * (colour[3] if count == 4 else 255) // 255 for c in colour[:3])
+    return pixel
 
 
 PLAIN = Like("plain")
@@ -133,6 +180,33 @@ RIGHT = {
 }
 
 
+# Cases that are models, not folders.
+ANY, DARK = (255, 255, 255), (60, 60, 60)
+RIGHT_MODELS = {
+    "poses": [
+        ("skin.gltf", Shows(low=((0.75, 0.58), (99, 99, 99), ANY), below=((0.4, 0.8), (0, 0, 0), (9, 9, 9))), "^$")],
+    "glass": [
+        ("t_plain.gltf", None, "^$"), ("t_mr1.gltf", Like("t_plain.gltf"), "^$"),
+        ("t_mr.gltf", Like("t_plain.gltf"), "^$"),
+        ("tt_col.gltf", Shows(red=((0.35, 0.4), (90, 0, 0), (255, 110, 110))), "^$"),
+        ("pane_tint.gltf", Shows(box=((0.62, 0.43), (60, 40, 10), (150, 120, 90))), "^$"),
+        ("pane_dark.gltf", Shows(pane=((0.4, 0.4), (5, 5, 5), DARK), box=((0.62, 0.43), (5, 5, 5), DARK)), "^$"),
+    ],
+    "soft alpha": [("shadow_narrow.gltf", None, "^$"), ("shadow_wide.gltf", None, "^$")],
+    "old materials": [("sg_num.gltf", None, "^$"), ("sg_tex.gltf", Like("sg_num.gltf"), "^$")],
+    "normal maps on metal": [
+        ("nm_metal.gltf", Shows(ring=((0.36, 0.5), (90, 80, 40), ANY), low=((0.5, 0.72), (90, 80, 40), ANY)), "^$"),
+        ("nm_metal_r5.gltf", Shows(ring=((0.36, 0.5), (90, 80, 40), ANY)), "^$"),
+    ],
+    "light that goes off": [
+        ("glowplate_1.gltf",
+         Shows(box=((0.45, 0.35), (120, 50, 20), ANY), plate=((0.5, 0.62), (250, 250, 250), ANY)), "^$")],
+    "OBJ of other programs": [
+        ("ml.obj", Shows(face=((0.5, 0.5), (60, 60, 60), ANY)), "opaque"), ("slash1.obj", None, "^$")],
+    "a file that is missing": [("nobin.gltf", None, "put scene.bin beside it")],
+}
+
+
 def centre_of(path):
     points = [list(map(float, line.split()[1:4])) for line in path.read_text().splitlines() if line.startswith("v ")]
     return [(min(axis) + max(axis)) / 2 for axis in zip(*points)]
@@ -159,12 +233,12 @@ class Lumi:
     def draw(self, folder, picture):
         """Returns the messages without the folder's name; the picture is not there if it refuses."""
         picture.unlink(missing_ok=True)
-        scene = folder / ("a.json" if (folder / "a.json").exists() else "a.obj")
+        scene = folder if folder.is_file() else folder / ("a.json" if (folder / "a.json").exists() else "a.obj")
         run = subprocess.run([self.program, "reference", scene, "-o", picture, *VIEW], capture_output=True, text=True,
                              timeout=300, check=False)
         told = "lumi: warning: " if run.returncode == 0 else "lumi: "  # notes say what is chosen, not what is wrong
         lines = [line for line in run.stderr.splitlines() if line.startswith(told)]
-        return "\n".join(lines).replace(str(folder) + "/", "")
+        return "\n".join(lines).replace(str(folder if folder.is_dir() else folder.parent) + "/", "")
 
     def psnr(self, a, b):
         run = subprocess.run([self.program, "compare", a, b], capture_output=True, text=True, check=False)
@@ -178,12 +252,14 @@ def fault_of(lumi, cases, scratch, name, picture, said):
     words = lumi.draw(cases / name, mine)
     if said and not re.search(said, words):
         return f"says '{words or 'nothing'}'"
-    picture = resolved(picture, cases, name)
+    picture = resolved(picture, cases, name) if (cases / name).is_dir() else picture
     if not picture:
         return "" if words or mine.exists() else "no picture"
     if not mine.exists():
         return f"refused: {words}"
-    lumi.draw(picture.folder(cases, name, scratch), right)
+    if isinstance(picture, Shows):
+        return picture.fault(mine)
+    lumi.draw(cases / picture.case if (cases / name).is_file() else picture.folder(cases, name, scratch), right)
     psnr = lumi.psnr(mine, right)
     return "" if psnr >= LEAST_PSNR else f"{psnr:.1f} dB"
 
@@ -194,15 +270,16 @@ def main():
     parser.add_argument("--lumi", default=str(ROOT / "build/release/tools/lumi"))
     options = parser.parse_args()
     counts, lumi = {}, Lumi(options.lumi)
+    right = RIGHT if (options.folder / "plain").is_dir() else RIGHT_MODELS
     with tempfile.TemporaryDirectory() as scratch:
-        for kind, cases in RIGHT.items():
+        for kind, cases in right.items():
             faults = {c[0]: fault_of(lumi, options.folder, Path(scratch), *c) for c in cases}
             counts[kind] = sum(not fault for fault in faults.values())
             print(f"{kind}: {counts[kind]} of {len(cases)}")
             for name, fault in faults.items():
                 if fault:
                     print(f"  {name}: {fault}")
-    print(f"{sum(counts.values())} of {sum(map(len, RIGHT.values()))} are right")
+    print(f"{sum(counts.values())} of {sum(map(len, right.values()))} are right")
     return 0
 
 

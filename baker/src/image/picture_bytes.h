@@ -19,5 +19,8 @@ std::string picture_bytes(const std::filesystem::path& file);
 [[noreturn]] void refuse_picture(const std::filesystem::path& file, const std::string& bytes);
 
 bool is_jpeg(const std::string& bytes);
+bool is_webp(const std::string& bytes);
+// Alpha only where it is asked for, and there. Throws PictureError.
+DecodedPicture decode_webp(const std::string& bytes, bool with_alpha);
 
 }  // namespace lumi::baker

@@ -111,14 +111,18 @@ bool is_grey(const Texture& texture)
 
 Texture read_texture(const std::filesystem::path& file, PictureUse use)
 {
-    return decode_texture(file, picture_bytes(file), use);
+    const std::string bytes = picture_bytes(file);
+    if (is_webp(bytes)) refuse_picture(file, bytes);  // no other program reads it beside an OBJ
+    return decode_texture(file, bytes, use);
 }
 
 Texture decode_texture(const std::filesystem::path& name, const std::string& bytes, PictureUse use)
 {
     const bool with_alpha = use == PictureUse::alpha || use == PictureUse::opacity;
-    if (!host::is_png(bytes) && !is_jpeg(bytes)) refuse_picture(name, bytes);
-    DecodedPicture picture = host::is_png(bytes) ? host::decode_png(bytes, with_alpha) : decode_jpeg(bytes);
+    if (!host::is_png(bytes) && !is_jpeg(bytes) && !is_webp(bytes)) refuse_picture(name, bytes);
+    DecodedPicture picture = host::is_png(bytes) ? host::decode_png(bytes, with_alpha)
+                             : is_webp(bytes)    ? decode_webp(bytes, with_alpha)
+                                                 : decode_jpeg(bytes);
     if (use == PictureUse::opacity && picture.alpha.empty()) std::fill(picture.rgb.begin(), picture.rgb.end(), 255);
     spread(use == PictureUse::blue ? blue_of(picture.rgb) : picture.alpha, picture.rgb);
     return {picture.width, picture.height, std::move(picture.rgb), use == PictureUse::colour};

@@ -39,7 +39,7 @@ enum class PictureUse : uint8_t { colour, data, alpha, opacity, blue };
 
 // Throws PictureError.
 Texture read_texture(const std::filesystem::path& file, PictureUse use);
-// Does the same with a file's bytes, which `name` names in messages only.
+// Does the same, also of WebP, with a file's bytes, which `name` names in messages only.
 Texture decode_texture(const std::filesystem::path& name, const std::string& bytes, PictureUse use);
 
 }  // namespace lumi::baker

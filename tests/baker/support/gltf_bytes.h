@@ -61,12 +61,13 @@ public:
 
     const std::string& bin() const { return bin_; }
 
-    std::string glb() const
+    std::string glb() const { return glb_of(json(), bin_); }
+
+    static std::string glb_of(std::string text, const std::string& bin)
     {
-        std::string text = json();
         text.resize((text.size() + 3) / 4 * 4, ' ');
         std::string chunks = word(text.size()) + "JSON" + text;
-        if (!bin_.empty()) chunks += word(bin_.size()) + std::string("BIN\0", 4) + bin_;
+        if (!bin.empty()) chunks += word(bin.size()) + std::string("BIN\0", 4) + bin;
         constexpr size_t kHeaderBytes = 12;
         return "glTF" + word(2) + word(kHeaderBytes + chunks.size()) + chunks;
     }

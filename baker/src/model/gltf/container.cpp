@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "lumi/baker/scene.h"
 #include "util/text_lines.h"
@@ -88,6 +89,59 @@ bool is_json_object(const std::string& bytes)
 bool is_glb(std::string_view bytes)
 {
     return bytes.substr(0, kMagic.size()) == kMagic;
+}
+
+namespace
+{
+
+constexpr const char* kMeshopt = "EXT_meshopt_compression";
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+
+// Calls take() for each object in a list that is a member.
+template <class Take>
+void for_each_object(nlohmann::json& parent, const char* member, const Take& take)
+{
+    if (!parent.contains(member) || !parent[member].is_array()) return;
+    for (nlohmann::json& item : parent[member])
+        if (item.is_object()) take(item);
+}
+
+void fill_fallback(nlohmann::json& buffer)
+{
+    const nlohmann::json::json_pointer fallback(std::string("/extensions/") + kMeshopt + "/fallback");
+    if (buffer.contains("uri") || !buffer.contains(fallback) || buffer[fallback] != true) return;
+    buffer["uri"] = "data:application/octet-stream;base64,AAAA";
+    buffer["byteLength"] = 3;
+}
+
+}  // namespace
+
+std::string plain_for_parser(const std::string& bytes)
+{
+    if (bytes.find(kMeshopt) == std::string::npos && bytes.find(kDraco) == std::string::npos) return bytes;
+    const bool in_chunk = is_glb(bytes);
+    const size_t begin = in_chunk ? kHeaderBytes + kChunkHeaderBytes : 0;
+    const size_t length = in_chunk ? number_at(bytes, kHeaderBytes) : bytes.size();
+    nlohmann::json root = nlohmann::json::parse(bytes.substr(begin, length), nullptr, false);
+    if (!root.is_object()) return bytes;
+    for_each_object(root, "buffers", fill_fallback);
+    for_each_object(root, "meshes", [](nlohmann::json& mesh) {
+        for_each_object(mesh, "primitives", [](nlohmann::json& primitive) {
+            if (primitive.contains(nlohmann::json::json_pointer(std::string("/extensions/") + kDraco)))
+                primitive.erase("indices");
+        });
+    });
+    std::string text = root.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    if (!in_chunk) return text;
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::string rest = bytes.substr(begin + length);
+    const auto word = [](size_t value) {
+        std::string four;
+        for (unsigned shift = 0; shift < 32; shift += 8) four += static_cast<char>(value >> shift & 0xFF);
+        return four;
+    };
+    return bytes.substr(0, 8) + word(begin + text.size() + rest.size()) + word(text.size()) +
+           bytes.substr(kHeaderBytes + 4, 4) + text + rest;
 }
 
 void check_gltf_container(const std::filesystem::path& file, const std::string& bytes)

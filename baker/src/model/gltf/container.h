@@ -17,4 +17,8 @@ bool is_glb(std::string_view bytes);
 // `bytes` are all of `file`. Throws SceneError where it is no glTF 2.0, cut short, or claims more than it can hold.
 void check_gltf_container(const std::filesystem::path& file, const std::string& bytes);
 
+// The file as tinygltf reads it: with three bytes in each buffer that EXT_meshopt_compression leaves empty, and without
+// the indices that Draco brings anew.
+std::string plain_for_parser(const std::string& bytes);
+
 }  // namespace lumi::baker

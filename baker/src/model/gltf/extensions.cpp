@@ -13,12 +13,21 @@ namespace
 {
 
 constexpr const char* kKnown[] = {
-    "KHR_lights_punctual",        "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",        "KHR_materials_specular",
-    "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_volume",       "KHR_mesh_quantization",
+    "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
     "KHR_texture_transform",
 };
 
@@ -28,15 +37,14 @@ struct Remedy {
     const char* mend;
 };
 
+// Blender's importer refuses these, too.
+constexpr const char* kPlainPictures =
+    "get the model with PNG or JPEG pictures (many sites offer the original beside it), or convert its pictures and "
+    "remove the extension from the file's text";
 constexpr Remedy kRemedies[] = {
-    {"KHR_draco_mesh_compression", "its meshes are compressed by Draco",
-     "export it without compression (in Blender: Data, Compression off)"},
-    {"EXT_meshopt_compression", "its meshes are compressed by meshopt", "export it without compression"},
-    {"KHR_texture_basisu", "its pictures are KTX2 files", "export it with PNG or JPEG pictures"},
-    {"EXT_texture_webp", "its pictures are WebP files",
-     "export it with PNG or JPEG pictures (in Blender: Images, Automatic)"},
-    {"EXT_texture_avif", "its pictures are AVIF files", "export it with PNG or JPEG pictures"},
-    {"MSFT_texture_dds", "its pictures are DDS files", "export it with PNG or JPEG pictures"},
+    {"KHR_texture_basisu", "its pictures are KTX2 files", kPlainPictures},
+    {"EXT_texture_avif", "its pictures are AVIF files", kPlainPictures},
+    {"MSFT_texture_dds", "its pictures are DDS files", kPlainPictures},
     {"EXT_mesh_gpu_instancing", "its meshes are repeated by instancing", "export the instances as nodes"},
 };
 

@@ -8,6 +8,7 @@
 
 #include "lumi/baker/scene.h"
 #include "model/gltf/container.h"
+#include "model/gltf/decompress.h"
 #include "model/gltf/extensions.h"
 #include "model/materials.h"
 #include "util/text_lines.h"
@@ -112,10 +113,46 @@ GltfAccessor accessor_of(const tinygltf::Accessor& a)
     return result;
 }
 
+int32_t index_member(const JsonValue& value, const char* name)
+{
+    return static_cast<int32_t>(std::clamp(number_member(value, name, kNoIndex), -1.0, 1e9));
+}
+
+GltfView view_of(const tinygltf::BufferView& v)
+{
+    GltfView result{v.buffer, v.byteOffset, v.byteLength, v.byteStride};
+    const auto found = v.extensions.find("EXT_meshopt_compression");
+    if (found == v.extensions.end()) return result;
+    const JsonValue value = json_of(found->second);
+    const auto size = [&](const char* name) {
+        return static_cast<size_t>(std::clamp(number_member(value, name, 0), 0.0, 4e9));
+    };
+    const auto text = [&](const char* name) {
+        const JsonValue* member = find_member(value, name);
+        return member ? member->text : std::string();
+    };
+    result.packed = GltfMeshopt{index_member(value, "buffer"),
+                                size("byteOffset"),
+                                size("byteLength"),
+                                size("byteStride"),
+                                size("count"),
+                                text("mode"),
+                                text("filter")};
+    return result;
+}
+
 GltfPrimitive primitive_of(const tinygltf::Primitive& p)
 {
-    return {p.attributes, p.targets, p.indices,
-            p.material,   p.mode,    p.extensions.count("KHR_draco_mesh_compression") != 0};
+    GltfPrimitive result{p.attributes, p.targets, p.indices, p.material, p.mode, false, kNoIndex, {}};
+    const auto draco = p.extensions.find("KHR_draco_mesh_compression");
+    if (draco == p.extensions.end()) return result;
+    const JsonValue value = json_of(draco->second);
+    result.packed = true;
+    result.packed_view = index_member(value, "bufferView");
+    if (const JsonValue* attributes = find_member(value, "attributes"))
+        for (const auto& [name, number] : attributes->members)
+            result.packed_attributes[name] = index_member(*attributes, name.c_str());
+    return result;
 }
 
 // Columns of 4 rows each.
@@ -257,7 +294,11 @@ GltfTexture texture_of(const GltfModel& model, const tinygltf::Model& gltf, cons
 {
     GltfTexture result;
     result.image = texture.source;
-    if (texture.source < 0) refuse_foreign_pictures(model, json_of(texture.extensions));
+    const auto webp = texture.extensions.find("EXT_texture_webp");
+    if (texture.source < 0 && webp != texture.extensions.end())
+        result.image = index_member(json_of(webp->second), "source");
+    else if (texture.source < 0)
+        refuse_foreign_pictures(model, json_of(texture.extensions));
     if (texture.sampler >= 0 && static_cast<size_t>(texture.sampler) < gltf.samplers.size()) {
         const tinygltf::Sampler& sampler = gltf.samplers[static_cast<size_t>(texture.sampler)];
         result.wrap = {wrap_of(sampler.wrapS), wrap_of(sampler.wrapT)};
@@ -283,8 +324,7 @@ void take_geometry(const tinygltf::Model& gltf, GltfModel& model)
 {
     for (const tinygltf::Buffer& buffer : gltf.buffers)
         model.buffers.emplace_back(buffer.data.begin(), buffer.data.end());
-    for (const tinygltf::BufferView& view : gltf.bufferViews)
-        model.views.push_back({view.buffer, view.byteOffset, view.byteLength, view.byteStride});
+    for (const tinygltf::BufferView& view : gltf.bufferViews) model.views.push_back(view_of(view));
     for (const tinygltf::Accessor& accessor : gltf.accessors) model.accessors.push_back(accessor_of(accessor));
     for (const tinygltf::Mesh& mesh : gltf.meshes) {
         std::vector<GltfPrimitive>& primitives = model.meshes.emplace_back();
@@ -294,6 +334,8 @@ void take_geometry(const tinygltf::Model& gltf, GltfModel& model)
     for (const tinygltf::Skin& s : gltf.skins) model.skins.push_back({s.name, s.joints, s.inverseBindMatrices});
     for (const tinygltf::Animation& a : gltf.animations) model.animations.push_back(animation_of(a));
     model.roots = roots_of(model, gltf);
+    unpack_meshopt(model);
+    unpack_draco(model);
 }
 
 void take_looks(const tinygltf::Model& gltf, GltfModel& model)
@@ -317,12 +359,35 @@ std::string reason(const std::string& error)
 
 }  // namespace
 
+int32_t add_accessor(GltfModel& model, std::string bytes, int32_t component, uint32_t width, size_t count)
+{
+    model.views.push_back({static_cast<int32_t>(model.buffers.size()), 0, bytes.size(), 0});
+    model.buffers.push_back(std::move(bytes));
+    GltfAccessor accessor;
+    accessor.run = {static_cast<int32_t>(model.views.size() - 1), 0, count, component};
+    accessor.width = width;
+    model.accessors.push_back(accessor);
+    return static_cast<int32_t>(model.accessors.size() - 1);
+}
+
+std::string_view packed_bytes(const GltfModel& model, int32_t index, size_t offset, size_t length, size_t& read)
+{
+    size_t all = 0;
+    for (const std::string& buffer : model.buffers) all += buffer.size();
+    const std::string& buffer = element_of(model, model.buffers, index, "buffer");
+    read += length;
+    if (offset > buffer.size() || length > buffer.size() - offset || read > 2 * all)
+        fail_gltf(model, "a compressed mesh reaches beyond the end of its buffer; export the file again");
+    return std::string_view(buffer).substr(offset, length);
+}
+
 GltfModel read_gltf_file(const std::filesystem::path& file)
 {
     GltfModel model;
     model.file = file;
-    const std::string bytes = read_text(file);
+    std::string bytes = read_text(file);
     check_gltf_container(file, bytes);
+    bytes = plain_for_parser(bytes);
     tinygltf::TinyGLTF loader;
     FilesBeside beside{file, ""};
     loader.SetFsCallbacks(callbacks_of(beside));

@@ -16,9 +16,17 @@
 namespace lumi::baker
 {
 
+// Where EXT_meshopt_compression packs a view's elements.
+struct GltfMeshopt {
+    int32_t buffer = kNoIndex;
+    size_t offset = 0, length = 0, stride = 0, count = 0;
+    std::string mode, filter;
+};
+
 struct GltfView {
     int32_t buffer = kNoIndex;
     size_t offset = 0, length = 0, stride = 0;  // bytes; stride 0: without gaps
+    std::optional<GltfMeshopt> packed = std::nullopt;
 };
 
 // Where numbers lie, of a component type such as 5126 (binary32).
@@ -41,7 +49,9 @@ struct GltfPrimitive {
     std::vector<std::map<std::string, int32_t>> targets;  // of a morph: what a weight of 1 adds to attributes
     int32_t indices = kNoIndex, material = kNoIndex;
     int32_t mode = 4;
-    bool compressed = false;  // by Draco
+    bool packed = false;  // by Draco, in this view, with these numbers of attributes
+    int32_t packed_view = kNoIndex;
+    std::map<std::string, int32_t> packed_attributes;
 };
 
 struct GltfNode {

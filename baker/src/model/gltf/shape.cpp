@@ -154,8 +154,6 @@ GltfShape shape_of(const GltfModel& model, const GltfPrimitive& primitive, const
                    Losses& losses, std::vector<uint32_t>& used)
 {
     GltfShape shape;
-    if (primitive.compressed && primitive.attributes.empty())
-        fail_gltf(model, "its meshes are compressed by Draco; export it without compression");
     if (primitive.mode < kTriangles || primitive.mode > kFan) {
         losses.add("primitive(s) are points or lines, which are not drawn; give them a thickness, as meshes");
         return shape;

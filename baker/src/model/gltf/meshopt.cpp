@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <meshoptimizer.h>
+
+#include "model/gltf/decompress.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+[[noreturn]] void fail(const GltfModel& model, const char* what)
+{
+    fail_gltf(model, std::string("a buffer view that meshopt compressed ") + what + "; export the file again");
+}
+
+bool decode(const GltfMeshopt& packed, std::string_view from, std::string& to)
+{
+    const auto* bytes = reinterpret_cast<const unsigned char*>(from.data());
+    if (packed.mode == "ATTRIBUTES")
+        return packed.stride % 4 == 0 && packed.stride <= 256 &&
+               meshopt_decodeVertexBuffer(to.data(), packed.count, packed.stride, bytes, from.size()) == 0;
+    if (packed.stride != 2 && packed.stride != 4) return false;
+    if (packed.mode == "TRIANGLES")
+        return packed.count % 3 == 0 &&
+               meshopt_decodeIndexBuffer(to.data(), packed.count, packed.stride, bytes, from.size()) == 0;
+    return packed.mode == "INDICES" &&
+           meshopt_decodeIndexSequence(to.data(), packed.count, packed.stride, bytes, from.size()) == 0;
+}
+
+// The stride that a filter takes is stated by the extension; others are undefined.
+bool filter(const GltfMeshopt& packed, std::string& bytes)
+{
+    const size_t stride = packed.stride;
+    if (packed.filter.empty() || packed.filter == "NONE") return true;
+    if (packed.filter == "OCTAHEDRAL" && (stride == 4 || stride == 8))
+        meshopt_decodeFilterOct(bytes.data(), packed.count, stride);
+    else if (packed.filter == "QUATERNION" && stride == 8)
+        meshopt_decodeFilterQuat(bytes.data(), packed.count, stride);
+    else if (packed.filter == "EXPONENTIAL" && stride % 4 == 0)
+        meshopt_decodeFilterExp(bytes.data(), packed.count, stride);
+    else
+        return false;
+    return true;
+}
+
+}  // namespace
+
+void unpack_meshopt(GltfModel& model)
+{
+    size_t read = 0;
+    for (GltfView& view : model.views) {
+        if (!view.packed) continue;
+        const GltfMeshopt& packed = *view.packed;
+        const std::string_view from = packed_bytes(model, packed.buffer, packed.offset, packed.length, read);
+        if (packed.stride == 0 || packed.count > kMostUnpacked * (from.size() + packed.stride) / packed.stride)
+            fail(model, "claims more than its bytes can hold");
+        std::string to(packed.count * packed.stride, '\0');
+        if (!decode(packed, from, to) || !filter(packed, to)) fail(model, "is damaged");
+        view.buffer = static_cast<int32_t>(model.buffers.size());
+        view.offset = 0;
+        view.length = to.size();
+        model.buffers.push_back(std::move(to));
+    }
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// glTF files whose meshes or pictures are compressed.
+#include <webp/encode.h>
+
+#include <catch2/catch.hpp>
+
+#include "lumi/baker/scene.h"
+#include "model/readers.h"
+#include "support/packed_gltf.h"
+#include "support/scratch_folder.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+using testing::GltfMaker;
+using testing::ScratchFolder;
+
+SceneParts unpacked(const std::string& bytes)
+{
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    SceneParts parts = read_gltf(folder.write("m.glb", bytes), warnings);
+    CHECK(warnings.empty());
+    return parts;
+}
+
+void check_square(const SceneParts& parts, double margin)
+{
+    REQUIRE(parts.mesh.triangle_count() == 2);
+    CHECK(static_cast<double>(parts.mesh.area(0) + parts.mesh.area(1)) == Approx(1).margin(margin));
+}
+
+// Every truncation of the packed bytes and many changed ones give a model or a message.
+template <class Wrap>
+void check_damage(const std::string& packed, const Wrap& wrap)
+{
+    const ScratchFolder folder;
+    const auto try_reading = [&](const std::string& bytes) {
+        std::vector<std::string> warnings;
+        try {
+            read_gltf(folder.write("m.glb", wrap(bytes)), warnings);
+        } catch (const SceneError& e) {
+            CHECK_THAT(e.what(), Catch::Contains("; "));
+        }
+    };
+    for (size_t k = 0; k < packed.size(); ++k) {
+        try_reading(packed.substr(0, k));
+        for (const int change : {0x01, 0x80, 0xFF}) {
+            std::string changed = packed;
+            changed[k] = static_cast<char>(changed[k] ^ change);
+            try_reading(changed);
+        }
+    }
+}
+
+std::string webp_picture()
+{
+    const uint8_t rgba[] = {255, 0, 0, 255, 0, 0, 255, 0};
+    uint8_t* bytes = nullptr;
+    const size_t size = WebPEncodeLosslessRGBA(rgba, 2, 1, 8, &bytes);
+    const std::string result(reinterpret_cast<const char*>(bytes), size);
+    WebPFree(bytes);
+    return result;
+}
+
+std::string webp_glb(const std::string& picture)
+{
+    GltfMaker maker = testing::square("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}");
+    const std::string view = std::to_string(maker.view(picture));
+    maker.add("\"extensionsRequired\":[\"EXT_texture_webp\"],\"images\":[{\"bufferView\":" + view +
+              ",\"mimeType\":\"image/webp\"}],\"textures\":[{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}]");
+    return maker.glb();
+}
+
+}  // namespace
+
+TEST_CASE("glTF: meshes that Draco compressed are those of plain ones")
+{
+    check_square(unpacked(testing::draco_gltf(testing::draco_square()).glb()), 1e-3);
+}
+
+TEST_CASE("glTF: views that meshopt compressed are those of plain ones, also without bytes in their own buffer")
+{
+    check_square(unpacked(testing::meshopt_square()), 1e-6);
+}
+
+TEST_CASE("glTF: WebP pictures are read, with their alpha")
+{
+    const SceneParts parts = unpacked(webp_glb(webp_picture()));
+    REQUIRE(parts.textures.size() == 1);
+    CHECK(parts.textures[0].width == 2);
+    CHECK(parts.textures[0].rgb[0] == 255);
+}
+
+TEST_CASE("glTF: damaged Draco and WebP bytes give a model or a message")
+{
+    check_damage(
+        testing::draco_square(), [](const std::string& b) { return testing::draco_gltf(b + " ").glb(); });
+    check_damage(webp_picture(), [](const std::string& b) { return webp_glb(b + " "); });
+}
+
+TEST_CASE("glTF: compressed meshes that claim more than their bytes can hold are refused")
+{
+    const ScratchFolder folder;
+    const auto check_refused = [&](const std::string& bytes, const char* word) {
+        std::vector<std::string> warnings;
+        CHECK_THROWS_WITH(read_gltf(folder.write("m.glb", bytes), warnings), Catch::Contains(word));
+    };
+    check_refused(testing::meshopt_square(400'000'000), "more than its bytes can hold");
+    // Sequential: 2^28 triangles of 2^28 points.
+    const std::string many("\x80\x80\x80\x80\x01", 5), head("DRACO\x02\x02\x01\x00\x00\x00", 11);
+    check_refused(testing::draco_gltf(head + many + many).glb(), "more than its bytes can hold");
+    check_refused(testing::draco_gltf("DRACO").glb(), "Draco");
+}
+
+}  // namespace lumi::baker
