@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "image/tone.h"
+#include "model/readers.h"
 #include "support/brute_force.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
