@@ -122,7 +122,7 @@ void add_tables(const Material& m, const SpreadOf& spread_of, Skins& skins, Face
     }
 }
 
-// As tables() makes them.
+// A smooth step of roughness has none.
 std::vector<std::shared_ptr<const GlassTable>> glass_tables(const Material& m)
 {
     return tables<GlassTable>(
@@ -211,13 +211,9 @@ Bsdf Material::bsdf(const PointValues& at, float u) const
         const GlassTable* frost = nearest_or_none(frosts, at.roughness);
         return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
     }
-    if (thin && u >= at.metalness) {
-        PointValues body = at;
-        body.base = at.base * (1 - at.transmission);
-        return brushed() ? opaque(*this, body, u, brushed_skins, brushed_facets)
-                         : opaque(*this, body, u, skins, facets);
-    }
-    return brushed() ? opaque(*this, at, u, brushed_skins, brushed_facets) : opaque(*this, at, u, skins, facets);
+    PointValues rest = at;
+    if (thin && u >= at.metalness) rest.base = at.base * (1 - at.transmission);
+    return brushed() ? opaque(*this, rest, u, brushed_skins, brushed_facets) : opaque(*this, rest, u, skins, facets);
 }
 
 float alpha_from_phong_exponent(float exponent)

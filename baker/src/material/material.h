@@ -160,9 +160,10 @@ struct Material : MaterialNumbers {
     bool glass = false;       // clear inside; the triangles' winding faces outwards
     bool thin = false;        // a pane: what lies behind shows through in place, coloured once by tint and base picture
     bool blends = false;      // soft edges of the picture of opacity stay soft in fields
-    float transmission =
-        1;               // of glass and panes: the share of light that is not metal's and enters; the rest is plastic
-    Rgb tint = grey(1);  // of glass and panes: of light that passes, in at one side and out at the other
+    // For glass and panes: the share of light that is not metal's and enters, where the rest is plastic, and the colour
+    // of light that passes, in at one side and out at the other.
+    float transmission = 1;
+    Rgb tint = grey(1);
     TextureSlots maps;
 
     // Clamps what must be in range and derives what is derived. Call after filling in or changing.

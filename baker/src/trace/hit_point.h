@@ -43,10 +43,11 @@ std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sample
 // Does the same as the first, and `passed` gets the surfaces that it passes, with distances along the ray.
 std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sampler& sampler, std::vector<Hit>& passed);
 
-// The opacity of the surface at a hit: the probability that it stops a ray. Of a pane: as seen from straight above.
+// The opacity of the surface at a hit: the probability that it stops a ray. A pane has that of rays from straight
+// above.
 float opacity_of(const SceneData& scene, const Hit& hit);
-// Of light that stops there, how much is scattered: 1 but for panes, which let more or less light through than they let
-// rays pass.
+// How much of the light that stops there is scattered: 1 but for panes, which let more or less light through than they
+// let rays pass.
 float weight_of_stop(const SceneData& scene, const Hit& hit);
 
 // How far the ray gets: to the nearest hit that does not let it pass, or to where the volume scatters or absorbs it.

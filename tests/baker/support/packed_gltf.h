@@ -26,7 +26,8 @@ inline std::string draco_square()
     return {buffer.data(), buffer.size()};
 }
 
-inline GltfMaker draco_gltf(const std::string& packed)
+// So many primitives have the same packed bytes.
+inline GltfMaker draco_gltf(const std::string& packed, size_t primitives = 1)
 {
     GltfMaker maker;
     const std::string view = std::to_string(maker.view(packed));
@@ -35,10 +36,14 @@ inline GltfMaker draco_gltf(const std::string& packed)
     maker.add(
         "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"extensionsRequired\":[\"KHR_draco_mesh_"
         "compression\"]");
-    maker.add(
-        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1,\"extensions\":{"
-        "\"KHR_draco_mesh_compression\":{\"bufferView\":" +
-        view + ",\"attributes\":{\"POSITION\":0}}}}]}]");
+    std::string list;
+    for (size_t k = 0; k < primitives; ++k) {
+        list += (k == 0 ? "" : ",") +
+                ("{\"attributes\":{\"POSITION\":0},\"indices\":1,\"extensions\":{\"KHR_draco_mesh_compression\":{"
+                 "\"bufferView\":" +
+                 view + ",\"attributes\":{\"POSITION\":0}}}}");
+    }
+    maker.add("\"meshes\":[{\"primitives\":[" + list + "]}]");
     return maker;
 }
 

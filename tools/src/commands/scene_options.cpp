@@ -118,7 +118,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
                 if (!options.animation)
                     throw CLI::ValidationError("--animation", "takes NAME@SECONDS, not \"" + word + "\"");
             },
-            "Pose a glTF model as its animation of this name does at its begin, or at NAME@SECONDS [at rest]")
+            "Pose a glTF model as its animation of this name does at its start, or at NAME@SECONDS [at rest]")
         ->type_name("NAME");
 }
 

@@ -13,12 +13,23 @@ inline constexpr size_t kMostUnpacked = 64;
 // Appends a buffer, its view, and an accessor of so many elements; returns the accessor's number.
 int32_t add_accessor(GltfModel& model, std::string bytes, int32_t component, uint32_t width, size_t count);
 
-// The bytes of a packed range. Throws SceneError where it is not inside its buffer, or where the file asks for its
-// bytes more than twice, as `read` counts.
-std::string_view packed_bytes(const GltfModel& model, int32_t buffer, size_t offset, size_t length, size_t& read);
+// Gives out packed bytes of a model, in all at most twice as many as its file holds: what is unpacked does not count,
+// so that a file cannot ask for the same bytes again and again.
+class PackedBytes
+{
+public:
+    explicit PackedBytes(const GltfModel& model);  // borrows the model, of which nothing is unpacked yet
+
+    // Valid until a buffer is added. Throws SceneError where the range is not inside its buffer, or too much was taken.
+    std::string_view take(int32_t buffer, size_t offset, size_t length);
+
+private:
+    const GltfModel& model_;
+    size_t left_;
+};
 
 // Throw SceneError where the packed bytes are damaged or claim too much.
-void unpack_meshopt(GltfModel& model);
-void unpack_draco(GltfModel& model);
+void unpack_meshopt(GltfModel& model, PackedBytes& packed);
+void unpack_draco(GltfModel& model, PackedBytes& packed);
 
 }  // namespace lumi::baker

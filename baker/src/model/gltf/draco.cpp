@@ -111,7 +111,7 @@ void unpack(GltfModel& model, GltfPrimitive& primitive, std::string_view bytes)
     corners.reserve(3 * size_t{mesh->num_faces()});
     for (uint32_t k = 0; k < mesh->num_faces(); ++k)
         for (const draco::PointIndex& corner : mesh->face(draco::FaceIndex(k))) corners.push_back(corner.value());
-    for (const auto& [name, id] : primitive.packed_attributes) {
+    for (const auto& [name, id] : primitive.packed->attributes) {
         const draco::PointAttribute* attribute =
             id < 0 ? nullptr : mesh->GetAttributeByUniqueId(static_cast<uint32_t>(id));
         if (!attribute) fail(model, "lacks an attribute that the file names");
@@ -127,14 +127,13 @@ void unpack(GltfModel& model, GltfPrimitive& primitive, std::string_view bytes)
 
 }  // namespace
 
-void unpack_draco(GltfModel& model)
+void unpack_draco(GltfModel& model, PackedBytes& packed)
 {
-    size_t read = 0;
     for (std::vector<GltfPrimitive>& mesh : model.meshes) {
         for (GltfPrimitive& primitive : mesh) {
             if (!primitive.packed) continue;
-            const GltfView view = element_of(model, model.views, primitive.packed_view, "buffer view");
-            const std::string bytes(packed_bytes(model, view.buffer, view.offset, view.length, read));
+            const GltfView view = element_of(model, model.views, primitive.packed->view, "buffer view");
+            const std::string bytes(packed.take(view.buffer, view.offset, view.length));
             try {
                 unpack(model, primitive, bytes);
             } catch (const std::bad_alloc&) {

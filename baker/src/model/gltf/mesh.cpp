@@ -49,9 +49,14 @@ Rgb mean_of(const std::vector<Rgb>& colours)
 
 }  // namespace
 
-GltfMeshBuilder::GltfMeshBuilder(const GltfModel& model, const std::vector<GltfSurface>& surfaces, SceneParts& parts,
-                                 Losses& losses)
-    : model_(model), surfaces_(surfaces), parts_(parts), losses_(losses), places_(surfaces.size(), -1)
+GltfMeshBuilder::GltfMeshBuilder(const GltfModel& model, const std::vector<GltfSurface>& surfaces,
+                                 const std::vector<Affine>& node_places, SceneParts& parts, Losses& losses)
+    : model_(model),
+      surfaces_(surfaces),
+      node_places_(node_places),
+      parts_(parts),
+      losses_(losses),
+      places_(surfaces.size(), -1)
 {
 }
 
@@ -64,9 +69,8 @@ void GltfMeshBuilder::add(const GltfNode& node, const Affine& place)
 
 const std::vector<Affine>& GltfMeshBuilder::joints_of(int32_t skin)
 {
-    if (places_of_nodes_.empty()) places_of_nodes_ = places_of_nodes(model_);
     const auto [found, fresh] = joints_.try_emplace(skin);
-    if (fresh) found->second = joint_matrices(model_, skin, places_of_nodes_);
+    if (fresh) found->second = joint_matrices(model_, skin, node_places_);
     return found->second;
 }
 

@@ -11,11 +11,11 @@ namespace lumi::baker
 class GltfMeshBuilder
 {
 public:
-    // Keeps the references. Adds to the mesh, materials and textures of `parts`.
-    GltfMeshBuilder(const GltfModel& model, const std::vector<GltfSurface>& surfaces, SceneParts& parts,
-                    Losses& losses);
+    // Keeps the references. Adds to the mesh, materials and textures of `parts`. `node_places`: places_of_nodes.
+    GltfMeshBuilder(const GltfModel& model, const std::vector<GltfSurface>& surfaces,
+                    const std::vector<Affine>& node_places, SceneParts& parts, Losses& losses);
 
-    // The mesh of a node at its place, morphed by its weights and bent by its skin. Throws SceneError.
+    // Adds the mesh of a node at its place, morphed by its weights and bent by its skin. Throws SceneError.
     void add(const GltfNode& node, const Affine& place);
 
     // The surface that a material of `parts` is made of.
@@ -51,13 +51,13 @@ private:
 
     const GltfModel& model_;
     const std::vector<GltfSurface>& surfaces_;
+    const std::vector<Affine>& node_places_;
     SceneParts& parts_;
     Losses& losses_;
     std::vector<int64_t> places_;  // where surfaces stand among the scene's materials, or -1
     std::vector<size_t> made_of_;  // surfaces, of the scene's materials
     // By mesh, skin and weights.
     std::map<std::tuple<int32_t, int32_t, std::vector<float>>, std::vector<Known>> known_;
-    std::vector<Affine> places_of_nodes_;                    // once a skin needs them
     std::map<int32_t, std::vector<Affine>> joints_;          // by skin
     size_t triangles_ = 0, replacements_ = 0, morphed_ = 0;  // as many as were placed, read, and moved
 };

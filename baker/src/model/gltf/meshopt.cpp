@@ -45,13 +45,12 @@ bool filter(const GltfMeshopt& packed, std::string& bytes)
 
 }  // namespace
 
-void unpack_meshopt(GltfModel& model)
+void unpack_meshopt(GltfModel& model, PackedBytes& bytes)
 {
-    size_t read = 0;
     for (GltfView& view : model.views) {
         if (!view.packed) continue;
         const GltfMeshopt& packed = *view.packed;
-        const std::string_view from = packed_bytes(model, packed.buffer, packed.offset, packed.length, read);
+        const std::string_view from = bytes.take(packed.buffer, packed.offset, packed.length);
         if (packed.stride == 0 || packed.count > kMostUnpacked * (from.size() + packed.stride) / packed.stride)
             fail(model, "claims more than its bytes can hold");
         std::string to(packed.count * packed.stride, '\0');

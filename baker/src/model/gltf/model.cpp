@@ -143,15 +143,14 @@ GltfView view_of(const tinygltf::BufferView& v)
 
 GltfPrimitive primitive_of(const tinygltf::Primitive& p)
 {
-    GltfPrimitive result{p.attributes, p.targets, p.indices, p.material, p.mode, false, kNoIndex, {}};
+    GltfPrimitive result{p.attributes, p.targets, p.indices, p.material, p.mode, std::nullopt};
     const auto draco = p.extensions.find("KHR_draco_mesh_compression");
     if (draco == p.extensions.end()) return result;
     const JsonValue value = json_of(draco->second);
-    result.packed = true;
-    result.packed_view = index_member(value, "bufferView");
+    result.packed = GltfDraco{index_member(value, "bufferView"), {}};
     if (const JsonValue* attributes = find_member(value, "attributes"))
         for (const auto& [name, number] : attributes->members)
-            result.packed_attributes[name] = index_member(*attributes, name.c_str());
+            result.packed->attributes[name] = index_member(*attributes, name.c_str());
     return result;
 }
 
@@ -334,8 +333,9 @@ void take_geometry(const tinygltf::Model& gltf, GltfModel& model)
     for (const tinygltf::Skin& s : gltf.skins) model.skins.push_back({s.name, s.joints, s.inverseBindMatrices});
     for (const tinygltf::Animation& a : gltf.animations) model.animations.push_back(animation_of(a));
     model.roots = roots_of(model, gltf);
-    unpack_meshopt(model);
-    unpack_draco(model);
+    PackedBytes packed(model);
+    unpack_meshopt(model, packed);
+    unpack_draco(model, packed);
 }
 
 void take_looks(const tinygltf::Model& gltf, GltfModel& model)
@@ -370,14 +370,18 @@ int32_t add_accessor(GltfModel& model, std::string bytes, int32_t component, uin
     return static_cast<int32_t>(model.accessors.size() - 1);
 }
 
-std::string_view packed_bytes(const GltfModel& model, int32_t index, size_t offset, size_t length, size_t& read)
+PackedBytes::PackedBytes(const GltfModel& model) : model_(model), left_(0)
 {
-    size_t all = 0;
-    for (const std::string& buffer : model.buffers) all += buffer.size();
-    const std::string& buffer = element_of(model, model.buffers, index, "buffer");
-    read += length;
-    if (offset > buffer.size() || length > buffer.size() - offset || read > 2 * all)
-        fail_gltf(model, "a compressed mesh reaches beyond the end of its buffer; export the file again");
+    for (const std::string& buffer : model.buffers) left_ += 2 * buffer.size();
+}
+
+std::string_view PackedBytes::take(int32_t index, size_t offset, size_t length)
+{
+    const std::string& buffer = element_of(model_, model_.buffers, index, "buffer");
+    if (offset > buffer.size() || length > buffer.size() - offset)
+        fail_gltf(model_, "a compressed mesh reaches beyond the end of its buffer; export the file again");
+    if (length > left_) fail_gltf(model_, "its compressed meshes share their bytes; export the file again");
+    left_ -= length;
     return std::string_view(buffer).substr(offset, length);
 }
 

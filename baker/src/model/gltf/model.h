@@ -44,14 +44,18 @@ struct GltfAccessor {
     GltfRun sparse_values;
 };
 
+// Where KHR_draco_mesh_compression packs a primitive.
+struct GltfDraco {
+    int32_t view = kNoIndex;
+    std::map<std::string, int32_t> attributes;  // by Draco's own numbers
+};
+
 struct GltfPrimitive {
     std::map<std::string, int32_t> attributes;
     std::vector<std::map<std::string, int32_t>> targets;  // of a morph: what a weight of 1 adds to attributes
     int32_t indices = kNoIndex, material = kNoIndex;
     int32_t mode = 4;
-    bool packed = false;  // by Draco, in this view, with these numbers of attributes
-    int32_t packed_view = kNoIndex;
-    std::map<std::string, int32_t> packed_attributes;
+    std::optional<GltfDraco> packed = std::nullopt;
 };
 
 struct GltfNode {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "geometry/open_edges.h"
-
 #include "model/gltf/mesh.h"
 #include "model/gltf/model.h"
 #include "model/gltf/pose.h"
@@ -25,7 +24,8 @@ public:
     GltfSceneReader(const GltfModel& model, Losses& losses, std::vector<std::string>& warnings)
         : model_(model),
           surfaces_(surfaces_of(model, parts_.textures, losses, warnings)),
-          meshes_(model, surfaces_, parts_, losses),
+          places_(places_of_nodes(model)),
+          meshes_(model, surfaces_, places_, parts_, losses),
           losses_(losses)
     {
     }
@@ -43,7 +43,6 @@ public:
 private:
     struct Placed {
         int32_t node;
-        Affine parent;
         int32_t part;  // the named part that the parent is, or kNoIndex
     };
 
@@ -52,8 +51,7 @@ private:
     {
         std::vector<bool> seen(model_.nodes.size(), false);
         std::vector<Placed> open;
-        for (auto root = model_.roots.rbegin(); root != model_.roots.rend(); ++root)
-            open.push_back({*root, kIdentity, kNoIndex});
+        for (auto root = model_.roots.rbegin(); root != model_.roots.rend(); ++root) open.push_back({*root, kNoIndex});
         while (!open.empty()) {
             const Placed next = open.back();
             open.pop_back();
@@ -63,13 +61,13 @@ private:
                                       " lies below two nodes or below itself; export the file again");
             }
             seen[static_cast<size_t>(next.node)] = true;
-            const Affine place = combined(next.parent, node.matrix);
+            const Affine& place = places_[static_cast<size_t>(next.node)];
             const int32_t part = begin_part(node, next.part);
             if (node.mesh != kNoIndex) meshes_.add(node, place);
             parts_.named.back().end = parts_.mesh.triangle_count();
             if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-                open.push_back({*child, place, part});
+                open.push_back({*child, part});
             if (node.camera != kNoIndex)
                 add_view(node, element_of(model_, model_.cameras, node.camera, "camera"), place);
         }
@@ -144,10 +142,12 @@ private:
             if (!is_tinted(k)) continue;
             if (thick.empty()) thick = thicknesses(parts_.mesh, parts_.materials.size());
             Material& m = parts_.materials[k];
-            if (thick[k] > 0)
+            if (thick[k] > 0) {
                 m.transmittance_length = thick[k];
-            else
-                m.tint = m.tint * m.transmittance, m.transmittance = grey(1);
+            } else {
+                m.tint = m.tint * m.transmittance;
+                m.transmittance = grey(1);
+            }
             m.finish();
         }
     }
@@ -155,6 +155,7 @@ private:
     const GltfModel& model_;
     SceneParts parts_;
     const std::vector<GltfSurface> surfaces_;
+    const std::vector<Affine> places_;  // by node
     GltfMeshBuilder meshes_;
     Losses& losses_;
     std::vector<int32_t> parents_;  // named parts have them

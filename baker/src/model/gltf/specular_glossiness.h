@@ -34,7 +34,7 @@ struct MetallicPictures {
 
 MetallicPictures metallic_pictures(const FactoredPicture& diffuse, const FactoredPicture& specular);
 
-// From glossiness in all channels.
+// Makes it from a picture that has glossiness in all channels.
 Texture roughness_picture(Texture glossiness, float factor);
 
 }  // namespace lumi::baker

@@ -115,4 +115,13 @@ TEST_CASE("glTF: compressed meshes that claim more than their bytes can hold are
     check_refused(testing::draco_gltf("DRACO").glb(), "Draco");
 }
 
+TEST_CASE("glTF: compressed bytes may be shared by two meshes, and not unpacked again and again")
+{
+    CHECK(unpacked(testing::draco_gltf(testing::draco_square(), 2).glb()).mesh.triangle_count() == 4);
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    const auto file = folder.write("m.glb", testing::draco_gltf(testing::draco_square(), 3).glb());
+    CHECK_THROWS_WITH(read_gltf(file, warnings), Catch::Contains("share their bytes"));
+}
+
 }  // namespace lumi::baker
